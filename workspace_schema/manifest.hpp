@@ -1,0 +1,74 @@
+// The manifest, workspace.yaml version 1, as plain values after all checks that need no disk.
+// Reading is in manifest_reader.cpp; nothing here touches the world.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "workspace_schema/diagnostic.hpp"
+
+namespace ros2wasm {
+
+/// A value with its place in the manifest.
+template <typename T>
+struct Spanned {
+  T value{};
+  SourceSpan span;
+};
+
+/// A ROS parameter value; integers and doubles are kept apart as ROS 2 does.
+using ParameterValue = std::variant<bool, std::int64_t, double, std::string, std::vector<bool>,
+                                    std::vector<std::int64_t>, std::vector<double>,
+                                    std::vector<std::string>>;
+
+struct Author {
+  std::string name;
+  std::string email;        ///< may be empty
+  std::string orcid;        ///< may be empty
+  std::string affiliation;  ///< may be empty
+};
+
+enum class NodeOutput { kScreen, kLog, kBoth };
+
+struct ParameterEntry {
+  std::string name;  ///< dotted for nested keys
+  ParameterValue value;
+};
+
+/// One entry of `launch: [...]`.
+struct NodeEntry {
+  SourceSpan span;  ///< of the whole entry's first key
+  Spanned<std::string> package;
+  Spanned<std::string> executable;
+  std::optional<Spanned<std::string>> name;       ///< ROS node name, if remapped
+  std::optional<Spanned<std::string>> name_space;  ///< ROS namespace, if remapped
+  std::vector<std::pair<std::string, std::string>> remappings;  ///< from, to; in order
+  std::vector<ParameterEntry> parameters;
+  std::vector<Spanned<std::string>> parameter_files;  ///< relative to the manifest
+  std::vector<std::string> arguments;  ///< passed before --ros-args
+  NodeOutput output = NodeOutput::kScreen;
+  bool respawn = false;
+};
+
+struct Manifest {
+  std::string file;  ///< path as given, for messages
+  int schema = 1;
+  Spanned<std::string> name;
+  std::string title;
+  std::string version;
+  std::vector<Author> authors;
+  std::string license;
+  std::string distro = "jazzy";
+  std::vector<Spanned<std::string>> channels;      ///< empty: the embedded channel
+  std::vector<Spanned<std::string>> dependencies;  ///< conda match specs or ROS package names
+  std::vector<Spanned<std::string>> packages;      ///< paths or globs, relative to the manifest
+  std::optional<Spanned<std::string>> launch_file;
+  std::vector<NodeEntry> nodes;
+  std::map<std::string, std::string> ui;  ///< scalar options of `ui:` (theme, layout ...)
+  std::map<std::string, std::string> site;  ///< scalar options of `site:`
+};
+
+}  // namespace ros2wasm

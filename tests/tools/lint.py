@@ -1,0 +1,88 @@
+#!/usr/bin/env python3
+"""Formatting, types and house rules. `lint.py` checks everything; `--fix format` rewrites the formatting."""
+from __future__ import annotations
+
+import argparse
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+LIMIT = 600  # lines of one source file
+REGISTRY_OR_MACHINE = re.compile(
+    "://[^/ ]*(" + "|".join(("debian", "npmjs")) + r")\.|(^|[^A-Za-z0-9_.])/wor[k]/[A-Za-z.]"
+)
+
+
+def tracked(*suffixes: str) -> list[str]:
+    out = subprocess.run(["git", "ls-files", "-co", "--exclude-standard"], cwd=ROOT, capture_output=True, text=True, check=True)
+    return [n for n in out.stdout.splitlines() if n.endswith(suffixes) and (ROOT / n).is_file()]
+
+
+def native_files() -> list[str]:
+    ours = ("cli/", "bundler/", "workspace_schema/", "tests/unit/", "runtime/")
+    return [n for n in tracked(".cpp", ".hpp", ".h") if n.startswith(ours)]
+
+
+def run(*command: str) -> str | None:
+    """Runs a checker; its output when it fails, None when it is content."""
+    process = subprocess.run(command, cwd=ROOT, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
+    return None if process.returncode == 0 else process.stdout[-6000:]
+
+
+def house_rules() -> str | None:
+    errors = []
+    for name in tracked(""):
+        path = ROOT / name
+        try:
+            text = path.read_text(encoding="utf-8")
+        except UnicodeDecodeError:
+            continue
+        lines = text.count("\n")
+        if path.suffix in {".cpp", ".hpp", ".ts", ".tsx", ".py"} and lines > LIMIT:
+            errors.append(f"{name}: {lines} lines; a file has one subject ({LIMIT} at most)")
+        if path.stem in {"util", "utils", "helper", "helpers", "common", "misc"}:
+            errors.append(f"{name}: a name that says nothing")
+        for number, line in enumerate(text.splitlines(), 1):
+            if REGISTRY_OR_MACHINE.search(line):
+                errors.append(f"{name}:{number}: names a package registry's host or a path of a machine")
+    return "\n".join(errors) or None
+
+
+def checks() -> dict[str, object]:
+    python = tracked(".py")
+    shell = ["dev", ".ci/run", *tracked(".sh")]
+    return {
+        "format": lambda: run("clang-format", "--dry-run", "--Werror", *native_files()),
+        "layers": lambda: run(sys.executable, "tests/tools/layers.py"),
+        "house": house_rules,
+        "types": lambda: run("node_modules/.bin/tsc", "--noEmit", "-p", "tsconfig.json"),
+        "constants": lambda: run("node", "runtime/protocol/generate.mjs", "--check"),
+        "python": lambda: run(sys.executable, "-m", "flake8", "--max-line-length=120", *python),
+        "shell": lambda: run("shellcheck", *shell),
+    }
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--build", type=Path, required=True)
+    parser.add_argument("--fix", action="store_true")
+    parser.add_argument("names", nargs="*")
+    options = parser.parse_args()
+    if options.fix:
+        return subprocess.run(["clang-format", "-i", *native_files()], cwd=ROOT, check=False).returncode
+    failed = 0
+    rows = {name: check for name, check in checks().items() if not options.names or name in options.names}
+    for name, check in rows.items():
+        problem = check()  # type: ignore[operator]
+        print(f"{name:10} {'ok' if problem is None else 'FAILED'}")
+        if problem is not None:
+            failed += 1
+            print(problem)
+    print(f"{len(rows) - failed} passed, {failed} failed")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

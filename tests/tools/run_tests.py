@@ -1,0 +1,145 @@
+#!/usr/bin/env python3
+"""Runs every test suite of the project and ends with the counts.
+
+A suite is one row: a name, a command and how its result is counted. A suite that runs no test counts
+as a failure, and so does a skipped test: neither may pass for tested.
+"""
+from __future__ import annotations
+
+import argparse
+import os
+import re
+import subprocess
+import sys
+import time
+import xml.etree.ElementTree as ElementTree
+from dataclasses import dataclass
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+@dataclass(frozen=True)
+class Suite:
+    name: str
+    command: list[str]
+    counting: str  # "ctest", "node" (both write JUnit XML) or "lines" ("N passed, N failed")
+
+
+@dataclass(frozen=True)
+class Counts:
+    passed: int
+    failed: int
+    skipped: int = 0
+
+
+def junit_counts(report: Path) -> Counts:
+    """Counts the leaf test cases of a JUnit file."""
+    passed = failed = skipped = 0
+    for case in ElementTree.parse(report).getroot().iter("testcase"):
+        if case.find("failure") is not None or case.find("error") is not None:
+            failed += 1
+        elif case.find("skipped") is not None or case.get("status") in ("notrun", "disabled"):
+            skipped += 1
+        else:
+            passed += 1
+    return Counts(passed, failed, skipped)
+
+
+def line_counts(output: str) -> Counts:
+    """Reads the last "N passed, N failed" or unittest's "Ran N tests" of an output."""
+    rows = re.findall(r"(\d+) passed, (\d+) failed(?:, (\d+) skipped)?", output)
+    if rows:
+        passed, failed, skipped = rows[-1]
+        return Counts(int(passed), int(failed), int(skipped or 0))
+    ran = re.findall(r"^Ran (\d+) tests?", output, re.MULTILINE)
+    if ran:
+        broken = sum(int(n) for n in re.findall(r"(?:failures|errors)=(\d+)", output))
+        skipped = sum(int(n) for n in re.findall(r"skipped=(\d+)", output))
+        return Counts(int(ran[-1]) - broken - skipped, broken, skipped)
+    return Counts(0, 0)
+
+
+def suites(build: Path, bless: bool) -> list[Suite]:
+    cli = str(build / "ros2wasm")
+
+    def node(folder: str) -> list[str]:
+        return sorted(str(p) for p in (ROOT / "tests" / folder).rglob("*.test.ts"))
+
+    rows = [
+        Suite("native", ["ctest", "--test-dir", str(build), "--output-on-failure"], "ctest"),
+        Suite(
+            "golden",
+            [sys.executable, "tests/golden/run.py", "--cli", cli] + (["--bless"] if bless else []),
+            "lines",
+        ),
+        Suite("unit-js", ["node", "--test", *node("unit")], "node"),
+        Suite(
+            "unit-python",
+            [sys.executable, "-m", "unittest", "discover", "-s", "tests", "-t", ".", "-p", "*_test.py"],
+            "lines",
+        ),
+        Suite("conformance", ["node", "--test", *node("conformance")], "node"),
+        # One browser at a time: two cores, and figures that mean something.
+        Suite("e2e", ["node", "--test", "--test-concurrency=1", *node("e2e")], "node"),
+    ]
+    return rows
+
+
+def run(suite: Suite, build: Path, environment: dict[str, str]) -> Counts:
+    report = build / "test-reports" / f"{suite.name}.xml"
+    report.parent.mkdir(parents=True, exist_ok=True)
+    report.unlink(missing_ok=True)
+    command = list(suite.command)
+    if suite.counting == "ctest":
+        command += ["--output-junit", str(report)]
+    elif suite.counting == "node":
+        command[2:2] = [
+            "--test-reporter=junit", f"--test-reporter-destination={report}",
+            "--test-reporter=dot", "--test-reporter-destination=stdout",
+        ]
+    started = time.monotonic()
+    process = subprocess.run(
+        command, cwd=ROOT, env=environment, text=True, errors="replace", check=False,
+        stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+    )
+    (report.with_suffix(".log")).write_text(process.stdout)
+    if suite.counting == "lines":
+        counts = line_counts(process.stdout)
+    else:
+        counts = junit_counts(report) if report.exists() else Counts(0, 0)
+    if process.returncode != 0 and counts.failed == 0:
+        counts = Counts(counts.passed, 1, counts.skipped)
+    if counts.passed + counts.failed == 0:
+        print(f"{suite.name}: no test ran", flush=True)
+        counts = Counts(0, 1)
+    if counts.failed:
+        print(process.stdout[-12000:], flush=True)
+    seconds = time.monotonic() - started
+    skipped = f", {counts.skipped} skipped" if counts.skipped else ""
+    print(f"{suite.name:12} {counts.passed:5} passed, {counts.failed} failed{skipped} ({seconds:.1f} s)", flush=True)
+    return counts
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--build", type=Path, required=True)
+    parser.add_argument("--bless", action="store_true")
+    parser.add_argument("filter", nargs="*", help="names of suites; all when none is given")
+    options = parser.parse_args()
+    build = options.build.resolve()
+    environment = dict(os.environ, ROS2WASM_BUILD=str(build), ROS2WASM_CLI=str(build / "ros2wasm"))
+    rows = suites(build, options.bless)
+    unknown = set(options.filter) - {suite.name for suite in rows}
+    if unknown:
+        parser.error(f"no such suite: {', '.join(sorted(unknown))}; there are {', '.join(s.name for s in rows)}")
+    chosen = [suite for suite in rows if not options.filter or suite.name in options.filter]
+    results = [run(suite, build, environment) for suite in chosen]
+    passed = sum(r.passed for r in results)
+    failed = sum(r.failed + r.skipped for r in results)
+    print(f"{passed} passed, {failed} failed")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

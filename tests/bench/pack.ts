@@ -1,0 +1,41 @@
+// Time and memory of `ros2wasm pack` for example 01: cold (empty cache), warm (nothing changed) and after a
+// change of one file. The peer of the cold run is the compiler alone on the same two files.
+import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { measure } from './measured_process.ts';
+import type { Measured } from './measured_process.ts';
+import type { BenchContext } from './run.ts';
+import { summary } from './statistics.ts';
+
+const WARM_RUNS = 9;
+const TALKER = 'src/tutorial_talker/src/publisher_member_function.cpp';
+
+export function benchPack(context: BenchContext): void {
+  const folder = mkdtempSync(join(tmpdir(), 'ros2wasm-bench-'));
+  try {
+    cpSync(join(context.root, 'examples/01_talker_listener'), folder, { recursive: true });
+    const environment = { ...process.env, XDG_CACHE_HOME: join(folder, '.cache') };
+    const command = [join(context.build, 'ros2wasm'), 'pack', join(folder, 'workspace.yaml'), '-o', join(folder, 'site')];
+    const pack = (): Measured => {
+      const run = measure(command, environment);
+      if (run.exitCode !== 0) throw new Error(`pack failed: ${run.stderr}`);
+      return run;
+    };
+    const cold = pack();
+    const warm = Array.from({ length: WARM_RUNS }, pack);
+    const file = join(folder, TALKER);
+    writeFileSync(file, readFileSync(file, 'utf8').replace('Hello, world!', 'Hello, bench!'));
+    const changed = pack();
+    const compiler = measure(['em++', '-O2', '-c', '-x', 'c++', '-', '-o', join(folder, 'empty.o')].filter((w) => w !== ''));
+    context.emit({
+      bench: 'pack', example: '01_talker_listener',
+      cold_ms: Math.round(cold.wallMs), cold_peak_kb: cold.peakKb,
+      warm_ms: summary(warm.map((run) => run.wallMs)), warm_peak_kb: summary(warm.map((run) => run.peakKb)).median,
+      one_file_changed_ms: Math.round(changed.wallMs),
+      peer: 'one start of the compiler on an empty file', peer_ms: Math.round(compiler.wallMs), peer_peak_kb: compiler.peakKb,
+    });
+  } finally {
+    rmSync(folder, { recursive: true, force: true });
+  }
+}

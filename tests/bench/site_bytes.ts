@@ -1,0 +1,45 @@
+// Bytes of the packed example 01, raw and compressed, by file and in sum.
+import { spawnSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, readdirSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join, relative } from 'node:path';
+import { brotliCompressSync, constants, gzipSync } from 'node:zlib';
+import type { BenchContext } from './run.ts';
+
+export function packedExample(context: BenchContext, folder: string, example = '01_talker_listener'): string {
+  const site = join(folder, 'site');
+  const run = spawnSync(
+    join(context.build, 'ros2wasm'),
+    ['pack', join(context.root, 'examples', example, 'workspace.yaml'), '-o', site],
+    { encoding: 'utf8' },
+  );
+  if (run.status !== 0) throw new Error(`pack failed: ${run.stderr}`);
+  return site;
+}
+
+export function benchBytes(context: BenchContext): void {
+  const folder = mkdtempSync(join(tmpdir(), 'ros2wasm-bench-'));
+  try {
+    const site = packedExample(context, folder);
+    const files = readdirSync(site, { recursive: true, withFileTypes: true })
+      .filter((entry) => entry.isFile())
+      .map((entry) => join(entry.parentPath, entry.name))
+      .sort();
+    const total = { raw: 0, gzip: 0, brotli: 0 };
+    for (const file of files) {
+      const bytes = readFileSync(file);
+      const raw = bytes.length;
+      const gzip = gzipSync(bytes, { level: 9 }).length;
+      const brotli = brotliCompressSync(bytes, {
+        params: { [constants.BROTLI_PARAM_QUALITY]: 11, [constants.BROTLI_PARAM_SIZE_HINT]: raw },
+      }).length;
+      total.raw += raw;
+      total.gzip += gzip;
+      total.brotli += brotli;
+      context.emit({ bench: 'bytes', file: relative(site, file), raw, gzip, brotli });
+    }
+    context.emit({ bench: 'bytes', file: 'all', files: files.length, ...total });
+  } finally {
+    rmSync(folder, { recursive: true, force: true });
+  }
+}

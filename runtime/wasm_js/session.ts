@@ -1,0 +1,151 @@
+// What the page (and any other host of a site) sees of a running site: its nodes, consoles and topics.
+// Types only, plus unreachable(); launcher.ts makes Sessions.
+
+export type Unsubscribe = () => void;
+
+/** A place in the manifest or a launch file. Lines and columns count from 1. */
+export interface SourcePlace {
+  readonly file: string;
+  readonly line: number;
+  readonly column: number;
+}
+
+export interface SiteNode {
+  /** `<executable>-<n>`, the process name that `ros2 launch` prints. */
+  readonly id: string;
+  readonly package: string;
+  readonly executable: string;
+  readonly label: string;
+  readonly kind: 'cpp';
+  /** Path of the program, relative to site.json. */
+  readonly program: string;
+  readonly threads: boolean;
+  readonly arguments: readonly string[];
+  readonly environment: Readonly<Record<string, string>>;
+  readonly output: string;
+  readonly respawn: boolean;
+  readonly respawnDelay: number;
+  readonly source?: SourcePlace;
+}
+
+export interface SiteFile {
+  readonly path: string;
+  readonly size: number;
+  readonly sha256: string;
+  readonly reason: string;
+}
+
+/** site.json, checked. */
+export interface SiteDescription {
+  readonly protocol: number;
+  readonly generator: string;
+  readonly name: string;
+  readonly title: string;
+  readonly version: string;
+  readonly distro: string;
+  readonly license: string;
+  readonly authors: readonly { readonly name: string }[];
+  readonly nodes: readonly SiteNode[];
+  /** Path of interfaces.json, relative to site.json; empty when the site has none. */
+  readonly interfaces: string;
+  readonly ui: Readonly<Record<string, unknown>>;
+  readonly files: readonly SiteFile[];
+}
+
+export type LinkKind = 'shared' | 'port';
+
+export type NodeState =
+  | { readonly kind: 'stopped' }
+  | { readonly kind: 'starting' }
+  | { readonly kind: 'running' }
+  | { readonly kind: 'exited'; readonly code: number }
+  | { readonly kind: 'crashed'; readonly message: string; readonly code: string };
+
+export interface NodeView {
+  readonly id: string;
+  readonly label: string;
+  readonly package: string;
+  readonly executable: string;
+  readonly state: NodeState;
+  /** ms since 1970. */
+  readonly startedAt?: number;
+  readonly source?: SourcePlace;
+}
+
+export type LogLevel = 'DEBUG' | 'INFO' | 'WARN' | 'ERROR' | 'FATAL';
+
+export interface ConsoleLine {
+  /** ms since 1970. */
+  readonly time: number;
+  readonly stream: 'stdout' | 'stderr';
+  readonly text: string;
+  /** Set when the text has the form of a ROS 2 log line. */
+  readonly level?: LogLevel;
+}
+
+export interface ConsoleLog {
+  /** The newest lines, oldest first; the count is bounded. */
+  lines(): readonly ConsoleLine[];
+  /** Lines that fell out of the ring so far. */
+  dropped(): number;
+  /** Called with the lines that came since the last call, at most once per animation frame. */
+  onLines(listener: (lines: readonly ConsoleLine[]) => void): Unsubscribe;
+  clear(): void;
+}
+
+export interface QosView {
+  readonly reliability: 'reliable' | 'best_effort';
+  readonly durability: 'transient_local' | 'volatile';
+  readonly history: 'keep_last' | 'keep_all';
+  readonly depth: number;
+}
+
+export interface TopicView {
+  readonly name: string;
+  readonly type: string;
+  readonly publishers: number;
+  readonly subscriptions: number;
+  readonly rateHz: number;
+  readonly bytesPerSecond: number;
+  /** Messages of the living publishers since they began. */
+  readonly count: number;
+  /** Of the publishers, without repetition. */
+  readonly qos: readonly QosView[];
+}
+
+export interface LastMessage {
+  /** Whole CDR buffer, a copy. */
+  readonly bytes: Uint8Array;
+  /** ms since 1970: when it was published. */
+  readonly receivedAt: number;
+  readonly count: number;
+}
+
+export interface Session {
+  readonly site: SiteDescription;
+  readonly link: LinkKind;
+  /** In launch order. */
+  nodes(): readonly NodeView[];
+  start(id: string): void;
+  stop(id: string): void;
+  restart(id: string): void;
+  startAll(): void;
+  stopAll(): void;
+  /** At most once per animation frame. */
+  onNodes(listener: (nodes: readonly NodeView[]) => void): Unsubscribe;
+  console(id: string): ConsoleLog;
+  /** Sampled 4 times per second while someone listens. */
+  topics(): readonly TopicView[];
+  onTopics(listener: (topics: readonly TopicView[]) => void): Unsubscribe;
+  lastMessage(topic: string): LastMessage | undefined;
+  /** Type name -> definition text; fetched at the first call. */
+  interfaces(): Promise<ReadonlyMap<string, string>>;
+  /** Text for the node's standard input; end lines with \n. */
+  sendInput(id: string, text: string): void;
+  close(): void;
+}
+
+/** Marks a branch that the types rule out. */
+export function unreachable(value: never): never {
+  throw new TypeError(`unreachable: ${JSON.stringify(value)}`);
+}

@@ -1,0 +1,22 @@
+// One row per command. A command lives in cli/<name>_command.cpp and is declared here, above the table.
+#include "cli/command_table.hpp"
+
+#include <array>
+
+namespace ros2wasm {
+
+CommandBody explain_command(Arguments& arguments);
+CommandBody version_command(Arguments& arguments);
+
+namespace {
+
+constexpr auto kCommands = std::to_array<CommandRow>({
+    {.name = "explain", .help = "Say more about an error code", .declare = explain_command},
+    {.name = "version", .help = "Print the version", .declare = version_command},
+});
+
+}  // namespace
+
+std::span<const CommandRow> command_table() { return kCommands; }
+
+}  // namespace ros2wasm

@@ -1,0 +1,105 @@
+// See console.hpp.
+#include "cli/console.hpp"
+
+#include <algorithm>
+#include <ostream>
+
+#include "workspace_schema/json_writer.hpp"
+
+namespace ros2wasm {
+namespace {
+
+ProgressForm progress_form(const ConsoleOptions& options) {
+  if (options.quiet) return ProgressForm::kNone;
+  if (options.json) return ProgressForm::kJson;
+  return options.live_progress ? ProgressForm::kBar : ProgressForm::kLines;
+}
+
+}  // namespace
+
+Console::Console(ConsoleOptions options, std::ostream& out, std::ostream& err, ClockMs clock)
+    : options_(options),
+      out_(out),
+      err_(err),
+      progress_(progress_form(options), options.terminal_width, std::move(clock)) {}
+
+Console::~Console() { write_error_stream({}); }
+
+/// Wipes the bar first, so that nothing is written behind it.
+void Console::write_error_stream(std::string_view text) {
+  err_ << progress_.wipe() << text << std::flush;
+}
+
+void Console::result(std::string_view line) {
+  const std::scoped_lock lock(mutex_);
+  write_error_stream({});
+  out_ << line << '\n' << std::flush;
+}
+
+void Console::result_text(std::string_view text) {
+  const std::scoped_lock lock(mutex_);
+  write_error_stream({});
+  out_ << text << std::flush;
+}
+
+void Console::remark(std::string_view line) {
+  if (options_.quiet) return;
+  const std::scoped_lock lock(mutex_);
+  if (options_.json) {
+    JsonWriter json;
+    json.begin_object().field("event", "remark").field("text", line).end_object();
+    write_error_stream(json.text() + "\n");
+  } else {
+    write_error_stream(std::string(line) + "\n");
+  }
+}
+
+void Console::report(const Diagnostic& diagnostic) {
+  const std::scoped_lock lock(mutex_);
+  if (options_.json) {
+    write_error_stream(diagnostic_json(diagnostic) + "\n");
+  } else {
+    write_error_stream(diagnostic_text(diagnostic, options_.style) + "\n");
+  }
+}
+
+int Console::fail(const Diagnostics& errors) {
+  for (const Diagnostic& error : errors) report(error);
+  const auto count = std::count_if(errors.begin(), errors.end(),
+                                   [](const Diagnostic& d) { return d.severity == Severity::kError; });
+  if (!options_.json && count > 0) {
+    std::string last = count == 1 ? "1 error" : std::to_string(count) + " errors";
+    const auto first = std::find_if(errors.begin(), errors.end(),
+                                    [](const Diagnostic& d) { return d.severity == Severity::kError; });
+    last += "; `ros2wasm explain " + first->code + "` says more";
+    remark(last);
+  }
+  return exit_code_of(errors);
+}
+
+void Console::progress(const ProgressEvent& event) {
+  const std::scoped_lock lock(mutex_);
+  err_ << progress_.show(event) << std::flush;
+}
+
+void Console::end(int exit_code) {
+  if (!options_.json) return;
+  const std::scoped_lock lock(mutex_);
+  JsonWriter json;
+  json.begin_object().field("event", "end").field_integer("exit_code", exit_code).end_object();
+  write_error_stream(json.text() + "\n");
+}
+
+int exit_code_of(const Diagnostics& errors) {
+  const auto has = [&](FailureKind kind) {
+    return std::any_of(errors.begin(), errors.end(), [kind](const Diagnostic& d) { return d.kind == kind; });
+  };
+  if (has(FailureKind::kInterrupted)) return static_cast<int>(FailureKind::kInterrupted);
+  if (has(FailureKind::kBug)) return static_cast<int>(FailureKind::kBug);
+  for (const Diagnostic& diagnostic : errors) {
+    if (diagnostic.severity == Severity::kError) return static_cast<int>(diagnostic.kind);
+  }
+  return static_cast<int>(FailureKind::kUserInput);
+}
+
+}  // namespace ros2wasm

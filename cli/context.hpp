@@ -1,0 +1,29 @@
+// What a command gets from main: everything of the world that it may need, so that tests can hand in their own.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+
+#include "workspace_schema/cancellation.hpp"
+#include "workspace_schema/progress_event.hpp"
+
+namespace ros2wasm {
+
+class Console;
+
+struct Context {
+  Console& console;
+  Cancellation cancellation;
+  ProgressSink progress;                           ///< shown by the console
+  std::filesystem::path executable;                ///< absolute path of this program
+  std::map<std::string, std::string> environment;  ///< variables at start
+  bool json = false;                               ///< --json: print results as JSON
+};
+
+/// Runs a command whose options are parsed; returns the exit code (see docs/errors.md). Usually ends with
+/// `return context.console.fail(errors);` or `return 0;`.
+using CommandBody = std::function<int(Context&)>;
+
+}  // namespace ros2wasm

@@ -1,0 +1,48 @@
+// See interrupt.hpp. The only global state of the program: a signal handler can reach nothing else.
+#include "cli/interrupt.hpp"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+
+namespace ros2wasm {
+namespace {
+
+std::atomic<bool> interrupt_requested{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "the handler may use nothing else");
+int wake_pipe_write_end = -1;
+
+extern "C" void on_interrupt(int) {
+  interrupt_requested.store(true, std::memory_order_relaxed);
+  if (wake_pipe_write_end >= 0) {
+    const char byte = 1;
+    [[maybe_unused]] const auto written = write(wake_pipe_write_end, &byte, 1);
+  }
+}
+
+extern "C" void on_broken_pipe(int) {}
+
+}  // namespace
+
+Cancellation install_interrupt_handlers() {
+  std::array<int, 2> ends{-1, -1};
+  if (pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) == 0) wake_pipe_write_end = ends[1];
+
+  struct sigaction stop{};
+  stop.sa_handler = on_interrupt;
+  sigemptyset(&stop.sa_mask);
+  // No SA_RESTART: a blocked call returns and the step looks at the flag. The second signal ends the program.
+  stop.sa_flags = static_cast<int>(SA_RESETHAND);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &stop, nullptr);
+
+  struct sigaction pipe_closed{};
+  pipe_closed.sa_handler = on_broken_pipe;  // a handler, not SIG_IGN, which children would inherit
+  sigemptyset(&pipe_closed.sa_mask);
+  sigaction(SIGPIPE, &pipe_closed, nullptr);
+  return Cancellation(interrupt_requested, ends[0]);
+}
+
+}  // namespace ros2wasm

@@ -1,0 +1,90 @@
+// See progress.hpp.
+#include "cli/progress.hpp"
+
+#include <algorithm>
+
+#include "workspace_schema/json_writer.hpp"
+#include "workspace_schema/text_encoding.hpp"
+
+namespace ros2wasm {
+namespace {
+
+constexpr std::int64_t kRedrawMs = 80;
+constexpr std::size_t kBarCells = 24;
+
+std::string count_text(const ProgressEvent& event) {
+  if (event.unit == "bytes") {
+    const auto kilobytes = [](std::uint64_t n) { return std::to_string((n + 999) / 1000); };
+    return event.total == 0 ? kilobytes(event.done) + " kB"
+                            : kilobytes(event.done) + "/" + kilobytes(event.total) + " kB";
+  }
+  std::string text = std::to_string(event.done);
+  if (event.total > 0) text += "/" + std::to_string(event.total);
+  if (!event.unit.empty()) text += " " + event.unit;
+  return text;
+}
+
+std::string json_line(const ProgressEvent& event) {
+  JsonWriter json;
+  json.begin_object();
+  json.field("event", "progress");
+  json.field("step", event.step);
+  json.field("item", event.item);
+  json.key("done").unsigned_integer(event.done);
+  json.key("total").unsigned_integer(event.total);
+  json.field("unit", event.unit);
+  json.end_object();
+  return json.text() + "\n";
+}
+
+}  // namespace
+
+std::string Progress::bar(const ProgressEvent& event) const {
+  std::string line = event.step;
+  line.resize(std::max<std::size_t>(line.size(), 8), ' ');
+  if (event.total > 0) {
+    const std::uint64_t done = std::min(event.done, event.total);
+    const auto filled = static_cast<std::size_t>(static_cast<double>(done) / static_cast<double>(event.total) *
+                                                 static_cast<double>(kBarCells));
+    line += " [" + std::string(filled, '#') + std::string(kBarCells - filled, '.') + "]";
+  }
+  line += " " + count_text(event);
+  if (!event.item.empty()) line += "  " + valid_utf8(event.item);
+  std::size_t width = 0;
+  std::size_t end = 0;
+  while (end < line.size()) {
+    const Utf8Character character = decode_utf8(line, end);
+    width += terminal_width(character.code_point);
+    if (width >= width_) break;
+    end += character.length;
+  }
+  line.resize(end);
+  std::replace_if(line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
+  return line;
+}
+
+std::string Progress::show(const ProgressEvent& event) {
+  if (form_ == ProgressForm::kNone) return {};
+  const bool finished = event.total > 0 && event.done >= event.total;
+  if (form_ == ProgressForm::kLines) {
+    if (!finished) return {};
+    return event.step + ": " + count_text(event) + "\n";
+  }
+  const std::int64_t now = clock_();
+  const auto last = last_shown_ms_.find(event.step);
+  const bool due = last == last_shown_ms_.end() || now - last->second >= kRedrawMs;
+  if (!due && !finished) return {};
+  last_shown_ms_[event.step] = now;
+  if (form_ == ProgressForm::kJson) return json_line(event);
+  if (finished) return wipe();
+  drawn_ = true;
+  return "\r\x1b[2K" + bar(event);
+}
+
+std::string Progress::wipe() {
+  if (!drawn_) return {};
+  drawn_ = false;
+  return "\r\x1b[2K";
+}
+
+}  // namespace ros2wasm

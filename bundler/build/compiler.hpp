@@ -1,0 +1,27 @@
+// Finds Emscripten and says which one it is, without starting it.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "workspace_schema/outcome.hpp"
+
+namespace ros2wasm {
+
+struct Compiler {
+  std::filesystem::path cxx;  ///< em++
+  std::filesystem::path c;    ///< emcc
+  std::string version;        ///< "3.1.6"
+  /// Changes whenever the compiler does: goes into every build's hash.
+  std::string identity;
+};
+
+/// EMSDK's compiler when that variable is set, else the one on PATH. R2W0501 when there is none.
+[[nodiscard]] Outcome<Compiler> find_compiler();
+
+/// What Emscripten's tools need in their environment here: Debian's emcc finds its JavaScript libraries
+/// through NODE_PATH, whichever Node.js runs it.
+[[nodiscard]] std::map<std::string, std::string> compiler_environment();
+
+}  // namespace ros2wasm

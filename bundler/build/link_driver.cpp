@@ -1,0 +1,152 @@
+// See link_driver.hpp. Each link happens in a folder beside the output and ends with a rename.
+#include "bundler/build/link_driver.hpp"
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <set>
+#include <sstream>
+
+#include "bundler/build/compiler.hpp"
+#include "bundler/build/thread_marker.hpp"
+#include "bundler/io/process.hpp"
+
+namespace ros2wasm {
+namespace fs = std::filesystem;
+namespace {
+
+std::optional<std::string> contents_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) return std::nullopt;
+  return std::string(std::istreambuf_iterator<char>(stream), {});
+}
+
+/// Response files (@name) replaced by their arguments.
+std::vector<std::string> expanded(const std::vector<std::string>& command) {
+  std::vector<std::string> result;
+  for (const std::string& argument : command) {
+    const auto text = argument.starts_with('@') ? contents_of(argument.substr(1)) : std::nullopt;
+    if (text) {
+      for (std::string& inner : split_response_file(*text)) result.push_back(std::move(inner));
+    } else {
+      result.push_back(argument);
+    }
+  }
+  return result;
+}
+
+/// A folder for one link's files, removed at the end.
+class LinkFolder {
+ public:
+  explicit LinkFolder(const fs::path& output)
+      : path_(output.string() + ".link-" + std::to_string(::getpid())) {
+    std::error_code ignored;
+    fs::create_directories(path_, ignored);
+  }
+  LinkFolder(const LinkFolder&) = delete;
+  LinkFolder& operator=(const LinkFolder&) = delete;
+  ~LinkFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  [[nodiscard]] std::string stem() const { return (path_ / "program").string(); }
+
+ private:
+  fs::path path_;
+};
+
+std::string target_of(const LinkLine& line) { return fs::path(line.output).stem().string(); }
+
+std::string described(const LinkRequest& request, const LinkLine& line) {
+  const std::string target = "`" + target_of(line) + "`";
+  return request.package.empty() ? target : target + " of package `" + request.package + "`";
+}
+
+Diagnostic link_failed(const LinkRequest& request, const LinkLine& line, std::string output) {
+  return Diagnostic{.code = "R2W0505",
+                    .message = "cannot link " + described(request, line),
+                    .detail = std::move(output)};
+}
+
+/// Who refers to the symbols: "talker.cpp.o refers to foo()", from the linker's own trace. Only when a link
+/// failed already, so its cost does not matter.
+std::vector<std::string> references(const LinkLine& line, const std::vector<std::string>& symbols,
+                                    const std::string& stem, const Cancellation& cancellation) {
+  LinkLine traced = line;
+  for (const std::string& symbol : symbols) traced.arguments.push_back("-Wl,--trace-symbol=" + symbol);
+  traced.arguments.emplace_back("-O0");
+  const auto result = run_process({.arguments = link_command(traced, LinkKind::kSingle, stem),
+                                   .environment = compiler_environment()},
+                                  cancellation);
+  std::set<std::string> lines;
+  if (result) {
+    std::istringstream text(result->output);
+    for (std::string one; std::getline(text, one);) {
+      const auto at = one.find(": reference to ");
+      if (at == std::string::npos) continue;
+      lines.insert("`" + fs::path(one.substr(0, at)).filename().string() + "` refers to `" +
+                   one.substr(at + 15) + "`");
+    }
+  }
+  return {lines.begin(), lines.end()};
+}
+
+Diagnostics undefined_symbols(const LinkRequest& request, const LinkLine& line,
+                              const std::vector<std::string>& symbols, const std::string& stem,
+                              const Cancellation& cancellation) {
+  const auto who = references(line, symbols, stem, cancellation);
+  Diagnostics result;
+  for (const std::string& symbol : symbols) {
+    const std::string name = demangled(symbol);
+    Diagnostic diagnostic{.code = "R2W0504",
+                          .message = "nothing defines `" + name + "`, which " +
+                                     described(request, line) + " needs"};
+    for (const std::string& one : who) {
+      if (one.ends_with("refers to `" + name + "`")) diagnostic.why.push_back(one);
+    }
+    diagnostic.why.emplace_back("no object and no library on the link line has it");
+    result.push_back(std::move(diagnostic));
+  }
+  return result;
+}
+
+}  // namespace
+
+Outcome<LinkReport> link_program(const LinkRequest& request, const Cancellation& cancellation) {
+  const LinkLine line = parse_link_line(expanded(request.command));
+  const LinkFolder folder(line.output);
+  const auto link = [&](LinkKind kind) {
+    return run_process({.arguments = link_command(line, kind, folder.stem()),
+                        .environment = compiler_environment()},
+                       cancellation);
+  };
+
+  std::ofstream(folder.stem() + kThreadMarkerSuffix, std::ios::binary) << thread_marker_object();
+  auto linked = link(LinkKind::kSingle);
+  if (!linked) return std::move(linked).errors();
+  if (linked->exit_code != 0) return link_failed(request, line, linked->output);
+  const auto bytes = contents_of(folder.stem() + ".wasm");
+  const auto module = bytes ? read_wasm_module(*bytes) : std::nullopt;
+  if (!module) return link_failed(request, line, "the linker wrote no WebAssembly module");
+
+  const ImportFindings findings = classify_imports(*module);
+  if (!findings.undefined.empty()) {
+    return undefined_symbols(request, line, findings.undefined, folder.stem(), cancellation);
+  }
+  LinkReport report{.program = line.output};
+  if (findings.needs_threads) {
+    report.kind = LinkKind::kThreads;
+    linked = link(LinkKind::kThreads);
+    if (!linked) return std::move(linked).errors();
+    if (linked->exit_code != 0) return link_failed(request, line, linked->output);
+  }
+  std::error_code error;
+  fs::rename(folder.stem() + ".wasm", line.output, error);
+  if (error) return link_failed(request, line, error.message());
+  return report;
+}
+
+}  // namespace ros2wasm

@@ -1,0 +1,28 @@
+// `ros2wasm link-program`: links one program of a package. CMake calls it through the toolchain file.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bundler/build/link_line.hpp"
+#include "workspace_schema/cancellation.hpp"
+#include "workspace_schema/outcome.hpp"
+
+namespace ros2wasm {
+
+struct LinkRequest {
+  std::string package;               ///< for messages; may be empty
+  std::vector<std::string> command;  ///< compiler and arguments, with -o
+};
+
+struct LinkReport {
+  std::string program;  ///< the file written
+  LinkKind kind = LinkKind::kSingle;
+};
+
+/// Links singly; links again for threads when the program starts any. R2W0504 symbols that nothing defines,
+/// R2W0505 the linker failed otherwise. The output appears whole or not at all.
+[[nodiscard]] Outcome<LinkReport> link_program(const LinkRequest& request,
+                                               const Cancellation& cancellation);
+
+}  // namespace ros2wasm

@@ -1,0 +1,171 @@
+// See wasm_module.hpp. The format is that of the WebAssembly core specification, section 5.5.
+#include "bundler/build/wasm_module.hpp"
+
+#include <algorithm>
+
+namespace ros2wasm {
+namespace {
+
+constexpr std::string_view kHeader("\0asm\1\0\0\0", 8);
+constexpr std::uint8_t kCustomSection = 0;
+constexpr std::uint8_t kImportSection = 2;
+
+/// Walks over bytes; any step beyond the end makes it fail for good.
+class Cursor {
+ public:
+  Cursor(std::string_view bytes, std::size_t position, std::size_t end)
+      : bytes_(bytes), position_(position), end_(end) {}
+
+  [[nodiscard]] bool ok() const { return ok_; }
+  [[nodiscard]] bool at_end() const { return !ok_ || position_ == end_; }
+  [[nodiscard]] std::size_t position() const { return position_; }
+
+  std::uint8_t byte() {
+    if (!ok_ || position_ >= end_) {
+      ok_ = false;
+      return 0;
+    }
+    return static_cast<std::uint8_t>(bytes_[position_++]);
+  }
+
+  std::uint64_t leb() {
+    std::uint64_t value = 0;
+    for (unsigned shift = 0; shift < 64; shift += 7) {
+      const std::uint8_t next = byte();
+      value |= static_cast<std::uint64_t>(next & 0x7FU) << shift;
+      if ((next & 0x80U) == 0) return value;
+    }
+    ok_ = false;
+    return 0;
+  }
+
+  std::string_view take(std::uint64_t count) {
+    if (!ok_ || count > end_ - position_) {
+      ok_ = false;
+      return {};
+    }
+    const auto result = bytes_.substr(position_, static_cast<std::size_t>(count));
+    position_ += static_cast<std::size_t>(count);
+    return result;
+  }
+
+  std::string text() { return std::string(take(leb())); }
+
+ private:
+  std::string_view bytes_;
+  std::size_t position_;
+  std::size_t end_;
+  bool ok_ = true;
+};
+
+/// Limits of a table or memory; true when they carry the shared flag.
+bool skip_limits(Cursor& cursor) {
+  const std::uint8_t flags = cursor.byte();
+  cursor.leb();
+  if ((flags & 1U) != 0) cursor.leb();
+  return (flags & 2U) != 0;
+}
+
+WasmImport read_import(Cursor& cursor) {
+  WasmImport result;
+  result.module = cursor.text();
+  result.name = cursor.text();
+  switch (cursor.byte()) {
+    case 0:
+      result.kind = WasmExternal::kFunction;
+      cursor.leb();
+      break;
+    case 1:
+      result.kind = WasmExternal::kTable;
+      cursor.byte();
+      skip_limits(cursor);
+      break;
+    case 2:
+      result.kind = WasmExternal::kMemory;
+      result.shared_memory = skip_limits(cursor);
+      break;
+    case 3:
+      result.kind = WasmExternal::kGlobal;
+      cursor.byte();
+      cursor.byte();
+      break;
+    case 4:
+      result.kind = WasmExternal::kTag;
+      cursor.byte();
+      cursor.leb();
+      break;
+    default:
+      cursor.take(~std::uint64_t{0});  // no such kind: fail
+  }
+  return result;
+}
+
+void append_leb(std::string& to, std::uint64_t value) {
+  do {
+    auto next = static_cast<std::uint8_t>(value & 0x7FU);
+    value >>= 7U;
+    if (value != 0) next |= 0x80U;
+    to.push_back(static_cast<char>(next));
+  } while (value != 0);
+}
+
+}  // namespace
+
+std::optional<WasmModule> read_wasm_module(std::string_view bytes) {
+  if (!bytes.starts_with(kHeader)) return std::nullopt;
+  WasmModule result;
+  Cursor cursor(bytes, kHeader.size(), bytes.size());
+  while (!cursor.at_end()) {
+    WasmSection section{.begin = cursor.position()};
+    section.id = cursor.byte();
+    const std::uint64_t size = cursor.leb();
+    section.contents = cursor.position();
+    cursor.take(size);
+    if (!cursor.ok()) return std::nullopt;
+    section.end = cursor.position();
+    Cursor inside(bytes, section.contents, section.end);
+    if (section.id == kCustomSection) {
+      section.name = inside.text();
+      section.contents = inside.position();
+    } else if (section.id == kImportSection) {
+      for (std::uint64_t left = inside.leb(); left > 0 && inside.ok(); --left) {
+        result.imports.push_back(read_import(inside));
+      }
+    }
+    if (!inside.ok()) return std::nullopt;
+    result.sections.push_back(std::move(section));
+  }
+  if (!cursor.ok()) return std::nullopt;
+  return result;
+}
+
+bool imports_shared_memory(const WasmModule& module) {
+  return std::any_of(module.imports.begin(), module.imports.end(),
+                     [](const WasmImport& import) { return import.shared_memory; });
+}
+
+std::optional<SplitProgram> split_names(std::string_view bytes) {
+  const auto module = read_wasm_module(bytes);
+  if (!module) return std::nullopt;
+  SplitProgram result{.program = std::string(kHeader), .names = {}};
+  result.program.reserve(bytes.size());
+  for (const WasmSection& section : module->sections) {
+    const auto whole = bytes.substr(section.begin, section.end - section.begin);
+    if (section.id != kCustomSection) {
+      result.program.append(whole);
+    } else if (section.name == "name") {
+      std::string contents;
+      append_leb(contents, section.name.size());
+      contents += section.name;
+      contents += bytes.substr(section.contents, section.end - section.contents);
+      result.names = std::string(kHeader);
+      result.names.push_back('\0');
+      append_leb(result.names, contents.size());
+      result.names += contents;
+    }
+    // Other custom sections (producers, target_features, debug data) have no use at run time.
+  }
+  return result;
+}
+
+}  // namespace ros2wasm

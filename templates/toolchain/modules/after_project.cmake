@@ -1,0 +1,6 @@
+# Runs after each project() call. Gives the interpreter's target without FindPython3's probing,
+# which needs development files that a site build never uses.
+if(Python3_EXECUTABLE AND NOT TARGET Python3::Interpreter)
+  add_executable(Python3::Interpreter IMPORTED)
+  set_target_properties(Python3::Interpreter PROPERTIES IMPORTED_LOCATION "${Python3_EXECUTABLE}")
+endif()

@@ -27,7 +27,9 @@ export function benchPack(context: BenchContext): void {
     const file = join(folder, TALKER);
     writeFileSync(file, readFileSync(file, 'utf8').replace('Hello, world!', 'Hello, bench!'));
     const changed = pack();
-    const compiler = measure(['em++', '-O2', '-c', '-x', 'c++', '-', '-o', join(folder, 'empty.o')].filter((w) => w !== ''));
+    const empty = join(folder, 'empty.cpp');
+    writeFileSync(empty, '');
+    const compiler = measure(['em++', '-O2', '-c', empty, '-o', join(folder, 'empty.o')]);
     context.emit({
       bench: 'pack', example: '01_talker_listener',
       cold_ms: Math.round(cold.wallMs), cold_peak_kb: cold.peakKb,

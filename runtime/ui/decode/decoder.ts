@@ -1,0 +1,67 @@
+// Turns the bytes of a message (CDR) into plain values for showing. Loaded when a message is looked at
+// for the first time, with the parser and reader of @foxglove. Malformed bytes give an error value.
+
+import { parse } from '@foxglove/rosmsg';
+import { MessageReader } from '@foxglove/rosmsg2-serialization';
+import { gatherDefinition } from './definitions.ts';
+import type { Definitions } from './definitions.ts';
+import { buildShape } from './shape.ts';
+import type { Shape } from './shape.ts';
+
+export type Decoded =
+  | { readonly kind: 'value'; readonly value: unknown; readonly shape: Shape }
+  | { readonly kind: 'failed'; readonly reason: string };
+
+interface TypeReader {
+  readonly reader: MessageReader;
+  readonly shape: Shape;
+}
+
+export interface Decoder {
+  decode(type: string, bytes: Uint8Array): Decoded;
+}
+
+export function createDecoder(interfaces: Definitions): Decoder {
+  const readers = new Map<string, TypeReader | string>();
+  const readerOf = (type: string): TypeReader | string => {
+    const known = readers.get(type);
+    if (known !== undefined) return known;
+    const made = makeReader(type, interfaces);
+    readers.set(type, made);
+    return made;
+  };
+  return {
+    decode(type, bytes) {
+      const found = readerOf(type);
+      if (typeof found === 'string') {
+        return { kind: 'failed', reason: found };
+      }
+      try {
+        // Text decoders refuse shared memory, so shared bytes are copied first.
+        const own = bytes.buffer instanceof ArrayBuffer ? bytes : Uint8Array.from(bytes);
+        return { kind: 'value', value: found.reader.readMessage(own), shape: found.shape };
+      } catch (error) {
+        return { kind: 'failed', reason: `these ${bytes.byteLength} bytes are no ${type}: ${messageOf(error)}` };
+      }
+    },
+  };
+}
+
+function makeReader(type: string, interfaces: Definitions): TypeReader | string {
+  const definition = gatherDefinition(type, interfaces);
+  if ('missing' in definition) {
+    return definition.missing === type
+      ? `the site has no definition of ${type}`
+      : `the site has no definition of ${definition.missing}, which ${type} uses`;
+  }
+  try {
+    const definitions = parse(definition.text, { ros2: true });
+    return { reader: new MessageReader(definitions), shape: buildShape(definitions) };
+  } catch (error) {
+    return `the definition of ${type} cannot be read: ${messageOf(error)}`;
+  }
+}
+
+function messageOf(error: unknown): string {
+  return error instanceof Error ? error.message : String(error);
+}

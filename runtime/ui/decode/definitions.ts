@@ -1,0 +1,79 @@
+// Gathers the definition of a message type and of every type inside it into one text, in the form that
+// @foxglove/rosmsg reads. Field types are written out in full, so that two packages may use one name.
+
+export type Definitions = ReadonlyMap<string, string>;
+
+const kSeparator = `\n${'='.repeat(80)}\n`;
+
+const kPrimitive: ReadonlySet<string> = new Set([
+  'bool', 'byte', 'char', 'float32', 'float64', 'int8', 'uint8', 'int16', 'uint16', 'int32', 'uint32', 'int64', 'uint64',
+  'string', 'wstring',
+]);
+
+/** Types whose two fields the decoder knows by itself. */
+const kTimes: ReadonlySet<string> = new Set(['builtin_interfaces/msg/Time', 'builtin_interfaces/msg/Duration']);
+
+/** The text for one message type, or the name of the type that is missing. */
+export function gatherDefinition(type: string, interfaces: Definitions): { text: string } | { missing: string } {
+  const done = new Set<string>([type]);
+  const queue: string[] = [type];
+  const parts: string[] = [];
+  for (let next = queue.shift(); next !== undefined; next = queue.shift()) {
+    const source = interfaces.get(next) ?? derivedDefinition(next, interfaces);
+    if (source === undefined) {
+      return { missing: next };
+    }
+    const lines: string[] = next === type ? [] : [`MSG: ${next}`];
+    for (const line of source.split('\n')) {
+      const field = readField(line);
+      if (field === null) continue;
+      const full = qualify(field.type, next);
+      if (full !== null && !done.has(full) && !kTimes.has(full)) {
+        done.add(full);
+        queue.push(full);
+      }
+      lines.push(`${full ?? field.type}${field.rest}`);
+    }
+    parts.push(lines.join('\n'));
+  }
+  return { text: parts.join(kSeparator) };
+}
+
+/** `geometry_msgs/msg/Point` for `Point` in `geometry_msgs/msg/Pose`; null for a primitive type. */
+export function qualify(type: string, within: string): string | null {
+  if (kPrimitive.has(type)) return null;
+  const tokens = type.split('/');
+  if (tokens.length === 3) return type;
+  if (tokens.length === 2) return `${tokens[0] ?? ''}/msg/${tokens[1] ?? ''}`;
+  const [package_name, kind] = within.split('/');
+  // Inside a service or action, a bare name still means a message of the package.
+  return kind === 'action' && /_(Goal|Result|Feedback)$/.test(type)
+    ? `${package_name ?? ''}/action/${type}`
+    : `${package_name ?? ''}/msg/${type}`;
+}
+
+/** Messages that ROS 2 makes out of `.srv` and `.action` files, as they appear on topics. */
+function derivedDefinition(type: string, interfaces: Definitions): string | undefined {
+  const match = /^(.+)_(FeedbackMessage|Goal|Result|Feedback|Request|Response)$/.exec(type);
+  if (match === null) return undefined;
+  const [, base, kind] = match;
+  const parts = interfaces.get(base ?? '')?.split(/^---[^\n]*$/m);
+  if (parts === undefined) return undefined;
+  switch (kind) {
+    case 'FeedbackMessage':
+      return `unique_identifier_msgs/UUID goal_id\n${base?.split('/').at(-1) ?? ''}_Feedback feedback`;
+    case 'Feedback':
+      return parts[2];
+    case 'Result':
+    case 'Response':
+      return parts[1];
+    default:
+      return parts[0];
+  }
+}
+
+/** Splits a line into its type name and what follows (bounds, name, value); null when it declares nothing. */
+function readField(line: string): { type: string; rest: string } | null {
+  const match = /^([A-Za-z][A-Za-z0-9_/]*)(.*)$/.exec(line.trim());
+  return match === null ? null : { type: match[1] ?? '', rest: match[2] ?? '' };
+}

@@ -1,0 +1,8 @@
+// Which topics a beginner need not see. ROS 2 hides names with a token that starts with `_`; the two
+// topics that every node has are put beside them.
+
+const kEveryNode: ReadonlySet<string> = new Set(['/rosout', '/parameter_events']);
+
+export function isHiddenTopic(name: string): boolean {
+  return kEveryNode.has(name) || name.split('/').some((token) => token.startsWith('_'));
+}

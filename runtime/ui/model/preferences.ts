@@ -1,0 +1,47 @@
+// What a visitor chose about the page (theme, widths, views), kept by the browser where it may be.
+// A browser that refuses storage only forgets; nothing else depends on it.
+
+export type Theme = 'system' | 'light' | 'dark';
+
+export interface Store {
+  getItem(key: string): string | null;
+  setItem(key: string, value: string): void;
+}
+
+const kPrefix = 'ros2wasm.';
+
+/** The browser's storage, or null where it is refused (private windows, sandboxed frames). */
+export function browserStore(): Store | null {
+  try {
+    return globalThis.localStorage;
+  } catch {
+    return null;
+  }
+}
+
+export function readPreference<T extends string>(store: Store | null, name: string, allowed: readonly T[], fallback: T): T {
+  const value = read(store, name);
+  return allowed.find((choice) => choice === value) ?? fallback;
+}
+
+export function readNumber(store: Store | null, name: string, minimum: number, maximum: number, fallback: number): number {
+  const text = read(store, name);
+  const value = text === null ? Number.NaN : Number(text);
+  return value >= minimum && value <= maximum ? value : fallback;
+}
+
+export function writePreference(store: Store | null, name: string, value: string): void {
+  try {
+    store?.setItem(kPrefix + name, value);
+  } catch {
+    // Full or refused: the choice holds until the page is closed.
+  }
+}
+
+function read(store: Store | null, name: string): string | null {
+  try {
+    return store?.getItem(kPrefix + name) ?? null;
+  } catch {
+    return null;
+  }
+}

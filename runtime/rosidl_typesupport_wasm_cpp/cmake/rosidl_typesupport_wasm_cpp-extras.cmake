@@ -1,0 +1,11 @@
+# Users of messages need the headers only. Who generates messages calls this macro, after
+# find_package(rosidl_generator_cpp), whose extension has to run first.
+set(rosidl_typesupport_wasm_cpp_GENERATOR "${rosidl_typesupport_wasm_cpp_DIR}/../generator")
+
+macro(rosidl_typesupport_wasm_cpp_register)
+  find_package(ament_cmake_core QUIET REQUIRED)
+  ament_register_extension(
+    "rosidl_generate_idl_interfaces"
+    "rosidl_typesupport_wasm_cpp"
+    "rosidl_typesupport_wasm_cpp_generate_interfaces.cmake")
+endmacro()

@@ -1,0 +1,72 @@
+// Makes the callback tables and rosidl handles of a message or service from its Codec.
+// Included by generated sources only.
+#pragma once
+
+#include <cstring>
+
+#include "rosidl_runtime_c/message_type_support_struct.h"
+#include "rosidl_runtime_c/service_type_support_struct.h"
+
+#include "ros2wasm_typesupport/codec.hpp"
+#include "ros2wasm_typesupport/message_callbacks.hpp"
+
+namespace ros2wasm_typesupport
+{
+
+template<class T>
+size_t serialized_size(const void * message)
+{
+  CdrSizer sizer;
+  size_value(sizer, *static_cast<const T *>(message));
+  return sizer.total();
+}
+
+template<class T>
+size_t serialize(const void * message, uint8_t * buffer, size_t capacity)
+{
+  CdrWriter writer(buffer, capacity);
+  write_value(writer, *static_cast<const T *>(message));
+  return writer.finish();
+}
+
+template<class T>
+bool deserialize(const uint8_t * buffer, size_t size, void * message)
+{
+  CdrReader reader(buffer, size);
+  if (!reader.ok()) {
+    return false;
+  }
+  read_value(reader, *static_cast<T *>(message));
+  return reader.ok();
+}
+
+template<class T>
+constexpr MessageCallbacks make_callbacks(const char * type_name, const char * type_hash)
+{
+  return {type_name, type_hash, &serialized_size<T>, &serialize<T>, &deserialize<T>};
+}
+
+/// The `func` of a handle: the handle itself when it is of the kind asked for.
+inline const rosidl_message_type_support_t * select_message_handle(
+  const rosidl_message_type_support_t * handle, const char * identifier)
+{
+  return std::strcmp(handle->typesupport_identifier, identifier) == 0 ? handle : nullptr;
+}
+
+inline const rosidl_service_type_support_t * select_service_handle(
+  const rosidl_service_type_support_t * handle, const char * identifier)
+{
+  return std::strcmp(handle->typesupport_identifier, identifier) == 0 ? handle : nullptr;
+}
+
+constexpr rosidl_message_type_support_t make_handle(const MessageCallbacks & callbacks)
+{
+  return {kTypesupportIdentifier, &callbacks, &select_message_handle};
+}
+
+constexpr rosidl_service_type_support_t make_handle(const ServiceCallbacks & callbacks)
+{
+  return {kTypesupportIdentifier, &callbacks, &select_service_handle};
+}
+
+}  // namespace ros2wasm_typesupport

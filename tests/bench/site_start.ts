@@ -6,6 +6,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { chromium } from 'playwright-core';
 import { chromiumOptions } from '../e2e/chromium.ts';
+import { treeMemoryKb } from './process_memory.ts';
 import type { BenchContext } from './run.ts';
 import { packedExample } from './site_bytes.ts';
 import { staticServer } from './static_server.ts';
@@ -33,13 +34,16 @@ const PEER_FILES: Readonly<Record<string, string>> = {
 interface StartTimes {
   readonly cold: number[];
   readonly warm: number[];
+  /** Whole browser at the first message, in kB. */
+  readonly memoryKb: number[];
 }
 
 /** Milliseconds since navigation start at which the page first shows a heard message. */
 async function startTimes(url: string): Promise<StartTimes> {
-  const times: StartTimes = { cold: [], warm: [] };
+  const times: StartTimes = { cold: [], warm: [], memoryKb: [] };
   for (let run = 0; run < RUNS; run++) {
-    const browser = await chromium.launch(chromiumOptions());
+    const server = await chromium.launchServer(chromiumOptions());
+    const browser = await chromium.connect(server.wsEndpoint());
     try {
       const page = await browser.newPage();
       await page.addInitScript(() => {
@@ -60,10 +64,12 @@ async function startTimes(url: string): Promise<StartTimes> {
       };
       await page.goto(url, { waitUntil: 'commit' });
       times.cold.push(await heardAt());
+      times.memoryKb.push(treeMemoryKb(server.process().pid ?? 0));
       await page.reload({ waitUntil: 'commit' });
       times.warm.push(await heardAt());
     } finally {
       await browser.close();
+      await server.close();
     }
   }
   return times;
@@ -86,6 +92,7 @@ export async function benchStart(context: BenchContext): Promise<void> {
         bench: 'start', example: '01_talker_listener', browser: 'chromium', headers: isolated ? 'COOP/COEP' : 'none',
         cold_ms: summary(less(ours.cold)), warm_ms: summary(less(ours.warm)), not_counted: 'talker timer period, 500 ms',
         peer: 'bare page, two workers, one message', peer_cold_ms: summary(theirs.cold), peer_warm_ms: summary(theirs.warm),
+        browser_memory_kb: summary(ours.memoryKb).median, peer_memory_kb: summary(theirs.memoryKb).median,
       });
     }
   } finally {

@@ -12,7 +12,8 @@ namespace ros2wasm {
 namespace {
 
 Diagnostic command_line_error(std::string code, std::string message) {
-  return Diagnostic{.code = std::move(code), .kind = FailureKind::kCommandLine, .message = std::move(message)};
+  return Diagnostic{
+      .code = std::move(code), .kind = FailureKind::kCommandLine, .message = std::move(message)};
 }
 
 /// Option names of the command and the program, as people type them.
@@ -52,7 +53,8 @@ Diagnostic unexpected_word(const std::string& word, const CLI::App& command) {
   Diagnostic error =
       command_line_error("R2W0902", "`" + command_path(command) + "` has no option `" + name + "`");
   error.why.push_back("`" + command_path(command) + " --help` lists its options");
-  if (const auto near = nearest(name, option_names(command))) error.fix.push_back("write `" + *near + "`");
+  if (const auto near = nearest(name, option_names(command)))
+    error.fix.push_back("write `" + *near + "`");
   return error;
 }
 
@@ -84,7 +86,8 @@ void declare_global(CLI::App& root, GlobalOptions& global) {
             } else if (word == "never") {
               global.color = ColorMode::kNever;
             } else {
-              throw CLI::ValidationError("--color", "`" + word + "` is none of auto, always, never");
+              throw CLI::ValidationError("--color",
+                                         "`" + word + "` is none of auto, always, never");
             }
           },
           "auto, always or never; auto heeds NO_COLOR")
@@ -158,8 +161,9 @@ ParsedCommandLine parse_command_line(const std::vector<std::string>& words,
   root.set_help_flag("-h,--help", "Print this help");
   root.set_version_flag("--version", "ros2wasm " ROS2WASM_VERSION, "Print the version");
   root.require_subcommand(0, 1);
-  root.footer("Exit codes: 0 done, 1 your input, 2 command line, 3 network, disk or a missing tool, "
-              "70 a bug, 130 interrupted.\n`ros2wasm explain CODE` says more about an error.");
+  root.footer(
+      "Exit codes: 0 done, 1 your input, 2 command line, 3 network, disk or a missing tool, "
+      "70 a bug, 130 interrupted.\n`ros2wasm explain CODE` says more about an error.");
   declare_global(root, global);
 
   std::map<std::string, CommandBody> bodies;
@@ -183,14 +187,18 @@ ParsedCommandLine parse_command_line(const std::vector<std::string>& words,
     }
     const std::string name = named.front()->get_name();
     return {.global = global,
-            .invocation = Invocation{.global = global, .command = name, .body = bodies[name], .text = {}}};
+            .invocation =
+                Invocation{.global = global, .command = name, .body = bodies[name], .text = {}}};
   } catch (const CLI::CallForHelp&) {
     return {.global = global,
-            .invocation = Invocation{.global = global, .command = {}, .body = {}, .text = parsed_command(root).help()}};
+            .invocation = Invocation{
+                .global = global, .command = {}, .body = {}, .text = parsed_command(root).help()}};
   } catch (const CLI::CallForVersion& version) {
     return {.global = global,
-            .invocation = Invocation{
-                .global = global, .command = {}, .body = {}, .text = std::string(version.what()) + "\n"}};
+            .invocation = Invocation{.global = global,
+                                     .command = {},
+                                     .body = {},
+                                     .text = std::string(version.what()) + "\n"}};
   } catch (const CLI::ExtrasError&) {
     const CLI::App& command = parsed_command(root);
     const std::vector<std::string> extras = root.remaining(true);

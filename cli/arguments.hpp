@@ -1,4 +1,5 @@
-// Declares a command's options and reads the command line. The command line library ends in arguments.cpp.
+// Declares a command's options and reads the command line. The command line library ends in
+// arguments.cpp.
 #pragma once
 
 #include <optional>
@@ -17,9 +18,9 @@ class App;
 
 namespace ros2wasm {
 
-/// The options of one command. Targets must live as long as the CommandBody: keep them in a shared_ptr that
-/// the body captures. Names are as people type them: "-o,--output". A target keeps its value when the option
-/// is not given.
+/// The options of one command. Targets must live as long as the CommandBody: keep them in a
+/// shared_ptr that the body captures. Names are as people type them: "-o,--output". A target keeps
+/// its value when the option is not given.
 class Arguments {
  public:
   explicit Arguments(CLI::App& app) : app_(app) {}
@@ -65,8 +66,9 @@ struct Invocation {
   std::string text;     ///< help or version, for stdout
 };
 
-/// The outcome of reading the command line. The global options are what could be read of them even when there
-/// are errors (R2W0901 no such command, R2W0902 bad option or argument), so that those are shown as asked.
+/// The outcome of reading the command line. The global options are what could be read of them even
+/// when there are errors (R2W0901 no such command, R2W0902 bad option or argument), so that those
+/// are shown as asked.
 struct ParsedCommandLine {
   GlobalOptions global;
   Outcome<Invocation> invocation;

@@ -1,4 +1,5 @@
-// One row per command. A command lives in cli/<name>_command.cpp and is declared here, above the table.
+// One row per command. A command lives in cli/<name>_command.cpp and is declared here, above the
+// table.
 #include "cli/command_table.hpp"
 
 #include <array>
@@ -17,6 +18,8 @@ constexpr auto kCommands = std::to_array<CommandRow>({
 
 }  // namespace
 
-std::span<const CommandRow> command_table() { return kCommands; }
+std::span<const CommandRow> command_table() {
+  return kCommands;
+}
 
 }  // namespace ros2wasm

@@ -23,7 +23,9 @@ Console::Console(ConsoleOptions options, std::ostream& out, std::ostream& err, C
       err_(err),
       progress_(progress_form(options), options.terminal_width, std::move(clock)) {}
 
-Console::~Console() { write_error_stream({}); }
+Console::~Console() {
+  write_error_stream({});
+}
 
 /// Wipes the bar first, so that nothing is written behind it.
 void Console::write_error_stream(std::string_view text) {
@@ -65,12 +67,14 @@ void Console::report(const Diagnostic& diagnostic) {
 
 int Console::fail(const Diagnostics& errors) {
   for (const Diagnostic& error : errors) report(error);
-  const auto count = std::count_if(errors.begin(), errors.end(),
-                                   [](const Diagnostic& d) { return d.severity == Severity::kError; });
+  const auto count = std::count_if(errors.begin(), errors.end(), [](const Diagnostic& d) {
+    return d.severity == Severity::kError;
+  });
   if (!options_.json && count > 0) {
     std::string last = count == 1 ? "1 error" : std::to_string(count) + " errors";
-    const auto first = std::find_if(errors.begin(), errors.end(),
-                                    [](const Diagnostic& d) { return d.severity == Severity::kError; });
+    const auto first = std::find_if(errors.begin(), errors.end(), [](const Diagnostic& d) {
+      return d.severity == Severity::kError;
+    });
     last += "; `ros2wasm explain " + first->code + "` says more";
     remark(last);
   }
@@ -92,7 +96,8 @@ void Console::end(int exit_code) {
 
 int exit_code_of(const Diagnostics& errors) {
   const auto has = [&](FailureKind kind) {
-    return std::any_of(errors.begin(), errors.end(), [kind](const Diagnostic& d) { return d.kind == kind; });
+    return std::any_of(errors.begin(), errors.end(),
+                       [kind](const Diagnostic& d) { return d.kind == kind; });
   };
   if (has(FailureKind::kInterrupted)) return static_cast<int>(FailureKind::kInterrupted);
   if (has(FailureKind::kBug)) return static_cast<int>(FailureKind::kBug);

@@ -1,5 +1,6 @@
-// The one place that prints. stdout is the result and nothing else; diagnostics, progress and remarks go to
-// stderr, as text for people or, with --json, as one JSON object per line (schemas/events.schema.json).
+// The one place that prints. stdout is the result and nothing else; diagnostics, progress and
+// remarks go to stderr, as text for people or, with --json, as one JSON object per line
+// (schemas/events.schema.json).
 #pragma once
 
 #include <iosfwd>
@@ -18,8 +19,8 @@ namespace ros2wasm {
 struct ConsoleOptions {
   bool quiet = false;  ///< no remarks, no progress; errors and warnings stay
   bool json = false;
-  TextStyle style;                ///< of diagnostics
-  bool live_progress = false;     ///< stderr is a terminal: draw a bar
+  TextStyle style;             ///< of diagnostics
+  bool live_progress = false;  ///< stderr is a terminal: draw a bar
   std::size_t terminal_width = 100;
 };
 

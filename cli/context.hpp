@@ -1,4 +1,5 @@
-// What a command gets from main: everything of the world that it may need, so that tests can hand in their own.
+// What a command gets from main: everything of the world that it may need, so that tests can hand
+// in their own.
 #pragma once
 
 #include <filesystem>
@@ -22,8 +23,8 @@ struct Context {
   bool json = false;                               ///< --json: print results as JSON
 };
 
-/// Runs a command whose options are parsed; returns the exit code (see docs/errors.md). Usually ends with
-/// `return context.console.fail(errors);` or `return 0;`.
+/// Runs a command whose options are parsed; returns the exit code (see docs/errors.md). Usually
+/// ends with `return context.console.fail(errors);` or `return 0;`.
 using CommandBody = std::function<int(Context&)>;
 
 }  // namespace ros2wasm

@@ -20,51 +20,77 @@ std::string painted(std::string_view text, Paint paint, bool color) {
   if (!color || text.empty()) return std::string(text);
   std::string_view code;
   switch (paint) {
-    case Paint::kError: code = "\x1b[1;31m"; break;
-    case Paint::kWarning: code = "\x1b[1;33m"; break;
-    case Paint::kNote: code = "\x1b[1;36m"; break;
-    case Paint::kBold: code = "\x1b[1m"; break;
-    case Paint::kFrame: code = "\x1b[1;34m"; break;
-    case Paint::kFix: code = "\x1b[1;32m"; break;
+    case Paint::kError:
+      code = "\x1b[1;31m";
+      break;
+    case Paint::kWarning:
+      code = "\x1b[1;33m";
+      break;
+    case Paint::kNote:
+      code = "\x1b[1;36m";
+      break;
+    case Paint::kBold:
+      code = "\x1b[1m";
+      break;
+    case Paint::kFrame:
+      code = "\x1b[1;34m";
+      break;
+    case Paint::kFix:
+      code = "\x1b[1;32m";
+      break;
   }
   return std::string(code) + std::string(text) + "\x1b[0m";
 }
 
 std::string_view severity_word(Severity severity) {
   switch (severity) {
-    case Severity::kError: return "error";
-    case Severity::kWarning: return "warning";
-    case Severity::kNote: return "note";
+    case Severity::kError:
+      return "error";
+    case Severity::kWarning:
+      return "warning";
+    case Severity::kNote:
+      return "note";
   }
   return "error";
 }
 
 Paint severity_paint(Severity severity) {
   switch (severity) {
-    case Severity::kError: return Paint::kError;
-    case Severity::kWarning: return Paint::kWarning;
-    case Severity::kNote: return Paint::kNote;
+    case Severity::kError:
+      return Paint::kError;
+    case Severity::kWarning:
+      return Paint::kWarning;
+    case Severity::kNote:
+      return Paint::kNote;
   }
   return Paint::kError;
 }
 
 std::string_view kind_word(FailureKind kind) {
   switch (kind) {
-    case FailureKind::kUserInput: return "user_input";
-    case FailureKind::kCommandLine: return "command_line";
-    case FailureKind::kEnvironment: return "environment";
-    case FailureKind::kBug: return "bug";
-    case FailureKind::kInterrupted: return "interrupted";
+    case FailureKind::kUserInput:
+      return "user_input";
+    case FailureKind::kCommandLine:
+      return "command_line";
+    case FailureKind::kEnvironment:
+      return "environment";
+    case FailureKind::kBug:
+      return "bug";
+    case FailureKind::kInterrupted:
+      return "interrupted";
   }
   return "bug";
 }
 
-/// C0, DEL, C1 and the characters that turn the writing direction: files must not steer the terminal.
+/// C0, DEL, C1 and the characters that turn the writing direction: files must not steer the
+/// terminal.
 bool steers_terminal(char32_t c) {
-  return c < 0x20 || (c >= 0x7F && c < 0xA0) || (c >= 0x202A && c <= 0x202E) || (c >= 0x2066 && c <= 0x2069);
+  return c < 0x20 || (c >= 0x7F && c < 0xA0) || (c >= 0x202A && c <= 0x202E) ||
+         (c >= 0x2066 && c <= 0x2069);
 }
 
-/// `text` with characters that steer the terminal shown as <hex>; newlines and tabs stay when asked.
+/// `text` with characters that steer the terminal shown as <hex>; newlines and tabs stay when
+/// asked.
 std::string harmless(std::string_view raw, bool keep_lines) {
   const std::string text = valid_utf8(raw);
   std::string out;
@@ -137,7 +163,8 @@ Excerpt excerpt_of(const SourceSpan& span, std::size_t room) {
   const std::size_t start_byte = span.column == 0 ? 0 : span.column - 1;
   const std::size_t end_byte = start_byte + std::max<std::size_t>(span.length, 1);
   const auto index_of = [&](std::size_t byte) {
-    const auto at = std::find_if(cells.begin(), cells.end(), [&](const Cell& c) { return c.byte >= byte; });
+    const auto at =
+        std::find_if(cells.begin(), cells.end(), [&](const Cell& c) { return c.byte >= byte; });
     return static_cast<std::size_t>(at - cells.begin());
   };
   const std::size_t start = index_of(start_byte);
@@ -152,7 +179,8 @@ Excerpt excerpt_of(const SourceSpan& span, std::size_t room) {
     while (first > 0 && width_of(cells, first - 1, start) <= lead) --first;
     last = first;
     std::size_t width = 0;
-    while (last < cells.size() && width + cells[last].width <= room - 2) width += cells[last++].width;
+    while (last < cells.size() && width + cells[last].width <= room - 2)
+      width += cells[last++].width;
     while (last == cells.size() && first > 0 && width + cells[first - 1].width <= room - 2) {
       width += cells[--first].width;
     }
@@ -163,13 +191,14 @@ Excerpt excerpt_of(const SourceSpan& span, std::size_t room) {
   if (last < cells.size()) excerpt.text += kEllipsis;
   while (!excerpt.text.empty() && excerpt.text.back() == ' ') excerpt.text.pop_back();
   excerpt.caret_offset = (first > 0 ? 1 : 0) + width_of(cells, first, std::max(first, start));
-  excerpt.caret_count = std::max<std::size_t>(1, width_of(cells, start, std::min(end, std::max(last, start))));
+  excerpt.caret_count =
+      std::max<std::size_t>(1, width_of(cells, start, std::min(end, std::max(last, start))));
   return excerpt;
 }
 
 /// `= why: text`, with the following lines of a multi-line text set under its beginning.
-void append_remark(std::string& out, std::string_view indent, std::string_view word, std::string_view raw,
-                   Paint paint, bool color) {
+void append_remark(std::string& out, std::string_view indent, std::string_view word,
+                   std::string_view raw, Paint paint, bool color) {
   const std::string text = harmless(raw, true);
   out += indent;
   out += painted(" = ", Paint::kFrame, color);
@@ -189,7 +218,8 @@ void append_remark(std::string& out, std::string_view indent, std::string_view w
 std::string diagnostic_text(const Diagnostic& diagnostic, const TextStyle& style) {
   const bool color = style.color;
   const Paint paint = severity_paint(diagnostic.severity);
-  std::string out = painted(std::string(severity_word(diagnostic.severity)) + "[" + diagnostic.code + "]", paint, color);
+  std::string out = painted(
+      std::string(severity_word(diagnostic.severity)) + "[" + diagnostic.code + "]", paint, color);
   out += painted(": " + harmless(diagnostic.message, false), Paint::kBold, color);
   out += '\n';
 
@@ -218,8 +248,10 @@ std::string diagnostic_text(const Diagnostic& diagnostic, const TextStyle& style
       append_remark(out, indent, "here", diagnostic.label, Paint::kNote, color);
     }
   }
-  for (const std::string& why : diagnostic.why) append_remark(out, indent, "why", why, Paint::kBold, color);
-  for (const std::string& fix : diagnostic.fix) append_remark(out, indent, "fix", fix, Paint::kFix, color);
+  for (const std::string& why : diagnostic.why)
+    append_remark(out, indent, "why", why, Paint::kBold, color);
+  for (const std::string& fix : diagnostic.fix)
+    append_remark(out, indent, "fix", fix, Paint::kFix, color);
   if (!diagnostic.detail.empty()) {
     const std::string detail = harmless(diagnostic.detail, true);
     std::size_t begin = 0;

@@ -13,8 +13,8 @@ struct TextStyle {
   std::size_t width = 100;  ///< longer source lines are cut around the caret
 };
 
-/// The form of DESIGN: head, place, source line with caret, `= why:`, `= fix:`, then the detail verbatim. Ends
-/// with a newline.
+/// The form of DESIGN: head, place, source line with caret, `= why:`, `= fix:`, then the detail
+/// verbatim. Ends with a newline.
 [[nodiscard]] std::string diagnostic_text(const Diagnostic& diagnostic, const TextStyle& style);
 
 /// One JSON object, without newline: the `diagnostic` event of schemas/events.schema.json.

@@ -68,7 +68,8 @@ int show_page(Context& context, const std::string& word) {
 
 CommandBody explain_command(Arguments& arguments) {
   const auto code = std::make_shared<std::string>();
-  arguments.optional("CODE", *code, "an error code, such as R2W0101; without it, all codes are listed");
+  arguments.optional("CODE", *code,
+                     "an error code, such as R2W0101; without it, all codes are listed");
   arguments.examples({"ros2wasm explain R2W0101", "ros2wasm explain 101"});
   return [code](Context& context) {
     return code->empty() ? list_pages(context) : show_page(context, *code);

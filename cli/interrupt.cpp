@@ -31,14 +31,15 @@ Cancellation install_interrupt_handlers() {
   std::array<int, 2> ends{-1, -1};
   if (pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) == 0) wake_pipe_write_end = ends[1];
 
-  struct sigaction stop{};
+  struct sigaction stop {};
   stop.sa_handler = on_interrupt;
   sigemptyset(&stop.sa_mask);
-  // No SA_RESTART: a blocked call returns and the step looks at the flag. The second signal ends the program.
+  // No SA_RESTART: a blocked call returns and the step looks at the flag. The second signal ends
+  // the program.
   stop.sa_flags = static_cast<int>(SA_RESETHAND);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &stop, nullptr);
 
-  struct sigaction pipe_closed{};
+  struct sigaction pipe_closed {};
   pipe_closed.sa_handler = on_broken_pipe;  // a handler, not SIG_IGN, which children would inherit
   sigemptyset(&pipe_closed.sa_mask);
   sigaction(SIGPIPE, &pipe_closed, nullptr);

@@ -1,12 +1,14 @@
-// Ctrl-C, SIGTERM and SIGHUP become a flag that steps poll. The second one ends the program at once.
+// Ctrl-C, SIGTERM and SIGHUP become a flag that steps poll. The second one ends the program at
+// once.
 #pragma once
 
 #include "workspace_schema/cancellation.hpp"
 
 namespace ros2wasm {
 
-/// Installs the handlers (once per program) and returns the flag's view. Also makes writes to a closed pipe fail
-/// instead of killing the program, so that no step is cut in half; child processes start with the default again.
+/// Installs the handlers (once per program) and returns the flag's view. Also makes writes to a
+/// closed pipe fail instead of killing the program, so that no step is cut in half; child processes
+/// start with the default again.
 [[nodiscard]] Cancellation install_interrupt_handlers();
 
 }  // namespace ros2wasm

@@ -1,4 +1,5 @@
-// The program from above: read the command line, prepare the world, run one command, say how it ended.
+// The program from above: read the command line, prepare the world, run one command, say how it
+// ended.
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -23,7 +24,8 @@ std::map<std::string, std::string> environment_variables() {
   for (char** entry = environ; *entry != nullptr; ++entry) {
     const std::string_view text(*entry);
     const std::size_t equals = text.find('=');
-    if (equals != std::string_view::npos) variables.emplace(text.substr(0, equals), text.substr(equals + 1));
+    if (equals != std::string_view::npos)
+      variables.emplace(text.substr(0, equals), text.substr(equals + 1));
   }
   return variables;
 }
@@ -54,7 +56,8 @@ ConsoleOptions console_options(const GlobalOptions& global,
   };
   const bool able = terminal && variable("NO_COLOR").empty() && variable("TERM") != "dumb";
   ConsoleOptions options{.quiet = global.quiet, .json = global.json};
-  options.style.color = global.color == ColorMode::kAlways || (global.color == ColorMode::kAuto && able);
+  options.style.color =
+      global.color == ColorMode::kAlways || (global.color == ColorMode::kAuto && able);
   options.terminal_width = terminal ? terminal_columns() : 100;
   options.style.width = options.terminal_width;
   options.live_progress = terminal && variable("TERM") != "dumb";
@@ -62,10 +65,11 @@ ConsoleOptions console_options(const GlobalOptions& global,
 }
 
 Diagnostic bug(const std::string& what) {
-  return Diagnostic{.code = "R2W0990",
-                    .kind = FailureKind::kBug,
-                    .message = "ros2wasm has a bug: " + what,
-                    .why = {"no input should lead here; please report it with the command that you ran"}};
+  return Diagnostic{
+      .code = "R2W0990",
+      .kind = FailureKind::kBug,
+      .message = "ros2wasm has a bug: " + what,
+      .why = {"no input should lead here; please report it with the command that you ran"}};
 }
 
 int run(int argc, char** argv) {
@@ -95,9 +99,10 @@ int run(int argc, char** argv) {
     }
   }
   if (!std::cout.flush() && code == 0) {
-    code = console.fail(Diagnostic{.code = "R2W0904",
-                                   .kind = FailureKind::kEnvironment,
-                                   .message = "the result could not be written to standard output"});
+    code =
+        console.fail(Diagnostic{.code = "R2W0904",
+                                .kind = FailureKind::kEnvironment,
+                                .message = "the result could not be written to standard output"});
   }
   console.end(code);
   return code;
@@ -106,4 +111,6 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace ros2wasm
 
-int main(int argc, char** argv) { return ros2wasm::run(argc, argv); }
+int main(int argc, char** argv) {
+  return ros2wasm::run(argc, argv);
+}

@@ -44,8 +44,9 @@ std::string Progress::bar(const ProgressEvent& event) const {
   line.resize(std::max<std::size_t>(line.size(), 8), ' ');
   if (event.total > 0) {
     const std::uint64_t done = std::min(event.done, event.total);
-    const auto filled = static_cast<std::size_t>(static_cast<double>(done) / static_cast<double>(event.total) *
-                                                 static_cast<double>(kBarCells));
+    const auto filled =
+        static_cast<std::size_t>(static_cast<double>(done) / static_cast<double>(event.total) *
+                                 static_cast<double>(kBarCells));
     line += " [" + std::string(filled, '#') + std::string(kBarCells - filled, '.') + "]";
   }
   line += " " + count_text(event);
@@ -59,7 +60,8 @@ std::string Progress::bar(const ProgressEvent& event) const {
     end += character.length;
   }
   line.resize(end);
-  std::replace_if(line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
+  std::replace_if(
+      line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
   return line;
 }
 

@@ -1,5 +1,5 @@
-// How progress is shown: a bar on a terminal, one line per finished step elsewhere, JSON lines with --json.
-// Pure: events and the time in, text out.
+// How progress is shown: a bar on a terminal, one line per finished step elsewhere, JSON lines with
+// --json. Pure: events and the time in, text out.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,6 @@
-// The wish to stop, seen from the steps: poll `requested()` between units of work, or wait on `wake_fd()`
-// together with a child process. Ctrl-C is turned into this by cli/interrupt.cpp; tests use their own flag.
+// The wish to stop, seen from the steps: poll `requested()` between units of work, or wait on
+// `wake_fd()` together with a child process. Ctrl-C is turned into this by cli/interrupt.cpp; tests
+// use their own flag.
 #pragma once
 
 #include <atomic>

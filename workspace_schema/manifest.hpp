@@ -20,9 +20,9 @@ struct Spanned {
 };
 
 /// A ROS parameter value; integers and doubles are kept apart as ROS 2 does.
-using ParameterValue = std::variant<bool, std::int64_t, double, std::string, std::vector<bool>,
-                                    std::vector<std::int64_t>, std::vector<double>,
-                                    std::vector<std::string>>;
+using ParameterValue =
+    std::variant<bool, std::int64_t, double, std::string, std::vector<bool>,
+                 std::vector<std::int64_t>, std::vector<double>, std::vector<std::string>>;
 
 struct Author {
   std::string name;
@@ -43,12 +43,12 @@ struct NodeEntry {
   SourceSpan span;  ///< of the whole entry's first key
   Spanned<std::string> package;
   Spanned<std::string> executable;
-  std::optional<Spanned<std::string>> name;       ///< ROS node name, if remapped
-  std::optional<Spanned<std::string>> name_space;  ///< ROS namespace, if remapped
+  std::optional<Spanned<std::string>> name;                     ///< ROS node name, if remapped
+  std::optional<Spanned<std::string>> name_space;               ///< ROS namespace, if remapped
   std::vector<std::pair<std::string, std::string>> remappings;  ///< from, to; in order
   std::vector<ParameterEntry> parameters;
   std::vector<Spanned<std::string>> parameter_files;  ///< relative to the manifest
-  std::vector<std::string> arguments;  ///< passed before --ros-args
+  std::vector<std::string> arguments;                 ///< passed before --ros-args
   NodeOutput output = NodeOutput::kScreen;
   bool respawn = false;
 };
@@ -67,8 +67,9 @@ struct Manifest {
   std::vector<Spanned<std::string>> packages;      ///< paths or globs, relative to the manifest
   std::optional<Spanned<std::string>> launch_file;
   std::vector<NodeEntry> nodes;
-  std::map<std::string, std::string> ui;  ///< scalar options of `ui:` (theme, layout ...)
+  std::map<std::string, std::string> ui;    ///< scalar options of `ui:` (theme, layout ...)
   std::map<std::string, std::string> site;  ///< scalar options of `site:`
+  std::vector<Diagnostic> warnings;         ///< found while reading; show them, then go on
 };
 
 }  // namespace ros2wasm

@@ -16,8 +16,10 @@ using Diagnostics = std::vector<Diagnostic>;
 template <typename T>
 class [[nodiscard]] Outcome {
  public:
-  Outcome(T value) : state_(std::in_place_index<0>, std::move(value)) {}  // NOLINT: implicit on purpose
-  Outcome(Diagnostic error) : state_(std::in_place_index<1>, Diagnostics{std::move(error)}) {}  // NOLINT
+  Outcome(T value)
+      : state_(std::in_place_index<0>, std::move(value)) {}  // NOLINT: implicit on purpose
+  Outcome(Diagnostic error)
+      : state_(std::in_place_index<1>, Diagnostics{std::move(error)}) {}             // NOLINT
   Outcome(Diagnostics errors) : state_(std::in_place_index<1>, std::move(errors)) {  // NOLINT
     assert(!std::get<1>(state_).empty());
   }

@@ -14,8 +14,8 @@
 
 namespace ros2wasm {
 
-/// What a dependency is for. One `<depend>` yields kBuild, kBuildExport and kExec, `<run_depend>` of format 1
-/// yields kBuildExport and kExec.
+/// What a dependency is for. One `<depend>` yields kBuild, kBuildExport and kExec, `<run_depend>`
+/// of format 1 yields kBuildExport and kExec.
 enum class DependencyKind {
   kBuild,
   kBuildExport,
@@ -42,7 +42,8 @@ struct PackageXml {
   std::vector<Spanned<std::string>> licenses;
   std::vector<std::string> maintainers;
   std::vector<Spanned<std::string>> member_of_groups;  ///< e.g. rosidl_interface_packages
-  std::vector<PackageDependency> dependencies;  ///< in the order of the file, only those whose condition holds
+  std::vector<PackageDependency>
+      dependencies;        ///< in the order of the file, only those whose condition holds
   std::string build_type;  ///< <export><build_type>; "catkin" by format's default when absent
 
   /// Names of the given kinds, sorted, each once.
@@ -56,13 +57,13 @@ using ConditionVariables = std::map<std::string, std::string>;
 /// ROS_VERSION=2, ROS_DISTRO=<distro>, ROS_PYTHON_VERSION=3.
 [[nodiscard]] ConditionVariables ros_condition_variables(std::string_view distro);
 
-/// Reads a package.xml; `file` is only for messages. R2W0120 not XML, R2W0121 an element is missing or wrong,
-/// R2W0122 bad name or version, R2W0123 bad condition. All mistakes at once.
+/// Reads a package.xml; `file` is only for messages. R2W0120 not XML, R2W0121 an element is missing
+/// or wrong, R2W0122 bad name or version, R2W0123 bad condition. All mistakes at once.
 [[nodiscard]] Outcome<PackageXml> parse_package_xml(std::string_view text, const std::string& file,
                                                     const ConditionVariables& variables);
 
-/// Evaluates a REP 149 condition (== != < <= > >= and or parentheses, quoted or bare literals). On a syntax
-/// error returns std::nullopt.
+/// Evaluates a REP 149 condition (== != < <= > >= and or parentheses, quoted or bare literals). On
+/// a syntax error returns std::nullopt.
 [[nodiscard]] std::optional<bool> evaluate_condition(std::string_view condition,
                                                      const ConditionVariables& variables);
 

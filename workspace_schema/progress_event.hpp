@@ -1,5 +1,5 @@
-// Progress as a value. Steps report it through a ProgressSink; cli/progress.cpp shows it as a bar, as lines
-// or as JSON. A step never prints.
+// Progress as a value. Steps report it through a ProgressSink; cli/progress.cpp shows it as a bar,
+// as lines or as JSON. A step never prints.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,9 @@
 
 namespace ros2wasm {
 
-/// `step` is one word of the pack's steps ("index", "solve", "fetch", "build", "emit" ...), `item` what it is
-/// busy with now (a package, a file). `total` 0 means that the end is not known. `done == total` ends the step.
+/// `step` is one word of the pack's steps ("index", "solve", "fetch", "build", "emit" ...), `item`
+/// what it is busy with now (a package, a file). `total` 0 means that the end is not known. `done
+/// == total` ends the step.
 struct ProgressEvent {
   std::string step;
   std::string item;

@@ -47,8 +47,11 @@ std::optional<std::string> nearest(std::string_view word, std::span<const std::s
   for (const std::string& candidate : candidates) {
     const std::string other = folded(candidate);
     const std::size_t longer = std::max(wanted.size(), other.size());
-    const std::size_t limit = longer <= 2 ? 0 : longer <= 4 ? 1 : std::max<std::size_t>(2, longer / 3);
-    const std::size_t gap = wanted.size() > other.size() ? wanted.size() - other.size() : other.size() - wanted.size();
+    const std::size_t limit = longer <= 2   ? 0
+                              : longer <= 4 ? 1
+                                            : std::max<std::size_t>(2, longer / 3);
+    const std::size_t gap =
+        wanted.size() > other.size() ? wanted.size() - other.size() : other.size() - wanted.size();
     if (gap > limit) continue;
     const std::size_t distance = edit_distance(wanted, other);
     if (distance <= limit && (best == nullptr || distance < best_distance)) {

@@ -12,8 +12,8 @@ namespace ros2wasm {
 /// Number of insertions, deletions, replacements and swaps of neighbours that turn `a` into `b`.
 [[nodiscard]] std::size_t edit_distance(std::string_view a, std::string_view b);
 
-/// The candidate that `word` was most likely meant to be (letter case and `-`/`_` count little), or nothing
-/// when none is near. Ties go to the first candidate.
+/// The candidate that `word` was most likely meant to be (letter case and `-`/`_` count little), or
+/// nothing when none is near. Ties go to the first candidate.
 [[nodiscard]] std::optional<std::string> nearest(std::string_view word,
                                                  std::span<const std::string> candidates);
 

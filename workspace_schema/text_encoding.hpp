@@ -9,7 +9,8 @@
 
 namespace ros2wasm {
 
-/// One decoded character; `valid` false for a byte that is no part of well-formed UTF-8 (length 1 then).
+/// One decoded character; `valid` false for a byte that is no part of well-formed UTF-8 (length 1
+/// then).
 struct Utf8Character {
   char32_t code_point = 0;
   std::size_t length = 1;  ///< bytes
@@ -22,7 +23,8 @@ struct Utf8Character {
 /// Offset of the first byte that is not well-formed UTF-8.
 [[nodiscard]] std::optional<std::size_t> first_invalid_utf8(std::string_view text);
 
-/// Columns that a character takes on a terminal: 0 for combining marks, 2 for wide East Asian and emoji.
+/// Columns that a character takes on a terminal: 0 for combining marks, 2 for wide East Asian and
+/// emoji.
 [[nodiscard]] std::size_t terminal_width(char32_t code_point);
 
 /// Columns of a whole text without tabs or control characters.

@@ -1,0 +1,60 @@
+// Reads the index of every channel: which packages there are. An edge: it reads files through the transports.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "workspace_schema/cancellation.hpp"
+#include "workspace_schema/diagnostic.hpp"
+#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/package_record.hpp"
+#include "workspace_schema/progress_event.hpp"
+
+namespace ros2wasm {
+
+/// Where relative and embedded channels lie, and where downloads may be kept.
+struct ChannelRoots {
+  std::filesystem::path working_directory;  ///< of the manifest: base of relative folders
+  std::filesystem::path embedded;           ///< the embedded channel; see embedded_channel()
+  std::filesystem::path cache;              ///< Store's cache directory
+};
+
+/// One channel as the manifest or the command line names it: "embedded", "./dir", "/dir", "file:///dir".
+struct ChannelSource {
+  std::string name;
+  std::optional<SourceSpan> span;  ///< for messages
+};
+
+/// A record that could not be used, and why. It does not stop the run.
+struct LeftOutRecord {
+  std::string channel;
+  std::string subdir;
+  std::string file_name;
+  std::string reason;
+};
+
+struct RepoIndex {
+  std::vector<std::string> channels;   ///< in the order of priority
+  std::vector<PackageRecord> records;  ///< sorted: by channel, then subdir, then file name
+  std::vector<LeftOutRecord> left_out;
+};
+
+/// Reads `emscripten-wasm32` and `noarch` of every channel (repodata.json.zst, else repodata.json).
+/// R2W0201 the channel is not there, R2W0202 its index cannot be read, R2W0203 nobody speaks its scheme.
+[[nodiscard]] Outcome<RepoIndex> load_channels(std::span<const ChannelSource> channels,
+                                               const ChannelRoots& roots,
+                                               const Cancellation& cancellation = {},
+                                               const ProgressSink& progress = {});
+
+/// The same for one text of repodata.json: pure. `channel` and `subdir` go into the records.
+[[nodiscard]] Outcome<RepoIndex> parse_repodata(std::string_view json, const std::string& channel,
+                                                const std::string& subdir);
+
+/// The channel that ships with the program: `<exe dir>/channel`, then `<exe dir>/../share/ros2wasm/channel`.
+/// R2W0204 when neither is there.
+[[nodiscard]] Outcome<std::filesystem::path> embedded_channel(const std::filesystem::path& executable);
+
+}  // namespace ros2wasm

@@ -1,0 +1,28 @@
+// Makes channels: puts packages into a channel folder and writes its index.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "bundler/archive/conda_writer.hpp"
+#include "workspace_schema/outcome.hpp"
+
+namespace ros2wasm {
+
+/// Writes the package to `<channel>/<subdir>/` and returns the archive's path. The index is not touched.
+[[nodiscard]] Outcome<std::filesystem::path> add_to_channel(const std::filesystem::path& channel,
+                                                            const CondaPackage& package,
+                                                            const std::filesystem::path& staged_prefix);
+
+struct ChannelSummary {
+  std::size_t packages = 0;
+  std::vector<std::string> subdirs;
+};
+
+/// Reads info/index.json of every archive and writes repodata.json and repodata.json.zst of `noarch` and of each
+/// other subdirectory that holds packages. The same archives give the same bytes.
+/// R2W0221 an archive is damaged, R2W0205 its metadata does not fit its place.
+[[nodiscard]] Outcome<ChannelSummary> index_channel(const std::filesystem::path& channel);
+
+}  // namespace ros2wasm

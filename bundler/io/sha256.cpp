@@ -1,0 +1,82 @@
+// See sha256.hpp. OpenSSL is known here only.
+#include "bundler/io/sha256.hpp"
+
+#include <fcntl.h>
+#include <openssl/evp.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <vector>
+
+#include "bundler/io/files.hpp"
+
+namespace ros2wasm {
+
+struct Hasher::State {
+  EVP_MD_CTX* context = EVP_MD_CTX_new();
+  State() = default;
+  ~State() { EVP_MD_CTX_free(context); }
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+};
+
+Hasher::Hasher(HashKind kind) : state_(std::make_unique<State>()) {
+  EVP_DigestInit_ex(state_->context, kind == HashKind::kSha256 ? EVP_sha256() : EVP_md5(), nullptr);
+}
+Hasher::~Hasher() = default;
+Hasher::Hasher(Hasher&&) noexcept = default;
+Hasher& Hasher::operator=(Hasher&&) noexcept = default;
+
+void Hasher::add(std::string_view bytes) {
+  EVP_DigestUpdate(state_->context, bytes.data(), bytes.size());
+}
+
+std::string Hasher::hex() {
+  constexpr std::string_view kHex = "0123456789abcdef";
+  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+  unsigned length = 0;
+  EVP_DigestFinal_ex(state_->context, digest.data(), &length);
+  std::string text;
+  text.reserve(2U * length);
+  for (unsigned i = 0; i < length; ++i) {
+    text += kHex[digest[i] >> 4U];
+    text += kHex[digest[i] & 0xFU];
+  }
+  return text;
+}
+
+std::string sha256_hex(std::string_view bytes) {
+  Hasher hasher;
+  hasher.add(bytes);
+  return hasher.hex();
+}
+
+Outcome<FileHashes> hash_file(const std::filesystem::path& path, bool with_md5) {
+  const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (fd < 0) return cannot_read(path, errno);
+  Hasher sha256;
+  Hasher md5(HashKind::kMd5);
+  FileHashes hashes;
+  std::vector<char> buffer(256U * 1024U);
+  for (;;) {
+    const ssize_t got = ::read(fd, buffer.data(), buffer.size());
+    if (got < 0) {
+      const int failed = errno;
+      if (failed == EINTR) continue;
+      ::close(fd);
+      return cannot_read(path, failed);
+    }
+    if (got == 0) break;
+    const std::string_view piece(buffer.data(), static_cast<std::size_t>(got));
+    sha256.add(piece);
+    if (with_md5) md5.add(piece);
+    hashes.size += piece.size();
+  }
+  ::close(fd);
+  hashes.sha256 = sha256.hex();
+  if (with_md5) hashes.md5 = md5.hex();
+  return hashes;
+}
+
+}  // namespace ros2wasm

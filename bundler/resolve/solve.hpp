@@ -1,0 +1,50 @@
+// Chooses one record per package. Pure: request and index in, choice or explanation out. The engine is libsolv,
+// which ends in sat_engine.cpp.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bundler/channel/channel_index.hpp"
+#include "workspace_schema/diagnostic.hpp"
+#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/package_record.hpp"
+
+namespace ros2wasm {
+
+/// Something that must be in the solution.
+struct RequestedSpec {
+  std::string text;                ///< a match spec: "ros-jazzy-rclcpp >=28"
+  std::string origin;              ///< who asks, for messages: "package.xml of demo"; may be empty
+  std::optional<SourceSpan> span;  ///< where it is written
+};
+
+enum class ChannelPriority {
+  kStrict,    ///< a name found in one channel hides it in all later ones
+  kFlexible,  ///< earlier channels are preferred, later ones allowed
+  kDisabled,  ///< only versions count
+};
+
+struct ResolveRequest {
+  std::vector<RequestedSpec> specs;
+  std::vector<PackageRecord> locked;  ///< kept when they still fit
+  ChannelPriority priority = ChannelPriority::kStrict;
+};
+
+struct Resolution {
+  /// One record per name, dependencies before those that need them, names in order where free.
+  std::vector<PackageRecord> packages;
+};
+
+/// Newest version first, then highest build number, then a fixed rule, so that the same request and records give
+/// the same answer on every machine and in every order of records. `__unix` and `__archspec` are there.
+/// R2W0301 no choice fits (with a tree of reasons), R2W0302 no channel has such a name, R2W0303 bad match spec.
+[[nodiscard]] Outcome<Resolution> solve(const ResolveRequest& request, const RepoIndex& index);
+
+/// Why `packages` is no solution of `specs`: one diagnostic (R2W0311) per edge that does not hold; empty when it
+/// is one. Needs no index and no network.
+[[nodiscard]] Diagnostics check_solution(const std::vector<RequestedSpec>& specs,
+                                         const std::vector<PackageRecord>& packages);
+
+}  // namespace ros2wasm

@@ -1,0 +1,47 @@
+// A prefix with the files of many packages, as conda would install them, for CMake and the pack to read.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "bundler/store/store.hpp"
+#include "workspace_schema/cancellation.hpp"
+#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/package_record.hpp"
+#include "workspace_schema/progress_event.hpp"
+
+namespace ros2wasm {
+
+/// A file that two packages bring with different bytes. The later package in install order won.
+struct OverwrittenFile {
+  std::string path;
+  std::string winner;  ///< distribution names
+  std::string loser;
+};
+
+struct Environment {
+  std::filesystem::path prefix;
+  std::string key;  ///< hash of the record list: the same packages give the same key on every machine
+  std::vector<OverwrittenFile> overwritten;  ///< sorted by path; empty when it came from the cache
+  bool cached = false;
+};
+
+/// Makes (or finds) the environment in the store's cache: `<cache>/environments/<key>`. Read-only: install your
+/// own files elsewhere. `records` in install order. Placeholders in text files become the prefix.
+[[nodiscard]] Outcome<Environment> make_environment(const Store& store,
+                                                    const std::vector<PackageRecord>& records,
+                                                    const Cancellation& cancellation = {},
+                                                    const ProgressSink& progress = {});
+
+/// The same at a place of the caller's choice, which must not exist yet.
+[[nodiscard]] Outcome<Environment> make_environment_at(const std::filesystem::path& prefix,
+                                                       const Store& store,
+                                                       const std::vector<PackageRecord>& records,
+                                                       const Cancellation& cancellation = {},
+                                                       const ProgressSink& progress = {});
+
+/// The key that make_environment would use.
+[[nodiscard]] std::string environment_key(const std::vector<PackageRecord>& records);
+
+}  // namespace ros2wasm

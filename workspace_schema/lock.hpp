@@ -1,0 +1,27 @@
+// ros2wasm.lock: the chosen packages, complete and sorted, as YAML with one form for one content.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/package_record.hpp"
+
+namespace ros2wasm {
+
+struct Lock {
+  int schema = 1;
+  std::string platform = "emscripten-wasm32";
+  std::vector<std::string> channels;    ///< in the order of priority
+  std::vector<std::string> specs;       ///< what was asked for, sorted; for people, never for a check
+  std::vector<PackageRecord> packages;  ///< sorted by name
+};
+
+/// The text of a lock; the same for the same content.
+[[nodiscard]] std::string write_lock(const Lock& lock);
+
+/// R2W0310: not a lock, with line and column. `file` is for messages.
+[[nodiscard]] Outcome<Lock> read_lock(std::string_view text, const std::string& file);
+
+}  // namespace ros2wasm

@@ -1,0 +1,173 @@
+#!/usr/bin/env python3
+"""Builds every ROS package under runtime/ for the site and makes the embedded channel of them.
+
+  build_channel.py --cli build/ros2wasm --out build/channel
+
+A package is built when its sources, what it needs, the compiler or the tools have changed; a run with
+nothing to do takes a fraction of a second. Packages that do not depend on each other build at once.
+"""
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import shutil
+import subprocess
+import sys
+from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from pathlib import Path
+from typing import Any
+
+sys.dont_write_bytecode = True
+
+from fingerprint import Compiler, find_compiler, package_keys  # noqa: E402
+from metadata import abi_record, is_compiled, record  # noqa: E402
+from package_source import PackageSource, find_packages  # noqa: E402
+from stage import BuildFailure, Workshop, build_package  # noqa: E402
+
+ROOT = Path(__file__).resolve().parents[2]
+LOG_LINES_SHOWN = 40
+
+
+def say(text: str) -> None:
+    print(text, file=sys.stderr, flush=True)
+
+
+def read_state(path: Path) -> dict[str, Any]:
+    """Returns what the last run built: package -> its key and its record."""
+    try:
+        state = json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return {}
+    return state if isinstance(state, dict) else {}
+
+
+def write_state(path: Path, state: dict[str, Any]) -> None:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    beside = path.with_suffix(".new")
+    beside.write_text(json.dumps(state, indent=1, sort_keys=True) + "\n", encoding="utf-8")
+    beside.replace(path)
+
+
+def archive_of(out: Path, meta: dict[str, Any]) -> Path:
+    return out / meta["subdir"] / f"{meta['name']}-{meta['version']}-{meta['build']}.conda"
+
+
+class Channel:
+    """The channel folder, written through the command line of ros2wasm."""
+
+    def __init__(self, cli: Path, out: Path) -> None:
+        self._cli, self._out = cli, out
+
+    def add(self, meta: dict[str, Any], tree: Path, scratch: Path) -> None:
+        """Packs a tree and puts it in place of older builds of the same package and compiler."""
+        scratch.parent.mkdir(parents=True, exist_ok=True)
+        scratch.write_text(json.dumps(meta, indent=1, sort_keys=True), encoding="utf-8")
+        self._run("channel", "add", "--channel", str(self._out), "--metadata", str(scratch), str(tree))
+
+    def remove(self, meta: dict[str, Any]) -> None:
+        archive_of(self._out, meta).unlink(missing_ok=True)
+
+    def index(self) -> None:
+        self._run("channel", "index", str(self._out))
+
+    def _run(self, *arguments: str) -> None:
+        done = subprocess.run([str(self._cli), *arguments], stdin=subprocess.DEVNULL, text=True,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
+        if done.returncode != 0:
+            raise RuntimeError(f"ros2wasm {' '.join(arguments[:2])} failed:\n{done.stdout}")
+
+
+def build_changed(workshop: Workshop, packages: dict[str, PackageSource], keys: dict[str, str],
+                  changed: list[str], jobs: int, done: Any) -> None:
+    """Builds the changed packages, each after those it needs; calls `done(name, tree)` for each."""
+    waiting = list(changed)
+    running: dict[Future[Path], str] = {}
+    with ThreadPoolExecutor(max_workers=jobs) as pool:
+        while waiting or running:
+            unfinished = {*waiting, *running.values()}
+            for name in [n for n in waiting if not unfinished.intersection(packages[n].build_needs)]:
+                if len(running) >= jobs:
+                    break
+                waiting.remove(name)
+                running[pool.submit(build_package, workshop, packages[name])] = name
+            finished, _ = wait(running, return_when=FIRST_COMPLETED)
+            for future in finished:
+                name = running.pop(future)
+                done(name, future.result())
+
+
+def run(options: argparse.Namespace) -> int:
+    compiler: Compiler = find_compiler(options.emscripten)
+    packages = find_packages(ROOT / "runtime")
+    toolchain = ROOT / "templates" / "toolchain"
+    keys = package_keys(packages, compiler, Path(__file__).parent, toolchain)
+    work: Path = options.work or options.out.parent / "channel-work"
+    workshop = Workshop(work / f"{compiler.tag}-{compiler.digest[:8]}", compiler,
+                        toolchain / "ros2wasm-toolchain.cmake", options.cli)
+    state_file = workshop.folder / "state.json"
+    state = read_state(state_file)
+    channel = Channel(options.cli, options.out)
+
+    def current(name: str) -> bool:
+        known = state.get(name)
+        return bool(known) and known["key"] == keys[name] and archive_of(options.out, known["meta"]).exists()
+
+    changed = [name for name in packages if not current(name)]
+    gone = [name for name in state if name not in packages and name != "emscripten-abi"]
+    abi = abi_record(compiler)
+    index_there = (options.out / "noarch" / "repodata.json").exists()
+    if not changed and not gone and index_there and archive_of(options.out, abi).exists():
+        return 0
+
+    count = 0
+
+    def packed(name: str, tree: Path) -> None:
+        nonlocal count
+        count += 1
+        meta = record(packages[name], packages, keys[name], compiler, is_compiled(tree))
+        if name in state:
+            channel.remove(state[name]["meta"])
+        channel.add(meta, tree, workshop.folder / "meta" / f"{name}.json")
+        state[name] = {"key": keys[name], "meta": meta}
+        write_state(state_file, state)
+        say(f"[{count}/{len(changed)}] {name} {meta['version']}")
+
+    for name in gone:
+        channel.remove(state.pop(name)["meta"])
+    empty = workshop.folder / "trees" / "empty"
+    empty.mkdir(parents=True, exist_ok=True)
+    channel.add(abi, empty, workshop.folder / "meta" / "emscripten-abi.json")
+    try:
+        build_changed(workshop, packages, keys, changed, options.jobs, packed)
+    except BuildFailure as failure:
+        lines = failure.log.read_text(encoding="utf-8", errors="replace").splitlines()
+        say("\n".join(lines[-LOG_LINES_SHOWN:]))
+        say(str(failure))
+        return 1
+    write_state(state_file, state)
+    channel.index()
+    return 0
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser.add_argument("--cli", type=Path, required=True, help="the ros2wasm binary")
+    parser.add_argument("--out", type=Path, required=True, help="the channel's folder")
+    parser.add_argument("--work", type=Path, help="folder for builds (default: channel-work beside --out)")
+    parser.add_argument("--emscripten", type=Path, help="folder of em++ (default: EMSDK's, else on PATH)")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
+    options = parser.parse_args()
+    options.cli, options.out = options.cli.resolve(), options.out.resolve()
+    if shutil.which("cmake") is None or shutil.which("ninja") is None:
+        say("cmake and ninja are needed: `sudo apt-get install cmake ninja-build`")
+        return 1
+    try:
+        return run(options)
+    except (OSError, ValueError, RuntimeError) as error:
+        say(f"build_channel: {error}")
+        return 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,86 @@
+"""Hashes of everything that a built package depends on, so that nothing is built twice.
+
+A key is the same on every machine that has the same sources and tools: contents count, times do not.
+"""
+from __future__ import annotations
+
+import hashlib
+import os
+import shutil
+from dataclasses import dataclass
+from pathlib import Path
+
+from package_source import PackageSource
+
+# Debian's generators, which write the C++ headers of messages.
+HOST_GENERATORS = (
+    "/usr/share/rosidl_cmake", "/usr/share/rosidl_adapter", "/usr/share/rosidl_generator_cpp",
+    "/usr/lib/python3/dist-packages/rosidl_adapter", "/usr/lib/python3/dist-packages/rosidl_parser",
+    "/usr/lib/python3/dist-packages/rosidl_pycommon",
+    "/usr/lib/python3/dist-packages/rosidl_generator_cpp",
+    "/usr/include/rosidl_runtime_c", "/usr/include/rosidl_runtime_cpp",
+    "/usr/include/rosidl_typesupport_interface",
+)
+SOURCE_SUFFIXES_LEFT_OUT = (".pyc",)
+
+
+@dataclass(frozen=True)
+class Compiler:
+    """Emscripten: the C++ driver, its version, and a hash of the driver's scripts."""
+
+    cxx: Path
+    version: str
+    digest: str
+
+    @property
+    def tag(self) -> str:
+        return "em" + "".join(c for c in self.version if c.isdigit())
+
+
+def find_compiler(emscripten: Path | None) -> Compiler:
+    """Takes `emscripten` (the folder of em++), else EMSDK's, else the one on PATH."""
+    sdk = os.environ.get("EMSDK")
+    folders = [emscripten] if emscripten else [Path(sdk, "upstream", "emscripten")] if sdk else []
+    places = [str(folder / "em++") for folder in folders if folder] + ([] if emscripten else ["em++"])
+    for place in places:
+        found = shutil.which(place)
+        if found:
+            break
+    else:
+        raise FileNotFoundError("Emscripten is not installed: `sudo apt-get install emscripten`")
+    real = Path(found).resolve().parent
+    version = (real / "emscripten-version.txt").read_text(encoding="utf-8").strip().strip('"')
+    digest = hashlib.sha256(version.encode() + (real / "emcc.py").read_bytes()).hexdigest()
+    return Compiler(Path(found), version, digest)
+
+
+def tree_digest(folder: Path) -> str:
+    """Hashes names and contents of all files below a folder."""
+    result = hashlib.sha256()
+    for parent, folders, files in os.walk(folder):
+        folders[:] = sorted(name for name in folders if name != "__pycache__")
+        for name in sorted(files):
+            if name.endswith(SOURCE_SUFFIXES_LEFT_OUT):
+                continue
+            path = os.path.join(parent, name)
+            with open(path, "rb") as stream:
+                content = hashlib.sha256(stream.read()).hexdigest()
+            result.update(f"{os.path.relpath(path, folder)}\0{content}\n".encode())
+    return result.hexdigest()
+
+
+def package_keys(packages: dict[str, PackageSource], compiler: Compiler, recipe: Path,
+                 toolchain: Path) -> dict[str, str]:
+    """Returns a key for each package: its sources, the keys of its needs, tools and this recipe."""
+    base = hashlib.sha256()
+    base.update(compiler.digest.encode())
+    for folder in (recipe, toolchain, *map(Path, HOST_GENERATORS)):
+        base.update(tree_digest(folder).encode())
+    keys: dict[str, str] = {}
+    for name, package in packages.items():
+        text = "\n".join([
+            base.hexdigest(), name, tree_digest(package.folder),
+            *(keys[need] for need in package.build_needs),
+        ])
+        keys[name] = hashlib.sha256(text.encode()).hexdigest()
+    return keys

@@ -1,0 +1,55 @@
+"""What the channel says of a package: its conda record."""
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from fingerprint import Compiler
+from package_source import PackageSource
+
+DISTRO = "jazzy"
+ABI_PACKAGE = "emscripten-abi"
+COMPILED_SUFFIXES = (".a", ".wasm", ".o", ".so")
+
+
+def conda_name(ros_name: str) -> str:
+    """Maps a ROS package name as the robostack channels do."""
+    return f"ros-{DISTRO}-{ros_name.replace('_', '-')}"
+
+
+def is_compiled(tree: Path) -> bool:
+    """True when a tree has code for the site's processor, so that its compiler matters."""
+    return any(path.suffix in COMPILED_SUFFIXES for path in tree.rglob("*"))
+
+
+def record(package: PackageSource, packages: dict[str, PackageSource], key: str, compiler: Compiler,
+           compiled: bool) -> dict[str, Any]:
+    """Returns the metadata of one package, as `ros2wasm channel add` takes it."""
+    depends = [f"{conda_name(need)} >={packages[need].version}" for need in package.use_needs]
+    if compiled:
+        depends.append(f"{ABI_PACKAGE} {compiler.version}.*")
+    build = f"h{key[:8]}_0"
+    return {
+        "name": conda_name(package.name),
+        "version": package.version,
+        "build": f"{compiler.tag}_{build}" if compiled else build,
+        "build_number": 0,
+        "subdir": "emscripten-wasm32" if compiled else "noarch",
+        "depends": sorted(depends),
+        "license": package.license,
+        "summary": package.description,
+    }
+
+
+def abi_record(compiler: Compiler) -> dict[str, Any]:
+    """Returns the record of the empty package that stands for a compiler version."""
+    return {
+        "name": ABI_PACKAGE,
+        "version": compiler.version,
+        "build": "0",
+        "build_number": 0,
+        "subdir": "noarch",
+        "depends": [],
+        "license": "Apache-2.0",
+        "summary": "Marks packages that Emscripten of this version has compiled.",
+    }

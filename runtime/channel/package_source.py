@@ -1,0 +1,77 @@
+"""Finds the ROS packages under runtime/ and reads what the channel needs of their package.xml."""
+from __future__ import annotations
+
+import xml.etree.ElementTree as ElementTree
+from dataclasses import dataclass
+from pathlib import Path
+
+# What a package needs when it is used, as opposed to when it is built.
+USE_TAGS = ("depend", "exec_depend", "build_export_depend", "buildtool_export_depend")
+BUILD_TAGS = ("depend", "build_depend", "buildtool_depend", "build_export_depend", "buildtool_export_depend")
+
+
+@dataclass(frozen=True)
+class PackageSource:
+    """One folder with a package.xml. Dependencies name packages of ours only."""
+
+    name: str
+    version: str
+    description: str
+    license: str
+    folder: Path
+    build_needs: tuple[str, ...]
+    use_needs: tuple[str, ...]
+
+
+def find_packages(runtime: Path) -> dict[str, PackageSource]:
+    """Returns all packages below `runtime` by name, each after those it needs."""
+    manifests = sorted([*runtime.glob("*/package.xml"), *runtime.glob("*/*/package.xml")])
+    roots = {path.parent: ElementTree.parse(path).getroot() for path in manifests}
+    names = {_text(root, "name") for root in roots.values()}
+    if len(names) != len(roots):
+        raise ValueError("two packages under runtime/ have the same name")
+    found = [_read(folder, root, names) for folder, root in roots.items()]
+    return _in_order({package.name: package for package in found})
+
+
+def _read(folder: Path, root: ElementTree.Element, names: set[str]) -> PackageSource:
+    def needs(tags: tuple[str, ...]) -> tuple[str, ...]:
+        asked = {(element.text or "").strip() for tag in tags for element in root.findall(tag)}
+        return tuple(sorted((asked & names) - {_text(root, "name")}))
+
+    return PackageSource(
+        name=_text(root, "name"),
+        version=_text(root, "version"),
+        description=" ".join(_text(root, "description").split()),
+        license=_text(root, "license"),
+        folder=folder,
+        build_needs=tuple(sorted({*needs(BUILD_TAGS), *needs(USE_TAGS)})),
+        use_needs=needs(USE_TAGS),
+    )
+
+
+def _text(root: ElementTree.Element, tag: str) -> str:
+    text = root.findtext(tag)
+    if text is None or not text.strip():
+        raise ValueError(f"a package.xml has no <{tag}>")
+    return text.strip()
+
+
+def _in_order(packages: dict[str, PackageSource]) -> dict[str, PackageSource]:
+    ordered: dict[str, PackageSource] = {}
+    open_names: list[str] = []
+
+    def place(name: str) -> None:
+        if name in ordered:
+            return
+        if name in open_names:
+            raise ValueError("packages need each other: " + " -> ".join([*open_names, name]))
+        open_names.append(name)
+        for need in packages[name].build_needs:
+            place(need)
+        open_names.pop()
+        ordered[name] = packages[name]
+
+    for name in sorted(packages):
+        place(name)
+    return ordered

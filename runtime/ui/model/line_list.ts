@@ -2,7 +2,7 @@
 // Holds no DOM; the view asks it which lines a window shows.
 
 import type { ConsoleLine } from '../../wasm_js/session.ts';
-import { displayLine, LEVELS, rowsOf } from './log_line.ts';
+import { displayLine, LEVELS, mayWrap, rowsOf } from './log_line.ts';
 import type { DisplayLine, Level } from './log_line.ts';
 import { RowMap } from './row_map.ts';
 
@@ -30,6 +30,8 @@ export class LineList {
   private filter: LineFilter = NO_FILTER;
   private columns = 80;
   private nextKey = 0;
+  private fallen = 0;
+  private added = 0;
 
   constructor(capacity: number) {
     this.capacity = capacity;
@@ -37,6 +39,11 @@ export class LineList {
 
   get shownCount(): number {
     return this.shown.length;
+  }
+
+  /** Lines that ever passed the filter: grows with every new one. */
+  get addedCount(): number {
+    return this.added;
   }
 
   get allCount(): number {
@@ -47,19 +54,27 @@ export class LineList {
     return this.map.totalRows;
   }
 
-  /** Adds lines in the order given. Returns the rows that fell off the front, to keep a reader's place. */
-  append(added: readonly ConsoleLine[], prefix: string): number {
+  /** Adds lines in the order given. */
+  append(added: readonly ConsoleLine[], prefix: string): void {
     for (const line of added.length > this.capacity ? added.slice(-this.capacity) : added) {
       const shown = displayLine(line, this.nextKey, prefix);
       this.nextKey += 1;
       this.all.push(shown);
       if (passes(shown, this.filter)) {
         this.shown.push(shown);
+        this.added += 1;
         this.map.push(rowsOf(shown, this.columns));
       }
     }
     // Dropping in steps keeps the cost of moving the array small.
-    return this.all.length > this.capacity + 1024 ? this.dropTo(this.capacity) : 0;
+    if (this.all.length > this.capacity + 1024) this.dropTo(this.capacity);
+  }
+
+  /** The rows that fell off the front since the last call: what a reader's place moves up by. */
+  takeFallenRows(): number {
+    const rows = this.fallen;
+    this.fallen = 0;
+    return rows;
   }
 
   setFilter(filter: LineFilter): void {
@@ -81,6 +96,7 @@ export class LineList {
   clear(): void {
     this.all = [];
     this.shown = [];
+    this.fallen = 0;
     this.map.clear();
   }
 
@@ -92,6 +108,11 @@ export class LineList {
     const first = this.map.lineAt(Math.max(0, fromRow));
     const last = this.map.lineAt(Math.max(0, toRow));
     return { lines: this.shown.slice(first, last + 1), first, top: this.map.offsetOf(first) };
+  }
+
+  /** Whether the drawn height of a line should be looked at. */
+  isUncertain(line: DisplayLine): boolean {
+    return mayWrap(line, this.columns);
   }
 
   /** What was really drawn for a line; returns whether that differs from what was reckoned. */
@@ -108,13 +129,13 @@ export class LineList {
     return this.shown.map((line) => `${line.prefix}${line.plain}\n`).join('');
   }
 
-  private dropTo(count: number): number {
+  private dropTo(count: number): void {
     this.all = this.all.slice(this.all.length - count);
     const firstKey = this.all[0]?.key ?? this.nextKey;
     let dropped = this.shown.findIndex((line) => line.key >= firstKey);
     if (dropped < 0) dropped = this.shown.length;
     this.shown = this.shown.slice(dropped);
-    return this.map.dropFirst(dropped);
+    this.fallen += this.map.dropFirst(dropped);
   }
 
   private measure(): void {

@@ -69,10 +69,42 @@ export function displayLine(line: ConsoleLine, key: number, prefix: string): Dis
   };
 }
 
-/** How many rows of `columns` characters the line takes. Wide characters count twice. */
+/** Columns by which the second and later rows of a line are set in. */
+export const kHang = 2;
+
+/**
+ * How many rows of `columns` characters the line takes, wrapped at spaces like the style sheet does it.
+ * Wide characters count twice. Where a browser breaks elsewhere, the view corrects it after drawing.
+ */
 export function rowsOf(line: DisplayLine, columns: number): number {
-  const width = line.simple ? line.prefix.length + line.plain.length : widthOf(line.prefix + line.plain);
-  return Math.max(1, Math.ceil(width / Math.max(1, columns)));
+  const text = line.prefix + line.plain;
+  if (line.simple && text.length <= columns) return 1;
+  const later = Math.max(1, columns - kHang);
+  let rows = 1;
+  let room = Math.max(1, columns);
+  for (const word of text.split(/(?<= )(?=[^ ])/)) {
+    // Spaces at the end of a row hang over and take no room.
+    const solid = line.simple ? word.trimEnd().length : widthOf(word.trimEnd());
+    if (solid > room) {
+      const fresh = room === (rows === 1 ? columns : later);
+      if (!fresh) {
+        rows += 1;
+        room = later;
+      }
+      const more = solid <= room ? 0 : Math.ceil((solid - room) / later);
+      rows += more;
+      room = more === 0 ? room - solid : more * later + room - solid;
+    } else {
+      room -= solid;
+    }
+    room -= Math.min(room, word.length - word.trimEnd().length);
+  }
+  return rows;
+}
+
+/** Whether its rows are only reckoned, not certain: it may not fit one row. */
+export function mayWrap(line: DisplayLine, columns: number): boolean {
+  return !line.simple || line.prefix.length + line.plain.length > columns;
 }
 
 /** A carriage return starts the line again, as progress bars use it. */

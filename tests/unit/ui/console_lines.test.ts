@@ -80,6 +80,15 @@ test('rows follow the width, wide characters count twice', () => {
   assert.equal(rowsOf(displayLine(line('x'.repeat(81)), 0, ''), 80), 2);
   assert.equal(rowsOf(displayLine(line('x'.repeat(75)), 0, '[talker-1] '), 80), 2);
   assert.equal(rowsOf(displayLine(line('日'.repeat(41)), 0, ''), 80), 2);
+  // At spaces first; 10 columns, then 8 in later rows.
+  const rows = (text: string): number => rowsOf(displayLine(line(text), 0, ''), 10);
+  assert.equal(rows('aaaa bbbbb'), 1);
+  assert.equal(rows('aaaa bbbbbb'), 2);
+  assert.equal(rows('aaaaaaaaaa bbbb cccc'), 3);
+  assert.equal(rows('aaaa bbbb      '), 1);
+  assert.equal(rows('x'.repeat(26)), 3);
+  assert.equal(rows('x'.repeat(27)), 4);
+  assert.equal(rows(`aa ${'x'.repeat(16)} bb`), 4);
 });
 
 test('a row map agrees with a plain array through appends, drops and corrections', () => {
@@ -132,7 +141,8 @@ test('a line list stays bounded and says what fell off', () => {
   const list = new LineList(1000);
   let dropped = 0;
   for (let batch = 0; batch < 100; batch += 1) {
-    dropped += list.append(Array.from({ length: 100 }, (_, i) => line(`line ${batch * 100 + i}`)), '');
+    list.append(Array.from({ length: 100 }, (_, i) => line(`line ${batch * 100 + i}`)), '');
+    dropped += list.takeFallenRows();
   }
   assert.ok(list.allCount <= 2024);
   assert.equal(list.totalRows, list.shownCount);

@@ -1,0 +1,9 @@
+// The page's entry: starts the session at once, and draws while it starts.
+
+import { startSession } from '../wasm_js/launcher.ts';
+import { mountPage } from './mount.tsx';
+
+const root = document.getElementById('page');
+if (root !== null) {
+  mountPage(root, startSession());
+}

@@ -1,0 +1,27 @@
+// The text that a visitor can paste into a bug report. Holds no console text and no messages.
+
+import type { Session } from '../../wasm_js/session.ts';
+import { placeText } from './problem.ts';
+
+export function siteReport(session: Session, userAgent: string, isolated: boolean): string {
+  const { site, link } = session;
+  const nodes = session.nodes().map((node) => {
+    const state =
+      node.state.kind === 'exited'
+        ? `exited ${node.state.code}`
+        : node.state.kind === 'crashed'
+          ? `crashed ${node.state.code}: ${node.state.message}`
+          : node.state.kind;
+    const place = node.source === undefined ? '' : ` (${placeText(node.source)})`;
+    return `  ${node.id} ${node.label}${place}: ${state}`;
+  });
+  return [
+    `site: ${site.name} ${site.version} (${site.distro}), made with ${site.generator}`,
+    `link: ${link}, isolated: ${isolated ? 'yes' : 'no'}`,
+    `browser: ${userAgent}`,
+    'nodes:',
+    ...nodes,
+    `topics: ${session.topics().length}`,
+    '',
+  ].join('\n');
+}

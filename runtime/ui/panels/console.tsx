@@ -1,0 +1,84 @@
+// The consoles: one per node side by side, all merged as `ros2 launch` prints them, or one node alone.
+
+import { useMemo, useState } from 'preact/hooks';
+import { LEVELS } from '../model/log_line.ts';
+import type { Level } from '../model/log_line.ts';
+import type { LineFilter } from '../model/line_list.ts';
+import { readPreference, writePreference } from '../model/preferences.ts';
+import { ConsoleTile } from '../parts/console_tile.tsx';
+import { Icon } from '../parts/icon.tsx';
+import { PanelFrame } from '../parts/panel.tsx';
+import { useNodes } from '../parts/watch.ts';
+import { texts } from '../texts.ts';
+import type { PanelProps } from './panel_props.ts';
+
+type View = 'each' | 'merged';
+
+const kViews: readonly View[] = ['each', 'merged'];
+
+export function ConsolePanel({ session, focus, store, announce }: PanelProps) {
+  const nodes = useNodes(session);
+  const [view, setView] = useState<View>(() => readPreference(store, 'consoles', kViews, 'each'));
+  const [text, setText] = useState('');
+  const [level, setLevel] = useState<Level | null>(null);
+  const filter = useMemo<LineFilter>(() => ({ text, level }), [text, level]);
+
+  const choose = (next: View): void => {
+    setView(next);
+    focus.set(null);
+    writePreference(store, 'consoles', next);
+  };
+  const focused = nodes.find((node) => node.id === focus.id);
+  const shared = { session, filter, announce };
+  const tiles =
+    focused !== undefined ? (
+      <ConsoleTile key={focused.id} {...shared} nodes={[focused]} merged={false} />
+    ) : view === 'merged' ? (
+      <ConsoleTile key="merged" {...shared} nodes={nodes} merged />
+    ) : (
+      nodes.map((node) => <ConsoleTile key={node.id} {...shared} nodes={[node]} merged={false} />)
+    );
+
+  const tools = (
+    <>
+      {focused === undefined ? null : (
+        <button type="button" class="button" onClick={() => focus.set(null)}>
+          {texts.console.showAll}
+        </button>
+      )}
+      <div class="choice" role="group" aria-label={texts.console.view}>
+        {kViews.map((name) => (
+          <button type="button" aria-pressed={focused === undefined && view === name} onClick={() => choose(name)}>
+            {texts.console[name]}
+          </button>
+        ))}
+      </div>
+      <select
+        class="select"
+        aria-label={texts.console.level}
+        value={level ?? ''}
+        onChange={(event) => setLevel(LEVELS.find((name) => name === event.currentTarget.value) ?? null)}
+      >
+        <option value="">{texts.console.allLevels}</option>
+        {LEVELS.slice(1).map((name) => (
+          <option value={name}>{texts.console.atLeast(name)}</option>
+        ))}
+      </select>
+      <label class="search">
+        <Icon name="search" />
+        <input
+          type="search"
+          value={text}
+          placeholder={texts.console.filter}
+          aria-label={texts.console.filter}
+          onInput={(event) => setText(event.currentTarget.value)}
+        />
+      </label>
+    </>
+  );
+  return (
+    <PanelFrame id="console" title={texts.panels.console} icon="console" tools={tools}>
+      {nodes.length === 0 ? <p class="hint">{texts.nodes.none}</p> : <div class="tiles">{tiles}</div>}
+    </PanelFrame>
+  );
+}

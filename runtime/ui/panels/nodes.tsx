@@ -1,0 +1,102 @@
+// The nodes of the workspace in launch order: state, run control, where each was declared.
+
+import type { NodeView } from '../../wasm_js/session.ts';
+import { placeText } from '../model/problem.ts';
+import { formatDuration } from '../model/quantities.ts';
+import { IconButton } from '../parts/button.tsx';
+import { isAlive, StateBadge } from '../parts/node_state.tsx';
+import { Name } from '../parts/name.tsx';
+import { PanelFrame } from '../parts/panel.tsx';
+import { ProblemView } from '../parts/problem_view.tsx';
+import { useNodes, useNow } from '../parts/watch.ts';
+import { texts } from '../texts.ts';
+import type { PanelProps } from './panel_props.ts';
+
+export function NodesPanel({ session, focus, announce }: PanelProps) {
+  const nodes = useNodes(session);
+  const running = nodes.filter((node) => node.state.kind === 'running').length;
+  const now = useNow(running > 0);
+  return (
+    <PanelFrame id="nodes" title={texts.panels.nodes} icon="nodes" note={texts.runningOf(running, nodes.length)}>
+      {nodes.length === 0 ? <p class="hint">{texts.nodes.none}</p> : null}
+      <ul class="nodes" role="list">
+        {nodes.map((node) => (
+          <NodeRow
+            key={node.id}
+            node={node}
+            now={now}
+            focused={focus.id === node.id}
+            onFocus={() => focus.set(focus.id === node.id ? null : node.id)}
+            session={session}
+            announce={announce}
+          />
+        ))}
+      </ul>
+    </PanelFrame>
+  );
+}
+
+interface NodeRowProps extends Pick<PanelProps, 'session' | 'announce'> {
+  readonly node: NodeView;
+  readonly now: number;
+  readonly focused: boolean;
+  readonly onFocus: () => void;
+}
+
+function NodeRow({ node, now, focused, onFocus, session, announce }: NodeRowProps) {
+  const alive = isAlive(node.state);
+  const upTime = node.state.kind === 'running' && node.startedAt !== undefined ? formatDuration(now - node.startedAt) : null;
+  return (
+    <li class={`node ${focused ? 'node-focused' : ''}`}>
+      <div class="node-head">
+        <button
+          type="button"
+          class="node-name"
+          aria-pressed={focused}
+          title={focused ? texts.nodes.showAll : texts.nodes.showConsole(node.label)}
+          onClick={onFocus}
+        >
+          <Name text={node.label} />
+        </button>
+        <div class="node-tools">
+          {alive ? (
+            <IconButton icon="stop" label={texts.nodes.stop(node.label)} onClick={() => session.stop(node.id)} />
+          ) : (
+            <IconButton icon="play" label={texts.nodes.start(node.label)} onClick={() => session.start(node.id)} />
+          )}
+          <IconButton icon="restart" label={texts.nodes.restart(node.label)} onClick={() => session.restart(node.id)} />
+        </div>
+      </div>
+      <p class="node-state">
+        <StateBadge state={node.state} />
+        {upTime === null ? null : <span class="node-time">{texts.nodes.upSince(upTime)}</span>}
+      </p>
+      <p class="node-facts">
+        <span title={texts.nodes.program}>
+          <Name text={node.package} /> <span class="node-program">{node.executable}</span>
+        </span>
+        {node.source === undefined ? null : (
+          <span class="node-place" title={texts.nodes.declared}>
+            {placeText(node.source)}
+          </span>
+        )}
+      </p>
+      {node.state.kind === 'crashed' ? (
+        <ProblemView
+          announce={announce}
+          problem={{
+            code: node.state.code,
+            what: node.state.message,
+            place: node.source === undefined ? null : placeText(node.source),
+            why: [texts.problem.nodeWhy],
+            fix: [],
+          }}
+        >
+          <button type="button" class="button" onClick={() => session.restart(node.id)}>
+            {texts.restart}
+          </button>
+        </ProblemView>
+      ) : null}
+    </li>
+  );
+}

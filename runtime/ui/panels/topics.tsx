@@ -1,0 +1,200 @@
+// The topics of the graph: who writes and reads, how often, and the last message of each opened one.
+
+import { useEffect, useRef, useState } from 'preact/hooks';
+import type { QosView, Session, TopicView } from '../../wasm_js/session.ts';
+import type { Decoded, Decoder } from '../decode/decoder.ts';
+import { toYaml } from '../decode/yaml.ts';
+import { isHiddenTopic } from '../model/hidden_names.ts';
+import { problemOf } from '../model/problem.ts';
+import { readPreference, writePreference } from '../model/preferences.ts';
+import { formatBandwidth, formatCount, formatDuration, formatRate } from '../model/quantities.ts';
+import { CopyButton } from '../parts/button.tsx';
+import { Icon } from '../parts/icon.tsx';
+import { MessageTree } from '../parts/message_tree.tsx';
+import { Name } from '../parts/name.tsx';
+import { PanelFrame } from '../parts/panel.tsx';
+import { useTopics } from '../parts/watch.ts';
+import { texts } from '../texts.ts';
+import type { PanelProps } from './panel_props.ts';
+
+/** A filter is worth its room from this many topics on. */
+const kFilterFrom = 8;
+
+export function TopicsPanel({ session, store, announce }: PanelProps) {
+  const topics = useTopics(session);
+  const [hidden, setHidden] = useState(() => readPreference(store, 'hiddenTopics', ['yes', 'no'], 'no') === 'yes');
+  const [text, setText] = useState('');
+  const [opened, setOpened] = useState<ReadonlySet<string>>(new Set());
+
+  const allowed = topics.filter((topic) => hidden || !isHiddenTopic(topic.name));
+  const shown = allowed
+    .filter((topic) => topic.name.toLowerCase().includes(text.toLowerCase()) || topic.type.toLowerCase().includes(text.toLowerCase()))
+    .toSorted((a, b) => (a.name < b.name ? -1 : 1));
+  const toggle = (name: string): void => {
+    const next = new Set(opened);
+    if (!next.delete(name)) next.add(name);
+    setOpened(next);
+  };
+
+  const empty = topics.length === 0 ? texts.topics.none : allowed.length === 0 ? texts.topics.noneShown : texts.topics.noneMatch;
+  const tools = (
+    <>
+      <label class="check" title={texts.topics.hidden}>
+        <input
+          type="checkbox"
+          checked={hidden}
+          aria-label={texts.topics.hidden}
+          onChange={(event) => {
+            setHidden(event.currentTarget.checked);
+            writePreference(store, 'hiddenTopics', event.currentTarget.checked ? 'yes' : 'no');
+          }}
+        />
+        <span aria-hidden="true">{texts.topics.hiddenShort}</span>
+      </label>
+      {allowed.length < kFilterFrom && text === '' ? null : (
+        <label class="search">
+          <Icon name="search" />
+          <input
+            type="search"
+            value={text}
+            placeholder={texts.topics.filter}
+            aria-label={texts.topics.filter}
+            onInput={(event) => setText(event.currentTarget.value)}
+          />
+        </label>
+      )}
+    </>
+  );
+  return (
+    <PanelFrame id="topics" title={texts.panels.topics} icon="topics" note={allowed.length === 0 ? '' : String(allowed.length)} tools={tools}>
+      {shown.length === 0 ? <p class="hint">{empty}</p> : null}
+      <ul class="topics" role="list">
+        {shown.map((topic) => (
+          <TopicRow
+            key={topic.name}
+            topic={topic}
+            open={opened.has(topic.name)}
+            onToggle={() => toggle(topic.name)}
+            session={session}
+            announce={announce}
+          />
+        ))}
+      </ul>
+    </PanelFrame>
+  );
+}
+
+interface TopicRowProps extends Pick<PanelProps, 'session' | 'announce'> {
+  readonly topic: TopicView;
+  readonly open: boolean;
+  readonly onToggle: () => void;
+}
+
+function TopicRow({ topic, open, onToggle, session, announce }: TopicRowProps) {
+  const inside = `topic-${encodeURIComponent(topic.name)}`;
+  return (
+    <li class={`topic ${open ? 'topic-open' : ''}`}>
+      <button type="button" class="topic-head" aria-expanded={open} aria-controls={open ? inside : undefined} onClick={onToggle}>
+        <Icon name="chevron" class="topic-turn" />
+        <span class="topic-names">
+          <span class="topic-name">
+            <Name text={topic.name} />
+          </span>
+          <span class="topic-type">
+            <Name text={topic.type} />
+          </span>
+        </span>
+        <span class="topic-flow">
+          <span class="topic-rate">{formatRate(topic.rateHz)}</span>
+          <span class="topic-ends">
+            <span class="visually-hidden">
+              {texts.topics.publishers(topic.publishers)}, {texts.topics.subscriptions(topic.subscriptions)}
+            </span>
+            <span aria-hidden="true">
+              {topic.publishers} {texts.topics.publishersShort} {'\u2192'} {topic.subscriptions} {texts.topics.subscriptionsShort}
+            </span>
+          </span>
+        </span>
+      </button>
+      {open ? (
+        <div class="topic-inside" id={inside}>
+          <dl class="facts">
+            <Fact name={texts.topics.bandwidth} value={formatBandwidth(topic.bytesPerSecond)} />
+            <Fact name={texts.topics.count} value={formatCount(topic.count)} />
+            {topic.qos.map((qos) => (
+              <Fact name={texts.topics.qos} value={qosWords(qos)} />
+            ))}
+          </dl>
+          <LastMessageView topic={topic} session={session} announce={announce} />
+        </div>
+      ) : null}
+    </li>
+  );
+}
+
+function Fact({ name, value }: { readonly name: string; readonly value: string }) {
+  return (
+    <div>
+      <dt>{name}</dt>
+      <dd>{value}</dd>
+    </div>
+  );
+}
+
+function LastMessageView({ topic, session, announce }: Pick<TopicRowProps, 'topic' | 'session' | 'announce'>) {
+  const decoder = useDecoder(session);
+  // Decoded again when a message came, not at every sample of the rates.
+  const decoded = useRef<{ readonly count: number; readonly decoder: Decoder; readonly result: Decoded } | null>(null);
+  const last = session.lastMessage(topic.name);
+  if (last === undefined) return <p class="hint">{texts.topics.noMessage}</p>;
+  if (decoder === null) return <p class="hint">{texts.topics.decoding}</p>;
+  if (typeof decoder === 'string') return <p class="hint">{texts.topics.undecodable(decoder)}</p>;
+  if (decoded.current?.count !== last.count || decoded.current.decoder !== decoder) {
+    decoded.current = { count: last.count, decoder, result: decoder.decode(topic.type, last.bytes) };
+  }
+  const result = decoded.current.result;
+  const size = texts.topics.bytes(formatCount(last.bytes.byteLength));
+  const ago = texts.topics.ago(formatDuration(Date.now() - last.receivedAt));
+  return (
+    <div class="message">
+      <div class="message-head">
+        <h3 class="message-title">{texts.topics.lastMessage}</h3>
+        <span class="message-facts">{`${ago}, ${size}`}</span>
+        {result.kind === 'value' ? (
+          <CopyButton label={texts.topics.copy(topic.name)} text={() => toYaml(result.value, result.shape)} announce={announce} />
+        ) : null}
+      </div>
+      {result.kind === 'value' ? (
+        <MessageTree label={texts.topics.lastOf(topic.name)} value={result.value} shape={result.shape} />
+      ) : (
+        <p class="hint">{texts.topics.undecodable(result.reason)}</p>
+      )}
+    </div>
+  );
+}
+
+/** The decoder, fetched when the first topic is opened; null while it comes, a text when it failed. */
+function useDecoder(session: Session): Decoder | string | null {
+  const [decoder, setDecoder] = useState<Decoder | string | null>(null);
+  useEffect(() => {
+    let current = true;
+    Promise.all([import('../decode/decoder.ts'), session.interfaces()]).then(
+      ([{ createDecoder }, interfaces]) => {
+        if (current) setDecoder(createDecoder(interfaces));
+      },
+      (error: unknown) => {
+        if (current) setDecoder(problemOf(error).what);
+      },
+    );
+    return () => {
+      current = false;
+    };
+  }, [session]);
+  return decoder;
+}
+
+function qosWords(qos: QosView): string {
+  const words = texts.topics.qosWords;
+  const history = qos.history === 'keep_last' ? words.keep_last(qos.depth) : words.keep_all;
+  return [words[qos.reliability], words[qos.durability], history].join(', ');
+}

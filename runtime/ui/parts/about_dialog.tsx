@@ -1,0 +1,67 @@
+// What this page is, in a dialog: the workspace's data, the link between its nodes in plain words, and
+// a report for bug reports.
+
+import { useEffect, useRef } from 'preact/hooks';
+import type { Session } from '../../wasm_js/session.ts';
+import { formatBytes, formatCount } from '../model/quantities.ts';
+import { siteReport } from '../model/report.ts';
+import { texts } from '../texts.ts';
+import { CopyButton, IconButton } from './button.tsx';
+
+export interface AboutDialogProps {
+  readonly session: Session;
+  readonly open: boolean;
+  readonly onClose: () => void;
+  readonly announce: (text: string) => void;
+}
+
+export function AboutDialog({ session, open, onClose, announce }: AboutDialogProps) {
+  const dialog = useRef<HTMLDialogElement>(null);
+  useEffect(() => {
+    const element = dialog.current;
+    if (element === null || element.open === open) return;
+    if (open) element.showModal();
+    else element.close();
+  }, [open]);
+  const { site, link } = session;
+  const bytes = site.files.reduce((sum, file) => sum + file.size, 0);
+  const rows: readonly (readonly [string, string])[] = [
+    [texts.about.workspace, `${site.name} ${site.version}`],
+    [texts.about.authors, site.authors.map((author) => author.name).join(', ')],
+    [texts.about.license, site.license],
+    [texts.about.distro, site.distro],
+    [texts.about.size, site.files.length === 0 ? '' : texts.about.sizeOf(formatCount(site.files.length), formatBytes(bytes))],
+    [texts.about.generator, site.generator],
+  ];
+  return (
+    <dialog class="about" ref={dialog} aria-labelledby="about-title" onClose={onClose}>
+      <header class="about-head">
+        <h2 id="about-title">{site.title === '' ? site.name : site.title}</h2>
+        <IconButton icon="close" label={texts.about.close} onClick={onClose} />
+      </header>
+      <p>{texts.about.what}</p>
+      <dl class="facts">
+        {rows
+          .filter(([, value]) => value.trim() !== '')
+          .map(([name, value]) => (
+            <div key={name}>
+              <dt>{name}</dt>
+              <dd>{value}</dd>
+            </div>
+          ))}
+      </dl>
+      <h3>{`${texts.about.link}: ${texts.link[link]}`}</h3>
+      <p>{link === 'shared' ? texts.link.sharedLong : texts.link.portLong}</p>
+      {link === 'port' ? <p>{texts.link.portFix}</p> : null}
+      <p class="about-report">
+        <CopyButton
+          label={texts.about.copyReport}
+          words={texts.about.copyReport}
+          text={() => siteReport(session, navigator.userAgent, crossOriginIsolated)}
+          announce={announce}
+        />
+        <span>{texts.about.reportHint}</span>
+      </p>
+    </dialog>
+  );
+}

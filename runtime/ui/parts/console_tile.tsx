@@ -1,0 +1,136 @@
+// One console: the lines of one node, or of all nodes merged as `ros2 launch` prints them, with its tools
+// and a line for standard input.
+
+import { useEffect, useMemo, useReducer, useState } from 'preact/hooks';
+import type { ConsoleLine, NodeView, Session } from '../../wasm_js/session.ts';
+import { LineList } from '../model/line_list.ts';
+import type { LineFilter } from '../model/line_list.ts';
+import { formatCount } from '../model/quantities.ts';
+import { texts } from '../texts.ts';
+import { CopyButton, IconButton } from './button.tsx';
+import { LineScroller } from './line_scroller.tsx';
+import { StateBadge } from './node_state.tsx';
+
+/** Lines kept per view; older ones fall off. */
+const kCapacity = 100_000;
+
+export interface ConsoleTileProps {
+  readonly session: Session;
+  /** The nodes whose lines it shows; more than one: merged. */
+  readonly nodes: readonly NodeView[];
+  readonly merged: boolean;
+  readonly filter: LineFilter;
+  readonly announce: (text: string) => void;
+}
+
+export function ConsoleTile({ session, nodes, merged, filter, announce }: ConsoleTileProps) {
+  const ids = nodes.map((node) => node.id).join('\n');
+  const { list, version, changed } = useLines(session, ids, merged);
+  const [asking, setAsking] = useState(false);
+
+  useMemo(() => list.setFilter(filter), [list, filter]);
+
+  const only = merged ? undefined : nodes[0];
+  const label = only?.label ?? texts.console.allNodes;
+  const title = only === undefined ? texts.console.mergedLabel : texts.console.of(label);
+  const clear = (): void => {
+    for (const node of nodes) session.console(node.id).clear();
+    list.clear();
+    changed();
+  };
+  return (
+    <article class="tile" aria-label={title}>
+      <header class="tile-head">
+        <h3 class="tile-title">{label}</h3>
+        {only === undefined ? null : <StateBadge state={only.state} />}
+        <div class="tile-tools">
+          {only === undefined ? null : (
+            <IconButton icon="input" label={texts.console.input(label)} pressed={asking} onClick={() => setAsking(!asking)} />
+          )}
+          <CopyButton label={texts.console.copy(label)} text={() => list.text()} announce={announce} />
+          <IconButton icon="clear" label={texts.console.clear(label)} onClick={clear} />
+        </div>
+      </header>
+      <LineScroller
+        list={list}
+        version={version}
+        label={title}
+        empty={list.allCount === 0 ? texts.console.empty : texts.console.emptyFiltered(formatCount(list.allCount))}
+      />
+      {asking && only !== undefined ? <InputLine label={label} send={(text) => session.sendInput(only.id, text)} /> : null}
+    </article>
+  );
+}
+
+interface Lines {
+  readonly list: LineList;
+  readonly version: number;
+  readonly changed: () => void;
+}
+
+/** Follows the consoles of some nodes. `ids` holds one node id per line. */
+function useLines(session: Session, ids: string, merged: boolean): Lines {
+  const [version, changed] = useReducer<number, void>((n) => n + 1, 0);
+  const list = useMemo(() => new LineList(kCapacity), [session, ids, merged]);
+  useEffect(() => {
+    const names = ids === '' ? [] : ids.split('\n');
+    const prefixOf = (id: string): string => (merged ? `[${id}] ` : '');
+    list.clear();
+    const past: { readonly line: ConsoleLine; readonly prefix: string }[] = [];
+    for (const id of names) {
+      for (const line of session.console(id).lines()) past.push({ line, prefix: prefixOf(id) });
+    }
+    // Stable: lines of one node keep their order.
+    if (names.length > 1) past.sort((a, b) => a.line.time - b.line.time);
+    for (const { line, prefix } of past) list.append([line], prefix);
+    changed();
+    const stops = names.map((id) =>
+      session.console(id).onLines((lines) => {
+        list.append(lines, prefixOf(id));
+        changed();
+      }),
+    );
+    return () => {
+      for (const stop of stops) stop();
+    };
+  }, [session, list]);
+  return { list, version, changed: () => changed() };
+}
+
+function InputLine({ label, send }: { readonly label: string; readonly send: (text: string) => void }) {
+  const [text, setText] = useState('');
+  return (
+    <form
+      class="input-line"
+      onSubmit={(event) => {
+        event.preventDefault();
+        send(`${text}\n`);
+        setText('');
+      }}
+    >
+      <span class="input-sign" aria-hidden="true">
+        {'>'}
+      </span>
+      <input
+        type="text"
+        class="input-text"
+        value={text}
+        onInput={(event) => setText(event.currentTarget.value)}
+        aria-label={texts.console.inputLabel(label)}
+        placeholder={texts.console.inputHint}
+        autocomplete="off"
+        autocapitalize="off"
+        spellcheck={false}
+        ref={(element) => {
+          if (element !== null && element.dataset['met'] === undefined) {
+            element.dataset['met'] = '';
+            element.focus();
+          }
+        }}
+      />
+      <button type="submit" class="button">
+        {texts.console.send}
+      </button>
+    </form>
+  );
+}

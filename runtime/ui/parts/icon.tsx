@@ -1,0 +1,53 @@
+// The page's icons: small line drawings in one 16 by 16 grid, hidden from assistive technology because a
+// text or label always stands beside them.
+
+const kPaths = {
+  play: 'M5 3.2v9.6L12.6 8Z',
+  stop: 'M4 4h8v8H4Z',
+  restart: 'M12.9 6.2A5.2 5.2 0 1 0 13.2 8M13.4 2.8v3.6H9.8',
+  copy: 'M5.5 5.5h7v8h-7ZM10.5 5.5v-3h-7v8h2',
+  clear: 'M3 4.5h10M6.5 4.5v-2h3v2M4.5 4.5l.6 9h5.8l.6-9M6.8 7v4M9.2 7v4',
+  input: 'M1.8 4h12.4v8H1.8ZM4.2 6.6h.01M6.7 6.6h.01M9.2 6.6h.01M11.7 6.6h.01M4.8 9.5h6.4',
+  sun: 'M8 5.1a2.9 2.9 0 1 0 0 5.8 2.9 2.9 0 0 0 0-5.8ZM8 1v1.6M8 13.4V15M1 8h1.6M13.4 8H15M3 3l1.2 1.2M11.8 11.8 13 13M13 3l-1.2 1.2M4.2 11.8 3 13',
+  moon: 'M13.4 9.6A5.8 5.8 0 0 1 6.4 2.6a5.8 5.8 0 1 0 7 7Z',
+  system: 'M8 1.8a6.2 6.2 0 1 0 0 12.4A6.2 6.2 0 0 0 8 1.8ZM8 1.8v12.4',
+  info: 'M8 1.8a6.2 6.2 0 1 0 0 12.4A6.2 6.2 0 0 0 8 1.8ZM8 7.2v4M8 4.8h.01',
+  chevron: 'm6 3.5 4.5 4.5L6 12.5',
+  search: 'M7 2.5a4.5 4.5 0 1 0 0 9 4.5 4.5 0 0 0 0-9ZM10.4 10.4 14 14',
+  down: 'M8 2.5v11M3.5 9 8 13.5 12.5 9',
+  close: 'm3.5 3.5 9 9M12.5 3.5l-9 9',
+  check: 'm2.8 8.6 3.4 3.4 7-8',
+  warning: 'M8 2 1.6 13.4h12.8ZM8 6.4v3.4M8 11.6h.01',
+  crash: 'M5.4 1.8h5.2l3.6 3.6v5.2l-3.6 3.6H5.4l-3.6-3.6V5.4ZM5.8 5.8l4.4 4.4M10.2 5.8l-4.4 4.4',
+  ring: 'M8 3.2a4.8 4.8 0 1 0 0 9.6 4.8 4.8 0 0 0 0-9.6Z',
+  disc: 'M8 3.6a4.4 4.4 0 1 0 0 8.8 4.4 4.4 0 0 0 0-8.8Z',
+  arc: 'M8 3.2A4.8 4.8 0 1 1 3.2 8',
+  nodes: 'M4 6.2a2 2 0 1 0 0-4 2 2 0 0 0 0 4ZM12 13.8a2 2 0 1 0 0-4 2 2 0 0 0 0 4ZM4 6.2v2.6a3 3 0 0 0 3 3h3',
+  console: 'M1.8 2.8h12.4v10.4H1.8ZM4.4 6l2.2 2-2.2 2M8.2 10.2h3.4',
+  topics: 'M8 6.8a1.2 1.2 0 1 0 0 2.4 1.2 1.2 0 0 0 0-2.4ZM5.2 10.8a4 4 0 0 1 0-5.6M10.8 5.2a4 4 0 0 1 0 5.6M3.1 12.9a6.9 6.9 0 0 1 0-9.8M12.9 3.1a6.9 6.9 0 0 1 0 9.8',
+  link: 'M6.6 9.4 9.4 6.6M7.2 4.6l1.4-1.4a3 3 0 0 1 4.2 4.2l-1.4 1.4M8.8 11.4l-1.4 1.4a3 3 0 0 1-4.2-4.2l1.4-1.4',
+} as const;
+
+export type IconName = keyof typeof kPaths;
+
+const kFilled: ReadonlySet<IconName> = new Set<IconName>(['play', 'stop', 'disc']);
+
+export function Icon({ name, class: extra }: { readonly name: IconName; readonly class?: string }) {
+  return (
+    <svg class={`icon ${kFilled.has(name) ? 'icon-filled' : ''} ${extra ?? ''}`} viewBox="0 0 16 16" aria-hidden="true" focusable="false">
+      <path d={kPaths[name]} />
+    </svg>
+  );
+}
+
+/** The sign of ros2wasm: two nodes and what flows between them. The same drawing as icon.svg. */
+export function Mark() {
+  return (
+    <svg class="mark" viewBox="0 0 32 32" aria-hidden="true" focusable="false">
+      <rect class="mark-ground" width="32" height="32" rx="8" />
+      <path class="mark-line" d="M10.5 13.5v3a5 5 0 0 0 5 5h2.5" />
+      <circle class="mark-ink" cx="10.5" cy="10" r="4" />
+      <circle class="mark-accent" cx="22" cy="21.5" r="4" />
+    </svg>
+  );
+}

@@ -1,0 +1,46 @@
+// Hooks that follow a Session and the browser: each subscribes when used and unsubscribes with its component.
+
+import { useEffect, useState } from 'preact/hooks';
+import type { NodeView, Session, TopicView } from '../../wasm_js/session.ts';
+
+export function useNodes(session: Session): readonly NodeView[] {
+  const [nodes, setNodes] = useState(() => session.nodes());
+  useEffect(() => {
+    setNodes(session.nodes());
+    return session.onNodes(setNodes);
+  }, [session]);
+  return nodes;
+}
+
+export function useTopics(session: Session): readonly TopicView[] {
+  const [topics, setTopics] = useState(() => session.topics());
+  useEffect(() => {
+    setTopics(session.topics());
+    return session.onTopics(setTopics);
+  }, [session]);
+  return topics;
+}
+
+export function useMedia(query: string): boolean {
+  const [matches, setMatches] = useState(() => matchMedia(query).matches);
+  useEffect(() => {
+    const list = matchMedia(query);
+    const update = (): void => setMatches(list.matches);
+    update();
+    list.addEventListener('change', update);
+    return () => list.removeEventListener('change', update);
+  }, [query]);
+  return matches;
+}
+
+/** The time now in ms, renewed once per second while `active`. */
+export function useNow(active: boolean): number {
+  const [now, setNow] = useState(() => Date.now());
+  useEffect(() => {
+    if (!active) return undefined;
+    setNow(Date.now());
+    const timer = setInterval(() => setNow(Date.now()), 1000);
+    return () => clearInterval(timer);
+  }, [active]);
+  return now;
+}

@@ -1,0 +1,219 @@
+// A Session for tests of the page: no worker runs, a test says what happens. Never part of a site.
+
+import type {
+  ConsoleLine, ConsoleLog, LastMessage, LinkKind, NodeState, NodeView, Session, SiteDescription, SiteNode, TopicView, Unsubscribe,
+} from '../../../runtime/wasm_js/session.ts';
+
+export interface FakeNode {
+  readonly executable: string;
+  readonly label?: string;
+  readonly package?: string;
+  readonly source?: SiteNode['source'];
+}
+
+export interface FakeOptions {
+  readonly title?: string;
+  readonly link?: LinkKind;
+  readonly nodes: readonly FakeNode[];
+  readonly authors?: readonly string[];
+  readonly interfaces?: ReadonlyMap<string, string>;
+}
+
+class FakeConsole implements ConsoleLog {
+  private kept: ConsoleLine[] = [];
+  private readonly listeners = new Set<(lines: readonly ConsoleLine[]) => void>();
+
+  lines(): readonly ConsoleLine[] {
+    return this.kept;
+  }
+
+  dropped(): number {
+    return 0;
+  }
+
+  onLines(listener: (lines: readonly ConsoleLine[]) => void): Unsubscribe {
+    this.listeners.add(listener);
+    return () => this.listeners.delete(listener);
+  }
+
+  clear(): void {
+    this.kept = [];
+  }
+
+  add(lines: readonly ConsoleLine[]): void {
+    this.kept = this.kept.concat(lines).slice(-200_000);
+    for (const listener of this.listeners) listener(lines);
+  }
+
+  get listenerCount(): number {
+    return this.listeners.size;
+  }
+}
+
+export class FakeSession implements Session {
+  readonly site: SiteDescription;
+  readonly link: LinkKind;
+  /** What the page asked for: `start talker-1`, `input talker-1 text`. */
+  readonly asked: string[] = [];
+  private views: readonly NodeView[];
+  private shown: readonly TopicView[] = [];
+  private readonly consoles = new Map<string, FakeConsole>();
+  private readonly last = new Map<string, LastMessage>();
+  private readonly nodeListeners = new Set<(nodes: readonly NodeView[]) => void>();
+  private readonly topicListeners = new Set<(topics: readonly TopicView[]) => void>();
+  private readonly known: ReadonlyMap<string, string>;
+
+  constructor(options: FakeOptions) {
+    this.link = options.link ?? 'shared';
+    this.known = options.interfaces ?? new Map([['std_msgs/msg/String', 'string data\n']]);
+    const nodes = options.nodes.map((node, index): SiteNode => ({
+      id: `${node.executable}-${index + 1}`,
+      package: node.package ?? `tutorial_${node.executable}`,
+      executable: node.executable,
+      label: node.label ?? `/${node.executable}`,
+      kind: 'cpp',
+      program: `programs/${node.executable}.wasm`,
+      threads: false,
+      arguments: [],
+      environment: {},
+      output: 'screen',
+      respawn: false,
+      respawnDelay: 0,
+      source: node.source ?? { file: 'workspace.yaml', line: 13 + 2 * index, column: 5 },
+    }));
+    this.site = {
+      protocol: 1,
+      generator: 'ros2wasm 0.1.0',
+      name: 'talker_listener',
+      title: options.title ?? 'Talker and listener',
+      version: '1.0.0',
+      distro: 'jazzy',
+      license: 'Apache-2.0',
+      authors: (options.authors ?? ['Ada Example']).map((name) => ({ name })),
+      nodes,
+      interfaces: 'interfaces.json',
+      ui: {},
+      files: [
+        { path: 'index.html', size: 2048, sha256: '', reason: 'runtime page' },
+        { path: 'main.js', size: 61_000, sha256: '', reason: 'runtime script' },
+      ],
+    };
+    this.views = nodes.map((node) => {
+      this.consoles.set(node.id, new FakeConsole());
+      return {
+        id: node.id, label: node.label, package: node.package, executable: node.executable, state: { kind: 'running' }, startedAt: Date.now(),
+        ...(node.source === undefined ? {} : { source: node.source }),
+      };
+    });
+  }
+
+  nodes(): readonly NodeView[] {
+    return this.views;
+  }
+
+  onNodes(listener: (nodes: readonly NodeView[]) => void): Unsubscribe {
+    this.nodeListeners.add(listener);
+    return () => this.nodeListeners.delete(listener);
+  }
+
+  start(id: string): void {
+    this.asked.push(`start ${id}`);
+    this.setState(id, { kind: 'running' });
+  }
+
+  stop(id: string): void {
+    this.asked.push(`stop ${id}`);
+    this.setState(id, { kind: 'stopped' });
+  }
+
+  restart(id: string): void {
+    this.asked.push(`restart ${id}`);
+    this.setState(id, { kind: 'running' });
+  }
+
+  startAll(): void {
+    for (const node of this.views) this.start(node.id);
+  }
+
+  stopAll(): void {
+    for (const node of this.views) this.stop(node.id);
+  }
+
+  console(id: string): FakeConsole {
+    const found = this.consoles.get(id);
+    if (found === undefined) throw new Error(`no node ${id}`);
+    return found;
+  }
+
+  topics(): readonly TopicView[] {
+    return this.shown;
+  }
+
+  onTopics(listener: (topics: readonly TopicView[]) => void): Unsubscribe {
+    this.topicListeners.add(listener);
+    return () => this.topicListeners.delete(listener);
+  }
+
+  lastMessage(topic: string): LastMessage | undefined {
+    return this.last.get(topic);
+  }
+
+  interfaces(): Promise<ReadonlyMap<string, string>> {
+    return Promise.resolve(this.known);
+  }
+
+  sendInput(id: string, text: string): void {
+    this.asked.push(`input ${id} ${text}`);
+  }
+
+  close(): void {
+    this.asked.push('close');
+  }
+
+  // What a test does ------------------------------------------------------------------------------
+
+  setState(id: string, state: NodeState): void {
+    this.views = this.views.map((node) => (node.id === id ? { ...node, state, startedAt: Date.now() } : node));
+    for (const listener of this.nodeListeners) listener(this.views);
+  }
+
+  print(id: string, ...texts: readonly string[]): void {
+    this.console(id).add(texts.map((text) => ({ time: Date.now(), stream: 'stderr', text })));
+  }
+
+  log(id: string, level: string, message: string): void {
+    const now = Date.now();
+    const stamp = `${Math.floor(now / 1000)}.${String(now % 1000).padStart(3, '0')}482913`;
+    const name = (this.views.find((node) => node.id === id)?.label ?? id).replace(/^\//, '').replaceAll('/', '.');
+    this.print(id, `[${level}] [${stamp}] [${name}]: ${message}`);
+  }
+
+  setTopics(topics: readonly (Pick<TopicView, 'name' | 'type'> & Partial<TopicView>)[]): void {
+    this.shown = topics.map((topic) => ({
+      publishers: 1, subscriptions: 1, rateHz: 0, bytesPerSecond: 0, count: 0,
+      qos: [{ reliability: 'reliable', durability: 'volatile', history: 'keep_last', depth: 10 }],
+      ...topic,
+    }));
+    for (const listener of this.topicListeners) listener(this.shown);
+  }
+
+  publish(topic: string, bytes: Uint8Array): void {
+    this.last.set(topic, { bytes, receivedAt: Date.now(), count: (this.last.get(topic)?.count ?? 0) + 1 });
+  }
+
+  get listenerCount(): number {
+    let count = this.nodeListeners.size + this.topicListeners.size;
+    for (const console of this.consoles.values()) count += console.listenerCount;
+    return count;
+  }
+}
+
+/** CDR of a std_msgs/msg/String. */
+export function stringBytes(text: string): Uint8Array {
+  const body = new TextEncoder().encode(`${text}\0`);
+  const bytes = new Uint8Array(8 + body.length);
+  bytes[1] = 1;
+  new DataView(bytes.buffer).setUint32(4, body.length, true);
+  bytes.set(body, 8);
+  return bytes;
+}

@@ -1,0 +1,118 @@
+// The interface definitions say what ROS 2 Jazzy's say: same constants, fields, defaults and order.
+import assert from 'node:assert/strict';
+import { createHash } from 'node:crypto';
+import { existsSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { describe, test } from 'node:test';
+
+import { parse as parseWithFoxglove } from '@foxglove/rosmsg';
+
+import { isPrimitive, parseInterface, typeParts } from './definition_parser.ts';
+import type { Section } from './definition_parser.ts';
+import { REPOSITORY, interfaceFiles } from './interface_files.ts';
+
+// Of all definitions in normal form, taken once from facts about upstream's packages (below).
+const DIGEST = 'ae2a3406ffbcb41bb421b65b0342f7845a2cb7ce64191ed32d63ee7bcac64a20';
+const FACTS = join(REPOSITORY, '..', 'shared', 'facts', 'ros2_interfaces.json');
+
+interface NormalSection {
+  readonly constants: readonly (readonly string[])[];
+  readonly fields: readonly (readonly string[])[];
+}
+type NormalForm = Record<string, NormalSection | Record<string, NormalSection>>;
+
+function normalSection(section: Section): NormalSection {
+  return {
+    constants: section.constants.map((c) => [c.type, c.name, c.value]),
+    fields: section.fields.map((f) =>
+      f.defaultValue === undefined ? [f.type, f.name] : [f.type, f.name, f.defaultValue],
+    ),
+  };
+}
+
+const files = interfaceFiles();
+const normal: NormalForm = {};
+for (const file of files) {
+  const sections = [...parseInterface(file.kind, file.text)].map(
+    ([name, section]) => [name, normalSection(section)] as const,
+  );
+  const first = sections[0];
+  assert.ok(first !== undefined);
+  normal[file.type] = file.kind === 'msg' ? first[1] : Object.fromEntries(sections);
+}
+
+describe('interface definitions', () => {
+  test('there are 232 of them', () => assert.equal(files.length, 232));
+
+  test('they are the ones that the digest was made of', () => {
+    const digest = createHash('sha256').update(JSON.stringify(normal)).digest('hex');
+    assert.equal(digest, DIGEST, 'a constant, field, default or the order of some differs');
+  });
+
+  test('the facts about upstream say the same, where they are at hand', () => {
+    if (!existsSync(FACTS)) return; // the digest stands for them
+    const facts = JSON.parse(readFileSync(FACTS, 'utf8')) as NormalForm;
+    for (const type of Object.keys({ ...facts, ...normal })) {
+      assert.deepEqual(normal[type], facts[type], type);
+    }
+  });
+
+  test('each begins with its purpose', () => {
+    for (const file of files) assert.match(file.text, /^# \S.*[.:]?\n/, file.type);
+  });
+
+  test('each refers to types that exist, in packages that its package.xml and CMakeLists.txt name', () => {
+    const known = new Set(files.map((file) => file.type));
+    for (const file of files) {
+      const folder = join(REPOSITORY, 'runtime', 'interfaces', file.package);
+      const manifest = readFileSync(join(folder, 'package.xml'), 'utf8');
+      const recipe = readFileSync(join(folder, 'CMakeLists.txt'), 'utf8');
+      assert.ok(recipe.includes(`"${file.kind}/${file.name}.${file.kind}"`), `${file.type} is not built`);
+      for (const section of parseInterface(file.kind, file.text).values()) {
+        for (const field of section.fields) {
+          const { base } = typeParts(field.type);
+          if (isPrimitive(base)) continue;
+          const [pkg, name] = base.includes('/') ? base.split('/') : [file.package, base];
+          assert.ok(known.has(`${pkg}/msg/${name}`), `${file.type}: ${field.type}`);
+          if (pkg === file.package) continue;
+          assert.ok(manifest.includes(`<depend>${pkg}</depend>`), `${file.package} needs ${pkg}`);
+          assert.ok(recipe.includes(`find_package(${pkg} REQUIRED)`), `${file.package} needs ${pkg}`);
+        }
+      }
+    }
+  });
+
+  test('viewers read them the same way', () => {
+    for (const file of files) {
+      for (const [name, section] of parseInterface(file.kind, file.text)) {
+        const texts = file.text.split(/^---$/m);
+        const index = [...parseInterface(file.kind, file.text).keys()].indexOf(name);
+        const theirs = parseWithFoxglove(texts[index] ?? '', { ros2: true, skipTypeFixup: true });
+        const fields = theirs[0]?.definitions ?? [];
+        assert.deepEqual(
+          fields.filter((field) => field.isConstant !== true).map((field) => field.name),
+          section.fields.map((field) => field.name),
+          file.type,
+        );
+        assert.deepEqual(
+          fields.filter((field) => field.isConstant === true).map((field) => field.name),
+          section.constants.map((constant) => constant.name),
+          file.type,
+        );
+      }
+    }
+  });
+});
+
+describe('versions', () => {
+  const versions = JSON.parse(readFileSync(join(REPOSITORY, 'runtime', 'versions.json'), 'utf8')) as {
+    packages: Record<string, { version: string }>;
+  };
+
+  test('every interface package has the version that versions.json names', () => {
+    for (const pkg of new Set(files.map((file) => file.package))) {
+      const manifest = readFileSync(join(REPOSITORY, 'runtime/interfaces', pkg, 'package.xml'), 'utf8');
+      assert.equal(/<version>(.*)<\/version>/.exec(manifest)?.[1], versions.packages[pkg]?.version, pkg);
+    }
+  });
+});

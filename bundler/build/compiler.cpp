@@ -24,12 +24,14 @@ std::string version_beside(const fs::path& folder) {
 
 }  // namespace
 
-Outcome<Compiler> find_compiler() {
+Outcome<Compiler> find_compiler(const EnvironmentVariables& variables) {
   std::optional<fs::path> cxx;
-  if (const auto sdk = environment_variable("EMSDK")) {
-    cxx = find_program((fs::path(*sdk) / "upstream/emscripten/em++").string());
+  const auto sdk = variables.find("EMSDK");
+  if (sdk != variables.end() && !sdk->second.empty()) {
+    cxx = find_program((fs::path(sdk->second) / "upstream/emscripten/em++").string());
   }
-  if (!cxx) cxx = find_program("em++");
+  const auto path = variables.find("PATH");
+  if (!cxx) cxx = find_program("em++", path == variables.end() ? "/usr/bin:/bin" : path->second);
   if (!cxx) {
     return Diagnostic{.code = "R2W0501",
                       .kind = FailureKind::kEnvironment,
@@ -48,10 +50,10 @@ Outcome<Compiler> find_compiler() {
   return compiler;
 }
 
-std::map<std::string, std::string> compiler_environment() {
-  std::map<std::string, std::string> result;
+EnvironmentVariables compiler_environment(const EnvironmentVariables& variables) {
+  EnvironmentVariables result;
   std::error_code error;
-  if (!environment_variable("NODE_PATH") && fs::is_directory(kDebianNodeModules, error)) {
+  if (!variables.contains("NODE_PATH") && fs::is_directory(kDebianNodeModules, error)) {
     result["NODE_PATH"] = kDebianNodeModules;
   }
   return result;

@@ -9,6 +9,8 @@
 
 namespace ros2wasm {
 
+using EnvironmentVariables = std::map<std::string, std::string>;
+
 struct Compiler {
   std::filesystem::path cxx;  ///< em++
   std::filesystem::path c;    ///< emcc
@@ -18,10 +20,10 @@ struct Compiler {
 };
 
 /// EMSDK's compiler when that variable is set, else the one on PATH. R2W0501 when there is none.
-[[nodiscard]] Outcome<Compiler> find_compiler();
+[[nodiscard]] Outcome<Compiler> find_compiler(const EnvironmentVariables& variables);
 
 /// What Emscripten's tools need in their environment here: Debian's emcc finds its JavaScript libraries
 /// through NODE_PATH, whichever Node.js runs it.
-[[nodiscard]] std::map<std::string, std::string> compiler_environment();
+[[nodiscard]] EnvironmentVariables compiler_environment(const EnvironmentVariables& variables);
 
 }  // namespace ros2wasm

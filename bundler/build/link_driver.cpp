@@ -1,35 +1,25 @@
 // See link_driver.hpp. Each link happens in a folder beside the output and ends with a rename.
 #include "bundler/build/link_driver.hpp"
 
-#include <unistd.h>
-
 #include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <optional>
 #include <set>
 #include <sstream>
 
-#include "bundler/build/compiler.hpp"
 #include "bundler/build/thread_marker.hpp"
+#include "bundler/io/files.hpp"
 #include "bundler/io/process.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
 namespace {
 
-std::optional<std::string> contents_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) return std::nullopt;
-  return std::string(std::istreambuf_iterator<char>(stream), {});
-}
-
 /// Response files (@name) replaced by their arguments.
 std::vector<std::string> expanded(const std::vector<std::string>& command) {
   std::vector<std::string> result;
   for (const std::string& argument : command) {
-    const auto text = argument.starts_with('@') ? contents_of(argument.substr(1)) : std::nullopt;
-    if (text) {
+    const bool is_file = argument.starts_with('@');
+    const auto text = is_file ? read_file(argument.substr(1)) : Outcome<std::string>(argument);
+    if (is_file && text) {
       for (std::string& inner : split_response_file(*text)) result.push_back(std::move(inner));
     } else {
       result.push_back(argument);
@@ -37,26 +27,6 @@ std::vector<std::string> expanded(const std::vector<std::string>& command) {
   }
   return result;
 }
-
-/// A folder for one link's files, removed at the end.
-class LinkFolder {
- public:
-  explicit LinkFolder(const fs::path& output)
-      : path_(output.string() + ".link-" + std::to_string(::getpid())) {
-    std::error_code ignored;
-    fs::create_directories(path_, ignored);
-  }
-  LinkFolder(const LinkFolder&) = delete;
-  LinkFolder& operator=(const LinkFolder&) = delete;
-  ~LinkFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  [[nodiscard]] std::string stem() const { return (path_ / "program").string(); }
-
- private:
-  fs::path path_;
-};
 
 std::string target_of(const LinkLine& line) { return fs::path(line.output).stem().string(); }
 
@@ -73,13 +43,14 @@ Diagnostic link_failed(const LinkRequest& request, const LinkLine& line, std::st
 
 /// Who refers to the symbols: "talker.cpp.o refers to foo()", from the linker's own trace. Only when a link
 /// failed already, so its cost does not matter.
-std::vector<std::string> references(const LinkLine& line, const std::vector<std::string>& symbols,
-                                    const std::string& stem, const Cancellation& cancellation) {
+std::vector<std::string> references(const LinkRequest& request, const LinkLine& line,
+                                    const std::vector<std::string>& symbols, const std::string& stem,
+                                    const Cancellation& cancellation) {
   LinkLine traced = line;
   for (const std::string& symbol : symbols) traced.arguments.push_back("-Wl,--trace-symbol=" + symbol);
   traced.arguments.emplace_back("-O0");
   const auto result = run_process({.arguments = link_command(traced, LinkKind::kSingle, stem),
-                                   .environment = compiler_environment()},
+                                   .environment = request.environment},
                                   cancellation);
   std::set<std::string> lines;
   if (result) {
@@ -97,7 +68,7 @@ std::vector<std::string> references(const LinkLine& line, const std::vector<std:
 Diagnostics undefined_symbols(const LinkRequest& request, const LinkLine& line,
                               const std::vector<std::string>& symbols, const std::string& stem,
                               const Cancellation& cancellation) {
-  const auto who = references(line, symbols, stem, cancellation);
+  const auto who = references(request, line, symbols, stem, cancellation);
   Diagnostics result;
   for (const std::string& symbol : symbols) {
     const std::string name = demangled(symbol);
@@ -117,24 +88,28 @@ Diagnostics undefined_symbols(const LinkRequest& request, const LinkLine& line,
 
 Outcome<LinkReport> link_program(const LinkRequest& request, const Cancellation& cancellation) {
   const LinkLine line = parse_link_line(expanded(request.command));
-  const LinkFolder folder(line.output);
+  const fs::path output = fs::absolute(line.output);
+  const auto folder = TemporaryDirectory::make(output.parent_path(), output.stem().string() + ".link-");
+  if (!folder) return folder.errors();
+  const std::string stem = (folder->path() / "program").string();
   const auto link = [&](LinkKind kind) {
-    return run_process({.arguments = link_command(line, kind, folder.stem()),
-                        .environment = compiler_environment()},
+    return run_process({.arguments = link_command(line, kind, stem),
+                        .environment = request.environment},
                        cancellation);
   };
 
-  std::ofstream(folder.stem() + kThreadMarkerSuffix, std::ios::binary) << thread_marker_object();
+  const auto marker = write_file(stem + kThreadMarkerSuffix, thread_marker_object());
+  if (!marker) return marker.errors();
   auto linked = link(LinkKind::kSingle);
   if (!linked) return std::move(linked).errors();
   if (linked->exit_code != 0) return link_failed(request, line, linked->output);
-  const auto bytes = contents_of(folder.stem() + ".wasm");
+  const auto bytes = read_file(stem + ".wasm");
   const auto module = bytes ? read_wasm_module(*bytes) : std::nullopt;
   if (!module) return link_failed(request, line, "the linker wrote no WebAssembly module");
 
   const ImportFindings findings = classify_imports(*module);
   if (!findings.undefined.empty()) {
-    return undefined_symbols(request, line, findings.undefined, folder.stem(), cancellation);
+    return undefined_symbols(request, line, findings.undefined, stem, cancellation);
   }
   LinkReport report{.program = line.output};
   if (findings.needs_threads) {
@@ -144,7 +119,7 @@ Outcome<LinkReport> link_program(const LinkRequest& request, const Cancellation&
     if (linked->exit_code != 0) return link_failed(request, line, linked->output);
   }
   std::error_code error;
-  fs::rename(folder.stem() + ".wasm", line.output, error);
+  fs::rename(stem + ".wasm", output, error);
   if (error) return link_failed(request, line, error.message());
   return report;
 }

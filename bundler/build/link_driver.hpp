@@ -1,6 +1,7 @@
 // `ros2wasm link-program`: links one program of a package. CMake calls it through the toolchain file.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@ namespace ros2wasm {
 struct LinkRequest {
   std::string package;               ///< for messages; may be empty
   std::vector<std::string> command;  ///< compiler and arguments, with -o
+  std::map<std::string, std::string> environment;  ///< for the compiler, see compiler_environment()
 };
 
 struct LinkReport {

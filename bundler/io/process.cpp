@@ -143,12 +143,6 @@ void drain(Descriptor& from, std::string& into, const ProcessRequest& request) {
 
 }  // namespace
 
-std::optional<std::string> environment_variable(const char* name) {
-  const char* value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe)
-  if (value == nullptr || *value == '\0') return std::nullopt;
-  return std::string(value);
-}
-
 std::optional<fs::path> find_program(const std::string& name, std::optional<std::string_view> path) {
   const auto runnable = [](const fs::path& file) {
     std::error_code error;
@@ -157,8 +151,8 @@ std::optional<fs::path> find_program(const std::string& name, std::optional<std:
   if (name.find('/') != std::string::npos) {
     return runnable(name) ? std::optional<fs::path>(name) : std::nullopt;
   }
-  const std::string inherited = environment_variable("PATH").value_or("/usr/bin:/bin");
-  std::string_view rest = path ? *path : std::string_view(inherited);
+  const char* inherited = std::getenv("PATH");  // NOLINT(concurrency-mt-unsafe)
+  std::string_view rest = path ? *path : std::string_view(inherited != nullptr ? inherited : "/usr/bin:/bin");
   while (!rest.empty()) {
     const auto colon = rest.find(':');
     const auto folder = rest.substr(0, colon);
@@ -168,11 +162,6 @@ std::optional<fs::path> find_program(const std::string& name, std::optional<std:
     if (runnable(candidate)) return candidate;
   }
   return std::nullopt;
-}
-
-fs::path own_executable() {
-  std::error_code error;
-  return fs::read_symlink("/proc/self/exe", error);
 }
 
 Outcome<ProcessResult> run_process(const ProcessRequest& request,

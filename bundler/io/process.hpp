@@ -47,10 +47,4 @@ struct ProcessResult {
 [[nodiscard]] std::optional<std::filesystem::path> find_program(
     const std::string& name, std::optional<std::string_view> path = std::nullopt);
 
-/// Path of the running executable.
-[[nodiscard]] std::filesystem::path own_executable();
-
-/// An environment variable; empty counts as not set.
-[[nodiscard]] std::optional<std::string> environment_variable(const char* name);
-
 }  // namespace ros2wasm

@@ -1,0 +1,246 @@
+// See build_workspace.hpp.
+#include "bundler/build/build_workspace.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "bundler/build/source_hash.hpp"
+#include "bundler/build/wasm_module.hpp"
+#include "bundler/io/file_lock.hpp"
+#include "bundler/io/files.hpp"
+#include "bundler/io/sha256.hpp"
+#include "workspace_schema/suggestion.hpp"
+
+namespace ros2wasm {
+namespace fs = std::filesystem;
+namespace {
+
+/// Part of every hash: raise it when the same sources shall be built anew.
+constexpr std::string_view kBuildFormat = "1";
+
+std::string hash_of(const LocalPackage& package, const std::vector<const BuiltPackage*>& needs,
+                    const std::string& toolchain_hash, const BuildTools& tools,
+                    const BuildSettings& settings) {
+  HashBuilder hash;
+  hash.add("format", kBuildFormat).add("ros2wasm", ROS2WASM_VERSION);
+  hash.add("toolchain", toolchain_hash).add("compiler", tools.compiler.identity);
+  hash.add("environment", settings.environment_key);
+  for (const BuiltPackage* need : needs) hash.add(need->name, need->hash);
+  hash.add("sources", hash_of_tree(package.directory));
+  return hash.finish();
+}
+
+/// Programs go into sites without their function names; the names stay beside them for crash reports.
+Outcome<Done> split_programs(const fs::path& prefix, const std::string& package) {
+  std::error_code error;
+  for (fs::directory_iterator it(prefix / "lib" / package, error), end; !error && it != end;
+       it.increment(error)) {
+    if (it->path().extension() != ".wasm") continue;
+    const auto bytes = read_file(it->path());
+    if (!bytes) return bytes.errors();
+    const auto split = split_names(*bytes);
+    if (!split) continue;
+    if (auto done = write_file(it->path(), split->program); !done) return done;
+    if (split->names.empty()) continue;
+    fs::path names = it->path();
+    if (auto done = write_file(names.replace_extension(".names"), split->names); !done) return done;
+  }
+  return Done{};
+}
+
+std::string display_of(const fs::path& folder, const fs::path& base) {
+  const std::string relative = folder.lexically_relative(base).generic_string();
+  if (relative.empty() || relative.starts_with("..")) return folder.string();
+  return relative == "." ? "" : relative;
+}
+
+/// All that the packages' builds share; packages that do not need each other are built at the same time.
+class WorkspaceBuilder {
+ public:
+  WorkspaceBuilder(const std::vector<LocalPackage>& packages, const BuildOrder& order,
+                   const BuildTools& tools, const BuildSettings& settings,
+                   const Cancellation& cancellation, const ProgressSink& progress)
+      : packages_(packages), order_(order), tools_(tools), settings_(settings),
+        cancellation_(cancellation), progress_(progress), built_(packages.size()),
+        state_(packages.size(), State::kWaiting),
+        toolchain_hash_(hash_of_tree(tools.toolchain.parent_path())) {}
+
+  [[nodiscard]] Outcome<WorkspaceBuild> run() {
+    const unsigned workers = std::max(1U, std::min<unsigned>(tools_.jobs, static_cast<unsigned>(packages_.size())));
+    std::vector<std::thread> threads;
+    for (unsigned i = 1; i < workers; ++i) threads.emplace_back([this] { work(); });
+    work();
+    for (std::thread& thread : threads) thread.join();
+    return result();
+  }
+
+ private:
+  enum class State { kWaiting, kRunning, kBuilt, kNotBuilt };
+
+  /// Takes packages whose needs are built until none is left.
+  void work() {
+    std::unique_lock lock(mutex_);
+    while (true) {
+      const auto next = ready();
+      if (!next) {
+        if (std::none_of(state_.begin(), state_.end(), [](State s) { return s == State::kRunning; })) break;
+        changed_.wait(lock);
+        continue;
+      }
+      state_[*next] = State::kRunning;
+      lock.unlock();
+      auto outcome = build(*next);
+      lock.lock();
+      finish(*next, std::move(outcome));
+      changed_.notify_all();
+    }
+    changed_.notify_all();
+  }
+
+  [[nodiscard]] std::optional<std::size_t> ready() {
+    if (cancellation_.requested()) return std::nullopt;
+    for (const std::size_t index : order_.order) {
+      if (state_[index] != State::kWaiting) continue;
+      const auto& needs = order_.needs[index];
+      if (std::any_of(needs.begin(), needs.end(), [&](std::size_t n) { return state_[n] == State::kNotBuilt; })) {
+        state_[index] = State::kNotBuilt;
+        continue;
+      }
+      if (std::all_of(needs.begin(), needs.end(), [&](std::size_t n) { return state_[n] == State::kBuilt; })) {
+        return index;
+      }
+    }
+    return std::nullopt;
+  }
+
+  void finish(std::size_t index, Outcome<std::optional<BuiltPackage>> outcome) {
+    state_[index] = State::kNotBuilt;
+    if (!outcome) {
+      errors_.emplace_back(index, std::move(outcome).errors());
+    } else if (*outcome) {
+      built_[index] = std::move(**outcome);
+      state_[index] = State::kBuilt;
+    } else {
+      left_out_.push_back(index);
+    }
+  }
+
+  /// Nothing when the package's build type has no row.
+  [[nodiscard]] Outcome<std::optional<BuiltPackage>> build(std::size_t index) {
+    const LocalPackage& package = packages_[index];
+    const Language* language = find_language(package.xml.build_type);
+    if (language == nullptr) return std::optional<BuiltPackage>();
+    std::vector<const BuiltPackage*> needs;
+    for (const std::size_t need : order_.needs[index]) needs.push_back(&*built_[need]);
+    const std::string hash = hash_of(package, needs, toolchain_hash_, tools_, settings_);
+    const std::string& name = package.xml.name.value;
+    BuiltPackage result{.name = name,
+                        .version = package.xml.version.value,
+                        .prefix = settings_.cache / "built" / (name + "-" + hash.substr(0, 20)),
+                        .hash = hash,
+                        .from_cache = true};
+    std::error_code error;
+    if (fs::is_directory(result.prefix, error)) return std::optional(std::move(result));
+    result.from_cache = false;
+    if (auto done = build_anew(*language, package, needs, result.prefix); !done) return std::move(done).errors();
+    return std::optional(std::move(result));
+  }
+
+  [[nodiscard]] Outcome<Done> build_anew(const Language& language, const LocalPackage& package,
+                                         const std::vector<const BuiltPackage*>& needs,
+                                         const fs::path& prefix) {
+    const std::string& name = package.xml.name.value;
+    const fs::path work = settings_.cache / "work" /
+                          (name + "-" + sha256_hex(package.directory.string()).substr(0, 16));
+    if (auto made = make_directories(work); !made) return made;
+    const FileLock lock(work.string() + ".lock");
+    if (cancellation_.requested()) return interrupted();
+    std::error_code error;
+    if (fs::is_directory(prefix, error)) return Done{};  // another process was faster
+    if (progress_) progress_({.step = "build", .item = name, .done = 0, .total = 0, .unit = {}});
+    auto staging = TemporaryDirectory::make(settings_.cache / "built", "." + name + "-");
+    if (!staging) return std::move(staging).errors();
+
+    PackageBuild request{.place = {.package = name,
+                                   .source = package.directory,
+                                   .display = display_of(package.directory, settings_.display_base),
+                                   .compiler_version = tools_.compiler.version},
+                         .prefixes = {},
+                         .work = work,
+                         .install = staging->path(),
+                         .final_prefix = prefix};
+    for (auto need = needs.rbegin(); need != needs.rend(); ++need) request.prefixes.push_back((*need)->prefix);
+    if (!settings_.environment_prefix.empty()) request.prefixes.push_back(settings_.environment_prefix);
+
+    if (auto done = language.build(request, tools_, cancellation_, progress_); !done) return done;
+    if (auto done = split_programs(staging->path(), name); !done) return done;
+    fs::rename(staging->path(), prefix, error);
+    if (error && !fs::is_directory(prefix)) return cannot_write(prefix, error.value());
+    return Done{};
+  }
+
+  [[nodiscard]] Outcome<WorkspaceBuild> result() {
+    if (cancellation_.requested()) return interrupted();
+    std::sort(errors_.begin(), errors_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    Diagnostics all;
+    for (auto& [index, errors] : errors_) {
+      for (Diagnostic& one : errors) {
+        // A missing tool is said once, not once per package.
+        const bool known = std::any_of(all.begin(), all.end(), [&](const Diagnostic& other) {
+          return other.kind == FailureKind::kEnvironment && other.message == one.message;
+        });
+        if (!known) all.push_back(std::move(one));
+      }
+    }
+    if (!all.empty()) return all;
+    WorkspaceBuild result;
+    for (const std::size_t index : order_.order) {
+      if (built_[index]) result.packages.push_back(std::move(*built_[index]));
+    }
+    std::sort(left_out_.begin(), left_out_.end());
+    for (const std::size_t index : left_out_) result.warnings.push_back(left_out_warning(packages_[index]));
+    return result;
+  }
+
+  [[nodiscard]] static Diagnostic left_out_warning(const LocalPackage& package) {
+    return Diagnostic{.code = "R2W0514",
+                      .severity = Severity::kWarning,
+                      .message = "package `" + package.xml.name.value + "` is left out: packages of build type `" +
+                                 package.xml.build_type + "` are not built for sites",
+                      .span = package.xml.name.span,
+                      .why = {"build types that are: " + name_list(known_build_types())}};
+  }
+
+  const std::vector<LocalPackage>& packages_;
+  const BuildOrder& order_;
+  const BuildTools& tools_;
+  const BuildSettings& settings_;
+  const Cancellation& cancellation_;
+  const ProgressSink& progress_;
+  std::vector<std::optional<BuiltPackage>> built_;
+  std::vector<State> state_;
+  std::string toolchain_hash_;
+  std::vector<std::pair<std::size_t, Diagnostics>> errors_;
+  std::vector<std::size_t> left_out_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+};
+
+}  // namespace
+
+Outcome<WorkspaceBuild> build_workspace(const std::vector<LocalPackage>& packages,
+                                        const BuildOrder& order, const BuildTools& tools,
+                                        const BuildSettings& settings,
+                                        const Cancellation& cancellation,
+                                        const ProgressSink& progress) {
+  if (packages.empty()) return WorkspaceBuild{};
+  return WorkspaceBuilder(packages, order, tools, settings, cancellation, progress).run();
+}
+
+}  // namespace ros2wasm

@@ -1,0 +1,45 @@
+// Builds the packages of a workspace in order, each into a prefix of its own that is named by the hash of all it
+// depends on. A package whose hash is known is not built again, and no tool is started for it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "bundler/languages/language.hpp"
+#include "bundler/workspace/build_order.hpp"
+#include "bundler/workspace/discovery.hpp"
+
+namespace ros2wasm {
+
+struct BuildSettings {
+  std::filesystem::path cache;               ///< folder for results and work in progress
+  std::filesystem::path environment_prefix;  ///< packages of the channels; may be empty
+  std::string environment_key;               ///< changes with those packages
+  std::filesystem::path display_base;        ///< cut off paths in messages
+};
+
+struct BuiltPackage {
+  std::string name;
+  std::string version;
+  std::filesystem::path prefix;
+  std::string hash;
+  bool from_cache = false;
+};
+
+struct WorkspaceBuild {
+  std::vector<BuiltPackage> packages;  ///< in build order, only what was built
+  Diagnostics warnings;                ///< packages that were left out
+};
+
+/// Tools are asked for only when something must be built, so a warm pack works without a compiler's start.
+/// R2W0501 to R2W0508 as the steps say; R2W0514 (warning) a build type without a row: that package is left out.
+/// A package that fails does not stop those that do not need it: all mistakes come at once.
+[[nodiscard]] Outcome<WorkspaceBuild> build_workspace(const std::vector<LocalPackage>& packages,
+                                                      const BuildOrder& order,
+                                                      const BuildTools& tools,
+                                                      const BuildSettings& settings,
+                                                      const Cancellation& cancellation,
+                                                      const ProgressSink& progress);
+
+}  // namespace ros2wasm

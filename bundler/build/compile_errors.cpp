@@ -1,0 +1,171 @@
+// See compile_errors.hpp.
+#include "bundler/build/compile_errors.hpp"
+
+#include <array>
+#include <regex>
+#include <sstream>
+
+namespace ros2wasm {
+namespace fs = std::filesystem;
+namespace {
+
+std::vector<std::string> lines_of(std::string_view text) {
+  std::vector<std::string> result;
+  std::istringstream stream{std::string(text)};
+  for (std::string line; std::getline(stream, line);) {
+    if (line.ends_with('\r')) line.pop_back();
+    result.push_back(std::move(line));
+  }
+  return result;
+}
+
+/// "[3/7] Building ..." or "ninja: ...": ninja speaking, not the command.
+bool is_ninja_line(const std::string& line) {
+  return line.starts_with("ninja: ") || line.starts_with("FAILED: ") ||
+         (line.starts_with('[') && line.find('/') != std::string::npos &&
+          line.find("] ") != std::string::npos && line.find_first_not_of("[0123456789/") == line.find(']'));
+}
+
+/// How a message names a file: below the package as the person sees it, else as it is.
+std::string display_file(const std::string& file, const BuildPlace& place) {
+  const fs::path path(file);
+  const std::string relative = path.lexically_relative(place.source).generic_string();
+  if (path.is_relative() || relative.empty() || relative.starts_with("..")) return file;
+  return place.display.empty() ? relative : place.display + "/" + relative;
+}
+
+struct CompilerMessage {
+  SourceSpan span;
+  std::string text;
+};
+
+/// The first "file:line:column: error: text" with the source line that clang prints below it.
+std::optional<CompilerMessage> first_error(const std::vector<std::string>& lines,
+                                           const BuildPlace& place) {
+  static const std::regex kError(R"(^(.+?):(\d+):(\d+): (?:fatal )?error: (.*)$)");
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    std::smatch match;
+    if (lines[i].size() > 4000 || !std::regex_match(lines[i], match, kError)) continue;
+    CompilerMessage result{.span = {.file = display_file(match[1], place),
+                                    .line = static_cast<std::uint32_t>(std::stoul(match[2])),
+                                    .column = static_cast<std::uint32_t>(std::stoul(match[3])),
+                                    .length = 1},
+                           .text = match[4]};
+    if (i + 2 < lines.size() && lines[i + 2].find('^') != std::string::npos) {
+      result.span.line_text = lines[i + 1];
+    }
+    return result;
+  }
+  return std::nullopt;
+}
+
+/// What this compiler's C++ library lacks. Seen in a message, it is the reason.
+struct MissingFeature {
+  std::string_view sign;
+  std::string_view name;
+};
+constexpr auto kMissingFeatures = std::to_array<MissingFeature>({
+    {"'format' file not found", "<format>"},
+    {"'expected' file not found", "<expected>"},
+    {"'source_location' file not found", "<source_location>"},
+    {"'memory_resource' file not found", "<memory_resource>"},
+    {"'coroutine' file not found", "<coroutine>"},
+    {"'stop_token' file not found", "<stop_token>"},
+    {"'syncstream' file not found", "<syncstream>"},
+    {"'execution' file not found", "<execution>"},
+    {"named 'format' in namespace 'std'", "std::format"},
+    {"named 'jthread' in namespace 'std'", "std::jthread"},
+    {"named 'bit_cast' in namespace 'std'", "std::bit_cast"},
+    {"named 'source_location' in namespace 'std'", "std::source_location"},
+    {"no member named 'sort' in namespace 'std::ranges'", "std::ranges::sort"},
+    {"no member named 'ranges' in namespace 'std'", "std::ranges"},
+});
+
+void explain_missing_features(Diagnostic& diagnostic, const BuildPlace& place) {
+  for (const MissingFeature& feature : kMissingFeatures) {
+    if (diagnostic.detail.find(feature.sign) == std::string::npos) continue;
+    diagnostic.why.push_back("the C++ library of Emscripten " + place.compiler_version + " has no " +
+                             std::string(feature.name) +
+                             "; a newer Emscripten on PATH or in EMSDK may have it");
+  }
+}
+
+Diagnostic compile_error(const FailedCommand& failed, const BuildPlace& place) {
+  const auto lines = lines_of(failed.text);
+  const auto error = first_error(lines, place);
+  Diagnostic result{.code = "R2W0502",
+                    .message = "package `" + place.package + "` does not compile",
+                    .detail = failed.text};
+  if (error) {
+    result.message += ": " + error->text;
+    result.span = error->span;
+  } else {
+    result.message += ": " + failed.output_file;
+  }
+  explain_missing_features(result, place);
+  return result;
+}
+
+}  // namespace
+
+std::vector<FailedCommand> failed_commands(std::string_view ninja_output) {
+  const auto lines = lines_of(ninja_output);
+  std::vector<FailedCommand> result;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (!lines[i].starts_with("FAILED: ")) continue;
+    FailedCommand failed{.output_file = lines[i].substr(8), .command = {}, .text = {}};
+    while (failed.output_file.ends_with(' ')) failed.output_file.pop_back();
+    if (i + 1 < lines.size()) failed.command = lines[++i];
+    while (i + 1 < lines.size() && !is_ninja_line(lines[i + 1])) failed.text += lines[++i] + "\n";
+    result.push_back(std::move(failed));
+  }
+  return result;
+}
+
+Diagnostics compile_errors(std::string_view ninja_output, const BuildPlace& place) {
+  Diagnostics result;
+  for (const FailedCommand& failed : failed_commands(ninja_output)) {
+    if (failed.command.find(" link-program ") != std::string::npos) continue;  // it speaks for itself
+    if (failed.output_file.ends_with(".o")) {
+      result.push_back(compile_error(failed, place));
+    } else {
+      result.push_back(Diagnostic{.code = "R2W0506",
+                                  .message = "a build command of package `" + place.package +
+                                             "` failed: " + failed.output_file,
+                                  .why = {"the command was: " + failed.command},
+                                  .detail = failed.text});
+    }
+  }
+  return result;
+}
+
+Diagnostics configure_errors(std::string_view cmake_output, const BuildPlace& place) {
+  static const std::regex kPlace(R"(^CMake Error at (.+?):(\d+).*$)");
+  static const std::regex kNotFound(
+      R"rx(package configuration file provided by\s+"([^"]+)")rx");
+  Diagnostic result{.code = "R2W0503",
+                    .message = "CMakeLists.txt of package `" + place.package + "` failed",
+                    .detail = std::string(cmake_output)};
+  for (const std::string& line : lines_of(cmake_output)) {
+    std::smatch match;
+    if (line.size() > 4000 || !std::regex_match(line, match, kPlace)) continue;
+    const std::string file = match[1];
+    result.span = SourceSpan{
+        .file = display_file(fs::path(file).is_absolute() ? file : (place.source / file).string(), place),
+        .line = static_cast<std::uint32_t>(std::stoul(match[2]))};
+    break;
+  }
+  std::smatch match;
+  const std::string text(cmake_output.substr(0, 200'000));
+  if (std::regex_search(text, match, kNotFound)) {
+    const std::string wanted = match[1];
+    result.code = "R2W0507";
+    result.message = "package `" + place.package + "` asks CMake for `" + wanted +
+                     "`, which is not there";
+    result.why.push_back("only what package.xml names is brought from the channels; does it name `" +
+                         wanted + "`?");
+  }
+  return {result};
+}
+
+}  // namespace ros2wasm

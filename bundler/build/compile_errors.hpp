@@ -1,0 +1,38 @@
+// From what ninja, cmake and the link driver print to diagnostics. Pure.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "workspace_schema/diagnostic.hpp"
+#include "workspace_schema/outcome.hpp"
+
+namespace ros2wasm {
+
+/// One command that failed, as ninja reports it.
+struct FailedCommand {
+  std::string output_file;  ///< what it should have made
+  std::string command;
+  std::string text;  ///< everything it printed
+};
+
+[[nodiscard]] std::vector<FailedCommand> failed_commands(std::string_view ninja_output);
+
+struct BuildPlace {
+  std::string package;
+  std::filesystem::path source;  ///< folder of package.xml
+  std::string display;           ///< how messages name that folder; may be empty
+  std::string compiler_version;
+};
+
+/// R2W0502, one per file that does not compile, each with the compiler's whole message. Commands of other kinds
+/// become R2W0506.
+[[nodiscard]] Diagnostics compile_errors(std::string_view ninja_output, const BuildPlace& place);
+
+/// R2W0503 CMakeLists.txt failed, R2W0507 find_package() asked for what is not there. `cmake_output` is both
+/// streams.
+[[nodiscard]] Diagnostics configure_errors(std::string_view cmake_output, const BuildPlace& place);
+
+}  // namespace ros2wasm

@@ -1,0 +1,23 @@
+// The hash of a folder's contents: names, executable bits and bytes, nothing of times or owners.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace ros2wasm {
+
+/// Hidden files, Python caches, folders that hold COLCON_IGNORE and folders that are packed sites do not count.
+[[nodiscard]] std::string hash_of_tree(const std::filesystem::path& folder);
+
+/// Collects named parts; the order in which they are added matters.
+class HashBuilder {
+ public:
+  HashBuilder& add(std::string_view name, std::string_view value);
+  [[nodiscard]] std::string finish() const;
+
+ private:
+  std::string text_;
+};
+
+}  // namespace ros2wasm

@@ -1,0 +1,98 @@
+// See folder_output.hpp.
+#include "bundler/emit/folder_output.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+
+#include <cerrno>
+#include <cstdio>
+
+#include "bundler/io/files.hpp"
+#include "bundler/render/site_json.hpp"
+#include "workspace_schema/json_reader.hpp"
+
+namespace ros2wasm {
+namespace fs = std::filesystem;
+namespace {
+
+bool is_site_of_ours(const fs::path& folder) {
+  const auto text = read_file(folder / "site.json");
+  if (!text) return false;
+  const auto json = parse_json(*text, "site.json", "R2W0605");
+  return json && json->text_of("generator").starts_with(kSiteGenerator);
+}
+
+std::string megabytes(std::uint64_t bytes) {
+  return std::to_string((bytes + 999'999) / 1'000'000) + " MB";
+}
+
+/// Puts `fresh` in the place of `folder` in one step; what was there ends up at `fresh`.
+int swap_folders(const fs::path& fresh, const fs::path& folder) {
+  if (::renameat2(AT_FDCWD, fresh.c_str(), AT_FDCWD, folder.c_str(), RENAME_EXCHANGE) == 0) return 0;
+  // Some file systems cannot exchange: move the old one aside first.
+  const fs::path aside = fresh.string() + ".old";
+  if (::rename(folder.c_str(), aside.c_str()) != 0) return errno;
+  if (::rename(fresh.c_str(), folder.c_str()) == 0) {
+    ::rename(aside.c_str(), fresh.c_str());
+    return 0;
+  }
+  const int failure = errno;
+  ::rename(aside.c_str(), folder.c_str());
+  return failure;
+}
+
+}  // namespace
+
+std::optional<Diagnostic> refuse_folder(const fs::path& folder) {
+  std::error_code error;
+  const fs::file_status status = fs::status(folder, error);
+  if (!fs::exists(status)) return std::nullopt;
+  if (fs::is_directory(status) && (fs::is_empty(folder, error) || is_site_of_ours(folder))) return std::nullopt;
+  return Diagnostic{.code = "R2W0601",
+                    .message = "`" + folder.string() + "` exists and is not a site made by ros2wasm",
+                    .why = {fs::is_directory(status)
+                                ? "writing a site there would remove what is in it; it has no site.json of ours"
+                                : "it is not a folder"},
+                    .fix = {"choose another place with -o"}};
+}
+
+std::optional<Diagnostic> refuse_size(const fs::path& folder, std::uint64_t needed,
+                                      std::uint64_t available) {
+  if (needed <= available) return std::nullopt;
+  return Diagnostic{.code = "R2W0602",
+                    .kind = FailureKind::kEnvironment,
+                    .message = "there is not enough space for the site at " + folder.string(),
+                    .why = {"the site needs " + megabytes(needed) + ", the disk has " + megabytes(available) +
+                            " left"}};
+}
+
+Outcome<Done> emit_folder(const SitePlan& plan, const fs::path& folder,
+                          const Cancellation& cancellation) {
+  if (auto refusal = refuse_folder(folder)) return *refusal;
+  const fs::path place = fs::absolute(folder).lexically_normal();
+  const fs::path clean = place.has_filename() ? place : place.parent_path();
+  if (auto made = make_directories(clean.parent_path()); !made) return made;
+  std::error_code error;
+  const fs::space_info space = fs::space(clean.parent_path(), error);
+  if (!error) {
+    if (auto refusal = refuse_size(folder, total_size(plan), space.available)) return *refusal;
+  }
+  auto beside = TemporaryDirectory::make(clean.parent_path(), "." + clean.filename().string() + "-new-");
+  if (!beside) return std::move(beside).errors();
+  for (const PlannedFile& file : plan.files) {
+    if (cancellation.requested()) return interrupted();
+    if (auto written = write_file(beside->path() / file.path, file.bytes); !written) return written;
+  }
+  ::chmod(beside->path().c_str(), 0755);  // temporary folders are private, sites are not
+  const bool replaces = fs::exists(clean, error);
+  int failure = 0;
+  if (replaces) {
+    failure = swap_folders(beside->path(), clean);
+  } else if (::rename(beside->path().c_str(), clean.c_str()) != 0) {
+    failure = errno;
+  }
+  if (failure != 0) return cannot_write(folder, failure);
+  return Done{};
+}
+
+}  // namespace ros2wasm

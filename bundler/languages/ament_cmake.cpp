@@ -1,0 +1,159 @@
+// C and C++ packages: cmake configures, ninja compiles, cmake installs, all through the site's toolchain.
+#include <algorithm>
+#include <charconv>
+
+#include "bundler/build/diagnostic_json.hpp"
+#include "bundler/io/files.hpp"
+#include "bundler/io/process.hpp"
+#include "bundler/languages/language.hpp"
+
+namespace ros2wasm {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* kLinkDiagnostics = "link-diagnostics";
+
+std::string joined(const std::vector<fs::path>& paths) {
+  std::string result;
+  for (const fs::path& path : paths) result += (result.empty() ? "" : ";") + path.string();
+  return result;
+}
+
+Outcome<Done> missing_tool(const std::string& name, const std::string& debian_package) {
+  return Diagnostic{.code = "R2W0501",
+                    .kind = FailureKind::kEnvironment,
+                    .message = "`" + name + "`, which builds packages, is not installed",
+                    .why = {"there is no `" + name + "` on PATH"},
+                    .fix = {"sudo apt-get install " + debian_package}};
+}
+
+EnvironmentVariables child_environment(const PackageBuild& request, const BuildTools& tools) {
+  EnvironmentVariables result = tools.compiler_environment;
+  result["NINJA_STATUS"] = "[%f/%t] ";
+  result["ROS2WASM_LINK_DIAGNOSTICS"] = (request.work / kLinkDiagnostics).string();
+  // A native ROS installation that was sourced must not leak its packages in.
+  for (const char* name : {"AMENT_PREFIX_PATH", "CMAKE_PREFIX_PATH", "COLCON_PREFIX_PATH", "CFLAGS",
+                           "CXXFLAGS", "CPPFLAGS", "LDFLAGS", "CMAKE_GENERATOR", "DESTDIR"}) {
+    result[name] = "";
+  }
+  result["LC_ALL"] = "C.UTF-8";
+  return result;
+}
+
+/// Turns "[3/7] Building ..." lines into progress. Output comes in pieces.
+class NinjaProgress {
+ public:
+  NinjaProgress(std::string package, const ProgressSink& sink)
+      : package_(std::move(package)), sink_(sink) {}
+
+  void operator()(std::string_view piece) {
+    if (!sink_) return;
+    pending_.append(piece);
+    for (std::size_t end = 0; (end = pending_.find('\n')) != std::string::npos;) {
+      report(std::string_view(pending_).substr(0, end));
+      pending_.erase(0, end + 1);
+    }
+  }
+
+ private:
+  void report(std::string_view line) {
+    if (!line.starts_with('[')) return;
+    std::uint64_t done = 0;
+    std::uint64_t total = 0;
+    const char* end = line.data() + line.size();
+    const auto first = std::from_chars(line.data() + 1, end, done);
+    if (first.ec != std::errc() || first.ptr == end || *first.ptr != '/') return;
+    const auto second = std::from_chars(first.ptr + 1, end, total);
+    if (second.ec != std::errc() || total == 0) return;
+    // The step as a whole ends elsewhere, so a package never reports that all is done.
+    sink_({.step = "build", .item = package_, .done = std::min(done, total - 1), .total = total, .unit = "commands"});
+  }
+
+  std::string package_;
+  const ProgressSink& sink_;
+  std::string pending_;
+};
+
+Outcome<Done> configure(const PackageBuild& request, const BuildTools& tools,
+                        const Cancellation& cancellation) {
+  std::error_code ignored;
+  fs::remove(request.work / "CMakeCache.txt", ignored);  // what it found may have moved
+  const auto result = run_process(
+      {.arguments = {"cmake", "-S", request.place.source.string(), "-B", request.work.string(), "-G", "Ninja",
+                     "-Wno-dev", "--no-warn-unused-cli",
+                     "-DCMAKE_TOOLCHAIN_FILE=" + tools.toolchain.string(),
+                     "-DCMAKE_INSTALL_PREFIX=" + request.final_prefix.string(),
+                     "-DCMAKE_PREFIX_PATH=" + joined(request.prefixes),
+                     "-DROS2WASM_CLI=" + tools.cli.string(),
+                     "-DROS2WASM_EMCXX=" + tools.compiler.cxx.string(),
+                     "-DROS2WASM_EMCC=" + tools.compiler.c.string()},
+       .environment = child_environment(request, tools)},
+      cancellation);
+  if (!result) return result.errors();
+  if (result->exit_code != 0) return configure_errors(result->output, request.place);
+  return Done{};
+}
+
+/// What the link driver left, in the order of the files' names.
+Diagnostics link_errors(const fs::path& folder) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    files.push_back(it->path());
+  }
+  std::sort(files.begin(), files.end());
+  Diagnostics result;
+  for (const fs::path& file : files) {
+    const auto text = read_file(file);
+    if (!text) continue;
+    for (Diagnostic& one : diagnostics_from_json(*text)) result.push_back(std::move(one));
+  }
+  return result;
+}
+
+Outcome<Done> compile(const PackageBuild& request, const BuildTools& tools,
+                      const Cancellation& cancellation, const ProgressSink& progress) {
+  if (auto cleared = remove_tree(request.work / kLinkDiagnostics); !cleared) return cleared;
+  const auto result = run_process(
+      {.arguments = {"ninja", "-C", request.work.string(), "-k", "0", "-j", std::to_string(tools.jobs)},
+       .environment = child_environment(request, tools),
+       .on_output = NinjaProgress(request.place.package, progress)},
+      cancellation);
+  if (!result) return result.errors();
+  if (result->exit_code == 0) return Done{};
+  Diagnostics errors = compile_errors(result->output, request.place);
+  for (Diagnostic& one : link_errors(request.work / kLinkDiagnostics)) errors.push_back(std::move(one));
+  if (errors.empty()) {
+    errors.push_back(Diagnostic{.code = "R2W0506",
+                                .message = "ninja failed for package `" + request.place.package + "`",
+                                .detail = result->output});
+  }
+  return errors;
+}
+
+Outcome<Done> install(const PackageBuild& request, const BuildTools& tools,
+                      const Cancellation& cancellation) {
+  const auto result =
+      run_process({.arguments = {"cmake", "--install", request.work.string(), "--prefix",
+                                 request.install.string()},
+                   .environment = child_environment(request, tools)},
+                  cancellation);
+  if (!result) return result.errors();
+  if (result->exit_code == 0) return Done{};
+  return Diagnostic{.code = "R2W0508",
+                    .message = "package `" + request.place.package + "` does not install",
+                    .detail = result->output};
+}
+
+}  // namespace
+
+Outcome<Done> build_with_cmake(const PackageBuild& request, const BuildTools& tools,
+                               const Cancellation& cancellation, const ProgressSink& progress) {
+  if (!find_program("cmake")) return missing_tool("cmake", "cmake");
+  if (!find_program("ninja")) return missing_tool("ninja", "ninja-build");
+  if (auto configured = configure(request, tools, cancellation); !configured) return configured;
+  if (auto compiled = compile(request, tools, cancellation, progress); !compiled) return compiled;
+  return install(request, tools, cancellation);
+}
+
+}  // namespace ros2wasm

@@ -1,0 +1,30 @@
+// The table of build types.
+#include "bundler/languages/language.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace ros2wasm {
+namespace {
+
+constexpr auto kLanguages = std::to_array<Language>({
+    {.build_type = "ament_cmake", .build = build_with_cmake},
+    {.build_type = "cmake", .build = build_with_cmake},
+});
+
+}  // namespace
+
+const Language* find_language(std::string_view build_type) {
+  const auto found = std::find_if(kLanguages.begin(), kLanguages.end(), [&](const Language& row) {
+    return row.build_type == build_type;
+  });
+  return found == kLanguages.end() ? nullptr : found;
+}
+
+std::vector<std::string> known_build_types() {
+  std::vector<std::string> names;
+  for (const Language& row : kLanguages) names.emplace_back(row.build_type);
+  return names;
+}
+
+}  // namespace ros2wasm

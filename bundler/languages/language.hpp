@@ -1,0 +1,51 @@
+// How a package is built, by the build type of its package.xml: one row and one file per kind.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bundler/build/compile_errors.hpp"
+#include "bundler/build/compiler.hpp"
+#include "workspace_schema/cancellation.hpp"
+#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/progress_event.hpp"
+
+namespace ros2wasm {
+
+/// The tools that build packages, the same for all packages of a pack.
+struct BuildTools {
+  Compiler compiler;
+  EnvironmentVariables compiler_environment;
+  std::filesystem::path toolchain;  ///< ros2wasm-toolchain.cmake
+  std::filesystem::path cli;        ///< this program, for link-program
+  unsigned jobs = 1;                ///< compilers at once
+};
+
+/// One package to build.
+struct PackageBuild {
+  BuildPlace place;
+  std::vector<std::filesystem::path> prefixes;  ///< where its dependencies are installed, nearest first
+  std::filesystem::path work;     ///< kept from run to run, so that only what changed is compiled again
+  std::filesystem::path install;  ///< empty folder to install into
+  std::filesystem::path final_prefix;  ///< what `install` will be called later
+};
+
+struct Language {
+  std::string_view build_type;
+  Outcome<Done> (*build)(const PackageBuild& request, const BuildTools& tools,
+                         const Cancellation& cancellation, const ProgressSink& progress);
+};
+
+/// The row of a build type, or null.
+[[nodiscard]] const Language* find_language(std::string_view build_type);
+
+/// All build types that have a row, for messages.
+[[nodiscard]] std::vector<std::string> known_build_types();
+
+Outcome<Done> build_with_cmake(const PackageBuild& request, const BuildTools& tools,
+                               const Cancellation& cancellation, const ProgressSink& progress);
+
+}  // namespace ros2wasm

@@ -1,0 +1,112 @@
+// See launch_graph.hpp.
+#include "bundler/launch/launch_graph.hpp"
+
+#include <algorithm>
+
+#include "bundler/launch/node_arguments.hpp"
+#include "bundler/launch/parameter_file.hpp"
+#include "workspace_schema/suggestion.hpp"
+
+namespace ros2wasm {
+namespace {
+
+const InstalledPackage* find_package(const std::vector<InstalledPackage>& installed,
+                                     const std::string& name) {
+  const auto found = std::find_if(installed.begin(), installed.end(),
+                                  [&](const InstalledPackage& one) { return one.name == name; });
+  return found == installed.end() ? nullptr : &*found;
+}
+
+Diagnostic no_such_package(const NodeEntry& entry, const std::vector<InstalledPackage>& installed) {
+  std::vector<std::string> with_programs;
+  for (const InstalledPackage& package : installed) {
+    if (!package.programs.empty()) with_programs.push_back(package.name);
+  }
+  Diagnostic result{.code = "R2W0401",
+                    .message = "there is no package `" + entry.package.value + "`",
+                    .span = entry.package.span,
+                    .label = "neither in the workspace nor in its channels' packages"};
+  result.why.push_back(with_programs.empty()
+                           ? "no package here has executables"
+                           : "packages with executables are: " + name_list(with_programs));
+  if (const auto similar = nearest(entry.package.value, with_programs)) {
+    result.fix.push_back("write `package: " + *similar + "`");
+  }
+  return result;
+}
+
+Diagnostic no_such_executable(const NodeEntry& entry, const InstalledPackage& package) {
+  std::vector<std::string> names;
+  for (const InstalledProgram& program : package.programs) names.push_back(program.executable);
+  const std::string version = package.version.empty() ? "" : " " + package.version;
+  Diagnostic result{.code = "R2W0402",
+                    .message = "package `" + package.name + "` has no executable `" +
+                               entry.executable.value + "`",
+                    .span = entry.executable.span,
+                    .label = "no such executable in " + package.name + version};
+  result.why.push_back(names.empty() ? "it installs nothing into lib/" + package.name
+                                     : "its executables are: " + name_list(names));
+  if (const auto similar = nearest(entry.executable.value, names)) {
+    result.fix.push_back("write `executable: " + *similar + "`");
+  }
+  return result;
+}
+
+Diagnostic not_a_program(const NodeEntry& entry, const InstalledProgram& program) {
+  return Diagnostic{.code = "R2W0405",
+                    .message = "`" + program.executable + "` of package `" + program.package +
+                               "` is not a program that a site can run",
+                    .span = entry.executable.span,
+                    .why = {"lib/" + program.package + "/" + program.file.filename().string() +
+                            " is not a WebAssembly program"}};
+}
+
+}  // namespace
+
+Outcome<std::vector<LaunchNode>> launch_nodes(const std::vector<NodeEntry>& entries,
+                                              const std::vector<InstalledPackage>& installed,
+                                              const ParameterFiles& parameter_files) {
+  Diagnostics errors;
+  std::vector<LaunchNode> nodes;
+  for (const NodeEntry& entry : entries) {
+    const InstalledPackage* package = find_package(installed, entry.package.value);
+    if (package == nullptr) {
+      errors.push_back(no_such_package(entry, installed));
+      continue;
+    }
+    const auto program = std::find_if(
+        package->programs.begin(), package->programs.end(),
+        [&](const InstalledProgram& one) { return one.executable == entry.executable.value; });
+    if (program == package->programs.end()) {
+      errors.push_back(no_such_executable(entry, *package));
+      continue;
+    }
+    if (!program->is_program) {
+      errors.push_back(not_a_program(entry, *program));
+      continue;
+    }
+    std::vector<ParameterRule> rules;
+    for (const Spanned<std::string>& file : entry.parameter_files) {
+      const auto text = parameter_files.find(file.value);
+      auto read = read_parameter_file(text == parameter_files.end() ? "" : text->second, file.value);
+      if (read) {
+        rules.insert(rules.end(), read->begin(), read->end());
+      } else {
+        errors.insert(errors.end(), read.errors().begin(), read.errors().end());
+      }
+    }
+    nodes.push_back({.id = entry.executable.value + "-" + std::to_string(nodes.size() + 1),
+                     .package = entry.package.value,
+                     .executable = entry.executable.value,
+                     .label = node_label(entry),
+                     .program = program->file,
+                     .arguments = node_arguments(entry, rules),
+                     .output = entry.output,
+                     .respawn = entry.respawn,
+                     .source = entry.executable.span});
+  }
+  if (!errors.empty()) return errors;
+  return nodes;
+}
+
+}  // namespace ros2wasm

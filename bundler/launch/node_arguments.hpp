@@ -1,0 +1,28 @@
+// The command line of a node process, as ros2 launch writes it. Pure.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "workspace_schema/manifest.hpp"
+
+namespace ros2wasm {
+
+/// A value as YAML on one line, such that reading it gives the same type again: `1.0`, `'1'`, `[true, false]`.
+[[nodiscard]] std::string parameter_text(const ParameterValue& value);
+
+/// A parameter of the nodes that `pattern` matches (a name, a full name, or with `*` and `**`; empty: all nodes).
+struct ParameterRule {
+  std::string pattern;
+  std::string name;
+  std::string value;  ///< YAML on one line
+};
+
+/// Everything after argv[0]. Later rules win over earlier ones, so files come before single parameters.
+[[nodiscard]] std::vector<std::string> node_arguments(const NodeEntry& entry,
+                                                      const std::vector<ParameterRule>& from_files);
+
+/// `/namespace/name`, or the executable's name when the entry does not name the node.
+[[nodiscard]] std::string node_label(const NodeEntry& entry);
+
+}  // namespace ros2wasm

@@ -1,0 +1,18 @@
+// ROS 2 parameter files (`/node: ros__parameters: {...}`) as rules. Pure: text in, rules out.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bundler/launch/node_arguments.hpp"
+#include "workspace_schema/outcome.hpp"
+
+namespace ros2wasm {
+
+/// Rules in the order of the file. Nested keys are joined by dots, nested namespaces by slashes, as rcl does.
+/// R2W0403 not YAML, or not a parameter file (with line and column).
+[[nodiscard]] Outcome<std::vector<ParameterRule>> read_parameter_file(std::string_view text,
+                                                                      const std::string& file);
+
+}  // namespace ros2wasm

@@ -1,0 +1,83 @@
+// See site_plan.hpp.
+#include "bundler/plan/site_plan.hpp"
+
+#include <algorithm>
+
+#include "bundler/build/wasm_module.hpp"
+#include "bundler/io/sha256.hpp"
+#include "bundler/render/interfaces_json.hpp"
+#include "bundler/render/site_json.hpp"
+
+namespace ros2wasm {
+namespace {
+
+/// The headless entry runs from the ros2wasm installation and is not part of sites.
+constexpr std::string_view kHeadlessRole = "headless";
+
+std::string program_path(const LaunchNode& node) {
+  return "programs/" + node.package + "/" + node.executable + ".wasm";
+}
+
+void add(SitePlan& plan, std::string path, std::string reason, std::string bytes) {
+  std::string hash = sha256_hex(bytes);
+  plan.files.push_back({.path = std::move(path),
+                        .reason = std::move(reason),
+                        .bytes = std::move(bytes),
+                        .sha256 = std::move(hash)});
+}
+
+std::string reason_of_program(const std::vector<LaunchNode>& nodes, const LaunchNode& first) {
+  std::string users;
+  for (const LaunchNode& node : nodes) {
+    if (node.package != first.package || node.executable != first.executable) continue;
+    users += (users.empty() ? "" : ", ") + node.id;
+  }
+  return "program of " + users;
+}
+
+std::string reason_of_asset(std::string_view role) {
+  return "runtime " + std::string(role == "service_worker" ? "service worker" : role);
+}
+
+}  // namespace
+
+Outcome<SitePlan> plan_site(PlanInput input) {
+  SitePlan plan;
+  Diagnostics errors;
+  for (RuntimeAsset& asset : input.runtime) {
+    if (asset.role == kHeadlessRole) continue;
+    add(plan, asset.file, reason_of_asset(asset.role), std::move(asset.bytes));
+  }
+  std::map<std::string, bool> threads_of;
+  for (const LaunchNode& node : input.nodes) {
+    const std::string path = program_path(node);
+    if (!threads_of.contains(path)) {
+      const std::string& bytes = input.programs.at(node.program);
+      const auto module = read_wasm_module(bytes);
+      if (!module) {
+        errors.push_back(Diagnostic{.code = "R2W0606",
+                                    .message = "`" + node.program.string() + "` is not a WebAssembly module",
+                                    .span = node.source});
+        continue;
+      }
+      threads_of[path] = imports_shared_memory(*module);
+      add(plan, path, reason_of_program(input.nodes, node), bytes);
+    }
+    plan.nodes.push_back({.node = node, .program = path, .threads = threads_of[path]});
+  }
+  if (!errors.empty()) return errors;
+  add(plan, "interfaces.json", "definitions of all message types", interfaces_json(input.interfaces));
+  const auto by_path = [](const PlannedFile& a, const PlannedFile& b) { return a.path < b.path; };
+  std::sort(plan.files.begin(), plan.files.end(), by_path);
+  add(plan, "site.json", "what runs in the site", site_json(input.manifest, plan));
+  std::sort(plan.files.begin(), plan.files.end(), by_path);
+  return plan;
+}
+
+std::uint64_t total_size(const SitePlan& plan) {
+  std::uint64_t sum = 0;
+  for (const PlannedFile& file : plan.files) sum += file.bytes.size();
+  return sum;
+}
+
+}  // namespace ros2wasm

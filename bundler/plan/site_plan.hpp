@@ -1,0 +1,61 @@
+// The site before it exists: every file with its size, its SHA-256 and the reason it is there. Pure values.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bundler/launch/launch_graph.hpp"
+#include "workspace_schema/manifest.hpp"
+#include "workspace_schema/outcome.hpp"
+
+namespace ros2wasm {
+
+struct PlannedFile {
+  std::string path;  ///< relative to the site, with `/`
+  std::string reason;
+  std::string bytes;
+  std::string sha256;
+};
+
+/// A node's program as the site has it.
+struct PlannedNode {
+  LaunchNode node;
+  std::string program;  ///< path in the site
+  bool threads = false;
+};
+
+struct SitePlan {
+  std::vector<PlannedFile> files;  ///< sorted by path; the last step adds site.json
+  std::vector<PlannedNode> nodes;  ///< in launch order
+};
+
+/// A file that the built runtime brings to every site.
+struct RuntimeAsset {
+  std::string file;
+  std::string role;
+  std::string bytes;
+};
+
+/// Interface definitions by type: "std_msgs/msg/String" -> text.
+using InterfaceTexts = std::map<std::string, std::string>;
+
+/// What the plan is made of.
+struct PlanInput {
+  const Manifest& manifest;
+  std::vector<LaunchNode> nodes;
+  std::map<std::filesystem::path, std::string> programs;  ///< bytes of each node's program file
+  std::vector<RuntimeAsset> runtime;
+  InterfaceTexts interfaces;
+};
+
+/// R2W0606 a program is not WebAssembly.
+[[nodiscard]] Outcome<SitePlan> plan_site(PlanInput input);
+
+/// Total size of all files in bytes.
+[[nodiscard]] std::uint64_t total_size(const SitePlan& plan);
+
+}  // namespace ros2wasm

@@ -1,0 +1,80 @@
+// See site_json.hpp. The keys and their order are part of the format.
+#include "bundler/render/site_json.hpp"
+
+#include "workspace_schema/json_writer.hpp"
+
+namespace ros2wasm {
+namespace {
+
+constexpr int kSiteSchema = 1;
+constexpr int kProtocol = 1;
+
+std::string_view output_name(NodeOutput output) {
+  switch (output) {
+    case NodeOutput::kScreen:
+      return "screen";
+    case NodeOutput::kLog:
+      return "log";
+    case NodeOutput::kBoth:
+      return "both";
+  }
+  return "screen";
+}
+
+void write_node(JsonWriter& json, const PlannedNode& planned) {
+  const LaunchNode& node = planned.node;
+  json.begin_object().field("id", node.id).field("package", node.package);
+  json.field("executable", node.executable).field("label", node.label).field("kind", "cpp");
+  json.field("program", planned.program).field_boolean("threads", planned.threads);
+  json.key("arguments").begin_array();
+  for (const std::string& argument : node.arguments) json.string(argument);
+  json.end_array();
+  json.key("environment").begin_object().end_object();
+  json.field("output", output_name(node.output)).field_boolean("respawn", node.respawn);
+  if (!node.source.file.empty()) {
+    json.key("source").begin_object().field("file", node.source.file);
+    json.field_integer("line", node.source.line).field_integer("column", node.source.column).end_object();
+  }
+  json.end_object();
+}
+
+void write_options(JsonWriter& json, std::string_view name, const std::map<std::string, std::string>& options) {
+  json.key(name).begin_object();
+  for (const auto& [key, value] : options) json.field(key, value);
+  json.end_object();
+}
+
+}  // namespace
+
+std::string site_json(const Manifest& manifest, const SitePlan& plan) {
+  JsonWriter json;
+  json.begin_object().field_integer("schema", kSiteSchema).field_integer("protocol", kProtocol);
+  json.field("generator", std::string(kSiteGenerator) + " " ROS2WASM_VERSION);
+  json.field("name", manifest.name.value);
+  json.field("title", manifest.title.empty() ? manifest.name.value : manifest.title);
+  json.field("version", manifest.version).field("distro", manifest.distro).field("license", manifest.license);
+  json.key("authors").begin_array();
+  for (const Author& author : manifest.authors) {
+    json.begin_object().field("name", author.name);
+    if (!author.email.empty()) json.field("email", author.email);
+    if (!author.orcid.empty()) json.field("orcid", author.orcid);
+    if (!author.affiliation.empty()) json.field("affiliation", author.affiliation);
+    json.end_object();
+  }
+  json.end_array();
+  json.key("nodes").begin_array();
+  for (const PlannedNode& node : plan.nodes) write_node(json, node);
+  json.end_array();
+  json.field("interfaces", "interfaces.json");
+  write_options(json, "ui", manifest.ui);
+  json.key("files").begin_array();
+  for (const PlannedFile& file : plan.files) {
+    json.begin_object().field("path", file.path);
+    json.key("size").unsigned_integer(file.bytes.size());
+    json.field("sha256", file.sha256).field("reason", file.reason).end_object();
+  }
+  json.end_array().end_object();
+  return json.text() + "\n";
+}
+
+}  // namespace ros2wasm

@@ -1,0 +1,16 @@
+// site.json: the only thing that the browser half knows of the native half. Pure.
+#pragma once
+
+#include <string>
+
+#include "bundler/plan/site_plan.hpp"
+#include "workspace_schema/manifest.hpp"
+
+namespace ros2wasm {
+
+inline constexpr std::string_view kSiteGenerator = "ros2wasm";
+
+/// Lists the plan's files; site.json itself is not among them.
+[[nodiscard]] std::string site_json(const Manifest& manifest, const SitePlan& plan);
+
+}  // namespace ros2wasm

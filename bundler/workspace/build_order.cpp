@@ -1,0 +1,202 @@
+// See build_order.hpp.
+#include "bundler/workspace/build_order.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "bundler/workspace/host_packages.hpp"
+#include "workspace_schema/suggestion.hpp"
+
+namespace ros2wasm {
+namespace {
+
+using Indices = std::vector<std::size_t>;
+
+bool matters_for_building(DependencyKind kind) {
+  switch (kind) {
+    case DependencyKind::kBuild:
+    case DependencyKind::kBuildExport:
+    case DependencyKind::kBuildTool:
+    case DependencyKind::kBuildToolExport:
+      return true;
+    case DependencyKind::kExec:
+    case DependencyKind::kTest:
+    case DependencyKind::kDoc:
+      return false;
+  }
+  return false;
+}
+
+bool matters_for_running(DependencyKind kind) { return kind == DependencyKind::kExec; }
+
+Diagnostics duplicate_names(const std::vector<LocalPackage>& packages) {
+  std::map<std::string, const LocalPackage*> first;
+  Diagnostics errors;
+  for (const LocalPackage& package : packages) {
+    const auto [at, is_new] = first.emplace(package.xml.name.value, &package);
+    if (is_new) continue;
+    errors.push_back(
+        Diagnostic{.code = "R2W0511",
+                   .message = "two packages are called `" + package.xml.name.value + "`",
+                   .span = package.xml.name.span,
+                   .label = "the second",
+                   .why = {"the first is in " + at->second->xml.file,
+                           "a file COLCON_IGNORE in a folder keeps that folder out"}});
+  }
+  return errors;
+}
+
+std::string version_part(const PackageDependency& dependency) {
+  static const std::map<std::string, std::string> kOperators = {
+      {"lt", "<"}, {"lte", "<="}, {"eq", "=="}, {"gte", ">="}, {"gt", ">"}};
+  std::string result;
+  for (const auto& [key, limit] : dependency.version_limits) {
+    const auto found = kOperators.find(key);
+    if (found == kOperators.end()) continue;
+    result += (result.empty() ? "" : ",") + found->second + limit;
+  }
+  return result;
+}
+
+/// Depth first; `state` 1 is "being visited". Returns a cycle's members when there is one.
+class Sorter {
+ public:
+  explicit Sorter(const std::vector<Indices>& needs) : needs_(needs), state_(needs.size(), 0) {}
+
+  [[nodiscard]] Indices visit(std::size_t index) {
+    if (state_[index] == 2) return {};
+    path_.push_back(index);
+    if (state_[index] == 1) {
+      const auto start = std::find(path_.begin(), path_.end(), index);
+      return {start, path_.end()};
+    }
+    state_[index] = 1;
+    for (const std::size_t needed : needs_[index]) {
+      Indices cycle = visit(needed);
+      if (!cycle.empty()) return cycle;
+    }
+    state_[index] = 2;
+    path_.pop_back();
+    order_.push_back(index);
+    return {};
+  }
+
+  [[nodiscard]] const Indices& order() const { return order_; }
+
+ private:
+  const std::vector<Indices>& needs_;
+  std::vector<int> state_;
+  Indices path_;
+  Indices order_;
+};
+
+Diagnostic cycle_error(const std::vector<LocalPackage>& packages, const Indices& cycle) {
+  std::string chain;
+  for (const std::size_t index : cycle) {
+    chain += (chain.empty() ? "`" : " needs `") + packages[index].xml.name.value + "`";
+  }
+  return Diagnostic{.code = "R2W0512",
+                    .message = "packages need each other, so none can be built first",
+                    .span = packages[cycle.front()].xml.name.span,
+                    .why = {chain}};
+}
+
+/// Everything reachable over `direct`, in the order of `order`.
+Indices closure(std::size_t index, const std::vector<Indices>& direct, const Indices& order) {
+  std::set<std::size_t> reached;
+  Indices todo = direct[index];
+  while (!todo.empty()) {
+    const std::size_t next = todo.back();
+    todo.pop_back();
+    if (reached.insert(next).second) todo.insert(todo.end(), direct[next].begin(), direct[next].end());
+  }
+  Indices result;
+  for (const std::size_t one : order) {
+    if (reached.contains(one)) result.push_back(one);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string conda_name(std::string_view package, std::string_view distro) {
+  std::string name = "ros-" + std::string(distro) + "-" + std::string(package);
+  std::replace(name.begin(), name.end(), '_', '-');
+  return name;
+}
+
+Outcome<BuildOrder> order_packages(const std::vector<LocalPackage>& packages,
+                                   std::string_view distro) {
+  Diagnostics errors = duplicate_names(packages);
+  if (!errors.empty()) return errors;
+  std::map<std::string, std::size_t> local;
+  for (std::size_t i = 0; i < packages.size(); ++i) local[packages[i].xml.name.value] = i;
+
+  std::vector<Indices> direct(packages.size());
+  std::map<std::string, ExternalDependency> external;
+  for (std::size_t i = 0; i < packages.size(); ++i) {
+    for (const PackageDependency& dependency : packages[i].xml.dependencies) {
+      const bool building = matters_for_building(dependency.kind);
+      if (!building && !matters_for_running(dependency.kind)) continue;
+      const std::string& name = dependency.name.value;
+      const auto neighbour = local.find(name);
+      if (neighbour != local.end()) {
+        if (building && std::find(direct[i].begin(), direct[i].end(), neighbour->second) == direct[i].end()) {
+          direct[i].push_back(neighbour->second);
+        }
+        continue;
+      }
+      if (!host_package_reason(name).empty()) continue;
+      ExternalDependency& entry = external[name];
+      const std::string version = version_part(dependency);
+      entry.name = name;
+      if (entry.match_spec.empty()) entry.match_spec = conda_name(name, distro);
+      if (!version.empty() && entry.match_spec.find(version) == std::string::npos) {
+        entry.match_spec += (entry.match_spec.find(' ') == std::string::npos ? " " : ",") + version;
+      }
+      entry.needed_to_build = entry.needed_to_build || building;
+      entry.places.push_back(dependency.name.span);
+    }
+    std::sort(direct[i].begin(), direct[i].end());
+  }
+
+  Sorter sorter(direct);
+  for (std::size_t i = 0; i < packages.size(); ++i) {
+    const Indices cycle = sorter.visit(i);
+    if (!cycle.empty()) return cycle_error(packages, cycle);
+  }
+  BuildOrder result{.order = sorter.order()};
+  for (std::size_t i = 0; i < packages.size(); ++i) {
+    result.needs.push_back(closure(i, direct, result.order));
+  }
+  for (auto& [name, entry] : external) result.external.push_back(std::move(entry));
+  return result;
+}
+
+Diagnostics missing_dependencies(const std::vector<ExternalDependency>& external,
+                                 const std::vector<std::string>& channel_names,
+                                 std::string_view distro) {
+  Diagnostics result;
+  for (const ExternalDependency& dependency : external) {
+    const std::string wanted = conda_name(dependency.name, distro);
+    if (std::binary_search(channel_names.begin(), channel_names.end(), wanted)) continue;
+    Diagnostic diagnostic{
+        .code = "R2W0513",
+        .severity = dependency.needed_to_build ? Severity::kError : Severity::kWarning,
+        .message = "no channel has `" + dependency.name + "`, and the workspace has not either",
+        .span = dependency.places.front(),
+        .label = "asked for here",
+        .why = {"in a channel it would be called `" + wanted + "`"}};
+    if (dependency.places.size() > 1) {
+      diagnostic.why.push_back("it is asked for in " + std::to_string(dependency.places.size()) + " places");
+    }
+    if (const auto similar = nearest(wanted, channel_names)) {
+      diagnostic.why.push_back("a channel has `" + *similar + "`");
+    }
+    result.push_back(std::move(diagnostic));
+  }
+  return result;
+}
+
+}  // namespace ros2wasm

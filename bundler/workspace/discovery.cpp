@@ -1,0 +1,137 @@
+// See discovery.hpp.
+#include "bundler/workspace/discovery.hpp"
+
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+namespace ros2wasm {
+namespace fs = std::filesystem;
+namespace {
+
+bool is_ignored(const fs::path& folder) {
+  std::error_code error;
+  return fs::exists(folder / "COLCON_IGNORE", error) || fs::exists(folder / "AMENT_IGNORE", error) ||
+         fs::exists(folder / "CATKIN_IGNORE", error);
+}
+
+bool is_hidden(const fs::path& path) { return path.filename().native().starts_with('.'); }
+
+std::vector<fs::path> sorted_subfolders(const fs::path& folder) {
+  std::vector<fs::path> result;
+  std::error_code error;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    if (it->is_directory(error) && !is_hidden(it->path())) result.push_back(it->path());
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+/// `visited` holds real paths, so that a link to a folder above does not lead round in circles.
+void search(const fs::path& folder, std::set<fs::path>& visited, std::vector<fs::path>& found) {
+  std::error_code error;
+  const fs::path real = fs::canonical(folder, error);
+  if (error || !visited.insert(real).second || is_ignored(folder)) return;
+  if (fs::is_regular_file(folder / "package.xml", error)) {
+    found.push_back(folder);
+    return;
+  }
+  for (const fs::path& inner : sorted_subfolders(folder)) search(inner, visited, found);
+}
+
+bool has_wildcard(std::string_view text) { return text.find_first_of("*?[") != std::string_view::npos; }
+
+void expand(const fs::path& base, const std::vector<std::string>& parts, std::size_t at,
+            std::set<fs::path>& found) {
+  std::error_code error;
+  if (at == parts.size()) {
+    if (fs::exists(base, error)) found.insert(base.lexically_normal());
+    return;
+  }
+  if (!has_wildcard(parts[at])) {
+    expand(base / parts[at], parts, at + 1, found);
+    return;
+  }
+  if (parts[at] == "**") {
+    expand(base, parts, at + 1, found);
+    for (const fs::path& inner : sorted_subfolders(base)) expand(inner, parts, at, found);
+    return;
+  }
+  for (fs::directory_iterator it(base, error), end; !error && it != end; it.increment(error)) {
+    const std::string name = it->path().filename().string();
+    if (fnmatch(parts[at].c_str(), name.c_str(), FNM_PERIOD) == 0) {
+      expand(it->path(), parts, at + 1, found);
+    }
+  }
+}
+
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return std::string(std::istreambuf_iterator<char>(stream), {});
+}
+
+/// As short as messages want it: relative to where the manifest is, when below it.
+std::string display_path(const fs::path& file, const fs::path& base) {
+  const std::string relative = file.lexically_relative(base).string();
+  return relative.empty() || relative.starts_with("..") ? file.string() : relative;
+}
+
+}  // namespace
+
+std::vector<fs::path> find_package_folders(const fs::path& root) {
+  std::set<fs::path> visited;
+  std::vector<fs::path> found;
+  search(root, visited, found);
+  return found;
+}
+
+std::vector<fs::path> expand_glob(const fs::path& base, const std::string& pattern) {
+  std::vector<std::string> parts;
+  for (const fs::path& part : fs::path(pattern)) {
+    if (!part.empty() && part != ".") parts.push_back(part.string());
+  }
+  std::set<fs::path> found;
+  expand(fs::path(pattern).is_absolute() ? fs::path() : base, parts, 0, found);
+  return {found.begin(), found.end()};
+}
+
+Outcome<std::vector<LocalPackage>> discover_packages(
+    const fs::path& base, const std::vector<Spanned<std::string>>& entries,
+    const ConditionVariables& variables) {
+  std::set<fs::path> folders;
+  Diagnostics errors;
+  for (const Spanned<std::string>& entry : entries) {
+    const std::size_t before = folders.size();
+    bool any = false;
+    for (const fs::path& root : expand_glob(base, entry.value)) {
+      for (const fs::path& folder : find_package_folders(root)) {
+        folders.insert(folder.lexically_normal());
+        any = true;
+      }
+    }
+    if (!any && folders.size() == before) {
+      errors.push_back(Diagnostic{.code = "R2W0510",
+                                  .message = "`" + entry.value + "` leads to no ROS package",
+                                  .span = entry.span,
+                                  .label = "no package.xml at or below it",
+                                  .why = {"it was looked for in " + base.string()}});
+    }
+  }
+  std::vector<LocalPackage> packages;
+  for (const fs::path& folder : folders) {
+    const fs::path file = folder / "package.xml";
+    auto xml = parse_package_xml(text_of(file), display_path(file, base), variables);
+    if (xml) {
+      packages.push_back({.xml = std::move(xml).value(), .directory = folder});
+    } else {
+      errors.insert(errors.end(), xml.errors().begin(), xml.errors().end());
+    }
+  }
+  if (!errors.empty()) return errors;
+  return packages;
+}
+
+}  // namespace ros2wasm

@@ -1,0 +1,35 @@
+// Finds packages on disk as colcon does. The only file here that reads folders.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "workspace_schema/manifest.hpp"
+#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/package_xml.hpp"
+
+namespace ros2wasm {
+
+/// A package of the workspace, as its package.xml describes it.
+struct LocalPackage {
+  PackageXml xml;
+  std::filesystem::path directory;  ///< absolute
+};
+
+/// Folders with a package.xml at or below `root`, sorted. A package's own folder is not searched further;
+/// folders that hold COLCON_IGNORE, AMENT_IGNORE or CATKIN_IGNORE and hidden folders are left out.
+[[nodiscard]] std::vector<std::filesystem::path> find_package_folders(
+    const std::filesystem::path& root);
+
+/// Paths that match a pattern with `*`, `?` and `**` (any depth) relative to `base`, sorted. A pattern without
+/// these stands for itself when it exists.
+[[nodiscard]] std::vector<std::filesystem::path> expand_glob(const std::filesystem::path& base,
+                                                             const std::string& pattern);
+
+/// All packages that the entries name, each once, sorted by folder. `display_base` is cut off paths in
+/// messages. R2W0510 an entry leads to no package; errors of package.xml files as they are.
+[[nodiscard]] Outcome<std::vector<LocalPackage>> discover_packages(
+    const std::filesystem::path& base, const std::vector<Spanned<std::string>>& entries,
+    const ConditionVariables& variables);
+
+}  // namespace ros2wasm

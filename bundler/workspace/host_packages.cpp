@@ -1,0 +1,84 @@
+// See host_packages.hpp.
+#include "bundler/workspace/host_packages.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace ros2wasm {
+namespace {
+
+struct HostPackage {
+  std::string_view name;  ///< a trailing `*` stands for any ending
+  std::string_view reason;
+};
+
+constexpr std::string_view kBuildTool = "a build tool of this machine";
+constexpr std::string_view kTestTool = "tests run in the native build";
+constexpr std::string_view kLaunchTool = "launch descriptions are read by ros2wasm itself";
+constexpr std::string_view kCommandTool = "a command line tool, of no use in a site";
+constexpr std::string_view kOwnMiddleware = "every site has its own middleware";
+
+constexpr auto kHostPackages = std::to_array<HostPackage>({
+    {"ament_cmake", kBuildTool},
+    {"ament_cmake_auto", kBuildTool},
+    {"ament_cmake_core", kBuildTool},
+    {"ament_cmake_export_*", kBuildTool},
+    {"ament_cmake_gen_version_h", kBuildTool},
+    {"ament_cmake_gmock", kTestTool},
+    {"ament_cmake_google_benchmark", kTestTool},
+    {"ament_cmake_gtest", kTestTool},
+    {"ament_cmake_include_directories", kBuildTool},
+    {"ament_cmake_libraries", kBuildTool},
+    {"ament_cmake_pytest", kTestTool},
+    {"ament_cmake_python", kBuildTool},
+    {"ament_cmake_ros", kBuildTool},
+    {"ament_cmake_target_dependencies", kBuildTool},
+    {"ament_cmake_test", kTestTool},
+    {"ament_cmake_version", kBuildTool},
+    {"ament_lint*", kTestTool},
+    {"ament_package", kBuildTool},
+    {"cmake", kBuildTool},
+    {"git", kBuildTool},
+    {"launch", kLaunchTool},
+    {"launch_ros", kLaunchTool},
+    {"launch_testing*", kTestTool},
+    {"launch_xml", kLaunchTool},
+    {"launch_yaml", kLaunchTool},
+    {"pkg-config", kBuildTool},
+    {"python3", kBuildTool},
+    {"python_cmake_module", kBuildTool},
+    {"rmw_cyclonedds_cpp", kOwnMiddleware},
+    {"rmw_fastrtps_cpp", kOwnMiddleware},
+    {"rmw_implementation", kOwnMiddleware},
+    {"rmw_implementation_cmake", kBuildTool},
+    {"ros2action", kCommandTool},
+    {"ros2bag", kCommandTool},
+    {"ros2cli", kCommandTool},
+    {"ros2launch", kLaunchTool},
+    {"ros2param", kCommandTool},
+    {"ros2run", kCommandTool},
+    {"ros2service", kCommandTool},
+    {"ros2topic", kCommandTool},
+    {"ros_environment", kBuildTool},
+    {"ros_workspace", kBuildTool},
+    {"rosidl_adapter", kBuildTool},
+    {"rosidl_cmake", kBuildTool},
+    {"rosidl_generator_c", kBuildTool},
+    {"rosidl_generator_cpp", kBuildTool},
+    {"rosidl_generator_py", kBuildTool},
+});
+
+bool matches(std::string_view pattern, std::string_view name) {
+  if (pattern.ends_with('*')) return name.starts_with(pattern.substr(0, pattern.size() - 1));
+  return name == pattern;
+}
+
+}  // namespace
+
+std::string_view host_package_reason(std::string_view name) {
+  const auto found = std::find_if(kHostPackages.begin(), kHostPackages.end(),
+                                  [&](const HostPackage& row) { return matches(row.name, name); });
+  return found == kHostPackages.end() ? std::string_view() : found->reason;
+}
+
+}  // namespace ros2wasm

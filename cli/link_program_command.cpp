@@ -1,0 +1,53 @@
+// `ros2wasm link-program -- em++ ... -o talker.wasm`: what CMake runs instead of the linker. Not for people.
+#include <memory>
+
+#include "bundler/build/compiler.hpp"
+#include "bundler/build/diagnostic_json.hpp"
+#include "bundler/build/link_driver.hpp"
+#include "bundler/io/files.hpp"
+#include "cli/arguments.hpp"
+#include "cli/console.hpp"
+
+namespace ros2wasm {
+namespace {
+
+struct Options {
+  std::string package;
+  std::vector<std::string> command;
+};
+
+/// Leaves the findings for the pack, which is a grandparent of this process.
+void hand_up(const Context& context, const std::string& output, const Diagnostics& errors) {
+  const auto folder = context.environment.find("ROS2WASM_LINK_DIAGNOSTICS");
+  if (folder == context.environment.end() || folder->second.empty()) return;
+  const auto name = std::filesystem::path(output).stem().string() + ".json";
+  // When this fails the findings are still in what the linker printed.
+  (void)write_file(std::filesystem::path(folder->second) / name, diagnostics_to_json(errors));
+}
+
+int link(Context& context, const Options& options) {
+  if (options.command.empty()) {
+    return context.console.fail(Diagnostic{.code = "R2W0902",
+                                           .kind = FailureKind::kCommandLine,
+                                           .message = "there is no link command",
+                                           .fix = {"ros2wasm link-program -- em++ main.o -o main.wasm"}});
+  }
+  const auto linked = link_program({.package = options.package,
+                                    .command = options.command,
+                                    .environment = compiler_environment(context.environment)},
+                                   context.cancellation);
+  if (linked) return 0;
+  hand_up(context, parse_link_line(options.command).output, linked.errors());
+  return context.console.fail(linked.errors());
+}
+
+}  // namespace
+
+CommandBody link_program_command(Arguments& arguments) {
+  const auto options = std::make_shared<Options>();
+  arguments.value("--package", options->package, "NAME", "the package that the program belongs to");
+  arguments.rest("COMMAND", options->command, "the compiler and its arguments, after `--`");
+  return [options](Context& context) { return link(context, *options); };
+}
+
+}  // namespace ros2wasm

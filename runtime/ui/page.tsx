@@ -60,7 +60,7 @@ export function Page({ session, store }: PageProps) {
 
   return (
     <div class="page">
-      <a class="skip" href="#panel-console" onClick={toConsole}>
+      <a class="skip" href="#content" onClick={toConsole}>
         {texts.skipToConsole}
       </a>
       <PageHeader session={session} store={store} onAbout={() => setAboutOpen(true)} />
@@ -99,7 +99,7 @@ function Columns({ wide, store, left, middle, right }: ColumnsProps) {
   const leftBar = <Splitter label={texts.resizeLeft} value={leftWidth} {...kLeft} side="left" onChange={changeLeft} />;
   if (!wide) {
     return (
-      <main class="columns columns-two" style={{ '--left': `${leftWidth}px` }}>
+      <main id="content" class="columns columns-two" style={{ '--left': `${leftWidth}px` }}>
         <div class="column">
           {left}
           {right}
@@ -110,7 +110,7 @@ function Columns({ wide, store, left, middle, right }: ColumnsProps) {
     );
   }
   return (
-    <main class="columns columns-three" style={{ '--left': `${leftWidth}px`, '--right': `${rightWidth}px` }}>
+    <main id="content" class="columns columns-three" style={{ '--left': `${leftWidth}px`, '--right': `${rightWidth}px` }}>
       <div class="column">{left}</div>
       {leftBar}
       <div class="column">{middle}</div>
@@ -145,7 +145,7 @@ function Tabs({ tab, onTab, show }: TabsProps) {
     }
   };
   return (
-    <>
+    <main id="content" class="tab-main">
       <div class="tabs" role="tablist" aria-label={texts.panelTabs} ref={bar} onKeyDown={onKeyDown}>
         {panels.map((row) => (
           <button
@@ -162,12 +162,10 @@ function Tabs({ tab, onTab, show }: TabsProps) {
           </button>
         ))}
       </div>
-      <main class="tab-main">
-        <div class="tab-panel" role="tabpanel" id="tab-panel" aria-labelledby={`tab-${current?.id ?? ''}`}>
-          {current === undefined ? null : show(current)}
-        </div>
-      </main>
-    </>
+      <div class="tab-panel" role="tabpanel" id="tab-panel" aria-labelledby={`tab-${current?.id ?? ''}`}>
+        {current === undefined ? null : show(current)}
+      </div>
+    </main>
   );
 }
 

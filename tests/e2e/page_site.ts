@@ -7,8 +7,6 @@ import type { AddressInfo } from 'node:net';
 import { extname, join, normalize } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build } from 'esbuild';
-import { chromium } from 'playwright-core';
-import type { Browser } from 'playwright-core';
 
 const kRoot = fileURLToPath(new URL('../..', import.meta.url));
 const kTypes: Readonly<Record<string, string>> = {
@@ -58,6 +56,3 @@ export async function serveFolder(folder: string): Promise<Served> {
   };
 }
 
-export function openBrowser(): Promise<Browser> {
-  return chromium.launch({ executablePath: process.env['CHROMIUM'] ?? '/usr/bin/chromium', args: ['--no-sandbox'] });
-}

@@ -13,7 +13,7 @@ export type Decoded =
   | { readonly kind: 'failed'; readonly reason: string };
 
 interface TypeReader {
-  readonly reader: MessageReader;
+  readonly read: (bytes: Uint8Array) => unknown;
   readonly shape: Shape;
 }
 
@@ -39,7 +39,7 @@ export function createDecoder(interfaces: Definitions): Decoder {
       try {
         // Text decoders refuse shared memory, so shared bytes are copied first.
         const own = bytes.buffer instanceof ArrayBuffer ? bytes : Uint8Array.from(bytes);
-        return { kind: 'value', value: found.reader.readMessage(own), shape: found.shape };
+        return { kind: 'value', value: found.read(own), shape: found.shape };
       } catch (error) {
         return { kind: 'failed', reason: `these ${bytes.byteLength} bytes are no ${type}: ${messageOf(error)}` };
       }
@@ -56,7 +56,11 @@ function makeReader(type: string, interfaces: Definitions): TypeReader | string 
   }
   try {
     const definitions = parse(definition.text, { ros2: true });
-    return { reader: new MessageReader(definitions), shape: buildShape(definitions) };
+    const shape = buildShape(definitions);
+    // The reader takes a message without fields, but with constants, for no message at all.
+    if (shape.length === 0) return { read: () => ({}), shape };
+    const reader = new MessageReader(definitions);
+    return { read: (bytes) => reader.readMessage(bytes), shape };
   } catch (error) {
     return `the definition of ${type} cannot be read: ${messageOf(error)}`;
   }

@@ -3,6 +3,8 @@
 
 export type Theme = 'system' | 'light' | 'dark';
 
+const kThemes: readonly Theme[] = ['system', 'light', 'dark'];
+
 export interface Store {
   getItem(key: string): string | null;
   setItem(key: string, value: string): void;
@@ -22,6 +24,12 @@ export function browserStore(): Store | null {
 export function readPreference<T extends string>(store: Store | null, name: string, allowed: readonly T[], fallback: T): T {
   const value = read(store, name);
   return allowed.find((choice) => choice === value) ?? fallback;
+}
+
+/** The visitor's theme; else the one the author chose (`ui: theme:` in the manifest); else the system's. */
+export function readTheme(store: Store | null, chosenByAuthor: unknown): Theme {
+  const fallback = kThemes.find((theme) => theme === chosenByAuthor) ?? 'system';
+  return readPreference(store, 'theme', kThemes, fallback);
 }
 
 export function readNumber(store: Store | null, name: string, minimum: number, maximum: number, fallback: number): number {

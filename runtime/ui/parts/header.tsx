@@ -1,8 +1,8 @@
 // The head of the page: what this workspace is, run control for all nodes, theme, about.
 
-import { useState } from 'preact/hooks';
+import { useLayoutEffect, useState } from 'preact/hooks';
 import type { Session } from '../../wasm_js/session.ts';
-import { readPreference, writePreference } from '../model/preferences.ts';
+import { readTheme, writePreference } from '../model/preferences.ts';
 import type { Store, Theme } from '../model/preferences.ts';
 import { texts } from '../texts.ts';
 import { IconButton } from './button.tsx';
@@ -43,7 +43,7 @@ export function PageHeader({ session, store, onAbout }: PageHeaderProps) {
         </div>
       </div>
       <div class="head-more">
-        <ThemeButton store={store} />
+        <ThemeButton store={store} chosenByAuthor={site.ui['theme']} />
         <IconButton icon="info" label={texts.about.open} onClick={onAbout} />
       </div>
     </header>
@@ -77,14 +77,16 @@ function RunButton({ icon, words, disabled, main, onClick }: RunButtonProps) {
 const kNextTheme: Readonly<Record<Theme, Theme>> = { system: 'light', light: 'dark', dark: 'system' };
 const kThemeIcon = { system: 'system', light: 'sun', dark: 'moon' } as const;
 
-function ThemeButton({ store }: { readonly store: Store | null }) {
-  const [theme, setTheme] = useState<Theme>(() => readPreference(store, 'theme', ['system', 'light', 'dark'], 'system'));
+function ThemeButton({ store, chosenByAuthor }: { readonly store: Store | null; readonly chosenByAuthor: unknown }) {
+  const [theme, setTheme] = useState<Theme>(() => readTheme(store, chosenByAuthor));
+  useLayoutEffect(() => {
+    if (theme === 'system') delete document.documentElement.dataset['theme'];
+    else document.documentElement.dataset['theme'] = theme;
+  }, [theme]);
   const change = (): void => {
     const next = kNextTheme[theme];
     setTheme(next);
     writePreference(store, 'theme', next);
-    if (next === 'system') delete document.documentElement.dataset['theme'];
-    else document.documentElement.dataset['theme'] = next;
   };
   return <IconButton icon={kThemeIcon[theme]} label={texts.theme[theme]} onClick={change} />;
 }

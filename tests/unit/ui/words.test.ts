@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { isHiddenTopic } from '../../../runtime/ui/model/hidden_names.ts';
 import { problemOf, problemText } from '../../../runtime/ui/model/problem.ts';
-import { readNumber, readPreference, writePreference } from '../../../runtime/ui/model/preferences.ts';
+import { readNumber, readPreference, readTheme, writePreference } from '../../../runtime/ui/model/preferences.ts';
 import { formatBandwidth, formatBytes, formatCount, formatDuration, formatRate } from '../../../runtime/ui/model/quantities.ts';
 
 test('rates, bandwidths, sizes and durations', () => {
@@ -57,5 +57,9 @@ test('preferences survive a store that refuses everything', () => {
   assert.equal(readNumber(store, 'left', 0, 10, 4), 4);
   writePreference(store, 'left', '99');
   assert.equal(readNumber(store, 'left', 0, 10, 4), 4);
+  assert.equal(readTheme(store, 'light'), 'dark');
+  assert.equal(readTheme(null, 'light'), 'light');
+  assert.equal(readTheme(null, 'auto'), 'system');
+  assert.equal(readTheme(null, 7), 'system');
   assert.equal(readPreference(null, 'theme', ['light', 'dark'], 'light'), 'light');
 });

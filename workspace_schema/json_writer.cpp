@@ -115,6 +115,12 @@ JsonWriter& JsonWriter::number(double number) {
   return *this;
 }
 
+JsonWriter& JsonWriter::raw_number(std::string_view digits) {
+  before_value();
+  text_ += digits;
+  return *this;
+}
+
 JsonWriter& JsonWriter::boolean(bool value) {
   before_value();
   text_ += value ? "true" : "false";

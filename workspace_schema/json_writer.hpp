@@ -23,6 +23,8 @@ class JsonWriter {
   JsonWriter& unsigned_integer(std::uint64_t number);
   /// NaN and infinities, which JSON has not, become null.
   JsonWriter& number(double number);
+  /// A number whose digits the caller made.
+  JsonWriter& raw_number(std::string_view digits);
   JsonWriter& boolean(bool value);
   JsonWriter& null();
 

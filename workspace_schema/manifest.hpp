@@ -2,6 +2,7 @@
 // Reading is in manifest_reader.cpp; nothing here touches the world.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -36,6 +37,8 @@ enum class NodeOutput { kScreen, kLog, kBoth };
 struct ParameterEntry {
   std::string name;  ///< dotted for nested keys
   ParameterValue value;
+  /// How many of the node's parameter_files stand before it: whatever comes later wins.
+  std::size_t files_before = 0;
 };
 
 /// One entry of `launch: [...]`.
@@ -44,7 +47,7 @@ struct NodeEntry {
   Spanned<std::string> package;
   Spanned<std::string> executable;
   std::optional<Spanned<std::string>> name;                     ///< ROS node name, if remapped
-  std::optional<Spanned<std::string>> name_space;               ///< ROS namespace, if remapped
+  std::optional<Spanned<std::string>> name_space;               ///< ROS namespace as written, if remapped
   std::vector<std::pair<std::string, std::string>> remappings;  ///< from, to; in order
   std::vector<ParameterEntry> parameters;
   std::vector<Spanned<std::string>> parameter_files;  ///< relative to the manifest

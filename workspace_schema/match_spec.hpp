@@ -2,8 +2,6 @@
 // the decisions are listed in docs/match-specs.md.
 #pragma once
 
-#include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,50 +9,11 @@
 
 #include "workspace_schema/outcome.hpp"
 #include "workspace_schema/package_record.hpp"
+#include "workspace_schema/text_pattern.hpp"
 #include "workspace_schema/version.hpp"
+#include "workspace_schema/version_spec.hpp"
 
 namespace ros2wasm {
-
-/// An expression over versions: relations joined by `,` (and, binds tighter) and `|` (or), with parentheses.
-class VersionSpec {
- public:
-  VersionSpec();  ///< any version
-  /// R2W0303 with the reason.
-  [[nodiscard]] static Outcome<VersionSpec> parse(std::string_view text);
-
-  [[nodiscard]] bool matches(const Version& version) const;
-  [[nodiscard]] bool any() const;  ///< `*` or nothing
-  [[nodiscard]] const std::string& text() const { return text_; }
-
-  struct Node;  ///< in match_spec's own files
-
- private:
-  std::string text_;
-  std::shared_ptr<const Node> root_;
-};
-
-/// A pattern over a string field: `^regex$`, a glob with `*`, or the text itself (letter case does not count).
-class TextPattern {
- public:
-  [[nodiscard]] static Outcome<TextPattern> parse(std::string_view text);
-  [[nodiscard]] bool matches(std::string_view value) const;
-  [[nodiscard]] const std::string& text() const { return text_; }
-  [[nodiscard]] bool exact() const { return kind_ == Kind::kExact; }
-
- private:
-  enum class Kind { kExact, kGlob, kRegex };
-  std::string text_;
-  Kind kind_ = Kind::kExact;
-  std::shared_ptr<const void> regex_;
-};
-
-/// A number compared: `3`, `>=3`, `!=3`.
-struct BuildNumberSpec {
-  enum class Relation { kEqual, kNotEqual, kLess, kLessEqual, kGreater, kGreaterEqual };
-  Relation relation = Relation::kEqual;
-  std::uint64_t number = 0;
-  [[nodiscard]] bool matches(std::uint64_t value) const;
-};
 
 class MatchSpec {
  public:
@@ -73,19 +32,22 @@ class MatchSpec {
   [[nodiscard]] bool matches(const PackageRecord& record) const;
 
  private:
+  friend class MatchSpecReader;
+
   std::string text_;
   TextPattern name_;
   VersionSpec version_;
   std::optional<TextPattern> channel_;
-  std::optional<TextPattern> subdir_;
   std::optional<TextPattern> build_;
-  std::optional<BuildNumberSpec> build_number_;
-  std::optional<TextPattern> file_name_;
-  std::optional<std::string> url_;
-  std::optional<std::string> sha256_;
-  std::optional<std::string> md5_;
+  std::optional<VersionSpec> build_number_;  ///< conda compares numbers as versions
   std::optional<TextPattern> license_;
-  std::vector<std::string> track_features_;
+  std::optional<std::vector<std::string>> track_features_;  ///< sorted; must be the same
+  std::string subdir_;  ///< these are empty when not asked for
+  std::string file_name_;
+  std::string url_;
+  std::string sha256_;
+  std::string md5_;
+  bool impossible_ = false;  ///< asks for a field that records here never have
 };
 
 }  // namespace ros2wasm

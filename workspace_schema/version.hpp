@@ -48,8 +48,8 @@ class Version {
   std::vector<VersionSegment> local_;
 };
 
-/// Conda's nested list as JSON: `[[0],[1],[2,"rc",1]]`, with the local part in a second list when there is one
-/// and "post" as the string "post".
-[[nodiscard]] std::string version_json(const Version& version);
+/// Conda's nested list as JSON, of Version::segments() or local(): `[[0],[1],[2,"rc",1]]`, with `post` (conda's
+/// infinity) as 1e999, which JSON readers take for infinity.
+[[nodiscard]] std::string version_json(const std::vector<VersionSegment>& segments);
 
 }  // namespace ros2wasm

@@ -1,0 +1,53 @@
+// `ros2wasm check [MANIFEST]`: reads a manifest and says all that is wrong with it; with --json
+// prints it as data.
+#include <memory>
+
+#include "bundler/io/files.hpp"
+#include "cli/arguments.hpp"
+#include "cli/console.hpp"
+#include "workspace_schema/json_writer.hpp"
+#include "workspace_schema/manifest_json.hpp"
+#include "workspace_schema/manifest_reader.hpp"
+
+namespace ros2wasm {
+namespace {
+
+struct Options {
+  std::string manifest = "workspace.yaml";
+};
+
+int check(Context& context, const Options& options) {
+  std::filesystem::path path = options.manifest;
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) path /= "workspace.yaml";
+  const Outcome<std::string> text = read_file(path);
+  if (!text) return context.console.fail(text.errors());
+  const Outcome<Manifest> manifest = read_manifest(*text, path.generic_string());
+  if (!manifest) return context.console.fail(manifest.errors());
+  for (const Diagnostic& doubt : manifest->warnings) context.console.report(doubt);
+  if (context.json) {
+    context.console.result(manifest_json(*manifest));
+    return 0;
+  }
+  const std::string runs = manifest->launch_file
+                               ? "launch file " + manifest->launch_file->value
+                               : std::to_string(manifest->nodes.size()) +
+                                     (manifest->nodes.size() == 1 ? " node" : " nodes");
+  context.console.result(path.generic_string() + ": good (schema " +
+                         std::to_string(manifest->schema) + ", " + manifest->distro + ", " + runs +
+                         ")");
+  return 0;
+}
+
+}  // namespace
+
+CommandBody check_command(Arguments& arguments) {
+  const auto options = std::make_shared<Options>();
+  arguments.optional("MANIFEST", options->manifest,
+                     "a workspace.yaml, or the folder that holds it; here by default");
+  arguments.examples({"ros2wasm check", "ros2wasm check course/lab1/workspace.yaml",
+                      "ros2wasm check --json lab1 | jq .nodes"});
+  return [options](Context& context) { return check(context, *options); };
+}
+
+}  // namespace ros2wasm

@@ -1,0 +1,152 @@
+// See manifest_json.hpp.
+#include "workspace_schema/manifest_json.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "workspace_schema/json_writer.hpp"
+
+namespace ros2wasm {
+namespace {
+
+void write_double(JsonWriter& json, double number) {
+  if (std::isnan(number)) {
+    json.string(".nan");
+  } else if (std::isinf(number)) {
+    json.string(number < 0 ? "-.inf" : ".inf");
+  } else {
+    std::array<char, 40> buffer{};
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number).ptr;
+    std::string text(buffer.data(), end);
+    if (text.find_first_of(".e") == std::string::npos) text += ".0";
+    json.raw_number(text);
+  }
+}
+
+void texts(JsonWriter& json, std::string_view key,
+           const std::vector<Spanned<std::string>>& values) {
+  json.key(key).begin_array();
+  for (const auto& value : values) json.string(value.value);
+  json.end_array();
+}
+
+std::string_view output_word(NodeOutput output) {
+  switch (output) {
+    case NodeOutput::kScreen:
+      return "screen";
+    case NodeOutput::kLog:
+      return "log";
+    case NodeOutput::kBoth:
+      return "both";
+  }
+  return "screen";
+}
+
+/// Files and inline values in the order in which they apply.
+void write_parameters(JsonWriter& json, const NodeEntry& node) {
+  json.key("parameters").begin_array();
+  std::size_t files = 0;
+  bool open = false;
+  const auto file_up_to = [&](std::size_t count) {
+    if (open && files < count) {
+      json.end_object();
+      open = false;
+    }
+    for (; files < count; ++files) json.string(node.parameter_files[files].value);
+  };
+  for (const ParameterEntry& entry : node.parameters) {
+    file_up_to(entry.files_before);
+    if (!open) json.begin_object();
+    open = true;
+    json.key(entry.name);
+    write_parameter(json, entry.value);
+  }
+  file_up_to(node.parameter_files.size());
+  if (open) json.end_object();
+  json.end_array();
+}
+
+void write_node(JsonWriter& json, const NodeEntry& node) {
+  json.begin_object()
+      .field("package", node.package.value)
+      .field("executable", node.executable.value);
+  if (node.name) json.field("name", node.name->value);
+  if (node.name_space) json.field("namespace", node.name_space->value);
+  json.key("remappings").begin_array();
+  for (const auto& [from, to] : node.remappings) {
+    json.begin_object().field("from", from).field("to", to).end_object();
+  }
+  json.end_array();
+  write_parameters(json, node);
+  json.key("arguments").begin_array();
+  for (const std::string& argument : node.arguments) json.string(argument);
+  json.end_array();
+  json.field("output", output_word(node.output)).field_boolean("respawn", node.respawn);
+  json.end_object();
+}
+
+}  // namespace
+
+void write_parameter(JsonWriter& json, const ParameterValue& parameter) {
+  const auto list = [&json](const auto& values, const auto& write) {
+    json.begin_array();
+    for (const auto value : values) write(value);
+    json.end_array();
+  };
+  if (const auto* flag = std::get_if<bool>(&parameter)) json.boolean(*flag);
+  if (const auto* integer = std::get_if<std::int64_t>(&parameter)) json.integer(*integer);
+  if (const auto* number = std::get_if<double>(&parameter)) write_double(json, *number);
+  if (const auto* text = std::get_if<std::string>(&parameter)) json.string(*text);
+  if (const auto* flags = std::get_if<std::vector<bool>>(&parameter)) {
+    list(*flags, [&](bool v) { json.boolean(v); });
+  }
+  if (const auto* integers = std::get_if<std::vector<std::int64_t>>(&parameter)) {
+    list(*integers, [&](std::int64_t v) { json.integer(v); });
+  }
+  if (const auto* numbers = std::get_if<std::vector<double>>(&parameter)) {
+    list(*numbers, [&](double v) { write_double(json, v); });
+  }
+  if (const auto* strings = std::get_if<std::vector<std::string>>(&parameter)) {
+    json.begin_array();
+    for (const std::string& text : *strings) json.string(text);
+    json.end_array();
+  }
+}
+
+std::string manifest_json(const Manifest& manifest) {
+  JsonWriter json;
+  json.begin_object().field_integer("schema", manifest.schema).field("name", manifest.name.value);
+  json.field("title", manifest.title).field("version", manifest.version);
+  json.key("authors").begin_array();
+  for (const Author& author : manifest.authors) {
+    json.begin_object().field("name", author.name);
+    if (!author.email.empty()) json.field("email", author.email);
+    if (!author.orcid.empty()) json.field("orcid", author.orcid);
+    if (!author.affiliation.empty()) json.field("affiliation", author.affiliation);
+    json.end_object();
+  }
+  json.end_array();
+  json.field("license", manifest.license).field("distro", manifest.distro);
+  texts(json, "channels", manifest.channels);
+  texts(json, "dependencies", manifest.dependencies);
+  texts(json, "packages", manifest.packages);
+  json.key("launch");
+  if (manifest.launch_file) {
+    json.string(manifest.launch_file->value);
+  } else {
+    json.begin_array();
+    for (const NodeEntry& node : manifest.nodes) write_node(json, node);
+    json.end_array();
+  }
+  for (const auto& [key, options] :
+       {std::pair("ui", &manifest.ui), std::pair("site", &manifest.site)}) {
+    json.key(key).begin_object();
+    for (const auto& [name, value] : *options) json.field(name, value);
+    json.end_object();
+  }
+  json.end_object();
+  return json.text();
+}
+
+}  // namespace ros2wasm

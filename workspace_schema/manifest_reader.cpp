@@ -1,0 +1,333 @@
+// See manifest_reader.hpp. The table of the manifest's keys and what each becomes; nodes,
+// parameters and the YAML itself are read by the files beside this one.
+#include "workspace_schema/manifest_reader.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "workspace_schema/manifest_binding.hpp"
+#include "workspace_schema/manifest_nodes.hpp"
+#include "workspace_schema/suggestion.hpp"
+#include "workspace_schema/yaml_scalar.hpp"
+
+namespace ros2wasm {
+namespace {
+
+constexpr int kNewestSchema = 1;
+
+const std::vector<std::string>& distros() {
+  static const std::vector<std::string> kNames{"humble", "jazzy", "kilted", "lyrical", "rolling"};
+  return kNames;
+}
+
+/// Options of `ui` and `site`: the words that each takes.
+struct OptionRow {
+  std::string_view name;
+  std::vector<std::string> words;
+};
+
+const std::vector<OptionRow>& ui_options() {
+  static const std::vector<OptionRow> kRows{
+      {"theme", {"auto", "light", "dark"}},
+      {"autostart", {"true", "false"}},
+  };
+  return kRows;
+}
+
+const std::vector<OptionRow>& site_options() {
+  static const std::vector<OptionRow> kRows{
+      {"exceptions", {"legacy", "standard"}},
+  };
+  return kRows;
+}
+
+const std::vector<KeyRow>& manifest_keys() {
+  static const std::vector<KeyRow> kKeys{
+      {"schema", {"schema_version", "format"}},
+      {"name", {"workspace", "project"}},
+      {"title", {}},
+      {"version", {}},
+      {"authors", {"author", "maintainers", "maintainer"}},
+      {"license", {"licence", "licenses"}},
+      {"distro", {"ros_distro", "ros", "distribution"}},
+      {"channels", {"channel", "repositories"}},
+      {"dependencies", {"depends", "depend", "deps", "requirements"}},
+      {"packages", {"package", "sources", "src"}},
+      {"launch", {"nodes", "node", "run"}},
+      {"ui", {"page"}},
+      {"site", {"output"}},
+  };
+  return kKeys;
+}
+
+/// `0000-0002-1825-0097`; the last may be X.
+bool is_orcid(std::string_view text) {
+  if (text.size() != 19) return false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool digit = text[i] >= '0' && text[i] <= '9';
+    const bool good = i % 5 == 4 ? text[i] == '-' : digit || (i == 18 && text[i] == 'X');
+    if (!good) return false;
+  }
+  return true;
+}
+
+class Reader {
+ public:
+  Reader(Binder& binder, const YamlNode& root, const std::string& file)
+      : binder_(binder), root_(root) {
+    manifest_.file = file;
+  }
+
+  Manifest read() {
+    read_schema();
+    required_name();
+    if (const YamlNode* node = given("title")) keep(binder_.line(*node, "title"), manifest_.title);
+    if (const YamlNode* node = given("version"))
+      keep(binder_.written(*node, "version"), manifest_.version);
+    if (const YamlNode* node = given("license"))
+      keep(binder_.line(*node, "license"), manifest_.license);
+    if (const YamlNode* node = given("authors")) {
+      binder_.list(*node, "authors", [this](const YamlNode& item) { read_author(item); });
+    }
+    if (const YamlNode* node = given("distro")) read_distro(*node);
+    read_lists();
+    read_launch();
+    if (const YamlNode* node = given("ui")) read_options(*node, "ui", ui_options(), manifest_.ui);
+    if (const YamlNode* node = given("site"))
+      read_options(*node, "site", site_options(), manifest_.site);
+    return std::move(manifest_);
+  }
+
+ private:
+  [[nodiscard]] const YamlNode* given(std::string_view key) const { return value_of(root_, key); }
+
+  static void keep(std::optional<Spanned<std::string>> found, std::string& target) {
+    if (found) target = std::move(found->value);
+  }
+
+  void read_schema() {
+    const YamlNode* node = given("schema");
+    if (node == nullptr) {
+      Diagnostic& missing =
+          binder_.error("R2W0107", "the manifest does not say which schema it follows", root_.range,
+                        "`schema` is missing");
+      missing.why.push_back(
+          "the number tells later versions of ros2wasm how to read this file, for ever");
+      missing.fix.push_back("write `schema: 1` as the first line");
+      return;
+    }
+    const YamlValue value = scalar_value(*node);
+    const auto* number = std::get_if<std::int64_t>(&value);
+    if (number != nullptr && *number == kNewestSchema) return;
+    if (number != nullptr && *number > kNewestSchema) {
+      Diagnostic& newer = binder_.error(
+          "R2W0107",
+          "this manifest follows schema " + node->text + ", which is newer than this ros2wasm",
+          node->range, "this ros2wasm reads schema 1");
+      newer.why.push_back("ros2wasm " ROS2WASM_VERSION
+                          " was made before that schema; a newer ros2wasm reads it");
+      return;
+    }
+    Diagnostic& wrong = binder_.error("R2W0107", "`schema` must be a number that ros2wasm knows",
+                                      node->range, "this ros2wasm reads schema 1");
+    wrong.fix.push_back("write `schema: 1`");
+  }
+
+  void required_name() {
+    const YamlNode* node = given("name");
+    if (node == nullptr) {
+      Diagnostic& missing =
+          binder_.error("R2W0106", "the manifest has no `name`", root_.range, "`name` is missing");
+      missing.why.push_back("the name is that of the site's folder, unless another is asked for");
+      missing.fix.push_back("write `name: my_workspace`");
+      return;
+    }
+    if (auto name = binder_.name(*node, "name", workspace_name_fault))
+      manifest_.name = *std::move(name);
+  }
+
+  void read_author(const YamlNode& node) {
+    static const std::vector<KeyRow> kKeys{
+        {"name", {}}, {"email", {"mail", "e-mail"}}, {"orcid", {}}, {"affiliation", {}}};
+    Author author;
+    if (node.kind == YamlKind::kScalar) {
+      const auto text = binder_.line(node, "authors");
+      if (!text) return;
+      const std::size_t open = text->value.find('<');
+      const std::size_t close = text->value.rfind('>');
+      if (open != std::string::npos && close != std::string::npos && close > open) {
+        author.email = text->value.substr(open + 1, close - open - 1);
+        author.name = text->value.substr(0, text->value.find_last_not_of(" <", open) + 1);
+      } else {
+        author.name = text->value;
+      }
+      manifest_.authors.push_back(std::move(author));
+      return;
+    }
+    if (!binder_.mapping(node, "an author", kKeys)) {
+      binder_.wrong_type(node, "authors", "a list of names");
+      return;
+    }
+    const YamlNode* name = value_of(node, "name");
+    if (name == nullptr)
+      binder_.error("R2W0106", "an author has no `name`", node.range, "this author");
+    if (name != nullptr) keep(binder_.line(*name, "name"), author.name);
+    if (const YamlNode* email = value_of(node, "email"))
+      keep(binder_.line(*email, "email"), author.email);
+    if (const YamlNode* place = value_of(node, "affiliation")) {
+      keep(binder_.line(*place, "affiliation"), author.affiliation);
+    }
+    if (const YamlNode* orcid = value_of(node, "orcid")) read_orcid(*orcid, author);
+    manifest_.authors.push_back(std::move(author));
+  }
+
+  void read_orcid(const YamlNode& node, Author& author) {
+    auto text = binder_.line(node, "orcid");
+    if (!text) return;
+    if (is_orcid(text->value)) {
+      author.orcid = std::move(text->value);
+      return;
+    }
+    Diagnostic& wrong =
+        binder_.error("R2W0103", "`" + text->value + "` is not an ORCID iD", node.range,
+                      "four groups of four, such as 0000-0002-1825-0097");
+    const std::size_t slash = text->value.rfind('/');
+    if (slash != std::string::npos && is_orcid(std::string_view(text->value).substr(slash + 1))) {
+      wrong.fix.push_back("write `orcid: " + text->value.substr(slash + 1) + "`");
+    }
+  }
+
+  void read_distro(const YamlNode& node) {
+    static const std::array<std::string, 7> kEnded{"ardent",   "bouncy", "crystal", "dashing",
+                                                   "eloquent", "foxy",   "galactic"};
+    static const std::array<std::string, 4> kRos1{"indigo", "kinetic", "melodic", "noetic"};
+    auto text = binder_.text(node, "distro");
+    if (!text) return;
+    if (std::find(distros().begin(), distros().end(), text->value) != distros().end()) {
+      manifest_.distro = std::move(text->value);
+      return;
+    }
+    Diagnostic& wrong = binder_.error(
+        "R2W0108", "`" + text->value + "` is not a ROS 2 distribution known here", node.range);
+    wrong.why.push_back("known are: " + name_list(distros(), 12));
+    if (std::find(kRos1.begin(), kRos1.end(), text->value) != kRos1.end()) {
+      wrong.label = "this is a ROS 1 distribution";
+    } else if (std::find(kEnded.begin(), kEnded.end(), text->value) != kEnded.end() ||
+               text->value == "iron") {
+      wrong.label = "this distribution has reached its end of life";
+    } else if (const auto near = nearest(text->value, distros())) {
+      wrong.fix.push_back("write `distro: " + *near + "`");
+    }
+  }
+
+  void read_lists() {
+    const auto line_of = [this](const std::string& what) {
+      return [this, what](const YamlNode& item) { return binder_.line(item, what); };
+    };
+    if (const YamlNode* node = given("channels")) {
+      manifest_.channels = binder_.texts(*node, "channels", line_of("channels"));
+    }
+    if (const YamlNode* node = given("dependencies")) {
+      manifest_.dependencies = binder_.texts(*node, "dependencies", line_of("dependencies"));
+    }
+    if (const YamlNode* node = given("packages")) {
+      manifest_.packages = binder_.texts(*node, "packages", [this](const YamlNode& item) {
+        return binder_.path(item, "packages");
+      });
+    }
+  }
+
+  void read_launch() {
+    const YamlNode* node = given("launch");
+    if (node == nullptr) {
+      if (value_of(root_, "nodes") != nullptr)
+        return;  // an unknown key that meant this one was reported
+      Diagnostic& missing = binder_.error("R2W0106", "the manifest has no `launch`", root_.range,
+                                          "`launch` is missing");
+      missing.why.push_back(
+          "`launch` says what runs: a launch file, or a list of nodes with `package` and "
+          "`executable`");
+      return;
+    }
+    if (node->kind == YamlKind::kScalar) {
+      if (auto file = binder_.path(*node, "launch")) manifest_.launch_file = *std::move(file);
+      return;
+    }
+    if (node->kind == YamlKind::kMap) {
+      Diagnostic& wrong = binder_.wrong_type(*node, "launch", "a launch file or a list of nodes");
+      wrong.why.push_back("each node of the list begins with `- `");
+      return;
+    }
+    if (node->kind == YamlKind::kNull) {
+      binder_.wrong_type(*node, "launch", "a launch file or a list of nodes");
+      return;
+    }
+    if (node->items.empty()) {
+      binder_.error("R2W0103", "`launch` names no node", node->range, "expected at least one");
+    }
+    for (const YamlNode& item : node->items) {
+      if (auto entry = read_node(binder_, item)) manifest_.nodes.push_back(*std::move(entry));
+    }
+    warn_of_equal_names(binder_, manifest_.nodes);
+  }
+
+  void read_options(const YamlNode& node, const std::string& what,
+                    const std::vector<OptionRow>& rows,
+                    std::map<std::string, std::string>& target) {
+    std::vector<KeyRow> keys;
+    for (const OptionRow& row : rows) keys.push_back({.name = row.name, .also_called = {}});
+    if (!binder_.mapping(node, "`" + what + "`", keys)) {
+      binder_.wrong_type(node, what, "a mapping");
+      return;
+    }
+    for (const OptionRow& row : rows) {
+      const YamlNode* value = value_of(node, row.name);
+      if (value == nullptr) continue;
+      if (row.words.front() == "true") {
+        if (const auto found = binder_.boolean(*value, std::string(row.name))) {
+          target.emplace(row.name, *found ? "true" : "false");
+        }
+      } else if (const auto word = binder_.word(*value, std::string(row.name), row.words)) {
+        target.emplace(row.name, word->value);
+      }
+    }
+  }
+
+  Binder& binder_;
+  const YamlNode& root_;
+  Manifest manifest_{};
+};
+
+}  // namespace
+
+Outcome<Manifest> read_manifest(std::string_view text, const std::string& file) {
+  const SourceText source(text, file);
+  Outcome<YamlDocument> document = parse_yaml(source);
+  if (!document) return document.errors();
+  Binder binder(source);
+  binder.add(std::move(document->problems));
+  const YamlNode& root = document->root;
+  if (root.kind == YamlKind::kNull) {
+    Diagnostic& empty = binder.error("R2W0103", "the manifest `" + file + "` is empty", root.range);
+    empty.why.push_back("a manifest has at least `schema`, `name` and `launch`");
+    return binder.take_errors();
+  }
+  if (!binder.mapping(root, "the manifest", manifest_keys())) {
+    binder.wrong_type(root, "manifest", "a mapping")
+        .why.push_back("a manifest begins with `schema: 1`");
+    return binder.take_errors();
+  }
+  Manifest manifest = Reader(binder, root, file).read();
+  if (binder.failed()) {
+    Diagnostics errors = binder.take_errors();
+    std::stable_sort(errors.begin(), errors.end(), [](const Diagnostic& a, const Diagnostic& b) {
+      return std::pair(a.span->line, a.span->column) < std::pair(b.span->line, b.span->column);
+    });
+    for (Diagnostic& doubt : binder.take_warnings()) errors.push_back(std::move(doubt));
+    return errors;
+  }
+  manifest.warnings = binder.take_warnings();
+  return manifest;
+}
+
+}  // namespace ros2wasm

@@ -1,0 +1,413 @@
+// See match_spec.hpp. Takes a spec apart in the order in which conda does: comment, file name, brackets,
+// parentheses, channel, name, version and build.
+#include "workspace_schema/match_spec.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+namespace ros2wasm {
+namespace {
+
+constexpr std::size_t kLongest = 8192;
+
+constexpr auto kSubdirs = std::to_array<std::string_view>(
+    {"emscripten-32", "emscripten-wasm32", "freebsd-64",    "linux-32",      "linux-64",    "linux-aarch64",
+     "linux-armv6l",  "linux-armv7l",      "linux-ppc64",   "linux-ppc64le", "linux-riscv32", "linux-riscv64",
+     "linux-s390x",   "noarch",            "osx-64",        "osx-arm64",     "wasi-wasm32", "win-32",
+     "win-64",        "win-arm64",         "zos-z"});
+
+constexpr auto kBracketKeys = std::to_array<std::string_view>(
+    {"channel", "subdir", "name", "version", "build", "build_number", "track_features", "features", "url",
+     "md5", "sha256", "license", "license_family", "fn", "when", "extras", "flags", "optional", "target"});
+
+bool known_subdir(std::string_view text) {
+  return std::find(kSubdirs.begin(), kSubdirs.end(), text) != kSubdirs.end();
+}
+
+bool one_of(char c, std::string_view set) { return set.find(c) != std::string_view::npos; }
+
+bool is_key_char(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+}
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && one_of(text.front(), " \t\r\n")) text.remove_prefix(1);
+  while (!text.empty() && one_of(text.back(), " \t\r\n")) text.remove_suffix(1);
+  return text;
+}
+
+/// Takes the last "(...)" or "[...]" out of `text` and returns what is inside; nothing when there is none.
+std::optional<std::string> take_section(std::string& text, char open, char close) {
+  const std::size_t end = text.rfind(close);
+  if (end == std::string::npos || end == 0) return std::nullopt;
+  const std::size_t start = text.rfind(open, end - 1);
+  if (start == std::string::npos) return std::nullopt;
+  std::string inside = text.substr(start + 1, end - start - 1);
+  text.erase(start, end - start + 1);
+  return inside;
+}
+
+struct BracketPair {
+  std::string key;
+  std::string value;
+};
+
+/// The pair whose value begins behind `equals`, and where the text goes on; nothing when it is none.
+std::optional<std::pair<BracketPair, std::size_t>> pair_at(std::string_view text, std::size_t equals) {
+  std::size_t key_start = equals;
+  while (key_start > 0 && is_key_char(text[key_start - 1])) --key_start;
+  if (key_start == equals) return std::nullopt;
+  const std::string key(text.substr(key_start, equals - key_start));
+  std::size_t start = equals + 1;
+  if (start < text.size() && one_of(text[start], "'\"")) {
+    const std::size_t end = text.find_first_of("'\"", start + 1);
+    if (end == std::string_view::npos || text[end] != text[start]) return std::nullopt;
+    if (end + 1 < text.size() && !one_of(text[end + 1], ", ")) return std::nullopt;
+    return {{{key, std::string(text.substr(start + 1, end - start - 1))}, std::min(end + 2, text.size())}};
+  }
+  const std::size_t end = std::min(text.find_first_of(", ", start), text.size());
+  const std::string_view value = text.substr(start, end - start);
+  if (value.find_first_of("'\"") != std::string_view::npos) return std::nullopt;
+  return {{{key, std::string(value)}, std::min(end + 1, text.size())}};
+}
+
+/// All `key=value` of a bracket section; what is none of them is passed over, as conda does.
+std::vector<BracketPair> bracket_pairs(std::string_view text) {
+  std::vector<BracketPair> pairs;
+  std::size_t start = 0;
+  for (std::size_t at = text.find('='); at != std::string_view::npos; at = text.find('=', at)) {
+    const auto found = pair_at(text.substr(start), at - start);
+    if (found) {
+      pairs.push_back(found->first);
+      start += found->second;
+      at = start;
+    } else {
+      ++at;
+    }
+  }
+  return pairs;
+}
+
+/// "=1.2" -> "1.2*", "==1.2" -> "1.2": conda's way to write fuzzy and exact.
+std::string normal_version(const std::string& version, bool has_build) {
+  if (version == "==" || version == "=" || !version.starts_with('=')) return version;
+  const std::size_t solid = version.find_first_not_of('=');
+  const std::string rest = solid == std::string::npos ? std::string() : version.substr(solid);
+  if (version.starts_with("==") && !has_build) return rest;
+  if (rest.find_first_of("=,|") != std::string::npos) return version;
+  if (!has_build && !rest.ends_with('*')) return rest + "*";
+  return rest;
+}
+
+/// Spaces behind a sign of comparison or a comma mean nothing.
+std::string without_idle_spaces(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    if (one_of(c, " \t") && !out.empty() && one_of(out.back(), "<>=!~,|")) continue;
+    out += c;
+  }
+  return out;
+}
+
+struct VersionAndBuild {
+  std::string version;
+  std::optional<std::string> build;
+};
+
+/// The first space or `=` behind which only a build string can stand parts the two.
+VersionAndBuild part_version_and_build(std::string_view text) {
+  const std::size_t last_sign = text.find_last_of("-=,|<>~");  // none of these is in a build string
+  VersionAndBuild parts{.version = std::string(text), .build = std::nullopt};
+  for (std::size_t i = 1; i + 1 < text.size(); ++i) {
+    const bool parting = (text[i] == ' ' || text[i] == '=') && !one_of(text[i - 1], "=!|,<>~");
+    if (!parting || (last_sign != std::string_view::npos && last_sign > i)) continue;
+    parts.version = std::string(text.substr(0, i));
+    parts.build = std::string(trimmed(text.substr(i + 1)));
+    break;
+  }
+  std::erase(parts.version, ' ');
+  return parts;
+}
+
+/// CEP 26: letters, digits and single separators; `_` or `__` may stand in front.
+bool is_package_name(std::string_view name) {
+  std::size_t i = 0;
+  while (i < name.size() && i < 2 && name[i] == '_') ++i;
+  if (i == name.size()) return false;
+  bool separated = true;  // a separator now would be doubled
+  for (; i < name.size(); ++i) {
+    const char c = name[i];
+    const bool separator = c == '.' || c == '-' || c == '_';
+    if (!separator && !((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'))) return false;
+    if (separator && separated) return false;
+    separated = separator;
+  }
+  return true;
+}
+
+std::string_view last_part(std::string_view path) {
+  const std::size_t slash = path.find_last_of("/\\");
+  return slash == std::string_view::npos ? path : path.substr(slash + 1);
+}
+
+bool is_archive_name(std::string_view text) { return text.ends_with(".conda") || text.ends_with(".tar.bz2"); }
+
+}  // namespace
+
+/// Fills a MatchSpec step by step. `fault_` is set by the first step that cannot go on.
+class MatchSpecReader {
+ public:
+  explicit MatchSpecReader(std::string_view text) : given_(trimmed(text)) { spec_.text_ = std::string(given_); }
+
+  Outcome<MatchSpec> read() {
+    if (given_.empty()) return bad("it is empty");
+    if (given_.size() > kLongest) return bad("it is too long");
+    if (first_control_character()) return bad("it has a control character");
+    std::string text = without_comment();
+    if (const std::size_t condition = text.find(" if "); condition != std::string::npos) text.resize(condition);
+    text = std::string(trimmed(text));
+    if (text.ends_with('@')) return feature(text.substr(0, text.size() - 1));
+    if (is_archive_name(text)) return archive(text);
+    if (!take_brackets(text)) return fault_;
+    take_section(text, '(', ')');
+    take_channel(text);
+    if (!take_name(text) || !take_version(text) || !apply_brackets()) return fault_;
+    return std::move(spec_);
+  }
+
+ private:
+  Diagnostic bad(const std::string& why) const {
+    return Diagnostic{.code = "R2W0303",
+                      .message = "`" + std::string(given_.substr(0, 120)) + "` is no match spec: " + why};
+  }
+  bool fail(const std::string& why) {
+    fault_ = {bad(why)};
+    return false;
+  }
+  bool fail(Diagnostics errors) {
+    return fail(errors.front().message);
+  }
+
+  [[nodiscard]] bool first_control_character() const {
+    return std::any_of(given_.begin(), given_.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; });
+  }
+
+  /// Cuts a comment; the fragment of an archive's URL is its hash.
+  std::string without_comment() {
+    const std::size_t hash = given_.find('#');
+    if (hash == std::string_view::npos) return std::string(given_);
+    const std::string_view fragment = given_.substr(hash + 1);
+    const bool hex = fragment.find_first_not_of("0123456789abcdefABCDEF") == std::string_view::npos;
+    if (is_archive_name(given_.substr(0, hash)) && hex) {
+      if (fragment.size() == 32) spec_.md5_ = ascii_lower(fragment);
+      if (fragment.size() == 64) spec_.sha256_ = ascii_lower(fragment);
+    }
+    return std::string(given_.substr(0, hash));
+  }
+
+  Outcome<MatchSpec> feature(const std::string& name) {
+    spec_.name_ = *TextPattern::parse("*", LetterCase::kIgnored);
+    spec_.track_features_ = std::vector<std::string>{name};
+    return std::move(spec_);
+  }
+
+  /// A URL, a path or a file name of an archive.
+  Outcome<MatchSpec> archive(const std::string& text) {
+    const std::string_view file = last_part(text);
+    spec_.file_name_ = std::string(file);
+    if (text.find("://") != std::string::npos) spec_.url_ = text;
+    const std::string_view stem = file.substr(0, file.size() - (file.ends_with(".conda") ? 6 : 8));
+    const std::size_t build = stem.rfind('-');
+    const std::size_t version = build == 0 || build == std::string_view::npos ? build : stem.rfind('-', build - 1);
+    const std::string_view folder = std::string_view(text).substr(0, text.size() - file.size());
+    const bool in_subdir = known_subdir(last_part(folder.substr(0, folder.empty() ? 0 : folder.size() - 1)));
+    if (version == std::string_view::npos || version == 0) {
+      if (in_subdir) return bad("the file name has not the parts name, version and build");
+      spec_.name_ = *TextPattern::parse("*", LetterCase::kIgnored);
+      return std::move(spec_);
+    }
+    // The name is kept although the file says all, so that the package can be looked up.
+    const std::string name = ascii_lower(stem.substr(0, version));
+    spec_.name_ = *TextPattern::parse(is_package_name(name) ? name : "*", LetterCase::kIgnored);
+    return std::move(spec_);
+  }
+
+  bool take_brackets(std::string& text) {
+    const auto inside = take_section(text, '[', ']');
+    if (!inside) return true;
+    for (BracketPair& pair : bracket_pairs(*inside)) {
+      if (pair.value.empty()) return fail("`" + pair.key + "` has no value");
+      if (std::find(kBracketKeys.begin(), kBracketKeys.end(), pair.key) == kBracketKeys.end()) {
+        return fail("there is no field `" + pair.key + "`");
+      }
+      brackets_[pair.key] = std::move(pair.value);
+    }
+    return true;
+  }
+
+  void take_channel(std::string& text) {
+    const std::size_t colon = text.rfind(':');
+    if (colon == std::string::npos) return;
+    const std::size_t second = colon == 0 ? std::string::npos : text.rfind(':', colon - 1);
+    const std::string channel = second == std::string::npos ? std::string() : text.substr(0, second);
+    text.erase(0, colon + 1);
+    set_channel(std::string(trimmed(channel)));
+  }
+
+  /// "name/subdir" or "name".
+  void set_channel(std::string channel) {
+    if (channel.empty()) return;
+    while (channel.size() > 1 && channel.ends_with('/')) channel.pop_back();
+    const std::string_view last = last_part(channel);
+    if (last.size() < channel.size() && (known_subdir(last) || last == "*")) {
+      if (last != "*") spec_.subdir_ = std::string(last);
+      channel.resize(channel.size() - last.size() - 1);
+    }
+    channel_ = std::move(channel);
+  }
+
+  bool take_name(std::string& text) {
+    const std::size_t end = std::min(text.find_first_of(" =<>!~"), text.size());
+    const std::string name = ascii_lower(text.substr(0, end));
+    if (name.empty()) return fail("it has no package name");
+    const bool pattern = name.find('*') != std::string::npos;
+    if (!pattern && !is_package_name(name)) {
+      return fail("`" + name + "` is no package name (letters, digits, and single `-`, `_`, `.` between them)");
+    }
+    auto parsed = TextPattern::parse(name, LetterCase::kIgnored);
+    if (!parsed) return fail(parsed.errors());
+    spec_.name_ = std::move(*parsed);
+    text.erase(0, end);
+    if (text.size() < 2) text.clear();  // conda takes `name=` for `name`
+    return true;
+  }
+
+  bool take_version(const std::string& rest) {
+    const std::string text = without_idle_spaces(trimmed(rest));
+    if (text.empty()) return true;
+    if (text.find('[') != std::string::npos) return fail("it has more than one bracket section");
+    const VersionAndBuild parts = part_version_and_build(text);
+    return set_version(normal_version(parts.version, parts.build.has_value())) &&
+           (!parts.build || set_pattern(spec_.build_, *parts.build, LetterCase::kCounts));
+  }
+
+  bool set_version(const std::string& text) {
+    auto version = VersionSpec::parse(text);
+    if (!version) return fail(version.errors());
+    spec_.version_ = std::move(*version);
+    return true;
+  }
+
+  bool set_pattern(std::optional<TextPattern>& field, const std::string& text, LetterCase letter_case) {
+    auto pattern = TextPattern::parse(text, letter_case);
+    if (!pattern) return fail(pattern.errors());
+    field = std::move(*pattern);
+    return true;
+  }
+
+  bool set_build_number(const std::string& text) {
+    auto number = VersionSpec::parse(text);
+    if (!number) return fail("`build_number` is neither a number nor a comparison");
+    spec_.build_number_ = std::move(*number);
+    return true;
+  }
+
+  static std::vector<std::string> features(const std::string& text) {
+    std::vector<std::string> words;
+    std::string word;
+    for (const char c : text + " ") {
+      if (c != ' ' && c != ',') {
+        word += c;
+      } else if (!word.empty()) {
+        words.push_back(std::exchange(word, {}));
+      }
+    }
+    std::sort(words.begin(), words.end());
+    return words;
+  }
+
+  /// What stands in brackets wins over what stands before, but for the name.
+  bool apply_brackets() {
+    for (const auto& [key, value] : brackets_) {
+      bool fine = true;
+      if (key == "version") {
+        fine = set_version(normal_version(value, false));
+      } else if (key == "build") {
+        fine = set_pattern(spec_.build_, value, LetterCase::kCounts);
+      } else if (key == "build_number") {
+        fine = set_build_number(value);
+      } else if (key == "channel") {
+        set_channel(value);
+      } else if (key == "license") {
+        fine = set_pattern(spec_.license_, value, LetterCase::kIgnored);
+      } else if (key == "track_features") {
+        spec_.track_features_ = features(value);
+      } else if (key == "fn") {
+        spec_.file_name_ = value;
+      } else if (key == "url") {
+        spec_.url_ = value;
+      } else if (key == "md5") {
+        spec_.md5_ = ascii_lower(value);
+      } else if (key == "sha256") {
+        spec_.sha256_ = ascii_lower(value);
+      } else if (key == "features" || key == "license_family" || key == "flags") {
+        spec_.impossible_ = true;
+      }
+      if (!fine) return false;
+    }
+    if (const auto subdir = brackets_.find("subdir"); subdir != brackets_.end()) spec_.subdir_ = subdir->second;
+    return channel_.empty() || set_pattern(spec_.channel_, channel_, LetterCase::kCounts);
+  }
+
+  std::string_view given_;
+  MatchSpec spec_;
+  std::string channel_;
+  std::map<std::string, std::string> brackets_;
+  Diagnostics fault_;
+};
+
+Outcome<MatchSpec> MatchSpec::parse(std::string_view text) { return MatchSpecReader(text).read(); }
+
+std::optional<std::string> MatchSpec::exact_name() const {
+  return name_.exact() ? std::optional(name_.text()) : std::nullopt;
+}
+
+namespace {
+
+/// A channel is named by its whole address or by the end of it: `conda-forge` for `https://host/conda-forge`.
+bool channel_matches(const TextPattern& pattern, const std::string& channel) {
+  if (pattern.matches(channel)) return true;
+  for (std::size_t slash = channel.find('/'); slash != std::string::npos; slash = channel.find('/', slash + 1)) {
+    if (pattern.matches(std::string_view(channel).substr(slash + 1))) return true;
+  }
+  return false;
+}
+
+bool same_if_asked(const std::string& wanted, const std::string& value) {
+  return wanted.empty() || wanted == value;
+}
+
+}  // namespace
+
+bool MatchSpec::matches(const PackageRecord& record, const Version& version) const {
+  if (impossible_ || !name_.matches(record.name) || !version_.matches(version)) return false;
+  if (build_ && !build_->matches(record.build)) return false;
+  if (build_number_) {
+    const auto number = Version::parse(std::to_string(record.build_number));
+    if (!number || !build_number_->matches(*number)) return false;
+  }
+  if (channel_ && !channel_matches(*channel_, record.channel)) return false;
+  if (license_ && !license_->matches(record.license)) return false;
+  if (track_features_ && *track_features_ != record.track_features) return false;
+  return same_if_asked(subdir_, record.subdir) && same_if_asked(file_name_, record.file_name) &&
+         same_if_asked(url_, record.url) && same_if_asked(sha256_, record.sha256) &&
+         same_if_asked(md5_, record.md5);
+}
+
+bool MatchSpec::matches(const PackageRecord& record) const {
+  const auto version = Version::parse(record.version);
+  return version && matches(record, *version);
+}
+
+}  // namespace ros2wasm

@@ -1,0 +1,71 @@
+// Builds the files that go into every site, and runtime_assets.json that lists them with size and sha256.
+// usage: node runtime/build.mjs --out FOLDER. Same sources give the same bytes.
+
+import { createHash } from 'node:crypto';
+import { mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { basename, join, resolve } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { parseArgs } from 'node:util';
+import { build } from 'esbuild';
+
+const root = fileURLToPath(new URL('..', import.meta.url));
+
+/**
+ * One row per file of the site.
+ * kind: "modules" is an ES module whose dynamic imports become files of their own; "classic" one plain script;
+ * "style" one sheet; "copy" the file as it is; "node" a module for Node.js.
+ */
+const rows = [
+  { file: 'index.html', from: 'runtime/ui/index.html', kind: 'copy', role: 'page' },
+  { file: 'icon.svg', from: 'runtime/ui/icon.svg', kind: 'copy', role: 'icon' },
+  { file: 'main.js', from: 'runtime/ui/main.tsx', kind: 'modules', role: 'script' },
+  { file: 'boot.js', from: 'runtime/ui/boot.ts', kind: 'classic', role: 'script' },
+  { file: 'styles.css', from: 'runtime/ui/styles/index.css', kind: 'style', role: 'style' },
+];
+
+const shared = {
+  absWorkingDir: root, bundle: true, minify: true, charset: 'utf8', legalComments: 'none', logLevel: 'warning',
+  jsx: 'automatic', jsxImportSource: 'preact', target: 'es2022',
+};
+
+const options = {
+  modules: { format: 'esm', splitting: true, platform: 'browser', chunkNames: 'chunk-[hash]' },
+  classic: { format: 'iife', platform: 'browser' },
+  style: {},
+  node: { format: 'esm', platform: 'node', target: 'node26' },
+};
+
+async function buildRow(row, out) {
+  if (row.kind === 'copy') {
+    writeFileSync(join(out, row.file), readFileSync(join(root, row.from)));
+    return;
+  }
+  const name = row.file.replace(/\.[^.]+$/, '');
+  await build({ ...shared, ...options[row.kind], entryPoints: { [name]: row.from }, outdir: out });
+}
+
+const { values } = parseArgs({ options: { out: { type: 'string' } } });
+if (values.out === undefined) {
+  console.error('usage: build.mjs --out FOLDER');
+  process.exit(2);
+}
+const out = resolve(values.out);
+rmSync(out, { recursive: true, force: true });
+mkdirSync(out, { recursive: true });
+for (const row of rows) await buildRow(row, out);
+
+const roles = new Map(rows.map((row) => [row.file, row.role]));
+const assets = readdirSync(out)
+  .sort()
+  .map((file) => {
+    const bytes = readFileSync(join(out, file));
+    return {
+      file: basename(file),
+      role: roles.get(file) ?? 'script', // what splitting made
+      size: bytes.length,
+      sha256: createHash('sha256').update(bytes).digest('hex'),
+    };
+  });
+const constants = JSON.parse(readFileSync(join(root, 'runtime/protocol/constants.json'), 'utf8'));
+const protocol = constants.values.find((value) => value.name === 'protocol_version').value;
+writeFileSync(join(out, 'runtime_assets.json'), `${JSON.stringify({ schema: 1, protocol, assets }, null, 1)}\n`);

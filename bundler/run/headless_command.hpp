@@ -1,0 +1,38 @@
+// The command line that runs a packed site in Node.js.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "workspace_schema/cancellation.hpp"
+#include "workspace_schema/outcome.hpp"
+
+namespace ros2wasm {
+
+struct HeadlessRun {
+  std::filesystem::path site;
+  std::optional<std::chrono::milliseconds> limit;  ///< `--for`
+  std::optional<std::string> until;                ///< a JavaScript regular expression
+  std::string link;                                ///< "shared", "port", or empty: the runtime chooses
+  bool json = false;
+};
+
+/// The runtime's program for Node.js: the file of role `headless` in runtime_assets.json, in
+/// `runtime` beside the executable or in share/ros2wasm/runtime of its prefix. R2W0623.
+[[nodiscard]] Outcome<std::filesystem::path> find_headless_program(
+    const std::filesystem::path& executable);
+
+/// Nothing when Node.js takes `pattern` as a regular expression; else R2W0622 with its reason.
+[[nodiscard]] Outcome<Done> check_pattern(const std::filesystem::path& node_js,
+                                          const std::string& pattern,
+                                          const Cancellation& cancellation);
+
+/// Pure.
+[[nodiscard]] std::vector<std::string> headless_command(const std::filesystem::path& node_js,
+                                                        const std::filesystem::path& program,
+                                                        const HeadlessRun& run);
+
+}  // namespace ros2wasm

@@ -1,0 +1,229 @@
+// See site_responder.hpp.
+#include "bundler/serve/site_responder.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "bundler/io/files.hpp"
+#include "bundler/io/sha256.hpp"
+#include "bundler/serve/mime_types.hpp"
+#include "bundler/serve/request_rules.hpp"
+
+namespace ros2wasm {
+namespace {
+
+constexpr std::string_view kReloadScriptPath = ".ros2wasm/reload.js";
+constexpr std::string_view kReloadEventsPath = ".ros2wasm/events";
+
+struct OpenFile {
+  std::shared_ptr<const int> descriptor;
+  std::uint64_t size = 0;
+  std::string etag;
+};
+
+enum class Lookup { kFile, kFolder, kNothing };
+
+struct Found {
+  Lookup kind = Lookup::kNothing;
+  std::filesystem::path path;  ///< real, inside the site
+};
+
+HttpResponse text_response(int status, std::string text) {
+  return HttpResponse{.status = status,
+                      .headers = {},
+                      .content_type = "text/plain; charset=utf-8",
+                      .body = std::move(text)};
+}
+
+/// Follows links, and finds nothing when they lead out of the site.
+Found find_in_site(const std::filesystem::path& folder, const std::string& path) {
+  std::error_code error;
+  const auto root = std::filesystem::canonical(folder, error);
+  if (error) return {};
+  const auto real = std::filesystem::canonical(root / path, error);
+  if (error) return {};
+  const auto outside = std::mismatch(root.begin(), root.end(), real.begin(), real.end()).first;
+  if (outside != root.end()) return {};
+  if (std::filesystem::is_directory(real, error)) return {.kind = Lookup::kFolder, .path = real};
+  if (std::filesystem::is_regular_file(real, error)) return {.kind = Lookup::kFile, .path = real};
+  return {};
+}
+
+std::optional<OpenFile> open_file(const std::filesystem::path& path) {
+  const int fd = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  if (fd < 0) return std::nullopt;
+  const std::shared_ptr<const int> descriptor(new int(fd), [](const int* held) {
+    close(*held);
+    delete held;
+  });
+  struct stat status {};
+  if (fstat(fd, &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
+  // The change time cannot be set back, so that packs with fixed modification times differ too.
+  std::array<char, 96> etag{};
+  std::snprintf(etag.data(), etag.size(), "\"%llx-%llx-%llx.%lx\"",
+                static_cast<unsigned long long>(status.st_ino),
+                static_cast<unsigned long long>(status.st_size),
+                static_cast<unsigned long long>(status.st_ctim.tv_sec),
+                static_cast<unsigned long>(status.st_ctim.tv_nsec));
+  return OpenFile{.descriptor = descriptor,
+                  .size = static_cast<std::uint64_t>(status.st_size),
+                  .etag = etag.data()};
+}
+
+HttpResponse file_response(const HttpRequest& request, const std::filesystem::path& path) {
+  const auto file = open_file(path);
+  if (!file) return text_response(404, "This site has no such file.\n");
+  HttpResponse response{.status = 200,
+                        .headers = {{"ETag", file->etag}, {"Accept-Ranges", "bytes"}},
+                        .content_type = std::string(mime_type(path.filename().native())),
+                        .body = FileSlice{file->descriptor, 0, file->size}};
+  const auto if_none_match = request.header("If-None-Match");
+  if (if_none_match && matches_etag(*if_none_match, file->etag)) {
+    response.status = 304;
+    response.content_type.clear();
+    response.body = std::string();
+    return response;
+  }
+  const auto range_header = request.header("Range");
+  const auto if_range = request.header("If-Range");
+  if (!range_header || (if_range && *if_range != file->etag)) return response;
+  const RangeResult asked = range_of(*range_header, file->size);
+  const std::string size = std::to_string(file->size);
+  switch (asked.answer) {
+    case RangeAnswer::kWhole:
+      break;
+    case RangeAnswer::kPart:
+      response.status = 206;
+      response.body = FileSlice{file->descriptor, asked.range.first, asked.range.length};
+      response.headers.emplace_back(
+          "Content-Range", "bytes " + std::to_string(asked.range.first) + "-" +
+                               std::to_string(asked.range.first + asked.range.length - 1) + "/" +
+                               size);
+      break;
+    case RangeAnswer::kUnsatisfiable:
+      response = text_response(416, "The file has " + size + " bytes.\n");
+      response.headers.emplace_back("Content-Range", "bytes */" + size);
+      break;
+  }
+  return response;
+}
+
+/// The start page in watch mode: never kept, and with the reload script.
+HttpResponse watched_page(const ReloadHub& reload, const std::filesystem::path& path) {
+  const auto page = read_file(path);
+  if (!page) return text_response(404, "This site has no such file.\n");
+  return HttpResponse{.status = 200,
+                      .headers = {},
+                      .content_type = std::string(mime_type("index.html")),
+                      .body = with_reload_script(*page, reload.state().version)};
+}
+
+std::optional<HttpResponse> reload_response(const ReloadHub& reload, const std::string& path) {
+  if (path == kReloadScriptPath) {
+    return HttpResponse{.status = 200,
+                        .headers = {},
+                        .content_type = std::string(mime_type("reload.js")),
+                        .body = std::string(reload_script())};
+  }
+  if (path == kReloadEventsPath) {
+    return HttpResponse{.status = 200,
+                        .headers = {},
+                        .content_type = "text/event-stream",
+                        .body = reload.events()};
+  }
+  return std::nullopt;
+}
+
+HttpResponse path_response(const SiteServing& serving, const HttpRequest& request,
+                           const std::string& path) {
+  if (serving.reload) {
+    if (auto special = reload_response(*serving.reload, path)) return std::move(*special);
+  }
+  const bool wants_folder = path.empty() || path.ends_with('/');
+  const Found found = find_in_site(serving.folder, wants_folder ? path + "index.html" : path);
+  if (found.kind == Lookup::kFile) {
+    if (serving.reload && (path.empty() || path == "index.html"))
+      return watched_page(*serving.reload, found.path);
+    return file_response(request, found.path);
+  }
+  // A folder's page has relative links, which need the slash.
+  if (found.kind == Lookup::kFolder && !wants_folder &&
+      find_in_site(serving.folder, path + "/index.html").kind == Lookup::kFile) {
+    HttpResponse redirect = text_response(308, "This page is a folder.\n");
+    const std::string_view sent = std::string_view(request.target).substr(
+        0, request.target.find_first_of("?#"));
+    redirect.headers.emplace_back("Location",
+                                  "." + std::string(sent.substr(sent.rfind('/'))) + "/");
+    return redirect;
+  }
+  return text_response(404, "This site has no such file.\n");
+}
+
+HttpResponse bare_response(const SiteServing& serving, const HttpRequest& request) {
+  if (serving.only_local_hosts && !is_local_host(request.header("Host").value_or("localhost"))) {
+    return text_response(403,
+                         "This server answers only to the name of this machine (localhost).\n"
+                         "To serve under other names, start it with `--host 0.0.0.0`.\n");
+  }
+  if (request.method != "GET" && request.method != "HEAD") {
+    HttpResponse refused = text_response(405, "Only GET and HEAD are answered.\n");
+    refused.headers.emplace_back("Allow", "GET, HEAD");
+    refused.headers.emplace_back("Connection", "close");  // whatever was sent is not read
+    return refused;
+  }
+  const auto path = site_path_of(request.target);
+  if (!path) return text_response(404, "This site has no such file.\n");
+  return path_response(serving, request, *path);
+}
+
+}  // namespace
+
+Outcome<Done> check_site(const std::filesystem::path& folder) {
+  std::error_code error;
+  Diagnostic problem{.code = "R2W0612",
+                     .message = "`" + folder.string() + "` is not a packed site"};
+  if (!std::filesystem::exists(folder, error)) {
+    problem.why.push_back("there is no such folder");
+  } else if (!std::filesystem::is_directory(folder, error)) {
+    problem.why.push_back("it is a file; a site is a folder");
+  } else if (!std::filesystem::is_regular_file(folder / "site.json", error)) {
+    problem.why.push_back("it has no site.json");
+  } else if (!std::filesystem::is_regular_file(folder / "index.html", error)) {
+    problem.why.push_back("it has no index.html");
+  } else {
+    return Done{};
+  }
+  // The manifest is the most likely mistake: offer what makes a site of it.
+  const bool workspace = std::filesystem::is_regular_file(folder / "workspace.yaml", error);
+  const bool manifest = folder.filename() == "workspace.yaml";
+  if (workspace || manifest) {
+    problem.why.push_back("it is a workspace, which must be packed first");
+    problem.fix.push_back("ros2wasm pack " + folder.string() + " -o site && ros2wasm serve site");
+  }
+  return problem;
+}
+
+std::string site_version(const std::filesystem::path& folder) {
+  const auto description = read_file(folder / "site.json");
+  return description ? sha256_hex(*description).substr(0, 16) : std::string("none");
+}
+
+HttpResponse site_response(const SiteServing& serving, const HttpRequest& request) {
+  HttpResponse response = bare_response(serving, request);
+  const bool live = std::holds_alternative<TextStream>(response.body);
+  response.headers.emplace_back("Cache-Control", live ? "no-store" : "no-cache");
+  response.headers.emplace_back("X-Content-Type-Options", "nosniff");
+  if (serving.isolation) {
+    response.headers.emplace_back("Cross-Origin-Opener-Policy", "same-origin");
+    response.headers.emplace_back("Cross-Origin-Embedder-Policy", "require-corp");
+    response.headers.emplace_back("Cross-Origin-Resource-Policy", "same-origin");
+  }
+  return response;
+}
+
+}  // namespace ros2wasm

@@ -1,0 +1,29 @@
+// Answers requests with the files of a packed site, and nothing outside of it.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "bundler/serve/http_server.hpp"
+#include "bundler/serve/reload.hpp"
+#include "workspace_schema/outcome.hpp"
+
+namespace ros2wasm {
+
+struct SiteServing {
+  std::filesystem::path folder;    ///< absolute; may be replaced by another folder at any time
+  bool isolation = true;           ///< send the headers that make the page cross-origin isolated
+  bool only_local_hosts = true;    ///< refuse requests for the names of other machines
+  std::optional<ReloadHub> reload;  ///< watch mode: pages get the reload script
+};
+
+/// R2W0612 the folder is not a packed site.
+[[nodiscard]] Outcome<Done> check_site(const std::filesystem::path& folder);
+
+/// A short text that changes with the bytes of the site: from the list of files in its site.json.
+[[nodiscard]] std::string site_version(const std::filesystem::path& folder);
+
+/// Thread-safe: reads the disk, changes nothing.
+[[nodiscard]] HttpResponse site_response(const SiteServing& serving, const HttpRequest& request);
+
+}  // namespace ros2wasm

@@ -1,0 +1,94 @@
+// `ros2wasm serve SITE`: the site on this machine, with the headers that a good host sends; with
+// --watch, packed again and reloaded when its workspace changes.
+#include <poll.h>
+
+#include <memory>
+
+#include "bundler/serve/site_responder.hpp"
+#include "bundler/serve/workspace_watch.hpp"
+#include "cli/arguments.hpp"
+#include "cli/console.hpp"
+#include "cli/diagnostic_text.hpp"
+#include "cli/interrupt.hpp"
+
+namespace ros2wasm {
+namespace {
+
+constexpr int kLookIntervalMs = 200;
+constexpr int kUsualPort = 8000;  // always the same, so that the browser keeps what it knows of a site
+
+struct Options {
+  std::string site;
+  std::optional<int> port;
+  std::string host = "127.0.0.1";
+  bool no_isolation = false;
+  std::optional<std::string> watch;
+};
+
+bool is_loopback(const std::string& host) {
+  return host == "localhost" || host == "::1" || host.starts_with("127.");
+}
+
+std::string link_to(const std::string& host, int port) {
+  const bool any = host == "0.0.0.0" || host == "::";
+  const std::string name = any ? "localhost" : host;
+  const bool literal6 = name.find(':') != std::string::npos;
+  return "http://" + (literal6 ? "[" + name + "]" : name) + ":" + std::to_string(port) + "/";
+}
+
+/// Returns when it is time to look at the workspace, or when the program should end.
+void wait_for_stop(const Cancellation& cancellation, int timeout_ms) {
+  pollfd wake{.fd = cancellation.wake_fd(), .events = POLLIN, .revents = 0};
+  poll(&wake, 1, timeout_ms);
+}
+
+void say_what_is_served(Context& context, const Options& options, int port) {
+  Console& console = context.console;
+  const std::string link = link_to(options.host, port);
+  console.result(link);
+  console.remark("Serving " + options.site + ". Open the link; Ctrl-C ends the server.");
+  if (options.no_isolation)
+    console.remark("Without the isolation headers, as on a host that cannot send them.");
+  if (!is_loopback(options.host))
+    console.remark("Other machines can reach it too, because of --host " + options.host + ".");
+}
+
+/// The usual port is a wish, a port that was asked for is not.
+Outcome<HttpServer> start_server(const Options& options, const HttpHandler& handler) {
+  if (options.port) return HttpServer::start(options.host, *options.port, handler);
+  auto usual = HttpServer::start(options.host, kUsualPort, handler);
+  if (usual || usual.errors().front().code != "R2W0610") return usual;
+  return HttpServer::start(options.host, 0, handler);
+}
+
+int serve(Context& context, const Options& options) {
+  std::error_code error;
+  SiteServing serving{.folder = std::filesystem::absolute(options.site, error),
+                      .isolation = !options.no_isolation,
+                      .only_local_hosts = is_loopback(options.host),
+                      .reload = std::nullopt};
+  if (const auto site = check_site(options.site); !site) return context.console.fail(site.errors());
+  const auto server = start_server(
+      options, [serving](const HttpRequest& request) { return site_response(serving, request); });
+  if (!server) return context.console.fail(server.errors());
+  say_what_is_served(context, options, server->port());
+  while (!context.cancellation.requested()) wait_for_stop(context.cancellation, -1);
+  return asked_to_end() ? 0 : static_cast<int>(FailureKind::kInterrupted);
+}
+
+}  // namespace
+
+CommandBody serve_command(Arguments& arguments) {
+  const auto options = std::make_shared<Options>();
+  arguments.required("SITE", options->site, "the folder that `ros2wasm pack` wrote");
+  arguments.number("-p,--port", options->port, "N", 0, 65535,
+                   "0 takes any free port [8000, or any when that is in use]");
+  arguments.value("--host", options->host, "ADDRESS",
+                  "0.0.0.0 lets other machines in [127.0.0.1]");
+  arguments.flag("--no-isolation", options->no_isolation,
+                 "leave out COOP and COEP, as hosts do that cannot send headers");
+  arguments.examples({"ros2wasm serve site", "ros2wasm serve site --port 0"});
+  return [options](Context& context) { return serve(context, *options); };
+}
+
+}  // namespace ros2wasm

@@ -11,6 +11,7 @@ const cppTypes = { u32: 'uint32_t', i32: 'int32_t', ptr: 'uint32_t', i64: 'int64
 
 const pascal = (name) => name.split('_').map((w) => w[0].toUpperCase() + w.slice(1)).join('');
 const camel = (name) => name.replace(/_(.)/g, (_, letter) => letter.toUpperCase());
+const snake = (name) => name.replace(/(?<=[a-z])[A-Z]/g, '_$&').toLowerCase();
 const upper = (name) => name.toUpperCase();
 
 /** Fields with their offsets; throws when the declared size is wrong. */
@@ -39,6 +40,11 @@ function cpp() {
     for (const [member, value] of Object.entries(members)) out.push(`  k${pascal(member)} = ${value},`);
     out.push('};');
   }
+  for (const { name, doc, members } of source.layouts) {
+    out.push('', `/// ${doc}`, `namespace ${snake(name)}`, '{');
+    for (const [member, value] of Object.entries(members)) out.push(`inline constexpr int32_t k${pascal(member)} = ${value};`);
+    out.push(`}  // namespace ${snake(name)}`);
+  }
   for (const struct of source.structs) {
     const fields = layout(struct);
     out.push('', `/// ${struct.doc}`, `struct ${struct.name}`, '{');
@@ -64,6 +70,11 @@ function ts() {
     for (const [member, value] of Object.entries(members)) out.push(`  ${camel(member)}: ${value},`);
     out.push('} as const;', `export type ${name} = (typeof ${name})[keyof typeof ${name}];`);
   }
+  for (const { name, doc, members } of source.layouts) {
+    out.push('', `/** ${doc} */`, `export const ${name} = {`);
+    for (const [member, value] of Object.entries(members)) out.push(`  ${camel(member)}: ${value},`);
+    out.push('} as const;');
+  }
   for (const struct of source.structs) {
     out.push('', `/** Byte offsets. ${struct.doc} */`, `export const ${struct.name}Layout = {`, `  size: ${struct.size},`);
     for (const { name, offset } of layout(struct)) out.push(`  ${camel(name)}: ${offset},`);
@@ -85,7 +96,7 @@ function py() {
   for (const struct of source.structs) {
     const fields = layout(struct);
     out.push('', `#: struct format. ${struct.doc}`,
-      `${upper(struct.name.replace(/(?<=[a-z])[A-Z]/g, '_$&'))}_FORMAT = "<${fields.map((f) => formats[f.type]).join('')}"`);
+      `${upper(snake(struct.name))}_FORMAT = "<${fields.map((f) => formats[f.type]).join('')}"`);
   }
   out.push('');
   return out.join('\n');

@@ -121,6 +121,157 @@ enum class PolicyKind : int32_t
   kLivelinessLease = 256,
 };
 
+/// Bytes of the fixed structures of the shared bus.
+namespace bus_sizes
+{
+inline constexpr int32_t kPage = 4096;
+inline constexpr int32_t kParticipant = 128;
+inline constexpr int32_t kNode = 640;
+inline constexpr int32_t kEndpoint = 1088;
+inline constexpr int32_t kSlot = 32;
+inline constexpr int32_t kRingHeader = 64;
+inline constexpr int32_t kAlign = 64;
+}  // namespace bus_sizes
+
+/// Int32 words from byte 0. Offsets of tables are in bytes.
+namespace bus_header
+{
+inline constexpr int32_t kMagic = 0;
+inline constexpr int32_t kVersion = 1;
+inline constexpr int32_t kParticipants = 2;
+inline constexpr int32_t kParticipantCount = 3;
+inline constexpr int32_t kNodes = 4;
+inline constexpr int32_t kNodeCount = 5;
+inline constexpr int32_t kEndpoints = 6;
+inline constexpr int32_t kEndpointCount = 7;
+inline constexpr int32_t kGraphLog = 8;
+inline constexpr int32_t kGraphLogSize = 9;
+inline constexpr int32_t kPageTable = 10;
+inline constexpr int32_t kPageCount = 11;
+inline constexpr int32_t kPages = 12;
+inline constexpr int32_t kSession0 = 13;
+inline constexpr int32_t kSession1 = 14;
+inline constexpr int32_t kGrowPages = 15;
+inline constexpr int32_t kGraphVersion = 32;
+inline constexpr int32_t kEndpointHigh = 33;
+inline constexpr int32_t kNodeHigh = 34;
+inline constexpr int32_t kOrder = 64;
+inline constexpr int32_t kPageHint = 96;
+inline constexpr int32_t kObservers = 112;
+inline constexpr int32_t kObserverCount = 8;
+inline constexpr int32_t kSiteTime = 128;
+inline constexpr int32_t kSize = 1024;
+}  // namespace bus_header
+
+/// Int32 words of a participant slot.
+namespace bus_participant
+{
+inline constexpr int32_t kState = 0;
+inline constexpr int32_t kGeneration = 1;
+inline constexpr int32_t kStop = 2;
+inline constexpr int32_t kGraphInterest = 3;
+inline constexpr int32_t kWake = 16;
+inline constexpr int32_t kSleepers = 17;
+}  // namespace bus_participant
+
+/// Values of BusParticipant.state.
+namespace bus_participant_state
+{
+inline constexpr int32_t kFree = 0;
+inline constexpr int32_t kLive = 1;
+inline constexpr int32_t kEnded = 2;
+}  // namespace bus_participant_state
+
+/// Int32 words of a node slot; the strings at byte offsets.
+namespace bus_node
+{
+inline constexpr int32_t kState = 0;
+inline constexpr int32_t kGeneration = 1;
+inline constexpr int32_t kBorn = 2;
+inline constexpr int32_t kNamespaceLength = 3;
+inline constexpr int32_t kNameLength = 4;
+inline constexpr int32_t kNamespaceBytes = 64;
+inline constexpr int32_t kNameBytes = 320;
+}  // namespace bus_node
+
+/// Int32 words of an endpoint slot; the strings at byte offsets.
+namespace bus_endpoint
+{
+inline constexpr int32_t kState = 0;
+inline constexpr int32_t kGeneration = 1;
+inline constexpr int32_t kKind = 2;
+inline constexpr int32_t kNode = 3;
+inline constexpr int32_t kBorn = 4;
+inline constexpr int32_t kGone = 5;
+inline constexpr int32_t kFlags = 6;
+inline constexpr int32_t kReliability = 7;
+inline constexpr int32_t kDurability = 8;
+inline constexpr int32_t kHistory = 9;
+inline constexpr int32_t kDepth = 10;
+inline constexpr int32_t kLiveliness = 11;
+inline constexpr int32_t kDeadline = 12;
+inline constexpr int32_t kLifespan = 14;
+inline constexpr int32_t kLease = 16;
+inline constexpr int32_t kGid = 18;
+inline constexpr int32_t kNameLength = 22;
+inline constexpr int32_t kTypeLength = 23;
+inline constexpr int32_t kHashLength = 24;
+inline constexpr int32_t kHead = 32;
+inline constexpr int32_t kRing = 33;
+inline constexpr int32_t kHeadHigh = 34;
+inline constexpr int32_t kBytesLow = 35;
+inline constexpr int32_t kBytesHigh = 36;
+inline constexpr int32_t kBlocked = 37;
+inline constexpr int32_t kSignal = 48;
+inline constexpr int32_t kDrained = 49;
+inline constexpr int32_t kHazard = 50;
+inline constexpr int32_t kTable = 51;
+inline constexpr int32_t kMatchedTotal = 64;
+inline constexpr int32_t kMatchedCurrent = 65;
+inline constexpr int32_t kMatchedTotalRead = 66;
+inline constexpr int32_t kMatchedCurrentRead = 67;
+inline constexpr int32_t kIncompatibleTotal = 68;
+inline constexpr int32_t kIncompatiblePolicy = 69;
+inline constexpr int32_t kIncompatibleRead = 70;
+inline constexpr int32_t kWrongTypeTotal = 71;
+inline constexpr int32_t kWrongTypeRead = 72;
+inline constexpr int32_t kLostTotal = 73;
+inline constexpr int32_t kLostRead = 74;
+inline constexpr int32_t kInlineTable = 96;
+inline constexpr int32_t kInlineEntries = 8;
+inline constexpr int32_t kNameBytes = 448;
+inline constexpr int32_t kTypeBytes = 704;
+inline constexpr int32_t kHashBytes = 960;
+}  // namespace bus_endpoint
+
+/// Low byte of a node's or endpoint's state; the rest is participant index + 1.
+namespace bus_phase
+{
+inline constexpr int32_t kFree = 0;
+inline constexpr int32_t kClaimed = 1;
+inline constexpr int32_t kLive = 2;
+inline constexpr int32_t kDeparted = 3;
+}  // namespace bus_phase
+
+/// Int32 words of one slot of a writer's ring. Units of 64 bytes where it says unit.
+namespace bus_slot
+{
+inline constexpr int32_t kSequence = 0;
+inline constexpr int32_t kFrameUnit = 1;
+inline constexpr int32_t kLength = 2;
+inline constexpr int32_t kOrder = 3;
+inline constexpr int32_t kTarget = 4;
+inline constexpr int32_t kExtentUnit = 5;
+inline constexpr int32_t kExtentPages = 6;
+}  // namespace bus_slot
+
+/// Int32 words of the header in front of a ring's slots.
+namespace bus_ring
+{
+inline constexpr int32_t kStride = 0;
+inline constexpr int32_t kPages = 1;
+}  // namespace bus_ring
+
 /// What travels with a payload; also the frame header on both links. Little endian.
 struct SampleInfo
 {

@@ -114,6 +114,148 @@ export const PolicyKind = {
 } as const;
 export type PolicyKind = (typeof PolicyKind)[keyof typeof PolicyKind];
 
+/** Bytes of the fixed structures of the shared bus. */
+export const BusSizes = {
+  page: 4096,
+  participant: 128,
+  node: 640,
+  endpoint: 1088,
+  slot: 32,
+  ringHeader: 64,
+  align: 64,
+} as const;
+
+/** Int32 words from byte 0. Offsets of tables are in bytes. */
+export const BusHeader = {
+  magic: 0,
+  version: 1,
+  participants: 2,
+  participantCount: 3,
+  nodes: 4,
+  nodeCount: 5,
+  endpoints: 6,
+  endpointCount: 7,
+  graphLog: 8,
+  graphLogSize: 9,
+  pageTable: 10,
+  pageCount: 11,
+  pages: 12,
+  session0: 13,
+  session1: 14,
+  growPages: 15,
+  graphVersion: 32,
+  endpointHigh: 33,
+  nodeHigh: 34,
+  order: 64,
+  pageHint: 96,
+  observers: 112,
+  observerCount: 8,
+  siteTime: 128,
+  size: 1024,
+} as const;
+
+/** Int32 words of a participant slot. */
+export const BusParticipant = {
+  state: 0,
+  generation: 1,
+  stop: 2,
+  graphInterest: 3,
+  wake: 16,
+  sleepers: 17,
+} as const;
+
+/** Values of BusParticipant.state. */
+export const BusParticipantState = {
+  free: 0,
+  live: 1,
+  ended: 2,
+} as const;
+
+/** Int32 words of a node slot; the strings at byte offsets. */
+export const BusNode = {
+  state: 0,
+  generation: 1,
+  born: 2,
+  namespaceLength: 3,
+  nameLength: 4,
+  namespaceBytes: 64,
+  nameBytes: 320,
+} as const;
+
+/** Int32 words of an endpoint slot; the strings at byte offsets. */
+export const BusEndpoint = {
+  state: 0,
+  generation: 1,
+  kind: 2,
+  node: 3,
+  born: 4,
+  gone: 5,
+  flags: 6,
+  reliability: 7,
+  durability: 8,
+  history: 9,
+  depth: 10,
+  liveliness: 11,
+  deadline: 12,
+  lifespan: 14,
+  lease: 16,
+  gid: 18,
+  nameLength: 22,
+  typeLength: 23,
+  hashLength: 24,
+  head: 32,
+  ring: 33,
+  headHigh: 34,
+  bytesLow: 35,
+  bytesHigh: 36,
+  blocked: 37,
+  signal: 48,
+  drained: 49,
+  hazard: 50,
+  table: 51,
+  matchedTotal: 64,
+  matchedCurrent: 65,
+  matchedTotalRead: 66,
+  matchedCurrentRead: 67,
+  incompatibleTotal: 68,
+  incompatiblePolicy: 69,
+  incompatibleRead: 70,
+  wrongTypeTotal: 71,
+  wrongTypeRead: 72,
+  lostTotal: 73,
+  lostRead: 74,
+  inlineTable: 96,
+  inlineEntries: 8,
+  nameBytes: 448,
+  typeBytes: 704,
+  hashBytes: 960,
+} as const;
+
+/** Low byte of a node's or endpoint's state; the rest is participant index + 1. */
+export const BusPhase = {
+  free: 0,
+  claimed: 1,
+  live: 2,
+  departed: 3,
+} as const;
+
+/** Int32 words of one slot of a writer's ring. Units of 64 bytes where it says unit. */
+export const BusSlot = {
+  sequence: 0,
+  frameUnit: 1,
+  length: 2,
+  order: 3,
+  target: 4,
+  extentUnit: 5,
+  extentPages: 6,
+} as const;
+
+/** Int32 words of the header in front of a ring's slots. */
+export const BusRing = {
+  stride: 0,
+  pages: 1,
+} as const;
+
 /** Byte offsets. What travels with a payload; also the frame header on both links. Little endian. */
 export const SampleInfoLayout = {
   size: 64,

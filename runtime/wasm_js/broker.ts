@@ -1,0 +1,230 @@
+// Gives workers their place on the bus (or in the mesh of ports) and clears up after them. Lives on the page's main
+// thread and is never in the path of a message.
+
+import { BusEndpoint, BusHeader, BusNode, BusParticipant, BusParticipantState, BusPhase } from '../protocol/generated/constants.ts';
+import { Bus, createBus, type BusOptions } from './bus.ts';
+import { departEndpoint, logChange, nodeBit, readEndpoint, releaseEndpoint } from './bus_tables.ts';
+import { relate } from './graph.ts';
+import type { Link } from './link.ts';
+import { PortLink } from './port_link.ts';
+import type { PeerPort } from './port_messages.ts';
+import { endpointKey, findCursor } from './shared_ring.ts';
+import { SharedLink } from './shared_link.ts';
+
+/** What a worker needs to join; goes there by postMessage. */
+export type LinkTicket =
+  | { readonly kind: 'shared'; readonly sab: SharedArrayBuffer; readonly participant: number }
+  | {
+    readonly kind: 'port';
+    readonly participant: number;
+    readonly session: readonly [number, number];
+    readonly control: MessagePort;
+    readonly peers: readonly PeerPort[];
+  };
+
+export interface Admission {
+  readonly participant: number;
+  readonly ticket: LinkTicket;
+  readonly transfer: readonly MessagePort[];
+}
+
+export interface Broker {
+  readonly kind: 'shared' | 'port';
+  /** The page's own place; it must not block. */
+  readonly link: SharedLink | PortLink;
+  /** A place for a worker; undefined when all are taken. */
+  admit(): Admission | undefined;
+  /** As SIGINT. */
+  stop(participant: number): void;
+  /** The worker is gone: its endpoints vanish. `closed`: it took its leave itself. */
+  end(participant: number, closed: boolean): void;
+  close(): void;
+}
+
+/** Joins the graph from within a worker. */
+export function openLink(ticket: LinkTicket, mayBlock: boolean): Link {
+  switch (ticket.kind) {
+    case 'shared':
+      return new SharedLink({ bus: new Bus(ticket.sab), participant: ticket.participant, mayBlock });
+    case 'port':
+      return new PortLink(ticket);
+  }
+}
+
+export class SharedBroker implements Broker {
+  readonly kind = 'shared';
+  readonly bus: Bus;
+  readonly link: SharedLink;
+  private readonly lingering = new Set<number>();
+  private timer: ReturnType<typeof setInterval> | undefined;
+
+  constructor(options: BusOptions = {}) {
+    this.bus = createBus(options);
+    this.link = new SharedLink({ bus: this.bus, participant: this.bus.claimParticipant(), mayBlock: false });
+  }
+
+  admit(): Admission | undefined {
+    const participant = this.bus.claimParticipant();
+    if (participant < 0) return undefined;
+    return { participant, ticket: { kind: 'shared', sab: this.bus.sab, participant }, transfer: [] };
+  }
+
+  stop(participant: number): void {
+    this.bus.requestStop(participant);
+  }
+
+  end(participant: number): void {
+    const { bus } = this;
+    const { i32 } = bus;
+    Atomics.store(i32, bus.participantWord(participant) + BusParticipant.state, BusParticipantState.ended);
+    Atomics.store(i32, bus.participantWord(participant) + BusParticipant.graphInterest, 0);
+    const mine = (participant + 1) << 8;
+    const endpoints = Atomics.load(i32, BusHeader.endpointHigh);
+    for (let index = 0; index < bus.endpointCount; index += 1) {
+      const word = bus.endpointWord(index);
+      const state = Atomics.load(i32, word);
+      if (state === 0 && index >= endpoints) break;
+      if ((state & ~255) !== mine) continue;
+      const key = endpointKey(index, Atomics.load(i32, word + BusEndpoint.generation));
+      if ((state & 255) === BusPhase.claimed) {
+        // It died while it made or freed this one: nobody else has seen it.
+        bus.freeAll(key);
+        bus.freeAll(endpointKey(index, (key >>> 13) - 1));
+        Atomics.add(i32, word + BusEndpoint.generation, 1);
+        Atomics.store(i32, word, BusPhase.free);
+        logChange(bus, index);
+      } else {
+        departEndpoint(bus, key, participant);
+      }
+    }
+    const nodes = Atomics.load(i32, BusHeader.nodeHigh);
+    for (let index = 0; index < bus.nodeCount; index += 1) {
+      const word = bus.nodeWord(index);
+      const state = Atomics.load(i32, word + BusNode.state);
+      if (state === 0 && index >= nodes) break;
+      if ((state & ~255) !== mine) continue;
+      Atomics.store(i32, word + BusNode.state, BusPhase.free);
+      logChange(bus, nodeBit | index);
+    }
+    for (let other = 0; other < bus.participantCount; other += 1) {
+      const state = Atomics.load(i32, bus.participantWord(other) + BusParticipant.state);
+      if (state === BusParticipantState.live) bus.bump(other);
+    }
+    this.lingering.add(participant);
+    this.reap();
+  }
+
+  /** Frees what the ended have left behind once it is read. */
+  private reap(): void {
+    for (const participant of [...this.lingering]) if (this.release(participant)) this.lingering.delete(participant);
+    if (this.lingering.size > 0 && this.timer === undefined) {
+      this.timer = setInterval(() => this.reap(), 500);
+      if (typeof this.timer === 'object') this.timer.unref();
+    }
+    if (this.lingering.size === 0 && this.timer !== undefined) {
+      clearInterval(this.timer);
+      this.timer = undefined;
+    }
+  }
+
+  private release(participant: number): boolean {
+    const { bus } = this;
+    const { i32 } = bus;
+    const departed = ((participant + 1) << 8) | BusPhase.departed;
+    const endpoints = Atomics.load(i32, BusHeader.endpointHigh);
+    let left = 0;
+    for (let index = 0; index < endpoints; index += 1) {
+      const word = bus.endpointWord(index);
+      if (Atomics.load(i32, word) !== departed) continue;
+      const key = endpointKey(index, Atomics.load(i32, word + BusEndpoint.generation));
+      if (this.unread(index, key)) left += 1;
+      else releaseEndpoint(bus, key, participant);
+    }
+    if (left > 0) return false;
+    Atomics.store(i32, bus.participantWord(participant) + BusParticipant.state, BusParticipantState.free);
+    return true;
+  }
+
+  /** Is there a reader that knew this writer and has not come to its end? */
+  private unread(index: number, key: number): boolean {
+    const { bus } = this;
+    const { i32 } = bus;
+    const word = bus.endpointWord(index);
+    const head = Atomics.load(i32, word + BusEndpoint.head);
+    const writer = readEndpoint(bus, index);
+    if (head === 0 || writer === undefined || Atomics.load(i32, word + BusEndpoint.ring) === 0) return false;
+    const gone = Atomics.load(i32, word + BusEndpoint.gone);
+    const endpoints = Atomics.load(i32, BusHeader.endpointHigh);
+    for (let other = 0; other < endpoints; other += 1) {
+      const reader = bus.endpointWord(other);
+      if ((Atomics.load(i32, reader) & 255) !== BusPhase.live) continue;
+      if (((gone - Atomics.load(i32, reader + BusEndpoint.born)) | 0) <= 0) continue;
+      if (Atomics.load(i32, reader + BusEndpoint.drained) === Atomics.load(i32, reader + BusEndpoint.signal)) continue;
+      const record = readEndpoint(bus, other)?.record;
+      if (record === undefined || relate(writer.record, record).kind !== 'match') continue;
+      const pair = findCursor(bus, reader, key);
+      if (pair < 0 || Atomics.load(bus.i32, pair + 1) !== head) return true;
+    }
+    return false;
+  }
+
+  close(): void {
+    if (this.timer !== undefined) clearInterval(this.timer);
+    this.timer = undefined;
+    this.lingering.clear();
+  }
+}
+
+export class PortBroker implements Broker {
+  readonly kind = 'port';
+  readonly link: PortLink;
+  private readonly session: readonly [number, number];
+  private readonly controls = new Map<number, MessagePort>();
+  private next = 1;
+
+  constructor() {
+    const random = crypto.getRandomValues(new Int32Array(2));
+    this.session = [random[0] ?? 0, random[1] ?? 0];
+    const { port1, port2 } = new MessageChannel();
+    this.controls.set(0, port1);
+    this.link = new PortLink({ participant: 0, session: this.session, control: port2, peers: [] });
+  }
+
+  admit(): Admission | undefined {
+    const participant = this.next;
+    if (participant > 0x7ff) return undefined;
+    this.next += 1;
+    const control = new MessageChannel();
+    const peers: PeerPort[] = [];
+    for (const [other, port] of this.controls) {
+      const channel = new MessageChannel();
+      const message: PeerPort = { participant, port: channel.port1 };
+      if (other === 0) this.link.addPeer(message);
+      else port.postMessage({ t: 'peer', peer: message }, [channel.port1]);
+      peers.push({ participant: other, port: channel.port2 });
+    }
+    this.controls.set(participant, control.port1);
+    const ticket: LinkTicket = { kind: 'port', participant, session: this.session, control: control.port2, peers };
+    return { participant, ticket, transfer: [control.port2, ...peers.map((peer) => peer.port)] };
+  }
+
+  stop(participant: number): void {
+    this.controls.get(participant)?.postMessage({ t: 'stop' });
+  }
+
+  end(participant: number, closed: boolean): void {
+    this.controls.get(participant)?.close();
+    this.controls.delete(participant);
+    if (closed) return;
+    for (const [other, port] of this.controls) {
+      if (other === 0) this.link.dropPeer(participant);
+      else port.postMessage({ t: 'gone', participant });
+    }
+  }
+
+  close(): void {
+    this.link.close();
+    for (const port of this.controls.values()) port.close();
+    this.controls.clear();
+  }
+}

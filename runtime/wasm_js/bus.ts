@@ -1,0 +1,266 @@
+// The shared bus: one growable SharedArrayBuffer with fixed tables and 4 KiB pages. Memory, pages and wake words;
+// knows nothing of samples. Every structure has one writer or is changed by compare-and-exchange only, so that a
+// worker that is terminated at any instruction leaves nothing locked. Layout: protocol/SPEC.md section 4.
+
+import {
+  BusEndpoint, BusHeader, BusNode, BusParticipant, BusParticipantState, BusSizes, ErrorCode, protocolVersion,
+} from '../protocol/generated/constants.ts';
+
+const magic = 0x52325742;
+
+export interface BusOptions {
+  /** Most bytes the bus may grow to. */
+  readonly ceiling?: number;
+  readonly participants?: number;
+  readonly nodes?: number;
+  readonly endpoints?: number;
+  readonly graphLog?: number;
+}
+
+export const defaultCeiling = 1 << 30;
+
+function roundUp(value: number, unit: number): number {
+  return Math.ceil(value / unit) * unit;
+}
+
+/** A bus in the calling thread's hands. Offsets are bytes, `word` arguments are Int32 indices. */
+export class Bus {
+  readonly sab: SharedArrayBuffer;
+  i32: Int32Array;
+  u8: Uint8Array;
+  readonly participantCount: number;
+  readonly nodeCount: number;
+  readonly endpointCount: number;
+  readonly graphLogMask: number;
+  readonly pageLimit: number;
+  private readonly participants: number;
+  private readonly nodes: number;
+  private readonly endpoints: number;
+  readonly graphLog: number;
+  private readonly pageTable: number;
+  private readonly pages: number;
+
+  constructor(sab: SharedArrayBuffer) {
+    this.sab = sab;
+    this.i32 = new Int32Array(sab, 0, sab.byteLength >> 2);
+    this.u8 = new Uint8Array(sab, 0, sab.byteLength);
+    const header = (word: number): number => Atomics.load(this.i32, word);
+    if (header(BusHeader.magic) !== magic || header(BusHeader.version) !== protocolVersion) {
+      throw new RangeError('not a bus of this protocol version');
+    }
+    this.participants = header(BusHeader.participants) >> 2;
+    this.participantCount = header(BusHeader.participantCount);
+    this.nodes = header(BusHeader.nodes) >> 2;
+    this.nodeCount = header(BusHeader.nodeCount);
+    this.endpoints = header(BusHeader.endpoints) >> 2;
+    this.endpointCount = header(BusHeader.endpointCount);
+    this.graphLog = header(BusHeader.graphLog) >> 2;
+    this.graphLogMask = header(BusHeader.graphLogSize) - 1;
+    this.pageTable = header(BusHeader.pageTable) >> 2;
+    this.pageLimit = header(BusHeader.pageCount);
+    this.pages = header(BusHeader.pages);
+  }
+
+  participantWord(index: number): number {
+    return this.participants + index * (BusSizes.participant >> 2);
+  }
+
+  nodeWord(index: number): number {
+    return this.nodes + index * (BusSizes.node >> 2);
+  }
+
+  endpointWord(index: number): number {
+    return this.endpoints + index * (BusSizes.endpoint >> 2);
+  }
+
+  pageOffset(page: number): number {
+    return this.pages + page * BusSizes.page;
+  }
+
+  pageOf(offset: number): number {
+    return Math.floor((offset - this.pages) / BusSizes.page);
+  }
+
+  /** Makes the views reach `end`; another thread may have grown the buffer. */
+  reach(end: number): void {
+    if (end > this.u8.length) this.renew();
+  }
+
+  private renew(): void {
+    const length = this.sab.byteLength;
+    this.i32 = new Int32Array(this.sab, 0, length >> 2);
+    this.u8 = new Uint8Array(this.sab, 0, length);
+  }
+
+  private pagesNow(): number {
+    return Math.floor((this.sab.byteLength - this.pages) / BusSizes.page);
+  }
+
+  /** First page of a free run that now belongs to `owner` (not 0), or ErrorCode.outOfMemory. */
+  allocate(count: number, owner: number): number {
+    const i32 = this.i32;
+    const hint = Atomics.load(i32, BusHeader.pageHint);
+    for (;;) {
+      const total = this.pagesNow();
+      const from = hint < total ? hint : 0;
+      let page = this.claimRun(from, total, count, owner);
+      if (page < 0 && from > 0) page = this.claimRun(0, Math.min(total, from + count), count, owner);
+      if (page >= 0) {
+        Atomics.store(i32, BusHeader.pageHint, page + count);
+        this.reach(this.pageOffset(page + count));
+        return page;
+      }
+      if (!this.grow(total, count)) return ErrorCode.outOfMemory;
+    }
+  }
+
+  private claimRun(from: number, to: number, count: number, owner: number): number {
+    const i32 = this.i32;
+    const table = this.pageTable;
+    let start = from;
+    let held = 0;
+    while (start + count <= to) {
+      if (Atomics.compareExchange(i32, table + start + held, 0, owner) === 0) {
+        held += 1;
+        if (held === count) return start;
+        continue;
+      }
+      for (let i = 0; i < held; i += 1) Atomics.store(i32, table + start + i, 0);
+      start += held + 1;
+      held = 0;
+    }
+    return -1;
+  }
+
+  private grow(total: number, count: number): boolean {
+    const step = Math.max(count, Math.min(Math.max(64, total), Atomics.load(this.i32, BusHeader.growPages)));
+    for (const more of [step, count]) {
+      const wanted = Math.min(total + more, this.pageLimit);
+      if (wanted <= total) return false;
+      try {
+        this.sab.grow(this.pageOffset(wanted));
+      } catch {
+        // Another thread grew further, or the machine has no more memory.
+      }
+      if (this.pagesNow() > total) {
+        this.renew();
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** Gives back pages that the caller owns. */
+  free(page: number, count: number): void {
+    for (let i = 0; i < count; i += 1) Atomics.store(this.i32, this.pageTable + page + i, 0);
+    if (page < Atomics.load(this.i32, BusHeader.pageHint)) Atomics.store(this.i32, BusHeader.pageHint, page);
+  }
+
+  /** Gives back all pages of an owner. */
+  freeAll(owner: number): void {
+    const total = this.pagesNow();
+    let lowest = -1;
+    for (let page = 0; page < total; page += 1) {
+      if (Atomics.load(this.i32, this.pageTable + page) !== owner) continue;
+      Atomics.store(this.i32, this.pageTable + page, 0);
+      if (lowest < 0) lowest = page;
+    }
+    if (lowest >= 0 && lowest < Atomics.load(this.i32, BusHeader.pageHint)) {
+      Atomics.store(this.i32, BusHeader.pageHint, lowest);
+    }
+  }
+
+  /** For tests and the page: how many pages are owned, and how many there are. */
+  usage(): { used: number; total: number } {
+    const total = this.pagesNow();
+    let used = 0;
+    for (let page = 0; page < total; page += 1) if (Atomics.load(this.i32, this.pageTable + page) !== 0) used += 1;
+    return { used, total };
+  }
+
+  /** An event for a participant: whoever sleeps there wakes. */
+  bump(participant: number): void {
+    const word = this.participantWord(participant);
+    Atomics.add(this.i32, word + BusParticipant.wake, 1);
+    if (Atomics.load(this.i32, word + BusParticipant.sleepers) > 0) {
+      Atomics.notify(this.i32, word + BusParticipant.wake);
+    }
+  }
+
+  /** Asks a participant to stop, as SIGINT does. */
+  requestStop(participant: number): void {
+    const word = this.participantWord(participant);
+    Atomics.add(this.i32, word + BusParticipant.stop, 1);
+    Atomics.notify(this.i32, word + BusParticipant.stop);
+    this.bump(participant);
+  }
+
+  /** Index of a fresh participant, or ErrorCode.tableFull. */
+  claimParticipant(): number {
+    for (let index = 0; index < this.participantCount; index += 1) {
+      const word = this.participantWord(index);
+      const { free, live } = BusParticipantState;
+      if (Atomics.compareExchange(this.i32, word + BusParticipant.state, free, live) !== free) continue;
+      Atomics.add(this.i32, word + BusParticipant.generation, 1);
+      Atomics.store(this.i32, word + BusParticipant.stop, 0);
+      Atomics.store(this.i32, word + BusParticipant.graphInterest, 0);
+      Atomics.store(this.i32, word + BusParticipant.sleepers, 0);
+      return index;
+    }
+    return ErrorCode.tableFull;
+  }
+}
+
+/** Makes an empty bus; throws RangeError when the machine has no room for it. */
+export function createBus(options: BusOptions = {}): Bus {
+  const participants = options.participants ?? 512;
+  const nodes = options.nodes ?? 2048;
+  const endpoints = options.endpoints ?? 8192;
+  const graphLog = options.graphLog ?? 4096;
+  const ceiling = options.ceiling ?? defaultCeiling;
+  const participantsAt = BusHeader.size;
+  const nodesAt = participantsAt + participants * BusSizes.participant;
+  const endpointsAt = roundUp(nodesAt + nodes * BusSizes.node, 64);
+  const graphLogAt = endpointsAt + endpoints * BusSizes.endpoint;
+  const pageTableAt = graphLogAt + graphLog * 4;
+  const pageCount = Math.floor((ceiling - pageTableAt) / (BusSizes.page + 4)) - 1;
+  if (pageCount < 64) throw new RangeError(`a bus of ${ceiling} bytes has no room for its tables`);
+  const pagesAt = roundUp(pageTableAt + pageCount * 4, BusSizes.page);
+  const first = pagesAt + Math.min(64, pageCount) * BusSizes.page;
+  const sab = new SharedArrayBuffer(first, { maxByteLength: pagesAt + pageCount * BusSizes.page });
+  const i32 = new Int32Array(sab);
+  const set = (word: number, value: number): void => {
+    i32[word] = value;
+  };
+  set(BusHeader.version, protocolVersion);
+  set(BusHeader.participants, participantsAt);
+  set(BusHeader.participantCount, participants);
+  set(BusHeader.nodes, nodesAt);
+  set(BusHeader.nodeCount, nodes);
+  set(BusHeader.endpoints, endpointsAt);
+  set(BusHeader.endpointCount, endpoints);
+  set(BusHeader.graphLog, graphLogAt);
+  set(BusHeader.graphLogSize, graphLog);
+  set(BusHeader.pageTable, pageTableAt);
+  set(BusHeader.pageCount, pageCount);
+  set(BusHeader.pages, pagesAt);
+  set(BusHeader.growPages, 16384);
+  const session = crypto.getRandomValues(new Int32Array(2));
+  set(BusHeader.session0, session[0] ?? 0);
+  set(BusHeader.session1, session[1] ?? 0);
+  Atomics.store(i32, BusHeader.magic, magic);
+  return new Bus(sab);
+}
+
+/** Text in a slot. */
+export function readText(bus: Bus, offset: number, length: number): string {
+  return new TextDecoder().decode(bus.u8.slice(offset, offset + length));
+}
+
+export const endpointStrings = {
+  name: BusEndpoint.nameBytes,
+  type: BusEndpoint.typeBytes,
+  hash: BusEndpoint.hashBytes,
+} as const;
+
+export const nodeStrings = { namespace: BusNode.namespaceBytes, name: BusNode.nameBytes } as const;

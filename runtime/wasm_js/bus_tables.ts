@@ -1,0 +1,138 @@
+// The node and endpoint tables of the bus: claiming, filling, reading and freeing slots, and the log of changes.
+
+import { BusEndpoint, BusHeader, BusPhase } from '../protocol/generated/constants.ts';
+import { type Bus, readText } from './bus.ts';
+import type { EndpointRecord } from './graph.ts';
+import { endpointKey, keyIndex } from './shared_ring.ts';
+
+const encoder = new TextEncoder();
+
+/** Marks entries of the graph log that are about nodes. */
+export const nodeBit = 0x8000;
+
+/** Finds a free slot and marks it; -1 when all are taken. */
+export function claimSlot(bus: Bus, participant: number, count: number, wordOf: (index: number) => number): number {
+  const claimed = ((participant + 1) << 8) | BusPhase.claimed;
+  for (let index = 0; index < count; index += 1) {
+    if (Atomics.compareExchange(bus.i32, wordOf(index), BusPhase.free, claimed) === BusPhase.free) return index;
+  }
+  return -1;
+}
+
+export function raise(bus: Bus, word: number, value: number): void {
+  for (let now = Atomics.load(bus.i32, word); now < value; now = Atomics.load(bus.i32, word)) {
+    if (Atomics.compareExchange(bus.i32, word, now, value) === now) return;
+  }
+}
+
+/** Writes an entry of the graph log; the change itself must be in the table before. Returns the version. */
+export function logChange(bus: Bus, entry: number): number {
+  const version = (Atomics.add(bus.i32, BusHeader.graphVersion, 1) + 1) | 0;
+  Atomics.store(bus.i32, bus.graphLog + (version & bus.graphLogMask), (version << 16) | entry);
+  return version;
+}
+
+function put64(i32: Int32Array, word: number, value: bigint): void {
+  i32[word] = Number(BigInt.asIntN(32, value));
+  i32[word + 1] = Number(BigInt.asIntN(32, value >> 32n));
+}
+
+function get64(i32: Int32Array, word: number): bigint {
+  return (BigInt(i32[word + 1]!) << 32n) | BigInt(i32[word]! >>> 0);
+}
+
+/** Fills a slot that the caller has claimed. Strings must fit. */
+export function fillEndpoint(bus: Bus, record: EndpointRecord): void {
+  const word = bus.endpointWord(keyIndex(record.key));
+  const { i32 } = bus;
+  const { qos } = record;
+  i32.fill(0, word + BusEndpoint.kind, word + (BusEndpoint.nameBytes >> 2));
+  i32[word + BusEndpoint.kind] = record.kind;
+  i32[word + BusEndpoint.node] = record.nodeKey;
+  i32[word + BusEndpoint.flags] = record.flags;
+  i32[word + BusEndpoint.reliability] = qos.reliability;
+  i32[word + BusEndpoint.durability] = qos.durability;
+  i32[word + BusEndpoint.history] = qos.history;
+  i32[word + BusEndpoint.depth] = qos.depth;
+  i32[word + BusEndpoint.liveliness] = qos.liveliness;
+  put64(i32, word + BusEndpoint.deadline, qos.deadline);
+  put64(i32, word + BusEndpoint.lifespan, qos.lifespan);
+  put64(i32, word + BusEndpoint.lease, qos.lease);
+  i32.set(record.gid, word + BusEndpoint.gid);
+  for (const [length, text, at] of [
+    [BusEndpoint.nameLength, record.name, BusEndpoint.nameBytes],
+    [BusEndpoint.typeLength, record.type, BusEndpoint.typeBytes],
+    [BusEndpoint.hashLength, record.hash, BusEndpoint.hashBytes],
+  ] as const) {
+    const bytes = encoder.encode(text);
+    i32[word + length] = bytes.length;
+    bus.u8.set(bytes, (word << 2) + at);
+  }
+  Atomics.store(i32, word + BusEndpoint.signal, 1);
+  Atomics.store(i32, word + BusEndpoint.born, (Atomics.load(i32, BusHeader.graphVersion) + 1) | 0);
+}
+
+/** Takes an endpoint out of the graph; what it wrote can still be read. False when someone else did so. */
+export function departEndpoint(bus: Bus, key: number, participant: number): boolean {
+  const word = bus.endpointWord(keyIndex(key));
+  const live = ((participant + 1) << 8) | BusPhase.live;
+  if (Atomics.load(bus.i32, word + BusEndpoint.generation) !== key >>> 13) return false;
+  Atomics.store(bus.i32, word + BusEndpoint.gone, (Atomics.load(bus.i32, BusHeader.graphVersion) + 1) | 0);
+  const gone = (live & ~255) | BusPhase.departed;
+  if (Atomics.compareExchange(bus.i32, word, live, gone) !== live) return false;
+  logChange(bus, keyIndex(key));
+  return true;
+}
+
+/** Reads an endpoint slot; undefined when it is neither live nor departed, or changed meanwhile. */
+export function readEndpoint(bus: Bus, index: number): { record: EndpointRecord; departed: boolean } | undefined {
+  const { i32 } = bus;
+  const word = bus.endpointWord(index);
+  const state = Atomics.load(i32, word);
+  const phase = state & 255;
+  if (phase !== BusPhase.live && phase !== BusPhase.departed) return undefined;
+  const generation = Atomics.load(i32, word + BusEndpoint.generation);
+  const at = word << 2;
+  const record: EndpointRecord = {
+    key: endpointKey(index, generation),
+    participant: (state >>> 8) - 1,
+    nodeKey: i32[word + BusEndpoint.node]!,
+    kind: i32[word + BusEndpoint.kind]!,
+    name: readText(bus, at + BusEndpoint.nameBytes, i32[word + BusEndpoint.nameLength]!),
+    type: readText(bus, at + BusEndpoint.typeBytes, i32[word + BusEndpoint.typeLength]!),
+    hash: readText(bus, at + BusEndpoint.hashBytes, i32[word + BusEndpoint.hashLength]!),
+    qos: {
+      reliability: i32[word + BusEndpoint.reliability]!,
+      durability: i32[word + BusEndpoint.durability]!,
+      history: i32[word + BusEndpoint.history]!,
+      depth: i32[word + BusEndpoint.depth]!,
+      liveliness: i32[word + BusEndpoint.liveliness]!,
+      deadline: get64(i32, word + BusEndpoint.deadline),
+      lifespan: get64(i32, word + BusEndpoint.lifespan),
+      lease: get64(i32, word + BusEndpoint.lease),
+    },
+    flags: i32[word + BusEndpoint.flags]!,
+    gid: i32.slice(word + BusEndpoint.gid, word + BusEndpoint.gid + 4),
+  };
+  if (Atomics.load(i32, word) !== state || Atomics.load(i32, word + BusEndpoint.generation) !== generation) {
+    return undefined;
+  }
+  return { record, departed: phase === BusPhase.departed };
+}
+
+/** Frees the slot and the pages of an endpoint that departed. */
+export function releaseEndpoint(bus: Bus, key: number, participant: number): void {
+  const word = bus.endpointWord(keyIndex(key));
+  const { i32 } = bus;
+  if (Atomics.load(i32, word + BusEndpoint.generation) !== key >>> 13) return;
+  const departed = ((participant + 1) << 8) | BusPhase.departed;
+  const claimed = (departed & ~255) | BusPhase.claimed;
+  if (Atomics.compareExchange(i32, word, departed, claimed) !== departed) return;
+  const pages = Atomics.load(i32, word + BusEndpoint.ring) !== 0 || Atomics.load(i32, word + BusEndpoint.table) !== 0;
+  Atomics.add(i32, word + BusEndpoint.generation, 1);
+  Atomics.store(i32, word + BusEndpoint.ring, 0);
+  Atomics.store(i32, word + BusEndpoint.hazard, 0);
+  if (pages) bus.freeAll(key);
+  Atomics.store(i32, word, BusPhase.free);
+  logChange(bus, keyIndex(key));
+}

@@ -1,0 +1,39 @@
+// What travels between the workers on the port link, besides data. A data message is one ArrayBuffer: the 64-byte
+// frame header and the payload. Everything else is one of these objects.
+
+import type { EndpointRecord, NodeRecord } from './graph.ts';
+
+export interface PeerPort {
+  readonly participant: number;
+  readonly port: MessagePort;
+}
+
+export interface WriterSample {
+  readonly key: number;
+  readonly count: number;
+  readonly bytes: number;
+  /** Of the last sample, ms since 1970. */
+  readonly time: number;
+  /** The last payload, when it was asked for or is small. */
+  readonly payload: Uint8Array | undefined;
+}
+
+export type PeerMessage =
+  | { readonly t: 'node+'; readonly node: NodeRecord }
+  | { readonly t: 'node-'; readonly key: number }
+  | { readonly t: 'ep+'; readonly record: EndpointRecord }
+  | { readonly t: 'ep-'; readonly key: number }
+  /** The sender's endpoint `mine` knows the receiver's `yours`; frames for it follow. */
+  | { readonly t: 'match'; readonly mine: number; readonly yours: number }
+  /** What a transient_local writer kept, for one reader. */
+  | { readonly t: 'late'; readonly reader: number; readonly frames: readonly ArrayBuffer[] }
+  /** All readers here are done with the samples of this writer up to `sequence` (low word). */
+  | { readonly t: 'ack'; readonly writer: number; readonly sequence: number }
+  | { readonly t: 'sample'; readonly topics: readonly string[] }
+  | { readonly t: 'samples'; readonly writers: readonly WriterSample[] }
+  | { readonly t: 'bye' };
+
+export type ControlMessage =
+  | { readonly t: 'peer'; readonly peer: PeerPort }
+  | { readonly t: 'gone'; readonly participant: number }
+  | { readonly t: 'stop' };

@@ -1,0 +1,88 @@
+// The reading half of an endpoint on the port link: a queue that keep_last bounds.
+
+import { EndpointKind, ErrorCode, frameHeaderSize, History } from '../protocol/generated/constants.ts';
+import { systemNanoseconds } from './clock.ts';
+import type { EndpointRecord } from './graph.ts';
+import type { Heap } from './link.ts';
+
+interface Queued {
+  readonly writer: number;
+  readonly sequence: number;
+  readonly buffer: ArrayBuffer;
+}
+
+interface Source {
+  readonly lifespanNs: number;
+  /** Sequence of the newest frame that came; undefined before the first. */
+  newest: number | undefined;
+}
+
+export class PortReader {
+  readonly record: EndpointRecord;
+  /** Wants every sample: the writer is told when one is taken, not when it comes. */
+  readonly all: boolean;
+  private readonly depth: number;
+  private readonly queue: Queued[] = [];
+  private readonly sources = new Map<number, Source>();
+  lost = 0;
+
+  constructor(record: EndpointRecord) {
+    this.record = record;
+    const service = record.kind !== EndpointKind.subscription;
+    this.all = service || record.qos.history === History.keepAll;
+    this.depth = this.all ? Infinity : Math.max(1, record.qos.depth);
+  }
+
+  /** Frames of a writer count from here on. */
+  open(writer: EndpointRecord): void {
+    if (this.sources.has(writer.key)) return;
+    this.sources.set(writer.key, { lifespanNs: Number(writer.qos.lifespan), newest: undefined });
+  }
+
+  /** What has come stays. */
+  shut(writer: number): void {
+    this.sources.delete(writer);
+  }
+
+  /** True when the frame went into the queue. */
+  accept(writer: number, buffer: ArrayBuffer): boolean {
+    const source = this.sources.get(writer);
+    if (source === undefined) return false;
+    const words = new Int32Array(buffer, 0, 16);
+    const sequence = words[2]!;
+    if (source.newest !== undefined) {
+      const step = (sequence - source.newest) | 0;
+      if (step <= 0) return false;
+      if (this.record.kind === EndpointKind.subscription && this.all) this.lost += step - 1;
+    }
+    source.newest = sequence;
+    if (this.record.kind === EndpointKind.client && words[10] !== this.record.key) return false;
+    if (source.lifespanNs > 0) {
+      const stamp = (words[4]! >>> 0) + words[5]! * 2 ** 32;
+      if (systemNanoseconds() - stamp > source.lifespanNs) return false;
+    }
+    this.queue.push({ writer, sequence, buffer });
+    if (this.queue.length > this.depth) this.queue.shift();
+    return true;
+  }
+
+  get hasData(): boolean {
+    return this.queue.length > 0;
+  }
+
+  /** The oldest sequence of a writer that still waits here, or undefined. */
+  oldest(writer: number): number | undefined {
+    return this.queue.find((entry) => entry.writer === writer)?.sequence;
+  }
+
+  take(heap: Heap, address: number, capacity: number, info: number): { result: number; writer: number } {
+    const next = this.queue[0];
+    if (next === undefined) return { result: ErrorCode.nothing, writer: 0 };
+    const length = next.buffer.byteLength - frameHeaderSize;
+    if (length > capacity) return { result: length, writer: 0 };
+    this.queue.shift();
+    heap.i32.set(new Int32Array(next.buffer, 0, 16), info >> 2);
+    heap.u8.set(new Uint8Array(next.buffer, frameHeaderSize), address);
+    return { result: length, writer: next.writer };
+  }
+}

@@ -1,0 +1,548 @@
+// The link over the shared bus. One instance per thread; the threads of a participant share what lies in the bus.
+// Discovery is the endpoint table: whoever changes it bumps the graph version and wakes those concerned.
+
+import {
+  BusEndpoint, BusHeader, BusNode, BusParticipant, BusPhase, EndpointKind, ErrorCode, flagHidden,
+  maxHashLength, maxNameLength, StatusKind, WaitResult, Durability, History, keepAllLimit,
+} from '../protocol/generated/constants.ts';
+import { type Bus, readText } from './bus.ts';
+import {
+  claimSlot, departEndpoint, fillEndpoint, logChange, nodeBit, raise, readEndpoint, releaseEndpoint,
+} from './bus_tables.ts';
+import { type EndpointRecord, Graph, relate } from './graph.ts';
+import type { EndpointDescription, EndpointStatus, GraphSnapshot, Heap, Link } from './link.ts';
+import { endpointKey, keyIndex } from './shared_ring.ts';
+import { SharedReader } from './shared_reader.ts';
+import { type Pause, SharedWriter } from './shared_writer.ts';
+
+interface Own {
+  readonly record: EndpointRecord;
+  readonly word: number;
+  readonly writer: SharedWriter | undefined;
+  readonly reader: SharedReader | undefined;
+  readonly matched: Set<number>;
+  readonly incompatible: Set<number>;
+}
+
+const encoder = new TextEncoder();
+
+export interface SharedLinkOptions {
+  readonly bus: Bus;
+  readonly participant: number;
+  /** May this thread sleep in Atomics.wait? */
+  readonly mayBlock: boolean;
+}
+
+export function writes(kind: number): boolean {
+  return kind !== EndpointKind.subscription;
+}
+
+export function reads(kind: number): boolean {
+  return kind !== EndpointKind.publisher;
+}
+
+export class SharedLink implements Link {
+  readonly kind = 'shared';
+  readonly bus: Bus;
+  readonly participant: number;
+  private readonly mayBlock: boolean;
+  private readonly word: number;
+  private readonly graphReplica = new Graph();
+  /** Key of what was last seen in a slot; 0: nothing. */
+  private readonly seen: Int32Array;
+  private readonly seenNodes: Int32Array;
+  private readonly own = new Map<number, Own>();
+  private readonly readers: Own[] = [];
+  private readonly departed = new Map<number, Own>();
+  /** How often each own endpoint was matched so far, as this thread saw it. */
+  private readonly totals = new Map<number, number>();
+  private version = -1;
+  private stopsTold = 0;
+  private readonly syncNow = (): void => this.sync();
+  private readonly pause: Pause;
+
+  constructor({ bus, participant, mayBlock }: SharedLinkOptions) {
+    this.bus = bus;
+    this.participant = participant;
+    this.mayBlock = mayBlock;
+    this.word = bus.participantWord(participant);
+    this.seen = new Int32Array(bus.endpointCount);
+    this.seenNodes = new Int32Array(bus.nodeCount);
+    this.pause = (token) => {
+      if (!mayBlock) return 'cannot';
+      if (this.block(token, Infinity) === WaitResult.stop) return 'stop';
+      return 'again';
+    };
+    this.sync();
+  }
+
+  nodeCreate(name: string, namespace: string): number {
+    const nameBytes = encoder.encode(name);
+    const namespaceBytes = encoder.encode(namespace);
+    if (nameBytes.length === 0 || nameBytes.length > maxNameLength || namespaceBytes.length > maxNameLength) {
+      return ErrorCode.invalidName;
+    }
+    const { bus } = this;
+    const index = claimSlot(bus, this.participant, bus.nodeCount, (i) => bus.nodeWord(i));
+    if (index < 0) return ErrorCode.tableFull;
+    const word = bus.nodeWord(index);
+    bus.i32[word + BusNode.namespaceLength] = namespaceBytes.length;
+    bus.i32[word + BusNode.nameLength] = nameBytes.length;
+    bus.u8.set(namespaceBytes, (word << 2) + BusNode.namespaceBytes);
+    bus.u8.set(nameBytes, (word << 2) + BusNode.nameBytes);
+    Atomics.add(bus.i32, word + BusNode.generation, 1);
+    raise(bus, BusHeader.nodeHigh, index + 1);
+    Atomics.store(bus.i32, word, ((this.participant + 1) << 8) | BusPhase.live);
+    logChange(bus, nodeBit | index);
+    this.wakeInterested([]);
+    return index;
+  }
+
+  nodeDestroy(node: number): void {
+    const { bus } = this;
+    if (node < 0 || node >= bus.nodeCount) return;
+    const live = ((this.participant + 1) << 8) | BusPhase.live;
+    if (Atomics.compareExchange(bus.i32, bus.nodeWord(node), live, BusPhase.free) !== live) return;
+    logChange(bus, nodeBit | node);
+    this.wakeInterested([]);
+  }
+
+  endpointCreate(description: EndpointDescription): number {
+    const { bus } = this;
+    const length = (text: string): number => encoder.encode(text).length;
+    const name = length(description.name);
+    if (name === 0 || name > maxNameLength || length(description.type) > maxNameLength) return ErrorCode.invalidName;
+    if (length(description.hash) > maxHashLength) return ErrorCode.invalidArgument;
+    if (description.kind < EndpointKind.publisher || description.kind > EndpointKind.server) {
+      return ErrorCode.invalidArgument;
+    }
+    if (!this.ownsNode(description.node)) return ErrorCode.badHandle;
+    const index = claimSlot(bus, this.participant, bus.endpointCount, (i) => bus.endpointWord(i));
+    if (index < 0) return ErrorCode.tableFull;
+    const word = bus.endpointWord(index);
+    const { i32 } = bus;
+    if (Atomics.load(i32, word + BusEndpoint.generation) === 0) Atomics.store(i32, word + BusEndpoint.generation, 1);
+    const key = endpointKey(index, Atomics.load(i32, word + BusEndpoint.generation));
+    const session = [Atomics.load(i32, BusHeader.session0), Atomics.load(i32, BusHeader.session1)];
+    const { node, ...rest } = description;
+    const gid = new Int32Array([...session, key, this.participant + 1]);
+    const record = { ...rest, key, gid, participant: this.participant, nodeKey: node };
+    fillEndpoint(bus, record);
+    if (reads(record.kind)) this.placeCursors(record);
+    raise(bus, BusHeader.endpointHigh, index + 1);
+    Atomics.store(i32, word, ((this.participant + 1) << 8) | BusPhase.live);
+    logChange(bus, index);
+    this.sync();
+    this.wakeConcerned(key);
+    return index;
+  }
+
+  /** Before a reader is visible: notes where the writers that are there already stand. */
+  private placeCursors(record: EndpointRecord): void {
+    this.sync();
+    const reader = new SharedReader(this.bus, record);
+    for (const writer of this.graphReplica.named(record.name)) {
+      if (relate(record, writer).kind !== 'match') continue;
+      const word = this.bus.endpointWord(keyIndex(writer.key));
+      const head = Atomics.load(this.bus.i32, word + BusEndpoint.head);
+      reader.startAt(writer, (head - this.heritage(record, writer, head)) | 0);
+    }
+  }
+
+  /** How many samples from before its time a new reader gets. */
+  private heritage(reader: EndpointRecord, writer: EndpointRecord, head: number): number {
+    const both = reader.qos.durability === Durability.transientLocal
+      && writer.qos.durability === Durability.transientLocal;
+    if (!both || reader.kind !== EndpointKind.subscription) return 0;
+    const depth = ({ qos }: EndpointRecord): number =>
+      qos.history === History.keepAll ? keepAllLimit : Math.max(1, qos.depth);
+    return Math.min(depth(reader), depth(writer), head >>> 0);
+  }
+
+  private ownsNode(node: number): boolean {
+    if (node < 0 || node >= this.bus.nodeCount) return false;
+    return Atomics.load(this.bus.i32, this.bus.nodeWord(node)) === (((this.participant + 1) << 8) | BusPhase.live);
+  }
+
+  endpointDestroy(endpoint: number): void {
+    this.sync();
+    const own = this.own.get(endpoint);
+    if (own === undefined) return;
+    this.departOwn(own);
+  }
+
+  private departOwn(own: Own): void {
+    if (!departEndpoint(this.bus, own.record.key, this.participant)) return;
+    this.wakeInterested(this.relatives(own.record));
+    this.sync();
+    this.releaseDeparted();
+  }
+
+  gid(endpoint: number): Int32Array | undefined {
+    return this.find(endpoint)?.record.gid;
+  }
+
+  write(endpoint: number, heap: Heap, address: number, length: number, info: number): number {
+    const writer = this.find(endpoint)?.writer;
+    if (writer === undefined) return ErrorCode.badHandle;
+    return writer.write(heap, address, length, info, this.syncNow, this.pause);
+  }
+
+  take(endpoint: number, heap: Heap, address: number, capacity: number, info: number): number {
+    this.sync();
+    const reader = this.own.get(endpoint)?.reader;
+    if (reader === undefined) return ErrorCode.badHandle;
+    return reader.take(heap, address, capacity, info);
+  }
+
+  ready(): readonly number[] {
+    this.sync();
+    const out: number[] = [];
+    for (let i = 0; i < this.readers.length; i += 1) {
+      const own = this.readers[i]!;
+      if (own.reader?.hasData() === true) out.push(keyIndex(own.record.key));
+    }
+    return out;
+  }
+
+  wakeToken(): number {
+    return Atomics.load(this.bus.i32, this.word + BusParticipant.wake);
+  }
+
+  wait(token: number, timeoutMs: number): WaitResult {
+    if (!this.mayBlock) throw new TypeError('this thread may not block');
+    return this.block(token, timeoutMs < 0 ? Infinity : timeoutMs);
+  }
+
+  /** A stop is told once to each thread, also one that came before the wait. */
+  private tellStop(): boolean {
+    const stops = Atomics.load(this.bus.i32, this.word + BusParticipant.stop);
+    if (stops === this.stopsTold) return false;
+    this.stopsTold = stops;
+    return true;
+  }
+
+  private block(token: number, timeoutMs: number): WaitResult {
+    const { bus, word } = this;
+    if (this.tellStop()) return WaitResult.stop;
+    const sleepers = word + BusParticipant.sleepers;
+    let woken = Atomics.load(bus.i32, word + BusParticipant.wake) !== token;
+    if (!woken && timeoutMs > 0) {
+      Atomics.add(bus.i32, sleepers, 1);
+      woken = Atomics.wait(bus.i32, word + BusParticipant.wake, token, timeoutMs) !== 'timed-out';
+      Atomics.sub(bus.i32, sleepers, 1);
+    }
+    if (!woken) return WaitResult.timeout;
+    return this.tellStop() ? WaitResult.stop : WaitResult.woken;
+  }
+
+  async waitAsync(token: number, timeoutMs: number): Promise<WaitResult> {
+    const { bus, word } = this;
+    const sleepers = word + BusParticipant.sleepers;
+    Atomics.add(bus.i32, sleepers, 1);
+    const limit = timeoutMs < 0 ? Infinity : timeoutMs;
+    const result = Atomics.waitAsync(bus.i32, word + BusParticipant.wake, token, limit);
+    const value = result.async ? await result.value : result.value;
+    Atomics.sub(bus.i32, sleepers, 1);
+    if (value === 'timed-out') return WaitResult.timeout;
+    return this.tellStop() ? WaitResult.stop : WaitResult.woken;
+  }
+
+  wake(): void {
+    this.bus.bump(this.participant);
+  }
+
+  sleep(durationMs: number): WaitResult {
+    if (!this.mayBlock) throw new TypeError('this thread may not block');
+    const { bus, word } = this;
+    // The stop word as this thread knows it: a stop that came just before ends the sleep at once.
+    const outcome = Atomics.wait(bus.i32, word + BusParticipant.stop, this.stopsTold, Math.max(0, durationMs));
+    if (outcome === 'timed-out') return WaitResult.woken;
+    return this.tellStop() ? WaitResult.stop : WaitResult.woken;
+  }
+
+  stopRequested(): boolean {
+    return Atomics.load(this.bus.i32, this.word + BusParticipant.stop) !== 0;
+  }
+
+  matched(endpoint: number): number {
+    this.sync();
+    return this.own.get(endpoint)?.matched.size ?? ErrorCode.badHandle;
+  }
+
+  status(endpoint: number, kind: StatusKind): EndpointStatus | undefined {
+    this.sync();
+    const own = this.own.get(endpoint);
+    if (own === undefined) return undefined;
+    const { i32 } = this.bus;
+    /** The counter now, and what it gained since it was last read. */
+    const reading = (counter: number, mark: number): [number, number] => {
+      const now = Atomics.load(i32, own.word + counter);
+      return [now, (now - Atomics.exchange(i32, own.word + mark, now)) | 0];
+    };
+    switch (kind) {
+      case StatusKind.publicationMatched:
+      case StatusKind.subscriptionMatched: {
+        const [totalCount, totalChange] = reading(BusEndpoint.matchedTotal, BusEndpoint.matchedTotalRead);
+        const [currentCount, currentChange] = reading(BusEndpoint.matchedCurrent, BusEndpoint.matchedCurrentRead);
+        return { totalCount, totalChange, currentCount, currentChange, lastPolicy: 0 };
+      }
+      case StatusKind.offeredQosIncompatible:
+      case StatusKind.requestedQosIncompatible: {
+        const [totalCount, totalChange] = reading(BusEndpoint.incompatibleTotal, BusEndpoint.incompatibleRead);
+        const lastPolicy = Atomics.load(i32, own.word + BusEndpoint.incompatiblePolicy);
+        return { totalCount, totalChange, currentCount: 0, currentChange: 0, lastPolicy };
+      }
+      case StatusKind.publisherIncompatibleType:
+      case StatusKind.subscriptionIncompatibleType: {
+        const [totalCount, totalChange] = reading(BusEndpoint.wrongTypeTotal, BusEndpoint.wrongTypeRead);
+        return { totalCount, totalChange, currentCount: 0, currentChange: 0, lastPolicy: 0 };
+      }
+      case StatusKind.messageLost: {
+        const [totalCount, totalChange] = reading(BusEndpoint.lostTotal, BusEndpoint.lostRead);
+        return { totalCount, totalChange, currentCount: 0, currentChange: 0, lastPolicy: 0 };
+      }
+      default:
+        return undefined;
+    }
+  }
+
+  graphVersion(): number {
+    Atomics.store(this.bus.i32, this.word + BusParticipant.graphInterest, 1);
+    return Atomics.load(this.bus.i32, BusHeader.graphVersion);
+  }
+
+  graph(): GraphSnapshot {
+    this.graphVersion();
+    this.sync();
+    return this.graphReplica.snapshot();
+  }
+
+  /** Departs whatever this participant still has. */
+  close(): void {
+    this.sync();
+    for (const own of [...this.own.values()]) this.departOwn(own);
+    for (const [key, node] of this.graphReplica.nodes) {
+      if (node.participant === this.participant) this.nodeDestroy(key);
+    }
+  }
+
+  /** Records of the endpoints that live now, with their words; for the page's sampler. */
+  records(): readonly EndpointRecord[] {
+    this.sync();
+    return [...this.graphReplica.endpoints.values()].filter((record) => (record.flags & flagHidden) === 0);
+  }
+
+  private find(endpoint: number): Own | undefined {
+    const own = this.own.get(endpoint);
+    if (own !== undefined) return own;
+    this.sync();
+    return this.own.get(endpoint);
+  }
+
+  /** Brings the replica up to the table. One load when nothing changed. */
+  private sync(): void {
+    const { i32 } = this.bus;
+    const now = Atomics.load(i32, BusHeader.graphVersion);
+    if (now === this.version) return;
+    const behind = (now - this.version) | 0;
+    const known = this.version;
+    this.version = now;
+    if (known >= 0 && behind > 0 && behind < this.bus.graphLogMask) {
+      for (let v = (known + 1) | 0; ; v = (v + 1) | 0) {
+        const entry = Atomics.load(i32, this.bus.graphLog + (v & this.bus.graphLogMask));
+        if ((entry >>> 16) !== (v & 0xffff)) {
+          this.syncAll();
+          break;
+        }
+        if ((entry & nodeBit) !== 0) this.syncNode(entry & 0x7fff);
+        else this.syncEndpoint(entry & 0x7fff);
+        if (v === now) break;
+      }
+    } else {
+      this.syncAll();
+    }
+    if (this.departed.size > 0) this.releaseDeparted();
+  }
+
+  private syncAll(): void {
+    const { i32 } = this.bus;
+    const nodes = Atomics.load(i32, BusHeader.nodeHigh);
+    for (let index = 0; index < nodes; index += 1) this.syncNode(index);
+    const endpoints = Atomics.load(i32, BusHeader.endpointHigh);
+    for (let index = 0; index < endpoints; index += 1) this.syncEndpoint(index);
+  }
+
+  private syncNode(index: number): void {
+    const { bus } = this;
+    const word = bus.nodeWord(index);
+    const state = Atomics.load(bus.i32, word);
+    const generation = Atomics.load(bus.i32, word + BusNode.generation);
+    const live = (state & 255) === BusPhase.live;
+    const seen = this.seenNodes[index]!;
+    if (seen === (live ? generation : 0)) return;
+    this.seenNodes[index] = live ? generation : 0;
+    if (!live) {
+      this.graphReplica.nodes.delete(index);
+      return;
+    }
+    const at = word << 2;
+    this.graphReplica.nodes.set(index, {
+      key: index,
+      participant: (state >>> 8) - 1,
+      namespace: readText(bus, at + BusNode.namespaceBytes, bus.i32[word + BusNode.namespaceLength]!),
+      name: readText(bus, at + BusNode.nameBytes, bus.i32[word + BusNode.nameLength]!),
+    });
+  }
+
+  private syncEndpoint(index: number): void {
+    const { bus } = this;
+    const word = bus.endpointWord(index);
+    const seen = this.seen[index]!;
+    const phase = Atomics.load(bus.i32, word) & 255;
+    const present = phase === BusPhase.live || phase === BusPhase.departed;
+    const key = present ? endpointKey(index, Atomics.load(bus.i32, word + BusEndpoint.generation)) : 0;
+    if (seen !== 0 && seen !== key) {
+      this.dropEndpoint(seen);
+      this.seen[index] = 0;
+    }
+    if (!present) return;
+    if (seen !== key) {
+      const read = readEndpoint(bus, index);
+      if (read === undefined || read.record.key !== key) return;
+      this.seen[index] = key;
+      this.addEndpoint(read.record, read.departed);
+    } else if (phase === BusPhase.departed) {
+      this.forgetEndpoint(key);
+    }
+  }
+
+  private addEndpoint(record: EndpointRecord, departed: boolean): void {
+    if (record.participant === this.participant && !departed) this.adopt(record);
+    for (const own of this.ownRelatives(record)) this.introduce(own, record, departed);
+    if (!departed) this.graphReplica.add(record);
+  }
+
+  /** An endpoint of this participant: made here, or by another thread. */
+  private adopt(record: EndpointRecord): void {
+    const own: Own = {
+      record,
+      word: this.bus.endpointWord(keyIndex(record.key)),
+      writer: writes(record.kind) ? new SharedWriter(this.bus, record) : undefined,
+      reader: reads(record.kind) ? new SharedReader(this.bus, record) : undefined,
+      matched: new Set(),
+      incompatible: new Set(),
+    };
+    this.own.set(keyIndex(record.key), own);
+    if (own.reader !== undefined) this.readers.push(own);
+    for (const other of this.graphReplica.named(record.name)) this.introduce(own, other, false);
+  }
+
+  private *ownRelatives(record: EndpointRecord): Iterable<Own> {
+    for (const other of this.graphReplica.named(record.name)) {
+      if (other.participant !== this.participant) continue;
+      const own = this.own.get(keyIndex(other.key));
+      if (own !== undefined && own.record.key === other.key) yield own;
+    }
+    for (const own of this.departed.values()) if (own.record.name === record.name) yield own;
+  }
+
+  private introduce(own: Own, other: EndpointRecord, departed: boolean): void {
+    const relation = relate(own.record, other);
+    switch (relation.kind) {
+      case 'none':
+        return;
+      case 'match':
+        if (departed && !this.knewEachOther(own, other)) return;
+        own.reader?.match(other, departed);
+        if (!departed) {
+          own.writer?.match(other);
+          own.matched.add(other.key);
+          this.publishMatched(own, 1);
+        }
+        return;
+      case 'incompatible':
+        if (departed || own.incompatible.has(other.key)) return;
+        own.incompatible.add(other.key);
+        Atomics.store(this.bus.i32, own.word + BusEndpoint.incompatiblePolicy, relation.policy);
+        raise(this.bus, own.word + BusEndpoint.incompatibleTotal, own.incompatible.size);
+        return;
+      case 'wrong_type':
+        if (departed || own.incompatible.has(-other.key)) return;
+        own.incompatible.add(-other.key);
+        raise(this.bus, own.word + BusEndpoint.wrongTypeTotal, 1);
+        return;
+    }
+  }
+
+  /** A writer that left before this reader came has nothing for it. */
+  private knewEachOther(own: Own, other: EndpointRecord): boolean {
+    const { i32 } = this.bus;
+    const gone = Atomics.load(i32, this.bus.endpointWord(keyIndex(other.key)) + BusEndpoint.gone);
+    return ((gone - Atomics.load(i32, own.word + BusEndpoint.born)) | 0) > 0;
+  }
+
+  /** Counters in the bus only grow to what the best-informed thread has seen. */
+  private publishMatched(own: Own, gained: number): void {
+    const total = (this.totals.get(own.record.key) ?? 0) + gained;
+    this.totals.set(own.record.key, total);
+    raise(this.bus, own.word + BusEndpoint.matchedTotal, total);
+    Atomics.store(this.bus.i32, own.word + BusEndpoint.matchedCurrent, own.matched.size);
+  }
+
+  private forgetEndpoint(key: number): void {
+    const record = this.graphReplica.remove(key);
+    if (record === undefined) return;
+    for (const own of this.ownRelatives(record)) {
+      own.reader?.unmatch(key);
+      own.writer?.unmatch(key);
+      if (own.matched.delete(key)) this.publishMatched(own, 0);
+    }
+    if (record.participant !== this.participant) return;
+    const index = keyIndex(key);
+    const own = this.own.get(index);
+    if (own === undefined || own.record.key !== key) return;
+    this.own.delete(index);
+    const place = this.readers.indexOf(own);
+    if (place >= 0) this.readers.splice(place, 1);
+    this.departed.set(key, own);
+  }
+
+  private dropEndpoint(key: number): void {
+    this.forgetEndpoint(key);
+    this.departed.delete(key);
+    this.totals.delete(key);
+  }
+
+  /** Own endpoints that were destroyed stay until their readers have read what they left. */
+  private releaseDeparted(): void {
+    for (const [key, own] of this.departed) {
+      if (own.writer !== undefined && !own.writer.drained()) continue;
+      this.departed.delete(key);
+      releaseEndpoint(this.bus, key, this.participant);
+    }
+  }
+
+  /** Participants that own an endpoint which this one matches, or fails to match. */
+  private relatives(record: EndpointRecord): number[] {
+    const out: number[] = [];
+    for (const other of this.graphReplica.named(record.name)) {
+      if (relate(record, other).kind !== 'none') out.push(other.participant);
+    }
+    return out;
+  }
+
+  private wakeConcerned(key: number): void {
+    const record = this.graphReplica.endpoints.get(key);
+    if (record !== undefined) this.wakeInterested(this.relatives(record));
+  }
+
+  private wakeInterested(also: readonly number[]): void {
+    const { bus } = this;
+    const set = new Set(also);
+    for (let i = 0; i < bus.participantCount; i += 1) {
+      if (Atomics.load(bus.i32, bus.participantWord(i) + BusParticipant.graphInterest) !== 0) set.add(i);
+    }
+    for (const participant of set) bus.bump(participant);
+  }
+}

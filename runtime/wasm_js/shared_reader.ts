@@ -1,0 +1,274 @@
+// The reading half of an endpoint on the shared bus: subscription, server (requests) or client (replies).
+// Keeps its place per writer in the bus, so that any thread of the participant may take.
+
+import { BusEndpoint, BusSizes, EndpointKind, ErrorCode, History } from '../protocol/generated/constants.ts';
+import type { Bus } from './bus.ts';
+import { systemNanoseconds } from './clock.ts';
+import type { EndpointRecord } from './graph.ts';
+import type { Heap } from './link.ts';
+import { copyBytes, cursorTable, findCursor, keyIndex, ringLog2, slotWord, unit } from './shared_ring.ts';
+
+interface WriterRef {
+  readonly key: number;
+  readonly word: number;
+  readonly generation: number;
+  readonly participant: number;
+  readonly lifespanNs: number;
+  /** Word of the pair in the cursor table as last seen, or -1. */
+  pair: number;
+  departed: boolean;
+}
+
+/** Samples of a service are never thinned out; a subscription with keep_last sees its depth newest. */
+function depthOf(record: EndpointRecord): number {
+  if (record.kind !== EndpointKind.subscription || record.qos.history === History.keepAll) return 0x7fffffff;
+  return Math.max(1, record.qos.depth);
+}
+
+export class SharedReader {
+  readonly record: EndpointRecord;
+  private readonly bus: Bus;
+  private readonly word: number;
+  private readonly depth: number;
+  private readonly filter: boolean;
+  private writers: WriterRef[] = [];
+  // The result of find(): the sample that comes next.
+  private at: WriterRef | undefined;
+  private sequence = 0;
+  private slot = 0;
+  private ring = 0;
+
+  constructor(bus: Bus, record: EndpointRecord) {
+    this.bus = bus;
+    this.record = record;
+    this.word = bus.endpointWord(keyIndex(record.key));
+    this.depth = depthOf(record);
+    this.filter = record.kind === EndpointKind.client;
+  }
+
+  /** A writer that fits. Called by each thread for itself. */
+  match(writer: EndpointRecord, departed: boolean): void {
+    if (this.writers.some((known) => known.key === writer.key)) return;
+    this.writers.push({
+      key: writer.key,
+      word: this.bus.endpointWord(keyIndex(writer.key)),
+      generation: writer.key >>> 13,
+      participant: writer.participant,
+      lifespanNs: Number(writer.qos.lifespan),
+      pair: -1,
+      departed,
+    });
+  }
+
+  /** The writer is gone from the graph; what it left behind is still read. */
+  unmatch(key: number): void {
+    for (const writer of this.writers) if (writer.key === key) writer.departed = true;
+  }
+
+  /** Before this endpoint is visible: where to begin with a writer that is there already. */
+  startAt(writer: EndpointRecord, cursor: number): void {
+    this.addPair(writer.key, cursor);
+  }
+
+  hasData(): boolean {
+    const signal = Atomics.load(this.bus.i32, this.word + BusEndpoint.signal);
+    if (signal === Atomics.load(this.bus.i32, this.word + BusEndpoint.drained)) return false;
+    return this.find(false);
+  }
+
+  take(heap: Heap, address: number, capacity: number, info: number): number {
+    const { bus, word } = this;
+    for (;;) {
+      const i32 = bus.i32;
+      const signal = Atomics.load(i32, word + BusEndpoint.signal);
+      const found = signal !== Atomics.load(i32, word + BusEndpoint.drained) && this.find(true);
+      const writer = this.at;
+      if (!found || writer === undefined) {
+        Atomics.store(i32, word + BusEndpoint.drained, signal);
+        return ErrorCode.nothing;
+      }
+      const { slot, sequence } = this;
+      const frame = Atomics.load(bus.i32, slot + 1);
+      const length = Atomics.load(bus.i32, slot + 2);
+      if (!this.holds(writer)) continue;
+      if (length > capacity) return length;
+      // From here to the release no writer touches the frame: it looks at the hazard before it writes.
+      Atomics.store(bus.i32, word + BusEndpoint.hazard, frame);
+      if (!this.holds(writer)) {
+        Atomics.store(bus.i32, word + BusEndpoint.hazard, 0);
+        continue;
+      }
+      const offset = frame * unit;
+      bus.reach(offset + BusSizes.align + length);
+      const from = bus.i32;
+      const header = offset >> 2;
+      const target = info >> 2;
+      for (let i = 0; i < 16; i += 1) heap.i32[target + i] = from[header + i]!;
+      copyBytes(bus.u8, from, offset + BusSizes.align, heap.u8, heap.i32, address, length);
+      this.setCursor(writer, sequence);
+      Atomics.store(from, word + BusEndpoint.hazard, 0);
+      if (Atomics.load(from, writer.word + BusEndpoint.blocked) !== 0) bus.bump(writer.participant);
+      if (writer.lifespanNs > 0 && this.expired(heap, target, writer.lifespanNs)) continue;
+      return length;
+    }
+  }
+
+  /** Samples that were overwritten before this reader came to them. */
+  lost(): number {
+    return Atomics.load(this.bus.i32, this.word + BusEndpoint.lostTotal);
+  }
+
+  private expired(heap: Heap, info: number, lifespanNs: number): boolean {
+    const stamp = (heap.i32[info + 4]! >>> 0) + heap.i32[info + 5]! * 2 ** 32;
+    return systemNanoseconds() - stamp > lifespanNs;
+  }
+
+  /** Still the sample that find() saw? */
+  private holds(writer: WriterRef): boolean {
+    const i32 = this.bus.i32;
+    return Atomics.load(i32, this.slot) === this.sequence
+      && Atomics.load(i32, writer.word + BusEndpoint.ring) === this.ring
+      && Atomics.load(i32, writer.word + BusEndpoint.generation) === writer.generation;
+  }
+
+  /** Finds the oldest sample that is due; with `move`, cursors pass over what is not. */
+  private find(move: boolean): boolean {
+    const i32 = this.bus.i32;
+    for (;;) {
+      let total = 0;
+      let best: WriterRef | undefined;
+      let bestSequence = 0;
+      let bestSlot = 0;
+      let bestRing = 0;
+      let bestOrder = 0;
+      for (let i = 0; i < this.writers.length; i += 1) {
+        const writer = this.writers[i]!;
+        const head = Atomics.load(i32, writer.word + BusEndpoint.head);
+        if (Atomics.load(i32, writer.word + BusEndpoint.generation) !== writer.generation) {
+          if (move) i = this.forget(i);
+          continue;
+        }
+        const cursor = this.cursor(writer);
+        if (head === cursor) {
+          if (writer.departed && move) i = this.forget(i);
+          continue;
+        }
+        const sequence = this.firstValid(writer, cursor, head, move);
+        if (sequence === undefined) continue;
+        total += (head - sequence + 1) | 0;
+        const order = Atomics.load(this.bus.i32, this.slot + 3);
+        if (best === undefined || ((order - bestOrder) | 0) < 0) {
+          best = writer;
+          bestSequence = sequence;
+          bestSlot = this.slot;
+          bestRing = this.ring;
+          bestOrder = order;
+        }
+      }
+      this.at = best;
+      if (best === undefined) return false;
+      if (move && total > this.depth) {
+        // Several writers share one queue of `depth`: the oldest gives way.
+        this.setCursor(best, bestSequence);
+        continue;
+      }
+      this.sequence = bestSequence;
+      this.slot = bestSlot;
+      this.ring = bestRing;
+      return true;
+    }
+  }
+
+  /** First sequence after the cursor that can be read and is meant for this reader; sets slot and ring. */
+  private firstValid(writer: WriterRef, cursor: number, head: number, move: boolean): number | undefined {
+    const { bus } = this;
+    const behind = (head - cursor) | 0;
+    let sequence = (behind < 0 || behind > this.depth ? head - this.depth + 1 : cursor + 1) | 0;
+    while (((head - sequence) | 0) >= 0) {
+      const ring = Atomics.load(bus.i32, writer.word + BusEndpoint.ring);
+      if (ring === 0) return undefined;
+      const size = 1 << ringLog2(ring);
+      const oldest = (head - size + 1) | 0;
+      if (((oldest - sequence) | 0) > 0) {
+        if (move && !this.filter) this.countLost((oldest - sequence) | 0);
+        sequence = oldest;
+      }
+      const slot = slotWord(bus, ring, sequence);
+      bus.reach((slot << 2) + BusSizes.slot);
+      if (Atomics.load(bus.i32, slot) === sequence) {
+        const target = Atomics.load(bus.i32, slot + 4);
+        if (!this.filter || target === 0 || target === this.record.key) {
+          this.slot = slot;
+          this.ring = ring;
+          return sequence;
+        }
+      } else if (Atomics.load(bus.i32, writer.word + BusEndpoint.ring) !== ring) {
+        // The writer has moved: these slots may be anything by now.
+        continue;
+      }
+      sequence = (sequence + 1) | 0;
+    }
+    if (move) this.setCursor(writer, head);
+    return undefined;
+  }
+
+  private countLost(count: number): void {
+    Atomics.add(this.bus.i32, this.word + BusEndpoint.lostTotal, count);
+  }
+
+  private cursor(writer: WriterRef): number {
+    const i32 = this.bus.i32;
+    if (writer.pair < 0 || Atomics.load(i32, writer.pair) !== writer.key) {
+      writer.pair = findCursor(this.bus, this.word, writer.key);
+    }
+    return writer.pair < 0 ? 0 : Atomics.load(this.bus.i32, writer.pair + 1);
+  }
+
+  private setCursor(writer: WriterRef, sequence: number): void {
+    if (writer.pair < 0 || Atomics.load(this.bus.i32, writer.pair) !== writer.key) {
+      writer.pair = findCursor(this.bus, this.word, writer.key);
+    }
+    if (writer.pair < 0) writer.pair = this.addPair(writer.key, sequence);
+    else Atomics.store(this.bus.i32, writer.pair + 1, sequence);
+  }
+
+  private addPair(key: number, cursor: number): number {
+    const { bus } = this;
+    for (;;) {
+      const { word, entries } = cursorTable(bus, this.word);
+      for (let i = 0; i < entries; i += 1) {
+        const pair = word + 2 * i;
+        if (Atomics.load(bus.i32, pair) !== 0) continue;
+        Atomics.store(bus.i32, pair + 1, cursor);
+        Atomics.store(bus.i32, pair, key);
+        return pair;
+      }
+      if (!this.growTable(word, entries)) throw new RangeError('the bus is full: no room for a cursor');
+    }
+  }
+
+  /** The old table stays allocated until the endpoint ends, since a writer may be reading it, but matches no key. */
+  private growTable(from: number, entries: number): boolean {
+    const { bus } = this;
+    const pages = Math.max(1, (entries * 16) / BusSizes.page | 0);
+    const page = bus.allocate(pages, this.record.key);
+    if (page < 0) return false;
+    const to = bus.pageOffset(page) >> 2;
+    bus.i32.fill(0, to, to + pages * (BusSizes.page >> 2));
+    for (let i = 0; i < 2 * entries; i += 1) Atomics.store(bus.i32, to + i, Atomics.load(bus.i32, from + i));
+    Atomics.store(bus.i32, this.word + BusEndpoint.table, (pages << 20) | page);
+    for (let i = 0; i < entries; i += 1) Atomics.store(bus.i32, from + 2 * i, 0);
+    for (const writer of this.writers) writer.pair = -1;
+    return true;
+  }
+
+  /** Drops a writer that has nothing more to give; returns the index to go on after. */
+  private forget(index: number): number {
+    const [writer] = this.writers.splice(index, 1);
+    if (writer !== undefined) {
+      const pair = findCursor(this.bus, this.word, writer.key);
+      if (pair >= 0) Atomics.store(this.bus.i32, pair, 0);
+    }
+    return index - 1;
+  }
+}

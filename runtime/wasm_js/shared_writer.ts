@@ -1,0 +1,446 @@
+// The writing half of an endpoint on the shared bus: publisher, client (requests) or server (replies).
+// Owns a ring of slots and the frames they point to. All state is in the bus, so that any thread of the participant
+// may write; only the lists of matched readers are the thread's own.
+
+import {
+  BusEndpoint, BusHeader, BusParticipant, BusRing, BusSizes, Durability, EndpointKind, ErrorCode, History,
+  keepAllLimit, maxSampleLength, Reliability, serviceLimit,
+} from '../protocol/generated/constants.ts';
+import type { Bus } from './bus.ts';
+import { putNanoseconds, systemNanoseconds } from './clock.ts';
+import type { EndpointRecord } from './graph.ts';
+import type { Heap } from './link.ts';
+import {
+  copyBytes, findCursor, keyIndex, observed, packRing, ringBytes, ringFramesOffset, ringGeneration, ringLog2, ringPage,
+  slotWord, slotWords, unit,
+} from './shared_ring.ts';
+
+interface ReaderRef {
+  readonly key: number;
+  readonly word: number;
+  readonly generation: number;
+  readonly participant: number;
+  readonly local: boolean;
+  /** Newest samples the reader may still want; Infinity when it wants all. */
+  readonly depth: number;
+  readonly reliable: boolean;
+  pair: number;
+}
+
+interface RetiredRun {
+  readonly page: number;
+  readonly pages: number;
+}
+
+/** What the thread does when a writer must wait for a reader: 'stop' ends the wait, 'cannot' forbids it. */
+export type Pause = (token: number) => 'again' | 'stop' | 'cannot';
+
+const maxLog2 = 15;
+const firstLog2 = 3;
+const minStride = 128;
+const maxStride = 64 + 2048;
+/** Slots looked at for a frame to use again. */
+const searchLimit = 64;
+
+export class SharedWriter {
+  readonly record: EndpointRecord;
+  private readonly bus: Bus;
+  private readonly word: number;
+  private readonly service: boolean;
+  private readonly ownDepth: number;
+  private readonly mayBlock: boolean;
+  private readers: ReaderRef[] = [];
+  private participants: number[] = [];
+  private retired: RetiredRun[] = [];
+
+  constructor(bus: Bus, record: EndpointRecord) {
+    this.bus = bus;
+    this.record = record;
+    this.word = bus.endpointWord(keyIndex(record.key));
+    this.service = record.kind !== EndpointKind.publisher;
+    const { qos } = record;
+    const keepAll = qos.history === History.keepAll;
+    this.ownDepth = this.service || qos.durability !== Durability.transientLocal
+      ? 0
+      : keepAll ? keepAllLimit : Math.max(1, qos.depth);
+    this.mayBlock = !this.service && keepAll && qos.reliability === Reliability.reliable;
+  }
+
+  match(reader: EndpointRecord): void {
+    if (this.readers.some((known) => known.key === reader.key)) return;
+    const all = this.service || reader.qos.history === History.keepAll;
+    this.readers.push({
+      key: reader.key,
+      word: this.bus.endpointWord(keyIndex(reader.key)),
+      generation: reader.key >>> 13,
+      participant: reader.participant,
+      local: reader.participant === this.record.participant,
+      depth: all ? Infinity : Math.max(1, reader.qos.depth),
+      reliable: reader.qos.reliability === Reliability.reliable,
+      pair: -1,
+    });
+    this.listParticipants();
+  }
+
+  unmatch(key: number): void {
+    this.readers = this.readers.filter((reader) => reader.key !== key);
+    this.listParticipants();
+  }
+
+  private listParticipants(): void {
+    this.participants = [...new Set(this.readers.map((reader) => reader.participant))];
+  }
+
+  /** `sync` brings the reader list up to date; it is called whenever the graph's version has moved. */
+  write(heap: Heap, address: number, length: number, info: number, sync: () => void, pause: Pause): number {
+    const { bus, word } = this;
+    if (length > maxSampleLength) return ErrorCode.tooLarge;
+    sync();
+    if (this.retired.length > 0) this.releaseRetired();
+    const head = Atomics.load(bus.i32, word + BusEndpoint.head);
+    const sequence = (head + 1) | 0;
+    const room = this.makeRoom(sequence, length, pause);
+    if (room < 0) return room;
+    const ring = Atomics.load(bus.i32, word + BusEndpoint.ring);
+    const slot = slotWord(bus, ring, sequence);
+    // Nobody expects sequence + 1 in this slot: from here on the old sample is not there. Readers that came since
+    // the last look might have it in their hands, so look again.
+    Atomics.store(bus.i32, slot, (sequence + 1) | 0);
+    sync();
+    const frame = this.frameFor(ring, slot, sequence, length);
+    if (frame < 0) return frame;
+    const target = this.fill(heap, address, length, info, sequence, frame);
+    const i32 = bus.i32;
+    Atomics.store(i32, slot + 1, frame);
+    Atomics.store(i32, slot + 2, length);
+    Atomics.store(i32, slot + 3, Atomics.add(i32, BusHeader.order, 1));
+    Atomics.store(i32, slot + 4, target);
+    Atomics.store(i32, slot, sequence);
+    this.count(length);
+    Atomics.store(i32, word + BusEndpoint.head, sequence);
+    // A reader that became visible meanwhile has either seen this head or is seen by this look.
+    sync();
+    this.signal(target);
+    return 0;
+  }
+
+  /** True when no matched reader has anything left to read. */
+  drained(): boolean {
+    const head = Atomics.load(this.bus.i32, this.word + BusEndpoint.head);
+    return this.readers.every((reader) => this.cursor(reader) === head);
+  }
+
+  private signal(target: number): void {
+    const { bus } = this;
+    for (let i = 0; i < this.readers.length; i += 1) {
+      const reader = this.readers[i]!;
+      if (target !== 0 && reader.key !== target) continue;
+      Atomics.add(bus.i32, reader.word + BusEndpoint.signal, 1);
+      if (target !== 0) {
+        bus.bump(reader.participant);
+        return;
+      }
+    }
+    for (let i = 0; i < this.participants.length; i += 1) bus.bump(this.participants[i]!);
+  }
+
+  private count(length: number): void {
+    const { bus, word } = this;
+    const low = Atomics.load(bus.i32, word + BusEndpoint.bytesLow) >>> 0;
+    if (low + length > 0xffffffff) Atomics.add(bus.i32, word + BusEndpoint.bytesHigh, 1);
+    Atomics.store(bus.i32, word + BusEndpoint.bytesLow, (low + length) | 0);
+  }
+
+  /** Frame header and payload; the header goes back to the caller too. Returns whom the sample is for, 0: all. */
+  private fill(
+    heap: Heap, address: number, length: number, info: number, sequence: number, frame: number,
+  ): number {
+    const { bus, word, record } = this;
+    const offset = frame * unit;
+    bus.reach(offset + BusSizes.align + length);
+    const { i32 } = bus;
+    if (sequence === 0) Atomics.add(i32, word + BusEndpoint.headHigh, 1);
+    const high = Atomics.load(i32, word + BusEndpoint.headHigh);
+    const source = info >> 2;
+    const h = offset >> 2;
+    const given = heap.i32;
+    i32[h] = length;
+    i32[h + 1] = 0;
+    i32[h + 2] = sequence;
+    i32[h + 3] = high;
+    if (given[source + 4] === 0 && given[source + 5] === 0) {
+      putNanoseconds(i32, h + 4, systemNanoseconds());
+    } else {
+      i32[h + 4] = given[source + 4]!;
+      i32[h + 5] = given[source + 5]!;
+    }
+    const client = record.kind === EndpointKind.client;
+    i32[h + 6] = client ? sequence : given[source + 6]!;
+    i32[h + 7] = client ? high : given[source + 7]!;
+    for (let i = 0; i < 4; i += 1) {
+      i32[h + 8 + i] = client ? record.gid[i]! : given[source + 8 + i]!;
+      i32[h + 12 + i] = record.gid[i]!;
+    }
+    for (let i = 0; i < 16; i += 1) given[source + i] = i32[h + i]!;
+    copyBytes(heap.u8, given, address, bus.u8, i32, offset + BusSizes.align, length);
+    return record.kind === EndpointKind.server ? given[source + 10]! : 0;
+  }
+
+  /** Sees to it that the slot of `sequence` may be written: a ring, grown as readers lag. 0 or an ErrorCode. */
+  private makeRoom(sequence: number, length: number, pause: Pause): number {
+    const { bus, word } = this;
+    const stride = Math.min(Math.max(minStride, (BusSizes.align + length + unit - 1) & -unit), maxStride);
+    let ring = Atomics.load(bus.i32, word + BusEndpoint.ring);
+    if (ring === 0) {
+      const made = this.newRing(firstLog2, stride, 0, sequence);
+      if (made < 0) return made;
+      ring = made;
+    } else {
+      this.reachRing(ring);
+    }
+    const fits = BusSizes.align + length <= maxStride;
+    const now = Atomics.load(bus.i32, (bus.pageOffset(ringPage(ring)) >> 2) + BusRing.stride);
+    if (fits && stride > now) {
+      let wider = now;
+      while (wider < stride) wider *= 2;
+      const made = this.newRing(ringLog2(ring), Math.min(wider, maxStride), ring, sequence);
+      if (made < 0) return made;
+      ring = made;
+    }
+    for (;;) {
+      const size = 1 << ringLog2(ring);
+      const old = (sequence - size) | 0;
+      const slot = slotWord(bus, ring, sequence);
+      if (Atomics.load(bus.i32, slot) !== old || !this.wanted(old, size, Atomics.load(bus.i32, slot + 4))) return 0;
+      if (size < this.sizeLimit()) {
+        const width = Atomics.load(bus.i32, (bus.pageOffset(ringPage(ring)) >> 2) + BusRing.stride);
+        const made = this.newRing(ringLog2(ring) + 1, width, ring, sequence);
+        if (made < 0) return made;
+        ring = made;
+        continue;
+      }
+      if (!this.mayBlock) return 0;
+      if (!this.remoteWants(old)) return ErrorCode.outOfMemory;
+      const outcome = this.blockFor(old, pause);
+      if (outcome < 0) return outcome;
+      ring = Atomics.load(bus.i32, word + BusEndpoint.ring);
+    }
+  }
+
+  /** Another thread of the participant may have made the ring. */
+  private reachRing(ring: number): void {
+    const { bus } = this;
+    const offset = bus.pageOffset(ringPage(ring));
+    bus.reach(offset + BusSizes.page);
+    bus.reach(offset + Atomics.load(bus.i32, (offset >> 2) + BusRing.pages) * BusSizes.page);
+  }
+
+  private sizeLimit(): number {
+    if (this.service) return serviceLimit;
+    return this.mayBlock && this.readers.some((reader) => !(reader.local && reader.depth === Infinity))
+      ? keepAllLimit
+      : 1 << maxLog2;
+  }
+
+  /** Does anyone still have a right to the sample that is `age` behind the one to be written? */
+  private wanted(old: number, age: number, target: number): boolean {
+    if (age < this.ownDepth) return true;
+    for (let i = 0; i < this.readers.length; i += 1) {
+      const reader = this.readers[i]!;
+      if (target !== 0 && reader.key !== target) continue;
+      if (age < reader.depth && ((old - this.cursor(reader)) | 0) > 0) return true;
+    }
+    return false;
+  }
+
+  private remoteWants(old: number): boolean {
+    return this.readers.some((reader) => reader.reliable && !reader.local && reader.depth === Infinity
+      && ((old - this.cursor(reader)) | 0) > 0);
+  }
+
+  private blockFor(old: number, pause: Pause): number {
+    const { bus, word } = this;
+    const wake = bus.participantWord(this.record.participant) + BusParticipant.wake;
+    Atomics.store(bus.i32, word + BusEndpoint.blocked, 1);
+    for (;;) {
+      const token = Atomics.load(bus.i32, wake);
+      if (!this.remoteWants(old)) break;
+      const outcome = pause(token);
+      if (outcome === 'again') continue;
+      Atomics.store(bus.i32, word + BusEndpoint.blocked, 0);
+      return outcome === 'stop' ? ErrorCode.stopped : ErrorCode.wouldBlock;
+    }
+    Atomics.store(bus.i32, word + BusEndpoint.blocked, 0);
+    return 0;
+  }
+
+  /** How far a reader has come. A reader without a place here has read nothing. */
+  private cursor(reader: ReaderRef): number {
+    const { i32 } = this.bus;
+    if (reader.pair < 0 || Atomics.load(i32, reader.pair) !== this.record.key) {
+      reader.pair = findCursor(this.bus, reader.word, this.record.key);
+      if (reader.pair < 0) return 0;
+    }
+    const cursor = Atomics.load(this.bus.i32, reader.pair + 1);
+    // A reader that ended is not waited for.
+    if (Atomics.load(this.bus.i32, reader.word + BusEndpoint.generation) !== reader.generation) {
+      return Atomics.load(this.bus.i32, this.word + BusEndpoint.head);
+    }
+    return cursor;
+  }
+
+  /** A larger or wider ring with the samples of the old one. Returns the ring word, or an ErrorCode. */
+  private newRing(log2: number, stride: number, old: number, sequence: number): number {
+    const { bus, word, record } = this;
+    const pages = Math.ceil(ringBytes(log2, stride) / BusSizes.page);
+    const page = bus.allocate(pages, record.key);
+    if (page < 0) return page;
+    const base = bus.pageOffset(page);
+    const ring = packRing(page, log2, ringGeneration(old) + 1);
+    Atomics.store(bus.i32, (base >> 2) + BusRing.stride, stride);
+    Atomics.store(bus.i32, (base >> 2) + BusRing.pages, pages);
+    const size = 1 << log2;
+    for (let i = 0; i < size; i += 1) {
+      const slot = slotWord(bus, ring, i);
+      bus.i32.fill(0, slot, slot + slotWords);
+      Atomics.store(bus.i32, slot, (i + 1) | 0);
+    }
+    if (old !== 0) this.moveSamples(old, ring, sequence);
+    Atomics.store(bus.i32, word + BusEndpoint.ring, ring);
+    if (old !== 0) {
+      const oldPages = Atomics.load(bus.i32, (bus.pageOffset(ringPage(old)) >> 2) + BusRing.pages);
+      this.retire(ringPage(old), oldPages);
+    }
+    return ring;
+  }
+
+  private moveSamples(old: number, ring: number, sequence: number): void {
+    const { bus } = this;
+    const oldSize = 1 << ringLog2(old);
+    for (let age = oldSize; age >= 1; age -= 1) {
+      const s = (sequence - age) | 0;
+      const from = slotWord(bus, old, s);
+      const to = slotWord(bus, ring, s);
+      const { i32 } = bus;
+      const extent = i32[from + 5]!;
+      i32[to + 5] = extent;
+      i32[to + 6] = i32[from + 6]!;
+      if (Atomics.load(i32, from) !== s) continue;
+      const frame = i32[from + 1]!;
+      const length = i32[from + 2]!;
+      let moved = frame;
+      if (frame !== extent) {
+        moved = this.inlineFrame(ring, s);
+        const bytes = BusSizes.align + length;
+        bus.u8.copyWithin(moved * unit, frame * unit, frame * unit + bytes);
+      }
+      Atomics.store(i32, to + 1, moved);
+      Atomics.store(i32, to + 2, length);
+      Atomics.store(i32, to + 3, i32[from + 3]!);
+      Atomics.store(i32, to + 4, i32[from + 4]!);
+      Atomics.store(i32, to, s);
+    }
+  }
+
+  private inlineFrame(ring: number, sequence: number): number {
+    const { bus } = this;
+    const base = bus.pageOffset(ringPage(ring));
+    const log2 = ringLog2(ring);
+    const stride = Atomics.load(bus.i32, (base >> 2) + BusRing.stride);
+    return (base + ringFramesOffset(log2) + (sequence & ((1 << log2) - 1)) * stride) / unit;
+  }
+
+  /** Room for header and payload that nobody reads. A frame, or an ErrorCode. */
+  private frameFor(ring: number, slot: number, sequence: number, length: number): number {
+    const { bus, record } = this;
+    const bytes = BusSizes.align + length;
+    const base = bus.pageOffset(ringPage(ring));
+    const stride = Atomics.load(bus.i32, (base >> 2) + BusRing.stride);
+    if (bytes <= stride) {
+      const frame = this.inlineFrame(ring, sequence);
+      if (!this.inUse(frame, stride / unit)) {
+        this.releaseExtent(slot);
+        return frame;
+      }
+    }
+    const pages = Math.ceil(bytes / BusSizes.page);
+    if (!this.extentFits(slot, pages)) this.borrowExtent(ring, slot, sequence, pages);
+    if (this.extentFits(slot, pages)) return bus.i32[slot + 5]!;
+    this.releaseExtent(slot);
+    const generous = pages > 8 ? pages + (pages >> 3) : pages;
+    let page = bus.allocate(generous, record.key);
+    let count = generous;
+    if (page < 0) {
+      page = bus.allocate(pages, record.key);
+      count = pages;
+    }
+    if (page < 0) return page;
+    const frame = bus.pageOffset(page) / unit;
+    bus.i32[slot + 5] = frame;
+    bus.i32[slot + 6] = count;
+    return frame;
+  }
+
+  private extentFits(slot: number, pages: number): boolean {
+    const { i32 } = this.bus;
+    const frame = i32[slot + 5]!;
+    const has = i32[slot + 6]!;
+    return frame !== 0 && has >= pages && has <= 4 * pages + 16 && !this.inUse(frame, has * (BusSizes.page / unit));
+  }
+
+  /** Takes the extent of a sample that nobody needs any more, so that large messages cycle through few pages. */
+  private borrowExtent(ring: number, slot: number, sequence: number, pages: number): void {
+    const { i32 } = this.bus;
+    const size = 1 << ringLog2(ring);
+    const steps = Math.min(size, searchLimit);
+    for (let age = 2; age < steps; age += 1) {
+      const s = (sequence - age) | 0;
+      const other = slotWord(this.bus, ring, s);
+      const held = Atomics.load(i32, other) === s;
+      if (i32[other + 5] === 0 || (held && this.wanted(s, age, Atomics.load(i32, other + 4)))) continue;
+      if (held) Atomics.store(i32, other, (s + 1) | 0);
+      if (!this.extentFits(other, pages)) continue;
+      const frame = i32[slot + 5]!;
+      const count = i32[slot + 6]!;
+      i32[slot + 5] = i32[other + 5]!;
+      i32[slot + 6] = i32[other + 6]!;
+      i32[other + 5] = frame;
+      i32[other + 6] = count;
+      return;
+    }
+  }
+
+  private releaseExtent(slot: number): void {
+    const { bus } = this;
+    const frame = bus.i32[slot + 5]!;
+    if (frame === 0) return;
+    const pages = bus.i32[slot + 6]!;
+    bus.i32[slot + 5] = 0;
+    bus.i32[slot + 6] = 0;
+    this.retire(bus.pageOf(frame * unit), pages);
+  }
+
+  private retire(page: number, pages: number): void {
+    this.retired.push({ page, pages });
+    this.releaseRetired();
+  }
+
+  private releaseRetired(): void {
+    const { bus } = this;
+    this.retired = this.retired.filter(({ page, pages }) => {
+      if (this.inUse(bus.pageOffset(page) / unit, pages * (BusSizes.page / unit))) return true;
+      bus.free(page, pages);
+      return false;
+    });
+  }
+
+  /** Does a reader have a frame of this range in its hands? */
+  private inUse(frame: number, units: number): boolean {
+    const { i32 } = this.bus;
+    for (let i = 0; i < this.readers.length; i += 1) {
+      const hazard = Atomics.load(i32, this.readers[i]!.word + BusEndpoint.hazard);
+      if (hazard >= frame && hazard < frame + units) return true;
+    }
+    return observed(this.bus, frame, units);
+  }
+}

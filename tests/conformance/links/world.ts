@@ -1,0 +1,111 @@
+// A scene's world: a broker and workers, whatever the platform.
+
+import { type Broker, PortBroker, SharedBroker } from '../../../runtime/wasm_js/broker.ts';
+import type { LinkKind } from '../../../runtime/wasm_js/session.ts';
+import type { Peer, PeerCall } from './peer.ts';
+
+export interface RawWorker {
+  post(message: unknown, transfer: readonly MessagePort[]): void;
+  onMessage(listener: (message: unknown) => void): void;
+  terminate(): Promise<void>;
+}
+
+type Answer = { value?: unknown; error?: string; begun?: string };
+
+/** A worker that carries out Peer's methods. Calls queue up. */
+export class RemotePeer {
+  readonly participant: number;
+  private readonly raw: RawWorker;
+  private readonly broker: Broker;
+  private readonly pending: { resolve: (value: unknown) => void; reject: (error: Error) => void; begun: () => void }[] = [];
+  private ended = false;
+
+  constructor(raw: RawWorker, broker: Broker, participant: number) {
+    this.raw = raw;
+    this.broker = broker;
+    this.participant = participant;
+    raw.onMessage((message) => {
+      const answer = message as Answer;
+      if (answer.begun !== undefined) {
+        this.pending[0]?.begun();
+        return;
+      }
+      const next = this.pending.shift();
+      if (answer.error !== undefined) next?.reject(new Error(answer.error));
+      else next?.resolve(answer.value);
+    });
+  }
+
+  request(message: unknown, transfer: readonly MessagePort[] = [], begun: () => void = () => undefined): Promise<unknown> {
+    return new Promise((resolve, reject) => {
+      this.pending.push({ resolve, reject, begun });
+      this.raw.post(message, transfer);
+    });
+  }
+
+  call<K extends PeerCall>(call: K, ...args: Parameters<Peer[K]>): Promise<Awaited<ReturnType<Peer[K]>>> {
+    return this.request({ call, args }) as Promise<Awaited<ReturnType<Peer[K]>>>;
+  }
+
+  /** Resolves when the worker has begun the call; `result` when it has ended. */
+  async begin<K extends PeerCall>(
+    call: K, ...args: Parameters<Peer[K]>
+  ): Promise<{ result: Promise<Awaited<ReturnType<Peer[K]>>> }> {
+    let begun: () => void = () => undefined;
+    const started = new Promise<void>((resolve) => {
+      begun = resolve;
+    });
+    const result = this.request({ call, args }, [], begun) as Promise<Awaited<ReturnType<Peer[K]>>>;
+    await started;
+    return { result };
+  }
+
+  stop(): void {
+    this.broker.stop(this.participant);
+  }
+
+  /** Kills the worker wherever it is. */
+  async terminate(): Promise<void> {
+    if (this.ended) return;
+    this.ended = true;
+    await this.raw.terminate();
+    this.broker.end(this.participant, false);
+  }
+
+  /** Lets the worker take its leave. */
+  async leave(): Promise<void> {
+    await this.call('close');
+    this.ended = true;
+    await this.raw.terminate();
+    this.broker.end(this.participant, true);
+  }
+}
+
+export class World {
+  readonly broker: Broker;
+  private readonly start: () => Promise<RawWorker>;
+  private readonly workers: RemotePeer[] = [];
+
+  constructor(kind: LinkKind, start: () => Promise<RawWorker>) {
+    this.broker = kind === 'shared' ? new SharedBroker({ ceiling: 256 << 20 }) : new PortBroker();
+    this.start = start;
+  }
+
+  get kind(): LinkKind {
+    return this.broker.kind;
+  }
+
+  async peer(): Promise<RemotePeer> {
+    const admission = this.broker.admit();
+    if (admission === undefined) throw new Error('no place for a worker');
+    const peer = new RemotePeer(await this.start(), this.broker, admission.participant);
+    this.workers.push(peer);
+    await peer.request({ ticket: admission.ticket }, admission.transfer);
+    return peer;
+  }
+
+  async close(): Promise<void> {
+    for (const worker of this.workers) await worker.terminate();
+    this.broker.close();
+  }
+}

@@ -79,6 +79,7 @@ export const texts = {
     newer: (count: string): string => `${count} new`,
     showAll: 'Show all nodes',
     allNodes: 'all nodes',
+    allTitle: 'All nodes',
   },
 
   topics: {

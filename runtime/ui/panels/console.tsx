@@ -32,7 +32,7 @@ export function ConsolePanel({ session, focus, store, announce }: PanelProps) {
   const shared = { session, filter, announce };
   const tiles =
     focused !== undefined ? (
-      <ConsoleTile key={focused.id} {...shared} nodes={[focused]} merged={false} />
+      <ConsoleTile key={focused.id} {...shared} nodes={[focused]} merged={false} onClose={() => focus.set(null)} />
     ) : view === 'merged' ? (
       <ConsoleTile key="merged" {...shared} nodes={nodes} merged />
     ) : (
@@ -41,11 +41,6 @@ export function ConsolePanel({ session, focus, store, announce }: PanelProps) {
 
   const tools = (
     <>
-      {focused === undefined ? null : (
-        <button type="button" class="button" onClick={() => focus.set(null)}>
-          {texts.console.showAll}
-        </button>
-      )}
       <div class="choice" role="group" aria-label={texts.console.view}>
         {kViews.map((name) => (
           <button type="button" aria-pressed={focused === undefined && view === name} onClick={() => choose(name)}>

@@ -21,9 +21,11 @@ export interface ConsoleTileProps {
   readonly merged: boolean;
   readonly filter: LineFilter;
   readonly announce: (text: string) => void;
+  /** Set when this node is shown alone: back to all. */
+  readonly onClose?: () => void;
 }
 
-export function ConsoleTile({ session, nodes, merged, filter, announce }: ConsoleTileProps) {
+export function ConsoleTile({ session, nodes, merged, filter, announce, onClose }: ConsoleTileProps) {
   const ids = nodes.map((node) => node.id).join('\n');
   const { list, version, changed } = useLines(session, ids, merged);
   const [asking, setAsking] = useState(false);
@@ -41,7 +43,7 @@ export function ConsoleTile({ session, nodes, merged, filter, announce }: Consol
   return (
     <article class="tile" aria-label={title}>
       <header class="tile-head">
-        <h3 class="tile-title">{label}</h3>
+        <h3 class="tile-title">{only === undefined ? texts.console.allTitle : label}</h3>
         {only === undefined ? null : <StateBadge state={only.state} />}
         <div class="tile-tools">
           {only === undefined ? null : (
@@ -49,6 +51,7 @@ export function ConsoleTile({ session, nodes, merged, filter, announce }: Consol
           )}
           <CopyButton label={texts.console.copy(label)} text={() => list.text()} announce={announce} />
           <IconButton icon="clear" label={texts.console.clear(label)} onClick={clear} />
+          {onClose === undefined ? null : <IconButton icon="close" label={texts.console.showAll} onClick={onClose} />}
         </div>
       </header>
       <LineScroller

@@ -1,0 +1,135 @@
+// The page of example 01, packed, in Chromium: from a plain static host without any header of its own.
+// ROS2WASM_SITE names a packed site; without it the example is packed with ROS2WASM_CLI.
+// The picture for the README is taken here: tests/output/page.png, and with ROS2WASM_BLESS=1 docs/images/page.png.
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { mkdirSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { chromium } from 'playwright-core';
+import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
+import { chromiumOptions } from './chromium.ts';
+import { serveFolder } from './page_site.ts';
+import type { Served } from './page_site.ts';
+
+const kRoot = fileURLToPath(new URL('../..', import.meta.url));
+const kAxe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+const kWatchdogMs = 60_000;
+
+let work = '';
+let served: Served;
+let browser: Browser;
+
+before(async () => {
+  work = mkdtempSync(join(tmpdir(), 'ros2wasm-site-'));
+  served = await serveFolder(process.env['ROS2WASM_SITE'] ?? packExample(join(work, 'site')));
+  browser = await chromium.launch(chromiumOptions());
+});
+
+after(async () => {
+  await browser?.close();
+  await served?.close();
+  rmSync(work, { recursive: true, force: true });
+});
+
+function packExample(site: string): string {
+  const cli = process.env['ROS2WASM_CLI'] ?? join(kRoot, 'build/ros2wasm');
+  const run = spawnSync(cli, ['pack', join(kRoot, 'examples/01_talker_listener/workspace.yaml'), '-o', site], { encoding: 'utf8' });
+  assert.equal(run.status, 0, `${run.stdout}${run.stderr}`);
+  return site;
+}
+
+async function onSite(options: BrowserContextOptions, body: (page: Page) => Promise<void>): Promise<void> {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, ...options });
+  const page = await context.newPage();
+  const troubles: string[] = [];
+  page.setDefaultTimeout(kWatchdogMs);
+  page.on('console', (message) => {
+    if (message.type() === 'error') troubles.push(message.text());
+  });
+  page.on('pageerror', (error) => troubles.push(error.message));
+  context.on('request', (request) => {
+    if (!request.url().startsWith(served.url) && !request.url().startsWith('blob:')) troubles.push(`request to ${request.url()}`);
+  });
+  try {
+    await page.goto(served.url);
+    await body(page);
+    assert.deepEqual(troubles, []);
+  } finally {
+    await context.close();
+  }
+}
+
+const listener = (page: Page) => page.locator('[aria-label="Console of /minimal_subscriber"], [aria-label="Console of /listener"]').first();
+
+test('the listener hears the talker, in the exact format', () =>
+  onSite({}, async (page) => {
+    await listener(page).getByText(/I heard: 'Hello, world! 2'/).waitFor();
+    const lines = await listener(page).locator('.line').allInnerTexts();
+    for (const line of lines) assert.match(line, /^\[INFO\] \[\d{10}\.\d{9}\] \[minimal_subscriber\]: I heard: 'Hello, world! \d+'$/);
+    await page.getByText('2 of 2 running').waitFor();
+    await page.getByText('workspace.yaml:13:5').waitFor();
+  }));
+
+test('the topic has its type, its rate and its last message', () =>
+  onSite({}, async (page) => {
+    const row = page.getByRole('button', { name: /^\/topic std_msgs\/msg\/String/ });
+    await row.getByText(/^(1\.[89]|2\.[01])\d* Hz$/).waitFor();
+    await row.getByText('1 publisher, 1 subscription').waitFor({ state: 'attached' });
+    await row.click();
+    await page.locator('.tree').getByText(/Hello, world! \d+/).waitFor();
+  }));
+
+test('stop, start, restart', () =>
+  onSite({}, async (page) => {
+    const talker = page.locator('.node').first();
+    await listener(page).getByText(/I heard/).first().waitFor();
+    await talker.getByRole('button', { name: /^Stop/ }).click();
+    await page.getByText('1 of 2 running').waitFor();
+    await talker.getByRole('button', { name: /^Start/ }).click();
+    await page.getByText('2 of 2 running').waitFor();
+    await listener(page).getByText(/world! 0'/).nth(1).waitFor();
+    await page.getByRole('button', { name: 'Stop all' }).click();
+    await page.getByText('0 of 2 running').waitFor();
+    await page.getByRole('button', { name: 'Start all' }).click();
+    await page.getByText('2 of 2 running').waitFor();
+  }));
+
+for (const colorScheme of ['light', 'dark'] as const) {
+  test(`axe finds nothing on the running site, ${colorScheme}`, () =>
+    onSite({ colorScheme }, async (page) => {
+      await listener(page).getByText(/I heard/).first().waitFor();
+      await page.evaluate(kAxe);
+      const violations = await page.evaluate(async () => {
+        const { axe } = globalThis as unknown as { axe: { run: () => Promise<{ violations: { id: string; help: string }[] }> } };
+        return (await axe.run()).violations.map((violation) => `${violation.id}: ${violation.help}`);
+      });
+      assert.deepEqual(violations, []);
+    }));
+}
+
+test('on a phone everything is there, one thing at a time', () =>
+  onSite({ viewport: { width: 360, height: 740 } }, async (page) => {
+    await listener(page).getByText(/I heard/).first().waitFor();
+    await page.getByRole('tab', { name: 'Topics' }).click();
+    await page.getByRole('button', { name: /^\/topic/ }).waitFor();
+    await page.getByRole('tab', { name: 'Nodes' }).click();
+    await page.getByText('2 of 2 running').waitFor();
+    assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 360);
+  }));
+
+test('the picture of the page', () =>
+  onSite({ colorScheme: 'light', deviceScaleFactor: 2 }, async (page) => {
+    await page.getByRole('button', { name: /^\/topic/ }).click();
+    await listener(page).getByText(/world! 9'/).waitFor();
+    await page.locator('.tree').waitFor();
+    mkdirSync(join(kRoot, 'tests/output'), { recursive: true });
+    await page.screenshot({ path: join(kRoot, 'tests/output/page.png') });
+    if (process.env['ROS2WASM_BLESS'] === '1') {
+      mkdirSync(join(kRoot, 'docs/images'), { recursive: true });
+      await page.screenshot({ path: join(kRoot, 'docs/images/page.png') });
+    }
+  }));

@@ -145,16 +145,20 @@ std::optional<Spanned<std::string>> Binder::word(const YamlNode& node, const std
   return std::nullopt;
 }
 
-void Binder::name_error(const YamlNode& node, std::string_view checked, std::size_t inner_offset,
-                        const std::string& what, const NameFault& fault) {
+void Binder::name_error(const YamlNode& node, std::string message, std::size_t inner_offset,
+                        const NameFault& fault) {
   TextRange at = node.range;
   if (node.verbatim && fault.length > 0) {
     at = {node.text_offset + inner_offset + fault.offset, fault.length};
   }
-  Diagnostic& wrong =
-      error("R2W0104", "`" + what + "` cannot be `" + std::string(checked) + "`", at, fault.why);
+  Diagnostic& wrong = error("R2W0104", std::move(message), at, fault.why);
   wrong.why.push_back(fault.rule);
   if (fault.better) wrong.fix.push_back("write `" + *fault.better + "`");
+}
+
+Diagnostic* Binder::missing(const YamlNode& map, const std::string& what, const std::string& key) {
+  if (meant_.contains({map.range.offset, key})) return nullptr;
+  return &error("R2W0106", what + " has no `" + key + "`", map.range, "`" + key + "` is missing");
 }
 
 std::optional<Spanned<std::string>> Binder::name(const YamlNode& node, const std::string& what,
@@ -167,7 +171,7 @@ std::optional<Spanned<std::string>> Binder::name(const YamlNode& node, const std
     error("R2W0103", "`" + what + "` is empty", node.range, "expected a name")
         .why.push_back(fault->rule);
   } else {
-    name_error(node, found->value, 0, what, *fault);
+    name_error(node, "`" + what + "` cannot be `" + found->value + "`", 0, *fault);
   }
   return std::nullopt;
 }
@@ -245,6 +249,7 @@ void Binder::unknown_key(const YamlNode& map, const YamlEntry& entry, const std:
   wrong.why.push_back("its keys are: " + name_list(names, 16));
   if (!meant) return;
   if (value_of(map, *meant) == nullptr) {
+    meant_.emplace(map.range.offset, *meant);
     wrong.fix.push_back("write `" + *meant + "`");
   } else {
     wrong.why.push_back("`" + *meant + "` is here already");

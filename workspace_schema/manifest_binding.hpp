@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -58,8 +59,8 @@ class Binder {
   std::optional<Spanned<std::string>> path(const YamlNode& node, const std::string& what);
   /// R2W0104 for a text inside a scalar; `inner_offset` is where the checked text begins in the
   /// scalar's text.
-  void name_error(const YamlNode& node, std::string_view checked, std::size_t inner_offset,
-                  const std::string& what, const NameFault& fault);
+  void name_error(const YamlNode& node, std::string message, std::size_t inner_offset,
+                  const NameFault& fault);
 
   /// A list; each item goes to `each`. A single value is refused with the list form as fix.
   void list(const YamlNode& node, const std::string& what,
@@ -73,6 +74,10 @@ class Binder {
   /// only says that it is no mapping at all. `where` completes "there is no key `x` in ...".
   bool mapping(const YamlNode& node, const std::string& where, std::span<const KeyRow> keys);
 
+  /// R2W0106 for a required key, unless a misspelt key was reported that must have meant it. Returns the error to
+  /// be completed, or nullptr.
+  Diagnostic* missing(const YamlNode& map, const std::string& what, const std::string& key);
+
   [[nodiscard]] Diagnostics take_errors() { return std::move(errors_); }
   [[nodiscard]] Diagnostics take_warnings() { return std::move(warnings_); }
   [[nodiscard]] bool failed() const { return !errors_.empty(); }
@@ -85,6 +90,7 @@ class Binder {
   const SourceText& source_;
   Diagnostics errors_;
   Diagnostics warnings_;
+  std::set<std::pair<std::size_t, std::string>> meant_;  ///< start of a mapping, key that was misspelt in it
 };
 
 /// The value of a key, or nullptr. `map` may be anything; only mappings have keys.

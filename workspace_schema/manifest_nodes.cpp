@@ -145,8 +145,7 @@ class NodeReader {
     }
     binder_.mapping(item, "a remapping", kKeys);
     for (const auto& [key, value] : {std::pair("from", from), std::pair("to", to)}) {
-      if (value == nullptr)
-        binder_.error("R2W0106", std::string("a remapping has no `") + key + "`", item.range);
+      if (value == nullptr) binder_.missing(item, "a remapping", key);
     }
     if (from == nullptr || to == nullptr) return;
     const auto from_text = binder_.text(*from, "from");
@@ -166,16 +165,15 @@ class NodeReader {
                             "` beside `executable`");
       return;
     }
-    const bool good_from = check_name(from);
+    const bool good_from = check_name(from, behind_prefixes(from.text));
     if (to.kind != YamlKind::kScalar) {
       binder_.wrong_type(to, from.text, "the name that it becomes");
       return;
     }
-    if (check_name(to) && good_from) entry_.remappings.emplace_back(from.text, to.text);
+    if (check_name(to, 0) && good_from) entry_.remappings.emplace_back(from.text, to.text);
   }
 
-  bool check_name(const YamlNode& node) {
-    const std::size_t start = behind_prefixes(node.text);
+  bool check_name(const YamlNode& node, std::size_t start) {
     const std::string_view topic = std::string_view(node.text).substr(start);
     const auto fault = topic_name_fault(topic);
     if (!fault) return true;
@@ -183,7 +181,9 @@ class NodeReader {
       binder_.error("R2W0110", "one side of a remapping is empty", node.range,
                     "expected `from:=to`");
     } else {
-      binder_.name_error(node, topic, start, "remappings", *fault);
+      binder_.name_error(node,
+                         "`" + std::string(topic) + "` cannot be the name of a topic or service",
+                         start, *fault);
     }
     return false;
   }
@@ -220,7 +220,7 @@ std::optional<NodeEntry> read_node(Binder& binder, const YamlNode& node) {
       if (name) *target = *std::move(name);
     } else {
       complete = false;
-      binder.error("R2W0106", std::string("a node has no `") + key + "`", node.range, "this node");
+      binder.missing(node, "a node", key);
     }
   }
   NodeReader reader(binder, entry);

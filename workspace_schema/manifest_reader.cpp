@@ -71,6 +71,36 @@ bool is_orcid(std::string_view text) {
   return true;
 }
 
+/// False when the manifest follows a schema of the future: nothing else of it can be judged then.
+bool check_schema(Binder& binder, const YamlNode& root) {
+  const YamlNode* node = value_of(root, "schema");
+  if (node == nullptr) {
+    if (Diagnostic* missing = binder.missing(root, "the manifest", "schema")) {
+      missing->code = "R2W0107";
+      missing->why.push_back(
+          "the number tells later versions of ros2wasm how to read this file, for ever");
+      missing->fix.push_back("write `schema: 1` as the first line");
+    }
+    return true;
+  }
+  const YamlValue value = scalar_value(*node);
+  const auto* number = std::get_if<std::int64_t>(&value);
+  if (number != nullptr && *number == kNewestSchema) return true;
+  if (number != nullptr && *number > kNewestSchema) {
+    Diagnostic& newer = binder.error(
+        "R2W0107",
+        "this manifest follows schema " + node->text + ", which is newer than this ros2wasm",
+        node->range, "this ros2wasm reads schema 1");
+    newer.why.push_back("ros2wasm " ROS2WASM_VERSION
+                        " was made before that schema; a newer ros2wasm reads it");
+    return false;
+  }
+  Diagnostic& wrong = binder.error("R2W0107", "`schema` must be a number that ros2wasm knows",
+                                   node->range, "this ros2wasm reads schema 1");
+  wrong.fix.push_back("write `schema: 1`");
+  return true;
+}
+
 class Reader {
  public:
   Reader(Binder& binder, const YamlNode& root, const std::string& file)
@@ -79,7 +109,6 @@ class Reader {
   }
 
   Manifest read() {
-    read_schema();
     required_name();
     if (const YamlNode* node = given("title")) keep(binder_.line(*node, "title"), manifest_.title);
     if (const YamlNode* node = given("version"))
@@ -105,41 +134,14 @@ class Reader {
     if (found) target = std::move(found->value);
   }
 
-  void read_schema() {
-    const YamlNode* node = given("schema");
-    if (node == nullptr) {
-      Diagnostic& missing =
-          binder_.error("R2W0107", "the manifest does not say which schema it follows", root_.range,
-                        "`schema` is missing");
-      missing.why.push_back(
-          "the number tells later versions of ros2wasm how to read this file, for ever");
-      missing.fix.push_back("write `schema: 1` as the first line");
-      return;
-    }
-    const YamlValue value = scalar_value(*node);
-    const auto* number = std::get_if<std::int64_t>(&value);
-    if (number != nullptr && *number == kNewestSchema) return;
-    if (number != nullptr && *number > kNewestSchema) {
-      Diagnostic& newer = binder_.error(
-          "R2W0107",
-          "this manifest follows schema " + node->text + ", which is newer than this ros2wasm",
-          node->range, "this ros2wasm reads schema 1");
-      newer.why.push_back("ros2wasm " ROS2WASM_VERSION
-                          " was made before that schema; a newer ros2wasm reads it");
-      return;
-    }
-    Diagnostic& wrong = binder_.error("R2W0107", "`schema` must be a number that ros2wasm knows",
-                                      node->range, "this ros2wasm reads schema 1");
-    wrong.fix.push_back("write `schema: 1`");
-  }
-
   void required_name() {
     const YamlNode* node = given("name");
     if (node == nullptr) {
-      Diagnostic& missing =
-          binder_.error("R2W0106", "the manifest has no `name`", root_.range, "`name` is missing");
-      missing.why.push_back("the name is that of the site's folder, unless another is asked for");
-      missing.fix.push_back("write `name: my_workspace`");
+      if (Diagnostic* missing = binder_.missing(root_, "the manifest", "name")) {
+        missing->why.push_back(
+            "the name is that of the site's folder, unless another is asked for");
+        missing->fix.push_back("write `name: my_workspace`");
+      }
       return;
     }
     if (auto name = binder_.name(*node, "name", workspace_name_fault))
@@ -169,8 +171,7 @@ class Reader {
       return;
     }
     const YamlNode* name = value_of(node, "name");
-    if (name == nullptr)
-      binder_.error("R2W0106", "an author has no `name`", node.range, "this author");
+    if (name == nullptr) binder_.missing(node, "an author", "name");
     if (name != nullptr) keep(binder_.line(*name, "name"), author.name);
     if (const YamlNode* email = value_of(node, "email"))
       keep(binder_.line(*email, "email"), author.email);
@@ -242,11 +243,11 @@ class Reader {
     if (node == nullptr) {
       if (value_of(root_, "nodes") != nullptr)
         return;  // an unknown key that meant this one was reported
-      Diagnostic& missing = binder_.error("R2W0106", "the manifest has no `launch`", root_.range,
-                                          "`launch` is missing");
-      missing.why.push_back(
-          "`launch` says what runs: a launch file, or a list of nodes with `package` and "
-          "`executable`");
+      if (Diagnostic* missing = binder_.missing(root_, "the manifest", "launch")) {
+        missing->why.push_back(
+            "`launch` says what runs: a launch file, or a list of nodes with `package` and "
+            "`executable`");
+      }
       return;
     }
     if (node->kind == YamlKind::kScalar) {
@@ -312,11 +313,16 @@ Outcome<Manifest> read_manifest(std::string_view text, const std::string& file) 
     empty.why.push_back("a manifest has at least `schema`, `name` and `launch`");
     return binder.take_errors();
   }
+  if (root.kind == YamlKind::kMap && value_of(root, "schema") != nullptr &&
+      !check_schema(binder, root)) {
+    return binder.take_errors();
+  }
   if (!binder.mapping(root, "the manifest", manifest_keys())) {
     binder.wrong_type(root, "manifest", "a mapping")
         .why.push_back("a manifest begins with `schema: 1`");
     return binder.take_errors();
   }
+  if (value_of(root, "schema") == nullptr) check_schema(binder, root);
   Manifest manifest = Reader(binder, root, file).read();
   if (binder.failed()) {
     Diagnostics errors = binder.take_errors();

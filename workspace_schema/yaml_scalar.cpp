@@ -162,9 +162,11 @@ bool is_old_boolean(const YamlNode& node) {
 
 std::string as_yaml_text(std::string_view text) {
   const bool plain_type = std::holds_alternative<std::string>(plain_value(text));
+  constexpr std::string_view kNeverInside = ":#{}[],\n\t\\\"";
+  constexpr std::string_view kNeverFirst = "-?&*!|>'%@` ";
   const bool plain_shape =
-      !text.empty() && text.find_first_of(":#{}[],&*!|>'\"%@`\n\t\\") == std::string_view::npos &&
-      text.front() != '-' && text.front() != '?' && text.front() != ' ' && text.back() != ' ' &&
+      !text.empty() && text.find_first_of(kNeverInside) == std::string_view::npos &&
+      kNeverFirst.find(text.front()) == std::string_view::npos && text.back() != ' ' &&
       std::all_of(text.begin(), text.end(),
                   [](char c) { return static_cast<unsigned char>(c) >= 0x20; });
   return plain_type && plain_shape && !is_one_of(text, kOldBooleans) ? std::string(text)

@@ -3,7 +3,7 @@
 
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
-#include "cli/explain_pages.hpp"
+#include "cli/embedded_texts.hpp"
 #include "workspace_schema/json_writer.hpp"
 
 namespace ros2wasm {
@@ -22,7 +22,7 @@ std::string full_code(std::string word) {
 }
 
 /// First line of a page without its `# `.
-std::string_view title_of(const ExplainPage& page) {
+std::string_view title_of(const EmbeddedText& page) {
   std::string_view line = page.text.substr(0, page.text.find('\n'));
   while (!line.empty() && (line.front() == '#' || line.front() == ' ')) line.remove_prefix(1);
   return line;
@@ -32,24 +32,24 @@ int list_pages(Context& context) {
   if (context.json) {
     JsonWriter json;
     json.begin_array();
-    for (const ExplainPage& page : explain_pages()) {
-      json.begin_object().field("code", page.code).field("title", title_of(page)).end_object();
+    for (const EmbeddedText& page : explain_pages()) {
+      json.begin_object().field("code", page.name).field("title", title_of(page)).end_object();
     }
     json.end_array();
     context.console.result(json.text());
     return 0;
   }
-  for (const ExplainPage& page : explain_pages()) context.console.result(title_of(page));
+  for (const EmbeddedText& page : explain_pages()) context.console.result(title_of(page));
   return 0;
 }
 
 int show_page(Context& context, const std::string& word) {
   const std::string code = full_code(word);
-  for (const ExplainPage& page : explain_pages()) {
-    if (page.code != code) continue;
+  for (const EmbeddedText& page : explain_pages()) {
+    if (page.name != code) continue;
     if (context.json) {
       JsonWriter json;
-      json.begin_object().field("code", page.code).field("title", title_of(page));
+      json.begin_object().field("code", page.name).field("title", title_of(page));
       json.field("text", page.text).end_object();
       context.console.result(json.text());
     } else {

@@ -6,14 +6,20 @@
 
 namespace ros2wasm {
 
+CommandBody channel_command(Arguments& arguments);
 CommandBody check_command(Arguments& arguments);
 CommandBody explain_command(Arguments& arguments);
 CommandBody link_program_command(Arguments& arguments);
+CommandBody run_command(Arguments& arguments);
+CommandBody serve_command(Arguments& arguments);
+CommandBody schema_command(Arguments& arguments);
 CommandBody version_command(Arguments& arguments);
+CommandBody why_command(Arguments& arguments);
 
 namespace {
 
 constexpr auto kCommands = std::to_array<CommandRow>({
+    {.name = "channel", .help = "Make a channel of packages", .declare = channel_command},
     {.name = "check",
      .help = "Check a workspace.yaml and say all that is wrong",
      .declare = check_command},
@@ -22,6 +28,12 @@ constexpr auto kCommands = std::to_array<CommandRow>({
      .help = "Link one program (called by CMake)",
      .declare = link_program_command,
      .hidden = true},
+    {.name = "run", .help = "Run a packed site in Node.js, without a browser", .declare = run_command},
+    {.name = "serve", .help = "Serve a packed site on this machine", .declare = serve_command},
+    {.name = "why", .help = "Say why a file is in a site", .declare = why_command},
+    {.name = "schema",
+     .help = "Print the JSON Schema of workspace.yaml",
+     .declare = schema_command},
     {.name = "version", .help = "Print the version", .declare = version_command},
 });
 

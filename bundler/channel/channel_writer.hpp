@@ -15,6 +15,10 @@ namespace ros2wasm {
                                                             const CondaPackage& package,
                                                             const std::filesystem::path& staged_prefix);
 
+/// Puts a finished archive into `<channel>/<subdir>/`, the subdirectory that it names itself. R2W0205, R2W0221.
+[[nodiscard]] Outcome<std::filesystem::path> copy_to_channel(const std::filesystem::path& channel,
+                                                             const std::filesystem::path& archive);
+
 struct ChannelSummary {
   std::size_t packages = 0;
   std::vector<std::string> subdirs;

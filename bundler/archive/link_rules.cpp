@@ -1,0 +1,61 @@
+// See link_rules.hpp.
+#include "bundler/archive/link_rules.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace ros2wasm {
+namespace {
+
+std::vector<std::string_view> parts_of(std::string_view path) {
+  std::vector<std::string_view> parts;
+  while (!path.empty()) {
+    const std::size_t slash = path.find('/');
+    const std::string_view part = path.substr(0, slash);
+    if (!part.empty() && part != ".") parts.push_back(part);
+    if (slash == std::string_view::npos) break;
+    path.remove_prefix(slash + 1);
+  }
+  return parts;
+}
+
+bool has_control_character(std::string_view text) {
+  return std::any_of(text.begin(), text.end(), [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte < 0x20 || byte == 0x7F;
+  });
+}
+
+}  // namespace
+
+std::optional<std::string> safe_member_path(std::string_view name) {
+  if (name.empty() || name.front() == '/' || has_control_character(name)) return std::nullopt;
+  std::string clean;
+  for (const std::string_view part : parts_of(name)) {
+    if (part == "..") return std::nullopt;
+    if (!clean.empty()) clean += '/';
+    clean += part;
+  }
+  if (clean.empty()) return std::nullopt;
+  return clean;
+}
+
+bool link_stays_inside(std::string_view path, std::string_view target) {
+  if (target.empty() || target.front() == '/' || has_control_character(target)) return false;
+  std::size_t depth = parts_of(path).size();
+  if (depth == 0) return false;
+  --depth;  // the link's own folder
+  bool downwards = false;
+  for (const std::string_view part : parts_of(target)) {
+    if (part != "..") {
+      downwards = true;
+      continue;
+    }
+    // After a name that may itself be a link, nobody knows what `..` means.
+    if (downwards || depth == 0) return false;
+    --depth;
+  }
+  return true;
+}
+
+}  // namespace ros2wasm

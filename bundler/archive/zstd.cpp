@@ -1,0 +1,50 @@
+// See zstd.hpp. libzstd is known here only.
+#include "bundler/archive/zstd.hpp"
+
+#include <zstd.h>
+
+#include <memory>
+
+namespace ros2wasm {
+namespace {
+
+Diagnostic damaged(const std::string& name, const std::string& why) {
+  return Diagnostic{.code = "R2W0202",
+                    .kind = FailureKind::kEnvironment,
+                    .message = "`" + name + "` cannot be decompressed",
+                    .why = {why}};
+}
+
+}  // namespace
+
+std::string zstd_compressed(std::string_view bytes, int level) {
+  const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context(ZSTD_createCCtx(), ZSTD_freeCCtx);
+  ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, level);
+  ZSTD_CCtx_setParameter(context.get(), ZSTD_c_checksumFlag, 1);
+  std::string out(ZSTD_compressBound(bytes.size()), '\0');
+  out.resize(ZSTD_compress2(context.get(), out.data(), out.size(), bytes.data(), bytes.size()));
+  return out;
+}
+
+Outcome<std::string> zstd_decompressed(std::string_view bytes, std::uint64_t limit_bytes,
+                                       const std::string& name) {
+  const std::unique_ptr<ZSTD_DCtx, decltype(&ZSTD_freeDCtx)> context(ZSTD_createDCtx(), ZSTD_freeDCtx);
+  std::string out;
+  std::string piece(ZSTD_DStreamOutSize(), '\0');
+  ZSTD_inBuffer input{bytes.data(), bytes.size(), 0};
+  std::size_t state = 0;
+  while (input.pos < input.size || state != 0) {
+    ZSTD_outBuffer output{piece.data(), piece.size(), 0};
+    const std::size_t read_before = input.pos;
+    state = ZSTD_decompressStream(context.get(), &output, &input);
+    if (ZSTD_isError(state) != 0) return damaged(name, ZSTD_getErrorName(state));
+    if (out.size() + output.pos > limit_bytes) {
+      return damaged(name, "it holds more than " + std::to_string(limit_bytes) + " bytes");
+    }
+    out.append(piece.data(), output.pos);
+    if (output.pos == 0 && input.pos == read_before) return damaged(name, "it ends too early");
+  }
+  return out;
+}
+
+}  // namespace ros2wasm

@@ -1,0 +1,24 @@
+// One record of a repodata.json or an info/index.json, as a value. Accepts the many forms that real channels have.
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include "workspace_schema/json_reader.hpp"
+#include "workspace_schema/package_record.hpp"
+
+namespace ros2wasm {
+
+/// Where a record was found; goes into it. `base_url` is what the file name is put behind.
+struct RecordPlace {
+  std::string channel;
+  std::string subdir;
+  std::string base_url;
+};
+
+/// The record, or the reason why it cannot be used.
+[[nodiscard]] std::variant<PackageRecord, std::string> parse_record(const JsonValue& json,
+                                                                    const std::string& file_name,
+                                                                    const RecordPlace& place);
+
+}  // namespace ros2wasm

@@ -6,35 +6,44 @@
 
 namespace ros2wasm {
 
+CommandBody build_command(Arguments& arguments);
 CommandBody channel_command(Arguments& arguments);
 CommandBody check_command(Arguments& arguments);
 CommandBody explain_command(Arguments& arguments);
 CommandBody link_program_command(Arguments& arguments);
+CommandBody pack_command(Arguments& arguments);
 CommandBody run_command(Arguments& arguments);
-CommandBody serve_command(Arguments& arguments);
 CommandBody schema_command(Arguments& arguments);
+CommandBody serve_command(Arguments& arguments);
 CommandBody version_command(Arguments& arguments);
 CommandBody why_command(Arguments& arguments);
 
 namespace {
 
+// What most people want comes first.
 constexpr auto kCommands = std::to_array<CommandRow>({
-    {.name = "channel", .help = "Make a channel of packages", .declare = channel_command},
+    {.name = "pack", .help = "Pack a workspace into a site", .declare = pack_command},
+    {.name = "serve", .help = "Serve a packed site on this machine", .declare = serve_command},
+    {.name = "run",
+     .help = "Run a packed site in Node.js, without a browser",
+     .declare = run_command},
     {.name = "check",
      .help = "Check a workspace.yaml and say all that is wrong",
      .declare = check_command},
+    {.name = "build",
+     .help = "Compile a workspace, without making a site",
+     .declare = build_command},
+    {.name = "why", .help = "Say why a file is in a site", .declare = why_command},
+    {.name = "channel", .help = "Make a channel of packages", .declare = channel_command},
+    {.name = "schema",
+     .help = "Print the JSON Schema of workspace.yaml",
+     .declare = schema_command},
     {.name = "explain", .help = "Say more about an error code", .declare = explain_command},
+    {.name = "version", .help = "Print the version", .declare = version_command},
     {.name = "link-program",
      .help = "Link one program (called by CMake)",
      .declare = link_program_command,
      .hidden = true},
-    {.name = "run", .help = "Run a packed site in Node.js, without a browser", .declare = run_command},
-    {.name = "serve", .help = "Serve a packed site on this machine", .declare = serve_command},
-    {.name = "why", .help = "Say why a file is in a site", .declare = why_command},
-    {.name = "schema",
-     .help = "Print the JSON Schema of workspace.yaml",
-     .declare = schema_command},
-    {.name = "version", .help = "Print the version", .declare = version_command},
 });
 
 }  // namespace

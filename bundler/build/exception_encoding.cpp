@@ -1,0 +1,49 @@
+// See exception_encoding.hpp.
+#include "bundler/build/exception_encoding.hpp"
+
+#include "bundler/io/files.hpp"
+#include "bundler/io/installation.hpp"
+#include "bundler/io/process.hpp"
+#include "bundler/io/sha256.hpp"
+
+namespace ros2wasm {
+namespace fs = std::filesystem;
+
+Outcome<std::string> with_standard_exceptions(std::string_view program, const fs::path& executable,
+                                              const fs::path& cache,
+                                              const Cancellation& cancellation) {
+  const fs::path kept = cache / "exnref" / (sha256_hex(program) + ".wasm");
+  if (auto known = read_file(kept)) return std::move(known).value();
+  const auto tool = find_npm_tool(executable, "wasm-opt");
+  if (!tool) {
+    return Diagnostic{.code = "R2W0509",
+                      .kind = FailureKind::kEnvironment,
+                      .message = "`site: exceptions: standard` needs binaryen's wasm-opt, which is not there",
+                      .why = {"it comes with the npm package binaryen"}};
+  }
+  auto folder = TemporaryDirectory::make(cache / "exnref", ".new-");
+  if (!folder) return std::move(folder).errors();
+  const fs::path input = folder->path() / "in.wasm";
+  const fs::path output = folder->path() / "out.wasm";
+  if (auto written = write_file(input, program); !written) return std::move(written).errors();
+  // npm's node lies beside npm's tools; whichever `node` is on PATH may be too old for them.
+  const fs::path node = tool->parent_path() / "node";
+  std::error_code error;
+  const std::string interpreter = fs::exists(node, error) ? node.string() : "node";
+  const auto result = run_process(
+      {.arguments = {interpreter, tool->string(), "--all-features", "--translate-to-exnref",
+                     input.string(), "-o", output.string()}},
+      cancellation);
+  if (!result) return result.errors();
+  if (result->exit_code != 0) {
+    return Diagnostic{.code = "R2W0509",
+                      .kind = FailureKind::kBug,
+                      .message = "wasm-opt cannot translate a program's exceptions",
+                      .detail = result->output};
+  }
+  auto translated = read_file(output);
+  if (translated) fs::rename(output, kept, error);  // the cache is a help, not a must
+  return translated;
+}
+
+}  // namespace ros2wasm

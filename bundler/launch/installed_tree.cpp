@@ -1,0 +1,66 @@
+// See installed_tree.hpp.
+#include "bundler/launch/installed_tree.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "bundler/io/files.hpp"
+
+namespace ros2wasm {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::array<std::string_view, 3> kInterfaceKinds = {"msg", "srv", "action"};
+
+template <typename Visit>
+void each_entry(const fs::path& folder, Visit visit) {
+  std::error_code error;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) visit(*it);
+}
+
+}  // namespace
+
+std::vector<InstalledProgram> installed_programs(const fs::path& prefix, const std::string& package) {
+  std::vector<InstalledProgram> result;
+  each_entry(prefix / "lib" / package, [&](const fs::directory_entry& entry) {
+    std::error_code error;
+    const fs::path& file = entry.path();
+    if (!entry.is_regular_file(error) || file.extension() == ".names") return;
+    const bool is_program = file.extension() == ".wasm";
+    result.push_back({.package = package,
+                      .executable = is_program ? file.stem().string() : file.filename().string(),
+                      .file = file,
+                      .is_program = is_program});
+  });
+  std::sort(result.begin(), result.end(), [](const InstalledProgram& a, const InstalledProgram& b) {
+    return a.executable < b.executable;
+  });
+  return result;
+}
+
+std::vector<InstalledPackage> installed_packages(const fs::path& prefix) {
+  std::vector<InstalledPackage> result;
+  each_entry(prefix / "share", [&](const fs::directory_entry& entry) {
+    std::error_code error;
+    if (!fs::is_regular_file(entry.path() / "package.xml", error)) return;
+    const std::string name = entry.path().filename().string();
+    result.push_back({.name = name, .version = {}, .prefix = prefix, .programs = installed_programs(prefix, name)});
+  });
+  std::sort(result.begin(), result.end(),
+            [](const InstalledPackage& a, const InstalledPackage& b) { return a.name < b.name; });
+  return result;
+}
+
+void collect_interfaces(const fs::path& prefix, const std::string& package, InterfaceTexts& into) {
+  for (const std::string_view kind : kInterfaceKinds) {
+    each_entry(prefix / "share" / package / kind, [&](const fs::directory_entry& entry) {
+      const fs::path& file = entry.path();
+      if (file.extension() != "." + std::string(kind)) return;
+      const std::string type = package + "/" + std::string(kind) + "/" + file.stem().string();
+      if (into.contains(type)) return;
+      if (auto text = read_file(file)) into.emplace(type, std::move(text).value());
+    });
+  }
+}
+
+}  // namespace ros2wasm

@@ -1,0 +1,295 @@
+// The steps of a pack, in order. Edges (disk, processes) and pure steps alternate as ARCHITECTURE.md says.
+#include "bundler/pipeline.hpp"
+
+#include <algorithm>
+#include <set>
+#include <thread>
+
+#include "bundler/build/exception_encoding.hpp"
+#include "bundler/channel/channel_index.hpp"
+#include "bundler/emit/folder_output.hpp"
+#include "bundler/io/files.hpp"
+#include "bundler/io/installation.hpp"
+#include "bundler/launch/installed_tree.hpp"
+#include "bundler/launch/launch_graph.hpp"
+#include "bundler/plan/runtime_assets.hpp"
+#include "bundler/resolve/locked_solve.hpp"
+#include "bundler/store/environment.hpp"
+#include "bundler/workspace/build_order.hpp"
+#include "bundler/workspace/channel_request.hpp"
+#include "bundler/workspace/default_manifest.hpp"
+#include "bundler/workspace/discovery.hpp"
+#include "workspace_schema/manifest_reader.hpp"
+#include "workspace_schema/suggestion.hpp"
+
+namespace ros2wasm {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* kManifestName = "workspace.yaml";
+
+std::string variable(const EnvironmentVariables& variables, const std::string& name) {
+  const auto found = variables.find(name);
+  return found == variables.end() ? std::string() : found->second;
+}
+
+void append(Diagnostics& to, const Diagnostics& more) { to.insert(to.end(), more.begin(), more.end()); }
+
+void begin_step(const ProgressSink& progress, const char* step) {
+  if (progress) progress({.step = step, .item = {}, .done = 0, .total = 0, .unit = {}});
+}
+
+/// Step 1: read the manifest, or make one up for a folder that has none.
+Outcome<BuiltWorkspace> read_workspace(const PackRequest& request) {
+  const fs::path input = request.input.empty() ? fs::path(".") : fs::path(request.input);
+  std::error_code error;
+  fs::path file = input;
+  if (fs::is_directory(input, error)) {
+    file = input / kManifestName;
+    if (!fs::exists(file, error)) {
+      BuiltWorkspace made;
+      made.folder = fs::canonical(input, error);
+      made.manifest = default_manifest(made.folder);
+      made.has_manifest = false;
+      made.remarks.push_back("there is no " + std::string(kManifestName) + " in " + input.string() +
+                             ", so all packages below it are taken");
+      return made;
+    }
+    file = file.lexically_normal();
+  }
+  const auto text = read_file(file);
+  if (!text) return text.errors();
+  auto manifest = read_manifest(*text, file.string());
+  if (!manifest) return std::move(manifest).errors();
+  BuiltWorkspace workspace;
+  workspace.manifest = std::move(manifest).value();
+  workspace.folder = fs::canonical(file, error).parent_path();
+  workspace.warnings = workspace.manifest.warnings;
+  workspace.watched.push_back(fs::canonical(file, error));
+  return workspace;
+}
+
+/// Step 3: the channels' records that the workspace needs, as the lock has them or chosen anew.
+Outcome<std::vector<PackageRecord>> resolve(const PackRequest& request, BuiltWorkspace& workspace,
+                                            const std::vector<LocalPackage>& packages,
+                                            const BuildOrder& order, const ChannelRoots& roots,
+                                            const std::string& compiler_version,
+                                            const Cancellation& cancellation,
+                                            const ProgressSink& progress) {
+  std::vector<ChannelSource> channels;
+  for (const auto& channel : workspace.manifest.channels) channels.push_back({channel.value, channel.span});
+  if (channels.empty()) channels.push_back({"embedded", std::nullopt});
+  const auto index = load_channels(channels, roots, cancellation, progress);
+  if (!index) return index.errors();
+  std::set<std::string> names;
+  for (const PackageRecord& record : index->records) names.insert(record.name);
+  const auto wanted = channel_request(workspace.manifest, packages, order, {names.begin(), names.end()},
+                                      compiler_version);
+  if (!wanted) return wanted.errors();
+  append(workspace.warnings, wanted->warnings);
+
+  const fs::path lock_file = workspace.folder / kLockFileName;
+  const auto solved = solve_with_lock(wanted->specs, *index, lock_file, request.locked);
+  if (!solved) return solved.errors();
+  if (!request.locked && !request.plan_only && solved->lock_changed) {
+    if (auto written = write_file(lock_file, solved->lock_text); !written) return std::move(written).errors();
+    workspace.remarks.push_back("wrote " + std::string(kLockFileName) + " (" +
+                                std::to_string(solved->packages.size()) + " packages)");
+  }
+  return solved->packages;
+}
+
+/// What the prefixes hold, packages of the workspace before those of the channels.
+std::vector<InstalledPackage> all_installed(const std::vector<BuiltPackage>& built, const fs::path& environment) {
+  std::vector<InstalledPackage> result;
+  std::set<std::string> names;
+  for (const BuiltPackage& one : built) {
+    names.insert(one.name);
+    result.push_back({.name = one.name,
+                      .version = one.version,
+                      .prefix = one.prefix,
+                      .programs = installed_programs(one.prefix, one.name)});
+  }
+  for (InstalledPackage& one : installed_packages(environment)) {
+    if (names.insert(one.name).second) result.push_back(std::move(one));
+  }
+  return result;
+}
+
+std::string build_remark(const std::vector<BuiltPackage>& packages) {
+  std::vector<std::string> fresh;
+  for (const BuiltPackage& one : packages) {
+    if (!one.from_cache) fresh.push_back(one.name);
+  }
+  if (fresh.empty()) return "nothing to build: " + std::to_string(packages.size()) + " packages are as before";
+  return "built " + name_list(fresh);
+}
+
+/// Step 6: nodes of the manifest; without any, every program of the workspace.
+Outcome<std::vector<LaunchNode>> launch(BuiltWorkspace& workspace) {
+  Manifest& manifest = workspace.manifest;
+  if (manifest.launch_file) {
+    return Diagnostic{.code = "R2W0404",
+                      .message = "launch files are not read by this version",
+                      .span = manifest.launch_file->span,
+                      .why = {"the nodes can be listed under `launch:`"}};
+  }
+  if (manifest.nodes.empty()) {
+    const auto local_end = workspace.installed.begin() + static_cast<std::ptrdiff_t>(workspace.packages.size());
+    manifest.nodes = default_nodes({workspace.installed.begin(), local_end});
+    if (manifest.nodes.empty()) {
+      return Diagnostic{.code = "R2W0406",
+                        .message = "the workspace has no program to run",
+                        .why = {"none of its packages installs an executable into lib/<package>/"}};
+    }
+    std::vector<std::string> names;
+    for (const NodeEntry& node : manifest.nodes) names.push_back(node.package.value + "/" + node.executable.value);
+    workspace.remarks.push_back("every program runs once: " + name_list(names, 12));
+  }
+  ParameterFiles files;
+  Diagnostics errors;
+  for (const NodeEntry& node : manifest.nodes) {
+    for (const auto& file : node.parameter_files) {
+      const fs::path path = workspace.folder / file.value;
+      workspace.watched.push_back(path);
+      auto text = read_file(path);
+      if (text) {
+        files[file.value] = std::move(text).value();
+      } else {
+        Diagnostic error = text.errors().front();
+        error.span = file.span;
+        errors.push_back(std::move(error));
+      }
+    }
+  }
+  if (!errors.empty()) return errors;
+  auto nodes = launch_nodes(manifest.nodes, workspace.installed, files);
+  if (!nodes) return nodes;
+  // The same site whatever folder the pack was started in.
+  for (LaunchNode& node : *nodes) node.source.file = fs::path(node.source.file).filename().string();
+  return nodes;
+}
+
+/// Step 7: read what the plan is made of.
+Outcome<SitePlan> plan(const PackRequest& request, const BuiltWorkspace& workspace,
+                       std::vector<LaunchNode> nodes, const Cancellation& cancellation) {
+  const auto list = find_own_data(request.executable, "runtime/runtime_assets.json", "the runtime of sites");
+  if (!list) return list.errors();
+  auto runtime = read_runtime_assets(*list);
+  if (!runtime) return std::move(runtime).errors();
+
+  const auto exceptions = workspace.manifest.site.find("exceptions");
+  const bool standard = exceptions != workspace.manifest.site.end() && exceptions->second == "standard";
+  PlanInput input{.manifest = workspace.manifest,
+                  .nodes = std::move(nodes),
+                  .programs = {},
+                  .runtime = std::move(runtime).value(),
+                  .interfaces = {}};
+  for (const LaunchNode& node : input.nodes) {
+    if (input.programs.contains(node.program)) continue;
+    auto bytes = read_file(node.program);
+    if (bytes && standard) {
+      bytes = with_standard_exceptions(*bytes, request.executable, workspace.cache, cancellation);
+    }
+    if (!bytes) return std::move(bytes).errors();
+    input.programs[node.program] = std::move(bytes).value();
+  }
+  for (const InstalledPackage& package : workspace.installed) {
+    collect_interfaces(package.prefix, package.name, input.interfaces);
+  }
+  return plan_site(std::move(input));
+}
+
+}  // namespace
+
+Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& cancellation,
+                              const ProgressSink& progress) {
+  // 1. the manifest
+  auto workspace = read_workspace(request);
+  if (!workspace) return workspace;
+  const Manifest& manifest = workspace->manifest;
+
+  // 2. the packages of the workspace, and the order of building them
+  auto packages = discover_packages(workspace->folder, manifest.packages,
+                                    ros_condition_variables(manifest.distro));
+  if (!packages) return std::move(packages).errors();
+  const auto order = order_packages(*packages, manifest.distro);
+  if (!order) return order.errors();
+  for (const LocalPackage& package : *packages) workspace->watched.push_back(package.directory);
+  const auto compiler = find_compiler(request.variables);
+  if (!compiler) return compiler.errors();
+
+  // 3. what the channels give: index, solve, lock, fetch
+  begin_step(progress, "solve");
+  ChannelRoots roots{.working_directory = workspace->folder,
+                     .embedded = {},
+                     .cache = default_cache_directory(variable(request.variables, "XDG_CACHE_HOME"),
+                                                      variable(request.variables, "HOME"))};
+  auto embedded = embedded_channel(request.executable);
+  if (embedded) roots.embedded = std::move(embedded).value();
+  if (!embedded && manifest.channels.empty()) return std::move(embedded).errors();
+  const auto records = resolve(request, *workspace, *packages, *order, roots, compiler->version,
+                               cancellation, progress);
+  if (!records) return records.errors();
+  const auto environment = make_environment(Store(roots), *records, cancellation, progress);
+  if (!environment) return environment.errors();
+
+  // 4. build, through the toolchain file
+  const auto toolchain = find_own_data(request.executable, "templates/toolchain/ros2wasm-toolchain.cmake",
+                                       "the CMake toolchain");
+  if (!toolchain) return toolchain.errors();
+  workspace->cache = roots.cache / "build";
+  const BuildTools tools{.compiler = *compiler,
+                         .compiler_environment = compiler_environment(request.variables),
+                         .toolchain = fs::canonical(*toolchain),
+                         .cli = request.executable,
+                         .jobs = request.jobs != 0 ? request.jobs : std::max(1U, std::thread::hardware_concurrency())};
+  begin_step(progress, "build");
+  auto built = build_workspace(*packages, *order, tools,
+                               {.cache = workspace->cache,
+                                .environment_prefix = environment->prefix,
+                                .environment_key = environment->key,
+                                .display_base = workspace->folder},
+                               cancellation, progress);
+  if (!built) return std::move(built).errors();
+  append(workspace->warnings, built->warnings);
+  workspace->packages = std::move(built->packages);
+  if (!workspace->packages.empty()) workspace->remarks.push_back(build_remark(workspace->packages));
+
+  // 5. what is installed now
+  workspace->installed = all_installed(workspace->packages, environment->prefix);
+  return workspace;
+}
+
+Outcome<PackReport> pack(const PackRequest& request, const Cancellation& cancellation,
+                         const ProgressSink& progress) {
+  if (!request.plan_only) {
+    if (auto refusal = refuse_folder(request.output)) return *refusal;
+  }
+  auto workspace = build(request, cancellation, progress);
+  if (!workspace) return std::move(workspace).errors();
+
+  // 6. what runs
+  auto nodes = launch(*workspace);
+  if (!nodes) return std::move(nodes).errors();
+
+  // 7. every file of the site
+  begin_step(progress, "plan");
+  auto planned = plan(request, *workspace, std::move(nodes).value(), cancellation);
+  if (!planned) return std::move(planned).errors();
+
+  // 8. write it
+  if (!request.plan_only) {
+    begin_step(progress, "emit");
+    if (auto emitted = emit_folder(*planned, request.output, cancellation); !emitted) {
+      return std::move(emitted).errors();
+    }
+  }
+  return PackReport{.plan = std::move(planned).value(),
+                    .output = request.output,
+                    .watched = std::move(workspace->watched),
+                    .warnings = std::move(workspace->warnings),
+                    .remarks = std::move(workspace->remarks)};
+}
+
+}  // namespace ros2wasm

@@ -1,0 +1,56 @@
+// The whole way from a workspace to a site, in one place: pipeline.cpp reads as its table of contents.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "bundler/build/build_workspace.hpp"
+#include "bundler/plan/site_plan.hpp"
+#include "workspace_schema/cancellation.hpp"
+#include "workspace_schema/manifest.hpp"
+#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/progress_event.hpp"
+
+namespace ros2wasm {
+
+struct PackRequest {
+  std::string input;             ///< workspace.yaml, or a folder with or without one; empty: the current folder
+  std::filesystem::path output;  ///< folder to write
+  bool locked = false;           ///< fail rather than change ros2wasm.lock
+  bool plan_only = false;        ///< write nothing but the build cache
+  std::filesystem::path executable;  ///< of this program
+  EnvironmentVariables variables;
+  unsigned jobs = 0;  ///< compilers at once; 0: one per processor
+};
+
+/// A workspace with all its packages built.
+struct BuiltWorkspace {
+  Manifest manifest;
+  bool has_manifest = true;
+  std::filesystem::path folder;                ///< of the manifest
+  std::vector<BuiltPackage> packages;          ///< of the workspace, in build order
+  std::vector<InstalledPackage> installed;     ///< of workspace and channels; the workspace comes first
+  std::vector<std::filesystem::path> watched;  ///< files and folders that a rebuild depends on
+  std::filesystem::path cache;
+  Diagnostics warnings;
+  std::vector<std::string> remarks;  ///< what was chosen and done, for people
+};
+
+struct PackReport {
+  SitePlan plan;
+  std::filesystem::path output;
+  std::vector<std::filesystem::path> watched;
+  Diagnostics warnings;
+  std::vector<std::string> remarks;
+};
+
+/// Everything up to the installed packages.
+[[nodiscard]] Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& cancellation,
+                                            const ProgressSink& progress);
+
+/// build(), then launch, plan, emit.
+[[nodiscard]] Outcome<PackReport> pack(const PackRequest& request, const Cancellation& cancellation,
+                                       const ProgressSink& progress);
+
+}  // namespace ros2wasm

@@ -1,0 +1,73 @@
+// See locked_solve.hpp.
+#include "bundler/resolve/locked_solve.hpp"
+
+#include <algorithm>
+
+#include "bundler/io/files.hpp"
+
+namespace ros2wasm {
+namespace {
+
+Diagnostic lock_does_not_fit(const std::filesystem::path& file, std::vector<std::string> why) {
+  return Diagnostic{.code = "R2W0320",
+                    .message = "with --locked nothing may change, but " + file.filename().string() +
+                               " does not fit the workspace",
+                    .why = std::move(why),
+                    .fix = {"run `ros2wasm pack` once without --locked and keep the new lock"}};
+}
+
+/// Records of the lock that are still in the index, exactly as they were.
+std::vector<PackageRecord> still_there(const std::vector<PackageRecord>& locked, const RepoIndex& index) {
+  std::vector<PackageRecord> result;
+  for (const PackageRecord& one : locked) {
+    if (std::any_of(index.records.begin(), index.records.end(), [&](const PackageRecord& record) {
+          return record.url == one.url && record.sha256 == one.sha256;
+        })) {
+      result.push_back(one);
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+Outcome<LockedSolution> solve_with_lock(const std::vector<RequestedSpec>& specs, const RepoIndex& index,
+                                        const std::filesystem::path& lock_file, bool must_fit) {
+  std::error_code error;
+  std::string old_text;
+  std::vector<PackageRecord> locked;
+  if (std::filesystem::exists(lock_file, error)) {
+    auto text = read_file(lock_file);
+    if (!text) return std::move(text).errors();
+    old_text = std::move(text).value();
+    auto lock = read_lock(old_text, lock_file.filename().string());
+    if (!lock) return std::move(lock).errors();
+    locked = std::move(lock->packages);
+  } else if (must_fit) {
+    return lock_does_not_fit(lock_file, {"there is no " + lock_file.string()});
+  }
+  if (must_fit) {
+    const Diagnostics faults = check_solution(specs, locked);
+    if (!faults.empty()) {
+      std::vector<std::string> why;
+      for (const Diagnostic& fault : faults) why.push_back(fault.message);
+      return lock_does_not_fit(lock_file, std::move(why));
+    }
+  }
+
+  ResolveRequest request{.specs = specs, .locked = must_fit ? locked : still_there(locked, index)};
+  auto resolution = solve(request, index);
+  if (!resolution) return std::move(resolution).errors();
+  Lock lock{.channels = index.channels, .packages = resolution->packages};
+  for (const RequestedSpec& spec : specs) lock.specs.push_back(spec.text);
+  std::sort(lock.packages.begin(), lock.packages.end(),
+            [](const PackageRecord& a, const PackageRecord& b) { return a.name < b.name; });
+  LockedSolution result{.packages = std::move(resolution->packages), .lock_text = write_lock(lock)};
+  result.lock_changed = result.lock_text != old_text;
+  if (must_fit && result.lock_changed) {
+    return lock_does_not_fit(lock_file, {"the same request leads to another choice now"});
+  }
+  return result;
+}
+
+}  // namespace ros2wasm

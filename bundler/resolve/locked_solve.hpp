@@ -1,0 +1,28 @@
+// Solving with a lock file: what is locked stays as long as it fits. Reads the lock; writing it is the caller's.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "bundler/resolve/solve.hpp"
+#include "workspace_schema/lock.hpp"
+
+namespace ros2wasm {
+
+inline constexpr const char* kLockFileName = "ros2wasm.lock";
+
+struct LockedSolution {
+  std::vector<PackageRecord> packages;  ///< in install order
+  std::string lock_text;                ///< the lock that says so
+  bool lock_changed = false;            ///< the file does not say so yet
+};
+
+/// `must_fit`: the lock has to hold as it is. R2W0320 it is missing or does not fit; R2W0310 it is damaged; errors
+/// of solve(). Locked records that their channel no longer has are chosen anew, unless `must_fit`.
+[[nodiscard]] Outcome<LockedSolution> solve_with_lock(const std::vector<RequestedSpec>& specs,
+                                                      const RepoIndex& index,
+                                                      const std::filesystem::path& lock_file,
+                                                      bool must_fit);
+
+}  // namespace ros2wasm

@@ -1,0 +1,79 @@
+// See channel_request.hpp.
+#include "bundler/workspace/channel_request.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "bundler/workspace/host_packages.hpp"
+
+namespace ros2wasm {
+namespace {
+
+/// A package that says which Emscripten built the libraries of a channel; programs must come of the same one.
+constexpr std::string_view kCompilerPackage = "emscripten-abi";
+
+bool has(const std::vector<std::string>& sorted, std::string_view name) {
+  return std::binary_search(sorted.begin(), sorted.end(), name, std::less<>());
+}
+
+}  // namespace
+
+std::string dependency_spec(const std::string& text, std::string_view distro,
+                            const std::vector<std::string>& channel_names) {
+  const auto end = text.find_first_of(" <>=!~[");
+  const std::string name = text.substr(0, end);
+  const std::string rest = end == std::string::npos ? "" : text.substr(end);
+  if (name.find("::") != std::string::npos || has(channel_names, name)) return text;
+  const std::string ros_name = conda_name(name, distro);
+  const bool looks_like_ros = name.find('_') != std::string::npos || has(channel_names, ros_name);
+  return looks_like_ros ? ros_name + rest : text;
+}
+
+Outcome<ChannelRequest> channel_request(const Manifest& manifest,
+                                        const std::vector<LocalPackage>& packages,
+                                        const BuildOrder& order,
+                                        const std::vector<std::string>& channel_names,
+                                        const std::string& compiler_version) {
+  ChannelRequest request;
+  Diagnostics errors;
+  for (Diagnostic& one : missing_dependencies(order.external, channel_names, manifest.distro)) {
+    (one.severity == Severity::kError ? errors : request.warnings).push_back(std::move(one));
+  }
+  if (!errors.empty()) return errors;
+
+  for (const ExternalDependency& dependency : order.external) {
+    if (!has(channel_names, conda_name(dependency.name, manifest.distro))) continue;
+    request.specs.push_back({.text = dependency.match_spec,
+                             .origin = dependency.places.front().file,
+                             .span = dependency.places.front()});
+  }
+  for (const Spanned<std::string>& dependency : manifest.dependencies) {
+    if (!host_package_reason(dependency.value).empty()) continue;
+    request.specs.push_back({.text = dependency_spec(dependency.value, manifest.distro, channel_names),
+                             .origin = manifest.file,
+                             .span = dependency.span});
+  }
+  const auto is_local = [&](const std::string& name) {
+    return std::any_of(packages.begin(), packages.end(),
+                       [&](const LocalPackage& one) { return one.xml.name.value == name; });
+  };
+  for (const NodeEntry& node : manifest.nodes) {
+    const std::string name = conda_name(node.package.value, manifest.distro);
+    if (is_local(node.package.value) || !has(channel_names, name)) continue;
+    request.specs.push_back({.text = name, .origin = manifest.file, .span = node.package.span});
+  }
+  if (!compiler_version.empty() && has(channel_names, kCompilerPackage)) {
+    request.specs.push_back({.text = std::string(kCompilerPackage) + " " + compiler_version + ".*",
+                             .origin = "Emscripten " + compiler_version + " of this machine",
+                             .span = std::nullopt});
+  }
+  std::stable_sort(request.specs.begin(), request.specs.end(),
+                   [](const RequestedSpec& a, const RequestedSpec& b) { return a.text < b.text; });
+  const auto repeated = std::unique(
+      request.specs.begin(), request.specs.end(),
+      [](const RequestedSpec& a, const RequestedSpec& b) { return a.text == b.text; });
+  request.specs.erase(repeated, request.specs.end());
+  return request;
+}
+
+}  // namespace ros2wasm

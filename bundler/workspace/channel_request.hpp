@@ -1,0 +1,30 @@
+// What a workspace asks of the channels. Pure.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bundler/resolve/solve.hpp"
+#include "bundler/workspace/build_order.hpp"
+#include "workspace_schema/manifest.hpp"
+
+namespace ros2wasm {
+
+struct ChannelRequest {
+  std::vector<RequestedSpec> specs;  ///< sorted by text, each once
+  Diagnostics warnings;              ///< wished for at run time, but in no channel
+};
+
+/// `channel_names`: names of all records, sorted. Dependencies of the manifest may be ROS package names; nodes may
+/// name packages that nobody lists. R2W0513 for everything that no channel has.
+[[nodiscard]] Outcome<ChannelRequest> channel_request(const Manifest& manifest,
+                                                      const std::vector<LocalPackage>& packages,
+                                                      const BuildOrder& order,
+                                                      const std::vector<std::string>& channel_names,
+                                                      const std::string& compiler_version);
+
+/// A manifest's dependency as a match spec: conda names stay, ROS names get `ros-<distro>-`.
+[[nodiscard]] std::string dependency_spec(const std::string& text, std::string_view distro,
+                                          const std::vector<std::string>& channel_names);
+
+}  // namespace ros2wasm

@@ -1,0 +1,84 @@
+// `ros2wasm pack [WORKSPACE]`: from a ROS 2 workspace to a site.
+#include <memory>
+
+#include "bundler/pipeline.hpp"
+#include "cli/arguments.hpp"
+#include "cli/console.hpp"
+#include "workspace_schema/json_writer.hpp"
+
+namespace ros2wasm {
+namespace {
+
+struct Options {
+  std::string input;
+  std::string output = "site";
+  bool locked = false;
+  bool plan = false;
+  int jobs = 0;
+};
+
+void print_plan(Console& console, const SitePlan& plan) {
+  for (const PlannedFile& file : plan.files) {
+    std::string size = std::to_string(file.bytes.size());
+    if (size.size() < 9) size.insert(0, 9 - size.size(), ' ');
+    console.result(size + "  " + file.sha256.substr(0, 12) + "  " + file.path + "  (" + file.reason + ")");
+  }
+}
+
+void print_json(Console& console, const PackReport& report, bool written) {
+  JsonWriter json;
+  json.begin_object();
+  if (written) json.field("site", report.output.string());
+  json.key("files").begin_array();
+  for (const PlannedFile& file : report.plan.files) {
+    json.begin_object().field("path", file.path);
+    json.key("size").unsigned_integer(file.bytes.size());
+    json.field("sha256", file.sha256).field("reason", file.reason).end_object();
+  }
+  json.end_array().end_object();
+  console.result(json.text());
+}
+
+std::string kilobytes(std::uint64_t bytes) { return std::to_string((bytes + 999) / 1000) + " kB"; }
+
+int run(Context& context, const Options& options) {
+  const auto report = pack({.input = options.input,
+                            .output = options.output,
+                            .locked = options.locked,
+                            .plan_only = options.plan,
+                            .executable = context.executable,
+                            .variables = context.environment,
+                            .jobs = static_cast<unsigned>(options.jobs)},
+                           context.cancellation, context.progress);
+  if (!report) return context.console.fail(report.errors());
+  for (const Diagnostic& warning : report->warnings) context.console.report(warning);
+  for (const std::string& remark : report->remarks) context.console.remark(remark);
+  if (context.json) {
+    print_json(context.console, *report, !options.plan);
+  } else if (options.plan) {
+    print_plan(context.console, report->plan);
+  } else {
+    context.console.remark(std::to_string(report->plan.nodes.size()) + " nodes, " +
+                           std::to_string(report->plan.files.size()) + " files, " +
+                           kilobytes(total_size(report->plan)));
+    context.console.result(report->output.string());
+  }
+  return 0;
+}
+
+}  // namespace
+
+CommandBody pack_command(Arguments& arguments) {
+  const auto options = std::make_shared<Options>();
+  arguments.optional("WORKSPACE", options->input,
+                     "a workspace.yaml, or a folder with ROS 2 packages (default: the current folder)");
+  arguments.value("-o,--output", options->output, "FOLDER", "where to write the site (default: site)");
+  arguments.flag("--locked", options->locked, "fail rather than change ros2wasm.lock");
+  arguments.flag("--plan", options->plan, "print every file with size, hash and reason; write no site");
+  arguments.number("-j,--jobs", options->jobs, "N", 1, 256, "compilers at once (default: one per processor)");
+  arguments.examples({"ros2wasm pack examples/01_talker_listener/workspace.yaml -o site",
+                      "ros2wasm pack ~/ros2_ws --plan"});
+  return [options](Context& context) { return run(context, *options); };
+}
+
+}  // namespace ros2wasm

@@ -1,0 +1,80 @@
+// `ros2wasm why PATH`: why a file is in a site.
+#include <filesystem>
+#include <memory>
+
+#include "bundler/io/files.hpp"
+#include "cli/arguments.hpp"
+#include "cli/console.hpp"
+#include "workspace_schema/json_reader.hpp"
+#include "workspace_schema/json_writer.hpp"
+#include "workspace_schema/suggestion.hpp"
+
+namespace ros2wasm {
+namespace {
+namespace fs = std::filesystem;
+
+/// The nearest folder above `path` that holds a site.json; empty when there is none.
+fs::path site_above(const fs::path& path) {
+  std::error_code error;
+  fs::path folder = fs::absolute(path, error).lexically_normal().parent_path();
+  while (true) {
+    if (fs::is_regular_file(folder / "site.json", error)) return folder;
+    if (folder == folder.parent_path()) return {};
+    folder = folder.parent_path();
+  }
+}
+
+Diagnostic not_in_site(const std::string& path, std::vector<std::string> why) {
+  return Diagnostic{.code = "R2W0607",
+                    .message = "`" + path + "` is not a file that ros2wasm put into a site",
+                    .why = std::move(why)};
+}
+
+int answer(Context& context, const std::string& path, std::uint64_t size, const std::string& reason) {
+  if (context.json) {
+    JsonWriter json;
+    json.begin_object().field("path", path);
+    json.key("size").unsigned_integer(size);
+    json.field("reason", reason).end_object();
+    context.console.result(json.text());
+  } else {
+    context.console.result(path + ": " + reason + " (" + std::to_string(size) + " bytes)");
+  }
+  return 0;
+}
+
+int why(Context& context, const std::string& word) {
+  const fs::path folder = site_above(word);
+  if (folder.empty()) {
+    return context.console.fail(not_in_site(word, {"there is no site.json in the folders above it"}));
+  }
+  const std::string relative = fs::absolute(word).lexically_normal().lexically_relative(folder).generic_string();
+  const auto text = read_file(folder / "site.json");
+  if (!text) return context.console.fail(text.errors());
+  const auto json = parse_json(*text, (folder / "site.json").string(), "R2W0605");
+  if (!json) return context.console.fail(json.errors());
+  if (relative == "site.json") return answer(context, relative, text->size(), "what runs in the site");
+  std::vector<std::string> known;
+  const JsonValue* files = json->find("files");
+  for (const JsonValue& file : files == nullptr ? JsonValue::Array() : files->items()) {
+    known.push_back(file.text_of("path"));
+    if (known.back() != relative) continue;
+    const JsonValue* size = file.find("size");
+    return answer(context, relative, size == nullptr ? 0 : size->unsigned_integer().value_or(0),
+                  file.text_of("reason"));
+  }
+  Diagnostic error = not_in_site(word, {"site.json of " + folder.string() + " does not list it"});
+  if (const auto similar = nearest(relative, known)) error.why.push_back("it lists `" + *similar + "`");
+  return context.console.fail(error);
+}
+
+}  // namespace
+
+CommandBody why_command(Arguments& arguments) {
+  const auto path = std::make_shared<std::string>();
+  arguments.required("PATH", *path, "a file of a site");
+  arguments.examples({"ros2wasm why site/programs/demo/talker.wasm"});
+  return [path](Context& context) { return why(context, *path); };
+}
+
+}  // namespace ros2wasm

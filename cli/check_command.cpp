@@ -20,6 +20,12 @@ int check(Context& context, const Options& options) {
   std::filesystem::path path = options.manifest;
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) path /= "workspace.yaml";
+  if (!std::filesystem::exists(path, ignored)) {
+    return context.console.fail(
+        Diagnostic{.code = "R2W0115",
+                   .message = "there is no manifest `" + path.generic_string() + "`",
+                   .why = {"`ros2wasm check` reads a workspace.yaml, here or where it is told"}});
+  }
   const Outcome<std::string> text = read_file(path);
   if (!text) return context.console.fail(text.errors());
   const Outcome<Manifest> manifest = read_manifest(*text, path.generic_string());

@@ -22,6 +22,16 @@ bool is_scalar_value(const YamlNode& node) {
          !std::holds_alternative<YamlUnknownTag>(scalar_value(node));
 }
 
+/// A key in backticks; a phrase that has its own ("an item of `x`") as it is.
+std::string called(const std::string& what) {
+  return what.find('`') == std::string::npos ? "`" + what + "`" : what;
+}
+
+/// `key: value`, or the value alone for the item of a list.
+std::string pair_or_value(const std::string& what, const std::string& value) {
+  return what.find('`') == std::string::npos ? what + ": " + value : value;
+}
+
 std::string quoted_form(const std::string& text) {
   const std::string plain = as_yaml_text(text);
   return plain == text ? "\"" + text + "\"" : plain;
@@ -63,17 +73,17 @@ Diagnostic& Binder::wrong_type(const YamlNode& node, const std::string& what,
                                std::string_view wanted) {
   const bool nothing = node.kind == YamlKind::kNull && !node.written;
   if (nothing)
-    return error("R2W0103", "`" + what + "` has no value", node.range,
+    return error("R2W0103", called(what) + " has no value", node.range,
                  "expected " + std::string(wanted));
   if (node.kind == YamlKind::kScalar &&
       std::holds_alternative<YamlUnknownTag>(scalar_value(node))) {
-    Diagnostic& wrong = error("R2W0103", "the value of `" + what + "` has a tag that does not fit",
-                              node.range, "tagged `" + node.tag + "`");
+    Diagnostic& wrong = error("R2W0103", "the value of " + called(what) + " has a tag that does not fit", node.range,
+                              "tagged `" + node.tag + "`");
     wrong.why.push_back(
         "only YAML's own tags are read, such as `!!str`, and the value must fit its tag");
     return wrong;
   }
-  return error("R2W0103", "`" + what + "` must be " + std::string(wanted), node.range,
+  return error("R2W0103", called(what) + " must be " + std::string(wanted), node.range,
                "this is " + std::string(described(node)));
 }
 
@@ -84,7 +94,8 @@ std::optional<Spanned<std::string>> Binder::text(const YamlNode& node, const std
     wrong.fix.push_back("write `" + quoted_form(node.text) + "`");
   } else if (node.kind == YamlKind::kSequence && node.items.size() == 1 &&
              is_text(node.items.front())) {
-    wrong.fix.push_back("write `" + what + ": " + as_yaml_text(node.items.front().text) + "`");
+    wrong.fix.push_back("write `" + pair_or_value(what, as_yaml_text(node.items.front().text)) +
+                        "`");
   }
   return std::nullopt;
 }
@@ -93,13 +104,13 @@ std::optional<Spanned<std::string>> Binder::line(const YamlNode& node, const std
   auto found = text(node, what);
   if (!found) return std::nullopt;
   if (found->value.find_first_not_of(" \t\r\n") == std::string::npos) {
-    error("R2W0103", "`" + what + "` is empty", node.range, "expected a text");
+    error("R2W0103", called(what) + " is empty", node.range, "expected a text");
     return std::nullopt;
   }
   // A folded block ends with a newline that nobody means.
   while (found->value.ends_with('\n')) found->value.pop_back();
   if (found->value.find('\n') != std::string::npos) {
-    error("R2W0103", "`" + what + "` must be one line", node.range, "this has several lines");
+    error("R2W0103", called(what) + " must be one line", node.range, "this has several lines");
     return std::nullopt;
   }
   return found;
@@ -136,11 +147,11 @@ std::optional<Spanned<std::string>> Binder::word(const YamlNode& node, const std
   auto found = text(node, what);
   if (!found) return std::nullopt;
   if (std::find(words.begin(), words.end(), found->value) != words.end()) return found;
-  Diagnostic& wrong = error("R2W0103", "`" + what + "` cannot be `" + found->value + "`",
+  Diagnostic& wrong = error("R2W0103", called(what) + " cannot be `" + found->value + "`",
                             node.range, "not one of its values");
   wrong.why.push_back("its values are: " + name_list(words, 12));
   if (const auto near = nearest(found->value, words)) {
-    wrong.fix.push_back("write `" + what + ": " + as_yaml_text(*near) + "`");
+    wrong.fix.push_back("write `" + pair_or_value(what, as_yaml_text(*near)) + "`");
   }
   return std::nullopt;
 }
@@ -168,10 +179,10 @@ std::optional<Spanned<std::string>> Binder::name(const YamlNode& node, const std
   const auto fault = check(found->value);
   if (!fault) return found;
   if (found->value.empty()) {
-    error("R2W0103", "`" + what + "` is empty", node.range, "expected a name")
+    error("R2W0103", called(what) + " is empty", node.range, "expected a name")
         .why.push_back(fault->rule);
   } else {
-    name_error(node, "`" + what + "` cannot be `" + found->value + "`", 0, *fault);
+    name_error(node, called(what) + " cannot be `" + found->value + "`", 0, *fault);
   }
   return std::nullopt;
 }
@@ -190,7 +201,7 @@ std::optional<Spanned<std::string>> Binder::path(const YamlNode& node, const std
     }
   } else if (text_value.starts_with('/') || text_value.starts_with('~') ||
              (text_value.size() > 1 && text_value[1] == ':')) {
-    wrong = &error("R2W0114", "`" + what + "` must be a path relative to the manifest", node.range,
+    wrong = &error("R2W0114", called(what) + " must be a path relative to the manifest", node.range,
                    "this path exists on one machine only");
   }
   if (wrong == nullptr) return found;

@@ -84,7 +84,7 @@ class NodeReader {
       } else if (const auto* text = std::get_if<std::string>(&value)) {
         entry_.arguments.push_back(
             *text);  // may be empty, may have lines: a program takes any text
-      } else if (auto word = binder_.written(item, "arguments")) {
+      } else if (auto word = binder_.written(item, "an item of `arguments`")) {
         entry_.arguments.push_back(word->value);
       }
     });
@@ -109,20 +109,23 @@ class NodeReader {
       read_pair_map(item);
       return;
     }
-    const auto text = binder_.line(item, "remappings");
-    if (!text) return;
-    const std::size_t sign = text->value.find(":=");
+    if (!std::holds_alternative<std::string>(scalar_value(item))) {
+      binder_.wrong_type(item, "an item of `remappings`",
+                         "`from:=to`, or a mapping with `from` and `to`");
+      return;
+    }
+    const std::size_t sign = item.text.find(":=");
     if (sign == std::string::npos) {
       binder_
-          .error("R2W0110", "`" + text->value + "` is not a remapping", item.range,
+          .error("R2W0110", "`" + item.text + "` is not a remapping", item.range,
                  "there is no `:=` in it")
           .why.push_back("a remapping says which name becomes which: `from:=to`");
       return;
     }
     YamlNode from = item;
-    from.text = text->value.substr(0, sign);
+    from.text = item.text.substr(0, sign);
     YamlNode to = item;
-    to.text = text->value.substr(sign + 2);
+    to.text = item.text.substr(sign + 2);
     to.text_offset = item.text_offset + sign + 2;
     add_pair(from, to);
   }
@@ -203,7 +206,7 @@ std::string full_name(const NodeEntry& node) {
 
 std::optional<NodeEntry> read_node(Binder& binder, const YamlNode& node) {
   if (!binder.mapping(node, "a node of `launch`", node_keys())) {
-    Diagnostic& wrong = binder.wrong_type(node, "launch", "a list of nodes");
+    Diagnostic& wrong = binder.wrong_type(node, "an item of `launch`", "a node");
     wrong.why.push_back("each node is a mapping with at least `package` and `executable`");
     return std::nullopt;
   }

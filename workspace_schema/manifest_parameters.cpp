@@ -30,7 +30,7 @@ class ParameterReader {
   void read_item(const YamlNode& item) {
     if (item.kind == YamlKind::kMap) {
       read_map(item, "");
-    } else if (auto file = binder_.path(item, "parameters")) {
+    } else if (auto file = binder_.path(item, "an item of `parameters`")) {
       entry_.parameter_files.push_back(*std::move(file));
     }
   }

@@ -153,7 +153,7 @@ class Reader {
         {"name", {}}, {"email", {"mail", "e-mail"}}, {"orcid", {}}, {"affiliation", {}}};
     Author author;
     if (node.kind == YamlKind::kScalar) {
-      const auto text = binder_.line(node, "authors");
+      const auto text = binder_.line(node, "an item of `authors`");
       if (!text) return;
       const std::size_t open = text->value.find('<');
       const std::size_t close = text->value.rfind('>');
@@ -167,7 +167,7 @@ class Reader {
       return;
     }
     if (!binder_.mapping(node, "an author", kKeys)) {
-      binder_.wrong_type(node, "authors", "a list of names");
+      binder_.wrong_type(node, "an item of `authors`", "a name, or a mapping with `name`");
       return;
     }
     const YamlNode* name = value_of(node, "name");
@@ -223,7 +223,9 @@ class Reader {
 
   void read_lists() {
     const auto line_of = [this](const std::string& what) {
-      return [this, what](const YamlNode& item) { return binder_.line(item, what); };
+      return [this, what](const YamlNode& item) {
+        return binder_.line(item, "an item of `" + what + "`");
+      };
     };
     if (const YamlNode* node = given("channels")) {
       manifest_.channels = binder_.texts(*node, "channels", line_of("channels"));
@@ -233,7 +235,7 @@ class Reader {
     }
     if (const YamlNode* node = given("packages")) {
       manifest_.packages = binder_.texts(*node, "packages", [this](const YamlNode& item) {
-        return binder_.path(item, "packages");
+        return binder_.path(item, "an item of `packages`");
       });
     }
   }

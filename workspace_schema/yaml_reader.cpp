@@ -320,6 +320,7 @@ class TreeBuilder {
 
   YamlNode map(const Event& event) {
     YamlNode built{.kind = YamlKind::kMap, .range = {behind_properties(event.offset), 1}};
+    const bool block = text_.substr(built.range.offset, 1) != "{";
     std::set<std::string> keys;
     while (!fatal_ && at_ < events_.size() && events_[at_].kind != EventKind::kEnd) {
       const EventKind key_kind = events_[at_].kind;
@@ -327,6 +328,14 @@ class TreeBuilder {
       if (fatal_) break;
       if (key_kind != EventKind::kScalar) {
         fatal_ = not_yaml(source_, "a key must be a word", key.range, "this is no word");
+        break;
+      }
+      const bool has_colon = text_.substr(behind_colon(key.range).offset - 1, 1) == ":";
+      if (block && !has_colon && at_ < events_.size() && events_[at_].kind == EventKind::kNull) {
+        // The library takes a lone word in a mapping for a key with nothing behind it.
+        fatal_ = yaml_syntax_error(
+            source_, {.message = "illegal key without value", .offset = key.range.offset},
+            first_error_of);
         break;
       }
       YamlNode value = node(behind_colon(key.range));

@@ -67,8 +67,9 @@ class Hint {
     if (auto found = open_quote()) return *found;
     if (auto found = open_bracket()) return *found;
     if (auto found = no_space_after_colon()) return *found;
-    if (auto found = value_needs_quotes()) return *found;
     if (auto found = list_behind_key()) return *found;
+    if (auto found = value_needs_quotes()) return *found;
+    if (auto found = word_needs_quotes()) return *found;
     if (auto found = odd_indentation()) return *found;
     return plain();
   }
@@ -160,7 +161,7 @@ class Hint {
 
   std::optional<Diagnostic> open_bracket() const {
     const bool flow = report_.message.find("flow") != std::string_view::npos;
-    const auto open = open_at(report_.offset);
+    const auto open = open_at(source_.text().size());
     if (open && (open->mark == '[' || open->mark == '{')) {
       const SourceSpan span = source_.span(open->offset, 1);
       const std::string close = open->mark == '[' ? "]" : "}";
@@ -177,6 +178,13 @@ class Hint {
     if (!flow || report_.offset >= source_.text().size()) return std::nullopt;
     const char c = source_.text()[report_.offset];
     if (c != ']' && c != '}') return std::nullopt;
+    if (const auto other = open_at(report_.offset)) {
+      const SourceSpan begin = source_.span(other->offset, 1);
+      return at(
+          place_.line, place_.column - 1, 1,
+          "`" + std::string(1, c) + "` does not close what is open here",
+          "`" + std::string(1, other->mark) + "` was opened in line " + std::to_string(begin.line));
+    }
     return at(place_.line, place_.column - 1, 1, "`" + std::string(1, c) + "` closes nothing",
               c == ']' ? "no `[` is open here" : "no `{` is open here");
   }
@@ -205,7 +213,8 @@ class Hint {
   /// `key: value` on the line of the error, where quotes around the value help.
   std::optional<Diagnostic> value_needs_quotes() const {
     const std::size_t start = value_start(text_);
-    if (start == std::string_view::npos) return std::nullopt;
+    if (start == std::string_view::npos || text_[start] == '[' || text_[start] == '{')
+      return std::nullopt;
     std::string_view value = trimmed_end(text_.substr(start));
     const std::string_view whole = value;
     if (value.size() >= 2 && (value.front() == '"' || value.front() == '\'') &&
@@ -232,6 +241,26 @@ class Hint {
     }
     Diagnostic found = at(line_, start, whole.size(), message, label);
     found.fix.push_back("write `" + replacement.substr(content_start(replacement)) + "`");
+    return found;
+  }
+
+  /// A word anywhere else (an item of a list), where quotes around it help.
+  std::optional<Diagnostic> word_needs_quotes() const {
+    const std::string_view line = source_.line_text(place_.line);
+    std::size_t start = std::min<std::size_t>(place_.column - 1, line.size());
+    while (start > 0 && std::string_view(" [{,").find(line[start - 1]) == std::string_view::npos)
+      --start;
+    const std::size_t end = std::min(line.find_first_of(",]}", start), line.size());
+    const std::string word(trimmed_end(line.substr(start, end - start)));
+    if (word.empty() || std::string_view("@`%|>&*!").find(word.front()) == std::string_view::npos)
+      return std::nullopt;
+    const std::string quoted = "\"" + json_inside(word) + "\"";
+    std::string replacement(line);
+    replacement.replace(start, word.size(), quoted);
+    if (!helps(place_.line, replacement)) return std::nullopt;
+    Diagnostic found = at(place_.line, start, word.size(), "this value must be in quotes",
+                          "no plain value begins with `" + word.substr(0, 1) + "`");
+    found.fix.push_back("write `" + quoted + "`");
     return found;
   }
 
@@ -286,16 +315,19 @@ class Hint {
     for (const std::size_t candidate : candidates) {
       const std::string replacement = std::string(candidate, ' ') + std::string(text_.substr(mine));
       if (candidate == mine || !helps(line_, replacement)) continue;
-      Diagnostic found =
-          at(line_, mine, trimmed_end(text_).size() - mine,
-             "this line is not indented like those above", "indented by " + spaces(mine));
+      Diagnostic found = at(line_, mine, trimmed_end(text_).size() - mine,
+                            "this line is not indented like those above",
+                            mine == 0 ? "not indented" : "indented by " + spaces(mine));
       if (near_above > 0) {
         const std::string_view text = source_.line_text(near_above);
-        found.why.push_back("line " + std::to_string(near_above) + " is indented by " +
-                            spaces(indent_of(text)) +
+        found.why.push_back("line " + std::to_string(near_above) +
+                            (indent_of(text) == 0 ? " is not indented"
+                                                  : " is indented by " + spaces(indent_of(text))) +
                             "; keys of one mapping and items of one list begin in the same column");
       }
-      found.fix.push_back("indent line " + std::to_string(line_) + " by " + spaces(candidate));
+      found.fix.push_back(
+          candidate == 0 ? "write line " + std::to_string(line_) + " without the spaces before it"
+                         : "indent line " + std::to_string(line_) + " by " + spaces(candidate));
       return found;
     }
     return std::nullopt;
@@ -307,7 +339,15 @@ class Hint {
     Diagnostic found = at(place_.line, column,
                           trimmed_end(line).size() > column ? trimmed_end(line).size() - column : 1,
                           "this is not YAML", "does not fit what stands before it");
-    found.why.push_back("the YAML reader says: " + std::string(report_.message));
+    if (text_.substr(indent_of(text_)).starts_with("- ") && report_.message.starts_with("end of")) {
+      found.message = "a list item stands where a key must stand";
+      found.why.push_back("a list belongs under a key, such as `launch:`");
+    } else if (report_.message == "illegal key without value") {
+      found.message = "a key has no `:` behind it";
+      found.label = "`key: value` is missing its colon";
+    } else {
+      found.why.push_back("the YAML reader says: " + std::string(report_.message));
+    }
     return found;
   }
 

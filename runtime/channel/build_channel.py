@@ -21,7 +21,7 @@ from typing import Any
 sys.dont_write_bytecode = True
 
 from fingerprint import Compiler, find_compiler, package_keys  # noqa: E402
-from metadata import abi_record, is_compiled, record  # noqa: E402
+from metadata import ABI_PACKAGE, abi_record, record  # noqa: E402
 from package_source import PackageSource, find_packages  # noqa: E402
 from stage import BuildFailure, Workshop, build_package  # noqa: E402
 
@@ -49,6 +49,11 @@ def write_state(path: Path, state: dict[str, Any]) -> None:
     beside.replace(path)
 
 
+def all_metas(work: Path) -> list[dict[str, Any]]:
+    """Returns the records of all packages that were built, with whichever compiler."""
+    return [entry["meta"] for file in sorted(work.glob("*/state.json")) for entry in read_state(file).values()]
+
+
 def archive_of(out: Path, meta: dict[str, Any]) -> Path:
     return out / meta["subdir"] / f"{meta['name']}-{meta['version']}-{meta['build']}.conda"
 
@@ -60,13 +65,17 @@ class Channel:
         self._cli, self._out = cli, out
 
     def add(self, meta: dict[str, Any], tree: Path, scratch: Path) -> None:
-        """Packs a tree and puts it in place of older builds of the same package and compiler."""
+        """Packs a tree."""
         scratch.parent.mkdir(parents=True, exist_ok=True)
         scratch.write_text(json.dumps(meta, indent=1, sort_keys=True), encoding="utf-8")
-        self._run("channel", "add", "--channel", str(self._out), "--metadata", str(scratch), str(tree))
+        self._run("channel", "add", str(self._out), "--prefix", str(tree), "--metadata", str(scratch))
 
-    def remove(self, meta: dict[str, Any]) -> None:
-        archive_of(self._out, meta).unlink(missing_ok=True)
+    def keep_only(self, metas: list[dict[str, Any]]) -> None:
+        """Removes archives of earlier builds."""
+        kept = {archive_of(self._out, meta) for meta in metas}
+        for archive in self._out.glob("*/*.conda"):
+            if archive not in kept:
+                archive.unlink()
 
     def index(self) -> None:
         self._run("channel", "index", str(self._out))
@@ -114,7 +123,7 @@ def run(options: argparse.Namespace) -> int:
         return bool(known) and known["key"] == keys[name] and archive_of(options.out, known["meta"]).exists()
 
     changed = [name for name in packages if not current(name)]
-    gone = [name for name in state if name not in packages and name != "emscripten-abi"]
+    gone = [name for name in state if name not in packages and name != ABI_PACKAGE]
     abi = abi_record(compiler)
     index_there = (options.out / "noarch" / "repodata.json").exists()
     if not changed and not gone and index_there and archive_of(options.out, abi).exists():
@@ -125,19 +134,20 @@ def run(options: argparse.Namespace) -> int:
     def packed(name: str, tree: Path) -> None:
         nonlocal count
         count += 1
-        meta = record(packages[name], packages, keys[name], compiler, is_compiled(tree))
-        if name in state:
-            channel.remove(state[name]["meta"])
+        meta = record(packages[name], packages, tree, compiler)
+        meta["license_files"] = [str(path) for path in (ROOT / "LICENSE", tree / "share" / name / "copyright")
+                                 if path.exists()]
         channel.add(meta, tree, workshop.folder / "meta" / f"{name}.json")
         state[name] = {"key": keys[name], "meta": meta}
         write_state(state_file, state)
         say(f"[{count}/{len(changed)}] {name} {meta['version']}")
 
     for name in gone:
-        channel.remove(state.pop(name)["meta"])
+        del state[name]
     empty = workshop.folder / "trees" / "empty"
     empty.mkdir(parents=True, exist_ok=True)
-    channel.add(abi, empty, workshop.folder / "meta" / "emscripten-abi.json")
+    channel.add(abi, empty, workshop.folder / "meta" / f"{ABI_PACKAGE}.json")
+    state[ABI_PACKAGE] = {"key": compiler.version, "meta": abi}
     try:
         build_changed(workshop, packages, keys, changed, options.jobs, packed)
     except BuildFailure as failure:
@@ -146,6 +156,7 @@ def run(options: argparse.Namespace) -> int:
         say(str(failure))
         return 1
     write_state(state_file, state)
+    channel.keep_only(all_metas(work))
     channel.index()
     return 0
 

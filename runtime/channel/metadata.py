@@ -4,7 +4,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from fingerprint import Compiler
+from fingerprint import Compiler, tree_digest
 from package_source import PackageSource
 
 DISTRO = "jazzy"
@@ -22,13 +22,17 @@ def is_compiled(tree: Path) -> bool:
     return any(path.suffix in COMPILED_SUFFIXES for path in tree.rglob("*"))
 
 
-def record(package: PackageSource, packages: dict[str, PackageSource], key: str, compiler: Compiler,
-           compiled: bool) -> dict[str, Any]:
-    """Returns the metadata of one package, as `ros2wasm channel add` takes it."""
+def record(package: PackageSource, packages: dict[str, PackageSource], tree: Path,
+           compiler: Compiler) -> dict[str, Any]:
+    """Returns the metadata of one package, as `ros2wasm channel add` takes it.
+
+    The build string comes of the files: the same files have the same name, wherever they were made.
+    """
+    compiled = is_compiled(tree)
     depends = [f"{conda_name(need)} >={packages[need].version}" for need in package.use_needs]
     if compiled:
         depends.append(f"{ABI_PACKAGE} {compiler.version}.*")
-    build = f"h{key[:8]}_0"
+    build = f"h{tree_digest(tree)[:8]}_0"
     return {
         "name": conda_name(package.name),
         "version": package.version,

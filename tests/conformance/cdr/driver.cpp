@@ -22,8 +22,12 @@ void* operator new(size_t size) {
   if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
   std::abort();
 }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, size_t) noexcept { std::free(memory); }
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, size_t) noexcept {
+  std::free(memory);
+}
 
 namespace driver {
 namespace {
@@ -31,7 +35,9 @@ namespace {
 using Bytes = std::vector<uint8_t>;
 constexpr size_t kHeader = 4;
 
-bool read_exactly(void* target, size_t size) { return std::fread(target, 1, size, stdin) == size; }
+bool read_exactly(void* target, size_t size) {
+  return std::fread(target, 1, size, stdin) == size;
+}
 
 void answer(const std::string& json, const Bytes& cdr) {
   const auto put = [](const void* data, size_t size) {
@@ -89,7 +95,8 @@ bool feed(const TypeRow& type, const uint8_t* bytes, size_t size) {
   const bool accepted = type.callbacks()->deserialize(tight.get(), size, message.get());
   const size_t used = allocated_bytes - before;
   if (used > 4096 + 512 * size) {
-    std::fprintf(stderr, "%s: %zu bytes made it allocate %zu\n", type.callbacks()->type_name, size, used);
+    std::fprintf(stderr, "%s: %zu bytes made it allocate %zu\n", type.callbacks()->type_name, size,
+                 used);
     std::abort();
   }
   if (accepted) serialize(type, message.get());
@@ -104,7 +111,8 @@ std::string feed_damaged(const TypeRow& type, uint64_t seed) {
   size_t tried = 0, accepted = 0;
   for (size_t size = 0; size < good.size(); ++size, ++tried) {
     if (feed(type, good.data(), size)) {
-      std::fprintf(stderr, "%s: accepted %zu of %zu bytes\n", type.callbacks()->type_name, size, good.size());
+      std::fprintf(stderr, "%s: accepted %zu of %zu bytes\n", type.callbacks()->type_name, size,
+                   good.size());
       std::abort();
     }
     if (good.size() > 512) size += good.size() / 256;
@@ -117,7 +125,8 @@ std::string feed_damaged(const TypeRow& type, uint64_t seed) {
     }
     if (random.below(3) == 0) {  // a count as a liar would send it
       const size_t place = kHeader + 4 * random.below((damaged.size() - kHeader) / 4 + 1);
-      if (place + 4 <= damaged.size()) std::memset(&damaged[place], random.below(2) ? 0xFF : 0x7F, 4);
+      if (place + 4 <= damaged.size())
+        std::memset(&damaged[place], random.below(2) ? 0xFF : 0x7F, 4);
     }
     damaged[1] = static_cast<uint8_t>(random.below(2));  // either byte order
     accepted += feed(type, damaged.data(), damaged.size()) ? 1 : 0;

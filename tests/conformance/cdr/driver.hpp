@@ -93,7 +93,8 @@ void fill(void* place, Random& random, size_t bound) {
   } else if constexpr (kIsSequence<T> || kIsArray<T>) {
     if constexpr (kIsSequence<T>) {
       constexpr size_t kBound = kSequenceBound<T>;
-      value.resize(random.below((kBound != 0 && kBound < kLongestSequence ? kBound : kLongestSequence) + 1));
+      value.resize(
+          random.below((kBound != 0 && kBound < kLongestSequence ? kBound : kLongestSequence) + 1));
     }
     for (size_t i = 0; i < value.size(); ++i) {
       typename T::value_type element{};

@@ -13,9 +13,13 @@ uint64_t Random::next() {
   return z ^ (z >> 31);
 }
 
-void fill_bool(bool& value, Random& random) { value = random.below(2) == 1; }
+void fill_bool(bool& value, Random& random) {
+  value = random.below(2) == 1;
+}
 
-int32_t fill_sixty_fourths(Random& random) { return static_cast<int32_t>(random.next()); }
+int32_t fill_sixty_fourths(Random& random) {
+  return static_cast<int32_t>(random.next());
+}
 
 void fill_string(std::string& value, Random& random, size_t bound) {
   value.resize(random.below(bound == 0 || bound > 20 ? 20 : bound + 1));

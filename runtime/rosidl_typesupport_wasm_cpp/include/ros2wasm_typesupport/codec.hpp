@@ -10,37 +10,36 @@
 
 #include "ros2wasm_typesupport/cdr.hpp"
 
-namespace ros2wasm_typesupport
-{
+namespace ros2wasm_typesupport {
 
 /// One specialisation for each message type, made by the generator:
 ///   kMinimumSize     fewest payload bytes one value can take, without padding; at least 1
 ///   kPlainAlignment  0, or the alignment of a type whose memory is its wire form (no padding)
 ///   size, write, read
-template<class T>
+template <class T>
 struct Codec;
 
-/// How arithmetic values lie on the wire. bool is not plain: an invalid byte must not become a bool.
-template<class T>
-struct Primitive
-{
+/// How arithmetic values lie on the wire. bool is not plain: an invalid byte must not become a
+/// bool.
+template <class T>
+struct Primitive {
   static constexpr size_t kMinimumSize = sizeof(T);
   static constexpr size_t kPlainAlignment = std::is_same_v<T, bool> ? 0 : sizeof(T);
 };
 
-template<class T>
+template <class T>
 using Layout = std::conditional_t<std::is_arithmetic_v<T>, Primitive<T>, Codec<T>>;
 
-template<class T>
+template <class T>
 inline constexpr bool kIsPlain = Layout<T>::kPlainAlignment != 0;
 
 inline constexpr size_t kNoBound = 0;
 
-// ---- one value -----------------------------------------------------------------------------------
+// ---- one value
+// -----------------------------------------------------------------------------------
 
-template<class T>
-void size_value(CdrSizer & sizer, const T & value)
-{
+template <class T>
+void size_value(CdrSizer& sizer, const T& value) {
   if constexpr (std::is_arithmetic_v<T>) {
     sizer.add(sizeof(T), sizeof(T));
   } else if constexpr (Codec<T>::kPlainAlignment != 0) {
@@ -50,9 +49,8 @@ void size_value(CdrSizer & sizer, const T & value)
   }
 }
 
-template<class T>
-void write_value(CdrWriter & writer, const T & value)
-{
+template <class T>
+void write_value(CdrWriter& writer, const T& value) {
   if constexpr (std::is_arithmetic_v<T>) {
     writer.put(value);
   } else if constexpr (Codec<T>::kPlainAlignment != 0) {
@@ -62,15 +60,14 @@ void write_value(CdrWriter & writer, const T & value)
   }
 }
 
-template<class T>
-void read_value(CdrReader & reader, T & value)
-{
+template <class T>
+void read_value(CdrReader& reader, T& value) {
   if constexpr (std::is_arithmetic_v<T>) {
     reader.get(value);
   } else {
     if constexpr (Codec<T>::kPlainAlignment != 0) {
       if (!reader.swapped()) {
-        reader.get_bytes(static_cast<void *>(&value), sizeof(T), Codec<T>::kPlainAlignment);
+        reader.get_bytes(static_cast<void*>(&value), sizeof(T), Codec<T>::kPlainAlignment);
         return;
       }
     }
@@ -78,38 +75,34 @@ void read_value(CdrReader & reader, T & value)
   }
 }
 
-// ---- strings -------------------------------------------------------------------------------------
-// A string is its count with the final NUL, the bytes and the NUL. A wide string is its count and
-// one 32-bit value for each UTF-16 unit, without a NUL, as the Fast DDS type support has it.
+// ---- strings
+// ------------------------------------------------------------------------------------- A string is
+// its count with the final NUL, the bytes and the NUL. A wide string is its count and one 32-bit
+// value for each UTF-16 unit, without a NUL, as the Fast DDS type support has it.
 
-template<>
-struct Codec<std::string>
-{
+template <>
+struct Codec<std::string> {
   static constexpr size_t kMinimumSize = 4;
   static constexpr size_t kPlainAlignment = 0;
 };
 
-template<>
-struct Codec<std::u16string>
-{
+template <>
+struct Codec<std::u16string> {
   static constexpr size_t kMinimumSize = 4;
   static constexpr size_t kPlainAlignment = 0;
 };
 
-inline void size_string(CdrSizer & sizer, const std::string & value)
-{
+inline void size_string(CdrSizer& sizer, const std::string& value) {
   sizer.add(4, 4);
   sizer.add(value.size() + 1, 1);
 }
 
-inline void size_string(CdrSizer & sizer, const std::u16string & value)
-{
+inline void size_string(CdrSizer& sizer, const std::u16string& value) {
   sizer.add(4, 4);
   sizer.add(value.size() * 4, 1);
 }
 
-inline void write_string(CdrWriter & writer, const std::string & value, size_t bound)
-{
+inline void write_string(CdrWriter& writer, const std::string& value, size_t bound) {
   if (bound != kNoBound && value.size() > bound) {
     writer.fail();
     return;
@@ -118,8 +111,7 @@ inline void write_string(CdrWriter & writer, const std::string & value, size_t b
   writer.put_bytes(value.c_str(), value.size() + 1, 1);
 }
 
-inline void write_string(CdrWriter & writer, const std::u16string & value, size_t bound)
-{
+inline void write_string(CdrWriter& writer, const std::u16string& value, size_t bound) {
   if (bound != kNoBound && value.size() > bound) {
     writer.fail();
     return;
@@ -130,23 +122,21 @@ inline void write_string(CdrWriter & writer, const std::u16string & value, size_
   }
 }
 
-inline void read_string(CdrReader & reader, std::string & value, size_t bound)
-{
+inline void read_string(CdrReader& reader, std::string& value, size_t bound) {
   const size_t count = reader.get_count(bound == kNoBound ? kNoBound : bound + 1, 1);
   if (count == 0) {  // not what we write, but some writers send an empty string so
     value.clear();
     return;
   }
-  const uint8_t * bytes = reader.take(count, 1);
+  const uint8_t* bytes = reader.take(count, 1);
   if (bytes == nullptr || bytes[count - 1] != 0) {
     reader.fail();
     return;
   }
-  value.assign(reinterpret_cast<const char *>(bytes), count - 1);
+  value.assign(reinterpret_cast<const char*>(bytes), count - 1);
 }
 
-inline void read_string(CdrReader & reader, std::u16string & value, size_t bound)
-{
+inline void read_string(CdrReader& reader, std::u16string& value, size_t bound) {
   const size_t count = reader.get_count(bound, 4);
   value.resize(count);
   for (size_t i = 0; i < count; ++i) {
@@ -159,16 +149,16 @@ inline void read_string(CdrReader & reader, std::u16string & value, size_t bound
   }
 }
 
-// ---- elements: a fixed array, or a sequence behind its count -------------------------------------
-// `string_bound` is the bound of each element when elements are strings.
+// ---- elements: a fixed array, or a sequence behind its count
+// ------------------------------------- `string_bound` is the bound of each element when elements
+// are strings.
 
-template<class T>
+template <class T>
 inline constexpr bool kIsString =
-  std::is_same_v<T, std::string> || std::is_same_v<T, std::u16string>;
+    std::is_same_v<T, std::string> || std::is_same_v<T, std::u16string>;
 
-template<class T>
-void size_elements(CdrSizer & sizer, const T * elements, size_t count)
-{
+template <class T>
+void size_elements(CdrSizer& sizer, const T* elements, size_t count) {
   if constexpr (kIsString<T>) {
     for (size_t i = 0; i < count; ++i) {
       size_string(sizer, elements[i]);
@@ -186,9 +176,8 @@ void size_elements(CdrSizer & sizer, const T * elements, size_t count)
   }
 }
 
-template<class T>
-void write_elements(CdrWriter & writer, const T * elements, size_t count, size_t string_bound)
-{
+template <class T>
+void write_elements(CdrWriter& writer, const T* elements, size_t count, size_t string_bound) {
   if constexpr (kIsString<T>) {
     for (size_t i = 0; i < count; ++i) {
       write_string(writer, elements[i], string_bound);
@@ -206,16 +195,14 @@ void write_elements(CdrWriter & writer, const T * elements, size_t count, size_t
   }
 }
 
-template<class T>
-void read_elements(CdrReader & reader, T * elements, size_t count, size_t string_bound)
-{
+template <class T>
+void read_elements(CdrReader& reader, T* elements, size_t count, size_t string_bound) {
   if constexpr (kIsPlain<T>) {
     if (count == 0) {
       return;
     }
     if (sizeof(T) == 1 || !reader.swapped()) {
-      reader.get_bytes(
-        static_cast<void *>(elements), count * sizeof(T), Layout<T>::kPlainAlignment);
+      reader.get_bytes(static_cast<void*>(elements), count * sizeof(T), Layout<T>::kPlainAlignment);
       return;
     }
   }
@@ -229,16 +216,14 @@ void read_elements(CdrReader & reader, T * elements, size_t count, size_t string
 }
 
 /// The elements of a sequence in memory. BoundedVector's own data() cannot be called.
-template<class Sequence>
-auto elements_of(Sequence & sequence)
-{
+template <class Sequence>
+auto elements_of(Sequence& sequence) {
   return sequence.size() == 0 ? nullptr : &sequence[0];
 }
 
 /// `Sequence` is std::vector or rosidl_runtime_cpp::BoundedVector; of bool, both pack bits.
-template<class Sequence>
-void size_sequence(CdrSizer & sizer, const Sequence & sequence)
-{
+template <class Sequence>
+void size_sequence(CdrSizer& sizer, const Sequence& sequence) {
   sizer.add(4, 4);
   if constexpr (std::is_same_v<typename Sequence::value_type, bool>) {
     sizer.add(sequence.size(), 1);
@@ -247,10 +232,9 @@ void size_sequence(CdrSizer & sizer, const Sequence & sequence)
   }
 }
 
-template<class Sequence>
-void write_sequence(
-  CdrWriter & writer, const Sequence & sequence, size_t bound, size_t string_bound)
-{
+template <class Sequence>
+void write_sequence(CdrWriter& writer, const Sequence& sequence, size_t bound,
+                    size_t string_bound) {
   const size_t count = sequence.size();
   if (bound != kNoBound && count > bound) {
     writer.fail();
@@ -258,7 +242,7 @@ void write_sequence(
   }
   writer.put_count(count);
   if constexpr (std::is_same_v<typename Sequence::value_type, bool>) {
-    if (uint8_t * room = writer.claim(count, 1)) {
+    if (uint8_t* room = writer.claim(count, 1)) {
       for (size_t i = 0; i < count; ++i) {
         room[i] = sequence[i] ? 1 : 0;
       }
@@ -268,13 +252,12 @@ void write_sequence(
   }
 }
 
-template<class Sequence>
-void read_sequence(CdrReader & reader, Sequence & sequence, size_t bound, size_t string_bound)
-{
+template <class Sequence>
+void read_sequence(CdrReader& reader, Sequence& sequence, size_t bound, size_t string_bound) {
   using Element = typename Sequence::value_type;
   const size_t count = reader.get_count(bound, Layout<Element>::kMinimumSize);
   if constexpr (std::is_same_v<Element, bool>) {
-    const uint8_t * bytes = reader.take(count, 1);
+    const uint8_t* bytes = reader.take(count, 1);
     if (bytes != nullptr) {
       sequence.resize(count);
       for (size_t i = 0; i < count; ++i) {

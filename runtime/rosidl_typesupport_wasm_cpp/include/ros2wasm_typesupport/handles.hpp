@@ -10,62 +10,53 @@
 #include "ros2wasm_typesupport/codec.hpp"
 #include "ros2wasm_typesupport/message_callbacks.hpp"
 
-namespace ros2wasm_typesupport
-{
+namespace ros2wasm_typesupport {
 
-template<class T>
-size_t serialized_size(const void * message)
-{
+template <class T>
+size_t serialized_size(const void* message) {
   CdrSizer sizer;
-  size_value(sizer, *static_cast<const T *>(message));
+  size_value(sizer, *static_cast<const T*>(message));
   return sizer.total();
 }
 
-template<class T>
-size_t serialize(const void * message, uint8_t * buffer, size_t capacity)
-{
+template <class T>
+size_t serialize(const void* message, uint8_t* buffer, size_t capacity) {
   CdrWriter writer(buffer, capacity);
-  write_value(writer, *static_cast<const T *>(message));
+  write_value(writer, *static_cast<const T*>(message));
   return writer.finish();
 }
 
-template<class T>
-bool deserialize(const uint8_t * buffer, size_t size, void * message)
-{
+template <class T>
+bool deserialize(const uint8_t* buffer, size_t size, void* message) {
   CdrReader reader(buffer, size);
   if (!reader.ok()) {
     return false;
   }
-  read_value(reader, *static_cast<T *>(message));
+  read_value(reader, *static_cast<T*>(message));
   return reader.ok();
 }
 
-template<class T>
-constexpr MessageCallbacks make_callbacks(const char * type_name, const char * type_hash)
-{
+template <class T>
+constexpr MessageCallbacks make_callbacks(const char* type_name, const char* type_hash) {
   return {type_name, type_hash, &serialized_size<T>, &serialize<T>, &deserialize<T>};
 }
 
 /// The `func` of a handle: the handle itself when it is of the kind asked for.
-inline const rosidl_message_type_support_t * select_message_handle(
-  const rosidl_message_type_support_t * handle, const char * identifier)
-{
+inline const rosidl_message_type_support_t* select_message_handle(
+    const rosidl_message_type_support_t* handle, const char* identifier) {
   return std::strcmp(handle->typesupport_identifier, identifier) == 0 ? handle : nullptr;
 }
 
-inline const rosidl_service_type_support_t * select_service_handle(
-  const rosidl_service_type_support_t * handle, const char * identifier)
-{
+inline const rosidl_service_type_support_t* select_service_handle(
+    const rosidl_service_type_support_t* handle, const char* identifier) {
   return std::strcmp(handle->typesupport_identifier, identifier) == 0 ? handle : nullptr;
 }
 
-constexpr rosidl_message_type_support_t make_handle(const MessageCallbacks & callbacks)
-{
+constexpr rosidl_message_type_support_t make_handle(const MessageCallbacks& callbacks) {
   return {kTypesupportIdentifier, &callbacks, &select_message_handle};
 }
 
-constexpr rosidl_service_type_support_t make_handle(const ServiceCallbacks & callbacks)
-{
+constexpr rosidl_service_type_support_t make_handle(const ServiceCallbacks& callbacks) {
   return {kTypesupportIdentifier, &callbacks, &select_service_handle};
 }
 

@@ -117,6 +117,14 @@ void Arguments::number(const std::string& names, int& target, const std::string&
   app_.add_option(names, target, help)->option_text(placeholder)->check(CLI::Range(least, most));
 }
 
+void Arguments::number(const std::string& names, std::optional<int>& target,
+                       const std::string& placeholder, int least, int most,
+                       const std::string& help) {
+  app_.add_option_function<int>(names, [&target](int number) { target = number; }, help)
+      ->option_text(placeholder)
+      ->check(CLI::Range(least, most));
+}
+
 void Arguments::choice(const std::string& names, std::string& target,
                        const std::vector<std::string>& words, const std::string& help) {
   std::string placeholder;

@@ -32,6 +32,8 @@ class Arguments {
              const std::string& placeholder, const std::string& help);
   void number(const std::string& names, int& target, const std::string& placeholder, int least,
               int most, const std::string& help);
+  void number(const std::string& names, std::optional<int>& target, const std::string& placeholder,
+              int least, int most, const std::string& help);
   /// One of a fixed set of words.
   void choice(const std::string& names, std::string& target, const std::vector<std::string>& words,
               const std::string& help);

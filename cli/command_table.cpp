@@ -10,6 +10,7 @@ CommandBody build_command(Arguments& arguments);
 CommandBody channel_command(Arguments& arguments);
 CommandBody check_command(Arguments& arguments);
 CommandBody explain_command(Arguments& arguments);
+CommandBody init_command(Arguments& arguments);
 CommandBody link_program_command(Arguments& arguments);
 CommandBody pack_command(Arguments& arguments);
 CommandBody run_command(Arguments& arguments);
@@ -27,6 +28,7 @@ constexpr auto kCommands = std::to_array<CommandRow>({
     {.name = "run",
      .help = "Run a packed site in Node.js, without a browser",
      .declare = run_command},
+    {.name = "init", .help = "Begin a workspace, or a manifest for one", .declare = init_command},
     {.name = "check",
      .help = "Check a workspace.yaml and say all that is wrong",
      .declare = check_command},

@@ -12,10 +12,14 @@ namespace ros2wasm {
 namespace {
 
 std::atomic<bool> interrupt_requested{false};
-static_assert(std::atomic<bool>::is_always_lock_free, "the handler may use nothing else");
+std::atomic<int> first_signal{0};
+static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free,
+              "the handler may use nothing else");
 int wake_pipe_write_end = -1;
 
-extern "C" void on_interrupt(int) {
+extern "C" void on_interrupt(int signal) {
+  int none = 0;
+  first_signal.compare_exchange_strong(none, signal, std::memory_order_relaxed);
   interrupt_requested.store(true, std::memory_order_relaxed);
   if (wake_pipe_write_end >= 0) {
     const char byte = 1;
@@ -44,6 +48,10 @@ Cancellation install_interrupt_handlers() {
   sigemptyset(&pipe_closed.sa_mask);
   sigaction(SIGPIPE, &pipe_closed, nullptr);
   return Cancellation(interrupt_requested, ends[0]);
+}
+
+bool asked_to_end() {
+  return first_signal.load(std::memory_order_relaxed) == SIGTERM;
 }
 
 }  // namespace ros2wasm

@@ -11,4 +11,8 @@ namespace ros2wasm {
 /// start with the default again.
 [[nodiscard]] Cancellation install_interrupt_handlers();
 
+/// Whether the first signal was SIGTERM, with which a program that only stops when told so ends
+/// well; Ctrl-C is an interruption for it too.
+[[nodiscard]] bool asked_to_end();
+
 }  // namespace ros2wasm

@@ -5,16 +5,14 @@
 #include <memory>
 
 #include "bundler/serve/site_responder.hpp"
-#include "bundler/serve/workspace_watch.hpp"
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
-#include "cli/diagnostic_text.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/watched_pack.hpp"
 
 namespace ros2wasm {
 namespace {
 
-constexpr int kLookIntervalMs = 200;
 constexpr int kUsualPort = 8000;  // always the same, so that the browser keeps what it knows of a site
 
 struct Options {
@@ -36,7 +34,7 @@ std::string link_to(const std::string& host, int port) {
   return "http://" + (literal6 ? "[" + name + "]" : name) + ":" + std::to_string(port) + "/";
 }
 
-/// Returns when it is time to look at the workspace, or when the program should end.
+/// Returns after this time (-1: never), or when the program should end.
 void wait_for_stop(const Cancellation& cancellation, int timeout_ms) {
   pollfd wake{.fd = cancellation.wake_fd(), .events = POLLIN, .revents = 0};
   poll(&wake, 1, timeout_ms);
@@ -62,17 +60,32 @@ Outcome<HttpServer> start_server(const Options& options, const HttpHandler& hand
 }
 
 int serve(Context& context, const Options& options) {
+  std::optional<WatchedPack> watched;
+  int failure = 0;
+  if (options.watch) {
+    // Packed first, so that the site is of the workspace as it is.
+    watched.emplace(context, *options.watch, options.site);
+    failure = watched->pack_now();
+    if (context.cancellation.requested()) return static_cast<int>(FailureKind::kInterrupted);
+    context.console.remark("Watching " + *options.watch + " for changes.");
+  }
+  if (const auto site = check_site(options.site); !site)
+    return failure != 0 ? failure : context.console.fail(site.errors());
   std::error_code error;
   SiteServing serving{.folder = std::filesystem::absolute(options.site, error),
                       .isolation = !options.no_isolation,
                       .only_local_hosts = is_loopback(options.host),
                       .reload = std::nullopt};
-  if (const auto site = check_site(options.site); !site) return context.console.fail(site.errors());
+  if (watched) serving.reload = watched->pages();
   const auto server = start_server(
       options, [serving](const HttpRequest& request) { return site_response(serving, request); });
   if (!server) return context.console.fail(server.errors());
   say_what_is_served(context, options, server->port());
-  while (!context.cancellation.requested()) wait_for_stop(context.cancellation, -1);
+  while (!context.cancellation.requested()) {
+    wait_for_stop(context.cancellation, watched ? watched->interval_ms() : -1);
+    if (watched && !context.cancellation.requested()) watched->look();
+  }
+  if (watched) watched->close();
   return asked_to_end() ? 0 : static_cast<int>(FailureKind::kInterrupted);
 }
 
@@ -87,7 +100,10 @@ CommandBody serve_command(Arguments& arguments) {
                   "0.0.0.0 lets other machines in [127.0.0.1]");
   arguments.flag("--no-isolation", options->no_isolation,
                  "leave out COOP and COEP, as hosts do that cannot send headers");
-  arguments.examples({"ros2wasm serve site", "ros2wasm serve site --port 0"});
+  arguments.value("--watch", options->watch, "WORKSPACE",
+                  "pack this workspace to SITE, and again when it changes; pages reload");
+  arguments.examples({"ros2wasm serve site", "ros2wasm serve site --port 0",
+                      "ros2wasm serve site --watch workspace.yaml"});
   return [options](Context& context) { return serve(context, *options); };
 }
 

@@ -2,47 +2,39 @@
 #include "bundler/run/headless_command.hpp"
 
 #include "bundler/io/files.hpp"
+#include "bundler/io/installation.hpp"
 #include "bundler/io/process.hpp"
 #include "workspace_schema/json_reader.hpp"
 
 namespace ros2wasm {
 namespace {
 
-constexpr std::string_view kAssetList = "runtime_assets.json";
-
-Diagnostic no_headless(std::vector<std::string> why) {
-  return Diagnostic{.code = "R2W0623",
-                    .kind = FailureKind::kEnvironment,
-                    .message = "the part of ros2wasm that runs sites in Node.js is not there",
-                    .why = std::move(why)};
-}
-
-Outcome<std::filesystem::path> headless_in(const std::filesystem::path& folder) {
-  const auto text = read_file(folder / kAssetList);
+/// Takes the name only: the whole list is checked when a site is packed.
+Outcome<std::string> headless_name(const std::filesystem::path& list) {
+  const auto text = read_file(list);
   if (!text) return text.errors();
-  const auto list = parse_json(*text, (folder / kAssetList).string(), "R2W0623");
-  if (!list) return list.errors();
-  const JsonValue* assets = list->find("assets");
-  if (assets != nullptr) {
+  const auto parsed = parse_json(*text, list.string(), "R2W0604");
+  if (!parsed) return parsed.errors();
+  if (const JsonValue* assets = parsed->find("assets")) {
     for (const JsonValue& asset : assets->items()) {
-      if (asset.text_of("role") == "headless") return folder / asset.text_of("file");
+      if (asset.text_of("role") == "headless") return asset.text_of("file");
     }
   }
-  return no_headless({(folder / kAssetList).string() + " names no file of role `headless`"});
+  return Diagnostic{.code = "R2W0623",
+                    .kind = FailureKind::kEnvironment,
+                    .message = "this installation of ros2wasm cannot run sites in Node.js",
+                    .why = {list.string() + " names no file of role `headless`"}};
 }
 
 }  // namespace
 
 Outcome<std::filesystem::path> find_headless_program(const std::filesystem::path& executable) {
-  const auto folder = executable.parent_path();
-  std::vector<std::string> why;
-  for (const auto& place :
-       {folder / "runtime", folder.parent_path() / "share" / "ros2wasm" / "runtime"}) {
-    std::error_code error;
-    if (std::filesystem::exists(place / kAssetList, error)) return headless_in(place);
-    why.push_back("there is no " + (place / kAssetList).string());
-  }
-  return no_headless(std::move(why));
+  const auto list = find_own_data(executable, "runtime/runtime_assets.json",
+                                  "the runtime that every site is made with");
+  if (!list) return list.errors();
+  const auto name = headless_name(*list);
+  if (!name) return name.errors();
+  return list->parent_path() / *name;
 }
 
 Outcome<Done> check_pattern(const std::filesystem::path& node_js, const std::string& pattern,

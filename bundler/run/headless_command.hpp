@@ -20,8 +20,8 @@ struct HeadlessRun {
   bool json = false;
 };
 
-/// The runtime's program for Node.js: the file of role `headless` in runtime_assets.json, in
-/// `runtime` beside the executable or in share/ros2wasm/runtime of its prefix. R2W0623.
+/// The runtime's program for Node.js: the file of role `headless` in runtime_assets.json. R2W0912
+/// the installation has no runtime, R2W0604 its list is damaged, R2W0623 it has no such file.
 [[nodiscard]] Outcome<std::filesystem::path> find_headless_program(
     const std::filesystem::path& executable);
 

@@ -1,24 +1,13 @@
 // See node_js.hpp.
 #include "bundler/run/node_js.hpp"
 
-#include <unistd.h>
-
 #include <charconv>
 
+#include "bundler/io/installation.hpp"
 #include "bundler/io/process.hpp"
 
 namespace ros2wasm {
 namespace {
-
-std::optional<std::filesystem::path> pinned_node_js(const std::filesystem::path& executable) {
-  const auto folder = executable.parent_path();
-  const auto above = folder.parent_path();
-  for (const auto& base : {folder, above, above.parent_path(), above / "share" / "ros2wasm"}) {
-    auto program = base / "node_modules" / ".bin" / "node";
-    if (access(program.c_str(), X_OK) == 0) return program;
-  }
-  return std::nullopt;
-}
 
 Diagnostic no_node_js(std::string why) {
   return Diagnostic{.code = "R2W0620",
@@ -46,7 +35,7 @@ std::optional<int> node_js_major(std::string_view version_text) {
 Outcome<std::filesystem::path> find_node_js(const std::filesystem::path& executable,
                                             std::string_view path_variable,
                                             const Cancellation& cancellation) {
-  if (auto pinned = pinned_node_js(executable)) return std::move(*pinned);
+  if (auto pinned = find_npm_tool(executable, "node")) return std::move(*pinned);
   const auto found = find_program("node", path_variable);
   if (!found) return no_node_js("there is no `node` in PATH");
   const auto asked = run_process({.arguments = {found->string(), "--version"},

@@ -18,8 +18,7 @@ constexpr int kOldestNodeJs = 22;
 /// "v26.10.0\n" -> 26; nothing when it is no version.
 [[nodiscard]] std::optional<int> node_js_major(std::string_view version_text);
 
-/// The Node.js pinned beside the program (`node_modules/.bin/node` in its folder, one of the two
-/// folders above, or share/ros2wasm of its prefix), else `node` of PATH when it is new enough.
+/// The Node.js that npm pinned for this installation, else `node` of PATH when it is new enough.
 /// R2W0620 there is none, or only an older one.
 [[nodiscard]] Outcome<std::filesystem::path> find_node_js(const std::filesystem::path& executable,
                                                           std::string_view path_variable,

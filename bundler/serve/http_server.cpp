@@ -15,10 +15,8 @@
 namespace ros2wasm {
 namespace {
 
-/// A browser holds six connections per page, and each watching page one more for its events.
-constexpr std::size_t kThreads = 48;
-/// How long an idle connection may keep the server from ending.
-constexpr std::time_t kKeepAliveSeconds = 1;
+/// Each watching page holds one for its events; a page that loads needs about six.
+constexpr std::size_t kThreads = 32;
 constexpr std::size_t kPieceBytes = 64 * 1024;
 
 HttpRequest request_of(const httplib::Request& request) {
@@ -141,8 +139,8 @@ Outcome<HttpServer> HttpServer::start(const std::string& host, int port, HttpHan
   auto state = std::make_unique<State>();
   httplib::Server& server = state->server;
   server.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
-  server.set_keep_alive_timeout(kKeepAliveSeconds);
-  server.set_keep_alive_max_count(1000);
+  // One request per connection: an idle connection would hold a thread and delay the end.
+  server.set_keep_alive_max_count(1);
   server.set_tcp_nodelay(true);
   server.set_payload_max_length(64 * 1024);  // nothing is ever sent to this server
   // Without SO_REUSEPORT, so that a port in use is noticed.

@@ -30,27 +30,29 @@ std::vector<std::string> names_in(const std::filesystem::path& folder) {
   if (stream == nullptr) return names;
   while (const dirent* entry = readdir(stream)) names.emplace_back(entry->d_name);
   closedir(stream);
+  std::sort(names.begin(), names.end());
   return names;
 }
 
-void walk_folder(const std::filesystem::path& folder, const std::string& prefix, Walk& walk) {
-  const auto names = names_in(folder);
+void walk(const std::filesystem::path& path, Walk& state) {
+  const auto status = status_of(path);
+  if (!status) return;  // gone meanwhile, or a link to nowhere
+  if (S_ISREG(status->st_mode)) {
+    const std::int64_t modified_ns =
+        std::int64_t{status->st_mtim.tv_sec} * 1'000'000'000 + status->st_mtim.tv_nsec;
+    state.marks[path.string()] = FileMark{.size = static_cast<std::uint64_t>(status->st_size),
+                                          .inode = status->st_ino,
+                                          .modified_ns = modified_ns};
+  }
+  if (!S_ISDIR(status->st_mode) || !state.visited.emplace(status->st_dev, status->st_ino).second)
+    return;
+  const auto names = names_in(path);
+  std::error_code error;
   if (std::find(names.begin(), names.end(), "COLCON_IGNORE") != names.end()) return;
   for (const std::string& name : names) {
-    if (name == "." || name == "..") continue;
-    const auto status = status_of(folder / name);
-    if (!status) continue;  // gone meanwhile, or a link to nowhere
-    if (S_ISDIR(status->st_mode)) {
-      if (name.starts_with('.')) continue;
-      if (walk.visited.emplace(status->st_dev, status->st_ino).second)
-        walk_folder(folder / name, prefix + name + "/", walk);
-    } else if (S_ISREG(status->st_mode)) {
-      const std::int64_t modified_ns =
-          std::int64_t{status->st_mtim.tv_sec} * 1'000'000'000 + status->st_mtim.tv_nsec;
-      walk.marks[prefix + name] = FileMark{.size = static_cast<std::uint64_t>(status->st_size),
-                                           .inode = status->st_ino,
-                                           .modified_ns = modified_ns};
-    }
+    const bool hidden_folder =
+        name.starts_with('.') && std::filesystem::is_directory(path / name, error);
+    if (!hidden_folder) walk(path / name, state);
   }
 }
 
@@ -64,14 +66,15 @@ std::optional<std::string> first_difference(const WorkspaceMarks& a, const Works
 
 }  // namespace
 
-WorkspaceMarks workspace_marks(const std::filesystem::path& root,
+WorkspaceMarks workspace_marks(const std::vector<std::filesystem::path>& roots,
                                const std::vector<std::filesystem::path>& ignored) {
-  Walk walk;
+  Walk state;
   for (const auto& folder : ignored) {
-    if (const auto status = status_of(folder)) walk.visited.emplace(status->st_dev, status->st_ino);
+    if (const auto status = status_of(folder))
+      state.visited.emplace(status->st_dev, status->st_ino);
   }
-  walk_folder(root, "", walk);
-  return std::move(walk.marks);
+  for (const auto& root : roots) walk(root, state);
+  return std::move(state.marks);
 }
 
 std::optional<std::string> WorkspaceWatch::look(WorkspaceMarks now) {

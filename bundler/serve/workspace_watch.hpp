@@ -19,11 +19,13 @@ struct FileMark {
   bool operator==(const FileMark&) const = default;
 };
 
-/// Every file of the workspace by its path relative to the root. Hidden folders, folders that hold
-/// COLCON_IGNORE (as colcon's build, install and log do) and `ignored` ones are left out; links to
-/// folders are followed, each folder once.
+/// Every file of the workspace by its path.
 using WorkspaceMarks = std::map<std::string, FileMark>;
-[[nodiscard]] WorkspaceMarks workspace_marks(const std::filesystem::path& root,
+
+/// `roots` are files and folders. Hidden folders, folders that hold COLCON_IGNORE (as colcon's build,
+/// install and log do) and `ignored` ones are left out; links to folders are followed, each folder
+/// once.
+[[nodiscard]] WorkspaceMarks workspace_marks(const std::vector<std::filesystem::path>& roots,
                                              const std::vector<std::filesystem::path>& ignored);
 
 /// Compares looks at a workspace. Pure, so that it needs no clock: the caller looks now and then.

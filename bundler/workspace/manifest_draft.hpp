@@ -1,0 +1,36 @@
+// Writes the first workspace.yaml of a colcon workspace, for a person to go on with. Pure: packages
+// and the texts of their build files in, YAML out.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ros2wasm {
+
+/// A package as far as the draft needs it.
+struct DraftPackage {
+  std::string name;
+  std::string version;
+  std::string license;
+  std::string build_type;             ///< "ament_cmake"
+  std::string folder;                 ///< relative to the manifest, with `/`
+  std::vector<std::string> programs;  ///< see installed_program_names
+};
+
+struct DraftInput {
+  std::string name;   ///< a valid workspace name
+  std::string title;
+  std::vector<DraftPackage> packages;     ///< sorted by folder
+  std::vector<std::string> launch_files;  ///< relative to the manifest
+};
+
+/// Names of the executables that a CMakeLists.txt makes and installs, sorted. Names that CMake puts
+/// together from variables other than PROJECT_NAME are not seen.
+[[nodiscard]] std::vector<std::string> installed_program_names(std::string_view cmake_lists);
+
+/// The manifest's text, with a comment where a person must choose.
+[[nodiscard]] std::string draft_manifest(const DraftInput& input);
+
+}  // namespace ros2wasm

@@ -1,0 +1,169 @@
+// See manifest_init.hpp.
+#include "bundler/workspace/manifest_init.hpp"
+
+#include <algorithm>
+
+#include "bundler/io/files.hpp"
+#include "bundler/workspace/default_manifest.hpp"
+#include "bundler/workspace/discovery.hpp"
+#include "bundler/workspace/manifest_draft.hpp"
+#include "workspace_schema/manifest_reader.hpp"
+#include "workspace_schema/suggestion.hpp"
+
+namespace ros2wasm {
+namespace fs = std::filesystem;
+namespace {
+
+struct NewFile {
+  fs::path path;
+  std::string bytes;
+};
+
+Outcome<std::vector<fs::path>> write_new(const std::vector<NewFile>& files) {
+  std::error_code error;
+  Diagnostics errors;
+  for (const NewFile& file : files) {
+    if (!fs::exists(fs::symlink_status(file.path, error))) continue;
+    errors.push_back(Diagnostic{.code = "R2W0630",
+                                .message = "`" + file.path.string() + "` exists already",
+                                .why = {"`ros2wasm init` writes over nothing; nothing was written"}});
+  }
+  if (!errors.empty()) return errors;
+  std::vector<fs::path> written;
+  for (const NewFile& file : files) {
+    if (auto done = write_file(file.path, file.bytes); !done) return std::move(done).errors();
+    written.push_back(file.path);
+  }
+  return written;
+}
+
+bool is_launch_file(const std::string& path) {
+  for (const std::string_view ending : {".launch.py", ".launch.xml", ".launch.yaml", ".launch.yml"})
+    if (path.ends_with(ending)) return true;
+  return path.ends_with(".launch");
+}
+
+std::string relative_text(const fs::path& path, const fs::path& base) {
+  return path.lexically_relative(base).generic_string();
+}
+
+DraftPackage draft_package(const LocalPackage& package, const fs::path& base) {
+  DraftPackage draft{.name = package.xml.name.value,
+                     .version = package.xml.version.value,
+                     .license = package.xml.licenses.empty() ? std::string()
+                                                             : package.xml.licenses.front().value,
+                     .build_type = package.xml.build_type,
+                     .folder = relative_text(package.directory, base),
+                     .programs = {}};
+  if (draft.build_type == "ament_cmake") {
+    if (const auto lists = read_file(package.directory / "CMakeLists.txt"))
+      draft.programs = installed_program_names(*lists);
+  }
+  return draft;
+}
+
+Outcome<std::vector<std::string>> launch_files(const std::vector<LocalPackage>& packages,
+                                               const fs::path& base) {
+  std::vector<std::string> found;
+  for (const LocalPackage& package : packages) {
+    const auto tree = list_tree(package.directory);
+    if (!tree) return tree.errors();
+    for (const TreeEntry& entry : *tree) {
+      if (is_launch_file(entry.path))
+        found.push_back(relative_text(package.directory / entry.path, base));
+    }
+  }
+  return found;
+}
+
+std::vector<std::string> draft_remarks(const DraftInput& input) {
+  std::vector<std::string> names;
+  std::vector<std::string> left_out;
+  std::size_t nodes = 0;
+  for (const DraftPackage& package : input.packages) {
+    names.push_back(package.name);
+    nodes += package.programs.size();
+    if (package.build_type != "ament_cmake")
+      left_out.push_back(package.name + " (" + package.build_type + ")");
+  }
+  std::vector<std::string> remarks = {
+      std::to_string(names.size()) + (names.size() == 1 ? " package: " : " packages: ") +
+      name_list(names, 12)};
+  remarks.push_back(nodes == 0 ? "no programs were seen in the CMakeLists.txt files"
+                               : std::to_string(nodes) + (nodes == 1 ? " node" : " nodes") +
+                                     " under `launch:`, one for each program");
+  if (!left_out.empty()) remarks.push_back("programs not looked for in " + name_list(left_out));
+  return remarks;
+}
+
+void replace_all(std::string& text, std::string_view from, const std::string& to) {
+  for (std::size_t at = text.find(from); at != std::string::npos;
+       at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+}
+
+/// `talker_listener` -> `Talker listener`.
+std::string title_of(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  if (name[0] >= 'a' && name[0] <= 'z') name[0] = static_cast<char>(name[0] - 'a' + 'A');
+  return name;
+}
+
+}  // namespace
+
+Outcome<InitReport> init_from_workspace(const fs::path& workspace, const fs::path& output) {
+  std::error_code error;
+  const fs::path folder = fs::canonical(workspace, error);
+  Diagnostic no_package{.code = "R2W0631",
+                        .message = "`" + workspace.string() + "` has no ROS 2 package"};
+  if (error || !fs::is_directory(folder)) {
+    no_package.why.push_back(error ? "there is no such folder" : "it is not a folder");
+    return no_package;
+  }
+  if (find_package_folders(folder).empty()) {
+    no_package.why.push_back("no folder in it has a package.xml");
+    no_package.fix.push_back("ros2wasm init cpp my_workspace");
+    return no_package;
+  }
+  const Manifest made = default_manifest(folder);
+  const auto packages =
+      discover_packages(folder, made.packages, ros_condition_variables(made.distro));
+  if (!packages) return packages.errors();
+  const fs::path base = fs::weakly_canonical(fs::absolute(output)).parent_path();
+  auto launches = launch_files(*packages, base);
+  if (!launches) return launches.errors();
+  DraftInput input{.name = made.name.value,
+                   .title = made.title,
+                   .packages = {},
+                   .launch_files = std::move(*launches)};
+  for (const LocalPackage& package : *packages)
+    input.packages.push_back(draft_package(package, base));
+  const std::string text = draft_manifest(input);
+  if (auto read = read_manifest(text, output.string()); !read) return std::move(read).errors();
+  auto written = write_new({{.path = output, .bytes = text}});
+  if (!written) return std::move(written).errors();
+  return InitReport{.written = std::move(*written), .remarks = draft_remarks(input)};
+}
+
+Outcome<InitReport> init_from_template(const fs::path& template_folder, const fs::path& target) {
+  const auto tree = list_tree(template_folder);
+  if (!tree) return tree.errors();
+  const fs::path folder = (fs::absolute(target) / "").lexically_normal().parent_path();
+  const std::string name = default_manifest(folder).name.value;
+  std::vector<NewFile> files;
+  for (const TreeEntry& entry : *tree) {
+    auto text = read_file(template_folder / entry.path);
+    if (!text) return std::move(text).errors();
+    replace_all(*text, "@NAME@", name);
+    replace_all(*text, "@TITLE@", title_of(name));
+    const fs::path path = entry.path;
+    const bool hidden = path.filename() == "gitignore";  // under its real name it would act here
+    files.push_back({.path = target / (hidden ? path.parent_path() / ".gitignore" : path),
+                     .bytes = std::move(*text)});
+  }
+  auto written = write_new(files);
+  if (!written) return std::move(written).errors();
+  return InitReport{.written = std::move(*written), .remarks = {}};
+}
+
+}  // namespace ros2wasm

@@ -1,0 +1,77 @@
+// `ros2wasm init`: a workspace.yaml for a colcon workspace, or a new workspace to begin with.
+#include <memory>
+
+#include "bundler/io/installation.hpp"
+#include "bundler/workspace/manifest_init.hpp"
+#include "cli/arguments.hpp"
+#include "cli/console.hpp"
+#include "workspace_schema/json_writer.hpp"
+
+namespace ros2wasm {
+namespace {
+
+struct Options {
+  std::string kind;
+  std::string folder;
+  std::optional<std::string> from;
+  std::optional<std::string> output;
+};
+
+Diagnostic wrong_use(std::string message) {
+  return Diagnostic{.code = "R2W0902",
+                    .kind = FailureKind::kCommandLine,
+                    .message = std::move(message),
+                    .why = {"`ros2wasm init --help` says what it takes"},
+                    .fix = {"ros2wasm init cpp my_workspace", "ros2wasm init --from ~/ros2_ws"}};
+}
+
+Outcome<InitReport> init(const Context& context, const Options& options) {
+  if (options.from) {
+    if (!options.kind.empty()) return wrong_use("`--from` goes without a template");
+    const std::filesystem::path workspace = *options.from;
+    return init_from_workspace(workspace, options.output ? std::filesystem::path(*options.output)
+                                                         : workspace / "workspace.yaml");
+  }
+  if (options.kind.empty()) return wrong_use("what to begin with is missing");
+  if (options.kind != "cpp") return wrong_use("there is no template `" + options.kind + "`");
+  if (options.output) return wrong_use("`--output` goes with `--from` only");
+  if (options.folder.empty()) return wrong_use("the folder of the new workspace is missing");
+  const auto source = find_own_data(context.executable, "templates/workspaces/" + options.kind,
+                                    "the template of new workspaces");
+  if (!source) return source.errors();
+  return init_from_template(*source, options.folder);
+}
+
+int run(Context& context, const Options& options) {
+  const auto report = init(context, options);
+  if (!report) return context.console.fail(report.errors());
+  for (const std::string& remark : report->remarks) context.console.remark(remark);
+  if (context.json) {
+    JsonWriter json;
+    json.begin_object().key("written").begin_array();
+    for (const auto& path : report->written) json.string(path.string());
+    json.end_array().end_object();
+    context.console.result(json.text());
+    return 0;
+  }
+  for (const auto& path : report->written) context.console.result(path.string());
+  const std::string next = options.from ? report->written.front().string() : options.folder;
+  context.console.remark("Next: ros2wasm pack " + next);
+  return 0;
+}
+
+}  // namespace
+
+CommandBody init_command(Arguments& arguments) {
+  const auto options = std::make_shared<Options>();
+  arguments.optional("TEMPLATE", options->kind, "cpp: a talker and a listener in C++");
+  arguments.optional("FOLDER", options->folder, "where to write the template");
+  arguments.value("--from", options->from, "FOLDER",
+                  "write a workspace.yaml for the colcon workspace in this folder");
+  arguments.value("-o,--output", options->output, "FILE",
+                  "with --from: where to write it [FOLDER/workspace.yaml]");
+  arguments.examples({"ros2wasm init cpp my_workspace", "ros2wasm init --from ~/ros2_ws"});
+  return [options](Context& context) { return run(context, *options); };
+}
+
+}  // namespace ros2wasm

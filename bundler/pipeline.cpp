@@ -69,8 +69,13 @@ Outcome<BuiltWorkspace> read_workspace(const PackRequest& request) {
   return workspace;
 }
 
+struct ChannelAnswer {
+  std::vector<PackageRecord> records;     ///< what the workspace needs, in install order
+  std::vector<std::string> all_packages;  ///< ROS names of everything that the channels have, sorted
+};
+
 /// Step 3: the channels' records that the workspace needs, as the lock has them or chosen anew.
-Outcome<std::vector<PackageRecord>> resolve(const PackRequest& request, BuiltWorkspace& workspace,
+Outcome<ChannelAnswer> resolve(const PackRequest& request, BuiltWorkspace& workspace,
                                             const std::vector<LocalPackage>& packages,
                                             const BuildOrder& order, const ChannelRoots& roots,
                                             const std::string& compiler_version,
@@ -81,10 +86,10 @@ Outcome<std::vector<PackageRecord>> resolve(const PackRequest& request, BuiltWor
   if (channels.empty()) channels.push_back({"embedded", std::nullopt});
   const auto index = load_channels(channels, roots, cancellation, progress);
   if (!index) return index.errors();
-  std::set<std::string> names;
-  for (const PackageRecord& record : index->records) names.insert(record.name);
-  const auto wanted = channel_request(workspace.manifest, packages, order, {names.begin(), names.end()},
-                                      compiler_version);
+  std::set<std::string> distinct;
+  for (const PackageRecord& record : index->records) distinct.insert(record.name);
+  const std::vector<std::string> names(distinct.begin(), distinct.end());
+  const auto wanted = channel_request(workspace.manifest, packages, order, names, compiler_version);
   if (!wanted) return wanted.errors();
   append(workspace.warnings, wanted->warnings);
 
@@ -96,7 +101,8 @@ Outcome<std::vector<PackageRecord>> resolve(const PackRequest& request, BuiltWor
     workspace.remarks.push_back("wrote " + std::string(kLockFileName) + " (" +
                                 std::to_string(solved->packages.size()) + " packages)");
   }
-  return solved->packages;
+  return ChannelAnswer{.records = solved->packages,
+                       .all_packages = ros_names(names, workspace.manifest.distro)};
 }
 
 /// What the prefixes hold, packages of the workspace before those of the channels.
@@ -228,10 +234,10 @@ Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& ca
   auto embedded = embedded_channel(request.executable);
   if (embedded) roots.embedded = std::move(embedded).value();
   if (!embedded && manifest.channels.empty()) return std::move(embedded).errors();
-  const auto records = resolve(request, *workspace, *packages, *order, roots, compiler->version,
-                               cancellation, progress);
-  if (!records) return records.errors();
-  const auto environment = make_environment(Store(roots), *records, cancellation, progress);
+  const auto answer = resolve(request, *workspace, *packages, *order, roots, compiler->version,
+                              cancellation, progress);
+  if (!answer) return answer.errors();
+  const auto environment = make_environment(Store(roots), answer->records, cancellation, progress);
   if (!environment) return environment.errors();
 
   // 4. build, through the toolchain file
@@ -249,7 +255,8 @@ Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& ca
                                {.cache = workspace->cache,
                                 .environment_prefix = environment->prefix,
                                 .environment_key = environment->key,
-                                .display_base = workspace->folder},
+                                .display_base = workspace->folder,
+                                .channel_packages = answer->all_packages},
                                cancellation, progress);
   if (!built) return std::move(built).errors();
   append(workspace->warnings, built->warnings);

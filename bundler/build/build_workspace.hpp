@@ -17,6 +17,7 @@ struct BuildSettings {
   std::filesystem::path environment_prefix;  ///< packages of the channels; may be empty
   std::string environment_key;               ///< changes with those packages
   std::filesystem::path display_base;        ///< cut off paths in messages
+  std::vector<std::string> channel_packages;  ///< ROS names that the channels have, sorted: for advice
 };
 
 struct BuiltPackage {

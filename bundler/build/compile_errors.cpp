@@ -1,9 +1,13 @@
 // See compile_errors.hpp.
 #include "bundler/build/compile_errors.hpp"
 
+#include <algorithm>
 #include <array>
+#include <optional>
 #include <regex>
 #include <sstream>
+
+#include "workspace_schema/suggestion.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
@@ -38,6 +42,16 @@ struct CompilerMessage {
   SourceSpan span;
   std::string text;
 };
+
+/// Emscripten's wrapper repeats the compiler's whole command when it failed; that is not the compiler's message.
+std::string without_wrapper_line(const std::string& text) {
+  std::string result;
+  for (const std::string& line : lines_of(text)) {
+    const bool wrapper = line.starts_with("em++: error: '") || line.starts_with("emcc: error: '");
+    if (!wrapper) result += line + "\n";
+  }
+  return result;
+}
 
 /// The first "file:line:column: error: text" with the source line that clang prints below it.
 std::optional<CompilerMessage> first_error(const std::vector<std::string>& lines,
@@ -95,7 +109,7 @@ Diagnostic compile_error(const FailedCommand& failed, const BuildPlace& place) {
   const auto error = first_error(lines, place);
   Diagnostic result{.code = "R2W0502",
                     .message = "package `" + place.package + "` does not compile",
-                    .detail = failed.text};
+                    .detail = without_wrapper_line(failed.text)};
   if (error) {
     result.message += ": " + error->text;
     result.span = error->span;
@@ -162,8 +176,13 @@ Diagnostics configure_errors(std::string_view cmake_output, const BuildPlace& pl
     result.code = "R2W0507";
     result.message = "package `" + place.package + "` asks CMake for `" + wanted +
                      "`, which is not there";
-    result.why.push_back("only what package.xml names is brought from the channels; does it name `" +
-                         wanted + "`?");
+    result.why.push_back("only what package.xml names is brought from the channels");
+    const auto& known = place.channel_packages;
+    if (std::binary_search(known.begin(), known.end(), wanted)) {
+      result.fix.push_back("add `<depend>" + wanted + "</depend>` to package.xml");
+    } else if (const auto similar = nearest(wanted, known)) {
+      result.why.push_back("the channels have `" + *similar + "`");
+    }
   }
   return {result};
 }

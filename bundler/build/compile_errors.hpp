@@ -25,6 +25,7 @@ struct BuildPlace {
   std::filesystem::path source;  ///< folder of package.xml
   std::string display;           ///< how messages name that folder; may be empty
   std::string compiler_version;
+  std::vector<std::string> channel_packages;  ///< ROS names that the channels have, sorted: for advice
 };
 
 /// R2W0502, one per file that does not compile, each with the compiler's whole message. Commands of other kinds

@@ -2,6 +2,7 @@
 #include "bundler/build/link_driver.hpp"
 
 #include <filesystem>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -41,28 +42,27 @@ Diagnostic link_failed(const LinkRequest& request, const LinkLine& line, std::st
                     .detail = std::move(output)};
 }
 
-/// Who refers to the symbols: "talker.cpp.o refers to foo()", from the linker's own trace. Only when a link
-/// failed already, so its cost does not matter.
-std::vector<std::string> references(const LinkRequest& request, const LinkLine& line,
-                                    const std::vector<std::string>& symbols, const std::string& stem,
-                                    const Cancellation& cancellation) {
+/// Which objects refer to each symbol, from the linker's own trace. Only when a link failed already, so its cost
+/// does not matter.
+std::map<std::string, std::set<std::string>> references(const LinkRequest& request, const LinkLine& line,
+                                                        const std::vector<std::string>& symbols,
+                                                        const std::string& stem,
+                                                        const Cancellation& cancellation) {
+  constexpr std::string_view kMark = ": reference to ";
   LinkLine traced = line;
   for (const std::string& symbol : symbols) traced.arguments.push_back("-Wl,--trace-symbol=" + symbol);
   traced.arguments.emplace_back("-O0");
   const auto result = run_process({.arguments = link_command(traced, LinkKind::kSingle, stem),
                                    .environment = request.environment},
                                   cancellation);
-  std::set<std::string> lines;
-  if (result) {
-    std::istringstream text(result->output);
-    for (std::string one; std::getline(text, one);) {
-      const auto at = one.find(": reference to ");
-      if (at == std::string::npos) continue;
-      lines.insert("`" + fs::path(one.substr(0, at)).filename().string() + "` refers to `" +
-                   one.substr(at + 15) + "`");
-    }
+  std::map<std::string, std::set<std::string>> found;
+  std::istringstream text(result ? result->output : std::string());
+  for (std::string one; std::getline(text, one);) {
+    const auto at = one.find(kMark);
+    if (at == std::string::npos) continue;
+    found[one.substr(at + kMark.size())].insert(fs::path(one.substr(0, at)).filename().string());
   }
-  return {lines.begin(), lines.end()};
+  return found;
 }
 
 Diagnostics undefined_symbols(const LinkRequest& request, const LinkLine& line,
@@ -71,12 +71,14 @@ Diagnostics undefined_symbols(const LinkRequest& request, const LinkLine& line,
   const auto who = references(request, line, symbols, stem, cancellation);
   Diagnostics result;
   for (const std::string& symbol : symbols) {
-    const std::string name = demangled(symbol);
     Diagnostic diagnostic{.code = "R2W0504",
-                          .message = "nothing defines `" + name + "`, which " +
+                          .message = "nothing defines `" + demangled(symbol) + "`, which " +
                                      described(request, line) + " needs"};
-    for (const std::string& one : who) {
-      if (one.ends_with("refers to `" + name + "`")) diagnostic.why.push_back(one);
+    const auto objects = who.find(symbol);
+    if (objects != who.end()) {
+      for (const std::string& object : objects->second) {
+        diagnostic.why.push_back("`" + object + "` refers to it");
+      }
     }
     diagnostic.why.emplace_back("no object and no library on the link line has it");
     result.push_back(std::move(diagnostic));

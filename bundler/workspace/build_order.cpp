@@ -126,6 +126,19 @@ std::string conda_name(std::string_view package, std::string_view distro) {
   return name;
 }
 
+std::vector<std::string> ros_names(const std::vector<std::string>& conda_names,
+                                   std::string_view distro) {
+  const std::string prefix = "ros-" + std::string(distro) + "-";
+  std::vector<std::string> result;
+  for (const std::string& name : conda_names) {
+    if (!name.starts_with(prefix)) continue;
+    result.push_back(name.substr(prefix.size()));
+    std::replace(result.back().begin(), result.back().end(), '-', '_');
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
 Outcome<BuildOrder> order_packages(const std::vector<LocalPackage>& packages,
                                    std::string_view distro) {
   Diagnostics errors = duplicate_names(packages);
@@ -156,7 +169,10 @@ Outcome<BuildOrder> order_packages(const std::vector<LocalPackage>& packages,
         entry.match_spec += (entry.match_spec.find(' ') == std::string::npos ? " " : ",") + version;
       }
       entry.needed_to_build = entry.needed_to_build || building;
-      entry.places.push_back(dependency.name.span);
+      // One <depend> is three dependencies with one place.
+      if (entry.places.empty() || !(entry.places.back() == dependency.name.span)) {
+        entry.places.push_back(dependency.name.span);
+      }
     }
     std::sort(direct[i].begin(), direct[i].end());
   }

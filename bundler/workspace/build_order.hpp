@@ -28,6 +28,10 @@ struct BuildOrder {
 /// Conda's name of a ROS package: `ros-jazzy-std-msgs`.
 [[nodiscard]] std::string conda_name(std::string_view package, std::string_view distro);
 
+/// The ROS package names among conda names, as far as a name tells: `-` becomes `_`. Sorted.
+[[nodiscard]] std::vector<std::string> ros_names(const std::vector<std::string>& conda_names,
+                                                 std::string_view distro);
+
 /// R2W0511 two packages of one name, R2W0512 packages that need each other. All at once.
 [[nodiscard]] Outcome<BuildOrder> order_packages(const std::vector<LocalPackage>& packages,
                                                  std::string_view distro);

@@ -27,7 +27,8 @@ function workshop(): string {
   return join(WORK, first);
 }
 
-const files = interfaceFiles();
+const HERE = dirname(fileURLToPath(import.meta.url));
+const files = [...interfaceFiles(), ...interfaceFiles(HERE, ['edge_interfaces'])];
 const schemas = schemasOf(files);
 // What has a wstring inside is compared with our own encoder only: the npm packages refuse it.
 const hasWideText = (type: string): boolean =>
@@ -38,7 +39,7 @@ let native: Driver;
 let types: DriverType[] = [];
 
 before(() => {
-  const script = join(dirname(fileURLToPath(import.meta.url)), 'make_driver.py');
+  const script = join(HERE, 'make_driver.py');
   const made = spawnSync('python3', [script, '--work', workshop(), '--out', OUT], { encoding: 'utf8' });
   assert.equal(made.status, 0, made.stderr);
   wasm = new Driver(join(OUT, 'driver.wasm'));

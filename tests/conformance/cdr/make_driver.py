@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Builds the CDR conformance driver twice from the type support in a channel's workshop: as a wasm
-program, and natively with address and undefined behaviour checks.
+"""Builds the CDR conformance driver twice from the type support in a channel's workshop and of
+edge_interfaces: as a wasm program, and natively with address and undefined behaviour checks.
 
   make_driver.py --work build/channel-work/em... --out build/conformance-cdr
 
@@ -15,6 +15,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+EDGE = "edge_interfaces"
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[2]
 # rosidl gives it to a message without fields; it has no meaning and is always 0.
@@ -25,10 +26,28 @@ NATIVE_FLAGS = "-O0 -std=c++17 -w"
 CHECKED = "-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer"
 
 
-def message_descriptions(share: Path) -> dict[str, dict]:
+def build_edge_interfaces(work: Path, build: Path) -> subprocess.CompletedProcess[str]:
+    """Builds the package of unusual types as a user's package is built."""
+    configure = [
+        "cmake", "-G", "Ninja", "-Wno-dev", "-S", str(HERE / EDGE), "-B", str(build),
+        f"-DCMAKE_TOOLCHAIN_FILE={ROOT / 'templates/toolchain/ros2wasm-toolchain.cmake'}",
+        f"-DCMAKE_PREFIX_PATH={work / 'prefix'}", "-DROS2WASM_CLI=not-needed",
+    ]
+    done = run(configure)
+    return done if done.returncode != 0 else run(["ninja", "-C", str(build), "-j2"])
+
+
+def run(command: list[str]) -> subprocess.CompletedProcess[str]:
+    environment = dict(os.environ)
+    environment.setdefault("NODE_PATH", "/usr/share/nodejs")
+    return subprocess.run(command, env=environment, stdin=subprocess.DEVNULL, text=True,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
+
+
+def message_descriptions(folders: list[Path]) -> dict[str, dict]:
     """Returns the descriptions of all messages and message parts, by type name."""
     found: dict[str, dict] = {}
-    for file in sorted(share.glob("*/*/*.json")):
+    for file in sorted(file for folder in folders for file in folder.glob("*/*.json")):
         if file.parent.name not in ("msg", "srv", "action"):
             continue
         full = json.loads(file.read_text(encoding="utf-8"))["type_description_msg"]
@@ -82,9 +101,10 @@ def write_if_changed(path: Path, text: str) -> None:
         path.write_text(text, encoding="utf-8")
 
 
-def ninja_file(work: Path, out: Path, packages: list[str]) -> str:
+def ninja_file(work: Path, edge: Path, packages: list[str]) -> str:
     prefix = work / "prefix"
-    includes = [HERE, *(prefix / "include" / name for name in sorted(os.listdir(prefix / "include")))]
+    includes = [HERE, edge / "rosidl_generator_cpp", edge / "rosidl_typesupport_wasm_cpp",
+                *(prefix / "include" / name for name in sorted(os.listdir(prefix / "include")))]
     flags = " ".join(f"-I{path}" for path in includes)
     lines = [
         f"wasm_flags = {WASM_FLAGS} {flags}",
@@ -101,12 +121,13 @@ def ninja_file(work: Path, out: Path, packages: list[str]) -> str:
                                       "types": Path("types.cpp")}
     for name, source in own.items():
         lines += [f"build wasm/{name}.o: emxx {source}", f"build native/{name}.o: cxx {source}"]
-    for name in packages:
-        source = work / "build" / name / "rosidl_typesupport_wasm_cpp" / name / (
-            f"{name}__rosidl_typesupport_wasm_cpp.cpp")
+    for name in [EDGE, *packages]:
+        build = edge if name == EDGE else work / "build" / name
+        source = build / "rosidl_typesupport_wasm_cpp" / name / f"{name}__rosidl_typesupport_wasm_cpp.cpp"
         lines += [f"build native/{name}.o: cxx {source}", f"  checks = {CHECKED}"]
         objects.append(f"native/{name}.o")
-        archives.append(str(prefix / "lib" / f"lib{name}__rosidl_typesupport_cpp.a"))
+        folder = edge if name == EDGE else prefix / "lib"
+        archives.append(str(folder / f"lib{name}__rosidl_typesupport_cpp.a"))
     wasm = " ".join(f"wasm/{name}.o" for name in own)
     native = " ".join(f"native/{name}.o" for name in own)
     lines.append(f"build driver.wasm: emlink {wasm} {' '.join(archives)}")
@@ -122,14 +143,15 @@ def main() -> int:
     work, out = options.work.resolve(), options.out.resolve()
     out.mkdir(parents=True, exist_ok=True)
     interfaces = sorted(path.name for path in (ROOT / "runtime" / "interfaces").iterdir() if path.is_dir())
-    types = message_descriptions(work / "prefix" / "share")
-    types = {name: one for name, one in types.items() if name.split("/")[0] in interfaces}
-    write_if_changed(out / "types.cpp", table_source(types))
-    write_if_changed(out / "build.ninja", ninja_file(work, out, interfaces))
-    environment = dict(os.environ)
-    environment.setdefault("NODE_PATH", "/usr/share/nodejs")
-    done = subprocess.run(["ninja", "-C", str(out)], env=environment, stdin=subprocess.DEVNULL, text=True,
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
+    edge = out / EDGE
+    done = build_edge_interfaces(work, edge)
+    if done.returncode == 0:
+        share = work / "prefix" / "share"
+        types = message_descriptions(
+            [*(share / name for name in interfaces), edge / "rosidl_typesupport_wasm_cpp" / EDGE])
+        write_if_changed(out / "types.cpp", table_source(types))
+        write_if_changed(out / "build.ninja", ninja_file(work, edge, interfaces))
+        done = run(["ninja", "-C", str(out)])
     if done.returncode != 0:
         print(done.stdout[-8000:], file=sys.stderr)
     return done.returncode

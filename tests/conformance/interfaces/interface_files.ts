@@ -26,11 +26,12 @@ function entries(folder: string): string[] {
   }
 }
 
-/** All definitions, sorted by type. */
-export function interfaceFiles(): InterfaceFile[] {
-  const root = join(REPOSITORY, 'runtime', 'interfaces');
+const SHIPPED = join(REPOSITORY, 'runtime', 'interfaces');
+
+/** All definitions of the packages in a folder, sorted by type; of those we ship, unless told others. */
+export function interfaceFiles(root: string = SHIPPED, packages: readonly string[] = entries(root)): InterfaceFile[] {
   const found: InterfaceFile[] = [];
-  for (const pkg of entries(root)) {
+  for (const pkg of packages) {
     for (const kind of KINDS) {
       for (const file of entries(join(root, pkg, kind))) {
         if (!file.endsWith(`.${kind}`)) throw new Error(`${pkg}/${kind}/${file} does not belong there`);

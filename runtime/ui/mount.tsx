@@ -24,7 +24,13 @@ type Progress =
   | { readonly kind: 'running'; readonly session: Session }
   | { readonly kind: 'failed'; readonly problem: Problem };
 
-function App({ starting, store }: { readonly starting: Promise<Session>; readonly store: Store | null }) {
+function App({
+  starting,
+  store,
+}: {
+  readonly starting: Promise<Session>;
+  readonly store: Store | null;
+}) {
   const [progress, setProgress] = useState<Progress>({ kind: 'starting' });
   const [mistake, setMistake] = useState<Problem | null>(null);
 
@@ -39,7 +45,8 @@ function App({ starting, store }: { readonly starting: Promise<Session>; readonl
   }, [starting]);
 
   useEffect(() => {
-    const onError = (event: ErrorEvent): void => setMistake(problemOf(event.error ?? event.message));
+    const onError = (event: ErrorEvent): void =>
+      setMistake(problemOf(event.error ?? event.message));
     const onRejection = (event: PromiseRejectionEvent): void => setMistake(problemOf(event.reason));
     addEventListener('error', onError);
     addEventListener('unhandledrejection', onRejection);
@@ -83,10 +90,19 @@ function FailurePage({ problem }: { readonly problem: Problem }) {
 }
 
 /** A mistake outside any panel: told, not hidden, while the nodes go on. */
-function MistakeBar({ problem, onClose }: { readonly problem: Problem; readonly onClose: () => void }) {
+function MistakeBar({
+  problem,
+  onClose,
+}: {
+  readonly problem: Problem;
+  readonly onClose: () => void;
+}) {
   return (
     <div class="mistake" role="alert">
-      <ProblemView problem={{ ...problem, what: `${texts.problem.pageTitle}: ${problem.what}` }} announce={ignore} />
+      <ProblemView
+        problem={{ ...problem, what: `${texts.problem.pageTitle}: ${problem.what}` }}
+        announce={ignore}
+      />
       <IconButton icon="close" label={texts.problem.dismiss} onClick={onClose} />
     </div>
   );

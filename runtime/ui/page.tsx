@@ -67,9 +67,20 @@ export function Page({ session, store }: PageProps) {
       {narrow ? (
         <Tabs tab={tab} onTab={setTab} show={show} />
       ) : (
-        <Columns wide={wide} store={store} left={at('left')} middle={at('middle')} right={at('right')} />
+        <Columns
+          wide={wide}
+          store={store}
+          left={at('left')}
+          middle={at('middle')}
+          right={at('right')}
+        />
       )}
-      <AboutDialog session={session} open={aboutOpen} onClose={() => setAboutOpen(false)} announce={announce} />
+      <AboutDialog
+        session={session}
+        open={aboutOpen}
+        onClose={() => setAboutOpen(false)}
+        announce={announce}
+      />
       <div class="visually-hidden" role="status">
         {said}
       </div>
@@ -86,8 +97,12 @@ interface ColumnsProps {
 }
 
 function Columns({ wide, store, left, middle, right }: ColumnsProps) {
-  const [leftWidth, setLeftWidth] = useState(() => readNumber(store, 'leftWidth', kLeft.minimum, kLeft.maximum, kLeft.usual));
-  const [rightWidth, setRightWidth] = useState(() => readNumber(store, 'rightWidth', kRight.minimum, kRight.maximum, kRight.usual));
+  const [leftWidth, setLeftWidth] = useState(() =>
+    readNumber(store, 'leftWidth', kLeft.minimum, kLeft.maximum, kLeft.usual),
+  );
+  const [rightWidth, setRightWidth] = useState(() =>
+    readNumber(store, 'rightWidth', kRight.minimum, kRight.maximum, kRight.usual),
+  );
   const changeLeft = (width: number): void => {
     setLeftWidth(width);
     writePreference(store, 'leftWidth', String(width));
@@ -96,7 +111,15 @@ function Columns({ wide, store, left, middle, right }: ColumnsProps) {
     setRightWidth(width);
     writePreference(store, 'rightWidth', String(width));
   };
-  const leftBar = <Splitter label={texts.resizeLeft} value={leftWidth} {...kLeft} side="left" onChange={changeLeft} />;
+  const leftBar = (
+    <Splitter
+      label={texts.resizeLeft}
+      value={leftWidth}
+      {...kLeft}
+      side="left"
+      onChange={changeLeft}
+    />
+  );
   if (!wide) {
     return (
       <main id="content" class="columns columns-two" style={{ '--left': `${leftWidth}px` }}>
@@ -110,11 +133,21 @@ function Columns({ wide, store, left, middle, right }: ColumnsProps) {
     );
   }
   return (
-    <main id="content" class="columns columns-three" style={{ '--left': `${leftWidth}px`, '--right': `${rightWidth}px` }}>
+    <main
+      id="content"
+      class="columns columns-three"
+      style={{ '--left': `${leftWidth}px`, '--right': `${rightWidth}px` }}
+    >
       <div class="column">{left}</div>
       {leftBar}
       <div class="column">{middle}</div>
-      <Splitter label={texts.resizeRight} value={rightWidth} {...kRight} side="right" onChange={changeRight} />
+      <Splitter
+        label={texts.resizeRight}
+        value={rightWidth}
+        {...kRight}
+        side="right"
+        onChange={changeRight}
+      />
       <div class="column">{right}</div>
     </main>
   );
@@ -162,7 +195,12 @@ function Tabs({ tab, onTab, show }: TabsProps) {
           </button>
         ))}
       </div>
-      <div class="tab-panel" role="tabpanel" id="tab-panel" aria-labelledby={`tab-${current?.id ?? ''}`}>
+      <div
+        class="tab-panel"
+        role="tabpanel"
+        id="tab-panel"
+        aria-labelledby={`tab-${current?.id ?? ''}`}
+      >
         {current === undefined ? null : show(current)}
       </div>
     </main>
@@ -178,8 +216,10 @@ function useNodeNews(session: Session, announce: (text: string) => void): void {
       const before = known.current.get(node.id);
       known.current.set(node.id, node.state.kind);
       if (before === undefined || before === node.state.kind) continue;
-      if (node.state.kind === 'crashed') announce(texts.state.announceCrash(node.label, node.state.message));
-      if (node.state.kind === 'exited' && node.state.code !== 0) announce(texts.state.announceExit(node.label, node.state.code));
+      if (node.state.kind === 'crashed')
+        announce(texts.state.announceCrash(node.label, node.state.message));
+      if (node.state.kind === 'exited' && node.state.code !== 0)
+        announce(texts.state.announceExit(node.label, node.state.code));
     }
   }, [nodes, announce]);
 }

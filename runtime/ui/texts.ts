@@ -64,7 +64,10 @@ export const texts = {
     filter: 'Filter lines',
     level: 'Lowest level shown',
     allLevels: 'All levels',
-    atLeast: (level: string): string => (level === 'FATAL' ? 'Fatal only' : `${level.charAt(0)}${level.slice(1).toLowerCase()} and above`),
+    atLeast: (level: string): string =>
+      level === 'FATAL'
+        ? 'Fatal only'
+        : `${level.charAt(0)}${level.slice(1).toLowerCase()} and above`,
     of: (label: string): string => `Console of ${label}`,
     mergedLabel: 'Console of all nodes',
     empty: 'Nothing printed yet.',
@@ -90,7 +93,8 @@ export const texts = {
     hidden: 'Show hidden topics',
     hiddenShort: 'Hidden',
     publishers: (count: number): string => (count === 1 ? '1 publisher' : `${count} publishers`),
-    subscriptions: (count: number): string => (count === 1 ? '1 subscription' : `${count} subscriptions`),
+    subscriptions: (count: number): string =>
+      count === 1 ? '1 subscription' : `${count} subscriptions`,
     publishersShort: 'pub',
     subscriptionsShort: 'sub',
     rate: 'Rate',

@@ -37,12 +37,19 @@ after(async () => {
 
 function packExample(site: string): string {
   const cli = process.env['ROS2WASM_CLI'] ?? join(kRoot, 'build/ros2wasm');
-  const run = spawnSync(cli, ['pack', join(kRoot, 'examples/01_talker_listener/workspace.yaml'), '-o', site], { encoding: 'utf8' });
+  const run = spawnSync(
+    cli,
+    ['pack', join(kRoot, 'examples/01_talker_listener/workspace.yaml'), '-o', site],
+    { encoding: 'utf8' },
+  );
   assert.equal(run.status, 0, `${run.stdout}${run.stderr}`);
   return site;
 }
 
-async function onSite(options: BrowserContextOptions, body: (page: Page) => Promise<void>): Promise<void> {
+async function onSite(
+  options: BrowserContextOptions,
+  body: (page: Page) => Promise<void>,
+): Promise<void> {
   const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, ...options });
   const page = await context.newPage();
   const troubles: string[] = [];
@@ -52,7 +59,8 @@ async function onSite(options: BrowserContextOptions, body: (page: Page) => Prom
   });
   page.on('pageerror', (error) => troubles.push(error.message));
   context.on('request', (request) => {
-    if (!request.url().startsWith(served.url) && !request.url().startsWith('blob:')) troubles.push(`request to ${request.url()}`);
+    if (!request.url().startsWith(served.url) && !request.url().startsWith('blob:'))
+      troubles.push(`request to ${request.url()}`);
   });
   try {
     await page.goto(served.url);
@@ -63,13 +71,22 @@ async function onSite(options: BrowserContextOptions, body: (page: Page) => Prom
   }
 }
 
-const listener = (page: Page) => page.locator('[aria-label="Console of /minimal_subscriber"], [aria-label="Console of /listener"]').first();
+const listener = (page: Page) =>
+  page
+    .locator('[aria-label="Console of /minimal_subscriber"], [aria-label="Console of /listener"]')
+    .first();
 
 test('the listener hears the talker, in the exact format', () =>
   onSite({}, async (page) => {
-    await listener(page).getByText(/I heard: 'Hello, world! 2'/).waitFor();
+    await listener(page)
+      .getByText(/I heard: 'Hello, world! 2'/)
+      .waitFor();
     const lines = await listener(page).locator('.line').allInnerTexts();
-    for (const line of lines) assert.match(line, /^\[INFO\] \[\d{10}\.\d{9}\] \[minimal_subscriber\]: I heard: 'Hello, world! \d+'$/);
+    for (const line of lines)
+      assert.match(
+        line,
+        /^\[INFO\] \[\d{10}\.\d{9}\] \[minimal_subscriber\]: I heard: 'Hello, world! \d+'$/,
+      );
     await page.getByText('2 of 2 running').waitFor();
     await page.getByText('workspace.yaml:13:5').waitFor();
   }));
@@ -80,18 +97,27 @@ test('the topic has its type, its rate and its last message', () =>
     await row.getByText(/^(1\.[89]|2\.[01])\d* Hz$/).waitFor();
     await row.getByText('1 publisher, 1 subscription').waitFor({ state: 'attached' });
     await row.click();
-    await page.locator('.tree').getByText(/Hello, world! \d+/).waitFor();
+    await page
+      .locator('.tree')
+      .getByText(/Hello, world! \d+/)
+      .waitFor();
   }));
 
 test('stop, start, restart', () =>
   onSite({}, async (page) => {
     const talker = page.locator('.node').first();
-    await listener(page).getByText(/I heard/).first().waitFor();
+    await listener(page)
+      .getByText(/I heard/)
+      .first()
+      .waitFor();
     await talker.getByRole('button', { name: /^Stop/ }).click();
     await page.getByText('1 of 2 running').waitFor();
     await talker.getByRole('button', { name: /^Start/ }).click();
     await page.getByText('2 of 2 running').waitFor();
-    await listener(page).getByText(/world! 0'/).nth(1).waitFor();
+    await listener(page)
+      .getByText(/world! 0'/)
+      .nth(1)
+      .waitFor();
     await page.getByRole('button', { name: 'Stop all' }).click();
     await page.getByText('0 of 2 running').waitFor();
     await page.getByRole('button', { name: 'Start all' }).click();
@@ -101,11 +127,18 @@ test('stop, start, restart', () =>
 for (const colorScheme of ['light', 'dark'] as const) {
   test(`axe finds nothing on the running site, ${colorScheme}`, () =>
     onSite({ colorScheme }, async (page) => {
-      await listener(page).getByText(/I heard/).first().waitFor();
+      await listener(page)
+        .getByText(/I heard/)
+        .first()
+        .waitFor();
       await page.evaluate(kAxe);
       const violations = await page.evaluate(async () => {
-        const { axe } = globalThis as unknown as { axe: { run: () => Promise<{ violations: { id: string; help: string }[] }> } };
-        return (await axe.run()).violations.map((violation) => `${violation.id}: ${violation.help}`);
+        const { axe } = globalThis as unknown as {
+          axe: { run: () => Promise<{ violations: { id: string; help: string }[] }> };
+        };
+        return (await axe.run()).violations.map(
+          (violation) => `${violation.id}: ${violation.help}`,
+        );
       });
       assert.deepEqual(violations, []);
     }));
@@ -113,7 +146,10 @@ for (const colorScheme of ['light', 'dark'] as const) {
 
 test('on a phone everything is there, one thing at a time', () =>
   onSite({ viewport: { width: 360, height: 740 } }, async (page) => {
-    await listener(page).getByText(/I heard/).first().waitFor();
+    await listener(page)
+      .getByText(/I heard/)
+      .first()
+      .waitFor();
     await page.getByRole('tab', { name: 'Topics' }).click();
     await page.getByRole('button', { name: /^\/topic/ }).waitFor();
     await page.getByRole('tab', { name: 'Nodes' }).click();
@@ -124,7 +160,9 @@ test('on a phone everything is there, one thing at a time', () =>
 test('the picture of the page', () =>
   onSite({ colorScheme: 'light', deviceScaleFactor: 2 }, async (page) => {
     await page.getByRole('button', { name: /^\/topic/ }).click();
-    await listener(page).getByText(/world! 9'/).waitFor();
+    await listener(page)
+      .getByText(/world! 9'/)
+      .waitFor();
     await page.locator('.tree').waitFor();
     mkdirSync(join(kRoot, 'tests/output'), { recursive: true });
     await page.screenshot({ path: join(kRoot, 'tests/output/page.png') });

@@ -8,13 +8,21 @@ const kInterfaces = new Map([
   ['std_msgs/msg/String', 'string data\n'],
   ['std_msgs/msg/Header', 'builtin_interfaces/Time stamp\nstring frame_id\n'],
   ['builtin_interfaces/msg/Time', 'int32 sec\nuint32 nanosec\n'],
-  ['sensor_msgs/msg/LaserScan', 'std_msgs/Header header\nfloat32 angle_min\nfloat32 angle_max\nfloat32[] ranges\n'],
+  [
+    'sensor_msgs/msg/LaserScan',
+    'std_msgs/Header header\nfloat32 angle_min\nfloat32 angle_max\nfloat32[] ranges\n',
+  ],
 ]);
 
-const kHostile = '<img src=x onerror="document.title=\'owned\'"><script>document.title="owned"</script>';
+const kHostile =
+  '<img src=x onerror="document.title=\'owned\'"><script>document.title="owned"</script>';
 
 function talkerListener(options: { readonly link?: 'shared' | 'port' } = {}): FakeSession {
-  const fake = new FakeSession({ nodes: [{ executable: 'talker' }, { executable: 'listener' }], interfaces: kInterfaces, ...options });
+  const fake = new FakeSession({
+    nodes: [{ executable: 'talker' }, { executable: 'listener' }],
+    interfaces: kInterfaces,
+    ...options,
+  });
   let count = 0;
   const beat = (): void => {
     if (fake.nodes()[0]?.state.kind !== 'running') return;
@@ -25,8 +33,21 @@ function talkerListener(options: { readonly link?: 'shared' | 'port' } = {}): Fa
     fake.publish('/topic', stringBytes(text));
     fake.setTopics([
       { name: '/topic', type: 'std_msgs/msg/String', rateHz: 2, bytesPerSecond: 56, count },
-      { name: '/rosout', type: 'rcl_interfaces/msg/Log', publishers: 2, subscriptions: 0, rateHz: 4, bytesPerSecond: 480, count },
-      { name: '/parameter_events', type: 'rcl_interfaces/msg/ParameterEvent', publishers: 2, subscriptions: 2 },
+      {
+        name: '/rosout',
+        type: 'rcl_interfaces/msg/Log',
+        publishers: 2,
+        subscriptions: 0,
+        rateHz: 4,
+        bytesPerSecond: 480,
+        count,
+      },
+      {
+        name: '/parameter_events',
+        type: 'rcl_interfaces/msg/ParameterEvent',
+        publishers: 2,
+        subscriptions: 2,
+      },
     ]);
   };
   for (let i = 0; i < 12; i += 1) beat();
@@ -49,19 +70,50 @@ function crowd(): FakeSession {
   });
   fake.log('diff_drive-1', 'INFO', 'Wheel separation 0.287 m, wheel radius 0.033 m');
   fake.log('diff_drive-1', 'DEBUG', 'cmd_vel 0.20 0.05');
-  fake.log('diff_drive-1', 'WARN', 'cmd_vel is 0.6 s old, stopping the wheels until a newer one comes');
+  fake.log(
+    'diff_drive-1',
+    'WARN',
+    'cmd_vel is 0.6 s old, stopping the wheels until a newer one comes',
+  );
   fake.log('diff_drive-1', 'ERROR', 'Left motor does not answer');
   fake.log('diff_drive-1', 'FATAL', 'Giving up');
-  fake.print('laser-2', '\x1b[32mscan\x1b[0m ready, \x1b[1;34m360\x1b[0m beams, \x1b[7minverse\x1b[0m \x1b[41mred ground\x1b[0m');
-  fake.setState('planner-3', { kind: 'crashed', code: 'R2W0720', message: 'std::out_of_range: vector::_M_range_check: __n (which is 7) >= this->size() (which is 7)' });
+  fake.print(
+    'laser-2',
+    '\x1b[32mscan\x1b[0m ready, \x1b[1;34m360\x1b[0m beams, \x1b[7minverse\x1b[0m \x1b[41mred ground\x1b[0m',
+  );
+  fake.setState('planner-3', {
+    kind: 'crashed',
+    code: 'R2W0720',
+    message:
+      'std::out_of_range: vector::_M_range_check: __n (which is 7) >= this->size() (which is 7)',
+  });
   fake.setState('safety-4', { kind: 'exited', code: 1 });
   fake.setState('logger-5', { kind: 'starting' });
   fake.setTopics([
-    { name: '/scan', type: 'sensor_msgs/msg/LaserScan', rateHz: 10.02, bytesPerSecond: 14_820, count: 812, subscriptions: 2 },
-    { name: '/odom', type: 'nav_msgs/msg/Odometry', rateHz: 29.9, bytesPerSecond: 21_300, count: 2390 },
+    {
+      name: '/scan',
+      type: 'sensor_msgs/msg/LaserScan',
+      rateHz: 10.02,
+      bytesPerSecond: 14_820,
+      count: 812,
+      subscriptions: 2,
+    },
+    {
+      name: '/odom',
+      type: 'nav_msgs/msg/Odometry',
+      rateHz: 29.9,
+      bytesPerSecond: 21_300,
+      count: 2390,
+    },
     { name: '/cmd_vel', type: 'geometry_msgs/msg/Twist', publishers: 0, subscriptions: 1 },
     { name: '/tf', type: 'tf2_msgs/msg/TFMessage', rateHz: 60, bytesPerSecond: 9_100, count: 4900 },
-    { name: '/map', type: 'nav_msgs/msg/OccupancyGrid', qos: [{ reliability: 'reliable', durability: 'transient_local', history: 'keep_last', depth: 1 }] },
+    {
+      name: '/map',
+      type: 'nav_msgs/msg/OccupancyGrid',
+      qos: [
+        { reliability: 'reliable', durability: 'transient_local', history: 'keep_last', depth: 1 },
+      ],
+    },
   ]);
   fake.publish('/scan', scanBytes());
   return fake;
@@ -87,11 +139,28 @@ function hostile(): FakeSession {
   const fake = new FakeSession({
     title: kHostile,
     authors: [kHostile],
-    nodes: [{ executable: 'talker', label: `/${kHostile}`, package: kHostile, source: { file: kHostile, line: 1, column: 1 } }],
+    nodes: [
+      {
+        executable: 'talker',
+        label: `/${kHostile}`,
+        package: kHostile,
+        source: { file: kHostile, line: 1, column: 1 },
+      },
+    ],
     interfaces: new Map([['std_msgs/msg/String', 'string data\n']]),
   });
-  fake.print('talker-1', kHostile, `[INFO] [1.0] [${kHostile}]: ${kHostile}`, `\x1b[31m${kHostile}\x1b[0m`, '\u202e\u2066 turned around', 'x'.repeat(50_000));
-  fake.setTopics([{ name: `/${kHostile}`, type: 'std_msgs/msg/String', count: 1 }, { name: '/odd', type: kHostile, count: 1 }]);
+  fake.print(
+    'talker-1',
+    kHostile,
+    `[INFO] [1.0] [${kHostile}]: ${kHostile}`,
+    `\x1b[31m${kHostile}\x1b[0m`,
+    '\u202e\u2066 turned around',
+    'x'.repeat(50_000),
+  );
+  fake.setTopics([
+    { name: `/${kHostile}`, type: 'std_msgs/msg/String', count: 1 },
+    { name: '/odd', type: kHostile, count: 1 },
+  ]);
   fake.publish(`/${kHostile}`, stringBytes(kHostile));
   fake.publish('/odd', stringBytes(kHostile));
   return fake;
@@ -103,7 +172,11 @@ const kScenes: Readonly<Record<string, () => FakeSession | Promise<FakeSession>>
   crowd,
   hostile,
   empty: () => new FakeSession({ nodes: [] }),
-  quiet: () => new FakeSession({ nodes: [{ executable: 'talker' }, { executable: 'listener' }], interfaces: kInterfaces }),
+  quiet: () =>
+    new FakeSession({
+      nodes: [{ executable: 'talker' }, { executable: 'listener' }],
+      interfaces: kInterfaces,
+    }),
   broken: () => {
     const fake = talkerListener();
     // A mistake in the page itself: one panel must fail alone.
@@ -114,11 +187,16 @@ const kScenes: Readonly<Record<string, () => FakeSession | Promise<FakeSession>>
   },
   failure: () =>
     Promise.reject(
-      Object.assign(new Error('this browser can neither isolate the page nor suspend WebAssembly'), {
-        code: 'R2W0703',
-        why: ['the page is inside a frame that is not isolated, and JavaScript Promise Integration is missing'],
-        fix: ['open the page by itself in a current version of Chrome or Edge'],
-      }),
+      Object.assign(
+        new Error('this browser can neither isolate the page nor suspend WebAssembly'),
+        {
+          code: 'R2W0703',
+          why: [
+            'the page is inside a frame that is not isolated, and JavaScript Promise Integration is missing',
+          ],
+          fix: ['open the page by itself in a current version of Chrome or Edge'],
+        },
+      ),
     ),
   never: () => new Promise<FakeSession>(() => undefined),
 };
@@ -127,6 +205,9 @@ const scene = kScenes[new URLSearchParams(location.search).get('scene') ?? 'talk
 const root = document.getElementById('page');
 if (root !== null && scene !== undefined) {
   const starting = Promise.resolve().then(scene);
-  void starting.then((fake) => Object.assign(globalThis, { fake }), () => undefined);
+  void starting.then(
+    (fake) => Object.assign(globalThis, { fake }),
+    () => undefined,
+  );
   mountPage(root, starting);
 }

@@ -10,7 +10,12 @@ import { build } from 'esbuild';
 
 const kRoot = fileURLToPath(new URL('../..', import.meta.url));
 const kTypes: Readonly<Record<string, string>> = {
-  '.html': 'text/html; charset=utf-8', '.js': 'text/javascript', '.css': 'text/css', '.svg': 'image/svg+xml', '.json': 'application/json', '.wasm': 'application/wasm',
+  '.html': 'text/html; charset=utf-8',
+  '.js': 'text/javascript',
+  '.css': 'text/css',
+  '.svg': 'image/svg+xml',
+  '.json': 'application/json',
+  '.wasm': 'application/wasm',
 };
 
 export interface Served {
@@ -24,10 +29,20 @@ export async function buildFakePage(folder: string): Promise<string> {
   mkdirSync(folder, { recursive: true });
   const shared = { bundle: true, minify: true, target: 'es2022', logLevel: 'warning' } as const;
   await build({
-    ...shared, entryPoints: { main: join(kRoot, 'tests/e2e/page_fake.tsx') }, outdir: folder, format: 'esm', splitting: true,
-    jsx: 'automatic', jsxImportSource: 'preact',
+    ...shared,
+    entryPoints: { main: join(kRoot, 'tests/e2e/page_fake.tsx') },
+    outdir: folder,
+    format: 'esm',
+    splitting: true,
+    jsx: 'automatic',
+    jsxImportSource: 'preact',
   });
-  await build({ ...shared, entryPoints: { boot: join(ui, 'boot.ts') }, outdir: folder, format: 'iife' });
+  await build({
+    ...shared,
+    entryPoints: { boot: join(ui, 'boot.ts') },
+    outdir: folder,
+    format: 'iife',
+  });
   await build({ ...shared, entryPoints: { styles: join(ui, 'styles/index.css') }, outdir: folder });
   for (const file of ['index.html', 'icon.svg']) copyFileSync(join(ui, file), join(folder, file));
   return folder;
@@ -35,11 +50,15 @@ export async function buildFakePage(folder: string): Promise<string> {
 
 export async function serveFolder(folder: string): Promise<Served> {
   const server = createServer((request, response) => {
-    const path = normalize(decodeURIComponent(new URL(request.url ?? '/', 'http://localhost').pathname));
+    const path = normalize(
+      decodeURIComponent(new URL(request.url ?? '/', 'http://localhost').pathname),
+    );
     const file = join(folder, path.endsWith('/') ? `${path}index.html` : path);
     try {
       const body = readFileSync(file);
-      response.writeHead(200, { 'content-type': kTypes[extname(file)] ?? 'application/octet-stream' }).end(body);
+      response
+        .writeHead(200, { 'content-type': kTypes[extname(file)] ?? 'application/octet-stream' })
+        .end(body);
     } catch {
       response.writeHead(404).end();
     }
@@ -55,4 +74,3 @@ export async function serveFolder(folder: string): Promise<Served> {
       }),
   };
 }
-

@@ -41,7 +41,10 @@ export function createDecoder(interfaces: Definitions): Decoder {
         const own = bytes.buffer instanceof ArrayBuffer ? bytes : Uint8Array.from(bytes);
         return { kind: 'value', value: found.read(own), shape: found.shape };
       } catch (error) {
-        return { kind: 'failed', reason: `these ${bytes.byteLength} bytes are no ${type}: ${messageOf(error)}` };
+        return {
+          kind: 'failed',
+          reason: `these ${bytes.byteLength} bytes are no ${type}: ${messageOf(error)}`,
+        };
       }
     },
   };

@@ -6,15 +6,34 @@ export type Definitions = ReadonlyMap<string, string>;
 const kSeparator = `\n${'='.repeat(80)}\n`;
 
 const kPrimitive: ReadonlySet<string> = new Set([
-  'bool', 'byte', 'char', 'float32', 'float64', 'int8', 'uint8', 'int16', 'uint16', 'int32', 'uint32', 'int64', 'uint64',
-  'string', 'wstring',
+  'bool',
+  'byte',
+  'char',
+  'float32',
+  'float64',
+  'int8',
+  'uint8',
+  'int16',
+  'uint16',
+  'int32',
+  'uint32',
+  'int64',
+  'uint64',
+  'string',
+  'wstring',
 ]);
 
 /** Types whose two fields the decoder knows by itself. */
-const kTimes: ReadonlySet<string> = new Set(['builtin_interfaces/msg/Time', 'builtin_interfaces/msg/Duration']);
+const kTimes: ReadonlySet<string> = new Set([
+  'builtin_interfaces/msg/Time',
+  'builtin_interfaces/msg/Duration',
+]);
 
 /** The text for one message type, or the name of the type that is missing. */
-export function gatherDefinition(type: string, interfaces: Definitions): { text: string } | { missing: string } {
+export function gatherDefinition(
+  type: string,
+  interfaces: Definitions,
+): { text: string } | { missing: string } {
   const done = new Set<string>([type]);
   const queue: string[] = [type];
   const parts: string[] = [];

@@ -18,7 +18,11 @@ export function isMessage(value: unknown): value is Readonly<Record<string, unkn
 }
 
 /** One document: every line ends with a newline. */
-export function toYaml(value: unknown, shape: Shape | null, truncate: number | null = kTruncateLength): string {
+export function toYaml(
+  value: unknown,
+  shape: Shape | null,
+  truncate: number | null = kTruncateLength,
+): string {
   if (!isMessage(value)) return `${formatScalar(value, truncate, '')}\n`;
   if (Object.keys(value).length === 0) return '{}\n';
   const lines: string[] = [];
@@ -27,10 +31,16 @@ export function toYaml(value: unknown, shape: Shape | null, truncate: number | n
 }
 
 /** A number, boolean or text as a YAML scalar. `indent` is where continued lines of a text begin. */
-export function formatScalar(value: unknown, truncate: number | null, indent: string, float = false): string {
+export function formatScalar(
+  value: unknown,
+  truncate: number | null,
+  indent: string,
+  float = false,
+): string {
   switch (typeof value) {
     case 'string': {
-      const cut = truncate !== null && value.length > truncate ? `${value.slice(0, truncate)}...` : value;
+      const cut =
+        truncate !== null && value.length > truncate ? `${value.slice(0, truncate)}...` : value;
       return formatText(cut, indent);
     }
     case 'number':
@@ -66,7 +76,11 @@ export function fieldOf(shape: Shape | null, name: string): Field | undefined {
 }
 
 function writeMessage(
-  message: Readonly<Record<string, unknown>>, shape: Shape | null, first: string, indent: string, truncate: number | null,
+  message: Readonly<Record<string, unknown>>,
+  shape: Shape | null,
+  first: string,
+  indent: string,
+  truncate: number | null,
   lines: string[],
 ): void {
   let start = first;
@@ -88,7 +102,12 @@ function writeMessage(
 }
 
 function writeList(
-  head: string, list: ArrayLike<unknown>, field: Field | undefined, indent: string, truncate: number | null, lines: string[],
+  head: string,
+  list: ArrayLike<unknown>,
+  field: Field | undefined,
+  indent: string,
+  truncate: number | null,
+  lines: string[],
 ): void {
   if (list.length === 0) {
     lines.push(`${head} []`);
@@ -101,7 +120,9 @@ function writeList(
     if (isMessage(item) && Object.keys(item).length > 0) {
       writeMessage(item, field?.shape ?? null, `${indent}- `, `${indent}  `, truncate, lines);
     } else {
-      lines.push(`${indent}- ${isMessage(item) ? '{}' : formatScalar(item, truncate, `${indent}  `, isFloat(field))}`);
+      lines.push(
+        `${indent}- ${isMessage(item) ? '{}' : formatScalar(item, truncate, `${indent}  `, isFloat(field))}`,
+      );
     }
   }
   if (count < list.length) {
@@ -141,7 +162,8 @@ function analyse(text: string): Analysis {
   let afterSpace = false;
   let afterBreak = false;
   const characters = Array.from(text);
-  const isWhite = (c: string | undefined): boolean => c === undefined || '\0 \t\r'.includes(c) || kBreak.includes(c);
+  const isWhite = (c: string | undefined): boolean =>
+    c === undefined || '\0 \t\r'.includes(c) || kBreak.includes(c);
   characters.forEach((c, index) => {
     const whiteAfter = isWhite(characters[index + 1]);
     const whiteBefore = index === 0 || isWhite(characters[index - 1]);
@@ -165,16 +187,23 @@ function analyse(text: string): Analysis {
       afterBreak = false;
     }
   });
-  const edge = (c: string | undefined): boolean => c === ' ' || (c !== undefined && kBreak.includes(c));
+  const edge = (c: string | undefined): boolean =>
+    c === ' ' || (c !== undefined && kBreak.includes(c));
   const never = breakThenSpace || spaceThenBreak || special;
-  return { plain: !(indicators || breaks || edge(characters[0]) || edge(characters.at(-1)) || never), singleQuoted: !never };
+  return {
+    plain: !(indicators || breaks || edge(characters[0]) || edge(characters.at(-1)) || never),
+    singleQuoted: !never,
+  };
 }
 
 function isPrintable(c: string): boolean {
   const code = c.codePointAt(0) ?? 0;
   return (
-    c === '\n' || (code >= 0x20 && code <= 0x7e) || code === 0x85 ||
-    (code >= 0xa0 && code <= 0xd7ff) || (code >= 0xe000 && code <= 0xfffd && code !== 0xfeff) ||
+    c === '\n' ||
+    (code >= 0x20 && code <= 0x7e) ||
+    code === 0x85 ||
+    (code >= 0xa0 && code <= 0xd7ff) ||
+    (code >= 0xe000 && code <= 0xfffd && code !== 0xfeff) ||
     (code >= 0x10000 && code < 0x10ffff)
   );
 }
@@ -186,8 +215,21 @@ function singleQuote(text: string, indent: string): string {
 }
 
 const kEscapes: Readonly<Record<string, string>> = {
-  '\0': '0', '\u0007': 'a', '\b': 'b', '\t': 't', '\n': 'n', '\v': 'v', '\f': 'f', '\r': 'r', '\u001b': 'e', '"': '"',
-  '\\': '\\', '\u0085': 'N', '\u00a0': '_', '\u2028': 'L', '\u2029': 'P',
+  '\0': '0',
+  '\u0007': 'a',
+  '\b': 'b',
+  '\t': 't',
+  '\n': 'n',
+  '\v': 'v',
+  '\f': 'f',
+  '\r': 'r',
+  '\u001b': 'e',
+  '"': '"',
+  '\\': '\\',
+  '\u0085': 'N',
+  '\u00a0': '_',
+  '\u2028': 'L',
+  '\u2029': 'P',
 };
 
 function doubleQuote(text: string): string {
@@ -196,7 +238,9 @@ function doubleQuote(text: string): string {
     const code = c.codePointAt(0) ?? 0;
     const asIs =
       !'"\\\u0085\u2028\u2029\ufeff'.includes(c) &&
-      ((code >= 0x20 && code <= 0x7e) || (code >= 0xa0 && code <= 0xd7ff) || (code >= 0xe000 && code <= 0xfffd));
+      ((code >= 0x20 && code <= 0x7e) ||
+        (code >= 0xa0 && code <= 0xd7ff) ||
+        (code >= 0xe000 && code <= 0xfffd));
     const short = kEscapes[c];
     if (asIs) out += c;
     else if (short !== undefined) out += `\\${short}`;

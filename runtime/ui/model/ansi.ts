@@ -36,8 +36,22 @@ const CSI = 0x9b;
 
 /** The usual RGB values of the 16 colours: only used to find the nearest one to a richer colour. */
 const PALETTE: readonly (readonly [number, number, number])[] = [
-  [0, 0, 0], [205, 0, 0], [0, 205, 0], [205, 205, 0], [0, 0, 238], [205, 0, 205], [0, 205, 205], [229, 229, 229],
-  [127, 127, 127], [255, 0, 0], [0, 255, 0], [255, 255, 0], [92, 92, 255], [255, 0, 255], [0, 255, 255], [255, 255, 255],
+  [0, 0, 0],
+  [205, 0, 0],
+  [0, 205, 0],
+  [205, 205, 0],
+  [0, 0, 238],
+  [205, 0, 205],
+  [0, 205, 205],
+  [229, 229, 229],
+  [127, 127, 127],
+  [255, 0, 0],
+  [0, 255, 0],
+  [255, 255, 0],
+  [92, 92, 255],
+  [255, 0, 255],
+  [0, 255, 255],
+  [255, 255, 255],
 ];
 
 /** Splits one line into styled spans. Runs in time linear in the text, whatever it holds. */
@@ -97,7 +111,8 @@ export function styleClasses(style: AnsiStyle): string {
   const back = style.inverse ? style.foreground : style.background;
   if (front !== null) names.push(`ansi-fg-${front}`);
   if (back !== null) names.push(`ansi-bg-${back}`);
-  if (style.inverse && style.foreground === null && style.background === null) names.push('ansi-inverse');
+  if (style.inverse && style.foreground === null && style.background === null)
+    names.push('ansi-inverse');
   if (style.bold) names.push('ansi-bold');
   if (style.dim) names.push('ansi-dim');
   if (style.italic) names.push('ansi-italic');
@@ -134,7 +149,8 @@ function readSequence(text: string, start: number): Sequence {
     }
     if (kind !== '[') {
       // Two-character sequence, with intermediates such as "ESC ( B" before its final character.
-      while (at < text.length && text.charCodeAt(at) >= 0x20 && text.charCodeAt(at) <= 0x2f) at += 1;
+      while (at < text.length && text.charCodeAt(at) >= 0x20 && text.charCodeAt(at) <= 0x2f)
+        at += 1;
       return { end: Math.min(at + 1, text.length), parameters: null };
     }
     at += 1;
@@ -158,7 +174,10 @@ function endOfString(text: string, from: number): number {
 }
 
 function applySgr(before: AnsiStyle, parameters: string): AnsiStyle {
-  const numbers = parameters === '' ? [0] : parameters.split(/[;:]/).map((part) => (part === '' ? 0 : Number(part)));
+  const numbers =
+    parameters === ''
+      ? [0]
+      : parameters.split(/[;:]/).map((part) => (part === '' ? 0 : Number(part)));
   let style = before;
   for (let i = 0; i < numbers.length; i += 1) {
     const n = numbers[i] ?? 0;
@@ -183,7 +202,8 @@ function applySgr(before: AnsiStyle, parameters: string): AnsiStyle {
     else if (n === 38 || n === 48) {
       const rich = readRichColor(numbers, i + 1);
       if (rich.color !== null) {
-        style = n === 38 ? { ...style, foreground: rich.color } : { ...style, background: rich.color };
+        style =
+          n === 38 ? { ...style, foreground: rich.color } : { ...style, background: rich.color };
       }
       i = rich.last;
     }
@@ -193,7 +213,10 @@ function applySgr(before: AnsiStyle, parameters: string): AnsiStyle {
 }
 
 /** "5;n" (256 colours) and "2;r;g;b" become the nearest of the 16, so that contrast stays ours. */
-function readRichColor(numbers: readonly number[], at: number): { color: number | null; last: number } {
+function readRichColor(
+  numbers: readonly number[],
+  at: number,
+): { color: number | null; last: number } {
   if (numbers[at] === 5) {
     const n = numbers[at + 1];
     return { color: n === undefined || n > 255 ? null : fromCube(n), last: at + 1 };

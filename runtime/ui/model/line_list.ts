@@ -152,5 +152,8 @@ function passes(line: DisplayLine, filter: LineFilter): boolean {
       return false;
     }
   }
-  return filter.text === '' || (line.prefix + line.plain).toLowerCase().includes(filter.text.toLowerCase());
+  return (
+    filter.text === '' ||
+    (line.prefix + line.plain).toLowerCase().includes(filter.text.toLowerCase())
+  );
 }

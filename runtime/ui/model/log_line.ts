@@ -39,7 +39,8 @@ export interface DisplayLine {
 /** Longer lines are cut for showing; "copy" gives them whole. */
 export const kMaxShown = 8192;
 
-const kPattern = /^\[(DEBUG|INFO|WARN|ERROR|FATAL)\] (\[\d{1,20}\.\d{1,12}\]) (\[[^\]]{0,512}\]): (.*)$/s;
+const kPattern =
+  /^\[(DEBUG|INFO|WARN|ERROR|FATAL)\] (\[\d{1,20}\.\d{1,12}\]) (\[[^\]]{0,512}\]): (.*)$/s;
 
 export function parseLogParts(plain: string): LogParts | null {
   const match = kPattern.exec(plain);
@@ -47,15 +48,26 @@ export function parseLogParts(plain: string): LogParts | null {
     return null;
   }
   const [, level, stamp, logger, message] = match;
-  return { level: level as Level, stamp: stamp ?? '', logger: logger ?? '', message: message ?? '' };
+  return {
+    level: level as Level,
+    stamp: stamp ?? '',
+    logger: logger ?? '',
+    message: message ?? '',
+  };
 }
 
 export function displayLine(line: ConsoleLine, key: number, prefix: string): DisplayLine {
   const raw = expandTabs(lastOverwrite(line.text));
-  const cut = raw.length > kMaxShown ? `${raw.slice(0, kMaxShown)}\u2026 (${raw.length - kMaxShown} more characters)` : raw;
+  const cut =
+    raw.length > kMaxShown
+      ? `${raw.slice(0, kMaxShown)}\u2026 (${raw.length - kMaxShown} more characters)`
+      : raw;
   const spans = parseAnsi(cut);
-  const plain = spans.length === 1 ? (spans[0]?.text ?? '') : spans.map((span) => span.text).join('');
-  const coloured = spans.some((span) => span.style.foreground !== null || span.style.background !== null || span.style.bold);
+  const plain =
+    spans.length === 1 ? (spans[0]?.text ?? '') : spans.map((span) => span.text).join('');
+  const coloured = spans.some(
+    (span) => span.style.foreground !== null || span.style.background !== null || span.style.bold,
+  );
   const parts = parseLogParts(plain);
   return {
     key,
@@ -130,9 +142,14 @@ function widthOf(text: string): number {
   for (const character of text) {
     const code = character.codePointAt(0) ?? 0;
     const wide =
-      (code >= 0x1100 && code <= 0x115f) || (code >= 0x2e80 && code <= 0xa4cf) || (code >= 0xac00 && code <= 0xd7a3) ||
-      (code >= 0xf900 && code <= 0xfaff) || (code >= 0xfe30 && code <= 0xfe6f) || (code >= 0xff00 && code <= 0xff60) ||
-      (code >= 0x1f300 && code <= 0x1faff) || (code >= 0x20000 && code <= 0x3fffd);
+      (code >= 0x1100 && code <= 0x115f) ||
+      (code >= 0x2e80 && code <= 0xa4cf) ||
+      (code >= 0xac00 && code <= 0xd7a3) ||
+      (code >= 0xf900 && code <= 0xfaff) ||
+      (code >= 0xfe30 && code <= 0xfe6f) ||
+      (code >= 0xff00 && code <= 0xff60) ||
+      (code >= 0x1f300 && code <= 0x1faff) ||
+      (code >= 0x20000 && code <= 0x3fffd);
     width += wide ? 2 : 1;
   }
   return width;

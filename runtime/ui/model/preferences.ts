@@ -21,7 +21,12 @@ export function browserStore(): Store | null {
   }
 }
 
-export function readPreference<T extends string>(store: Store | null, name: string, allowed: readonly T[], fallback: T): T {
+export function readPreference<T extends string>(
+  store: Store | null,
+  name: string,
+  allowed: readonly T[],
+  fallback: T,
+): T {
   const value = read(store, name);
   return allowed.find((choice) => choice === value) ?? fallback;
 }
@@ -32,7 +37,13 @@ export function readTheme(store: Store | null, chosenByAuthor: unknown): Theme {
   return readPreference(store, 'theme', kThemes, fallback);
 }
 
-export function readNumber(store: Store | null, name: string, minimum: number, maximum: number, fallback: number): number {
+export function readNumber(
+  store: Store | null,
+  name: string,
+  minimum: number,
+  maximum: number,
+  fallback: number,
+): number {
   const text = read(store, name);
   const value = text === null ? Number.NaN : Number(text);
   return value >= minimum && value <= maximum ? value : fallback;

@@ -14,7 +14,8 @@ const kUnknown = 'R2W0792';
 /** Reads an unknown thrown value. Errors of the launcher carry `code`, `why`, `fix` and `place`. */
 export function problemOf(thrown: unknown): Problem {
   if (typeof thrown === 'object' && thrown !== null) {
-    const field = (name: string): unknown => (name in thrown ? (thrown as Record<string, unknown>)[name] : undefined);
+    const field = (name: string): unknown =>
+      name in thrown ? (thrown as Record<string, unknown>)[name] : undefined;
     const code = field('code');
     return {
       code: typeof code === 'string' && /^R2W\d{4}$/.test(code) ? code : kUnknown,
@@ -38,7 +39,11 @@ export function problemText(problem: Problem): string {
 }
 
 /** `workspace.yaml:12:11` */
-export function placeText(place: { readonly file: string; readonly line: number; readonly column: number }): string {
+export function placeText(place: {
+  readonly file: string;
+  readonly line: number;
+  readonly column: number;
+}): string {
   return `${place.file}:${place.line}:${place.column}`;
 }
 

@@ -32,7 +32,13 @@ export function ConsolePanel({ session, focus, store, announce }: PanelProps) {
   const shared = { session, filter, announce };
   const tiles =
     focused !== undefined ? (
-      <ConsoleTile key={focused.id} {...shared} nodes={[focused]} merged={false} onClose={() => focus.set(null)} />
+      <ConsoleTile
+        key={focused.id}
+        {...shared}
+        nodes={[focused]}
+        merged={false}
+        onClose={() => focus.set(null)}
+      />
     ) : view === 'merged' ? (
       <ConsoleTile key="merged" {...shared} nodes={nodes} merged />
     ) : (
@@ -43,7 +49,11 @@ export function ConsolePanel({ session, focus, store, announce }: PanelProps) {
     <>
       <div class="choice" role="group" aria-label={texts.console.view}>
         {kViews.map((name) => (
-          <button type="button" aria-pressed={focused === undefined && view === name} onClick={() => choose(name)}>
+          <button
+            type="button"
+            aria-pressed={focused === undefined && view === name}
+            onClick={() => choose(name)}
+          >
             {texts.console[name]}
           </button>
         ))}
@@ -52,7 +62,9 @@ export function ConsolePanel({ session, focus, store, announce }: PanelProps) {
         class="select"
         aria-label={texts.console.level}
         value={level ?? ''}
-        onChange={(event) => setLevel(LEVELS.find((name) => name === event.currentTarget.value) ?? null)}
+        onChange={(event) =>
+          setLevel(LEVELS.find((name) => name === event.currentTarget.value) ?? null)
+        }
       >
         <option value="">{texts.console.allLevels}</option>
         {LEVELS.slice(1).map((name) => (
@@ -73,7 +85,11 @@ export function ConsolePanel({ session, focus, store, announce }: PanelProps) {
   );
   return (
     <PanelFrame id="console" title={texts.panels.console} icon="console" tools={tools}>
-      {nodes.length === 0 ? <p class="hint">{texts.nodes.none}</p> : <div class="tiles">{tiles}</div>}
+      {nodes.length === 0 ? (
+        <p class="hint">{texts.nodes.none}</p>
+      ) : (
+        <div class="tiles">{tiles}</div>
+      )}
     </PanelFrame>
   );
 }

@@ -17,7 +17,12 @@ export function NodesPanel({ session, focus, announce }: PanelProps) {
   const running = nodes.filter((node) => node.state.kind === 'running').length;
   const now = useNow(running > 0);
   return (
-    <PanelFrame id="nodes" title={texts.panels.nodes} icon="nodes" note={texts.runningOf(running, nodes.length)}>
+    <PanelFrame
+      id="nodes"
+      title={texts.panels.nodes}
+      icon="nodes"
+      note={texts.runningOf(running, nodes.length)}
+    >
       {nodes.length === 0 ? <p class="hint">{texts.nodes.none}</p> : null}
       <ul class="nodes" role="list">
         {nodes.map((node) => (
@@ -45,7 +50,10 @@ interface NodeRowProps extends Pick<PanelProps, 'session' | 'announce'> {
 
 function NodeRow({ node, now, focused, onFocus, session, announce }: NodeRowProps) {
   const alive = isAlive(node.state);
-  const upTime = node.state.kind === 'running' && node.startedAt !== undefined ? formatDuration(now - node.startedAt) : null;
+  const upTime =
+    node.state.kind === 'running' && node.startedAt !== undefined
+      ? formatDuration(now - node.startedAt)
+      : null;
   return (
     <li class={`node ${focused ? 'node-focused' : ''}`}>
       <div class="node-head">
@@ -60,11 +68,23 @@ function NodeRow({ node, now, focused, onFocus, session, announce }: NodeRowProp
         </button>
         <div class="node-tools">
           {alive ? (
-            <IconButton icon="stop" label={texts.nodes.stop(node.label)} onClick={() => session.stop(node.id)} />
+            <IconButton
+              icon="stop"
+              label={texts.nodes.stop(node.label)}
+              onClick={() => session.stop(node.id)}
+            />
           ) : (
-            <IconButton icon="play" label={texts.nodes.start(node.label)} onClick={() => session.start(node.id)} />
+            <IconButton
+              icon="play"
+              label={texts.nodes.start(node.label)}
+              onClick={() => session.start(node.id)}
+            />
           )}
-          <IconButton icon="restart" label={texts.nodes.restart(node.label)} onClick={() => session.restart(node.id)} />
+          <IconButton
+            icon="restart"
+            label={texts.nodes.restart(node.label)}
+            onClick={() => session.restart(node.id)}
+          />
         </div>
       </div>
       <p class="node-state">

@@ -22,13 +22,19 @@ const kFilterFrom = 8;
 
 export function TopicsPanel({ session, store, announce }: PanelProps) {
   const topics = useTopics(session);
-  const [hidden, setHidden] = useState(() => readPreference(store, 'hiddenTopics', ['yes', 'no'], 'no') === 'yes');
+  const [hidden, setHidden] = useState(
+    () => readPreference(store, 'hiddenTopics', ['yes', 'no'], 'no') === 'yes',
+  );
   const [text, setText] = useState('');
   const [opened, setOpened] = useState<ReadonlySet<string>>(new Set());
 
   const allowed = topics.filter((topic) => hidden || !isHiddenTopic(topic.name));
   const shown = allowed
-    .filter((topic) => topic.name.toLowerCase().includes(text.toLowerCase()) || topic.type.toLowerCase().includes(text.toLowerCase()))
+    .filter(
+      (topic) =>
+        topic.name.toLowerCase().includes(text.toLowerCase()) ||
+        topic.type.toLowerCase().includes(text.toLowerCase()),
+    )
     .toSorted((a, b) => (a.name < b.name ? -1 : 1));
   const toggle = (name: string): void => {
     const next = new Set(opened);
@@ -36,7 +42,12 @@ export function TopicsPanel({ session, store, announce }: PanelProps) {
     setOpened(next);
   };
 
-  const empty = topics.length === 0 ? texts.topics.none : allowed.length === 0 ? texts.topics.noneShown : texts.topics.noneMatch;
+  const empty =
+    topics.length === 0
+      ? texts.topics.none
+      : allowed.length === 0
+        ? texts.topics.noneShown
+        : texts.topics.noneMatch;
   const tools = (
     <>
       <label class="check" title={texts.topics.hidden}>
@@ -66,7 +77,13 @@ export function TopicsPanel({ session, store, announce }: PanelProps) {
     </>
   );
   return (
-    <PanelFrame id="topics" title={texts.panels.topics} icon="topics" note={allowed.length === 0 ? '' : String(allowed.length)} tools={tools}>
+    <PanelFrame
+      id="topics"
+      title={texts.panels.topics}
+      icon="topics"
+      note={allowed.length === 0 ? '' : String(allowed.length)}
+      tools={tools}
+    >
       {shown.length === 0 ? <p class="hint">{empty}</p> : null}
       <ul class="topics" role="list">
         {shown.map((topic) => (
@@ -94,7 +111,13 @@ function TopicRow({ topic, open, onToggle, session, announce }: TopicRowProps) {
   const inside = `topic-${encodeURIComponent(topic.name)}`;
   return (
     <li class={`topic ${open ? 'topic-open' : ''}`}>
-      <button type="button" class="topic-head" aria-expanded={open} aria-controls={open ? inside : undefined} onClick={onToggle}>
+      <button
+        type="button"
+        class="topic-head"
+        aria-expanded={open}
+        aria-controls={open ? inside : undefined}
+        onClick={onToggle}
+      >
         <Icon name="chevron" class="topic-turn" />
         <span class="topic-names">
           <span class="topic-name">
@@ -108,10 +131,12 @@ function TopicRow({ topic, open, onToggle, session, announce }: TopicRowProps) {
           <span class="topic-rate">{formatRate(topic.rateHz)}</span>
           <span class="topic-ends">
             <span class="visually-hidden">
-              {texts.topics.publishers(topic.publishers)}, {texts.topics.subscriptions(topic.subscriptions)}
+              {texts.topics.publishers(topic.publishers)},{' '}
+              {texts.topics.subscriptions(topic.subscriptions)}
             </span>
             <span aria-hidden="true">
-              {topic.publishers} {texts.topics.publishersShort} {'\u2192'} {topic.subscriptions} {texts.topics.subscriptionsShort}
+              {topic.publishers} {texts.topics.publishersShort} {'\u2192'} {topic.subscriptions}{' '}
+              {texts.topics.subscriptionsShort}
             </span>
           </span>
         </span>
@@ -141,16 +166,28 @@ function Fact({ name, value }: { readonly name: string; readonly value: string }
   );
 }
 
-function LastMessageView({ topic, session, announce }: Pick<TopicRowProps, 'topic' | 'session' | 'announce'>) {
+function LastMessageView({
+  topic,
+  session,
+  announce,
+}: Pick<TopicRowProps, 'topic' | 'session' | 'announce'>) {
   const decoder = useDecoder(session);
   // Decoded again when a message came, not at every sample of the rates.
-  const decoded = useRef<{ readonly count: number; readonly decoder: Decoder; readonly result: Decoded } | null>(null);
+  const decoded = useRef<{
+    readonly count: number;
+    readonly decoder: Decoder;
+    readonly result: Decoded;
+  } | null>(null);
   const last = session.lastMessage(topic.name);
   if (last === undefined) return <p class="hint">{texts.topics.noMessage}</p>;
   if (decoder === null) return <p class="hint">{texts.topics.decoding}</p>;
   if (typeof decoder === 'string') return <p class="hint">{texts.topics.undecodable(decoder)}</p>;
   if (decoded.current?.count !== last.count || decoded.current.decoder !== decoder) {
-    decoded.current = { count: last.count, decoder, result: decoder.decode(topic.type, last.bytes) };
+    decoded.current = {
+      count: last.count,
+      decoder,
+      result: decoder.decode(topic.type, last.bytes),
+    };
   }
   const result = decoded.current.result;
   const size = texts.topics.bytes(formatCount(last.bytes.byteLength));
@@ -161,11 +198,19 @@ function LastMessageView({ topic, session, announce }: Pick<TopicRowProps, 'topi
         <h3 class="message-title">{texts.topics.lastMessage}</h3>
         <span class="message-facts">{`${ago}, ${size}`}</span>
         {result.kind === 'value' ? (
-          <CopyButton label={texts.topics.copy(topic.name)} text={() => toYaml(result.value, result.shape)} announce={announce} />
+          <CopyButton
+            label={texts.topics.copy(topic.name)}
+            text={() => toYaml(result.value, result.shape)}
+            announce={announce}
+          />
         ) : null}
       </div>
       {result.kind === 'value' ? (
-        <MessageTree label={texts.topics.lastOf(topic.name)} value={result.value} shape={result.shape} />
+        <MessageTree
+          label={texts.topics.lastOf(topic.name)}
+          value={result.value}
+          shape={result.shape}
+        />
       ) : (
         <p class="hint">{texts.topics.undecodable(result.reason)}</p>
       )}

@@ -30,7 +30,12 @@ export function AboutDialog({ session, open, onClose, announce }: AboutDialogPro
     [texts.about.authors, site.authors.map((author) => author.name).join(', ')],
     [texts.about.license, site.license],
     [texts.about.distro, site.distro],
-    [texts.about.size, site.files.length === 0 ? '' : texts.about.sizeOf(formatCount(site.files.length), formatBytes(bytes))],
+    [
+      texts.about.size,
+      site.files.length === 0
+        ? ''
+        : texts.about.sizeOf(formatCount(site.files.length), formatBytes(bytes)),
+    ],
     [texts.about.generator, site.generator],
   ];
   return (

@@ -40,7 +40,11 @@ export class Boundary extends Component<BoundaryProps, BoundaryState> {
     return (
       <div class="panel boundary" role="alert">
         <ProblemView problem={problem} announce={announce}>
-          <button type="button" class="button" onClick={() => this.setState({ failed: false, thrown: null })}>
+          <button
+            type="button"
+            class="button"
+            onClick={() => this.setState({ failed: false, thrown: null })}
+          >
             {texts.problem.reload}
           </button>
         </ProblemView>

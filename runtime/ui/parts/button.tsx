@@ -15,7 +15,14 @@ export interface IconButtonProps {
   readonly class?: string;
 }
 
-export function IconButton({ icon, label, onClick, disabled, pressed, class: extra }: IconButtonProps) {
+export function IconButton({
+  icon,
+  label,
+  onClick,
+  disabled,
+  pressed,
+  class: extra,
+}: IconButtonProps) {
   return (
     <button
       type="button"

@@ -25,7 +25,14 @@ export interface ConsoleTileProps {
   readonly onClose?: () => void;
 }
 
-export function ConsoleTile({ session, nodes, merged, filter, announce, onClose }: ConsoleTileProps) {
+export function ConsoleTile({
+  session,
+  nodes,
+  merged,
+  filter,
+  announce,
+  onClose,
+}: ConsoleTileProps) {
   const ids = nodes.map((node) => node.id).join('\n');
   const { list, version, changed } = useLines(session, ids, merged);
   const [asking, setAsking] = useState(false);
@@ -47,20 +54,37 @@ export function ConsoleTile({ session, nodes, merged, filter, announce, onClose 
         {only === undefined ? null : <StateBadge state={only.state} />}
         <div class="tile-tools">
           {only === undefined ? null : (
-            <IconButton icon="input" label={texts.console.input(label)} pressed={asking} onClick={() => setAsking(!asking)} />
+            <IconButton
+              icon="input"
+              label={texts.console.input(label)}
+              pressed={asking}
+              onClick={() => setAsking(!asking)}
+            />
           )}
-          <CopyButton label={texts.console.copy(label)} text={() => list.text()} announce={announce} />
+          <CopyButton
+            label={texts.console.copy(label)}
+            text={() => list.text()}
+            announce={announce}
+          />
           <IconButton icon="clear" label={texts.console.clear(label)} onClick={clear} />
-          {onClose === undefined ? null : <IconButton icon="close" label={texts.console.showAll} onClick={onClose} />}
+          {onClose === undefined ? null : (
+            <IconButton icon="close" label={texts.console.showAll} onClick={onClose} />
+          )}
         </div>
       </header>
       <LineScroller
         list={list}
         version={version}
         label={title}
-        empty={list.allCount === 0 ? texts.console.empty : texts.console.emptyFiltered(formatCount(list.allCount))}
+        empty={
+          list.allCount === 0
+            ? texts.console.empty
+            : texts.console.emptyFiltered(formatCount(list.allCount))
+        }
       />
-      {asking && only !== undefined ? <InputLine label={label} send={(text) => session.sendInput(only.id, text)} /> : null}
+      {asking && only !== undefined ? (
+        <InputLine label={label} send={(text) => session.sendInput(only.id, text)} />
+      ) : null}
     </article>
   );
 }
@@ -100,7 +124,13 @@ function useLines(session: Session, ids: string, merged: boolean): Lines {
   return { list, version, changed: () => changed() };
 }
 
-function InputLine({ label, send }: { readonly label: string; readonly send: (text: string) => void }) {
+function InputLine({
+  label,
+  send,
+}: {
+  readonly label: string;
+  readonly send: (text: string) => void;
+}) {
   const [text, setText] = useState('');
   return (
     <form

@@ -33,13 +33,30 @@ export function PageHeader({ session, store, onAbout }: PageHeaderProps) {
         </p>
       </div>
       <div class="head-tools">
-        <button type="button" class="link-chip" onClick={onAbout} title={texts.about.openLink(linkName)} aria-label={texts.about.openLink(linkName)}>
+        <button
+          type="button"
+          class="link-chip"
+          onClick={onAbout}
+          title={texts.about.openLink(linkName)}
+          aria-label={texts.about.openLink(linkName)}
+        >
           <Icon name="link" />
           <span>{linkName}</span>
         </button>
         <div class="head-run">
-          <RunButton icon="play" words={texts.startAll} disabled={alive === nodes.length} onClick={() => session.startAll()} main />
-          <RunButton icon="stop" words={texts.stopAll} disabled={alive === 0} onClick={() => session.stopAll()} />
+          <RunButton
+            icon="play"
+            words={texts.startAll}
+            disabled={alive === nodes.length}
+            onClick={() => session.startAll()}
+            main
+          />
+          <RunButton
+            icon="stop"
+            words={texts.stopAll}
+            disabled={alive === 0}
+            onClick={() => session.stopAll()}
+          />
         </div>
       </div>
       <div class="head-more">
@@ -74,10 +91,20 @@ function RunButton({ icon, words, disabled, main, onClick }: RunButtonProps) {
   );
 }
 
-const kNextTheme: Readonly<Record<Theme, Theme>> = { system: 'light', light: 'dark', dark: 'system' };
+const kNextTheme: Readonly<Record<Theme, Theme>> = {
+  system: 'light',
+  light: 'dark',
+  dark: 'system',
+};
 const kThemeIcon = { system: 'system', light: 'sun', dark: 'moon' } as const;
 
-function ThemeButton({ store, chosenByAuthor }: { readonly store: Store | null; readonly chosenByAuthor: unknown }) {
+function ThemeButton({
+  store,
+  chosenByAuthor,
+}: {
+  readonly store: Store | null;
+  readonly chosenByAuthor: unknown;
+}) {
   const [theme, setTheme] = useState<Theme>(() => readTheme(store, chosenByAuthor));
   useLayoutEffect(() => {
     if (theme === 'system') delete document.documentElement.dataset['theme'];

@@ -22,9 +22,11 @@ const kPaths = {
   ring: 'M8 3.2a4.8 4.8 0 1 0 0 9.6 4.8 4.8 0 0 0 0-9.6Z',
   disc: 'M8 3.6a4.4 4.4 0 1 0 0 8.8 4.4 4.4 0 0 0 0-8.8Z',
   arc: 'M8 3.2A4.8 4.8 0 1 1 3.2 8',
-  nodes: 'M4 6.2a2 2 0 1 0 0-4 2 2 0 0 0 0 4ZM12 13.8a2 2 0 1 0 0-4 2 2 0 0 0 0 4ZM4 6.2v2.6a3 3 0 0 0 3 3h3',
+  nodes:
+    'M4 6.2a2 2 0 1 0 0-4 2 2 0 0 0 0 4ZM12 13.8a2 2 0 1 0 0-4 2 2 0 0 0 0 4ZM4 6.2v2.6a3 3 0 0 0 3 3h3',
   console: 'M1.8 2.8h12.4v10.4H1.8ZM4.4 6l2.2 2-2.2 2M8.2 10.2h3.4',
-  topics: 'M8 6.8a1.2 1.2 0 1 0 0 2.4 1.2 1.2 0 0 0 0-2.4ZM5.2 10.8a4 4 0 0 1 0-5.6M10.8 5.2a4 4 0 0 1 0 5.6M3.1 12.9a6.9 6.9 0 0 1 0-9.8M12.9 3.1a6.9 6.9 0 0 1 0 9.8',
+  topics:
+    'M8 6.8a1.2 1.2 0 1 0 0 2.4 1.2 1.2 0 0 0 0-2.4ZM5.2 10.8a4 4 0 0 1 0-5.6M10.8 5.2a4 4 0 0 1 0 5.6M3.1 12.9a6.9 6.9 0 0 1 0-9.8M12.9 3.1a6.9 6.9 0 0 1 0 9.8',
   link: 'M6.6 9.4 9.4 6.6M7.2 4.6l1.4-1.4a3 3 0 0 1 4.2 4.2l-1.4 1.4M8.8 11.4l-1.4 1.4a3 3 0 0 1-4.2-4.2l1.4-1.4',
 } as const;
 
@@ -34,7 +36,12 @@ const kFilled: ReadonlySet<IconName> = new Set<IconName>(['play', 'stop', 'disc'
 
 export function Icon({ name, class: extra }: { readonly name: IconName; readonly class?: string }) {
   return (
-    <svg class={`icon ${kFilled.has(name) ? 'icon-filled' : ''} ${extra ?? ''}`} viewBox="0 0 16 16" aria-hidden="true" focusable="false">
+    <svg
+      class={`icon ${kFilled.has(name) ? 'icon-filled' : ''} ${extra ?? ''}`}
+      viewBox="0 0 16 16"
+      aria-hidden="true"
+      focusable="false"
+    >
       <path d={kPaths[name]} />
     </svg>
   );

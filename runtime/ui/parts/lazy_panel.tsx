@@ -5,7 +5,9 @@ import type { PanelComponent, PanelProps, PanelRow } from '../panels/panel_props
 import { texts } from '../texts.ts';
 
 export function LazyPanel({ row, panel }: { readonly row: PanelRow; readonly panel: PanelProps }) {
-  const [Loaded, setLoaded] = useState<PanelComponent | null>(() => (row.source.kind === 'ready' ? row.source.component : null));
+  const [Loaded, setLoaded] = useState<PanelComponent | null>(() =>
+    row.source.kind === 'ready' ? row.source.component : null,
+  );
   const [failure, setFailure] = useState<unknown>(null);
   useEffect(() => {
     if (row.source.kind === 'lazy' && Loaded === null) {

@@ -53,7 +53,8 @@ export function LineScroller({ list, version, label, empty }: LineScrollerProps)
     const measure = (): void => {
       const size = sample.getBoundingClientRect();
       const style = getComputedStyle(element);
-      const room = element.clientWidth - parseFloat(style.paddingLeft) - parseFloat(style.paddingRight);
+      const room =
+        element.clientWidth - parseFloat(style.paddingLeft) - parseFloat(style.paddingRight);
       if (size.width > 0 && room > 0) {
         list.setColumns(Math.floor(room / (size.width / kProbeLength) + 0.001));
         setMetrics({ row: size.height, view: element.clientHeight });
@@ -70,7 +71,12 @@ export function LineScroller({ list, version, label, empty }: LineScrollerProps)
     // New lines would take the selected ones away: stay where the reader selects.
     const onSelection = (): void => {
       const selection = document.getSelection();
-      if (selection !== null && !selection.isCollapsed && body.current?.contains(selection.anchorNode) === true) follow(false);
+      if (
+        selection !== null &&
+        !selection.isCollapsed &&
+        body.current?.contains(selection.anchorNode) === true
+      )
+        follow(false);
     };
     document.addEventListener('selectionchange', onSelection);
     return () => document.removeEventListener('selectionchange', onSelection);
@@ -88,7 +94,9 @@ export function LineScroller({ list, version, label, empty }: LineScrollerProps)
     shown.lines.forEach((line, i) => {
       const row = rows[i];
       if (list.isUncertain(line) && row instanceof HTMLElement) {
-        corrected = list.correct(shown.first + i, Math.max(1, Math.round(row.offsetHeight / metrics.row))) || corrected;
+        corrected =
+          list.correct(shown.first + i, Math.max(1, Math.round(row.offsetHeight / metrics.row))) ||
+          corrected;
       }
     });
     const fallen = list.takeFallenRows();
@@ -103,7 +111,8 @@ export function LineScroller({ list, version, label, empty }: LineScrollerProps)
   const onScroll = (): void => {
     const element = box.current;
     if (element === null) return;
-    const atEnd = element.scrollTop + element.clientHeight >= element.scrollHeight - metrics.row / 2;
+    const atEnd =
+      element.scrollTop + element.clientHeight >= element.scrollHeight - metrics.row / 2;
     setTop(element.scrollTop);
     follow(atEnd);
   };
@@ -119,7 +128,15 @@ export function LineScroller({ list, version, label, empty }: LineScrollerProps)
   const missed = list.addedCount - leftAt.current;
   return (
     <div class="lines-frame">
-      <div class="lines" ref={box} onScroll={onScroll} tabIndex={0} role="log" aria-live="off" aria-label={label}>
+      <div
+        class="lines"
+        ref={box}
+        onScroll={onScroll}
+        tabIndex={0}
+        role="log"
+        aria-live="off"
+        aria-label={label}
+      >
         <div class="lines-probe" ref={probe} aria-hidden="true">
           {'M'.repeat(kProbeLength)}
         </div>
@@ -127,7 +144,11 @@ export function LineScroller({ list, version, label, empty }: LineScrollerProps)
           <p class="lines-empty">{empty}</p>
         ) : (
           <div class="lines-all" style={{ height: `${list.totalRows * metrics.row}px` }}>
-            <div class="lines-shown" ref={body} style={{ transform: `translateY(${shown.top * metrics.row}px)` }}>
+            <div
+              class="lines-shown"
+              ref={body}
+              style={{ transform: `translateY(${shown.top * metrics.row}px)` }}
+            >
               {shown.lines.map((line) => (
                 <Line key={line.key} line={line} />
               ))}

@@ -22,12 +22,24 @@ export interface MessageTreeProps {
 export function MessageTree({ label, value, shape }: MessageTreeProps) {
   return (
     <div class="tree" role="group" aria-label={label} tabIndex={0}>
-      {isMessage(value) ? <Fields message={value} shape={shape} depth={0} /> : <Scalar value={value} float={false} />}
+      {isMessage(value) ? (
+        <Fields message={value} shape={shape} depth={0} />
+      ) : (
+        <Scalar value={value} float={false} />
+      )}
     </div>
   );
 }
 
-function Fields({ message, shape, depth }: { readonly message: Readonly<Record<string, unknown>>; readonly shape: Shape | null; readonly depth: number }) {
+function Fields({
+  message,
+  shape,
+  depth,
+}: {
+  readonly message: Readonly<Record<string, unknown>>;
+  readonly shape: Shape | null;
+  readonly depth: number;
+}) {
   const entries = Object.entries(message);
   if (entries.length === 0) return <span class="tree-value">{'{}'}</span>;
   return (
@@ -53,7 +65,10 @@ function Entry({ name, value, field, depth }: EntryProps) {
       <details class="tree-branch" open={value.length <= kOpenLength && depth < kOpenDepth}>
         <summary title={field?.type}>
           <Icon name="chevron" class="tree-turn" />
-          {key} <span class="tree-note">{texts.topics.items(formatCount(value.length), field?.type ?? '')}</span>
+          {key}{' '}
+          <span class="tree-note">
+            {texts.topics.items(formatCount(value.length), field?.type ?? '')}
+          </span>
         </summary>
         <List list={value} field={field} depth={depth + 1} />
       </details>
@@ -74,13 +89,29 @@ function Entry({ name, value, field, depth }: EntryProps) {
   }
   return (
     <div class="tree-leaf" title={field?.type}>
-      {key} <Scalar value={isList(value) ? '[]' : isMessage(value) ? '{}' : value} float={isFloat(field)} raw={typeof value === 'object'} />
+      {key}{' '}
+      <Scalar
+        value={isList(value) ? '[]' : isMessage(value) ? '{}' : value}
+        float={isFloat(field)}
+        raw={typeof value === 'object'}
+      />
     </div>
   );
 }
 
-function List({ list, field, depth }: { readonly list: ArrayLike<unknown>; readonly field: Field | undefined; readonly depth: number }) {
-  const items: unknown[] = Array.from({ length: Math.min(list.length, kTruncateLength) }, (_, index) => list[index]);
+function List({
+  list,
+  field,
+  depth,
+}: {
+  readonly list: ArrayLike<unknown>;
+  readonly field: Field | undefined;
+  readonly depth: number;
+}) {
+  const items: unknown[] = Array.from(
+    { length: Math.min(list.length, kTruncateLength) },
+    (_, index) => list[index],
+  );
   return (
     <div class="tree-inside">
       {items.map((item, index) =>
@@ -93,13 +124,23 @@ function List({ list, field, depth }: { readonly list: ArrayLike<unknown>; reado
         ),
       )}
       {items.length < list.length ? (
-        <div class="tree-note">{texts.topics.shownOf(formatCount(items.length), formatCount(list.length))}</div>
+        <div class="tree-note">
+          {texts.topics.shownOf(formatCount(items.length), formatCount(list.length))}
+        </div>
       ) : null}
     </div>
   );
 }
 
-function Scalar({ value, float, raw }: { readonly value: unknown; readonly float: boolean; readonly raw?: boolean }) {
+function Scalar({
+  value,
+  float,
+  raw,
+}: {
+  readonly value: unknown;
+  readonly float: boolean;
+  readonly raw?: boolean;
+}) {
   const text = raw === true ? String(value) : formatScalar(value, kTextLength, '', float);
   return <span class={`tree-value tree-${typeof value}`}>{text}</span>;
 }

@@ -3,7 +3,9 @@
 export function Name({ text }: { readonly text: string }) {
   return (
     <>
-      {text.split(/(?<=[/_])(?=[^/_])/).map((part, index) => (index === 0 ? part : [<wbr />, part]))}
+      {text
+        .split(/(?<=[/_])(?=[^/_])/)
+        .map((part, index) => (index === 0 ? part : [<wbr />, part]))}
     </>
   );
 }

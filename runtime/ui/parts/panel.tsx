@@ -15,7 +15,12 @@ export interface PanelFrameProps {
 
 export function PanelFrame({ id, title, icon, note, tools, children }: PanelFrameProps) {
   return (
-    <section class={`panel panel-${id}`} id={`panel-${id}`} aria-labelledby={`panel-${id}-title`} tabIndex={-1}>
+    <section
+      class={`panel panel-${id}`}
+      id={`panel-${id}`}
+      aria-labelledby={`panel-${id}-title`}
+      tabIndex={-1}
+    >
       <header class="panel-head">
         <h2 class="panel-title" id={`panel-${id}-title`}>
           <Icon name={icon} />

@@ -18,8 +18,7 @@ export function ProblemView({ problem, announce, children }: ProblemViewProps) {
     <div class="problem">
       <p class="problem-what">
         <strong class="problem-code">
-          error[{problem.code}]
-          <span class="problem-colon">:</span>
+          error[{problem.code}]<span class="problem-colon">:</span>
         </strong>{' '}
         {problem.what}
       </p>
@@ -42,7 +41,12 @@ export function ProblemView({ problem, announce, children }: ProblemViewProps) {
       )}
       <div class="problem-actions">
         {children}
-        <CopyButton label={texts.problem.copy} words={texts.copy} text={() => problemText(problem)} announce={announce} />
+        <CopyButton
+          label={texts.problem.copy}
+          words={texts.copy}
+          text={() => problemText(problem)}
+          announce={announce}
+        />
       </div>
     </div>
   );

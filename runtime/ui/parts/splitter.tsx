@@ -19,7 +19,8 @@ const kStep = 16;
 export function Splitter({ label, value, minimum, maximum, usual, side, onChange }: SplitterProps) {
   const drag = useRef<{ readonly x: number; readonly value: number } | null>(null);
   const sign = side === 'left' ? 1 : -1;
-  const set = (next: number): void => onChange(Math.round(Math.min(maximum, Math.max(minimum, next))));
+  const set = (next: number): void =>
+    onChange(Math.round(Math.min(maximum, Math.max(minimum, next))));
 
   const onKeyDown = (event: KeyboardEvent): void => {
     const next: Readonly<Record<string, number>> = {
@@ -49,11 +50,13 @@ export function Splitter({ label, value, minimum, maximum, usual, side, onChange
       onKeyDown={onKeyDown}
       onDblClick={() => set(usual)}
       onPointerDown={(event) => {
-        if (event.currentTarget instanceof Element) event.currentTarget.setPointerCapture(event.pointerId);
+        if (event.currentTarget instanceof Element)
+          event.currentTarget.setPointerCapture(event.pointerId);
         drag.current = { x: event.clientX, value };
       }}
       onPointerMove={(event) => {
-        if (drag.current !== null) set(drag.current.value + sign * (event.clientX - drag.current.x));
+        if (drag.current !== null)
+          set(drag.current.value + sign * (event.clientX - drag.current.x));
       }}
       onPointerUp={() => {
         drag.current = null;

@@ -3,27 +3,48 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import type { ConsoleLine } from '../../../runtime/wasm_js/session.ts';
 import { parseAnsi, stripAnsi, styleClasses } from '../../../runtime/ui/model/ansi.ts';
-import { displayLine, kMaxShown, parseLogParts, rowsOf } from '../../../runtime/ui/model/log_line.ts';
+import {
+  displayLine,
+  kMaxShown,
+  parseLogParts,
+  rowsOf,
+} from '../../../runtime/ui/model/log_line.ts';
 import { LineList } from '../../../runtime/ui/model/line_list.ts';
 import { RowMap } from '../../../runtime/ui/model/row_map.ts';
 
-const line = (text: string, extra: Partial<ConsoleLine> = {}): ConsoleLine => ({ time: 0, stream: 'stdout', text, ...extra });
-const log = (level: string, message: string): ConsoleLine => line(`[${level}] [1700000000.123456789] [talker]: ${message}`);
+const line = (text: string, extra: Partial<ConsoleLine> = {}): ConsoleLine => ({
+  time: 0,
+  stream: 'stdout',
+  text,
+  ...extra,
+});
+const log = (level: string, message: string): ConsoleLine =>
+  line(`[${level}] [1700000000.123456789] [talker]: ${message}`);
 
 test('plain text is one span and untouched', () => {
-  assert.deepEqual(parseAnsi('a <b>&amp;').map((span) => span.text), ['a <b>&amp;']);
+  assert.deepEqual(
+    parseAnsi('a <b>&amp;').map((span) => span.text),
+    ['a <b>&amp;'],
+  );
 });
 
 test('colours and weights of SGR sequences', () => {
   const spans = parseAnsi('\x1b[33m[WARN]\x1b[0m rest \x1b[1;4;31mbad\x1b[22;24m!\x1b[39m.');
   assert.deepEqual(
     spans.map((span) => [span.text, styleClasses(span.style)]),
-    [['[WARN]', 'ansi-fg-3'], [' rest ', ''], ['bad', 'ansi-fg-1 ansi-bold ansi-underline'], ['!', 'ansi-fg-1'], ['.', '']],
+    [
+      ['[WARN]', 'ansi-fg-3'],
+      [' rest ', ''],
+      ['bad', 'ansi-fg-1 ansi-bold ansi-underline'],
+      ['!', 'ansi-fg-1'],
+      ['.', ''],
+    ],
   );
 });
 
 test('256 and true colours become the nearest of the sixteen', () => {
-  const classes = (text: string): string => styleClasses(parseAnsi(text)[0]?.style ?? assert.fail());
+  const classes = (text: string): string =>
+    styleClasses(parseAnsi(text)[0]?.style ?? assert.fail());
   assert.equal(classes('\x1b[38;5;196mx'), 'ansi-fg-9');
   assert.equal(classes('\x1b[38;2;0;205;0mx'), 'ansi-fg-2');
   assert.equal(classes('\x1b[48;5;4mx'), 'ansi-bg-4');
@@ -33,8 +54,18 @@ test('256 and true colours become the nearest of the sixteen', () => {
 
 test('every other sequence and control character disappears', () => {
   const hostile = [
-    '\x1b[2J\x1b[H', '\x1b]0;title\x07', '\x1b]8;;javascript:alert(1)\x1b\\', '\x1bc', '\x1b(B', '\x9b31m', '\x1bPq#0\x1b\\', '\b\b\b', '\x00', '\x7f',
-    '\x1b[?25l', '\x1b[999999999999999999999999A',
+    '\x1b[2J\x1b[H',
+    '\x1b]0;title\x07',
+    '\x1b]8;;javascript:alert(1)\x1b\\',
+    '\x1bc',
+    '\x1b(B',
+    '\x9b31m',
+    '\x1bPq#0\x1b\\',
+    '\b\b\b',
+    '\x00',
+    '\x7f',
+    '\x1b[?25l',
+    '\x1b[999999999999999999999999A',
   ];
   for (const sequence of hostile) {
     assert.equal(stripAnsi(`a${sequence}b`), 'ab', JSON.stringify(sequence));
@@ -51,10 +82,22 @@ test('a megabyte of escapes is parsed in linear time', () => {
 });
 
 test('the default log format is taken apart and only that', () => {
-  assert.deepEqual(parseLogParts("[INFO] [1700000000.123456789] [ns.talker]: Publishing: 'Hello'"), {
-    level: 'INFO', stamp: '[1700000000.123456789]', logger: '[ns.talker]', message: "Publishing: 'Hello'",
-  });
-  for (const other of ['[INFO] hello', 'INFO [1.2] [a]: b', '[INFO] [1.2] [a] b', '[TRACE] [1.2] [a]: b', ' [INFO] [1.2] [a]: b']) {
+  assert.deepEqual(
+    parseLogParts("[INFO] [1700000000.123456789] [ns.talker]: Publishing: 'Hello'"),
+    {
+      level: 'INFO',
+      stamp: '[1700000000.123456789]',
+      logger: '[ns.talker]',
+      message: "Publishing: 'Hello'",
+    },
+  );
+  for (const other of [
+    '[INFO] hello',
+    'INFO [1.2] [a]: b',
+    '[INFO] [1.2] [a] b',
+    '[TRACE] [1.2] [a]: b',
+    ' [INFO] [1.2] [a]: b',
+  ]) {
     assert.equal(parseLogParts(other), null, other);
   }
 });
@@ -120,13 +163,25 @@ test('a row map agrees with a plain array through appends, drops and corrections
       assert.equal(map.lineAt(offset + (plain[index] ?? 0) - 1), index);
     }
     assert.equal(map.length, plain.length);
-    assert.equal(map.totalRows, plain.reduce((sum, rows) => sum + rows, 0));
+    assert.equal(
+      map.totalRows,
+      plain.reduce((sum, rows) => sum + rows, 0),
+    );
   }
 });
 
 test('a line list filters by text and by level', () => {
   const list = new LineList(100);
-  list.append([log('DEBUG', 'one'), log('INFO', 'Two'), log('WARN', 'three'), line('plain two'), log('FATAL', 'four')], '');
+  list.append(
+    [
+      log('DEBUG', 'one'),
+      log('INFO', 'Two'),
+      log('WARN', 'three'),
+      line('plain two'),
+      log('FATAL', 'four'),
+    ],
+    '',
+  );
   list.setFilter({ text: 'two', level: null });
   assert.equal(list.text(), '[INFO] [1700000000.123456789] [talker]: Two\nplain two\n');
   list.setFilter({ text: '', level: 'WARN' });
@@ -141,7 +196,10 @@ test('a line list stays bounded and says what fell off', () => {
   const list = new LineList(1000);
   let dropped = 0;
   for (let batch = 0; batch < 100; batch += 1) {
-    list.append(Array.from({ length: 100 }, (_, i) => line(`line ${batch * 100 + i}`)), '');
+    list.append(
+      Array.from({ length: 100 }, (_, i) => line(`line ${batch * 100 + i}`)),
+      '',
+    );
     dropped += list.takeFallenRows();
   }
   assert.ok(list.allCount <= 2024);
@@ -157,7 +215,12 @@ test('a hundred thousand lines are appended and windowed quickly', () => {
   const list = new LineList(100_000);
   const started = performance.now();
   for (let batch = 0; batch < 1000; batch += 1) {
-    list.append(Array.from({ length: 100 }, (_, i) => log('INFO', `Publishing: 'Hello World: ${batch * 100 + i}'`)), '');
+    list.append(
+      Array.from({ length: 100 }, (_, i) =>
+        log('INFO', `Publishing: 'Hello World: ${batch * 100 + i}'`),
+      ),
+      '',
+    );
     list.window(list.totalRows - 40, list.totalRows);
   }
   assert.equal(list.shownCount, 100_000);

@@ -15,7 +15,10 @@ const interfaces = new Map([
   ['builtin_interfaces/msg/Time', 'int32 sec\nuint32 nanosec\n'],
   ['geometry_msgs/msg/Point', 'float64 x\nfloat64 y\nfloat64 z\n'],
   ['other_msgs/msg/Point', 'string label\n'],
-  ['demo/msg/Track', 'int8 KIND=3 # constant\nstd_msgs/Header header\ngeometry_msgs/Point[] points\nother_msgs/msg/Point own\nfloat32 gain 1.5\nuint8[<=4] tail\n'],
+  [
+    'demo/msg/Track',
+    'int8 KIND=3 # constant\nstd_msgs/Header header\ngeometry_msgs/Point[] points\nother_msgs/msg/Point own\nfloat32 gain 1.5\nuint8[<=4] tail\n',
+  ],
   ['demo/action/Count', 'int32 order\n---\nint32[] sequence\n---\nint32[] partial_sequence\n'],
   ['unique_identifier_msgs/msg/UUID', 'uint8[16] uuid\n'],
   ['demo/msg/Broken', 'float64 x twelve\n'],
@@ -34,7 +37,10 @@ function yamlOf(decoded: Decoded): string {
 }
 
 test('a String is decoded', () => {
-  const decoded = createDecoder(interfaces).decode('std_msgs/msg/String', bytesOf('std_msgs/msg/String', { data: 'Hello World: 0' }));
+  const decoded = createDecoder(interfaces).decode(
+    'std_msgs/msg/String',
+    bytesOf('std_msgs/msg/String', { data: 'Hello World: 0' }),
+  );
   assert.equal(yamlOf(decoded), "data: 'Hello World: 0'\n");
 });
 
@@ -46,7 +52,10 @@ test('nested types of equal name in two packages, constants, defaults and bounds
     gain: 1,
     tail: new Uint8Array([9]),
   };
-  const decoded = createDecoder(interfaces).decode('demo/msg/Track', bytesOf('demo/msg/Track', value));
+  const decoded = createDecoder(interfaces).decode(
+    'demo/msg/Track',
+    bytesOf('demo/msg/Track', value),
+  );
   assert.equal(
     yamlOf(decoded),
     'header:\n  stamp:\n    sec: 1\n    nanosec: 2\n  frame_id: map\npoints:\n- x: 1.0\n  y: 2.0\n  z: 3.0\n' +
@@ -56,19 +65,31 @@ test('nested types of equal name in two packages, constants, defaults and bounds
 
 test('the feedback of an action, which has no definition of its own', () => {
   const type = 'demo/action/Count_FeedbackMessage';
-  const value = { goal_id: { uuid: new Uint8Array(16) }, feedback: { partial_sequence: new Int32Array([0, 1, 1]) } };
-  assert.match(yamlOf(createDecoder(interfaces).decode(type, bytesOf(type, value))), /partial_sequence:\n {2}- 0\n {2}- 1\n {2}- 1/);
+  const value = {
+    goal_id: { uuid: new Uint8Array(16) },
+    feedback: { partial_sequence: new Int32Array([0, 1, 1]) },
+  };
+  assert.match(
+    yamlOf(createDecoder(interfaces).decode(type, bytesOf(type, value))),
+    /partial_sequence:\n {2}- 0\n {2}- 1\n {2}- 1/,
+  );
 });
 
 test('shared memory is decoded too', () => {
   const own = bytesOf('std_msgs/msg/String', { data: 'shared' });
   const shared = new Uint8Array(new SharedArrayBuffer(own.length));
   shared.set(own);
-  assert.equal(yamlOf(createDecoder(interfaces).decode('std_msgs/msg/String', shared)), 'data: shared\n');
+  assert.equal(
+    yamlOf(createDecoder(interfaces).decode('std_msgs/msg/String', shared)),
+    'data: shared\n',
+  );
 });
 
 test('an empty message', () => {
-  assert.equal(yamlOf(createDecoder(interfaces).decode('std_msgs/msg/Empty', new Uint8Array([0, 1, 0, 0, 0]))), '{}\n');
+  assert.equal(
+    yamlOf(createDecoder(interfaces).decode('std_msgs/msg/Empty', new Uint8Array([0, 1, 0, 0, 0]))),
+    '{}\n',
+  );
 });
 
 test('what cannot be decoded says why and throws nothing', () => {
@@ -80,11 +101,20 @@ test('what cannot be decoded says why and throws nothing', () => {
   };
   const whole = bytesOf('std_msgs/msg/String', { data: 'Hello' });
   for (let length = 0; length < whole.length - 1; length += 1) {
-    assert.match(reason('std_msgs/msg/String', whole.slice(0, length)), /are no std_msgs\/msg\/String/);
+    assert.match(
+      reason('std_msgs/msg/String', whole.slice(0, length)),
+      /are no std_msgs\/msg\/String/,
+    );
   }
-  assert.match(reason('std_msgs/msg/String', new Uint8Array([0, 1, 0, 0, 255, 255, 255, 255])), /are no/);
+  assert.match(
+    reason('std_msgs/msg/String', new Uint8Array([0, 1, 0, 0, 255, 255, 255, 255])),
+    /are no/,
+  );
   assert.match(reason('no_msgs/msg/Such', whole), /has no definition of no_msgs\/msg\/Such/);
-  assert.match(reason('demo/msg/Lost', whole), /nowhere_msgs\/msg\/Thing, which demo\/msg\/Lost uses/);
+  assert.match(
+    reason('demo/msg/Lost', whole),
+    /nowhere_msgs\/msg\/Thing, which demo\/msg\/Lost uses/,
+  );
   assert.match(reason('demo/msg/Broken', whole), /cannot be read/);
 });
 
@@ -93,5 +123,8 @@ test('type names are qualified within their package', () => {
   assert.equal(qualify('Point', 'geometry_msgs/msg/Pose'), 'geometry_msgs/msg/Point');
   assert.equal(qualify('std_msgs/Header', 'a/msg/B'), 'std_msgs/msg/Header');
   assert.equal(qualify('std_msgs/msg/Header', 'a/msg/B'), 'std_msgs/msg/Header');
-  assert.equal(qualify('Count_Feedback', 'demo/action/Count_FeedbackMessage'), 'demo/action/Count_Feedback');
+  assert.equal(
+    qualify('Count_Feedback', 'demo/action/Count_FeedbackMessage'),
+    'demo/action/Count_Feedback',
+  );
 });

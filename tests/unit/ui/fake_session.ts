@@ -1,7 +1,17 @@
 // A Session for tests of the page: no worker runs, a test says what happens. Never part of a site.
 
 import type {
-  ConsoleLine, ConsoleLog, LastMessage, LinkKind, NodeState, NodeView, Session, SiteDescription, SiteNode, TopicView, Unsubscribe,
+  ConsoleLine,
+  ConsoleLog,
+  LastMessage,
+  LinkKind,
+  NodeState,
+  NodeView,
+  Session,
+  SiteDescription,
+  SiteNode,
+  TopicView,
+  Unsubscribe,
 } from '../../../runtime/wasm_js/session.ts';
 
 export interface FakeNode {
@@ -101,7 +111,12 @@ export class FakeSession implements Session {
     this.views = nodes.map((node) => {
       this.consoles.set(node.id, new FakeConsole());
       return {
-        id: node.id, label: node.label, package: node.package, executable: node.executable, state: { kind: 'running' }, startedAt: Date.now(),
+        id: node.id,
+        label: node.label,
+        package: node.package,
+        executable: node.executable,
+        state: { kind: 'running' },
+        startedAt: Date.now(),
         ...(node.source === undefined ? {} : { source: node.source }),
       };
     });
@@ -173,7 +188,9 @@ export class FakeSession implements Session {
   // What a test does ------------------------------------------------------------------------------
 
   setState(id: string, state: NodeState): void {
-    this.views = this.views.map((node) => (node.id === id ? { ...node, state, startedAt: Date.now() } : node));
+    this.views = this.views.map((node) =>
+      node.id === id ? { ...node, state, startedAt: Date.now() } : node,
+    );
     for (const listener of this.nodeListeners) listener(this.views);
   }
 
@@ -184,13 +201,19 @@ export class FakeSession implements Session {
   log(id: string, level: string, message: string): void {
     const now = Date.now();
     const stamp = `${Math.floor(now / 1000)}.${String(now % 1000).padStart(3, '0')}482913`;
-    const name = (this.views.find((node) => node.id === id)?.label ?? id).replace(/^\//, '').replaceAll('/', '.');
+    const name = (this.views.find((node) => node.id === id)?.label ?? id)
+      .replace(/^\//, '')
+      .replaceAll('/', '.');
     this.print(id, `[${level}] [${stamp}] [${name}]: ${message}`);
   }
 
   setTopics(topics: readonly (Pick<TopicView, 'name' | 'type'> & Partial<TopicView>)[]): void {
     this.shown = topics.map((topic) => ({
-      publishers: 1, subscriptions: 1, rateHz: 0, bytesPerSecond: 0, count: 0,
+      publishers: 1,
+      subscriptions: 1,
+      rateHz: 0,
+      bytesPerSecond: 0,
+      count: 0,
       qos: [{ reliability: 'reliable', durability: 'volatile', history: 'keep_last', depth: 10 }],
       ...topic,
     }));
@@ -198,7 +221,11 @@ export class FakeSession implements Session {
   }
 
   publish(topic: string, bytes: Uint8Array): void {
-    this.last.set(topic, { bytes, receivedAt: Date.now(), count: (this.last.get(topic)?.count ?? 0) + 1 });
+    this.last.set(topic, {
+      bytes,
+      receivedAt: Date.now(),
+      count: (this.last.get(topic)?.count ?? 0) + 1,
+    });
   }
 
   get listenerCount(): number {

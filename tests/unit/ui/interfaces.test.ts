@@ -18,7 +18,10 @@ function shippedInterfaces(): Map<string, string> {
     for (const kind of Object.keys(kParts)) {
       const folder = `${kRoot}/${name}/${kind}`;
       for (const file of existsSync(folder) ? readdirSync(folder) : []) {
-        found.set(`${name}/${kind}/${file.replace(/\.\w+$/, '')}`, readFileSync(`${folder}/${file}`, 'utf8'));
+        found.set(
+          `${name}/${kind}/${file.replace(/\.\w+$/, '')}`,
+          readFileSync(`${folder}/${file}`, 'utf8'),
+        );
       }
     }
   }
@@ -38,7 +41,11 @@ test('all shipped definitions are understood', () => {
       if (type === 'example_interfaces/msg/WString') {
         assert.match(decoded.kind === 'failed' ? decoded.reason : '', /wstring/);
       } else {
-        assert.equal(decoded.kind, 'value', `${type}${part}: ${decoded.kind === 'failed' ? decoded.reason : ''}`);
+        assert.equal(
+          decoded.kind,
+          'value',
+          `${type}${part}: ${decoded.kind === 'failed' ? decoded.reason : ''}`,
+        );
       }
       count += 1;
     }

@@ -3,8 +3,19 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { isHiddenTopic } from '../../../runtime/ui/model/hidden_names.ts';
 import { problemOf, problemText } from '../../../runtime/ui/model/problem.ts';
-import { readNumber, readPreference, readTheme, writePreference } from '../../../runtime/ui/model/preferences.ts';
-import { formatBandwidth, formatBytes, formatCount, formatDuration, formatRate } from '../../../runtime/ui/model/quantities.ts';
+import {
+  readNumber,
+  readPreference,
+  readTheme,
+  writePreference,
+} from '../../../runtime/ui/model/preferences.ts';
+import {
+  formatBandwidth,
+  formatBytes,
+  formatCount,
+  formatDuration,
+  formatRate,
+} from '../../../runtime/ui/model/quantities.ts';
 
 test('rates, bandwidths, sizes and durations', () => {
   assert.equal(formatRate(0), '\u2013');
@@ -24,18 +35,37 @@ test('rates, bandwidths, sizes and durations', () => {
 
 test('hidden topics are those of ROS 2', () => {
   assert.deepEqual(
-    ['/rosout', '/parameter_events', '/_hidden', '/fib/_action/feedback', '/topic', '/a_b', '/ns/rosout'].map(isHiddenTopic),
+    [
+      '/rosout',
+      '/parameter_events',
+      '/_hidden',
+      '/fib/_action/feedback',
+      '/topic',
+      '/a_b',
+      '/ns/rosout',
+    ].map(isHiddenTopic),
     [true, true, true, true, false, false, false],
   );
 });
 
 test('whatever is thrown becomes a problem', () => {
-  const error = Object.assign(new Error('no isolation'), { code: 'R2W0703', why: 'a frame', fix: ['open it alone'], place: 'workspace.yaml:3:1' });
-  assert.equal(problemText(problemOf(error)), 'error[R2W0703]: no isolation\n  --> workspace.yaml:3:1\n   = why: a frame\n   = fix: open it alone');
+  const error = Object.assign(new Error('no isolation'), {
+    code: 'R2W0703',
+    why: 'a frame',
+    fix: ['open it alone'],
+    place: 'workspace.yaml:3:1',
+  });
+  assert.equal(
+    problemText(problemOf(error)),
+    'error[R2W0703]: no isolation\n  --> workspace.yaml:3:1\n   = why: a frame\n   = fix: open it alone',
+  );
   assert.equal(problemOf(new TypeError('x is undefined')).code, 'R2W0792');
   assert.equal(problemOf(undefined).what, 'undefined');
   assert.equal(problemOf({ code: '<img>', message: 'm' }).code, 'R2W0792');
-  assert.equal(problemOf({ message: 'm', source: { file: 'a.yaml', line: 1, column: 2 } }).place, 'a.yaml:1:2');
+  assert.equal(
+    problemOf({ message: 'm', source: { file: 'a.yaml', line: 1, column: 2 } }).place,
+    'a.yaml:1:2',
+  );
 });
 
 test('preferences survive a store that refuses everything', () => {
@@ -50,7 +80,10 @@ test('preferences survive a store that refuses everything', () => {
   assert.equal(readPreference(refusing, 'theme', ['light', 'dark'], 'light'), 'light');
   writePreference(refusing, 'theme', 'dark');
   const kept = new Map<string, string>();
-  const store = { getItem: (key: string) => kept.get(key) ?? null, setItem: (key: string, value: string) => void kept.set(key, value) };
+  const store = {
+    getItem: (key: string) => kept.get(key) ?? null,
+    setItem: (key: string, value: string) => void kept.set(key, value),
+  };
   writePreference(store, 'theme', 'dark');
   assert.equal(readPreference(store, 'theme', ['light', 'dark'], 'light'), 'dark');
   writePreference(store, 'left', 'x');

@@ -17,13 +17,24 @@ test('floats are written as PyYAML writes them', () => {
   }
 });
 
-const field = (name: string, type: string, isArray = false, shape: Shape | null = null): Shape[number] => ({ name, type, isArray, shape });
+const field = (
+  name: string,
+  type: string,
+  isArray = false,
+  shape: Shape | null = null,
+): Shape[number] => ({ name, type, isArray, shape });
 
 test('messages nest as ros2 topic echo prints them', () => {
   const stamped: Shape = [
-    field('header', 'std_msgs/msg/Header', false, [field('stamp', 'time'), field('frame_id', 'string')]),
+    field('header', 'std_msgs/msg/Header', false, [
+      field('stamp', 'time'),
+      field('frame_id', 'string'),
+    ]),
     field('ranges', 'float32', true),
-    field('points', 'geometry_msgs/msg/Point', true, [field('x', 'float64'), field('y', 'float64')]),
+    field('points', 'geometry_msgs/msg/Point', true, [
+      field('x', 'float64'),
+      field('y', 'float64'),
+    ]),
     field('names', 'string', true),
     field('ok', 'bool'),
     field('big', 'uint64'),
@@ -33,7 +44,10 @@ test('messages nest as ros2 topic echo prints them', () => {
   const value = {
     header: { stamp: { sec: 3, nanosec: 5 }, frame_id: 'base: link' },
     ranges: new Float32Array([1, 0.5]),
-    points: [{ x: 1, y: -2 }, { x: 0.25, y: 3 }],
+    points: [
+      { x: 1, y: -2 },
+      { x: 0.25, y: 3 },
+    ],
     names: [],
     ok: true,
     big: 18446744073709551615n,
@@ -43,8 +57,8 @@ test('messages nest as ros2 topic echo prints them', () => {
   const yaml = toYaml(value, stamped, 2);
   assert.equal(
     yaml,
-    "header:\n  stamp:\n    sec: 3\n    nanosec: 5\n  frame_id: ba...\nranges:\n- 1.0\n- 0.5\n" +
-      "points:\n- x: 1.0\n  y: -2.0\n- x: 0.25\n  y: 3.0\nnames: []\nok: true\nbig: 18446744073709551615\nnothing: {}\n" +
+    'header:\n  stamp:\n    sec: 3\n    nanosec: 5\n  frame_id: ba...\nranges:\n- 1.0\n- 0.5\n' +
+      'points:\n- x: 1.0\n  y: -2.0\n- x: 0.25\n  y: 3.0\nnames: []\nok: true\nbig: 18446744073709551615\nnothing: {}\n' +
       "many:\n- 0\n- 0\n- '...'\n",
   );
   assert.equal(toYaml({}, []), '{}\n');

@@ -1,0 +1,215 @@
+// The page for everyone: axe-core in both themes, keyboard, narrow screens, zoom, motion, theme.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { PageStage, expectAccessible, focused, phone } from './page_stage.ts';
+
+let stage: PageStage;
+
+before(async () => {
+  stage = await PageStage.open();
+});
+
+after(() => stage.close());
+
+for (const colorScheme of ['light', 'dark'] as const) {
+  for (const scene of ['talker', 'crowd', 'failure', 'empty', 'broken']) {
+    test(`axe finds nothing: ${scene}, ${colorScheme}`, () =>
+      stage.on(scene, { colorScheme, reducedMotion: 'reduce' }, async (page) => {
+        const topic = page.locator('.topic-head').nth(scene === 'crowd' ? 3 : 0);
+        if (scene === 'talker' || scene === 'crowd') {
+          await topic.click();
+          await page.locator('.tree').waitFor();
+          await page
+            .getByRole('button', { name: /^Type into/ })
+            .first()
+            .click();
+          await page.locator('.node-name').first().click();
+        }
+        await expectAccessible(page);
+      }));
+  }
+  test(`axe finds nothing: every tab of a phone and the dialog, ${colorScheme}`, () =>
+    stage.on('crowd', { ...phone, colorScheme, reducedMotion: 'reduce' }, async (page) => {
+      for (const name of ['Nodes', 'Consoles', 'Topics']) {
+        await page.getByRole('tab', { name }).click();
+        await page.locator(`section:has(h2:text("${name}"))`).waitFor();
+        await expectAccessible(page);
+      }
+      await page.getByRole('button', { name: 'About this page', exact: true }).click();
+      await page.getByRole('dialog').waitFor();
+      await expectAccessible(page);
+    }));
+}
+
+test('the keyboard reaches and works everything', () =>
+  stage.on('quiet', {}, async (page) => {
+    await page.keyboard.press('Tab');
+    assert.equal(await focused(page), 'Skip to the consoles');
+    await page.keyboard.press('Enter');
+    await page.waitForFunction(() => document.activeElement?.id === 'panel-console');
+    // Round the whole page: every control is met, and each shows a ring.
+    const met = new Set<string>();
+    await page.evaluate(() => (document.activeElement as HTMLElement).blur());
+    for (let i = 0; i < 60; i += 1) {
+      await page.keyboard.press('Tab');
+      const name = await focused(page);
+      const ring = await page.evaluate(() => {
+        const element = document.activeElement?.closest('.search') ?? document.activeElement;
+        return (
+          element === null ||
+          element === document.body ||
+          getComputedStyle(element).outlineStyle !== 'none'
+        );
+      });
+      assert.ok(ring, `no focus ring on ${name}`);
+      met.add(name);
+    }
+    for (const wanted of [
+      'Start all',
+      'Stop all',
+      'Theme: as the system. Switch to light',
+      'About this page',
+      '/talker',
+      'Stop /talker',
+      'Restart /listener',
+      'Width of the nodes',
+      'Each node',
+      'Merged',
+      'Lowest level shown',
+      'Filter lines',
+      'Type into /talker',
+      'Clear the console of /talker',
+      'Console of /talker',
+      'Width of the topics',
+      'Show hidden topics',
+    ]) {
+      assert.ok(met.has(wanted), `${wanted} is not reached; met: ${[...met].join(' | ')}`);
+    }
+    await page.getByRole('button', { name: 'Stop /talker' }).focus();
+    await page.keyboard.press('Space');
+    await page.getByText('1 of 2 running').waitFor();
+  }));
+
+test('columns are resized with the keyboard and remembered', () =>
+  stage.on('quiet', {}, async (page) => {
+    const bar = page.getByRole('separator', { name: 'Width of the nodes' });
+    const width = (): Promise<number> =>
+      page.locator('.panel-nodes').evaluate((panel) => panel.getBoundingClientRect().width);
+    const start = await width();
+    await bar.focus();
+    await page.keyboard.press('ArrowRight');
+    await page.keyboard.press('ArrowRight');
+    await page.waitForFunction(
+      (expected) =>
+        document.querySelector('.panel-nodes')?.getBoundingClientRect().width === expected,
+      start + 32,
+    );
+    await page.reload();
+    await page.waitForSelector('.page');
+    assert.equal(await width(), start + 32);
+    const box = (await bar.boundingBox()) ?? assert.fail();
+    await page.mouse.move(box.x + 5, box.y + 100);
+    await page.mouse.down();
+    await page.mouse.move(box.x - 59, box.y + 100);
+    await page.mouse.up();
+    await page.waitForFunction(
+      (limit) =>
+        (document.querySelector('.panel-nodes')?.getBoundingClientRect().width ?? 999) < limit,
+      start,
+    );
+    await bar.dblclick();
+    await page.waitForFunction(
+      (expected) =>
+        document.querySelector('.panel-nodes')?.getBoundingClientRect().width === expected,
+      start,
+    );
+  }));
+
+test('tabs of the phone layout follow the arrow keys, and a chosen node opens its console', () =>
+  stage.on('crowd', phone, async (page) => {
+    await page.getByRole('tab', { name: 'Consoles' }).focus();
+    await page.keyboard.press('ArrowRight');
+    assert.equal(await focused(page), 'tab-topics');
+    await page.locator('.panel-topics').waitFor();
+    await page.keyboard.press('Home');
+    await page.locator('.panel-nodes').waitFor();
+    await page.locator('.node-name').nth(1).click();
+    await page.locator('.tile-title').getByText('/robot/laser').waitFor();
+    assert.equal(
+      await page.getByRole('tab', { name: 'Consoles' }).getAttribute('aria-selected'),
+      'true',
+    );
+  }));
+
+test('nothing is cut off at 320 and 360 px, nor at 200 % zoom', async () => {
+  for (const [width, height] of [
+    [320, 568],
+    [360, 740],
+    [640, 400],
+    [720, 450],
+  ] as const) {
+    for (const scene of ['crowd', 'hostile']) {
+      await stage.on(scene, { viewport: { width, height } }, async (page) => {
+        for (const tab of await page.getByRole('tab').all()) {
+          await tab.click();
+          const over = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+          assert.ok(over <= 0, `${scene} at ${width} px is ${over} px too wide`);
+        }
+      });
+    }
+  }
+});
+
+test('targets of touch are at least 24 px', () =>
+  stage.on('crowd', phone, async (page) => {
+    for (const name of ['Nodes', 'Consoles', 'Topics']) {
+      await page.getByRole('tab', { name }).click();
+      const small = await page.evaluate(() =>
+        [
+          ...document.querySelectorAll(
+            'button, select, label.search, label.check, input:not(label input), summary',
+          ),
+        ]
+          .map((element) => ({
+            name: element.getAttribute('aria-label') ?? element.textContent,
+            box: element.getBoundingClientRect(),
+          }))
+          .filter(({ box }) => box.width > 0 && (box.width < 24 || box.height < 24))
+          .map(({ name }) => name),
+      );
+      assert.deepEqual(small, []);
+    }
+  }));
+
+test('reduced motion stops every animation', () =>
+  stage.on('crowd', { reducedMotion: 'reduce' }, async (page) => {
+    await page.waitForFunction(
+      () =>
+        document.getAnimations().filter((animation) => animation.playState === 'running').length ===
+        0,
+    );
+  }));
+
+test('the theme is chosen, kept, and set before anything is drawn', () =>
+  stage.on(
+    'quiet',
+    { colorScheme: 'light' },
+    async (page) => {
+      const ground = (): Promise<string> =>
+        page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+      const light = await ground();
+      await page.getByRole('button', { name: /^Theme: as the system/ }).click();
+      await page.getByRole('button', { name: /^Theme: light/ }).click();
+      assert.equal(await page.evaluate(() => document.documentElement.dataset['theme']), 'dark');
+      assert.notEqual(await ground(), light);
+      await page.route('**/main.js', (route) => route.abort());
+      await page.goto(`${stage.served.url}?scene=quiet`, { waitUntil: 'commit' });
+      await page.locator('.lone-title').waitFor();
+      assert.notEqual(await ground(), light);
+      await page.unroute('**/main.js');
+      await page.goto(`${stage.served.url}?scene=quiet`);
+      await page.getByRole('button', { name: /^Theme: dark/ }).click();
+      assert.equal(await ground(), light);
+    },
+    /ERR_FAILED/,
+  ));

@@ -1,0 +1,86 @@
+// check_solution() of solve.hpp: whether given packages fulfil a request, edge by edge. Pure.
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "bundler/resolve/solve.hpp"
+#include "bundler/resolve/virtual_packages.hpp"
+#include "workspace_schema/match_spec.hpp"
+
+namespace ros2wasm {
+namespace {
+
+Diagnostic fault(std::string message) {
+  return Diagnostic{.code = "R2W0311", .message = std::move(message)};
+}
+
+class Checker {
+ public:
+  explicit Checker(const std::vector<PackageRecord>& packages) : virtual_(virtual_packages()) {
+    add(packages);
+    add(virtual_);
+  }
+
+  /// `who` needs (or, where `if_there`, restricts) `text`.
+  void require(const std::string& who, const std::string& text, bool if_there) {
+    const auto spec = MatchSpec::parse(text);
+    if (!spec) {
+      faults_.push_back(fault(who + " `" + text + "`: " + spec.errors().front().message));
+      return;
+    }
+    bool name_there = false;
+    bool match_there = false;
+    const PackageRecord* other = nullptr;
+    const auto look_at = [&](const PackageRecord& record) {
+      if (!spec->name().matches(record.name)) return;
+      name_there = true;
+      if (spec->matches(record)) {
+        match_there = true;
+      } else {
+        other = &record;
+      }
+    };
+    if (const auto name = spec->exact_name()) {
+      if (const auto found = by_name_.find(*name); found != by_name_.end()) look_at(*found->second);
+    } else {
+      for (const auto& [name_of_record, record] : by_name_) look_at(*record);
+    }
+    if (if_there ? other == nullptr : match_there) return;
+    const std::string instead =
+        other == nullptr ? "nothing like it is there"
+                         : other->name + " " + other->version + " " + other->build + " is there";
+    faults_.push_back(fault(who + " `" + text + "`, but " + instead));
+  }
+
+  Diagnostics take() { return std::move(faults_); }
+
+ private:
+  void add(const std::vector<PackageRecord>& packages) {
+    for (const PackageRecord& record : packages) {
+      if (!by_name_.emplace(record.name, &record).second) {
+        faults_.push_back(fault("`" + record.name + "` is there twice"));
+      }
+    }
+  }
+
+  std::vector<PackageRecord> virtual_;
+  std::map<std::string, const PackageRecord*, std::less<>> by_name_;
+  Diagnostics faults_;
+};
+
+}  // namespace
+
+Diagnostics check_solution(const std::vector<RequestedSpec>& specs, const std::vector<PackageRecord>& packages) {
+  Checker checker(packages);
+  for (const RequestedSpec& spec : specs) {
+    checker.require((spec.origin.empty() ? "the workspace" : spec.origin) + " asks for", spec.text, false);
+  }
+  for (const PackageRecord& record : packages) {
+    const std::string who = record.name + " " + record.version;
+    for (const std::string& text : record.depends) checker.require(who + " needs", text, false);
+    for (const std::string& text : record.constrains) checker.require(who + " allows only", text, true);
+  }
+  return checker.take();
+}
+
+}  // namespace ros2wasm

@@ -1,0 +1,32 @@
+// The SAT engine: which candidates are chosen, or the rules that cannot all hold. libsolv ends in sat_engine.cpp.
+#pragma once
+
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "bundler/resolve/universe.hpp"
+
+namespace ros2wasm {
+
+/// One rule of a proof that there is no solution.
+struct ProofRule {
+  enum class Kind {
+    kWanted,    ///< `requirement` is asked for
+    kRequires,  ///< `candidate` needs `requirement`
+    kExcludes,  ///< `candidate` and `other` cannot both be there
+  };
+  Kind kind = Kind::kWanted;
+  CandidateId candidate = 0;
+  RequirementId requirement = 0;
+  CandidateId other = 0;
+};
+
+/// Candidates that are chosen, in ascending order.
+using Choice = std::vector<CandidateId>;
+/// One list of rules per independent conflict.
+using Proof = std::vector<std::vector<ProofRule>>;
+
+[[nodiscard]] std::variant<Choice, Proof> choose(const Universe& universe);
+
+}  // namespace ros2wasm

@@ -1,0 +1,50 @@
+// The part of the channels that a request can reach, in the order of preference, with every dependency looked up.
+// Pure. This is what the SAT engine gets, and what explanations are made from.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "bundler/channel/channel_index.hpp"
+#include "bundler/resolve/solve.hpp"
+#include "workspace_schema/match_spec.hpp"
+#include "workspace_schema/package_record.hpp"
+
+namespace ros2wasm {
+
+using CandidateId = std::size_t;
+using RequirementId = std::size_t;
+
+/// A match spec as it is written somewhere, once per distinct text.
+struct Requirement {
+  std::string text;
+  MatchSpec spec;
+  std::vector<CandidateId> providers;  ///< candidates that match, best first
+  std::vector<CandidateId> rivals;     ///< of the same name, but not matching; for `constrains`
+};
+
+struct Candidate {
+  const PackageRecord* record = nullptr;  ///< owned by the index, the request or the universe
+  Version version;
+  std::vector<RequirementId> depends;
+  std::vector<RequirementId> constrains;
+};
+
+struct Universe {
+  std::vector<PackageRecord> virtual_records;
+  std::vector<Candidate> candidates;      ///< by name, then best first
+  std::map<std::string, std::vector<CandidateId>, std::less<>> by_name;
+  std::vector<Requirement> requirements;
+  std::vector<RequirementId> wanted;      ///< one per spec of the request, in its order
+  std::vector<std::string> names;         ///< of all packages that the channels have, sorted
+};
+
+/// The request's specs must parse (see solve()).
+[[nodiscard]] Universe make_universe(const ResolveRequest& request, const std::vector<MatchSpec>& specs,
+                                     const RepoIndex& index);
+
+/// "1.0, 1.1 (and 3 more)": versions of a name that are there, newest first; empty when there is none.
+[[nodiscard]] std::string versions_there(const Universe& universe, std::string_view name);
+
+}  // namespace ros2wasm

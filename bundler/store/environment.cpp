@@ -1,0 +1,170 @@
+// See environment.hpp.
+#include "bundler/store/environment.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <map>
+
+#include "bundler/archive/paths_json.hpp"
+#include "bundler/io/files.hpp"
+#include "bundler/io/sha256.hpp"
+#include "bundler/store/prefix_text.hpp"
+
+namespace ros2wasm {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kLayout = "1";  // changes when the layout of environments changes
+
+/// Puts package after package into one prefix.
+class Installer {
+ public:
+  explicit Installer(fs::path staging, fs::path prefix) : staging_(std::move(staging)), prefix_(std::move(prefix)) {}
+
+  Outcome<Done> install(const PackageRecord& record, const fs::path& package) {
+    const auto text = read_file(package / "info/paths.json");
+    if (!text) return text.errors();
+    const auto entries = parse_paths_json(*text, distribution_name(record));
+    if (!entries) return entries.errors();
+    for (const auto& [path, entry] : *entries) {
+      if (auto placed = place(record, package, path, entry); !placed) return placed;
+    }
+    return Done{};
+  }
+
+  std::vector<OverwrittenFile> take_overwritten() {
+    std::sort(overwritten_.begin(), overwritten_.end(),
+              [](const OverwrittenFile& a, const OverwrittenFile& b) { return a.path < b.path; });
+    return std::move(overwritten_);
+  }
+
+ private:
+  Outcome<Done> place(const PackageRecord& record, const fs::path& package, const std::string& path,
+                      const PathEntry& entry) {
+    const fs::path source = package / path;
+    const fs::path target = staging_ / path;
+    if (entry.kind == PathKind::kDirectory) return make_directories(target);
+    if (auto made = make_directories(target.parent_path()); !made) return made;
+    if (auto cleared = clear(record, path, entry.sha256); !cleared) return cleared;
+    owners_[path] = {distribution_name(record), entry.sha256};
+    std::error_code error;
+    if (fs::is_symlink(fs::symlink_status(source, error))) {
+      fs::copy_symlink(source, target, error);
+    } else if (entry.mode == PrefixMode::kNone) {
+      fs::create_hard_link(source, target, error);
+      if (error) {  // another file system
+        error.clear();
+        fs::copy_file(source, target, error);
+      }
+    } else {
+      return place_with_prefix(source, target, path, entry);
+    }
+    if (error) return cannot_write(target, error.value());
+    return Done{};
+  }
+
+  /// Later packages win; a file with other bytes is remembered.
+  Outcome<Done> clear(const PackageRecord& record, const std::string& path, const std::string& sha256) {
+    const auto owner = owners_.find(path);
+    if (owner == owners_.end()) return Done{};
+    if (owner->second.sha256 != sha256) {
+      overwritten_.push_back({.path = path, .winner = distribution_name(record), .loser = owner->second.name});
+    }
+    return remove_tree(staging_ / path);
+  }
+
+  Outcome<Done> place_with_prefix(const fs::path& source, const fs::path& target, const std::string& path,
+                                  const PathEntry& entry) {
+    const auto bytes = read_file(source);
+    if (!bytes) return bytes.errors();
+    Outcome<std::string> moved =
+        entry.mode == PrefixMode::kText
+            ? Outcome<std::string>(with_prefix_in_text(*bytes, entry.placeholder, prefix_.string()))
+            : with_prefix_in_binary(*bytes, entry.placeholder, prefix_.string(), path);
+    if (!moved) return std::move(moved).errors();
+    if (auto written = write_file(target, *moved); !written) return written;
+    std::error_code error;
+    fs::permissions(target, fs::status(source, error).permissions(), error);
+    if (error) return cannot_write(target, error.value());
+    return Done{};
+  }
+
+  struct Owner {
+    std::string name;
+    std::string sha256;
+  };
+  fs::path staging_;
+  fs::path prefix_;  ///< where it will be
+  std::map<std::string, Owner> owners_;
+  std::vector<OverwrittenFile> overwritten_;
+};
+
+Outcome<Environment> build(const fs::path& staging, const fs::path& prefix, const Store& store,
+                           const std::vector<PackageRecord>& records, const Cancellation& cancellation,
+                           const ProgressSink& progress) {
+  Installer installer(staging, prefix);
+  std::uint64_t done = 0;
+  for (const PackageRecord& record : records) {
+    if (cancellation.requested()) return interrupted();
+    if (progress) {
+      progress({.step = "fetch", .item = record.name, .done = done, .total = records.size(), .unit = "packages"});
+    }
+    const auto package = store.unpacked(record, cancellation);
+    if (!package) return package.errors();
+    if (auto installed = installer.install(record, *package); !installed) return std::move(installed).errors();
+    ++done;
+  }
+  if (progress) progress({.step = "fetch", .item = {}, .done = done, .total = done, .unit = "packages"});
+  return Environment{.prefix = prefix, .key = environment_key(records), .overwritten = installer.take_overwritten()};
+}
+
+}  // namespace
+
+std::string environment_key(const std::vector<PackageRecord>& records) {
+  Hasher hasher;
+  hasher.add(kLayout);
+  for (const PackageRecord& record : records) {
+    hasher.add("\n" + distribution_name(record) + " " + record.sha256 + " " + record.md5);
+  }
+  return hasher.hex();
+}
+
+Outcome<Environment> make_environment(const Store& store, const std::vector<PackageRecord>& records,
+                                      const Cancellation& cancellation, const ProgressSink& progress) {
+  const std::string key = environment_key(records);
+  const fs::path folder = store.roots().cache / "environments";
+  const fs::path prefix = folder / key.substr(0, 32);
+  std::error_code error;
+  if (fs::is_directory(prefix, error)) return Environment{.prefix = prefix, .key = key, .overwritten = {}, .cached = true};
+  auto beside = TemporaryDirectory::make(folder / "unfinished", key.substr(0, 8) + ".");
+  if (!beside) return std::move(beside).errors();
+  const fs::path staging = beside->path() / "prefix";
+  if (auto made = make_directories(staging); !made) return std::move(made).errors();
+  auto environment = build(staging, prefix, store, records, cancellation, progress);
+  if (!environment) return environment;
+  fs::rename(staging, prefix, error);
+  // Somebody else was faster: the same files are there.
+  if (error && !fs::is_directory(prefix)) return cannot_write(prefix, error.value());
+  return environment;
+}
+
+Outcome<Environment> make_environment_at(const fs::path& prefix, const Store& store,
+                                         const std::vector<PackageRecord>& records,
+                                         const Cancellation& cancellation, const ProgressSink& progress) {
+  std::error_code error;
+  if (fs::exists(prefix, error)) {
+    return Diagnostic{.code = "R2W0231",
+                      .kind = FailureKind::kEnvironment,
+                      .message = "`" + prefix.string() + "` exists already",
+                      .why = {"an environment is made in a place of its own"}};
+  }
+  if (auto made = make_directories(prefix); !made) return std::move(made).errors();
+  auto environment = build(prefix, prefix, store, records, cancellation, progress);
+  if (!environment) (void)remove_tree(prefix);
+  return environment;
+}
+
+}  // namespace ros2wasm

@@ -1,0 +1,135 @@
+"""The embedded channel's recipe: which packages there are, what makes them build again, what is said
+of them."""
+from __future__ import annotations
+
+import json
+import tempfile
+import unittest
+from pathlib import Path
+
+from . import ROOT
+from fingerprint import Compiler, package_keys, tree_digest
+from metadata import conda_name, record
+from package_source import PackageSource, find_packages
+from write_versions import page
+
+COMPILER = Compiler(Path("/opt/em++"), "3.1.6", "0" * 64)
+
+
+def package_xml(name: str, *needs: str, tag: str = "depend") -> str:
+    lines = "".join(f"<{tag}>{need}</{tag}>" for need in needs)
+    return (f"<package format='3'><name>{name}</name><version>1.2.3</version><description>Two\n words</description>"
+            f"<license>MIT</license>{lines}</package>")
+
+
+class Scratch(unittest.TestCase):
+    """A runtime folder to fill with packages."""
+
+    def setUp(self) -> None:
+        holder = tempfile.TemporaryDirectory()
+        self.addCleanup(holder.cleanup)
+        self.root = Path(holder.name)
+
+    def add(self, place: str, text: str) -> Path:
+        folder = self.root / "runtime" / place
+        folder.mkdir(parents=True)
+        (folder / "package.xml").write_text(text, encoding="utf-8")
+        return folder
+
+    def keys(self) -> dict[str, str]:
+        for name in ("recipe", "toolchain"):
+            (self.root / name).mkdir(exist_ok=True)
+        packages = find_packages(self.root / "runtime")
+        return package_keys(packages, COMPILER, self.root / "recipe", self.root / "toolchain")
+
+
+class FindPackages(Scratch):
+
+    def test_needed_packages_come_first_and_others_are_ignored(self) -> None:
+        self.add("a", package_xml("a", "b", "ament_cmake"))
+        self.add("interfaces/b", package_xml("b", "c", tag="exec_depend"))
+        self.add("interfaces/c", package_xml("c"))
+        found = find_packages(self.root / "runtime")
+        self.assertEqual(list(found), ["c", "b", "a"])
+        self.assertEqual(found["a"].use_needs, ("b",))
+        self.assertEqual(found["b"].description, "Two words")
+
+    def test_a_circle_is_named(self) -> None:
+        self.add("a", package_xml("a", "b"))
+        self.add("b", package_xml("b", "a"))
+        with self.assertRaisesRegex(ValueError, "a -> b -> a"):
+            find_packages(self.root / "runtime")
+
+    def test_a_name_twice_is_refused(self) -> None:
+        self.add("a", package_xml("same"))
+        self.add("b", package_xml("same"))
+        with self.assertRaisesRegex(ValueError, "same name"):
+            find_packages(self.root / "runtime")
+
+
+class Keys(Scratch):
+
+    def test_a_change_reaches_what_needs_it_and_nothing_else(self) -> None:
+        base = self.add("base", package_xml("base"))
+        self.add("user", package_xml("user", "base"))
+        self.add("other", package_xml("other"))
+        before = self.keys()
+        self.assertEqual(self.keys(), before)
+        (base / "new.cpp").write_text("int x;", encoding="utf-8")
+        after = self.keys()
+        self.assertEqual({name for name in before if before[name] != after[name]}, {"base", "user"})
+
+    def test_the_recipe_counts(self) -> None:
+        self.add("base", package_xml("base"))
+        before = self.keys()
+        (self.root / "recipe" / "more.py").write_text("", encoding="utf-8")
+        self.assertNotEqual(self.keys(), before)
+
+    def test_names_count_as_much_as_contents(self) -> None:
+        one, two = self.root / "one", self.root / "two"
+        for folder, name in ((one, "a"), (two, "b")):
+            folder.mkdir()
+            (folder / name).write_text("same", encoding="utf-8")
+        self.assertNotEqual(tree_digest(one), tree_digest(two))
+
+
+class Record(Scratch):
+
+    def package(self, name: str, *needs: str) -> PackageSource:
+        return PackageSource(name, "1.2.3", "Text", "MIT", self.root, needs, needs)
+
+    def test_a_library_names_its_compiler(self) -> None:
+        packages = {"a": self.package("a", "b_c"), "b_c": self.package("b_c")}
+        (self.root / "tree" / "lib").mkdir(parents=True)
+        (self.root / "tree" / "lib" / "liba.a").write_bytes(b"!<arch>")
+        meta = record(packages["a"], packages, self.root / "tree", COMPILER)
+        self.assertEqual(meta["subdir"], "emscripten-wasm32")
+        self.assertEqual(meta["depends"], ["emscripten-abi 3.1.6.*", "ros-jazzy-b-c >=1.2.3"])
+        self.assertRegex(meta["build"], r"^em316_h[0-9a-f]{8}_0$")
+
+    def test_headers_are_for_all(self) -> None:
+        (self.root / "tree").mkdir()
+        meta = record(self.package("a"), {}, self.root / "tree", COMPILER)
+        self.assertEqual((meta["subdir"], meta["depends"]), ("noarch", []))
+
+    def test_names_are_those_of_robostack(self) -> None:
+        self.assertEqual(conda_name("rosidl_typesupport_wasm_cpp"), "ros-jazzy-rosidl-typesupport-wasm-cpp")
+
+
+class Repository(unittest.TestCase):
+    """The packages of this repository."""
+
+    def test_versions_are_those_of_the_table(self) -> None:
+        table = json.loads((ROOT / "runtime" / "versions.json").read_text(encoding="utf-8"))["packages"]
+        own = (ROOT / "VERSION").read_text(encoding="utf-8").split()[0]
+        for name, package in find_packages(ROOT / "runtime").items():
+            with self.subTest(name):
+                self.assertEqual(package.version, table[name]["version"] if name in table else own)
+
+    def test_the_page_of_versions_is_current(self) -> None:
+        table = json.loads((ROOT / "runtime" / "versions.json").read_text(encoding="utf-8"))
+        self.assertEqual((ROOT / "docs" / "upstream-versions.md").read_text(encoding="utf-8"), page(table))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <set>
 
 namespace ros2wasm {
@@ -57,7 +58,10 @@ void expand(const fs::path& base, const std::vector<std::string>& parts, std::si
   }
   if (parts[at] == "**") {
     expand(base, parts, at + 1, found);
-    for (const fs::path& inner : sorted_subfolders(base)) expand(inner, parts, at, found);
+    for (const fs::path& inner : sorted_subfolders(base)) {
+      // Links may lead round in circles; `*` follows them, one level at a time.
+      if (!fs::is_symlink(inner, error)) expand(inner, parts, at, found);
+    }
     return;
   }
   for (fs::directory_iterator it(base, error), end; !error && it != end; it.increment(error)) {
@@ -101,18 +105,18 @@ std::vector<fs::path> expand_glob(const fs::path& base, const std::string& patte
 Outcome<std::vector<LocalPackage>> discover_packages(
     const fs::path& base, const std::vector<Spanned<std::string>>& entries,
     const ConditionVariables& variables) {
-  std::set<fs::path> folders;
+  std::map<fs::path, fs::path> folders;  // real path -> as it was found first
+  std::error_code error;
   Diagnostics errors;
   for (const Spanned<std::string>& entry : entries) {
-    const std::size_t before = folders.size();
     bool any = false;
     for (const fs::path& root : expand_glob(base, entry.value)) {
       for (const fs::path& folder : find_package_folders(root)) {
-        folders.insert(folder.lexically_normal());
+        folders.emplace(fs::canonical(folder, error), folder.lexically_normal());
         any = true;
       }
     }
-    if (!any && folders.size() == before) {
+    if (!any) {
       errors.push_back(Diagnostic{.code = "R2W0510",
                                   .message = "`" + entry.value + "` leads to no ROS package",
                                   .span = entry.span,
@@ -121,7 +125,7 @@ Outcome<std::vector<LocalPackage>> discover_packages(
     }
   }
   std::vector<LocalPackage> packages;
-  for (const fs::path& folder : folders) {
+  for (const auto& [real, folder] : folders) {
     const fs::path file = folder / "package.xml";
     auto xml = parse_package_xml(text_of(file), display_path(file, base), variables);
     if (xml) {

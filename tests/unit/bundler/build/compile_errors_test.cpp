@@ -1,0 +1,108 @@
+// Output of ninja and cmake as diagnostics.
+#include "bundler/build/compile_errors.hpp"
+
+#include <gtest/gtest.h>
+
+#include "bundler/build/diagnostic_json.hpp"
+
+namespace ros2wasm {
+namespace {
+
+const BuildPlace kPlace{.package = "demo",
+                        .source = "/ws/src/demo",
+                        .display = "src/demo",
+                        .compiler_version = "3.1.6",
+                        .channel_packages = {"nav_msgs", "std_msgs"}};
+
+constexpr std::string_view kNinja =
+    "[1/4] Building CXX object a.o\n"
+    "FAILED: CMakeFiles/a.dir/src/a.cpp.o \n"
+    "/usr/bin/em++ -c /ws/src/demo/src/a.cpp\n"
+    "In file included from x:1:\n"
+    "/ws/src/demo/src/a.cpp:4:13: error: use of undeclared identifier 'x'\n"
+    "int main(){ x; }\n"
+    "            ^\n"
+    "1 error generated.\n"
+    "em++: error: '/usr/bin/clang++-14 ...' failed (returned 1)\n"
+    "[2/4] Building CXX object b.o\n"
+    "FAILED: CMakeFiles/b.dir/src/b.cpp.o \n"
+    "/usr/bin/em++ -c /ws/src/demo/src/b.cpp\n"
+    "/usr/include/other.h:7:10: fatal error: 'expected' file not found\n"
+    "ninja: build stopped: cannot make progress due to previous errors.\n";
+
+TEST(CompileErrors, OnePerFileWithTheWholeMessage) {
+  const Diagnostics errors = compile_errors(kNinja, kPlace);
+  ASSERT_EQ(errors.size(), 2U);
+  EXPECT_EQ(errors[0].code, "R2W0502");
+  EXPECT_EQ(errors[0].message, "package `demo` does not compile: use of undeclared identifier 'x'");
+  ASSERT_TRUE(errors[0].span);
+  EXPECT_EQ(errors[0].span->file, "src/demo/src/a.cpp");
+  EXPECT_EQ(errors[0].span->line, 4U);
+  EXPECT_EQ(errors[0].span->column, 13U);
+  EXPECT_EQ(errors[0].span->line_text, "int main(){ x; }");
+  EXPECT_NE(errors[0].detail.find("In file included from x:1:\n"), std::string::npos);
+  EXPECT_NE(errors[0].detail.find("1 error generated.\n"), std::string::npos);
+  EXPECT_EQ(errors[0].detail.find("em++: error"), std::string::npos);
+  EXPECT_EQ(errors[1].span->file, "/usr/include/other.h");
+}
+
+TEST(CompileErrors, SaysWhatTheLibraryLacks) {
+  const Diagnostics errors = compile_errors(kNinja, kPlace);
+  ASSERT_EQ(errors[1].why.size(), 1U);
+  EXPECT_EQ(errors[1].why[0],
+            "the C++ library of Emscripten 3.1.6 has no <expected>; a newer Emscripten on PATH or in EMSDK may "
+            "have it");
+  EXPECT_TRUE(errors[0].why.empty());
+}
+
+TEST(CompileErrors, LinksSpeakForThemselvesAndOtherCommandsAreShown) {
+  const Diagnostics errors = compile_errors(
+      "FAILED: talker.wasm \n: && \"ros2wasm\" link-program --package demo -- em++ && :\nsome text\n"
+      "FAILED: gen/x.hpp \npython3 gen.py\nTraceback\n",
+      kPlace);
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors[0].code, "R2W0506");
+  EXPECT_EQ(errors[0].detail, "Traceback\n");
+}
+
+TEST(ConfigureErrors, ThePlaceIsTheFirstErrors) {
+  const Diagnostics errors = configure_errors(
+      "-- x\nCMake Error at CMakeLists.txt:8 (add_executable):\n  Cannot find source file:\n", kPlace);
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors[0].code, "R2W0503");
+  EXPECT_EQ(errors[0].span->file, "src/demo/CMakeLists.txt");
+  EXPECT_EQ(errors[0].span->line, 8U);
+}
+
+TEST(ConfigureErrors, AMissingPackageGetsTheLineForPackageXml) {
+  const auto asked = [](const std::string& name) {
+    return configure_errors("CMake Error at CMakeLists.txt:8 (find_package):\n  asked CMake to find a package "
+                            "configuration file provided by\n  \"" + name + "\", but CMake did not find one.\n",
+                            kPlace).front();
+  };
+  EXPECT_EQ(asked("nav_msgs").code, "R2W0507");
+  EXPECT_EQ(asked("nav_msgs").fix, std::vector<std::string>{"add `<depend>nav_msgs</depend>` to package.xml"});
+  EXPECT_TRUE(asked("nav_msg").fix.empty());
+  EXPECT_EQ(asked("nav_msg").why.back(), "the channels have `nav_msgs`");
+}
+
+TEST(DiagnosticJson, TravelsWhole) {
+  const Diagnostics sent = {Diagnostic{.code = "R2W0504",
+                                       .kind = FailureKind::kEnvironment,
+                                       .message = "nothing defines `f(\"\\n\")`",
+                                       .why = {"a", "b"},
+                                       .fix = {"c"},
+                                       .detail = "text\nmore"}};
+  const Diagnostics received = diagnostics_from_json(diagnostics_to_json(sent));
+  ASSERT_EQ(received.size(), 1U);
+  EXPECT_EQ(received[0].code, sent[0].code);
+  EXPECT_EQ(received[0].kind, sent[0].kind);
+  EXPECT_EQ(received[0].message, sent[0].message);
+  EXPECT_EQ(received[0].why, sent[0].why);
+  EXPECT_EQ(received[0].fix, sent[0].fix);
+  EXPECT_EQ(received[0].detail, sent[0].detail);
+  EXPECT_TRUE(diagnostics_from_json("{not json").empty());
+}
+
+}  // namespace
+}  // namespace ros2wasm

@@ -1,0 +1,193 @@
+// From a plan to a folder: contents of site.json, refusals, and that failures leave the old site untouched.
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <atomic>
+#include <csignal>
+
+#include "bundler/emit/folder_output.hpp"
+#include "bundler/plan/runtime_assets.hpp"
+#include "bundler/plan/site_plan.hpp"
+#include "bundler/io/sha256.hpp"
+#include "tests/unit/bundler/support/temporary_tree.hpp"
+#include "workspace_schema/json_reader.hpp"
+
+namespace ros2wasm {
+namespace {
+using testing::TemporaryTree;
+
+/// The smallest module; with a shared memory when `threads`.
+std::string program(bool threads) {
+  const std::string header("\0asm\1\0\0\0", 8);
+  if (!threads) return header;
+  return header + std::string("\2\x10\1\3env\6memory\2\3\1\2", 18);
+}
+
+Manifest manifest() {
+  Manifest result;
+  result.name.value = "lab";
+  result.version = "1.0.0";
+  result.license = "MIT";
+  result.authors = {{.name = "Ada", .email = "", .orcid = "0000-0001", .affiliation = ""}};
+  result.ui = {{"theme", "dark"}};
+  return result;
+}
+
+LaunchNode launched(const std::string& id, const std::string& executable) {
+  return {.id = id,
+          .package = "demo",
+          .executable = executable,
+          .label = executable,
+          .program = "/built/" + executable + ".wasm",
+          .arguments = {"--ros-args"},
+          .source = {.file = "workspace.yaml", .line = 3, .column = 5}};
+}
+
+SitePlan plan_of(const std::string& page = "<p>") {
+  const Manifest lab = manifest();
+  auto plan = plan_site({.manifest = lab,
+                         .nodes = {launched("talker-1", "talker"), launched("crowd-2", "crowd"),
+                                   launched("talker-3", "talker")},
+                         .programs = {{"/built/talker.wasm", program(false)}, {"/built/crowd.wasm", program(true)}},
+                         .runtime = {{.file = "index.html", .role = "page", .bytes = page},
+                                     {.file = "headless.js", .role = "headless", .bytes = "x"}},
+                         .interfaces = {{"demo/msg/Num", "int64 num\n"}}});
+  EXPECT_TRUE(plan);
+  return plan ? std::move(plan).value() : SitePlan{};
+}
+
+const PlannedFile* file_of(const SitePlan& plan, const std::string& path) {
+  for (const PlannedFile& file : plan.files) {
+    if (file.path == path) return &file;
+  }
+  return nullptr;
+}
+
+TEST(SitePlan, EveryFileHasAReasonAndTheHeadlessEntryStaysOut) {
+  const SitePlan plan = plan_of();
+  std::vector<std::string> paths;
+  for (const PlannedFile& file : plan.files) {
+    paths.push_back(file.path);
+    EXPECT_FALSE(file.reason.empty()) << file.path;
+    EXPECT_EQ(file.sha256, sha256_hex(file.bytes));
+  }
+  EXPECT_EQ(paths, (std::vector<std::string>{"index.html", "interfaces.json", "programs/demo/crowd.wasm",
+                                             "programs/demo/talker.wasm", "site.json"}));
+  EXPECT_EQ(file_of(plan, "programs/demo/talker.wasm")->reason, "program of talker-1, talker-3");
+}
+
+TEST(SitePlan, SiteJsonSaysWhatRuns) {
+  const auto json = parse_json(file_of(plan_of(), "site.json")->bytes, "site.json", "R2W0605");
+  ASSERT_TRUE(json);
+  EXPECT_EQ(json->find("schema")->integer(), 1);
+  EXPECT_EQ(json->text_of("title"), "lab");
+  const auto& nodes = json->find("nodes")->items();
+  ASSERT_EQ(nodes.size(), 3U);
+  EXPECT_EQ(nodes[0].text_of("program"), "programs/demo/talker.wasm");
+  EXPECT_EQ(nodes[0].find("threads")->boolean(), false);
+  EXPECT_EQ(nodes[1].find("threads")->boolean(), true);
+  EXPECT_EQ(nodes[0].find("source")->find("line")->integer(), 3);
+  EXPECT_EQ(json->find("files")->items().size(), 4U);
+  EXPECT_EQ(json->find("ui")->text_of("theme"), "dark");
+}
+
+TEST(SitePlan, TheSameInputGivesTheSameBytes) {
+  const SitePlan first = plan_of();
+  const SitePlan second = plan_of();
+  ASSERT_EQ(first.files.size(), second.files.size());
+  for (std::size_t i = 0; i < first.files.size(); ++i) EXPECT_EQ(first.files[i].bytes, second.files[i].bytes);
+}
+
+TEST(SitePlan, AProgramMustBeAModule) {
+  const Manifest lab = manifest();
+  const auto plan = plan_site({.manifest = lab,
+                               .nodes = {launched("talker-1", "talker")},
+                               .programs = {{"/built/talker.wasm", "#!/bin/sh"}},
+                               .runtime = {},
+                               .interfaces = {}});
+  ASSERT_FALSE(plan);
+  EXPECT_EQ(plan.errors().front().code, "R2W0606");
+}
+
+TEST(EmitFolder, WritesAndReplaces) {
+  const TemporaryTree tree;
+  ASSERT_TRUE(emit_folder(plan_of("<p>one"), tree / "deep/site", {}));
+  EXPECT_EQ(tree.read("deep/site/index.html"), "<p>one");
+  tree.write("deep/site/left-over.txt", "old");
+  ASSERT_TRUE(emit_folder(plan_of("<p>two"), tree / "deep/site", {}));
+  EXPECT_EQ(tree.read("deep/site/index.html"), "<p>two");
+  EXPECT_FALSE(std::filesystem::exists(tree / "deep/site/left-over.txt"));
+  std::size_t entries = 0;
+  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(tree / "deep")) ++entries;
+  EXPECT_EQ(entries, 1U) << "nothing is left beside the site";
+}
+
+TEST(EmitFolder, RefusesWhatIsNotASite) {
+  const TemporaryTree tree;
+  tree.write("home/letters.txt", "dear");
+  tree.write("other/site.json", "{\"generator\":\"something else 1\"}");
+  tree.write("file", "x");
+  std::filesystem::create_directory(tree / "empty");
+  EXPECT_EQ(refuse_folder(tree / "home")->code, "R2W0601");
+  EXPECT_EQ(refuse_folder(tree / "other")->code, "R2W0601");
+  EXPECT_EQ(refuse_folder(tree / "file")->code, "R2W0601");
+  EXPECT_FALSE(refuse_folder(tree / "empty"));
+  EXPECT_FALSE(refuse_folder(tree / "new"));
+  ASSERT_FALSE(emit_folder(plan_of(), tree / "home", {}));
+  EXPECT_EQ(tree.read("home/letters.txt"), "dear");
+}
+
+TEST(EmitFolder, AFailingDiskLeavesTheOldSite) {
+  const TemporaryTree tree;
+  ASSERT_TRUE(emit_folder(plan_of("<p>old"), tree / "site", {}));
+  // Files may not grow beyond 100 bytes from here on: writing fails as it does on a full disk.
+  const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit old_limit{};
+  getrlimit(RLIMIT_FSIZE, &old_limit);
+  rlimit tight = old_limit;
+  tight.rlim_cur = 100;
+  setrlimit(RLIMIT_FSIZE, &tight);
+  const auto emitted = emit_folder(plan_of("<p>new" + std::string(5000, ' ')), tree / "site", {});
+  setrlimit(RLIMIT_FSIZE, &old_limit);
+  std::signal(SIGXFSZ, old_handler);
+  ASSERT_FALSE(emitted);
+  EXPECT_EQ(emitted.errors().front().kind, FailureKind::kEnvironment);
+  EXPECT_EQ(tree.read("site/index.html"), "<p>old");
+}
+
+TEST(EmitFolder, AnInterruptLeavesTheOldSite) {
+  const TemporaryTree tree;
+  ASSERT_TRUE(emit_folder(plan_of("<p>old"), tree / "site", {}));
+  const std::atomic<bool> stop = true;
+  const auto emitted = emit_folder(plan_of("<p>new"), tree / "site", Cancellation(stop));
+  ASSERT_FALSE(emitted);
+  EXPECT_EQ(emitted.errors().front().kind, FailureKind::kInterrupted);
+  EXPECT_EQ(tree.read("site/index.html"), "<p>old");
+}
+
+TEST(EmitFolder, TooLittleSpaceIsSaidBeforeWriting) {
+  EXPECT_FALSE(refuse_size("/site", 100, 100));
+  const auto refusal = refuse_size("/site", 3'000'000, 1'000'000);
+  ASSERT_TRUE(refusal);
+  EXPECT_EQ(refusal->code, "R2W0602");
+  EXPECT_EQ(refusal->why.front(), "the site needs 3 MB, the disk has 1 MB left");
+}
+
+TEST(RuntimeAssets, AreChecked) {
+  const TemporaryTree tree;
+  tree.write("index.html", "<p>");
+  const auto list = [&](const std::string& hash) {
+    return tree.write("runtime_assets.json", "{\"schema\":1,\"assets\":[{\"file\":\"index.html\",\"role\":\"page\","
+                                             "\"size\":3,\"sha256\":\"" + hash + "\"}]}");
+  };
+  const auto good = read_runtime_assets(list(sha256_hex("<p>")));
+  ASSERT_TRUE(good);
+  EXPECT_EQ(good->front().bytes, "<p>");
+  const auto bad = read_runtime_assets(list(sha256_hex("other")));
+  ASSERT_FALSE(bad);
+  EXPECT_EQ(bad.errors().front().code, "R2W0604");
+  EXPECT_FALSE(read_runtime_assets(tree.write("runtime_assets.json", "{}")));
+}
+
+}  // namespace
+}  // namespace ros2wasm

@@ -1,0 +1,127 @@
+// Children: output, exit codes, a clean stop of a child and of what it started.
+#include "bundler/io/process.hpp"
+
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+
+#include "bundler/build/source_hash.hpp"
+#include "bundler/io/installation.hpp"
+#include "tests/unit/bundler/support/temporary_tree.hpp"
+
+namespace ros2wasm {
+namespace {
+
+TEST(Process, CapturesBothStreamsAndTheExitCode) {
+  const auto result = run_process({.arguments = {"sh", "-c", "echo out; echo err >&2; echo $WORD; exit 3"},
+                                   .environment = {{"WORD", "added"}},
+                                   .output_mode = OutputMode::kCapture},
+                                  {});
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->output, "out\nadded\n");
+  EXPECT_EQ(result->error, "err\n");
+  EXPECT_EQ(result->exit_code, 3);
+}
+
+TEST(Process, TellsASignal) {
+  const auto result = run_process({.arguments = {"sh", "-c", "kill -9 $$"}}, {});
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->exit_code, 128 + SIGKILL);
+}
+
+TEST(Process, RunsInAFolder) {
+  const testing::TemporaryTree tree;
+  const auto result = run_process({.arguments = {"pwd"}, .directory = tree.root()}, {});
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->output, std::filesystem::canonical(tree.root()).string() + "\n");
+}
+
+TEST(Process, AProgramThatIsNotThereIsAnError) {
+  for (const char* name : {"no-such-program-here", "/no/such/file"}) {
+    const auto result = run_process({.arguments = {name}}, {});
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.errors().front().code, "R2W0910");
+  }
+  const testing::TemporaryTree tree;
+  const auto no_program = tree.write("broken", "\x7f" "ELF but not really");
+  std::filesystem::permissions(no_program, std::filesystem::perms::owner_all);
+  EXPECT_FALSE(run_process({.arguments = {no_program.string()}}, {}));
+  EXPECT_FALSE(run_process({.arguments = {"true"}, .directory = "/no/such/folder"}, {}));
+}
+
+TEST(Process, AStopEndsTheChildAndItsChildren) {
+  // Ctrl-C comes while the child waits for a grandchild; both must be gone when run_process returns.
+  std::array<int, 2> wake{};
+  ASSERT_EQ(pipe(wake.data()), 0);
+  std::atomic<bool> stop = false;
+  std::string output;
+  const auto result = run_process({.arguments = {"sh", "-c", "sleep 1000 & echo $!; wait"},
+                                   .on_output =
+                                       [&](std::string_view piece) {
+                                         output += piece;
+                                         if (!output.ends_with('\n')) return;
+                                         stop = true;
+                                         ASSERT_EQ(write(wake[1], "x", 1), 1);
+                                       }},
+                                  Cancellation(stop, wake[0]));
+  close(wake[0]);
+  close(wake[1]);
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.errors().front().kind, FailureKind::kInterrupted);
+  const pid_t grandchild = std::stoi(output);
+  // It was told to end; wait until the system has taken it away (a zombie may linger until init reaps it).
+  const std::string state_file = "/proc/" + std::to_string(grandchild) + "/stat";
+  bool gone = false;
+  for (int i = 0; i < 500 && !gone; ++i) {
+    const auto stat = run_process({.arguments = {"cat", state_file}}, {});
+    gone = !stat || stat->exit_code != 0 || stat->output.find(") Z ") != std::string::npos;
+  }
+  EXPECT_TRUE(gone);
+}
+
+TEST(FindProgram, LooksThroughThePath) {
+  const testing::TemporaryTree tree;
+  const auto file = tree.write("two/tool", "#!/bin/sh\n");
+  tree.write("one/tool", "not executable");
+  const std::string path = (tree / "one").string() + ":" + (tree / "two").string();
+  EXPECT_FALSE(find_program("tool", path));
+  std::filesystem::permissions(file, std::filesystem::perms::owner_all);
+  EXPECT_EQ(find_program("tool", path), file);
+  EXPECT_FALSE(find_program("other", path));
+  EXPECT_EQ(find_program(file.string()), file);
+}
+
+TEST(Installation, LooksBesideTheProgramAndInShare) {
+  const testing::TemporaryTree tree;
+  tree.write("build/templates/x", "");
+  tree.write("usr/share/ros2wasm/templates/x", "");
+  EXPECT_EQ(*find_own_data(tree / "build/ros2wasm", "templates/x", "it"), tree / "build/templates/x");
+  EXPECT_EQ(*find_own_data(tree / "usr/bin/ros2wasm", "templates/x", "it"), tree / "usr/share/ros2wasm/templates/x");
+  const auto missing = find_own_data(tree / "bin/ros2wasm", "templates/x", "the thing");
+  ASSERT_FALSE(missing);
+  EXPECT_EQ(missing.errors().front().code, "R2W0912");
+  tree.write("node_modules/.bin/wasm-opt", "");
+  EXPECT_EQ(find_npm_tool(tree / "build/ros2wasm", "wasm-opt"), tree / "node_modules/.bin/wasm-opt");
+}
+
+TEST(SourceHash, ContentsCountTimesAndHiddenFilesDoNot) {
+  const testing::TemporaryTree tree;
+  tree.write("a/x.cpp", "one");
+  tree.write("a/sub/y.cpp", "two");
+  const std::string before = hash_of_tree(tree / "a");
+  tree.write("a/x.cpp", "one");
+  tree.write("a/.git/HEAD", "z");
+  tree.write("a/__pycache__/m.pyc", "z");
+  tree.write("a/site/site.json", "{}");
+  tree.write("a/build/COLCON_IGNORE", "");
+  EXPECT_EQ(hash_of_tree(tree / "a"), before);
+  tree.write("a/sub/y.cpp", "2");
+  EXPECT_NE(hash_of_tree(tree / "a"), before);
+  EXPECT_NE(HashBuilder().add("ab", "c").finish(), HashBuilder().add("a", "bc").finish());
+}
+
+}  // namespace
+}  // namespace ros2wasm

@@ -1,0 +1,136 @@
+// Nodes against what is installed, their command lines, parameter files.
+#include <gtest/gtest.h>
+
+#include "bundler/launch/installed_tree.hpp"
+#include "bundler/launch/launch_graph.hpp"
+#include "bundler/launch/node_arguments.hpp"
+#include "bundler/launch/parameter_file.hpp"
+#include "tests/unit/bundler/support/temporary_tree.hpp"
+
+namespace ros2wasm {
+namespace {
+
+Spanned<std::string> spanned(const std::string& value) { return {.value = value, .span = {.file = "w", .line = 9}}; }
+
+NodeEntry node(const std::string& package, const std::string& executable) {
+  NodeEntry entry;
+  entry.package = spanned(package);
+  entry.executable = spanned(executable);
+  return entry;
+}
+
+std::vector<InstalledPackage> installed() {
+  return {{.name = "demo",
+           .version = "1.2.3",
+           .programs = {{.package = "demo", .executable = "listener", .file = "/p/listener.wasm", .is_program = true},
+                        {.package = "demo", .executable = "tool.py", .file = "/p/tool.py", .is_program = false},
+                        {.package = "demo", .executable = "talker", .file = "/p/talker.wasm", .is_program = true}}},
+          {.name = "std_msgs"}};
+}
+
+TEST(NodeArguments, AreThoseOfRos2Launch) {
+  NodeEntry entry = node("demo", "talker");
+  entry.arguments = {"--fast"};
+  entry.name = spanned("chatter");
+  entry.name_space = spanned("/a");
+  entry.parameters = {{.name = "rate", .value = 2.0}, {.name = "sub.label", .value = std::string("it's")}};
+  entry.remappings = {{"topic", "/b"}};
+  EXPECT_EQ(node_arguments(entry, {{.pattern = "/**", .name = "rate", .value = "1"}}),
+            (std::vector<std::string>{"--fast", "--ros-args", "-r", "__node:=chatter", "-r", "__ns:=/a", "-p",
+                                      "/**:rate:=1", "-p", "rate:=2.0", "-p", "sub.label:='it''s'", "-r",
+                                      "topic:=/b"}));
+  EXPECT_EQ(node_label(entry), "/a/chatter");
+  EXPECT_TRUE(node_arguments(node("demo", "talker"), {}).empty());
+}
+
+TEST(NodeArguments, ValuesKeepTheirTypes) {
+  EXPECT_EQ(parameter_text(true), "true");
+  EXPECT_EQ(parameter_text(std::int64_t{-3}), "-3");
+  EXPECT_EQ(parameter_text(3.0), "3.0");
+  EXPECT_EQ(parameter_text(1e300), "1.0e+300");
+  EXPECT_EQ(parameter_text(0.1), "0.1");
+  EXPECT_EQ(parameter_text(std::string("1")), "'1'");
+  EXPECT_EQ(parameter_text(std::string("a\n\"b\"")), "\"a\\x0a\\\"b\\\"\"");
+  EXPECT_EQ(parameter_text(std::vector<bool>{true, false}), "[true, false]");
+  EXPECT_EQ(parameter_text(std::vector<double>{1.0, 2.5}), "[1.0, 2.5]");
+  EXPECT_EQ(parameter_text(std::vector<std::string>{}), "[]");
+}
+
+TEST(ParameterFile, FollowsTheRulesOfRcl) {
+  const auto rules = read_parameter_file(
+      "/**:\n  ros__parameters:\n    use_sim_time: yes\n"
+      "ns:\n  talker:\n    ros__parameters:\n      rate: 2.0\n      words: [a, '1']\n      deep: {x: 1}\n"
+      "/*/other:\n  ros__parameters: {}\n", "p.yaml");
+  ASSERT_TRUE(rules);
+  ASSERT_EQ(rules->size(), 4U);
+  EXPECT_EQ((*rules)[0].pattern, "/**");
+  EXPECT_EQ((*rules)[0].value, "true");
+  EXPECT_EQ((*rules)[1].pattern, "/ns/talker");
+  EXPECT_EQ((*rules)[1].value, "2.0");
+  EXPECT_EQ((*rules)[2].value, "['a', '1']");
+  EXPECT_EQ((*rules)[3].name, "deep.x");
+}
+
+TEST(ParameterFile, AllMistakesAtOnce) {
+  const auto rules = read_parameter_file(
+      "talker:\n  ros__parameters:\n    mixed: [1, a]\n    nothing: ~\n    nested: [[1]]\nplain: 3\n", "p.yaml");
+  ASSERT_FALSE(rules);
+  EXPECT_EQ(rules.errors().size(), 4U);
+  for (const Diagnostic& error : rules.errors()) {
+    EXPECT_EQ(error.code, "R2W0403");
+    EXPECT_GT(error.span->line, 0U);
+  }
+  EXPECT_FALSE(read_parameter_file("ros__parameters: {a: 1}\n", "p.yaml"));
+  EXPECT_EQ(read_parameter_file("a: [", "p.yaml").errors().front().code, "R2W0403");
+}
+
+TEST(LaunchNodes, CountsOverAllNodesAsLaunchDoes) {
+  const auto nodes = launch_nodes({node("demo", "talker"), node("demo", "listener"), node("demo", "talker")},
+                                  installed(), {});
+  ASSERT_TRUE(nodes);
+  EXPECT_EQ((*nodes)[0].id, "talker-1");
+  EXPECT_EQ((*nodes)[1].id, "listener-2");
+  EXPECT_EQ((*nodes)[2].id, "talker-3");
+  EXPECT_EQ((*nodes)[2].source.line, 9U);
+}
+
+TEST(LaunchNodes, SaysWhatThereIsInstead) {
+  const auto nodes = launch_nodes({node("demo", "talkr"), node("dmo", "talker"), node("demo", "tool.py"),
+                                   node("std_msgs", "x")}, installed(), {});
+  ASSERT_FALSE(nodes);
+  ASSERT_EQ(nodes.errors().size(), 4U);
+  const Diagnostic& executable = nodes.errors()[0];
+  EXPECT_EQ(executable.code, "R2W0402");
+  EXPECT_EQ(executable.message, "package `demo` has no executable `talkr`");
+  EXPECT_EQ(executable.label, "no such executable in demo 1.2.3");
+  EXPECT_EQ(executable.why.front(), "its executables are: listener, tool.py, talker");
+  EXPECT_EQ(executable.fix.front(), "write `executable: talker`");
+  EXPECT_EQ(nodes.errors()[1].code, "R2W0401");
+  EXPECT_EQ(nodes.errors()[1].fix.front(), "write `package: demo`");
+  EXPECT_EQ(nodes.errors()[2].code, "R2W0405");
+  EXPECT_EQ(nodes.errors()[3].why.front(), "it installs nothing into lib/std_msgs");
+}
+
+TEST(InstalledTree, FindsProgramsAndDefinitions) {
+  const testing::TemporaryTree tree;
+  tree.write("share/demo/package.xml", "");
+  tree.write("share/demo/msg/Num.msg", "int64 num\n");
+  tree.write("share/demo/srv/Add.srv", "---\n");
+  tree.write("share/demo/msg/Num.json", "{}");
+  tree.write("share/notes/readme", "");
+  tree.write("lib/demo/talker.wasm", "x");
+  tree.write("lib/demo/talker.names", "x");
+  tree.write("lib/demo/script.py", "x");
+  const auto packages = installed_packages(tree.root());
+  ASSERT_EQ(packages.size(), 1U);
+  ASSERT_EQ(packages[0].programs.size(), 2U);
+  EXPECT_EQ(packages[0].programs[0].executable, "script.py");
+  EXPECT_FALSE(packages[0].programs[0].is_program);
+  EXPECT_EQ(packages[0].programs[1].executable, "talker");
+  InterfaceTexts texts = {{"demo/srv/Add", "nearer"}};
+  collect_interfaces(tree.root(), "demo", texts);
+  EXPECT_EQ(texts, (InterfaceTexts{{"demo/msg/Num", "int64 num\n"}, {"demo/srv/Add", "nearer"}}));
+}
+
+}  // namespace
+}  // namespace ros2wasm

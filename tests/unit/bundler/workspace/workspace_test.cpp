@@ -1,0 +1,159 @@
+// Discovery, order, what is asked of channels, manifests for folders without one.
+#include <gtest/gtest.h>
+
+#include "bundler/workspace/build_order.hpp"
+#include "bundler/workspace/channel_request.hpp"
+#include "bundler/workspace/default_manifest.hpp"
+#include "bundler/workspace/discovery.hpp"
+#include "bundler/workspace/host_packages.hpp"
+#include "tests/unit/bundler/support/temporary_tree.hpp"
+
+namespace ros2wasm {
+namespace {
+namespace fs = std::filesystem;
+using testing::TemporaryTree;
+
+std::string package_xml(const std::string& name, const std::string& dependencies = "") {
+  return "<package format=\"3\">\n<name>" + name + "</name>\n<version>1.0.0</version>\n"
+         "<description>d</description>\n<maintainer email=\"a@example.org\">A</maintainer>\n"
+         "<license>MIT</license>\n" + dependencies +
+         "<export><build_type>ament_cmake</build_type></export>\n</package>\n";
+}
+
+Spanned<std::string> entry(const std::string& value) {
+  return {.value = value, .span = {.file = "workspace.yaml", .line = 3, .column = 5}};
+}
+
+std::vector<LocalPackage> discovered(const TemporaryTree& tree, const std::string& pattern) {
+  auto found = discover_packages(tree.root(), {entry(pattern)}, ros_condition_variables("jazzy"));
+  EXPECT_TRUE(found);
+  return found ? std::move(found).value() : std::vector<LocalPackage>();
+}
+
+std::vector<std::string> names(const std::vector<LocalPackage>& packages) {
+  std::vector<std::string> result;
+  for (const LocalPackage& one : packages) result.push_back(one.xml.name.value);
+  return result;
+}
+
+TEST(Discovery, IsThatOfColcon) {
+  const TemporaryTree tree;
+  tree.write("src/a/package.xml", package_xml("a"));
+  tree.write("src/a/vendor/inner/package.xml", package_xml("inner"));  // inside a package: not searched
+  tree.write("src/group/b/package.xml", package_xml("b"));
+  tree.write("src/off/COLCON_IGNORE", "");
+  tree.write("src/off/c/package.xml", package_xml("c"));
+  tree.write("src/off2/package.xml", package_xml("d"));
+  tree.write("src/off2/AMENT_IGNORE", "");
+  tree.write("src/.hidden/e/package.xml", package_xml("e"));
+  fs::create_directory_symlink(tree / "src", tree / "src/group/round");
+  EXPECT_EQ(names(discovered(tree, ".")), (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(names(discovered(tree, "src/*")), (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(names(discovered(tree, "src/a")), (std::vector<std::string>{"a"}));
+  EXPECT_EQ(names(discovered(tree, "**/b")), (std::vector<std::string>{"b"}));
+}
+
+TEST(Discovery, AnEntryThatLeadsNowhereIsAnErrorWithItsPlace) {
+  const TemporaryTree tree;
+  tree.write("src/a/package.xml", package_xml("a"));
+  const auto found = discover_packages(tree.root(), {entry("src/*"), entry("srk/*"), entry("nothing")},
+                                       ros_condition_variables("jazzy"));
+  ASSERT_FALSE(found);
+  ASSERT_EQ(found.errors().size(), 2U);
+  EXPECT_EQ(found.errors()[0].code, "R2W0510");
+  EXPECT_EQ(found.errors()[0].span->line, 3U);
+}
+
+TEST(BuildOrder, WhatIsNeededComesFirst) {
+  const TemporaryTree tree;
+  tree.write("src/app/package.xml", package_xml("app", "<depend>middle</depend><depend>std_msgs</depend>\n"));
+  tree.write("src/base/package.xml", package_xml("base", "<buildtool_depend>ament_cmake</buildtool_depend>\n"));
+  tree.write("src/middle/package.xml",
+             package_xml("middle", "<build_depend>base</build_depend><exec_depend>app</exec_depend>\n"
+                                   "<depend version_gte=\"2.0.0\">rclcpp</depend>\n"
+                                   "<test_depend>ament_lint_auto</test_depend>\n"));
+  const auto packages = discovered(tree, "src");
+  const auto order = order_packages(packages, "jazzy");
+  ASSERT_TRUE(order);
+  EXPECT_EQ(order->order, (std::vector<std::size_t>{1, 2, 0}));
+  EXPECT_EQ(order->needs[0], (std::vector<std::size_t>{1, 2}));
+  ASSERT_EQ(order->external.size(), 2U);
+  EXPECT_EQ(order->external[0].match_spec, "ros-jazzy-rclcpp >=2.0.0");
+  EXPECT_EQ(order->external[1].match_spec, "ros-jazzy-std-msgs");
+}
+
+TEST(BuildOrder, CirclesAndTwinsAreErrors) {
+  const TemporaryTree tree;
+  tree.write("src/a/package.xml", package_xml("a", "<build_depend>b</build_depend>\n"));
+  tree.write("src/b/package.xml", package_xml("b", "<depend>a</depend>\n"));
+  const auto circle = order_packages(discovered(tree, "src"), "jazzy");
+  ASSERT_FALSE(circle);
+  EXPECT_EQ(circle.errors().front().code, "R2W0512");
+  EXPECT_EQ(circle.errors().front().why.front(), "`a` needs `b` needs `a`");
+  const TemporaryTree twins;
+  twins.write("src/x/package.xml", package_xml("same"));
+  twins.write("src/y/package.xml", package_xml("same"));
+  const auto twice = order_packages(discovered(twins, "src"), "jazzy");
+  ASSERT_FALSE(twice);
+  EXPECT_EQ(twice.errors().front().code, "R2W0511");
+}
+
+TEST(ChannelRequest, EverythingMissingAtOnceWithItsLine) {
+  const TemporaryTree tree;
+  tree.write("src/a/package.xml", package_xml("a", "<depend>std_mgs</depend>\n<depend>opencv</depend>\n"
+                                                   "<exec_depend>rviz2</exec_depend>\n"));
+  const auto packages = discovered(tree, "src");
+  const auto order = order_packages(packages, "jazzy");
+  ASSERT_TRUE(order);
+  const auto request = channel_request(Manifest{}, packages, *order, {"ros-jazzy-std-msgs"}, "3.1.6");
+  ASSERT_FALSE(request);
+  ASSERT_EQ(request.errors().size(), 2U);  // rviz2 is a warning only
+  EXPECT_EQ(request.errors()[0].code, "R2W0513");
+  EXPECT_EQ(request.errors()[0].span->line, 8U);
+  EXPECT_EQ(request.errors()[1].span->line, 7U);
+  EXPECT_EQ(request.errors()[1].why.back(), "a channel has `ros-jazzy-std-msgs`");
+}
+
+TEST(ChannelRequest, HasPackagesNodesAndTheCompiler) {
+  const TemporaryTree tree;
+  tree.write("src/a/package.xml", package_xml("a", "<depend>std_msgs</depend>\n<exec_depend>rviz2</exec_depend>\n"));
+  const auto packages = discovered(tree, "src");
+  const auto order = order_packages(packages, "jazzy");
+  ASSERT_TRUE(order);
+  Manifest manifest;
+  manifest.dependencies = {entry("nav_msgs >=5"), entry("zlib"), entry("ros-jazzy-std-msgs")};
+  NodeEntry node;
+  node.package.value = "demo_nodes";
+  manifest.nodes.push_back(node);
+  const auto request = channel_request(
+      manifest, packages, *order,
+      {"emscripten-abi", "ros-jazzy-demo-nodes", "ros-jazzy-nav-msgs", "ros-jazzy-std-msgs", "zlib"}, "3.1.6");
+  ASSERT_TRUE(request);
+  std::vector<std::string> texts;
+  for (const RequestedSpec& spec : request->specs) texts.push_back(spec.text);
+  EXPECT_EQ(texts, (std::vector<std::string>{"emscripten-abi 3.1.6.*", "ros-jazzy-demo-nodes",
+                                             "ros-jazzy-nav-msgs >=5", "ros-jazzy-std-msgs", "zlib"}));
+  ASSERT_EQ(request->warnings.size(), 1U);
+  EXPECT_EQ(request->warnings[0].severity, Severity::kWarning);
+}
+
+TEST(HostPackages, ToolsOfTheMachineNeedNoChannel) {
+  EXPECT_FALSE(host_package_reason("ament_cmake").empty());
+  EXPECT_FALSE(host_package_reason("ament_lint_common").empty());
+  EXPECT_TRUE(host_package_reason("rclcpp").empty());
+  EXPECT_TRUE(host_package_reason("ament_index_cpp").empty());
+}
+
+TEST(DefaultManifest, IsNamedAfterTheFolder) {
+  EXPECT_EQ(default_manifest("/home/me/My ROS-2 ws").name.value, "my_ros_2_ws");
+  EXPECT_EQ(default_manifest("/home/me/2024").name.value, "workspace");
+  const std::vector<InstalledPackage> local = {
+      {.name = "a", .programs = {{.package = "a", .executable = "run.py", .is_program = false},
+                                 {.package = "a", .executable = "talker", .is_program = true}}}};
+  const auto nodes = default_nodes(local);
+  ASSERT_EQ(nodes.size(), 1U);
+  EXPECT_EQ(nodes[0].executable.value, "talker");
+}
+
+}  // namespace
+}  // namespace ros2wasm

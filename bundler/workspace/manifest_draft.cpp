@@ -166,13 +166,6 @@ std::string launch_section(const DraftInput& input) {
     text += "# The workspace has launch files, which are not read yet; list what they start below:\n";
     for (const std::string& file : input.launch_files) text += "#   " + file + "\n";
   }
-  if (nodes.empty()) {
-    return text +
-           "# Without `launch`, every program of the packages runs once. To choose, list nodes:\n"
-           "# launch:\n"
-           "#   - package: my_package\n"
-           "#     executable: my_node\n";
-  }
   return text + "# What runs: each program once. Take out what should not; a node may also have\n" +
          "# name, namespace, remappings, parameters and arguments.\nlaunch:\n" + nodes;
 }

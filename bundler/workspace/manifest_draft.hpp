@@ -30,7 +30,8 @@ struct DraftInput {
 /// together from variables other than PROJECT_NAME are not seen.
 [[nodiscard]] std::vector<std::string> installed_program_names(std::string_view cmake_lists);
 
-/// The manifest's text, with a comment where a person must choose.
+/// The manifest's text, with comments on what a person may choose. At least one package must have a
+/// program: a manifest says what runs.
 [[nodiscard]] std::string draft_manifest(const DraftInput& input);
 
 }  // namespace ros2wasm

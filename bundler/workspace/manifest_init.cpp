@@ -21,14 +21,18 @@ struct NewFile {
 
 Outcome<std::vector<fs::path>> write_new(const std::vector<NewFile>& files) {
   std::error_code error;
-  Diagnostics errors;
+  std::vector<std::string> existing;
   for (const NewFile& file : files) {
-    if (!fs::exists(fs::symlink_status(file.path, error))) continue;
-    errors.push_back(Diagnostic{.code = "R2W0630",
-                                .message = "`" + file.path.string() + "` exists already",
-                                .why = {"`ros2wasm init` writes over nothing; nothing was written"}});
+    if (fs::exists(fs::symlink_status(file.path, error))) existing.push_back(file.path.string());
   }
-  if (!errors.empty()) return errors;
+  if (!existing.empty()) {
+    Diagnostic refusal{.code = "R2W0630",
+                       .message = "`" + existing.front() + "` exists already",
+                       .why = {"`ros2wasm init` writes over nothing; nothing was written"}};
+    existing.erase(existing.begin());
+    if (!existing.empty()) refusal.why.push_back("so do " + name_list(existing));
+    return refusal;
+  }
   std::vector<fs::path> written;
   for (const NewFile& file : files) {
     if (auto done = write_file(file.path, file.bytes); !done) return std::move(done).errors();
@@ -89,9 +93,8 @@ std::vector<std::string> draft_remarks(const DraftInput& input) {
   std::vector<std::string> remarks = {
       std::to_string(names.size()) + (names.size() == 1 ? " package: " : " packages: ") +
       name_list(names, 12)};
-  remarks.push_back(nodes == 0 ? "no programs were seen in the CMakeLists.txt files"
-                               : std::to_string(nodes) + (nodes == 1 ? " node" : " nodes") +
-                                     " under `launch:`, one for each program");
+  remarks.push_back(std::to_string(nodes) + (nodes == 1 ? " node" : " nodes") +
+                    " under `launch:`, one for each program");
   if (!left_out.empty()) remarks.push_back("programs not looked for in " + name_list(left_out));
   return remarks;
 }
@@ -138,6 +141,15 @@ Outcome<InitReport> init_from_workspace(const fs::path& workspace, const fs::pat
                    .launch_files = std::move(*launches)};
   for (const LocalPackage& package : *packages)
     input.packages.push_back(draft_package(package, base));
+  const bool runs = std::any_of(input.packages.begin(), input.packages.end(),
+                                [](const DraftPackage& each) { return !each.programs.empty(); });
+  if (!runs) {
+    return Diagnostic{
+        .code = "R2W0632",
+        .message = "no program to run is seen in the packages of `" + workspace.string() + "`",
+        .why = {"a program is made by `add_executable` in a CMakeLists.txt and installed to lib/"},
+        .fix = {"ros2wasm pack " + workspace.string()}};
+  }
   const std::string text = draft_manifest(input);
   if (auto read = read_manifest(text, output.string()); !read) return std::move(read).errors();
   auto written = write_new({{.path = output, .bytes = text}});

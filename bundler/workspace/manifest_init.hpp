@@ -16,7 +16,7 @@ struct InitReport {
 };
 
 /// A manifest at `output` for the packages below `workspace`. R2W0630 `output` exists, R2W0631 there
-/// is no package; errors of package.xml files as they are.
+/// is no package, R2W0632 no program was seen in them; errors of package.xml files as they are.
 [[nodiscard]] Outcome<InitReport> init_from_workspace(const std::filesystem::path& workspace,
                                                       const std::filesystem::path& output);
 

@@ -1,0 +1,57 @@
+// The command line for Node.js, and which file of the runtime it runs.
+#include "bundler/run/headless_command.hpp"
+
+#include <gtest/gtest.h>
+
+#include "bundler/io/files.hpp"
+
+namespace ros2wasm {
+namespace {
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+TEST(HeadlessCommand, HasOnlyWhatWasAsked) {
+  EXPECT_EQ(headless_command("/n/node", "/r/headless.js", {.site = "site"}),
+            (Words{"/n/node", "/r/headless.js", "site"}));
+}
+
+TEST(HeadlessCommand, PassesAllOptions) {
+  EXPECT_EQ(headless_command("node", "headless.js",
+                             {.site = "site",
+                              .limit = std::chrono::milliseconds(1500),
+                              .until = "I heard: .*",
+                              .link = "port",
+                              .json = true}),
+            (Words{"node", "headless.js", "site", "--for", "1500ms", "--until", "I heard: .*",
+                   "--link", "port", "--json"}));
+}
+
+class FindHeadlessTest : public testing::Test {
+ protected:
+  fs::path root() const { return folder_.value().path(); }
+  Outcome<fs::path> find_with(const std::string& list) {
+    EXPECT_TRUE(write_file(root() / "runtime/runtime_assets.json", list).ok());
+    return find_headless_program(root() / "ros2wasm");
+  }
+
+ private:
+  Outcome<TemporaryDirectory> folder_ =
+      TemporaryDirectory::make(fs::temp_directory_path(), "ros2wasm-headless-");
+};
+
+TEST_F(FindHeadlessTest, ReadsTheListOfTheRuntime) {
+  const auto found = find_with(
+      R"({"assets":[{"file":"a.js","role":"script"},{"file":"h.js","role":"headless"}]})");
+  ASSERT_TRUE(found.ok());
+  EXPECT_EQ(*found, root() / "runtime/h.js");
+}
+
+TEST_F(FindHeadlessTest, SaysWhatIsMissing) {
+  EXPECT_EQ(find_headless_program(root() / "ros2wasm").errors().front().code, "R2W0912");
+  EXPECT_EQ(find_with(R"({"assets":[]})").errors().front().code, "R2W0623");
+  EXPECT_EQ(find_with("{}").errors().front().code, "R2W0623");
+  EXPECT_EQ(find_with("{").errors().front().code, "R2W0604");
+}
+
+}  // namespace
+}  // namespace ros2wasm

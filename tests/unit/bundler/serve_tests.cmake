@@ -1,0 +1,14 @@
+# Tests of serving and running sites, and of beginning workspaces.
+add_executable(bundler_serve_test
+  run/duration_test.cpp
+  run/headless_command_test.cpp
+  run/node_js_test.cpp
+  serve/http_server_test.cpp
+  serve/mime_types_test.cpp
+  serve/reload_test.cpp
+  serve/request_rules_test.cpp
+  serve/workspace_watch_test.cpp
+  workspace/manifest_draft_test.cpp
+)
+target_link_libraries(bundler_serve_test PRIVATE bundler GTest::gtest_main)
+gtest_discover_tests(bundler_serve_test TEST_PREFIX bundler. DISCOVERY_TIMEOUT 60)

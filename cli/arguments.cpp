@@ -120,7 +120,8 @@ void Arguments::number(const std::string& names, int& target, const std::string&
 void Arguments::number(const std::string& names, std::optional<int>& target,
                        const std::string& placeholder, int least, int most,
                        const std::string& help) {
-  app_.add_option_function<int>(names, [&target](int number) { target = number; }, help)
+  app_.add_option_function<int>(
+          names, [&target](int number) { target = number; }, help)
       ->option_text(placeholder)
       ->check(CLI::Range(least, most));
 }
@@ -134,7 +135,10 @@ void Arguments::choice(const std::string& names, std::string& target,
 
 void Arguments::values(const std::string& names, std::vector<std::string>& target,
                        const std::string& placeholder, const std::string& help) {
-  app_.add_option(names, target, help)->option_text(placeholder + " ...")->expected(1)->take_all();
+  app_.add_option(names, target, help)
+      ->option_text(placeholder + " ...")
+      ->allow_extra_args(false)
+      ->take_all();
 }
 
 void Arguments::required(const std::string& name, std::string& target, const std::string& help) {

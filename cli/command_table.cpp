@@ -10,12 +10,14 @@ CommandBody build_command(Arguments& arguments);
 CommandBody channel_command(Arguments& arguments);
 CommandBody check_command(Arguments& arguments);
 CommandBody explain_command(Arguments& arguments);
+CommandBody inspect_command(Arguments& arguments);
 CommandBody init_command(Arguments& arguments);
 CommandBody link_program_command(Arguments& arguments);
 CommandBody pack_command(Arguments& arguments);
 CommandBody run_command(Arguments& arguments);
 CommandBody schema_command(Arguments& arguments);
 CommandBody serve_command(Arguments& arguments);
+CommandBody solve_command(Arguments& arguments);
 CommandBody version_command(Arguments& arguments);
 CommandBody why_command(Arguments& arguments);
 
@@ -41,7 +43,11 @@ constexpr auto kCommands = std::to_array<CommandRow>({
      .help = "Print the JSON Schema of workspace.yaml",
      .declare = schema_command},
     {.name = "explain", .help = "Say more about an error code", .declare = explain_command},
+    {.name = "solve", .help = "Choose packages for specs, without a workspace", .declare = solve_command},
     {.name = "version", .help = "Print the version", .declare = version_command},
+    {.name = "inspect",
+     .help = "Show what ros2wasm makes of a version, a spec or an archive",
+     .declare = inspect_command},
     {.name = "link-program",
      .help = "Link one program (called by CMake)",
      .declare = link_program_command,

@@ -26,6 +26,8 @@ class MatchSpec {
   [[nodiscard]] const TextPattern& name() const { return name_; }
   [[nodiscard]] const std::optional<TextPattern>& channel() const { return channel_; }
   [[nodiscard]] const VersionSpec& version() const { return version_; }
+  [[nodiscard]] const std::optional<TextPattern>& build() const { return build_; }
+  [[nodiscard]] const std::string& subdir() const { return subdir_; }  ///< empty: any
 
   [[nodiscard]] bool matches(const PackageRecord& record, const Version& version) const;
   /// Parses the record's version; a record whose version does not parse matches nothing.

@@ -1,0 +1,97 @@
+// See package_listing.hpp.
+#include "bundler/archive/package_listing.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "bundler/archive/link_rules.hpp"
+#include "bundler/archive/paths_json.hpp"
+#include "bundler/io/sha256.hpp"
+#include "workspace_schema/text_pattern.hpp"
+
+namespace ros2wasm {
+namespace {
+
+constexpr std::size_t kLargestPathsJson = 256U << 20U;
+
+struct Gathered {
+  PackageListing listing;
+  std::string paths_json;
+};
+
+Outcome<Done> gather(Gathered& gathered, const ArchiveMember& member, const ByteSource& bytes) {
+  ListedMember listed{.path = member.path, .kind = member.kind, .sha256 = {}, .target = member.target};
+  if (member.kind == MemberKind::kFile) {
+    const bool is_paths = safe_member_path(member.path) == "info/paths.json";
+    Hasher hasher;
+    for (;;) {
+      auto piece = bytes();
+      if (!piece) return std::move(piece).errors();
+      if (piece->empty()) break;
+      hasher.add(*piece);
+      listed.size += piece->size();
+      if (is_paths && gathered.paths_json.size() < kLargestPathsJson) gathered.paths_json += *piece;
+    }
+    listed.sha256 = hasher.hex();
+  }
+  gathered.listing.members.push_back(std::move(listed));
+  return Done{};
+}
+
+void compare(Gathered& gathered, const std::string& name) {
+  std::vector<ListingFault>& faults = gathered.listing.faults;
+  const auto entries = parse_paths_json(gathered.paths_json, name);
+  if (!entries) {
+    faults.push_back({"info/paths.json", entries.errors().front().message});
+    return;
+  }
+  std::map<std::string, const ListedMember*> there;
+  for (const ListedMember& member : gathered.listing.members) {
+    const auto path = safe_member_path(member.path);
+    if (!path) {
+      if (member.kind != MemberKind::kDirectory) faults.push_back({member.path, "leads outside of the package"});
+    } else if (!there.emplace(*path, &member).second && member.kind != MemberKind::kDirectory) {
+      faults.push_back({*path, "is there twice"});
+    }
+  }
+  for (const auto& [path, entry] : *entries) {
+    const auto found = there.find(path);
+    if (found == there.end()) {
+      if (entry.kind != PathKind::kDirectory) faults.push_back({path, "is missing"});
+    } else if (found->second->kind == MemberKind::kFile && entry.kind != PathKind::kDirectory) {
+      if (entry.size_known && entry.size != found->second->size) {
+        faults.push_back({path, "has " + std::to_string(found->second->size) + " bytes instead of " +
+                                    std::to_string(entry.size)});
+      } else if (!entry.sha256.empty() && ascii_lower(entry.sha256) != found->second->sha256) {
+        faults.push_back({path, "has the sha256 " + found->second->sha256 + " instead of " + entry.sha256});
+      }
+    }
+  }
+  for (const auto& [path, member] : there) {
+    if (member->kind != MemberKind::kDirectory && !path.starts_with("info/") && !entries->contains(path)) {
+      faults.push_back({path, "is not listed"});
+    }
+  }
+  std::stable_sort(faults.begin(), faults.end(),
+                   [](const ListingFault& a, const ListingFault& b) { return a.path < b.path; });
+}
+
+}  // namespace
+
+Outcome<PackageListing> list_package(const std::filesystem::path& archive) {
+  const std::string name = archive.filename().string();
+  Gathered gathered;
+  const MemberVisitor in_tar = [&](const ArchiveMember& member, const ByteSource& bytes) {
+    return gather(gathered, member, bytes);
+  };
+  const MemberVisitor in_zip = [&](const ArchiveMember& member, const ByteSource& bytes) -> Outcome<Done> {
+    return member.path.ends_with(".tar.zst") ? visit_tar(bytes, name, in_tar) : Done{};
+  };
+  auto visited = archive.extension() == ".conda" ? visit_zip(archive, name, in_zip)
+                                                 : visit_tar_file(archive, name, in_tar);
+  if (!visited) return std::move(visited).errors();
+  compare(gathered, name);
+  return std::move(gathered.listing);
+}
+
+}  // namespace ros2wasm

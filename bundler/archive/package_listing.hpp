@@ -1,0 +1,36 @@
+// What is in a conda archive and how it compares with its own info/paths.json. Writes nothing and refuses nothing:
+// for looking at archives, damaged ones too. Unpacking is in package_reader.hpp.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "bundler/archive/archive_library.hpp"
+#include "workspace_schema/outcome.hpp"
+
+namespace ros2wasm {
+
+struct ListedMember {
+  std::string path;  ///< as it is in the archive
+  MemberKind kind = MemberKind::kFile;
+  std::uint64_t size = 0;
+  std::string sha256;  ///< of a file
+  std::string target;  ///< of a link
+};
+
+struct ListingFault {
+  std::string path;
+  std::string reason;
+};
+
+struct PackageListing {
+  std::vector<ListedMember> members;  ///< in the order of the archive
+  std::vector<ListingFault> faults;   ///< what does not agree with info/paths.json, by path
+};
+
+/// R2W0221 when the archive cannot be read to its end, R2W0210.
+[[nodiscard]] Outcome<PackageListing> list_package(const std::filesystem::path& archive);
+
+}  // namespace ros2wasm

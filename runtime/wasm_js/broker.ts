@@ -38,6 +38,8 @@ export interface Broker {
   stop(participant: number): void;
   /** The worker is gone: its endpoints vanish. `closed`: it took its leave itself. */
   end(participant: number, closed: boolean): void;
+  /** A batch of console lines of the participant was dealt with. */
+  consoleSeen(participant: number): void;
   close(): void;
 }
 
@@ -168,6 +170,10 @@ export class SharedBroker implements Broker {
     return false;
   }
 
+  consoleSeen(participant: number): void {
+    Atomics.add(this.bus.i32, this.bus.participantWord(participant) + BusParticipant.consoleSeen, 1);
+  }
+
   close(): void {
     if (this.timer !== undefined) clearInterval(this.timer);
     this.timer = undefined;
@@ -221,6 +227,9 @@ export class PortBroker implements Broker {
       else port.postMessage({ t: 'gone', participant });
     }
   }
+
+  /** The worker gets a message instead. */
+  consoleSeen(): void {}
 
   close(): void {
     this.link.close();

@@ -205,6 +205,8 @@ export class Bus {
       Atomics.store(this.i32, word + BusParticipant.stop, 0);
       Atomics.store(this.i32, word + BusParticipant.graphInterest, 0);
       Atomics.store(this.i32, word + BusParticipant.sleepers, 0);
+      Atomics.store(this.i32, word + BusParticipant.consolePosted, 0);
+      Atomics.store(this.i32, word + BusParticipant.consoleSeen, 0);
       return index;
     }
     return ErrorCode.tableFull;

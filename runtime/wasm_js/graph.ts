@@ -4,6 +4,9 @@ import { EndpointKind, flagHidden, flagIgnoreLocal, PolicyKind } from '../protoc
 import { incompatiblePolicy, type EndpointQos } from './qos.ts';
 import type { GraphSnapshot } from './link.ts';
 
+/** Nodes here are plumbing and not shown. */
+export const hiddenNamespace = '/_ros2wasm';
+
 export interface NodeRecord {
   /** Unique while the node lives. */
   readonly key: number;
@@ -85,7 +88,9 @@ export class Graph {
   }
 
   snapshot(): GraphSnapshot {
-    const nodes = [...this.nodes.values()].sort((a, b) => a.key - b.key);
+    const nodes = [...this.nodes.values()]
+      .filter((node) => node.namespace !== hiddenNamespace)
+      .sort((a, b) => a.key - b.key);
     const index = new Map(nodes.map((node, i) => [node.key, i]));
     return {
       nodes: nodes.map(({ participant, namespace, name }) => ({ participant, namespace, name })),

@@ -2,6 +2,7 @@
 // The calls mirror the imports of module "ros2wasm" (protocol/SPEC.md); handles are small integers.
 
 import type { StatusKind, WaitResult } from '../protocol/generated/constants.ts';
+import type { ConsoleCredit } from './console_sender.ts';
 import type { EndpointQos } from './qos.ts';
 import type { LinkKind } from './session.ts';
 
@@ -84,5 +85,7 @@ export interface Link {
   status(endpoint: number, kind: StatusKind): EndpointStatus | undefined;
   graphVersion(): number;
   graph(): GraphSnapshot;
+  /** Counts the batches of console lines that the page has not dealt with. */
+  consoleCredit(): ConsoleCredit;
   close(): void;
 }

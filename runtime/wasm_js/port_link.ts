@@ -7,6 +7,7 @@ import {
   WaitResult,
 } from '../protocol/generated/constants.ts';
 import { putNanoseconds, systemNanoseconds } from './clock.ts';
+import { type ConsoleCredit, LocalCredit } from './console_sender.ts';
 import { type EndpointRecord, Graph, relate } from './graph.ts';
 import type { EndpointDescription, EndpointStatus, GraphSnapshot, Heap, Link } from './link.ts';
 import type { ControlMessage, PeerMessage, PeerPort, WriterSample } from './port_messages.ts';
@@ -438,6 +439,10 @@ export class PortLink implements Link {
 
   graph(): GraphSnapshot {
     return this.graphReplica.snapshot();
+  }
+
+  consoleCredit(): ConsoleCredit {
+    return new LocalCredit();
   }
 
   close(): void {

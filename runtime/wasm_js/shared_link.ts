@@ -9,6 +9,7 @@ import { type Bus, readText } from './bus.ts';
 import {
   claimSlot, departEndpoint, fillEndpoint, logChange, nodeBit, raise, readEndpoint, releaseEndpoint,
 } from './bus_tables.ts';
+import type { ConsoleCredit } from './console_sender.ts';
 import { type EndpointRecord, Graph, relate } from './graph.ts';
 import type { EndpointDescription, EndpointStatus, GraphSnapshot, Heap, Link } from './link.ts';
 import { endpointKey, keyIndex } from './shared_ring.ts';
@@ -316,6 +317,17 @@ export class SharedLink implements Link {
     this.graphVersion();
     this.sync();
     return this.graphReplica.snapshot();
+  }
+
+  consoleCredit(): ConsoleCredit {
+    const { bus, word } = this;
+    return {
+      posted: () => void Atomics.add(bus.i32, word + BusParticipant.consolePosted, 1),
+      // The page counts in the bus: a blocked worker gets no message.
+      seen: () => undefined,
+      ahead: () => (Atomics.load(bus.i32, word + BusParticipant.consolePosted)
+        - Atomics.load(bus.i32, word + BusParticipant.consoleSeen)) | 0,
+    };
   }
 
   /** Departs whatever this participant still has. */

@@ -172,6 +172,8 @@ inline constexpr int32_t kStop = 2;
 inline constexpr int32_t kGraphInterest = 3;
 inline constexpr int32_t kWake = 16;
 inline constexpr int32_t kSleepers = 17;
+inline constexpr int32_t kConsolePosted = 24;
+inline constexpr int32_t kConsoleSeen = 25;
 }  // namespace bus_participant
 
 /// Values of BusParticipant.state.

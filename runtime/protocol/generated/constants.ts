@@ -162,6 +162,8 @@ export const BusParticipant = {
   graphInterest: 3,
   wake: 16,
   sleepers: 17,
+  consolePosted: 24,
+  consoleSeen: 25,
 } as const;
 
 /** Values of BusParticipant.state. */

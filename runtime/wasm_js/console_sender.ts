@@ -1,0 +1,68 @@
+// Sends console lines from a worker to the page: at once while the page keeps up, in batches when it does not, and
+// the newest only when a program prints without end.
+
+import type { Link } from './link.ts';
+
+/** Stream (1 or 2), ms since 1970, text. */
+export type SentLine = readonly [stream: 1 | 2, time: number, text: string];
+
+const batchesAhead = 8;
+const mostLines = 1000;
+
+/** How many batches were sent and how many the page has dealt with; shared by the threads of a program. */
+export interface ConsoleCredit {
+  posted(): void;
+  seen(): void;
+  ahead(): number;
+}
+
+export class LocalCredit implements ConsoleCredit {
+  private count = 0;
+
+  posted(): void {
+    this.count += 1;
+  }
+
+  seen(): void {
+    this.count -= 1;
+  }
+
+  ahead(): number {
+    return this.count;
+  }
+}
+
+export class ConsoleSender {
+  private readonly credit: ConsoleCredit;
+  private readonly post: (lines: readonly SentLine[], dropped: number) => void;
+  private waiting: SentLine[] = [];
+  private dropped = 0;
+
+  constructor(link: Link, post: (lines: readonly SentLine[], dropped: number) => void) {
+    this.credit = link.consoleCredit();
+    this.post = post;
+  }
+
+  line(stream: 'stdout' | 'stderr', text: string): void {
+    if (this.waiting.length >= mostLines) {
+      this.waiting.shift();
+      this.dropped += 1;
+    }
+    this.waiting.push([stream === 'stdout' ? 1 : 2, Date.now(), text]);
+    if (this.credit.ahead() < batchesAhead) this.flush();
+  }
+
+  /** Sends what waits, whatever the credit: called before the program waits, and at its end. */
+  flush(): void {
+    if (this.waiting.length === 0) return;
+    this.credit.posted();
+    this.post(this.waiting, this.dropped);
+    this.waiting = [];
+    this.dropped = 0;
+  }
+
+  /** The page has dealt with a batch. */
+  seen(): void {
+    this.credit.seen();
+  }
+}

@@ -1,0 +1,118 @@
+// Module "env": what Emscripten's C library wants from its JavaScript side. A single-threaded program needs next to
+// nothing of it; a threaded one its thread functions. Thread workers are started by the page: this worker may block.
+
+import type { Exports } from './program.ts';
+import { unwound } from './program.ts';
+import type { ProgramMemory } from './program_memory.ts';
+import { ProgramExit } from './wasi.ts';
+
+/** What the page must know to start a thread of a program. */
+export interface ThreadRequest {
+  /** Address of the thread's control block. */
+  readonly thread: number;
+  /** Index of the function in the program's table, and its argument. */
+  readonly entry: number;
+  readonly argument: number;
+  readonly stackTop: number;
+  readonly stackSize: number;
+}
+
+export interface EnvHost {
+  readonly memory: () => ProgramMemory;
+  readonly exports: () => Exports;
+  readonly startThread: (request: ThreadRequest) => void;
+  readonly threaded: boolean;
+  /** The calling thread has ended and nobody will join it. */
+  readonly detach: () => void;
+}
+
+const enosys = -52;
+const eagain = 6;
+const threadStackSize = 2 << 20;
+
+type EnvFunction = (...args: never[]) => unknown;
+
+export function envImports(host: EnvHost): Record<string, EnvFunction> {
+  const { memory, exports } = host;
+  const single: Record<string, EnvFunction> = {
+    emscripten_notify_memory_growth: () => undefined,
+    getentropy: (address: number, length: number): number => {
+      memory().u8.set(crypto.getRandomValues(new Uint8Array(length)), address);
+      return 0;
+    },
+    system: (): number => -1,
+    abort: (): never => {
+      throw new WebAssembly.RuntimeError('abort() was called');
+    },
+    exit: (code: number): never => {
+      throw new ProgramExit(code);
+    },
+    emscripten_memcpy_big: (to: number, from: number, length: number): number => {
+      memory().u8.copyWithin(to >>> 0, from >>> 0, (from >>> 0) + (length >>> 0));
+      return to;
+    },
+    emscripten_get_now: (): number => performance.timeOrigin - 1.7e12 + performance.now(),
+    emscripten_date_now: (): number => Date.now(),
+    _emscripten_get_now_is_monotonic: (): number => 1,
+    emscripten_get_heap_max: (): number => 1 << 30,
+    setTempRet0: () => undefined,
+    getTempRet0: (): number => 0,
+    __assert_fail: (condition: number, file: number, line: number, name: number): never => {
+      const text = `${memory().cString(file)}:${line}: ${name === 0 ? '' : `${memory().cString(name)}: `}`;
+      throw new WebAssembly.RuntimeError(`${text}Assertion \`${memory().cString(condition)}' failed.`);
+    },
+  };
+  const threads: Record<string, EnvFunction> = {
+    emscripten_resize_heap: (size: number): number => growTo(memory(), size >>> 0),
+    __pthread_create_js: (thread: number, _attributes: number, entry: number, argument: number): number => {
+      const stackOf = exports().ros2wasm_thread_stack;
+      if (stackOf === undefined) return eagain;
+      const out = exports().malloc(8);
+      stackOf(thread, out);
+      const stackTop = memory().u32(out);
+      const stackSize = memory().u32(out + 4);
+      exports().free(out);
+      host.startThread({ thread, entry, argument, stackTop, stackSize });
+      return 0;
+    },
+    __emscripten_init_main_thread_js: (thread: number): void => {
+      exports()._emscripten_thread_init?.(thread, 0, 1, 1);
+      exports().emscripten_tls_init?.();
+    },
+    // Called by whoever joined the thread, or by a detached thread for itself.
+    __emscripten_thread_cleanup: (thread: number): void => {
+      if (thread === exports().pthread_self?.()) {
+        host.detach();
+        return;
+      }
+      exports()._emscripten_thread_free_data?.(thread);
+    },
+    emscripten_unwind_to_js_event_loop: (): never => {
+      // Nothing but a marker: the thread's frames are left behind on purpose.
+      throw unwound as unknown as Error;
+    },
+    _emscripten_default_pthread_stack_size: (): number => threadStackSize,
+    _emscripten_notify_thread_queue: (): number => 0,
+    emscripten_check_blocking_allowed: () => undefined,
+    emscripten_receive_on_main_thread_js: (): number => 0,
+    emscripten_num_logical_cores: (): number => Math.max(2, navigator.hardwareConcurrency),
+  };
+  const functions = { ...single, ...(host.threaded ? threads : {}) };
+  // System calls that this C library leaves to JavaScript: none of them is there.
+  return new Proxy(functions, {
+    get: (target, name) => {
+      if (typeof name !== 'string') return undefined;
+      const known = target[name];
+      if (known !== undefined) return known;
+      if (name.startsWith('__syscall_')) return () => enosys;
+      if (/^(emscripten_webgl_|emscripten_set_|emscripten_gl|gl)[A-Za-z_]+$/.test(name)) return () => -1;
+      return undefined;
+    },
+  });
+}
+
+function growTo(memory: ProgramMemory, bytes: number): number {
+  const more = bytes - memory.u8.length;
+  if (more <= 0) return 1;
+  return memory.grow(Math.max(more, Math.min(memory.u8.length, 16 << 20))) || memory.grow(more) ? 1 : 0;
+}

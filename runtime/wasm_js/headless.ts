@@ -1,0 +1,168 @@
+// Runs a site without a browser: node headless.js SITE [--for 5s] [--until REGEX] [--json] [--link shared|port]
+// stdout is what the nodes print, as `ros2 launch` shows it. Exit code: 0 met, 1 not met, 2 command line, 130 Ctrl-C.
+
+import { isMainThread, parentPort, workerData } from 'node:worker_threads';
+import { parseArgs } from 'node:util';
+import { type Broker, PortBroker, SharedBroker } from './broker.ts';
+import { nodePlatform, workerMark } from './node_platform.ts';
+import { serveWorker, type WorkerOrder } from './node_worker.ts';
+import type { NodeView } from './session.ts';
+import { SiteError } from './site_error.ts';
+import { readSite } from './site_reader.ts';
+import { SiteSession } from './site_session.ts';
+
+const usage = 'usage: node headless.js SITE [--for TIME] [--until REGEX] [--json] [--link shared|port]';
+const interrupted = 130;
+
+interface Options {
+  readonly site: string;
+  readonly forMs: number | undefined;
+  readonly until: RegExp | undefined;
+  readonly json: boolean;
+  readonly link: 'shared' | 'port';
+}
+
+/** "5s", "500ms", "2m" in ms. */
+function parseTime(text: string): number {
+  const match = /^(\d+(?:\.\d+)?)(ms|s|m|h)?$/.exec(text);
+  if (match === null) throw new TypeError(`not a time: ${text}`);
+  const scale = { ms: 1, s: 1000, m: 60_000, h: 3_600_000 }[match[2] ?? 's'] ?? 1000;
+  return Number(match[1]) * scale;
+}
+
+export function parseOptions(argv: readonly string[]): Options {
+  const { values, positionals } = parseArgs({
+    args: [...argv],
+    allowPositionals: true,
+    options: {
+      for: { type: 'string' },
+      until: { type: 'string' },
+      json: { type: 'boolean', default: false },
+      link: { type: 'string', default: 'shared' },
+    },
+  });
+  const [site] = positionals;
+  if (site === undefined || positionals.length !== 1) throw new TypeError('one SITE is wanted');
+  if (values.link !== 'shared' && values.link !== 'port') throw new TypeError(`no such link: ${values.link}`);
+  return {
+    site,
+    forMs: values.for === undefined ? undefined : parseTime(values.for),
+    until: values.until === undefined ? undefined : new RegExp(values.until),
+    json: values.json,
+    link: values.link,
+  };
+}
+
+/** Has every node come to its end? Undefined while one has not, else whether all ended well. */
+function allEnded(nodes: readonly NodeView[]): boolean | undefined {
+  if (nodes.some(({ state }) => state.kind === 'starting' || state.kind === 'running' || state.kind === 'stopped')) {
+    return undefined;
+  }
+  return nodes.every(({ state }) => state.kind === 'exited' && state.code === 0);
+}
+
+/** Runs to the end and returns the exit code. */
+export async function runHeadless(options: Options, entry: URL): Promise<number> {
+  const platform = nodePlatform(options.site, entry);
+  const site = readSite(await platform.json('site.json'));
+  const broker: Broker = options.link === 'shared' ? new SharedBroker() : new PortBroker();
+  const print = (text: string): void => void process.stdout.write(`${text}\n`);
+  const event = (value: Record<string, unknown>): void => print(JSON.stringify(value));
+  let finish: (code: number) => void = () => undefined;
+  const finished = new Promise<number>((resolve) => {
+    finish = resolve;
+  });
+  let met = false;
+
+  const session = new SiteSession({
+    site,
+    platform,
+    broker,
+    onLines: (node, lines, dropped) => {
+      if (met) return;
+      if (dropped > 0) process.stderr.write(`[${node.id}] ... ${dropped} lines were dropped\n`);
+      for (const [stream, time, text] of lines) {
+        const line = `[${node.id}] ${text}`;
+        if (options.json) event({ event: 'line', node: node.id, stream: stream === 1 ? 'stdout' : 'stderr', time, text });
+        else print(line);
+        if (options.until?.test(line) === true) {
+          met = true;
+          finish(0);
+          return;
+        }
+      }
+    },
+  });
+
+  const told = new Map<string, NodeView['state']>();
+  let stopping = false;
+  session.onNodes((nodes) => {
+    for (const { id, state, source } of nodes) {
+      if (told.get(id) === state) continue;
+      told.set(id, state);
+      if (options.json) event({ event: 'node', node: id, ...state });
+      if (state.kind === 'crashed') {
+        const place = source === undefined ? '' : `\n  --> ${source.file}:${source.line}:${source.column}`;
+        process.stderr.write(`[${id}] error[${state.code}]: ${state.message}${place}\n`);
+      } else if (state.kind === 'exited' && !options.json) {
+        const how = state.code === 0 ? 'process has finished cleanly' : `process has died [exit code ${state.code}]`;
+        process.stderr.write(`[${id}] ${how}\n`);
+      }
+    }
+    const well = allEnded(nodes);
+    if (stopping && well !== undefined) finish(interrupted);
+    // Nobody will start them again, except a respawn rule.
+    else if (well !== undefined && !site.nodes.some((node) => node.respawn)) {
+      finish(options.until === undefined && well ? 0 : 1);
+    }
+  });
+
+  const stop = (): void => {
+    if (stopping) finish(interrupted);
+    stopping = true;
+    session.stopAll();
+  };
+  process.on('SIGINT', stop);
+  process.on('SIGTERM', stop);
+  const timer = options.forMs === undefined ? undefined : setTimeout(() => {
+    const well = session.nodes().every(({ state }) => state.kind !== 'crashed' && !(state.kind === 'exited' && state.code !== 0));
+    finish(options.until === undefined && well ? 0 : 1);
+  }, options.forMs);
+
+  session.startAll();
+  const code = await finished;
+  clearTimeout(timer);
+  process.off('SIGINT', stop);
+  process.off('SIGTERM', stop);
+  if (options.json) event({ event: 'end', met: code === 0 });
+  session.close();
+  platform.close();
+  return code;
+}
+
+async function main(): Promise<void> {
+  let options: Options;
+  try {
+    options = parseOptions(process.argv.slice(2));
+  } catch (error) {
+    process.stderr.write(`${error instanceof Error ? error.message : String(error)}\n${usage}\n`);
+    process.exit(2);
+  }
+  try {
+    process.exit(await runHeadless(options, new URL(import.meta.url)));
+  } catch (error) {
+    if (!(error instanceof SiteError)) throw error;
+    process.stderr.write(`error[${error.code}]: ${error.message}\n`);
+    for (const line of error.why) process.stderr.write(`   = why: ${line}\n`);
+    for (const line of error.fix) process.stderr.write(`   = fix: ${line}\n`);
+    process.exit(1);
+  }
+}
+
+if (isMainThread) {
+  if (import.meta.main) await main();
+} else if (workerData === workerMark && parentPort !== null) {
+  const port = parentPort;
+  const handle = serveWorker((report) => port.postMessage(report));
+  port.on('message', (order: WorkerOrder) => handle(order));
+}

@@ -1,0 +1,113 @@
+// Module "ros2wasm": the link, as a program calls it. protocol/SPEC.md section 3.
+
+import {
+  abiVersion, EndpointDescLayout, EndpointStatusLayout, ErrorCode, SampleInfoLayout, type StatusKind,
+} from '../protocol/generated/constants.ts';
+import { encodeGraph } from './graph_snapshot.ts';
+import type { Link } from './link.ts';
+import type { ProgramMemory } from './program_memory.ts';
+
+/** Names of the functions that may suspend the program on the port link. */
+export const suspendingHost: ReadonlySet<string> = new Set(['wait', 'sleep', 'write']);
+
+/** ns in one i64, or in two halves, as ms. Negative stays negative. */
+function milliseconds(low: number | bigint, high: number | undefined): number {
+  if (typeof low === 'bigint') return Number(low) / 1e6;
+  return ((low >>> 0) + (high ?? 0) * 2 ** 32) / 1e6;
+}
+
+type HostFunction = (...args: never[]) => unknown;
+
+export function hostImports(link: Link, memory: () => ProgramMemory, idle: () => void): Record<string, HostFunction> {
+  const i64 = (address: number): bigint => memory().i64(address);
+
+  const endpointCreate = (desc: number): number => {
+    const heap = memory();
+    const at = (offset: number): number => heap.u32(desc + offset);
+    const text = (address: number, length: number): string => heap.text(at(address), at(length));
+    const L = EndpointDescLayout;
+    return link.endpointCreate({
+      kind: at(L.kind),
+      node: at(L.node) | 0,
+      name: text(L.name, L.nameLen),
+      type: text(L.type, L.typeLen),
+      hash: text(L.hash, L.hashLen),
+      qos: {
+        reliability: at(L.reliability),
+        durability: at(L.durability),
+        history: at(L.history),
+        depth: at(L.depth),
+        liveliness: at(L.liveliness),
+        deadline: i64(desc + L.deadlineNs),
+        lifespan: i64(desc + L.lifespanNs),
+        lease: i64(desc + L.leaseNs),
+      },
+      flags: at(L.flags),
+    });
+  };
+
+  const status = (endpoint: number, kind: number, out: number): number => {
+    const found = link.status(endpoint, kind as StatusKind);
+    if (found === undefined) return ErrorCode.badHandle;
+    const heap = memory();
+    const L = EndpointStatusLayout;
+    heap.u8.fill(0, out, out + L.size);
+    heap.set(out + L.totalCount, found.totalCount);
+    heap.set(out + L.totalChange, found.totalChange);
+    heap.set(out + L.currentCount, found.currentCount);
+    heap.set(out + L.currentChange, found.currentChange);
+    heap.set(out + L.lastPolicy, found.lastPolicy);
+    return 0;
+  };
+
+  return {
+    abi_version: () => abiVersion,
+    node_create: (name: number, nameLength: number, namespace: number, namespaceLength: number) =>
+      link.nodeCreate(memory().text(name, nameLength), memory().text(namespace, namespaceLength)),
+    node_destroy: (node: number) => link.nodeDestroy(node),
+    endpoint_create: endpointCreate,
+    endpoint_destroy: (endpoint: number) => link.endpointDestroy(endpoint),
+    endpoint_gid: (endpoint: number, out: number): number => {
+      const gid = link.gid(endpoint);
+      if (gid === undefined) return ErrorCode.badHandle;
+      memory().u8.set(new Uint8Array(gid.slice().buffer), out);
+      return 0;
+    },
+    write: (endpoint: number, data: number, length: number, info: number) => {
+      if (info % 4 !== 0) return ErrorCode.invalidArgument;
+      return link.write(endpoint, memory(), data >>> 0, length >>> 0, info >>> 0);
+    },
+    take: (endpoint: number, buffer: number, capacity: number, info: number): number => {
+      if (info % 4 !== 0) return ErrorCode.invalidArgument;
+      return link.take(endpoint, memory(), buffer >>> 0, capacity >>> 0, info >>> 0);
+    },
+    ready: (out: number, capacity: number): number => {
+      const ready = link.ready();
+      const count = Math.min(ready.length, capacity);
+      for (let i = 0; i < count; i += 1) memory().set(out + 4 * i, ready[i]!);
+      return ready.length;
+    },
+    wake_token: () => link.wakeToken(),
+    wait: (token: number, low: number | bigint, high?: number) => {
+      idle();
+      return link.wait(token, milliseconds(low, high));
+    },
+    wake: () => link.wake(),
+    sleep: (low: number | bigint, high?: number) => {
+      idle();
+      return link.sleep(milliseconds(low, high));
+    },
+    stop_requested: () => (link.stopRequested() ? 1 : 0),
+    matched: (endpoint: number) => link.matched(endpoint),
+    endpoint_status: status,
+    graph_version: () => link.graphVersion(),
+    graph_snapshot: (buffer: number, capacity: number): number => {
+      const bytes = encodeGraph(link.graph());
+      if (bytes.length <= capacity) memory().u8.set(bytes, buffer >>> 0);
+      return bytes.length;
+    },
+    thread_create_required: (): number => ErrorCode.unsupported,
+  };
+}
+
+export const sampleInfoSize = SampleInfoLayout.size;

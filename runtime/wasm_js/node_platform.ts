@@ -1,0 +1,73 @@
+// Node.js as the place where a site runs: files instead of fetch, worker threads instead of workers.
+
+import { readFile } from 'node:fs/promises';
+import { join } from 'node:path';
+import { Worker } from 'node:worker_threads';
+import type { WorkerReport } from './node_worker.ts';
+import type { Platform, WorkerEvents, WorkerHandle } from './platform.ts';
+import { SiteError } from './site_error.ts';
+
+/** What a worker thread finds in workerData when it is to serve a node. */
+export const workerMark = 'ros2wasm node worker';
+
+async function bytesOf(folder: string, path: string): Promise<Buffer<ArrayBuffer>> {
+  try {
+    return await readFile(join(folder, path));
+  } catch (error) {
+    throw new SiteError('R2W0706', `the site's file ${path} cannot be read: ${error instanceof Error ? error.message : ''}`, {
+      why: 'the folder is not a complete site',
+      fix: 'pack the workspace again',
+    });
+  }
+}
+
+/** `entry`: the script that serves nodes when it is started as a worker thread. */
+export function nodePlatform(folder: string, entry: URL): Platform & { close(): void } {
+  const modules = new Map<string, Promise<WebAssembly.Module>>();
+  const workers = new Set<Worker>();
+
+  const compile = async (path: string): Promise<WebAssembly.Module> => {
+    const bytes = await bytesOf(folder, path);
+    try {
+      return await WebAssembly.compile(bytes);
+    } catch (error) {
+      throw new SiteError('R2W0703', `${path}: ${error instanceof Error ? error.message : String(error)}`);
+    }
+  };
+  return {
+    json: async (path) => {
+      const text = (await bytesOf(folder, path)).toString('utf8');
+      try {
+        return JSON.parse(text) as unknown;
+      } catch (error) {
+        throw new SiteError('R2W0700', `${path}: ${error instanceof Error ? error.message : String(error)}`);
+      }
+    },
+    compile: (path) => {
+      let module = modules.get(path);
+      if (module === undefined) {
+        module = compile(path);
+        modules.set(path, module);
+      }
+      return module;
+    },
+    startWorker: (name, events: WorkerEvents): WorkerHandle => {
+      const worker = new Worker(entry, { workerData: workerMark, name });
+      workers.add(worker);
+      worker.on('message', (report: WorkerReport) => events.report(report));
+      worker.on('error', (error) => events.failed(error instanceof Error ? error.message : String(error)));
+      worker.on('exit', () => {
+        workers.delete(worker);
+        events.failed('the worker ended');
+      });
+      return {
+        post: (order, transfer) => worker.postMessage(order, transfer as never),
+        terminate: () => void worker.terminate(),
+      };
+    },
+    frame: (task) => void setImmediate(task),
+    close: () => {
+      for (const worker of workers) void worker.terminate();
+    },
+  };
+}

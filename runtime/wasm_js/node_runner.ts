@@ -1,0 +1,238 @@
+// One node of a site: its worker and thread workers, its state, its rules (stop, respawn).
+
+import type { Broker } from './broker.ts';
+import type { NodeConsole } from './console_log.ts';
+import type { WorkerReport, WorkerStart } from './node_worker.ts';
+import type { Platform, WorkerHandle } from './platform.ts';
+import type { ProgramEnd } from './program.ts';
+import type { NodeState, NodeView, SiteNode } from './session.ts';
+import { SiteError } from './site_error.ts';
+
+/** After a stop is requested; `ros2 launch` waits as long before it sends SIGTERM. */
+export const stopGraceMs = 5000;
+/** Exit code of a node that did not stop in time, as a shell tells of SIGKILL. */
+const killedCode = 137;
+/** A node that crashes at once is not started again without pause. */
+const leastRespawnMs = 100;
+
+export interface RunnerHost {
+  readonly platform: Platform;
+  readonly broker: Broker;
+  readonly changed: () => void;
+  readonly resetInput: (id: string) => void;
+  /** A batch of lines was taken over from a worker of the participant. */
+  readonly lines: (node: SiteNode, report: Extract<WorkerReport, { t: 'lines' }>) => void;
+}
+
+interface Run {
+  readonly participant: number;
+  readonly main: WorkerHandle;
+  readonly threads: Set<WorkerHandle>;
+  readonly start: WorkerStart;
+  readonly startedAt: number;
+  over: boolean;
+}
+
+export class NodeRunner {
+  readonly node: SiteNode;
+  readonly console: NodeConsole;
+  private readonly host: RunnerHost;
+  private state: NodeState = { kind: 'stopped' };
+  private run: Run | undefined;
+  /** Counts starts, so that what belongs to an older one is dropped. */
+  private attempt = 0;
+  private stopping = false;
+  private again = false;
+  private timer: ReturnType<typeof setTimeout> | undefined;
+
+  constructor(node: SiteNode, console: NodeConsole, host: RunnerHost) {
+    this.node = node;
+    this.console = console;
+    this.host = host;
+  }
+
+  view(): NodeView {
+    const { id, label, executable, source } = this.node;
+    return {
+      id,
+      label,
+      package: this.node.package,
+      executable,
+      state: this.state,
+      ...(this.run === undefined ? {} : { startedAt: this.run.startedAt }),
+      ...(source === undefined ? {} : { source }),
+    };
+  }
+
+  active(): boolean {
+    return this.state.kind === 'starting' || this.state.kind === 'running';
+  }
+
+  start(): void {
+    if (this.active()) return;
+    this.clearTimer();
+    this.stopping = false;
+    this.again = false;
+    this.attempt += 1;
+    this.host.resetInput(this.node.id);
+    this.set({ kind: 'starting' });
+    void this.launch(this.attempt);
+  }
+
+  /** As Ctrl-C; a second time, or after the grace, the worker is killed. */
+  stop(): void {
+    this.clearTimer();
+    if (!this.active()) return;
+    const { run } = this;
+    if (run === undefined || this.stopping) {
+      this.kill();
+      return;
+    }
+    this.stopping = true;
+    this.host.broker.stop(run.participant);
+    this.timer = setTimeout(() => this.kill(), stopGraceMs);
+  }
+
+  restart(): void {
+    if (!this.active()) {
+      this.start();
+      return;
+    }
+    if (!this.stopping) this.stop();
+    this.again = true;
+  }
+
+  /** Ends the node wherever it is. */
+  kill(): void {
+    if (!this.active()) return;
+    this.attempt += 1;
+    this.finish({ kind: 'exited', code: killedCode }, false);
+  }
+
+  close(): void {
+    this.again = false;
+    this.stopping = true;
+    this.kill();
+    this.clearTimer();
+  }
+
+  private async launch(attempt: number): Promise<void> {
+    try {
+      const admission = this.host.broker.admit();
+      if (admission === undefined) throw new SiteError('R2W0707', 'the site has more nodes than the bus has places');
+      const { participant, ticket, transfer } = admission;
+      const main = this.worker(participant, attempt);
+      const startedAt = Date.now();
+      let module: WebAssembly.Module;
+      try {
+        module = await this.host.platform.compile(this.node.program);
+      } catch (error) {
+        main.terminate();
+        this.host.broker.end(participant, false);
+        throw error;
+      }
+      if (this.attempt !== attempt) {
+        main.terminate();
+        this.host.broker.end(participant, false);
+        return;
+      }
+      const start: WorkerStart = {
+        module,
+        ticket,
+        id: this.node.id,
+        arguments: [this.node.executable, ...this.node.arguments],
+        environment: this.node.environment,
+      };
+      this.run = { participant, main, threads: new Set(), start, startedAt, over: false };
+      main.post({ t: 'start', start }, transfer);
+    } catch (error) {
+      if (this.attempt !== attempt) return;
+      const code = error instanceof SiteError ? error.code : 'R2W0708';
+      this.set({ kind: 'crashed', code, message: error instanceof Error ? error.message : String(error) });
+    }
+  }
+
+  private worker(participant: number, attempt: number): WorkerHandle {
+    const handle = this.host.platform.startWorker(this.node.id, {
+      report: (report) => {
+        if (this.attempt === attempt) this.onReport(report, handle, participant);
+      },
+      failed: (message) => {
+        if (this.attempt === attempt) this.finish({ kind: 'crashed', code: 'R2W0708', message }, false);
+      },
+    });
+    return handle;
+  }
+
+  private onReport(report: WorkerReport, handle: WorkerHandle, participant: number): void {
+    const { run } = this;
+    switch (report.t) {
+      case 'running':
+        this.set({ kind: 'running' });
+        return;
+      case 'lines':
+        this.host.lines(this.node, report);
+        this.host.broker.consoleSeen(participant);
+        handle.post({ t: 'seen' }, []);
+        return;
+      case 'thread': {
+        if (run === undefined) return;
+        const thread = this.worker(participant, this.attempt);
+        run.threads.add(thread);
+        const start = { ...run.start, thread: { ...report.request, memory: report.memory } };
+        thread.post({ t: 'start', start }, []);
+        return;
+      }
+      case 'end':
+        if (report.end.kind === 'thread') {
+          run?.threads.delete(handle);
+          handle.terminate();
+        } else {
+          this.finish(stateOf(report.end), report.closed);
+        }
+        return;
+    }
+  }
+
+  private finish(state: NodeState, closed: boolean): void {
+    const { run } = this;
+    this.run = undefined;
+    if (run !== undefined && !run.over) {
+      run.over = true;
+      run.main.terminate();
+      for (const thread of run.threads) thread.terminate();
+      this.host.broker.end(run.participant, closed);
+    }
+    this.clearTimer();
+    const asked = this.stopping;
+    const again = this.again;
+    this.stopping = false;
+    this.again = false;
+    this.attempt += 1;
+    this.set(state);
+    if (again) this.start();
+    else if (this.node.respawn && !asked) {
+      const delay = Math.max(leastRespawnMs, this.node.respawnDelay * 1000);
+      this.timer = setTimeout(() => this.start(), delay);
+    }
+  }
+
+  private clearTimer(): void {
+    if (this.timer !== undefined) clearTimeout(this.timer);
+    this.timer = undefined;
+  }
+
+  private set(state: NodeState): void {
+    this.state = state;
+    this.host.changed();
+  }
+}
+
+function stateOf(end: Exclude<ProgramEnd, { kind: 'thread' }>): NodeState {
+  switch (end.kind) {
+    case 'exit':
+      return { kind: 'exited', code: end.code };
+    case 'crash':
+      return { kind: 'crashed', code: end.code, message: end.message };
+  }
+}

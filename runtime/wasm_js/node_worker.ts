@@ -1,0 +1,69 @@
+// Entry of every node worker and thread worker, in browsers and (through node_thread.ts) under Node.js.
+
+import { openLink, type LinkTicket } from './broker.ts';
+import { ConsoleSender, type SentLine } from './console_sender.ts';
+import type { ThreadRequest } from './env_imports.ts';
+import type { Link } from './link.ts';
+import { type ProgramEnd, runProgram, type ThreadStart } from './program.ts';
+import { inputReader } from './standard_input.ts';
+
+/** To a worker: what to run. */
+export interface WorkerStart {
+  readonly module: WebAssembly.Module;
+  readonly ticket: LinkTicket;
+  readonly id: string;
+  readonly arguments: readonly string[];
+  readonly environment: Readonly<Record<string, string>>;
+  readonly thread?: ThreadStart;
+}
+
+/** From a worker. */
+export type WorkerReport =
+  | { readonly t: 'running' }
+  | { readonly t: 'lines'; readonly lines: readonly SentLine[]; readonly dropped: number }
+  | { readonly t: 'thread'; readonly request: ThreadRequest; readonly memory: WebAssembly.Memory }
+  /** `closed`: the worker took leave of the graph. */
+  | { readonly t: 'end'; readonly end: ProgramEnd; readonly closed: boolean };
+
+export type WorkerOrder = { readonly t: 'start'; readonly start: WorkerStart } | { readonly t: 'seen' };
+
+/** Connects the worker's messages with a program. Returns what to call with each message. */
+export function serveWorker(post: (report: WorkerReport) => void): (order: WorkerOrder) => void {
+  let sender: ConsoleSender | undefined;
+  const run = async (start: WorkerStart): Promise<void> => {
+    let link: Link;
+    try {
+      link = openLink(start.ticket, true);
+    } catch (error) {
+      const message = error instanceof Error ? error.message : String(error);
+      post({ t: 'end', end: { kind: 'crash', code: 'R2W0709', message }, closed: false });
+      return;
+    }
+    sender = new ConsoleSender(link, (lines, dropped) => post({ t: 'lines', lines, dropped }));
+    const console = sender;
+    if (start.thread === undefined) post({ t: 'running' });
+    const end = await runProgram(start.module, {
+      link,
+      arguments: start.arguments,
+      environment: start.environment,
+      line: (stream, text) => console.line(stream, text),
+      idle: () => console.flush(),
+      read: inputReader(link, start.id),
+      startThread: (request, memory) => post({ t: 'thread', request, memory }),
+    }, start.thread);
+    // A program that ended by itself takes leave, so that what it sent last is still delivered.
+    if (end.kind === 'exit') link.close();
+    console.flush();
+    post({ t: 'end', end, closed: end.kind === 'exit' });
+  };
+  return (order) => {
+    switch (order.t) {
+      case 'start':
+        void run(order.start);
+        return;
+      case 'seen':
+        sender?.seen();
+        return;
+    }
+  };
+}

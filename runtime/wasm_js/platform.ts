@@ -1,0 +1,24 @@
+// What a session needs of the place it runs in: a browser page (launcher.ts) or Node.js (headless.ts).
+
+import type { WorkerOrder, WorkerReport } from './node_worker.ts';
+
+export interface WorkerHandle {
+  post(order: WorkerOrder, transfer: readonly MessagePort[]): void;
+  terminate(): void;
+}
+
+export interface WorkerEvents {
+  readonly report: (report: WorkerReport) => void;
+  /** The worker could not start, or its script broke. */
+  readonly failed: (message: string) => void;
+}
+
+export interface Platform {
+  /** Throws SiteError R2W0706. */
+  readonly json: (path: string) => Promise<unknown>;
+  /** Fetches and compiles; the same path gives the same module. Throws SiteError R2W0706 or R2W0703. */
+  readonly compile: (path: string) => Promise<WebAssembly.Module>;
+  readonly startWorker: (name: string, events: WorkerEvents) => WorkerHandle;
+  /** Runs a task at the next animation frame, or soon. */
+  readonly frame: (task: () => void) => void;
+}

@@ -1,0 +1,119 @@
+// Checks site.json: what comes from outside goes through here.
+
+import { protocolVersion } from '../protocol/generated/constants.ts';
+import { SiteError } from './site_error.ts';
+import type { SiteDescription, SiteFile, SiteNode, SourcePlace } from './session.ts';
+
+type Json = Readonly<Record<string, unknown>>;
+
+function fail(what: string): never {
+  throw new SiteError('R2W0700', `site.json: ${what}`, {
+    why: 'the file is not what `ros2wasm pack` writes',
+    fix: 'pack the workspace again and put the whole folder in place',
+  });
+}
+
+function object(value: unknown, what: string): Json {
+  if (typeof value !== 'object' || value === null || Array.isArray(value)) fail(`${what} is not an object`);
+  return value as Json;
+}
+
+function text(json: Json, key: string, what: string, otherwise?: string): string {
+  const value = json[key];
+  if (value === undefined && otherwise !== undefined) return otherwise;
+  return typeof value === 'string' ? value : fail(`${what}.${key} is not a text`);
+}
+
+function number(json: Json, key: string, what: string, otherwise?: number): number {
+  const value = json[key];
+  if (value === undefined && otherwise !== undefined) return otherwise;
+  return typeof value === 'number' && Number.isFinite(value) ? value : fail(`${what}.${key} is not a number`);
+}
+
+function flag(json: Json, key: string): boolean {
+  return json[key] === true;
+}
+
+function list<T>(json: Json, key: string, what: string, read: (value: unknown, what: string) => T): T[] {
+  const value = json[key];
+  if (value === undefined) return [];
+  if (!Array.isArray(value)) return fail(`${what}.${key} is not a list`);
+  return value.map((item, i) => read(item, `${what}.${key}[${i}]`));
+}
+
+/** A path inside the site: never absolute, never upwards. */
+function path(value: string, what: string): string {
+  const ok = value !== '' && !value.startsWith('/') && !value.includes('\\') && !/^[a-z]+:/i.test(value)
+    && !value.split('/').some((part) => part === '..' || part === '');
+  return ok ? value : fail(`${what} is not a path inside the site: ${value}`);
+}
+
+function readSource(json: Json): SourcePlace | undefined {
+  if (json['source'] === undefined || json['source'] === null) return undefined;
+  const source = object(json['source'], 'source');
+  return { file: text(source, 'file', 'source'), line: number(source, 'line', 'source'), column: number(source, 'column', 'source', 1) };
+}
+
+function readNode(value: unknown, what: string): SiteNode {
+  const json = object(value, what);
+  const kind = text(json, 'kind', what, 'cpp');
+  if (kind !== 'cpp') fail(`${what}.kind is ${kind}: this runtime runs programs of kind cpp`);
+  const environment = object(json['environment'] ?? {}, `${what}.environment`);
+  const source = readSource(json);
+  return {
+    id: text(json, 'id', what),
+    package: text(json, 'package', what),
+    executable: text(json, 'executable', what),
+    label: text(json, 'label', what, text(json, 'id', what)),
+    kind: 'cpp',
+    program: path(text(json, 'program', what), `${what}.program`),
+    threads: flag(json, 'threads'),
+    arguments: list(json, 'arguments', what, (item) => (typeof item === 'string' ? item : fail(`${what}.arguments`))),
+    environment: Object.fromEntries(Object.keys(environment).map((key) => [key, text(environment, key, what)])),
+    output: text(json, 'output', what, 'screen'),
+    respawn: flag(json, 'respawn'),
+    respawnDelay: number(json, 'respawn_delay', what, 0),
+    ...(source === undefined ? {} : { source }),
+  };
+}
+
+function readFile(value: unknown, what: string): SiteFile {
+  const json = object(value, what);
+  return {
+    path: path(text(json, 'path', what), what),
+    size: number(json, 'size', what, 0),
+    sha256: text(json, 'sha256', what, ''),
+    reason: text(json, 'reason', what, ''),
+  };
+}
+
+/** Throws SiteError: R2W0700 for a broken file, R2W0709 for another protocol. */
+export function readSite(value: unknown): SiteDescription {
+  const json = object(value, 'the document');
+  if (number(json, 'schema', 'site') !== 1) fail(`schema ${String(json['schema'])} is not known here`);
+  const protocol = number(json, 'protocol', 'site');
+  if (protocol !== protocolVersion) {
+    throw new SiteError('R2W0709', `the site speaks protocol ${protocol}, its runtime protocol ${protocolVersion}`, {
+      why: 'site.json and the runtime files come of different versions of ros2wasm',
+      fix: 'pack the workspace again and put the whole folder in place',
+    });
+  }
+  const nodes = list(json, 'nodes', 'site', readNode);
+  const ids = new Set(nodes.map((node) => node.id));
+  if (ids.size !== nodes.length) fail('two nodes have the same id');
+  const interfaces = text(json, 'interfaces', 'site', '');
+  return {
+    protocol,
+    generator: text(json, 'generator', 'site', ''),
+    name: text(json, 'name', 'site', ''),
+    title: text(json, 'title', 'site', ''),
+    version: text(json, 'version', 'site', ''),
+    distro: text(json, 'distro', 'site', ''),
+    license: text(json, 'license', 'site', ''),
+    authors: list(json, 'authors', 'site', (item, what) => ({ name: text(object(item, what), 'name', what, '') })),
+    nodes,
+    interfaces: interfaces === '' ? '' : path(interfaces, 'site.interfaces'),
+    ui: object(json['ui'] ?? {}, 'site.ui'),
+    files: list(json, 'files', 'site', readFile),
+  };
+}

@@ -1,0 +1,160 @@
+// A running site: the Session that the page and the headless runner see.
+
+import type { Broker } from './broker.ts';
+import { NodeConsole } from './console_log.ts';
+import type { SentLine } from './console_sender.ts';
+import { NodeRunner } from './node_runner.ts';
+import type { Platform } from './platform.ts';
+import { Sampler } from './sampler.ts';
+import type {
+  ConsoleLog, LastMessage, LinkKind, NodeView, Session, SiteDescription, SiteNode, TopicView, Unsubscribe,
+} from './session.ts';
+import { InputWriter } from './standard_input.ts';
+
+const sampleMs = 250;
+
+export interface SessionOptions {
+  readonly site: SiteDescription;
+  readonly platform: Platform;
+  readonly broker: Broker;
+  /** Called with each batch of lines as it comes. */
+  readonly onLines?: (node: SiteNode, lines: readonly SentLine[], dropped: number) => void;
+}
+
+export class SiteSession implements Session {
+  readonly site: SiteDescription;
+  readonly link: LinkKind;
+  private readonly platform: Platform;
+  private readonly broker: Broker;
+  private readonly runners = new Map<string, NodeRunner>();
+  private readonly sampler: Sampler;
+  private readonly input: InputWriter;
+  private readonly nodeListeners = new Set<(nodes: readonly NodeView[]) => void>();
+  private readonly topicListeners = new Set<(topics: readonly TopicView[]) => void>();
+  private nodesTold = true;
+  private sampling: ReturnType<typeof setInterval> | undefined;
+  private definitions: Promise<ReadonlyMap<string, string>> | undefined;
+  private closed = false;
+
+  constructor({ site, platform, broker, onLines }: SessionOptions) {
+    this.site = site;
+    this.platform = platform;
+    this.broker = broker;
+    this.link = broker.kind;
+    this.sampler = new Sampler(broker);
+    this.input = new InputWriter(broker.link);
+    for (const node of site.nodes) {
+      const console = new NodeConsole(platform.frame);
+      this.runners.set(node.id, new NodeRunner(node, console, {
+        platform,
+        broker,
+        changed: () => this.nodesChanged(),
+        resetInput: (id) => this.input.reset(id),
+        lines: (of, { lines, dropped }) => {
+          console.add(lines, dropped);
+          onLines?.(of, lines, dropped);
+        },
+      }));
+    }
+  }
+
+  private runner(id: string): NodeRunner {
+    const runner = this.runners.get(id);
+    if (runner === undefined) throw new RangeError(`the site has no node ${id}`);
+    return runner;
+  }
+
+  nodes(): readonly NodeView[] {
+    return [...this.runners.values()].map((runner) => runner.view());
+  }
+
+  start(id: string): void {
+    this.runner(id).start();
+  }
+
+  stop(id: string): void {
+    this.runner(id).stop();
+  }
+
+  restart(id: string): void {
+    this.runner(id).restart();
+  }
+
+  startAll(): void {
+    for (const runner of this.runners.values()) runner.start();
+  }
+
+  stopAll(): void {
+    for (const runner of this.runners.values()) runner.stop();
+  }
+
+  onNodes(listener: (nodes: readonly NodeView[]) => void): Unsubscribe {
+    this.nodeListeners.add(listener);
+    return () => void this.nodeListeners.delete(listener);
+  }
+
+  private nodesChanged(): void {
+    if (!this.nodesTold || this.closed) return;
+    this.nodesTold = false;
+    this.platform.frame(() => {
+      this.nodesTold = true;
+      const nodes = this.nodes();
+      for (const listener of [...this.nodeListeners]) listener(nodes);
+    });
+  }
+
+  console(id: string): ConsoleLog {
+    return this.runner(id).console;
+  }
+
+  topics(): readonly TopicView[] {
+    return this.sampling === undefined ? this.sampler.sample(Date.now()) : this.sampler.topics();
+  }
+
+  onTopics(listener: (topics: readonly TopicView[]) => void): Unsubscribe {
+    this.topicListeners.add(listener);
+    this.sampling ??= setInterval(() => {
+      const topics = this.sampler.sample(Date.now());
+      for (const each of [...this.topicListeners]) each(topics);
+    }, sampleMs);
+    return () => {
+      this.topicListeners.delete(listener);
+      if (this.topicListeners.size === 0) this.stopSampling();
+    };
+  }
+
+  private stopSampling(): void {
+    if (this.sampling !== undefined) clearInterval(this.sampling);
+    this.sampling = undefined;
+  }
+
+  lastMessage(topic: string): LastMessage | undefined {
+    return this.sampler.lastMessage(topic, Date.now());
+  }
+
+  interfaces(): Promise<ReadonlyMap<string, string>> {
+    this.definitions ??= this.loadInterfaces();
+    return this.definitions;
+  }
+
+  private async loadInterfaces(): Promise<ReadonlyMap<string, string>> {
+    if (this.site.interfaces === '') return new Map();
+    const json = await this.platform.json(this.site.interfaces);
+    if (typeof json !== 'object' || json === null) return new Map();
+    return new Map(Object.entries(json).filter((entry): entry is [string, string] => typeof entry[1] === 'string'));
+  }
+
+  sendInput(id: string, text: string): void {
+    if (this.runner(id).active()) this.input.send(id, text);
+  }
+
+  close(): void {
+    if (this.closed) return;
+    this.closed = true;
+    this.stopSampling();
+    for (const runner of this.runners.values()) runner.close();
+    this.nodeListeners.clear();
+    this.topicListeners.clear();
+    this.broker.close();
+  }
+}

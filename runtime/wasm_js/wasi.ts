@@ -1,0 +1,178 @@
+// The part of WASI that a node program needs: arguments, environment, clocks, random, console, standard input, exit.
+// There are no files: descriptors beyond 2 are bad.
+
+import { steadyNanoseconds, systemNanoseconds } from './clock.ts';
+import type { ProgramMemory } from './program_memory.ts';
+
+const success = 0;
+const badf = 8;
+const inval = 28;
+const intr = 27;
+const spipe = 70;
+const nosys = 52;
+
+/** Thrown through the program by proc_exit and exit(). */
+export class ProgramExit {
+  readonly code: number;
+
+  constructor(code: number) {
+    this.code = code;
+  }
+}
+
+/** Waits for input. `undefined`: a stop was requested; empty: there will be no more. */
+export type ReadInput = (capacity: number) => Uint8Array | undefined | Promise<Uint8Array | undefined>;
+
+export interface WasiHost {
+  /** Set before the program runs. */
+  readonly memory: () => ProgramMemory;
+  readonly arguments: readonly string[];
+  readonly environment: Readonly<Record<string, string>>;
+  readonly write: (stream: 'stdout' | 'stderr', bytes: Uint8Array) => void;
+  readonly read: ReadInput;
+  /** Sleeps for poll_oneoff. */
+  readonly sleep: (milliseconds: number) => unknown;
+}
+
+/** Names of the functions that may suspend the program on the port link. */
+export const suspendingWasi: ReadonlySet<string> = new Set(['fd_read', 'poll_oneoff']);
+
+type WasiFunction = (...args: never[]) => unknown;
+
+export function wasiImports(host: WasiHost): Record<string, WasiFunction> {
+  const { memory } = host;
+  const args = host.arguments.map((text) => new TextEncoder().encode(`${text}\0`));
+  const environment = Object.entries(host.environment).map(([k, v]) => new TextEncoder().encode(`${k}=${v}\0`));
+
+  const sizes = (list: readonly Uint8Array[]) => (countAt: number, bytesAt: number): number => {
+    memory().set(countAt, list.length);
+    memory().set(bytesAt, list.reduce((sum, item) => sum + item.length, 0));
+    return success;
+  };
+  const put = (list: readonly Uint8Array[]) => (pointersAt: number, bytesAt: number): number => {
+    let at = bytesAt;
+    list.forEach((item, i) => {
+      memory().set(pointersAt + 4 * i, at);
+      memory().u8.set(item, at);
+      at += item.length;
+    });
+    return success;
+  };
+  const now = (clock: number): bigint | undefined => {
+    // Times of day; the others (process and thread time too) count steadily.
+    if (clock === 0) return BigInt(Math.floor(systemNanoseconds()));
+    if (clock === 1 || clock === 2 || clock === 3) return BigInt(Math.floor(steadyNanoseconds()));
+    return undefined;
+  };
+
+  const clockTimeGet = (clock: number, ...rest: readonly (number | bigint)[]): number => {
+    // The precision comes as one i64, or as two halves from a program whose int64 were cut in two.
+    const out = Number(rest[rest.length - 1]);
+    const time = now(clock);
+    if (time === undefined) return inval;
+    memory().setI64(out, time);
+    return success;
+  };
+
+  const readInto = (vectors: number, count: number, out: number, bytes: Uint8Array | undefined): number => {
+    if (bytes === undefined) return intr;
+    let at = 0;
+    for (let i = 0; i < count && at < bytes.length; i += 1) {
+      const length = Math.min(memory().u32(vectors + 8 * i + 4), bytes.length - at);
+      memory().u8.set(bytes.subarray(at, at + length), memory().u32(vectors + 8 * i));
+      at += length;
+    }
+    memory().set(out, at);
+    return success;
+  };
+
+  const pollOneoff = (input: number, output: number, count: number, done: number): number | Promise<number> => {
+    let shortest = Infinity;
+    let index = -1;
+    for (let i = 0; i < count; i += 1) {
+      const at = input + 48 * i;
+      if (memory().u8[at + 8] !== 0) continue;
+      const absolute = (memory().u32(at + 40) & 1) !== 0;
+      const time = memory().i64(at + 24);
+      const wait = Number(absolute ? time - (now(memory().u32(at + 16)) ?? 0n) : time) / 1e6;
+      if (wait < shortest) {
+        shortest = wait;
+        index = i;
+      }
+    }
+    if (index < 0) return nosys;
+    const finish = (): number => {
+      memory().u8.fill(0, output, output + 32);
+      memory().u8.set(memory().slice(input + 48 * index, 8), output);
+      memory().set(done, 1);
+      return success;
+    };
+    const slept = host.sleep(Math.max(0, shortest));
+    return slept instanceof Promise ? slept.then(finish) : finish();
+  };
+
+  return {
+    args_sizes_get: sizes(args),
+    args_get: put(args),
+    environ_sizes_get: sizes(environment),
+    environ_get: put(environment),
+    clock_time_get: clockTimeGet,
+    clock_res_get: (clock: number, out: number): number => {
+      if (now(clock) === undefined) return inval;
+      memory().setI64(out, 1000n);
+      return success;
+    },
+    fd_write: (fd: number, vectors: number, count: number, out: number): number => {
+      if (fd !== 1 && fd !== 2) return badf;
+      let total = 0;
+      for (let i = 0; i < count; i += 1) {
+        const length = memory().u32(vectors + 8 * i + 4);
+        if (length === 0) continue;
+        host.write(fd === 1 ? 'stdout' : 'stderr', memory().slice(memory().u32(vectors + 8 * i), length));
+        total += length;
+      }
+      memory().set(out, total);
+      return success;
+    },
+    fd_read: (fd: number, vectors: number, count: number, out: number): number | Promise<number> => {
+      if (fd !== 0) return badf;
+      let capacity = 0;
+      for (let i = 0; i < count; i += 1) capacity += memory().u32(vectors + 8 * i + 4);
+      if (capacity === 0) return readInto(vectors, count, out, new Uint8Array());
+      const bytes = host.read(capacity);
+      if (bytes instanceof Promise) return bytes.then((got) => readInto(vectors, count, out, got));
+      return readInto(vectors, count, out, bytes);
+    },
+    fd_seek: (fd: number): number => (fd <= 2 ? spipe : badf),
+    fd_close: (fd: number): number => (fd <= 2 ? success : badf),
+    fd_sync: (fd: number): number => (fd <= 2 ? success : badf),
+    fd_fdstat_get: (fd: number, out: number): number => {
+      if (fd > 2) return badf;
+      memory().u8.fill(0, out, out + 24);
+      // A character device: the C library then buffers by lines.
+      memory().u8[out] = 2;
+      memory().setI64(out + 8, fd === 0 ? 2n : 64n);
+      return success;
+    },
+    fd_fdstat_set_flags: (): number => success,
+    fd_prestat_get: (): number => badf,
+    fd_prestat_dir_name: (): number => badf,
+    path_open: (): number => badf,
+    path_filestat_get: (): number => badf,
+    fd_filestat_get: (): number => badf,
+    fd_pread: (): number => badf,
+    fd_pwrite: (): number => badf,
+    fd_readdir: (): number => badf,
+    poll_oneoff: pollOneoff,
+    sched_yield: (): number => success,
+    random_get: (address: number, length: number): number => {
+      const bytes = new Uint8Array(length);
+      for (let at = 0; at < length; at += 65536) crypto.getRandomValues(bytes.subarray(at, at + 65536));
+      memory().u8.set(bytes, address);
+      return success;
+    },
+    proc_exit: (code: number): never => {
+      throw new ProgramExit(code);
+    },
+  };
+}

@@ -1,0 +1,52 @@
+// Compiles the small programs of the loader's tests with the site's compiler; results are kept between runs.
+
+import { execFileSync } from 'node:child_process';
+import { createHash } from 'node:crypto';
+import { existsSync, mkdirSync, readFileSync, renameSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+const root = fileURLToPath(new URL('../../../', import.meta.url));
+const include = join(root, 'runtime/wasm_cpp/include');
+const core = join(root, 'runtime/wasm_cpp/src');
+
+const compile = ['-O2', '-fwasm-exceptions', '-pthread', `-I${include}`];
+const link = ['-O2', '--profiling-funcs', '-fwasm-exceptions', '-sALLOW_MEMORY_GROWTH=1',
+  '-sERROR_ON_UNDEFINED_SYMBOLS=0', '-sWARN_ON_UNDEFINED_SYMBOLS=0', '-Wno-pthreads-mem-growth',
+  '-Wl,--export-if-defined=__cpp_exception', '-Wl,--export-if-defined=ros2wasm_exception_what',
+  '-Wl,--export-if-defined=ros2wasm_thread_stack'];
+
+export interface ProgramKind {
+  readonly threads?: boolean;
+}
+
+/** Path of the compiled program. */
+export function buildProgram(name: string, { threads = false }: ProgramKind = {}): string {
+  const source = join(root, 'tests/unit/wasm_js/programs', name);
+  const extra = [join(core, 'exception_what.cpp'), ...(threads ? [join(core, 'thread_stack.c')] : [])];
+  const sources = name.endsWith('.cpp') ? [source, ...extra] : [source];
+  const hash = createHash('sha256').update(JSON.stringify([compile, link, threads]));
+  for (const file of [...sources, join(include, 'ros2wasm/host.h')]) hash.update(readFileSync(file));
+  const folder = join(tmpdir(), 'ros2wasm-test-programs', hash.digest('hex').slice(0, 16));
+  const wasm = join(folder, 'program.wasm');
+  if (existsSync(wasm)) return wasm;
+  const work = `${folder}.${process.pid}`;
+  mkdirSync(work, { recursive: true });
+  const run = (command: string, args: readonly string[]): void => {
+    execFileSync(command, args, { env: { ...process.env, NODE_PATH: '/usr/share/nodejs' }, stdio: ['ignore', 'ignore', 'inherit'] });
+  };
+  const objects = sources.map((file, i) => {
+    const object = join(work, `${i}.o`);
+    const cpp = file.endsWith('.cpp');
+    const context = ['-std=c++17', '-include', join(include, 'ros2wasm/exception_context.h')];
+    run(cpp ? 'em++' : 'emcc', [...compile, ...(cpp ? context : []), '-c', file, '-o', object]);
+    return object;
+  });
+  const kind = threads ? ['-pthread', '-sMAXIMUM_MEMORY=1GB', '-o', join(work, 'program.js')]
+    : ['-sSTANDALONE_WASM', '-o', join(work, 'program.wasm')];
+  run('em++', [...link, ...objects, ...kind]);
+  if (existsSync(folder)) return wasm;
+  renameSync(work, folder);
+  return wasm;
+}

@@ -1,0 +1,8 @@
+// Ends by an exception that nobody catches.
+#include <cstdio>
+#include <stdexcept>
+
+int main() {
+  std::printf("last words");
+  throw std::runtime_error("the wheel came off");
+}

@@ -49,6 +49,7 @@ Outcome<BuiltWorkspace> read_workspace(const PackRequest& request) {
     if (!fs::exists(file, error)) {
       BuiltWorkspace made;
       made.folder = fs::canonical(input, error);
+      made.shown_folder = input;
       made.manifest = default_manifest(made.folder);
       made.has_manifest = false;
       made.remarks.push_back("there is no " + std::string(kManifestName) + " in " + input.string() +
@@ -64,6 +65,7 @@ Outcome<BuiltWorkspace> read_workspace(const PackRequest& request) {
   BuiltWorkspace workspace;
   workspace.manifest = std::move(manifest).value();
   workspace.folder = fs::canonical(file, error).parent_path();
+  workspace.shown_folder = file.parent_path();
   workspace.warnings = workspace.manifest.warnings;
   workspace.watched.push_back(fs::canonical(file, error));
   return workspace;
@@ -216,7 +218,7 @@ Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& ca
   const Manifest& manifest = workspace->manifest;
 
   // 2. the packages of the workspace, and the order of building them
-  auto packages = discover_packages(workspace->folder, manifest.packages,
+  auto packages = discover_packages(workspace->folder, workspace->shown_folder, manifest.packages,
                                     ros_condition_variables(manifest.distro));
   if (!packages) return std::move(packages).errors();
   const auto order = order_packages(*packages, manifest.distro);
@@ -255,7 +257,8 @@ Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& ca
                                {.cache = workspace->cache,
                                 .environment_prefix = environment->prefix,
                                 .environment_key = environment->key,
-                                .display_base = workspace->folder,
+                                .base = workspace->folder,
+                                .shown_base = workspace->shown_folder,
                                 .channel_packages = answer->all_packages},
                                cancellation, progress);
   if (!built) return std::move(built).errors();

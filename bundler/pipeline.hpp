@@ -28,7 +28,8 @@ struct PackRequest {
 struct BuiltWorkspace {
   Manifest manifest;
   bool has_manifest = true;
-  std::filesystem::path folder;                ///< of the manifest
+  std::filesystem::path folder;                ///< of the manifest, absolute
+  std::filesystem::path shown_folder;          ///< the same as the person named it
   std::vector<BuiltPackage> packages;          ///< of the workspace, in build order
   std::vector<InstalledPackage> installed;     ///< of workspace and channels; the workspace comes first
   std::vector<std::filesystem::path> watched;  ///< files and folders that a rebuild depends on

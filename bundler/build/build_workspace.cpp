@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Part of every hash: raise it when the same sources shall be built anew.
-constexpr std::string_view kBuildFormat = "1";
+constexpr std::string_view kBuildFormat = "2";
 
 std::string hash_of(const LocalPackage& package, const std::vector<const BuiltPackage*>& needs,
                     const std::string& toolchain_hash, const BuildTools& tools,
@@ -52,12 +52,6 @@ Outcome<Done> split_programs(const fs::path& prefix, const std::string& package)
     if (auto done = write_file(names.replace_extension(".names"), split->names); !done) return done;
   }
   return Done{};
-}
-
-std::string display_of(const fs::path& folder, const fs::path& base) {
-  const std::string relative = folder.lexically_relative(base).generic_string();
-  if (relative.empty() || relative.starts_with("..")) return folder.string();
-  return relative == "." ? "" : relative;
 }
 
 /// All that the packages' builds share; packages that do not need each other are built at the same time.
@@ -169,7 +163,7 @@ class WorkspaceBuilder {
 
     PackageBuild request{.place = {.package = name,
                                    .source = package.directory,
-                                   .display = display_of(package.directory, settings_.display_base),
+                                   .display = shown_path(package.directory, settings_.base, settings_.shown_base),
                                    .compiler_version = tools_.compiler.version,
                                    .channel_packages = settings_.channel_packages},
                          .prefixes = {},

@@ -93,7 +93,11 @@ std::vector<std::string> split_response_file(std::string_view text) {
 std::vector<std::string> link_command(const LinkLine& line, LinkKind kind,
                                       const std::string& stem) {
   std::vector<std::string> command = {line.compiler, "-O2", "--profiling-funcs",
-                                      "-fwasm-exceptions", "-sALLOW_MEMORY_GROWTH=1"};
+                                      "-fwasm-exceptions", "-sALLOW_MEMORY_GROWTH=1",
+                                      // What the loader calls: the text of an uncaught exception, a thread's stack.
+                                      "-Wl,--export-if-defined=__cpp_exception",
+                                      "-Wl,--export-if-defined=ros2wasm_exception_what",
+                                      "-Wl,--export-if-defined=ros2wasm_thread_stack"};
   switch (kind) {
     case LinkKind::kSingle:
       command.insert(command.end(), {"-sSTANDALONE_WASM", "-sERROR_ON_UNDEFINED_SYMBOLS=0",
@@ -102,7 +106,7 @@ std::vector<std::string> link_command(const LinkLine& line, LinkKind kind,
       break;
     case LinkKind::kThreads:
       command.insert(command.end(),
-                     {"-pthread", "-sMAXIMUM_MEMORY=1GB", "-Wno-pthreads-mem-growth",
+                     {"-pthread", "-sMAXIMUM_MEMORY=1GB", "-sWASM_BIGINT", "-Wno-pthreads-mem-growth",
                       // What the programs import from "ros2wasm" is not known to the glue writer.
                       "-sERROR_ON_UNDEFINED_SYMBOLS=0", "-sWARN_ON_UNDEFINED_SYMBOLS=0"});
       break;

@@ -77,12 +77,6 @@ std::string text_of(const fs::path& file) {
   return std::string(std::istreambuf_iterator<char>(stream), {});
 }
 
-/// As short as messages want it: relative to where the manifest is, when below it.
-std::string display_path(const fs::path& file, const fs::path& base) {
-  const std::string relative = file.lexically_relative(base).string();
-  return relative.empty() || relative.starts_with("..") ? file.string() : relative;
-}
-
 }  // namespace
 
 std::vector<fs::path> find_package_folders(const fs::path& root) {
@@ -102,8 +96,15 @@ std::vector<fs::path> expand_glob(const fs::path& base, const std::string& patte
   return {found.begin(), found.end()};
 }
 
+std::string shown_path(const fs::path& path, const fs::path& base, const fs::path& shown_base) {
+  const std::string relative = path.lexically_relative(base).generic_string();
+  if (relative.empty() || relative.starts_with("..")) return path.string();
+  const std::string shown = (shown_base / relative).lexically_normal().generic_string();
+  return shown == "." ? "" : shown;
+}
+
 Outcome<std::vector<LocalPackage>> discover_packages(
-    const fs::path& base, const std::vector<Spanned<std::string>>& entries,
+    const fs::path& base, const fs::path& shown_base, const std::vector<Spanned<std::string>>& entries,
     const ConditionVariables& variables) {
   std::map<fs::path, fs::path> folders;  // real path -> as it was found first
   std::error_code error;
@@ -127,7 +128,7 @@ Outcome<std::vector<LocalPackage>> discover_packages(
   std::vector<LocalPackage> packages;
   for (const auto& [real, folder] : folders) {
     const fs::path file = folder / "package.xml";
-    auto xml = parse_package_xml(text_of(file), display_path(file, base), variables);
+    auto xml = parse_package_xml(text_of(file), shown_path(file, base, shown_base), variables);
     if (xml) {
       packages.push_back({.xml = std::move(xml).value(), .directory = folder});
     } else {

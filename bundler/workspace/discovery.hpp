@@ -26,10 +26,13 @@ struct LocalPackage {
 [[nodiscard]] std::vector<std::filesystem::path> expand_glob(const std::filesystem::path& base,
                                                              const std::string& pattern);
 
-/// All packages that the entries name, each once, sorted by folder. `display_base` is cut off paths in
-/// messages. R2W0510 an entry leads to no package; errors of package.xml files as they are.
+/// A file or folder below `base` as messages name it: below `shown_base`, which is how the person named `base`.
+[[nodiscard]] std::string shown_path(const std::filesystem::path& path, const std::filesystem::path& base,
+                                     const std::filesystem::path& shown_base);
+
+/// All packages that the entries name, each once, sorted by folder. R2W0510 an entry leads to no package; errors of package.xml files as they are.
 [[nodiscard]] Outcome<std::vector<LocalPackage>> discover_packages(
-    const std::filesystem::path& base, const std::vector<Spanned<std::string>>& entries,
-    const ConditionVariables& variables);
+    const std::filesystem::path& base, const std::filesystem::path& shown_base,
+    const std::vector<Spanned<std::string>>& entries, const ConditionVariables& variables);
 
 }  // namespace ros2wasm

@@ -130,7 +130,7 @@ Outcome<InitReport> init_from_workspace(const fs::path& workspace, const fs::pat
   }
   const Manifest made = default_manifest(folder);
   const auto packages =
-      discover_packages(folder, made.packages, ros_condition_variables(made.distro));
+      discover_packages(folder, folder, made.packages, ros_condition_variables(made.distro));
   if (!packages) return packages.errors();
   const fs::path base = fs::weakly_canonical(fs::absolute(output)).parent_path();
   auto launches = launch_files(*packages, base);

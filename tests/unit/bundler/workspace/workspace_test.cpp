@@ -25,7 +25,7 @@ Spanned<std::string> entry(const std::string& value) {
 }
 
 std::vector<LocalPackage> discovered(const TemporaryTree& tree, const std::string& pattern) {
-  auto found = discover_packages(tree.root(), {entry(pattern)}, ros_condition_variables("jazzy"));
+  auto found = discover_packages(tree.root(), "shown", {entry(pattern)}, ros_condition_variables("jazzy"));
   EXPECT_TRUE(found);
   return found ? std::move(found).value() : std::vector<LocalPackage>();
 }
@@ -56,12 +56,16 @@ TEST(Discovery, IsThatOfColcon) {
 TEST(Discovery, AnEntryThatLeadsNowhereIsAnErrorWithItsPlace) {
   const TemporaryTree tree;
   tree.write("src/a/package.xml", package_xml("a"));
-  const auto found = discover_packages(tree.root(), {entry("src/*"), entry("srk/*"), entry("nothing")},
+  const auto found = discover_packages(tree.root(), "shown", {entry("src/*"), entry("srk/*"), entry("nothing")},
                                        ros_condition_variables("jazzy"));
   ASSERT_FALSE(found);
   ASSERT_EQ(found.errors().size(), 2U);
   EXPECT_EQ(found.errors()[0].code, "R2W0510");
   EXPECT_EQ(found.errors()[0].span->line, 3U);
+  EXPECT_EQ(shown_path("/w/src/a", "/w", "shown"), "shown/src/a");
+  EXPECT_EQ(shown_path("/w/src/a", "/w", ""), "src/a");
+  EXPECT_EQ(shown_path("/w", "/w", "."), "");
+  EXPECT_EQ(shown_path("/elsewhere/a", "/w", "shown"), "/elsewhere/a");
 }
 
 TEST(BuildOrder, WhatIsNeededComesFirst) {

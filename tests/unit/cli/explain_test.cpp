@@ -1,0 +1,82 @@
+// Every code has a page, and every page has a code: read off the sources, so that neither can be
+// forgotten.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "cli/embedded_texts.hpp"
+
+namespace ros2wasm {
+namespace {
+
+const std::filesystem::path kRoot = ROS2WASM_SOURCE_DIR;
+
+std::string read(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+/// Codes in string literals and JSON of the program and of the site, each with one file that has
+/// it.
+std::map<std::string, std::string> codes_in_sources() {
+  static const std::set<std::string> kExtensions{".cpp", ".hpp", ".ts",  ".tsx",
+                                                 ".mjs", ".h",   ".html"};
+  static const std::regex kLiteral("[\"'`>[](R2W[0-9]{4})");
+  std::map<std::string, std::string> codes;
+  for (const char* folder : {"cli", "bundler", "workspace_schema", "runtime"}) {
+    if (!std::filesystem::exists(kRoot / folder)) continue;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(kRoot / folder)) {
+      if (!kExtensions.contains(entry.path().extension().string())) continue;
+      const std::string text = read(entry.path());
+      for (std::sregex_iterator at(text.begin(), text.end(), kLiteral), end; at != end; ++at) {
+        codes.emplace((*at)[1].str(), entry.path().lexically_relative(kRoot).string());
+      }
+    }
+  }
+  return codes;
+}
+
+TEST(Explain, EveryCodeHasAPage) {
+  std::set<std::string> pages;
+  for (const EmbeddedText& page : explain_pages()) pages.emplace(page.name);
+  const auto codes = codes_in_sources();
+  ASSERT_GE(codes.size(), 30U);
+  for (const auto& [code, file] : codes) {
+    EXPECT_TRUE(pages.contains(code))
+        << file << " uses " << code << ": write cli/explain/" << code << ".md";
+  }
+}
+
+TEST(Explain, EveryPageHasACode) {
+  const auto codes = codes_in_sources();
+  for (const EmbeddedText& page : explain_pages()) {
+    EXPECT_TRUE(codes.contains(std::string(page.name)))
+        << "nothing uses " << page.name << ": remove its page";
+  }
+}
+
+TEST(Explain, PagesHaveTheirForm) {
+  for (const EmbeddedText& page : explain_pages()) {
+    const std::string first(page.text.substr(0, page.text.find('\n')));
+    EXPECT_TRUE(first.starts_with("# " + std::string(page.name) + ": ")) << first;
+    const auto lines = std::count(page.text.begin(), page.text.end(), '\n');
+    EXPECT_GE(lines, 3) << page.name << ": what, why, how to fix";
+    EXPECT_LE(lines, 40) << page.name;
+    EXPECT_TRUE(page.text.ends_with('\n')) << page.name;
+  }
+}
+
+TEST(Explain, SchemasAreEmbedded) {
+  ASSERT_EQ(json_schemas().size(), 2U);
+  EXPECT_EQ(json_schemas()[1].text, read(kRoot / "workspace_schema/schemas/workspace.schema.json"));
+}
+
+}  // namespace
+}  // namespace ros2wasm

@@ -1,0 +1,2 @@
+#pragma once
+#include "rclcpp/generic_subscription.hpp"

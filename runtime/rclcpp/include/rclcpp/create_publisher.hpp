@@ -1,0 +1,27 @@
+// create_publisher for a node or its topics interface.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "rclcpp/node_interfaces/node_topics_interface.hpp"
+#include "rclcpp/publisher.hpp"
+#include "rclcpp/publisher_options.hpp"
+#include "rclcpp/qos.hpp"
+
+namespace rclcpp {
+
+template <typename MessageT, typename AllocatorT = std::allocator<void>,
+          typename PublisherT = rclcpp::Publisher<MessageT, AllocatorT>, typename NodeT>
+std::shared_ptr<PublisherT> create_publisher(
+    NodeT&& node, const std::string& topic_name, const rclcpp::QoS& qos,
+    const rclcpp::PublisherOptionsWithAllocator<AllocatorT>& options =
+        rclcpp::PublisherOptionsWithAllocator<AllocatorT>()) {
+  auto topics = rclcpp::node_interfaces::get_node_topics_interface(node);
+  auto publisher = std::make_shared<PublisherT>(topics->get_node_base_interface(), topic_name,
+                                                qos, options);
+  topics->add_publisher(publisher, options.callback_group);
+  return publisher;
+}
+
+}  // namespace rclcpp

@@ -1,0 +1,34 @@
+// What an executor runs: subscriptions, services, clients, timers, waitables.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+
+namespace rclcpp {
+namespace detail {
+
+class Executable {
+ public:
+  virtual ~Executable() = default;
+  /// The bus endpoint whose data makes it ready; -1: none.
+  virtual int32_t ready_endpoint() const { return -1; }
+  /// Whether is_ready_now must be asked at every turn.
+  virtual bool polls() const { return false; }
+  /// Ready for a reason of its own.
+  virtual bool is_ready_now() { return false; }
+  /// Called under the executor's lock before it runs; false: nothing to do after all.
+  virtual bool claim(std::shared_ptr<void>& data) {
+    (void)data;
+    return true;
+  }
+  /// Takes one piece of work and calls back.
+  virtual void run(std::shared_ptr<void>& data) = 0;
+};
+
+/// Grows whenever nodes, groups or entities come or go anywhere: executors then look again.
+uint32_t entities_version();
+void bump_entities_version();
+
+}  // namespace detail
+}  // namespace rclcpp

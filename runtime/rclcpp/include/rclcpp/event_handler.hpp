@@ -1,0 +1,149 @@
+// Events of publishers and subscriptions: deadlines, liveliness, matches, policies that do not fit.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "rcl/error_handling.h"
+#include "rclcpp/exceptions.hpp"
+#include "rclcpp/function_traits.hpp"
+#include "rclcpp/waitable.hpp"
+#include "rmw/events_statuses.h"
+
+namespace ros2wasm {
+class Endpoint;
+}
+
+/// Numbers as the bus knows them (StatusKind in runtime/protocol).
+enum rcl_subscription_event_type_e {
+  RCL_SUBSCRIPTION_LIVELINESS_CHANGED = 0,
+  RCL_SUBSCRIPTION_REQUESTED_DEADLINE_MISSED = 1,
+  RCL_SUBSCRIPTION_REQUESTED_INCOMPATIBLE_QOS = 2,
+  RCL_SUBSCRIPTION_MESSAGE_LOST = 3,
+  RCL_SUBSCRIPTION_INCOMPATIBLE_TYPE = 4,
+  RCL_SUBSCRIPTION_MATCHED = 5,
+};
+typedef enum rcl_subscription_event_type_e rcl_subscription_event_type_t;
+
+enum rcl_publisher_event_type_e {
+  RCL_PUBLISHER_LIVELINESS_LOST = 6,
+  RCL_PUBLISHER_OFFERED_DEADLINE_MISSED = 7,
+  RCL_PUBLISHER_OFFERED_INCOMPATIBLE_QOS = 8,
+  RCL_PUBLISHER_INCOMPATIBLE_TYPE = 9,
+  RCL_PUBLISHER_MATCHED = 10,
+};
+typedef enum rcl_publisher_event_type_e rcl_publisher_event_type_t;
+
+namespace rclcpp {
+
+using QOSDeadlineRequestedInfo = rmw_requested_deadline_missed_status_t;
+using QOSDeadlineOfferedInfo = rmw_offered_deadline_missed_status_t;
+using QOSLivelinessChangedInfo = rmw_liveliness_changed_status_t;
+using QOSLivelinessLostInfo = rmw_liveliness_lost_status_t;
+using QOSMessageLostInfo = rmw_message_lost_status_t;
+using QOSOfferedIncompatibleQoSInfo = rmw_offered_qos_incompatible_event_status_t;
+using QOSRequestedIncompatibleQoSInfo = rmw_requested_qos_incompatible_event_status_t;
+using IncompatibleTypeInfo = rmw_incompatible_type_status_t;
+using MatchedInfo = rmw_matched_status_t;
+
+using QOSDeadlineRequestedCallbackType = std::function<void(QOSDeadlineRequestedInfo&)>;
+using QOSDeadlineOfferedCallbackType = std::function<void(QOSDeadlineOfferedInfo&)>;
+using QOSLivelinessChangedCallbackType = std::function<void(QOSLivelinessChangedInfo&)>;
+using QOSLivelinessLostCallbackType = std::function<void(QOSLivelinessLostInfo&)>;
+using QOSMessageLostCallbackType = std::function<void(QOSMessageLostInfo&)>;
+using QOSOfferedIncompatibleQoSCallbackType = std::function<void(QOSOfferedIncompatibleQoSInfo&)>;
+using QOSRequestedIncompatibleQoSCallbackType =
+    std::function<void(QOSRequestedIncompatibleQoSInfo&)>;
+using IncompatibleTypeCallbackType = std::function<void(IncompatibleTypeInfo&)>;
+using PublisherMatchedCallbackType = std::function<void(MatchedInfo&)>;
+using SubscriptionMatchedCallbackType = std::function<void(MatchedInfo&)>;
+
+struct PublisherEventCallbacks {
+  QOSDeadlineOfferedCallbackType deadline_callback;
+  QOSLivelinessLostCallbackType liveliness_callback;
+  QOSOfferedIncompatibleQoSCallbackType incompatible_qos_callback;
+  IncompatibleTypeCallbackType incompatible_type_callback;
+  PublisherMatchedCallbackType matched_callback;
+};
+
+struct SubscriptionEventCallbacks {
+  QOSDeadlineRequestedCallbackType deadline_callback;
+  QOSLivelinessChangedCallbackType liveliness_callback;
+  QOSRequestedIncompatibleQoSCallbackType incompatible_qos_callback;
+  QOSMessageLostCallbackType message_lost_callback;
+  IncompatibleTypeCallbackType incompatible_type_callback;
+  SubscriptionMatchedCallbackType matched_callback;
+};
+
+class UnsupportedEventTypeException : public exceptions::RCLErrorBase, public std::runtime_error {
+ public:
+  UnsupportedEventTypeException(rcl_ret_t ret, const rcl_error_state_t* error_state,
+                                const std::string& prefix)
+      : UnsupportedEventTypeException(exceptions::RCLErrorBase(ret, error_state), prefix) {}
+  UnsupportedEventTypeException(const exceptions::RCLErrorBase& base_exc,
+                                const std::string& prefix)
+      : exceptions::RCLErrorBase(base_exc),
+        std::runtime_error(prefix + (prefix.empty() ? "" : ": ") + base_exc.formatted_message) {}
+};
+
+/// What the bus counted, in the widest form; each kind of event reads its part.
+struct EventCounts {
+  int32_t total_count = 0;
+  int32_t total_change = 0;
+  int32_t current_count = 0;
+  int32_t current_change = 0;
+  int32_t last_policy = 0;
+};
+
+class EventHandlerBase : public Waitable {
+ public:
+  enum class EntityType : std::size_t { Event };
+
+  EventHandlerBase(std::shared_ptr<ros2wasm::Endpoint> endpoint, int32_t event_type);
+  ~EventHandlerBase() override;
+
+  bool is_ready() override;
+  std::shared_ptr<void> take_data() override;
+
+ private:
+  /// Adds what changed to counts_; false when the bus does not know the event.
+  bool poll();
+
+  std::shared_ptr<ros2wasm::Endpoint> endpoint_;
+  const int32_t event_type_;
+  EventCounts counts_;
+  bool pending_ = false;
+};
+
+namespace detail {
+void fill(rmw_offered_deadline_missed_status_t& info, const EventCounts& counts);
+void fill(rmw_requested_deadline_missed_status_t& info, const EventCounts& counts);
+void fill(rmw_liveliness_changed_status_t& info, const EventCounts& counts);
+void fill(rmw_liveliness_lost_status_t& info, const EventCounts& counts);
+void fill(rmw_message_lost_status_t& info, const EventCounts& counts);
+void fill(rmw_qos_incompatible_event_status_t& info, const EventCounts& counts);
+void fill(rmw_incompatible_type_status_t& info, const EventCounts& counts);
+void fill(rmw_matched_status_t& info, const EventCounts& counts);
+}  // namespace detail
+
+/// Calls `callback` with an InfoT when the counters of its event changed.
+template <typename InfoT>
+class EventHandler : public EventHandlerBase {
+ public:
+  EventHandler(std::function<void(InfoT&)> callback, std::shared_ptr<ros2wasm::Endpoint> endpoint,
+               int32_t event_type)
+      : EventHandlerBase(std::move(endpoint), event_type), callback_(std::move(callback)) {}
+
+  void execute(const std::shared_ptr<void>& data) override {
+    InfoT info{};
+    detail::fill(info, *static_cast<const EventCounts*>(data.get()));
+    callback_(info);
+  }
+
+ private:
+  std::function<void(InfoT&)> callback_;
+};
+
+}  // namespace rclcpp

@@ -1,0 +1,44 @@
+// A flag that wakes whoever waits for it.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <mutex>
+
+#include "rclcpp/contexts/default_context.hpp"
+#include "rclcpp/macros.hpp"
+#include "rclcpp/visibility_control.hpp"
+
+namespace rclcpp {
+
+class GuardCondition {
+ public:
+  RCLCPP_SMART_PTR_DEFINITIONS_NOT_COPYABLE(GuardCondition)
+
+  /// Throws std::invalid_argument when the context is null.
+  explicit GuardCondition(
+      const rclcpp::Context::SharedPtr& context = contexts::get_global_default_context());
+  virtual ~GuardCondition() = default;
+
+  rclcpp::Context::SharedPtr get_context() const { return context_; }
+  /// May be called from any thread.
+  void trigger();
+  bool exchange_in_use_by_wait_set_state(bool in_use_state);
+  /// Called with the number of triggers, now for those that were not taken.
+  void set_on_trigger_callback(std::function<void(size_t)> callback);
+
+  /// Whether it was triggered since this was last asked.
+  bool take_trigger() { return triggered_.exchange(false); }
+  bool is_triggered() const { return triggered_; }
+
+ private:
+  RCLCPP_DISABLE_COPY(GuardCondition)
+  rclcpp::Context::SharedPtr context_;
+  std::atomic<bool> triggered_{false};
+  std::atomic<bool> in_use_by_wait_set_{false};
+  std::recursive_mutex callback_mutex_;
+  std::function<void(size_t)> on_trigger_callback_;
+  size_t unread_count_ = 0;
+};
+
+}  // namespace rclcpp

@@ -1,0 +1,51 @@
+// Finds an interface of a node: get_interface<I>(node) works for nodes, pointers and interfaces.
+#pragma once
+
+#include <memory>
+#include <stdexcept>
+
+namespace rclcpp {
+namespace node_interfaces {
+namespace helpers {
+
+/// Specialised for each interface by the macro below; `get` asks a node for it.
+template <typename InterfaceT>
+struct InterfaceOf;
+
+template <typename T>
+T& dereference(T& node) {
+  return node;
+}
+template <typename T>
+T& dereference(const std::shared_ptr<T>& node) {
+  return *node;
+}
+template <typename T>
+T& dereference(T* node) {
+  return *node;
+}
+
+}  // namespace helpers
+}  // namespace node_interfaces
+}  // namespace rclcpp
+
+#define RCLCPP_NODE_INTERFACE_HELPERS_SUPPORT(InterfaceT, NAME)                    \
+  namespace rclcpp::node_interfaces::helpers {                                      \
+  template <>                                                                      \
+  struct InterfaceOf<InterfaceT> {                                                 \
+    template <typename NodeT>                                                      \
+    static std::shared_ptr<InterfaceT> get(NodeT& node) {                          \
+      return node.get_node_##NAME##_interface();                                   \
+    }                                                                              \
+  };                                                                               \
+  }                                                                                \
+  namespace rclcpp::node_interfaces {                                              \
+  inline std::shared_ptr<InterfaceT> get_node_##NAME##_interface(                  \
+      std::shared_ptr<InterfaceT> interface) {                                     \
+    return interface;                                                              \
+  }                                                                                \
+  template <typename NodeT>                                                        \
+  std::shared_ptr<InterfaceT> get_node_##NAME##_interface(NodeT&& node) {          \
+    return helpers::InterfaceOf<InterfaceT>::get(helpers::dereference(node));        \
+  }                                                                                \
+  }

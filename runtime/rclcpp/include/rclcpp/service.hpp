@@ -1,0 +1,116 @@
+// Services.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "rclcpp/any_service_callback.hpp"
+#include "rclcpp/clock.hpp"
+#include "rclcpp/detail/executable.hpp"
+#include "rclcpp/detail/message_type.hpp"
+#include "rclcpp/macros.hpp"
+#include "rclcpp/qos.hpp"
+#include "rmw/types.h"
+
+namespace ros2wasm {
+class Endpoint;
+}
+
+namespace rclcpp {
+
+namespace node_interfaces {
+class NodeBaseInterface;
+}
+
+class Context;
+
+class ServiceBase : public detail::Executable, public std::enable_shared_from_this<ServiceBase> {
+ public:
+  RCLCPP_SMART_PTR_DEFINITIONS_NOT_COPYABLE(ServiceBase)
+
+  ServiceBase(node_interfaces::NodeBaseInterface* node_base, const std::string& service_name,
+              const rosidl_service_type_support_t& type_support, const rclcpp::QoS& qos);
+  ~ServiceBase() override;
+
+  const char* get_service_name() { return service_name_.c_str(); }
+  bool take_type_erased_request(void* request_out, rmw_request_id_t& request_id_out);
+  virtual std::shared_ptr<void> create_request() = 0;
+  virtual std::shared_ptr<rmw_request_id_t> create_request_header() {
+    return std::make_shared<rmw_request_id_t>();
+  }
+  virtual void handle_request(std::shared_ptr<rmw_request_id_t> request_header,
+                              std::shared_ptr<void> request) = 0;
+  bool exchange_in_use_by_wait_set_state(bool in_use_state) {
+    return in_use_by_wait_set_.exchange(in_use_state);
+  }
+  rclcpp::QoS get_response_publisher_actual_qos() const { return qos_; }
+  rclcpp::QoS get_request_subscription_actual_qos() const { return qos_; }
+  void set_on_new_request_callback(std::function<void(size_t)> callback);
+  void clear_on_new_request_callback() { on_new_request_callback_ = nullptr; }
+
+  int32_t ready_endpoint() const override;
+  void run(std::shared_ptr<void>& data) override;
+
+ protected:
+  void send_response_object(const rmw_request_id_t& request_id, const void* response);
+
+  std::shared_ptr<rclcpp::Context> context_;
+
+ private:
+  RCLCPP_DISABLE_COPY(ServiceBase)
+  const std::string service_name_;
+  std::string logger_name_;
+  const rosidl_service_type_support_t& type_support_;
+  const rclcpp::QoS qos_;
+  std::unique_ptr<ros2wasm::Endpoint> endpoint_;
+  std::atomic<bool> in_use_by_wait_set_{false};
+  std::function<void(size_t)> on_new_request_callback_;
+};
+
+template <typename ServiceT>
+class Service : public ServiceBase {
+ public:
+  using CallbackType = std::function<void(const std::shared_ptr<typename ServiceT::Request>,
+                                          std::shared_ptr<typename ServiceT::Response>)>;
+  using CallbackWithHeaderType =
+      std::function<void(const std::shared_ptr<rmw_request_id_t>,
+                         const std::shared_ptr<typename ServiceT::Request>,
+                         std::shared_ptr<typename ServiceT::Response>)>;
+
+  RCLCPP_SMART_PTR_DEFINITIONS(Service)
+
+  Service(node_interfaces::NodeBaseInterface* node_base, const std::string& service_name,
+          AnyServiceCallback<ServiceT> callback, const rclcpp::QoS& qos)
+      : ServiceBase(node_base, service_name,
+                    *rosidl_typesupport_cpp::get_service_type_support_handle<ServiceT>(), qos),
+        callback_(std::move(callback)) {}
+
+  bool take_request(typename ServiceT::Request& request_out, rmw_request_id_t& request_id_out) {
+    return this->take_type_erased_request(&request_out, request_id_out);
+  }
+  std::shared_ptr<void> create_request() override {
+    return std::make_shared<typename ServiceT::Request>();
+  }
+  void handle_request(std::shared_ptr<rmw_request_id_t> request_header,
+                      std::shared_ptr<void> request) override {
+    const auto response =
+        callback_.dispatch(std::static_pointer_cast<Service>(this->shared_from_this()),
+                           request_header,
+                           std::static_pointer_cast<typename ServiceT::Request>(request));
+    if (response) {
+      send_response(*request_header, *response);
+    }
+  }
+  void send_response(rmw_request_id_t& req_id, typename ServiceT::Response& response) {
+    this->send_response_object(req_id, &response);
+  }
+
+ private:
+  RCLCPP_DISABLE_COPY(Service)
+  AnyServiceCallback<ServiceT> callback_;
+};
+
+}  // namespace rclcpp

@@ -1,0 +1,139 @@
+// What all subscriptions share: an endpoint on the bus, its QoS, its events, and the queue of
+// messages that came by pointer.
+#pragma once
+
+#include <atomic>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "rclcpp/detail/executable.hpp"
+#include "rclcpp/detail/intra_process.hpp"
+#include "rclcpp/detail/message_type.hpp"
+#include "rclcpp/event_handler.hpp"
+#include "rclcpp/macros.hpp"
+#include "rclcpp/message_info.hpp"
+#include "rclcpp/network_flow_endpoint.hpp"
+#include "rclcpp/qos.hpp"
+#include "rclcpp/serialized_message.hpp"
+#include "rclcpp/subscription_options.hpp"
+
+namespace ros2wasm {
+class Endpoint;
+}
+
+namespace rclcpp {
+
+namespace node_interfaces {
+class NodeBaseInterface;
+}
+
+enum class DeliveredMessageKind : uint8_t {
+  INVALID = 0,
+  ROS_MESSAGE = 1,
+  SERIALIZED_MESSAGE = 2,
+  DYNAMIC_MESSAGE = 3,
+};
+
+class SubscriptionBase : public detail::Executable,
+                         public std::enable_shared_from_this<SubscriptionBase> {
+ public:
+  RCLCPP_SMART_PTR_DEFINITIONS_NOT_COPYABLE(SubscriptionBase)
+
+  using EventHandlers = std::unordered_map<rcl_subscription_event_type_t,
+                                           std::shared_ptr<rclcpp::EventHandlerBase>>;
+
+  /// Throws InvalidTopicNameError for a name that cannot be.
+  SubscriptionBase(node_interfaces::NodeBaseInterface* node_base,
+                   const rosidl_message_type_support_t& type_support,
+                   const std::string& topic_name, const rclcpp::QoS& qos,
+                   const SubscriptionOptionsBase& options,
+                   DeliveredMessageKind delivered_message_kind =
+                       DeliveredMessageKind::ROS_MESSAGE);
+  ~SubscriptionBase() override;
+
+  const char* get_topic_name() const { return topic_name_.c_str(); }
+  const EventHandlers& get_event_handlers() const { return event_handlers_; }
+  rclcpp::QoS get_actual_qos() const { return qos_; }
+  /// Takes one message into an object of the right type; false when there is none.
+  bool take_type_erased(void* message_out, rclcpp::MessageInfo& message_info_out);
+  bool take_serialized(rclcpp::SerializedMessage& message_out,
+                       rclcpp::MessageInfo& message_info_out);
+  virtual std::shared_ptr<void> create_message() = 0;
+  virtual std::shared_ptr<rclcpp::SerializedMessage> create_serialized_message();
+  virtual void handle_message(std::shared_ptr<void>& message,
+                              const rclcpp::MessageInfo& message_info) = 0;
+  virtual void handle_serialized_message(
+      const std::shared_ptr<rclcpp::SerializedMessage>& serialized_message,
+      const rclcpp::MessageInfo& message_info) = 0;
+  virtual void return_message(std::shared_ptr<void>& message) { message.reset(); }
+  virtual void return_serialized_message(std::shared_ptr<rclcpp::SerializedMessage>& message) {
+    message.reset();
+  }
+  const rosidl_message_type_support_t& get_message_type_support_handle() const {
+    return type_support_;
+  }
+  bool is_serialized() const {
+    return delivered_message_kind_ == DeliveredMessageKind::SERIALIZED_MESSAGE;
+  }
+  DeliveredMessageKind get_delivered_message_kind() const { return delivered_message_kind_; }
+  size_t get_publisher_count() const;
+  bool can_loan_messages() const { return false; }
+  bool exchange_in_use_by_wait_set_state(void* pointer_to_subscription_part, bool in_use_state);
+  /// Throws RCLError: a page has no network flows.
+  std::vector<rclcpp::NetworkFlowEndpoint> get_network_flow_endpoints() const;
+  /// Called with the number of messages that arrived; takes the place of an executor's attention.
+  void set_on_new_message_callback(std::function<void(size_t)> callback);
+  void clear_on_new_message_callback();
+  bool is_cft_enabled() const { return false; }
+  /// Throws RCLError: the bus does not filter by content.
+  void set_content_filter(const std::string& filter_expression,
+                          const std::vector<std::string>& expression_parameters = {});
+  rclcpp::ContentFilterOptions get_content_filter() const;
+
+  bool is_intra_process() const { return intra_process_; }
+  /// Whether its callback wants to own the message.
+  virtual bool takes_ownership() const { return false; }
+  const char* type_name() const;
+  void push_local(detail::LocalMessage message);
+
+  int32_t ready_endpoint() const override;
+  bool polls() const override { return intra_process_; }
+  bool is_ready_now() override;
+  void run(std::shared_ptr<void>& data) override;
+
+ protected:
+  /// The bytes are taken; makes the message and calls back.
+  virtual void handle_bytes(const uint8_t* bytes, size_t size,
+                            const rclcpp::MessageInfo& message_info) = 0;
+  virtual void handle_local(detail::LocalMessage message,
+                            const rclcpp::MessageInfo& message_info) = 0;
+  /// Logs what could not be read; the message is dropped.
+  void report_malformed() const;
+
+ private:
+  RCLCPP_DISABLE_COPY(SubscriptionBase)
+  void add_events(const SubscriptionOptionsBase& options);
+  bool take_bytes(std::vector<uint8_t>& bytes, rclcpp::MessageInfo& info);
+  bool run_local();
+
+  const std::string topic_name_;
+  std::string logger_name_;
+  const rosidl_message_type_support_t& type_support_;
+  const rclcpp::QoS qos_;
+  const DeliveredMessageKind delivered_message_kind_;
+  bool intra_process_;
+  std::shared_ptr<ros2wasm::Endpoint> endpoint_;
+  EventHandlers event_handlers_;
+  uint64_t received_count_ = 0;
+  std::mutex local_mutex_;
+  std::deque<detail::LocalMessage> local_messages_;
+  std::atomic<bool> in_use_by_wait_set_{false};
+  std::function<void(size_t)> on_new_message_callback_;
+};
+
+}  // namespace rclcpp

@@ -1,0 +1,184 @@
+// Services and clients: requests and replies on the bus.
+#include "rclcpp/service.hpp"
+
+#include <cstring>
+#include <stdexcept>
+#include <vector>
+
+#include "rclcpp/client.hpp"
+#include "rclcpp/context.hpp"
+#include "rclcpp/detail/background.hpp"
+#include "rclcpp/detail/bus_qos.hpp"
+#include "rclcpp/logging.hpp"
+#include "rclcpp/node_interfaces/node_base_interface.hpp"
+#include "ros2wasm/endpoint.hpp"
+
+namespace rclcpp {
+namespace {
+
+std::unique_ptr<ros2wasm::Endpoint> make_endpoint(ros2wasm::EndpointKind kind,
+                                                  node_interfaces::NodeBaseInterface* node,
+                                                  const std::string& name,
+                                                  const detail::ServiceCallbacks& type,
+                                                  const rclcpp::QoS& qos) {
+  return std::make_unique<ros2wasm::Endpoint>(kind, node->get_node_id(), name, type.type_name,
+                                              type.type_hash, detail::to_bus(qos));
+}
+
+int32_t write_object(ros2wasm::Endpoint& endpoint, const detail::MessageCallbacks& type,
+                     const void* object, ros2wasm::SampleInfo& info) {
+  std::vector<uint8_t> bytes(type.serialized_size(object));
+  const size_t size = type.serialize(object, bytes.data(), bytes.size());
+  if (size == 0) {
+    rcutils_set_error_state("a field is longer than its bound", __FILE__, __LINE__);
+    return RCL_RET_ERROR;
+  }
+  info.source_timestamp_ns = ros2wasm::system_now_ns();
+  const int32_t result = endpoint.write(bytes.data(), size, info);
+  if (result < 0) {
+    const std::string text = "the bus refused it, error " + std::to_string(result);
+    rcutils_set_error_state(text.c_str(), __FILE__, __LINE__);
+    return RCL_RET_ERROR;
+  }
+  return RCL_RET_OK;
+}
+
+}  // namespace
+
+ServiceBase::ServiceBase(node_interfaces::NodeBaseInterface* node_base,
+                         const std::string& service_name,
+                         const rosidl_service_type_support_t& type_support,
+                         const rclcpp::QoS& qos)
+    : context_(node_base->get_context()),
+      service_name_(node_base->resolve_topic_or_service_name(service_name, true)),
+      logger_name_(node_base->get_logger_name()),
+      type_support_(type_support),
+      qos_(detail::resolve_qos(qos)),
+      endpoint_(make_endpoint(ros2wasm::EndpointKind::server, node_base, service_name_,
+                              detail::callbacks_of(type_support), qos_)) {}
+
+ServiceBase::~ServiceBase() { detail::bump_entities_version(); }
+
+bool ServiceBase::take_type_erased_request(void* request_out, rmw_request_id_t& request_id_out) {
+  std::vector<uint8_t> bytes;
+  ros2wasm::SampleInfo info{};
+  while (endpoint_->take(bytes, info)) {
+    if (detail::callbacks_of(type_support_)
+            .request->deserialize(bytes.data(), bytes.size(), request_out)) {
+      std::memcpy(request_id_out.writer_guid, info.writer_gid, sizeof(info.writer_gid));
+      request_id_out.sequence_number = info.sequence;
+      return true;
+    }
+    RCLCPP_ERROR(rclcpp::get_logger(logger_name_),
+                 "request for service '%s' cannot be read; it was dropped", get_service_name());
+  }
+  return false;
+}
+
+void ServiceBase::send_response_object(const rmw_request_id_t& request_id, const void* response) {
+  ros2wasm::SampleInfo info{};
+  std::memcpy(info.related_gid, request_id.writer_guid, sizeof(info.related_gid));
+  info.related_sequence = request_id.sequence_number;
+  const detail::MessageCallbacks& type = *detail::callbacks_of(type_support_).response;
+  if (write_object(*endpoint_, type, response, info) != RCL_RET_OK && context_->is_valid()) {
+    exceptions::throw_from_rcl_error(RCL_RET_ERROR, "failed to send response");
+  }
+}
+
+void ServiceBase::set_on_new_request_callback(std::function<void(size_t)> callback) {
+  if (!callback) {
+    throw std::invalid_argument(
+        "The callback passed to set_on_new_request_callback is not callable.");
+  }
+  on_new_request_callback_ = std::move(callback);
+}
+
+int32_t ServiceBase::ready_endpoint() const { return endpoint_->id(); }
+
+void ServiceBase::run(std::shared_ptr<void>&) {
+  auto request = create_request();
+  auto header = create_request_header();
+  if (take_type_erased_request(request.get(), *header)) {
+    handle_request(std::move(header), std::move(request));
+  }
+}
+
+ClientBase::ClientBase(node_interfaces::NodeBaseInterface* node_base,
+                       const std::string& service_name,
+                       const rosidl_service_type_support_t& type_support, const rclcpp::QoS& qos)
+    : context_(node_base->get_context()),
+      service_name_(node_base->resolve_topic_or_service_name(service_name, true)),
+      type_support_(type_support),
+      qos_(detail::resolve_qos(qos)),
+      endpoint_(make_endpoint(ros2wasm::EndpointKind::client, node_base, service_name_,
+                              detail::callbacks_of(type_support), qos_)) {}
+
+ClientBase::~ClientBase() { detail::bump_entities_version(); }
+
+bool ClientBase::service_is_ready() const { return endpoint_->matched() > 0; }
+
+bool ClientBase::wait_for_service_nanoseconds(std::chrono::nanoseconds timeout) {
+  const bool limited = timeout.count() >= 0;
+  const int64_t until = ros2wasm::steady_now_ns() + timeout.count();
+  while (true) {
+    const int32_t token = ros2wasm::wake_token();
+    if (service_is_ready()) {
+      return true;
+    }
+    if (!context_->is_valid()) {
+      return false;
+    }
+    detail::run_background();
+    const int64_t left = limited ? until - ros2wasm::steady_now_ns() : -1;
+    if (limited && left <= 0) {
+      return false;
+    }
+    ros2wasm::wait(token, left);
+  }
+}
+
+bool ClientBase::take_type_erased_response(void* response_out,
+                                           rmw_request_id_t& request_header_out) {
+  std::vector<uint8_t> bytes;
+  ros2wasm::SampleInfo info{};
+  while (endpoint_->take(bytes, info)) {
+    if (detail::callbacks_of(type_support_)
+            .response->deserialize(bytes.data(), bytes.size(), response_out)) {
+      std::memcpy(request_header_out.writer_guid, info.related_gid, sizeof(info.related_gid));
+      request_header_out.sequence_number = info.related_sequence;
+      return true;
+    }
+    RCLCPP_ERROR(rclcpp::get_logger("rclcpp"),
+                 "response of service '%s' cannot be read; it was dropped", get_service_name());
+  }
+  return false;
+}
+
+int64_t ClientBase::send_request_object(const void* request) {
+  ros2wasm::SampleInfo info{};
+  const detail::MessageCallbacks& type = *detail::callbacks_of(type_support_).request;
+  if (write_object(*endpoint_, type, request, info) != RCL_RET_OK) {
+    exceptions::throw_from_rcl_error(RCL_RET_ERROR, "failed to send request");
+  }
+  return info.sequence;
+}
+
+void ClientBase::set_on_new_response_callback(std::function<void(size_t)> callback) {
+  if (!callback) {
+    throw std::invalid_argument(
+        "The callback passed to set_on_new_response_callback is not callable.");
+  }
+  on_new_response_callback_ = std::move(callback);
+}
+
+int32_t ClientBase::ready_endpoint() const { return endpoint_->id(); }
+
+void ClientBase::run(std::shared_ptr<void>&) {
+  auto response = create_response();
+  auto header = create_request_header();
+  if (take_type_erased_response(response.get(), *header)) {
+    handle_response(std::move(header), std::move(response));
+  }
+}
+
+}  // namespace rclcpp

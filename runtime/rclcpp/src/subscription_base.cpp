@@ -1,0 +1,255 @@
+// Receiving: from the bus, or by pointer from the same process.
+#include "rclcpp/subscription_base.hpp"
+
+#include <cstring>
+
+#include "rclcpp/detail/bus_qos.hpp"
+#include "rclcpp/logging.hpp"
+#include "rclcpp/node_interfaces/node_base_interface.hpp"
+#include "rmw/rmw.h"
+
+namespace rclcpp {
+namespace {
+
+rmw_message_info_t to_rmw(const ros2wasm::SampleInfo& info, uint64_t received_count) {
+  rmw_message_info_t result{};
+  result.source_timestamp = info.source_timestamp_ns;
+  result.received_timestamp = ros2wasm::system_now_ns();
+  result.publication_sequence_number = static_cast<uint64_t>(info.sequence);
+  result.reception_sequence_number = received_count;
+  result.publisher_gid.implementation_identifier = rmw_get_implementation_identifier();
+  std::memcpy(result.publisher_gid.data, info.writer_gid, sizeof(info.writer_gid));
+  return result;
+}
+
+}  // namespace
+
+SubscriptionBase::SubscriptionBase(node_interfaces::NodeBaseInterface* node_base,
+                                   const rosidl_message_type_support_t& type_support,
+                                   const std::string& topic_name, const rclcpp::QoS& qos,
+                                   const SubscriptionOptionsBase& options,
+                                   DeliveredMessageKind delivered_message_kind)
+    : topic_name_(node_base->resolve_topic_or_service_name(topic_name, false)),
+      logger_name_(node_base->get_logger_name()),
+      type_support_(type_support),
+      qos_(detail::resolve_qos(qos)),
+      delivered_message_kind_(delivered_message_kind),
+      intra_process_(delivered_message_kind == DeliveredMessageKind::ROS_MESSAGE &&
+                     (options.use_intra_process_comm == IntraProcessSetting::NodeDefault
+                          ? node_base->get_use_intra_process_default()
+                          : options.use_intra_process_comm == IntraProcessSetting::Enable)) {
+  if (options.require_unique_network_flow_endpoints ==
+      RMW_UNIQUE_NETWORK_FLOW_ENDPOINTS_STRICTLY_REQUIRED) {
+    rcutils_set_error_state("Strict requirement on unique network flow endpoints for "
+                            "subscriptions not supported on the bus of a page",
+                            __FILE__, __LINE__);
+    exceptions::throw_from_rcl_error(RCL_RET_ERROR, "could not create subscription");
+  }
+  if (intra_process_ && qos_.history() == HistoryPolicy::KeepAll) {
+    throw std::invalid_argument(
+        "intraprocess communication is not allowed with keep all history qos policy");
+  }
+  const detail::MessageCallbacks& type = detail::callbacks_of(type_support);
+  ros2wasm::EndpointQos bus_qos = detail::to_bus(qos_);
+  bus_qos.ignore_local_publications = options.ignore_local_publications;
+  endpoint_ = std::make_shared<ros2wasm::Endpoint>(
+      ros2wasm::EndpointKind::subscription, node_base->get_node_id(), topic_name_, type.type_name,
+      type.type_hash, bus_qos);
+  add_events(options);
+}
+
+SubscriptionBase::~SubscriptionBase() { detail::bump_entities_version(); }
+
+void SubscriptionBase::add_events(const SubscriptionOptionsBase& options) {
+  const SubscriptionEventCallbacks& callbacks = options.event_callbacks;
+  const auto add = [this](auto callback, rcl_subscription_event_type_t type, auto info) {
+    if (callback) {
+      event_handlers_[type] = std::make_shared<EventHandler<decltype(info)>>(
+          std::move(callback), endpoint_, static_cast<int32_t>(type));
+    }
+  };
+  add(callbacks.deadline_callback, RCL_SUBSCRIPTION_REQUESTED_DEADLINE_MISSED,
+      QOSDeadlineRequestedInfo());
+  add(callbacks.liveliness_callback, RCL_SUBSCRIPTION_LIVELINESS_CHANGED,
+      QOSLivelinessChangedInfo());
+  QOSRequestedIncompatibleQoSCallbackType incompatible = callbacks.incompatible_qos_callback;
+  IncompatibleTypeCallbackType wrong_type = callbacks.incompatible_type_callback;
+  if (options.use_default_callbacks && !incompatible) {
+    incompatible = [this](QOSRequestedIncompatibleQoSInfo& info) {
+      RCLCPP_WARN(rclcpp::get_logger(logger_name_),
+                  "New publisher discovered on topic '%s', offering incompatible QoS. "
+                  "No messages will be received from it. Last incompatible policy: %s",
+                  get_topic_name(), qos_policy_name_from_kind(info.last_policy_kind).c_str());
+    };
+  }
+  if (options.use_default_callbacks && !wrong_type) {
+    wrong_type = [this](IncompatibleTypeInfo&) {
+      RCLCPP_WARN(rclcpp::get_logger(logger_name_),
+                  "Incompatible type on topic '%s', no messages will be received from it.",
+                  get_topic_name());
+    };
+  }
+  add(incompatible, RCL_SUBSCRIPTION_REQUESTED_INCOMPATIBLE_QOS,
+      QOSRequestedIncompatibleQoSInfo());
+  add(callbacks.message_lost_callback, RCL_SUBSCRIPTION_MESSAGE_LOST, QOSMessageLostInfo());
+  add(wrong_type, RCL_SUBSCRIPTION_INCOMPATIBLE_TYPE, IncompatibleTypeInfo());
+  add(callbacks.matched_callback, RCL_SUBSCRIPTION_MATCHED, MatchedInfo());
+}
+
+const char* SubscriptionBase::type_name() const {
+  return detail::callbacks_of(type_support_).type_name;
+}
+
+bool SubscriptionBase::take_bytes(std::vector<uint8_t>& bytes, rclcpp::MessageInfo& info) {
+  ros2wasm::SampleInfo sample{};
+  while (endpoint_->take(bytes, sample)) {
+    if (intra_process_ && detail::is_local_publisher(sample.writer_gid)) {
+      continue;
+    }
+    info = rclcpp::MessageInfo(to_rmw(sample, ++received_count_));
+    return true;
+  }
+  return false;
+}
+
+bool SubscriptionBase::take_type_erased(void* message_out,
+                                        rclcpp::MessageInfo& message_info_out) {
+  std::vector<uint8_t> bytes;
+  while (take_bytes(bytes, message_info_out)) {
+    if (detail::callbacks_of(type_support_).deserialize(bytes.data(), bytes.size(), message_out)) {
+      return true;
+    }
+    report_malformed();
+  }
+  return false;
+}
+
+bool SubscriptionBase::take_serialized(rclcpp::SerializedMessage& message_out,
+                                       rclcpp::MessageInfo& message_info_out) {
+  std::vector<uint8_t> bytes;
+  if (!take_bytes(bytes, message_info_out)) {
+    return false;
+  }
+  if (message_out.capacity() < bytes.size()) {
+    message_out.reserve(bytes.size());
+  }
+  rcl_serialized_message_t& out = message_out.get_rcl_serialized_message();
+  std::memcpy(out.buffer, bytes.data(), bytes.size());
+  out.buffer_length = bytes.size();
+  return true;
+}
+
+std::shared_ptr<rclcpp::SerializedMessage> SubscriptionBase::create_serialized_message() {
+  return std::make_shared<rclcpp::SerializedMessage>();
+}
+
+void SubscriptionBase::report_malformed() const {
+  RCLCPP_ERROR(rclcpp::get_logger(logger_name_),
+               "message on topic '%s' cannot be read as %s; it was dropped", get_topic_name(),
+               type_name());
+}
+
+size_t SubscriptionBase::get_publisher_count() const {
+  return static_cast<size_t>(std::max(0, endpoint_->matched()));
+}
+
+bool SubscriptionBase::exchange_in_use_by_wait_set_state(void* part, bool in_use_state) {
+  if (part == nullptr) {
+    throw std::invalid_argument("pointer_to_subscription_part is unexpectedly nullptr");
+  }
+  if (part == this) {
+    return in_use_by_wait_set_.exchange(in_use_state);
+  }
+  for (const auto& [type, handler] : event_handlers_) {
+    if (part == handler.get()) {
+      return handler->exchange_in_use_by_wait_set_state(in_use_state);
+    }
+  }
+  throw std::runtime_error("given pointer_to_subscription_part does not match any part");
+}
+
+std::vector<NetworkFlowEndpoint> SubscriptionBase::get_network_flow_endpoints() const {
+  rcutils_set_error_state("network flow endpoints do not exist on the bus of a page", __FILE__,
+                          __LINE__);
+  exceptions::throw_from_rcl_error(RCL_RET_UNSUPPORTED,
+                                   "error obtaining network flows of subscription");
+}
+
+void SubscriptionBase::set_on_new_message_callback(std::function<void(size_t)> callback) {
+  if (!callback) {
+    throw std::invalid_argument(
+        "The callback passed to set_on_new_message_callback is not callable.");
+  }
+  on_new_message_callback_ = std::move(callback);
+}
+
+void SubscriptionBase::clear_on_new_message_callback() { on_new_message_callback_ = nullptr; }
+
+void SubscriptionBase::set_content_filter(const std::string&, const std::vector<std::string>&) {
+  rcutils_set_error_state("content filters are not supported on the bus of a page", __FILE__,
+                          __LINE__);
+  exceptions::throw_from_rcl_error(RCL_RET_UNSUPPORTED, "failed to set cft expression parameters");
+}
+
+rclcpp::ContentFilterOptions SubscriptionBase::get_content_filter() const {
+  rcutils_set_error_state("content filters are not supported on the bus of a page", __FILE__,
+                          __LINE__);
+  exceptions::throw_from_rcl_error(RCL_RET_UNSUPPORTED, "failed to get cft expression parameters");
+}
+
+void SubscriptionBase::push_local(detail::LocalMessage message) {
+  {
+    const std::lock_guard<std::mutex> lock(local_mutex_);
+    if (local_messages_.size() >= qos_.depth()) {
+      local_messages_.pop_front();
+    }
+    local_messages_.push_back(std::move(message));
+  }
+  if (on_new_message_callback_) {
+    on_new_message_callback_(1);
+  }
+  ros2wasm::wake();
+}
+
+int32_t SubscriptionBase::ready_endpoint() const { return endpoint_->id(); }
+
+bool SubscriptionBase::is_ready_now() {
+  const std::lock_guard<std::mutex> lock(local_mutex_);
+  return !local_messages_.empty();
+}
+
+bool SubscriptionBase::run_local() {
+  detail::LocalMessage message;
+  {
+    const std::lock_guard<std::mutex> lock(local_mutex_);
+    if (local_messages_.empty()) {
+      return false;
+    }
+    message = std::move(local_messages_.front());
+    local_messages_.pop_front();
+  }
+  rmw_message_info_t info{};
+  info.from_intra_process = true;
+  handle_local(std::move(message), rclcpp::MessageInfo(info));
+  return true;
+}
+
+void SubscriptionBase::run(std::shared_ptr<void>&) {
+  if (intra_process_ && run_local()) {
+    return;
+  }
+  rclcpp::MessageInfo info;
+  if (is_serialized()) {
+    auto message = create_serialized_message();
+    if (take_serialized(*message, info)) {
+      handle_serialized_message(message, info);
+    }
+    return;
+  }
+  std::vector<uint8_t> bytes;
+  if (take_bytes(bytes, info)) {
+    handle_bytes(bytes.data(), bytes.size(), info);
+  }
+}
+
+}  // namespace rclcpp

@@ -3,6 +3,7 @@
 
 import { useEffect, useMemo, useReducer, useState } from 'preact/hooks';
 import type { ConsoleLine, NodeView, Session } from '../../wasm_js/session.ts';
+import { afterSnapshot } from '../model/line_feed.ts';
 import { LineList } from '../model/line_list.ts';
 import type { LineFilter } from '../model/line_list.ts';
 import { formatCount } from '../model/quantities.ts';
@@ -104,19 +105,20 @@ function useLines(session: Session, ids: string, merged: boolean): Lines {
     const prefixOf = (id: string): string => (merged ? `[${id}] ` : '');
     list.clear();
     const past: { readonly line: ConsoleLine; readonly prefix: string }[] = [];
-    for (const id of names) {
-      for (const line of session.console(id).lines()) past.push({ line, prefix: prefixOf(id) });
-    }
+    const stops = names.map((id) => {
+      const prefix = prefixOf(id);
+      const snapshot = session.console(id).lines();
+      for (const line of snapshot) past.push({ line, prefix });
+      const fresh = afterSnapshot(snapshot);
+      return session.console(id).onLines((batch) => {
+        list.append(fresh(batch), prefix);
+        changed();
+      });
+    });
     // Stable: lines of one node keep their order.
     if (names.length > 1) past.sort((a, b) => a.line.time - b.line.time);
     for (const { line, prefix } of past) list.append([line], prefix);
     changed();
-    const stops = names.map((id) =>
-      session.console(id).onLines((lines) => {
-        list.append(lines, prefixOf(id));
-        changed();
-      }),
-    );
     return () => {
       for (const stop of stops) stop();
     };

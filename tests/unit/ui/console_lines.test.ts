@@ -9,6 +9,7 @@ import {
   parseLogParts,
   rowsOf,
 } from '../../../runtime/ui/model/log_line.ts';
+import { afterSnapshot } from '../../../runtime/ui/model/line_feed.ts';
 import { LineList } from '../../../runtime/ui/model/line_list.ts';
 import { RowMap } from '../../../runtime/ui/model/row_map.ts';
 
@@ -168,6 +169,17 @@ test('a row map agrees with a plain array through appends, drops and corrections
       plain.reduce((sum, rows) => sum + rows, 0),
     );
   }
+});
+
+test('a batch gathered before the snapshot is not shown twice', () => {
+  const [a, b, c, d] = [line('a'), line('b'), line('c'), line('c')];
+  assert.deepEqual(afterSnapshot([a, b])([a, b, c, d]), [c, d]);
+  assert.deepEqual(afterSnapshot([a, b, c])([c, d]), [d]);
+  assert.deepEqual(afterSnapshot([a, b])([c, d]), [c, d]);
+  assert.deepEqual(afterSnapshot([])([a]), [a]);
+  const feed = afterSnapshot([a]);
+  assert.deepEqual(feed([a, b]), [b]);
+  assert.deepEqual(feed([c]), [c]);
 });
 
 test('a line list filters by text and by level', () => {

@@ -2,25 +2,14 @@
 // thread and is never in the path of a message.
 
 import { BusEndpoint, BusHeader, BusNode, BusParticipant, BusParticipantState, BusPhase } from '../protocol/generated/constants.ts';
-import { Bus, createBus, type BusOptions } from './bus.ts';
+import { type Bus, createBus, type BusOptions } from './bus.ts';
 import { departEndpoint, logChange, nodeBit, readEndpoint, releaseEndpoint } from './bus_tables.ts';
 import { relate } from './graph.ts';
-import type { Link } from './link.ts';
+import type { LinkTicket } from './open_link.ts';
 import { PortLink } from './port_link.ts';
 import type { PeerPort } from './port_messages.ts';
 import { endpointKey, findCursor } from './shared_ring.ts';
 import { SharedLink } from './shared_link.ts';
-
-/** What a worker needs to join; goes there by postMessage. */
-export type LinkTicket =
-  | { readonly kind: 'shared'; readonly sab: SharedArrayBuffer; readonly participant: number }
-  | {
-    readonly kind: 'port';
-    readonly participant: number;
-    readonly session: readonly [number, number];
-    readonly control: MessagePort;
-    readonly peers: readonly PeerPort[];
-  };
 
 export interface Admission {
   readonly participant: number;
@@ -41,16 +30,6 @@ export interface Broker {
   /** A batch of console lines of the participant was dealt with. */
   consoleSeen(participant: number): void;
   close(): void;
-}
-
-/** Joins the graph from within a worker. */
-export function openLink(ticket: LinkTicket, mayBlock: boolean): Link {
-  switch (ticket.kind) {
-    case 'shared':
-      return new SharedLink({ bus: new Bus(ticket.sab), participant: ticket.participant, mayBlock });
-    case 'port':
-      return new PortLink(ticket);
-  }
 }
 
 export class SharedBroker implements Broker {

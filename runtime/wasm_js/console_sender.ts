@@ -7,7 +7,7 @@ import type { Link } from './link.ts';
 export type SentLine = readonly [stream: 1 | 2, time: number, text: string];
 
 const batchesAhead = 8;
-const mostLines = 1000;
+const mostLines = 10_000;
 
 /** How many batches were sent and how many the page has dealt with; shared by the threads of a program. */
 export interface ConsoleCredit {

@@ -62,7 +62,11 @@ export function nodePlatform(folder: string, entry: URL): Platform & { close(): 
       });
       return {
         post: (order, transfer) => worker.postMessage(order, transfer as never),
-        terminate: () => void worker.terminate(),
+        terminate: () => {
+          worker.removeAllListeners();
+          workers.delete(worker);
+          void worker.terminate();
+        },
       };
     },
     frame: (task) => void setImmediate(task),

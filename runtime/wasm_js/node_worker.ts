@@ -1,9 +1,9 @@
 // Entry of every node worker and thread worker, in browsers and (through node_thread.ts) under Node.js.
 
-import { openLink, type LinkTicket } from './broker.ts';
 import { ConsoleSender, type SentLine } from './console_sender.ts';
 import type { ThreadRequest } from './env_imports.ts';
 import type { Link } from './link.ts';
+import { type LinkTicket, openLink } from './open_link.ts';
 import { type ProgramEnd, runProgram, type ThreadStart } from './program.ts';
 import { inputReader } from './standard_input.ts';
 

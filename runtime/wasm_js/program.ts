@@ -283,7 +283,7 @@ function exceptionText(
 /** The wasm frames of a stack trace, as function names or code offsets. */
 function frames(stack: string): string {
   return stack.split('\n')
-    .filter((line) => line.includes('wasm'))
+    .filter((line) => line.includes('wasm-function['))
     .slice(0, 12)
     .map((line) => `  ${line.trim().replace(/\(?(wasm|blob|https?):\S*?(wasm-function\[\d+\]:0x[0-9a-f]+)\)?/, '($2)')}`)
     .join('\n');

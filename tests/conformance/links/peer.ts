@@ -2,8 +2,8 @@
 // Runs in Node worker threads and in browser workers.
 
 import { EndpointKind, ErrorCode, SampleInfoLayout, type StatusKind } from '../../../runtime/protocol/generated/constants.ts';
-import { type LinkTicket, openLink } from '../../../runtime/wasm_js/broker.ts';
 import type { EndpointStatus, GraphSnapshot, Heap, Link } from '../../../runtime/wasm_js/link.ts';
+import { type LinkTicket, openLink } from '../../../runtime/wasm_js/open_link.ts';
 import { defaultQos, type EndpointQos } from '../../../runtime/wasm_js/qos.ts';
 
 export interface EndpointOptions {

@@ -7,5 +7,5 @@ int main(int argc, char** argv) {
   (void)argv;
   puts("dividing");
   fflush(stdout);
-  return ratio(1, argc - 1);
+  return ratio(argc, argc - argc);
 }

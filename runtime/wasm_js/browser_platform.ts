@@ -1,0 +1,112 @@
+// A browser page as the place where a site runs.
+
+import type { WorkerReport } from './node_worker.ts';
+import type { Platform, WorkerEvents, WorkerHandle } from './platform.ts';
+import { SiteError } from './site_error.ts';
+
+async function get(url: URL): Promise<Response> {
+  let response: Response;
+  try {
+    response = await fetch(url);
+  } catch (error) {
+    throw new SiteError('R2W0706', `${url.pathname} cannot be fetched: ${error instanceof Error ? error.message : String(error)}`, {
+      why: 'the host is not reachable, and the page has no copy of the file yet',
+      fix: 'reload the page when the connection is back',
+    });
+  }
+  if (!response.ok) {
+    throw new SiteError('R2W0706', `${url.pathname} cannot be fetched: the host answers ${response.status}`, {
+      why: 'the folder on the host is not complete',
+      fix: 'put all files that `ros2wasm pack` wrote in place',
+    });
+  }
+  return response;
+}
+
+async function compileModule(url: URL): Promise<WebAssembly.Module> {
+  const response = await get(url);
+  try {
+    // Hosts that do not know .wasm say another type; the bytes are right all the same.
+    if (response.headers.get('content-type') === 'application/wasm') return await WebAssembly.compileStreaming(response);
+    return await WebAssembly.compile(await response.arrayBuffer());
+  } catch (error) {
+    throw new SiteError('R2W0703', `${url.pathname}: ${error instanceof Error ? error.message : String(error)}`);
+  }
+}
+
+/**
+ * Workers start from a blob: URL of the script. Such a worker has the page's Content-Security-Policy, whatever headers
+ * the host sends; a worker from a plain URL would have only the host's.
+ */
+export function browserPlatform(base: URL, script: string): Platform & { close(): void } {
+  const modules = new Map<string, Promise<WebAssembly.Module>>();
+  const scriptUrl = get(new URL(script, base))
+    .then((response) => response.text())
+    .then((text) => URL.createObjectURL(new Blob([text], { type: 'text/javascript' })));
+  // Whoever starts a worker hears of the failure.
+  scriptUrl.catch(() => undefined);
+
+  return {
+    json: async (path) => {
+      const response = await get(new URL(path, base));
+      try {
+        return await response.json() as unknown;
+      } catch (error) {
+        throw new SiteError('R2W0700', `${path}: ${error instanceof Error ? error.message : String(error)}`);
+      }
+    },
+    compile: (path) => {
+      let module = modules.get(path);
+      if (module === undefined) {
+        module = compileModule(new URL(path, base));
+        modules.set(path, module);
+        // A failed fetch may be tried again.
+        module.catch(() => modules.delete(path));
+      }
+      return module;
+    },
+    startWorker: (name, events) => new BrowserWorker(scriptUrl, name, events),
+    frame: (task) => {
+      // Frames do not come while the page is hidden.
+      if (document.visibilityState === 'hidden') setTimeout(task, 100);
+      else requestAnimationFrame(task);
+    },
+    close: () => {
+      scriptUrl.then((url) => URL.revokeObjectURL(url), () => undefined);
+    },
+  };
+}
+
+/** Keeps orders until the script is there. */
+class BrowserWorker implements WorkerHandle {
+  private worker: Worker | undefined;
+  private ended = false;
+  private readonly early: (() => void)[] = [];
+
+  constructor(url: Promise<string>, name: string, events: WorkerEvents) {
+    url.then((script) => {
+      if (this.ended) return;
+      const worker = new Worker(script, { name });
+      worker.onmessage = (event: MessageEvent<WorkerReport>) => events.report(event.data);
+      worker.onerror = (event) => events.failed(event.message === undefined || event.message === '' ? 'the worker did not start' : event.message);
+      worker.onmessageerror = () => events.failed('the worker sent what cannot be read');
+      this.worker = worker;
+      for (const order of this.early) order();
+    }).catch((error: unknown) => {
+      if (!this.ended) events.failed(error instanceof Error ? error.message : String(error));
+    });
+  }
+
+  post(order: Parameters<WorkerHandle['post']>[0], transfer: Parameters<WorkerHandle['post']>[1]): void {
+    if (this.worker === undefined) this.early.push(() => this.post(order, transfer));
+    else this.worker.postMessage(order, [...transfer]);
+  }
+
+  terminate(): void {
+    this.ended = true;
+    if (this.worker === undefined) return;
+    this.worker.onmessage = null;
+    this.worker.onerror = null;
+    this.worker.terminate();
+  }
+}

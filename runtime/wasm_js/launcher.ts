@@ -1,0 +1,68 @@
+// Starts a site in a browser page.
+
+import { type Broker, PortBroker, SharedBroker } from './broker.ts';
+import { browserPlatform } from './browser_platform.ts';
+import { isolate, keepOffline } from './isolation.ts';
+import { promiseIntegration } from './program.ts';
+import type { LinkKind, Session } from './session.ts';
+import { SiteError } from './site_error.ts';
+import { readSite } from './site_reader.ts';
+import { SiteSession } from './site_session.ts';
+
+export interface LaunchOptions {
+  /** Where site.json lies; the page's own folder when left out. */
+  readonly base?: URL;
+  /** For tests: use this link though the other would do. */
+  readonly link?: LinkKind;
+  /** Called when the site is kept for visits without a network, or cannot be. */
+  readonly onOffline?: (kept: boolean) => void;
+}
+
+const ceilings = [1 << 30, 512 << 20, 256 << 20, 128 << 20];
+
+/** A bus as large as the machine allows, or undefined. */
+function sharedBroker(): SharedBroker | undefined {
+  if (typeof SharedArrayBuffer === 'undefined' || !('grow' in SharedArrayBuffer.prototype)) return undefined;
+  for (const ceiling of ceilings) {
+    try {
+      return new SharedBroker({ ceiling });
+    } catch (error) {
+      if (!(error instanceof RangeError)) throw error;
+    }
+  }
+  return undefined;
+}
+
+function chooseBroker(wanted: LinkKind | undefined): Broker {
+  const shared = wanted === 'port' ? undefined : sharedBroker();
+  if (shared !== undefined) return shared;
+  if (promiseIntegration() !== undefined) return new PortBroker();
+  throw new SiteError('R2W0705', 'this page can neither share memory between nodes nor suspend a node that waits', {
+    why: 'it is shown inside another page, or this browser is too old',
+    fix: 'open the page in a tab of its own, in a current browser',
+  });
+}
+
+/** Never resolves when the page reloads to become isolated. Rejects with a SiteError. */
+export async function startSession(options: LaunchOptions = {}): Promise<Session> {
+  const base = options.base ?? new URL('./', document.baseURI);
+  const serviceWorker = new URL('service_worker.js', base);
+  if (options.link === undefined) {
+    const isolation = await isolate(serviceWorker);
+    if (isolation === 'reloading') return new Promise(() => undefined);
+  }
+  const platform = browserPlatform(base, 'node_worker.js');
+  const site = readSite(await platform.json('site.json'));
+  const autostart = site.ui['autostart'] !== false;
+  // Fetching and compiling begins before anything else is set up.
+  if (autostart) for (const node of site.nodes) platform.compile(node.program).catch(() => undefined);
+  const session = new SiteSession({ site, platform, broker: chooseBroker(options.link) });
+  if (autostart) session.startAll();
+  const later = (): void => void keepOffline(serviceWorker).then((kept) => options.onOffline?.(kept));
+  if ('requestIdleCallback' in globalThis) requestIdleCallback(later, { timeout: 3000 });
+  else setTimeout(later, 1000);
+  window.addEventListener('pagehide', (event) => {
+    if (!event.persisted) session.close();
+  });
+  return session;
+}

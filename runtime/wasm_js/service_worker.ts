@@ -1,0 +1,142 @@
+// The site's service worker. Adds the headers that shared memory needs and the site's Content-Security-Policy to every
+// response, worker scripts too; keeps the site for visits without a network, by content: site.json names the sha256 of
+// each file, and a file is taken from the cache only under the hash that the newest site.json gives it.
+
+const scope = self as unknown as ServiceWorkerGlobalScope;
+const cacheName = `ros2wasm ${scope.registration.scope}`;
+
+export const contentSecurityPolicy = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; "
+  + "img-src 'self' blob: data:; connect-src 'self'; worker-src 'self' blob:; manifest-src 'self'; base-uri 'none'; form-action 'none'";
+
+const headers: readonly (readonly [string, string])[] = [
+  ['Cross-Origin-Opener-Policy', 'same-origin'],
+  ['Cross-Origin-Embedder-Policy', 'require-corp'],
+  ['Cross-Origin-Resource-Policy', 'same-origin'],
+  ['Content-Security-Policy', contentSecurityPolicy],
+  ['X-Content-Type-Options', 'nosniff'],
+];
+
+/** Absolute URL of a file -> its sha256, by the newest site.json. */
+type Manifest = ReadonlyMap<string, string>;
+
+function withHeaders(response: Response): Response {
+  if (response.type === 'opaque' || response.type === 'error' || response.status === 0) return response;
+  const all = new Headers(response.headers);
+  for (const [name, value] of headers) all.set(name, value);
+  const bodiless = response.status === 204 || response.status === 304;
+  return new Response(bodiless ? null : response.body, { status: response.status, statusText: response.statusText, headers: all });
+}
+
+function siteUrl(): string {
+  return new URL('site.json', scope.registration.scope).href;
+}
+
+function parseManifest(text: string): Manifest {
+  const map = new Map<string, string>();
+  try {
+    const site = JSON.parse(text) as { files?: { path?: unknown; sha256?: unknown }[] };
+    for (const { path, sha256 } of site.files ?? []) {
+      if (typeof path === 'string' && typeof sha256 === 'string' && sha256 !== '') {
+        map.set(new URL(path, scope.registration.scope).href, sha256);
+      }
+    }
+  } catch {
+    // A site.json that cannot be read names no files: everything comes from the network.
+  }
+  return map;
+}
+
+let manifest: Promise<Manifest> | undefined;
+
+/** The newest site.json: from the network, without it from the cache. Renews the manifest. */
+async function freshSite(): Promise<Response> {
+  const cache = await caches.open(cacheName);
+  try {
+    const response = await fetch(siteUrl(), { cache: 'no-cache' });
+    if (response.ok) {
+      const text = await response.clone().text();
+      manifest = Promise.resolve(parseManifest(text));
+      await cache.put(siteUrl(), response.clone());
+    }
+    return response;
+  } catch (error) {
+    const kept = await cache.match(siteUrl());
+    if (kept === undefined) throw error;
+    manifest = Promise.resolve(parseManifest(await kept.clone().text()));
+    return kept;
+  }
+}
+
+async function currentManifest(): Promise<Manifest> {
+  manifest ??= (async () => {
+    const kept = await (await caches.open(cacheName)).match(siteUrl());
+    return kept === undefined ? new Map<string, string>() : parseManifest(await kept.text());
+  })();
+  return manifest;
+}
+
+async function digest(bytes: ArrayBuffer): Promise<string> {
+  const hash = new Uint8Array(await crypto.subtle.digest('SHA-256', bytes));
+  return Array.from(hash, (byte) => byte.toString(16).padStart(2, '0')).join('');
+}
+
+function keyOf(url: string, sha256: string): string {
+  return `${url}?sha256=${sha256}`;
+}
+
+/** Stores a file under its hash, if it has it. */
+async function keep(url: string, sha256: string, response: Response): Promise<void> {
+  const bytes = await response.arrayBuffer();
+  if (await digest(bytes) !== sha256) return;
+  const cache = await caches.open(cacheName);
+  await cache.put(keyOf(url, sha256), new Response(bytes, { headers: response.headers }));
+}
+
+async function answer(event: FetchEvent): Promise<Response> {
+  const { request } = event;
+  const url = request.url.replace(/[?#].*$/, '');
+  if (url === siteUrl()) return withHeaders(await freshSite());
+  const folder = url === scope.registration.scope;
+  const file = folder ? new URL('index.html', url).href : url;
+  // A visit begins with what the site is now.
+  if (request.mode === 'navigate') await freshSite().catch(() => undefined);
+  const sha256 = (await currentManifest()).get(file);
+  const cache = await caches.open(cacheName);
+  const kept = sha256 === undefined ? undefined : await cache.match(keyOf(file, sha256));
+  if (kept !== undefined) return withHeaders(kept);
+  const response = await fetch(request);
+  if (sha256 !== undefined && response.ok && response.type === 'basic') {
+    event.waitUntil(keep(file, sha256, response.clone()).catch(() => undefined));
+  }
+  return withHeaders(response);
+}
+
+/** Fetches all files of the site that are not kept yet, and drops those of older versions. */
+async function keepAll(): Promise<void> {
+  await freshSite();
+  const cache = await caches.open(cacheName);
+  const wanted = new Set([siteUrl()]);
+  for (const [url, sha256] of await currentManifest()) {
+    const key = keyOf(url, sha256);
+    wanted.add(key);
+    if (await cache.match(key) !== undefined) continue;
+    const response = await fetch(url);
+    if (response.ok) await keep(url, sha256, response);
+  }
+  for (const { url } of await cache.keys()) if (!wanted.has(url)) await cache.delete(url);
+}
+
+scope.addEventListener('install', () => void scope.skipWaiting());
+scope.addEventListener('activate', (event) => event.waitUntil(scope.clients.claim()));
+scope.addEventListener('fetch', (event) => {
+  const { request } = event;
+  if (request.method !== 'GET' || !request.url.startsWith(scope.registration.scope)) return;
+  // A browser quirk: such a request must not be answered.
+  if (request.cache === 'only-if-cached' && request.mode !== 'same-origin') return;
+  event.respondWith(answer(event));
+});
+scope.addEventListener('message', (event) => {
+  if (event.data !== 'keep') return;
+  const port = event.ports[0];
+  event.waitUntil(keepAll().then(() => port?.postMessage('kept'), () => port?.postMessage('failed')));
+});

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <map>
 #include <memory>
 
@@ -73,6 +74,31 @@ const CLI::App& parsed_command(const CLI::App& root) {
   return named.empty() ? root : *named.back();
 }
 
+/// Checks run on the text, before it is converted, so that all that is wrong with it has the same
+/// words.
+CLI::Validator whole_number(int least, int most) {
+  return {[least, most](const std::string& text) -> std::string {
+            int number = 0;
+            const auto [end, error] =
+                std::from_chars(text.data(), text.data() + text.size(), number);
+            const bool whole = error == std::errc() && end == text.data() + text.size();
+            if (whole && number >= least && number <= most) return {};
+            return "`" + text + "` is not a number from " + std::to_string(least) + " to " +
+                   std::to_string(most);
+          },
+          ""};
+}
+
+CLI::Validator one_of(const std::vector<std::string>& words) {
+  return {[words](const std::string& text) -> std::string {
+            if (std::find(words.begin(), words.end(), text) != words.end()) return {};
+            const auto near = nearest(text, words);
+            return "`" + text + "` is none of " + name_list(words, 20) +
+                   (near ? "; write `" + *near + "`" : "");
+          },
+          ""};
+}
+
 void declare_global(CLI::App& root, GlobalOptions& global) {
   root.add_flag("-q,--quiet", global.quiet, "No remarks and no progress; errors stay");
   root.add_flag("--json", global.json, "Result, diagnostics and progress as JSON");
@@ -114,7 +140,7 @@ void Arguments::value(const std::string& names, std::optional<std::string>& targ
 
 void Arguments::number(const std::string& names, int& target, const std::string& placeholder,
                        int least, int most, const std::string& help) {
-  app_.add_option(names, target, help)->option_text(placeholder)->check(CLI::Range(least, most));
+  app_.add_option(names, target, help)->option_text(placeholder)->check(whole_number(least, most));
 }
 
 void Arguments::number(const std::string& names, std::optional<int>& target,
@@ -123,14 +149,14 @@ void Arguments::number(const std::string& names, std::optional<int>& target,
   app_.add_option_function<int>(
           names, [&target](int number) { target = number; }, help)
       ->option_text(placeholder)
-      ->check(CLI::Range(least, most));
+      ->check(whole_number(least, most));
 }
 
 void Arguments::choice(const std::string& names, std::string& target,
                        const std::vector<std::string>& words, const std::string& help) {
   std::string placeholder;
   for (const std::string& word : words) placeholder += (placeholder.empty() ? "" : "|") + word;
-  app_.add_option(names, target, help)->option_text(placeholder)->check(CLI::IsMember(words));
+  app_.add_option(names, target, help)->option_text(placeholder)->check(one_of(words));
 }
 
 void Arguments::values(const std::string& names, std::vector<std::string>& target,
@@ -202,9 +228,9 @@ ParsedCommandLine parse_command_line(const std::vector<std::string>& words,
             .invocation =
                 Invocation{.global = global, .command = name, .body = bodies[name], .text = {}}};
   } catch (const CLI::CallForHelp&) {
-    return {.global = global,
-            .invocation = Invocation{
-                .global = global, .command = {}, .body = {}, .text = parsed_command(root).help()}};
+    return {
+        .global = global,
+        .invocation = Invocation{.global = global, .command = {}, .body = {}, .text = root.help()}};
   } catch (const CLI::CallForVersion& version) {
     return {.global = global,
             .invocation = Invocation{.global = global,

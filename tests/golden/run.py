@@ -99,7 +99,8 @@ def answer_of(case: Case, cli: Path, version: str) -> str:
         command = case.command()
         if command[0] == "ros2wasm":
             command[0] = str(cli)
-        environment = {"PATH": os.environ.get("PATH", ""), "HOME": folder, "LC_ALL": "C.UTF-8", "TERM": "dumb"}
+        environment = {"PATH": os.environ.get("PATH", ""), "HOME": folder, "LC_ALL": "C.UTF-8", "TERM": "dumb",
+                       "ROS2WASM": str(cli)}
         process = subprocess.run(
             command, cwd=folder, env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
             stderr=subprocess.PIPE, timeout=WATCHDOG_SECONDS, check=False,

@@ -7,6 +7,7 @@
 
 #include "workspace_schema/manifest_binding.hpp"
 #include "workspace_schema/manifest_nodes.hpp"
+#include "workspace_schema/match_spec.hpp"
 #include "workspace_schema/suggestion.hpp"
 #include "workspace_schema/yaml_scalar.hpp"
 
@@ -221,6 +222,17 @@ class Reader {
     }
   }
 
+  std::optional<Spanned<std::string>> read_dependency(const YamlNode& item) {
+    auto text = binder_.line(item, "an item of `dependencies`");
+    if (!text) return std::nullopt;
+    const Outcome<MatchSpec> spec = MatchSpec::parse(text->value);
+    if (spec) return text;
+    Diagnostics errors = spec.errors();
+    for (Diagnostic& error : errors) error.span = text->span;
+    binder_.add(std::move(errors));
+    return std::nullopt;
+  }
+
   void read_lists() {
     const auto line_of = [this](const std::string& what) {
       return [this, what](const YamlNode& item) {
@@ -231,7 +243,8 @@ class Reader {
       manifest_.channels = binder_.texts(*node, "channels", line_of("channels"));
     }
     if (const YamlNode* node = given("dependencies")) {
-      manifest_.dependencies = binder_.texts(*node, "dependencies", line_of("dependencies"));
+      manifest_.dependencies = binder_.texts(
+          *node, "dependencies", [this](const YamlNode& item) { return read_dependency(item); });
     }
     if (const YamlNode* node = given("packages")) {
       manifest_.packages = binder_.texts(*node, "packages", [this](const YamlNode& item) {

@@ -62,6 +62,12 @@ Outcome<BuiltWorkspace> read_workspace(const PackRequest& request) {
   if (!text) return text.errors();
   auto manifest = read_manifest(*text, file.string());
   if (!manifest) return std::move(manifest).errors();
+  if (manifest->launch_file) {
+    return Diagnostic{.code = "R2W0404",
+                      .message = "launch files are not read by this version",
+                      .span = manifest->launch_file->span,
+                      .why = {"the nodes can be listed under `launch:`"}};
+  }
   BuiltWorkspace workspace;
   workspace.manifest = std::move(manifest).value();
   workspace.folder = fs::canonical(file, error).parent_path();
@@ -136,12 +142,6 @@ std::string build_remark(const std::vector<BuiltPackage>& packages) {
 /// Step 6: nodes of the manifest; without any, every program of the workspace.
 Outcome<std::vector<LaunchNode>> launch(BuiltWorkspace& workspace) {
   Manifest& manifest = workspace.manifest;
-  if (manifest.launch_file) {
-    return Diagnostic{.code = "R2W0404",
-                      .message = "launch files are not read by this version",
-                      .span = manifest.launch_file->span,
-                      .why = {"the nodes can be listed under `launch:`"}};
-  }
   if (manifest.nodes.empty()) {
     const auto local_end = workspace.installed.begin() + static_cast<std::ptrdiff_t>(workspace.packages.size());
     manifest.nodes = default_nodes({workspace.installed.begin(), local_end});
@@ -164,15 +164,16 @@ Outcome<std::vector<LaunchNode>> launch(BuiltWorkspace& workspace) {
       if (text) {
         files[file.value] = std::move(text).value();
       } else {
-        Diagnostic error = text.errors().front();
-        error.span = file.span;
-        errors.push_back(std::move(error));
+        errors.push_back(Diagnostic{.code = "R2W0403",
+                                    .message = "the parameter file `" + file.value + "` cannot be read",
+                                    .span = file.span,
+                                    .why = text.errors().front().why});
       }
     }
   }
-  if (!errors.empty()) return errors;
   auto nodes = launch_nodes(manifest.nodes, workspace.installed, files);
-  if (!nodes) return nodes;
+  if (!nodes) append(errors, nodes.errors());
+  if (!errors.empty()) return errors;
   // The same site whatever folder the pack was started in.
   for (LaunchNode& node : *nodes) node.source.file = fs::path(node.source.file).filename().string();
   return nodes;
@@ -281,7 +282,12 @@ Outcome<PackReport> pack(const PackRequest& request, const Cancellation& cancell
 
   // 6. what runs
   auto nodes = launch(*workspace);
-  if (!nodes) return std::move(nodes).errors();
+  if (!nodes) {
+    // What was left out may be the reason, so the warnings are told too.
+    Diagnostics errors = std::move(nodes).errors();
+    append(errors, workspace->warnings);
+    return errors;
+  }
 
   // 7. every file of the site
   begin_step(progress, "plan");

@@ -43,16 +43,6 @@ struct CompilerMessage {
   std::string text;
 };
 
-/// Emscripten's wrapper repeats the compiler's whole command when it failed; that is not the compiler's message.
-std::string without_wrapper_line(const std::string& text) {
-  std::string result;
-  for (const std::string& line : lines_of(text)) {
-    const bool wrapper = line.starts_with("em++: error: '") || line.starts_with("emcc: error: '");
-    if (!wrapper) result += line + "\n";
-  }
-  return result;
-}
-
 /// The first "file:line:column: error: text" with the source line that clang prints below it.
 std::optional<CompilerMessage> first_error(const std::vector<std::string>& lines,
                                            const BuildPlace& place) {
@@ -109,7 +99,7 @@ Diagnostic compile_error(const FailedCommand& failed, const BuildPlace& place) {
   const auto error = first_error(lines, place);
   Diagnostic result{.code = "R2W0502",
                     .message = "package `" + place.package + "` does not compile",
-                    .detail = without_wrapper_line(failed.text)};
+                    .detail = without_wrapper_lines(failed.text)};
   if (error) {
     result.message += ": " + error->text;
     result.span = error->span;
@@ -121,6 +111,16 @@ Diagnostic compile_error(const FailedCommand& failed, const BuildPlace& place) {
 }
 
 }  // namespace
+
+std::string without_wrapper_lines(std::string_view text) {
+  std::string result;
+  for (const std::string& line : lines_of(text)) {
+    const bool wrapper = (line.starts_with("em++: error: '") || line.starts_with("emcc: error: '")) &&
+                         line.find("' failed (") != std::string::npos;
+    if (!wrapper) result += line + "\n";
+  }
+  return result;
+}
 
 std::vector<FailedCommand> failed_commands(std::string_view ninja_output) {
   const auto lines = lines_of(ninja_output);
@@ -143,9 +143,10 @@ Diagnostics compile_errors(std::string_view ninja_output, const BuildPlace& plac
     if (failed.output_file.ends_with(".o")) {
       result.push_back(compile_error(failed, place));
     } else {
+      const std::string made = failed.output_file.substr(0, failed.output_file.find(' '));
       result.push_back(Diagnostic{.code = "R2W0506",
-                                  .message = "a build command of package `" + place.package +
-                                             "` failed: " + failed.output_file,
+                                  .message = "package `" + place.package + "`: the command that makes `" +
+                                             made + "` failed",
                                   .why = {"the command was: " + failed.command},
                                   .detail = failed.text});
     }

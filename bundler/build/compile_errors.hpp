@@ -11,6 +11,10 @@
 
 namespace ros2wasm {
 
+/// Emscripten's wrappers repeat the compiler's or linker's whole command when it failed. That line is not part of
+/// the tool's own message.
+[[nodiscard]] std::string without_wrapper_lines(std::string_view text);
+
 /// One command that failed, as ninja reports it.
 struct FailedCommand {
   std::string output_file;  ///< what it should have made

@@ -6,6 +6,7 @@
 #include <set>
 #include <sstream>
 
+#include "bundler/build/compile_errors.hpp"
 #include "bundler/build/thread_marker.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/process.hpp"
@@ -36,10 +37,11 @@ std::string described(const LinkRequest& request, const LinkLine& line) {
   return request.package.empty() ? target : target + " of package `" + request.package + "`";
 }
 
-Diagnostic link_failed(const LinkRequest& request, const LinkLine& line, std::string output) {
+Diagnostic link_failed(const LinkRequest& request, const LinkLine& line,
+                       const std::string& output) {
   return Diagnostic{.code = "R2W0505",
                     .message = "cannot link " + described(request, line),
-                    .detail = std::move(output)};
+                    .detail = without_wrapper_lines(output)};
 }
 
 /// Which objects refer to each symbol, from the linker's own trace. Only when a link failed already, so its cost

@@ -40,6 +40,16 @@ EnvironmentVariables child_environment(const PackageBuild& request, const BuildT
   return result;
 }
 
+/// Tool output for people: the folder where it was built is of no use to them, and differs from run to run.
+std::string for_people(std::string text, const PackageBuild& request) {
+  const std::string work = request.work.string();
+  for (std::size_t at = 0; (at = text.find(work, at)) != std::string::npos;) text.replace(at, work.size(), "<build>");
+  constexpr std::string_view kNoise = "Not searching for unused variables given on the command line.\n";
+  const std::size_t noise = text.find(kNoise);
+  if (noise != std::string::npos) text.erase(noise, kNoise.size());
+  return text;
+}
+
 /// Turns "[3/7] Building ..." lines into progress. Output comes in pieces.
 class NinjaProgress {
  public:
@@ -87,10 +97,11 @@ Outcome<Done> configure(const PackageBuild& request, const BuildTools& tools,
                      "-DROS2WASM_CLI=" + tools.cli.string(),
                      "-DROS2WASM_EMCXX=" + tools.compiler.cxx.string(),
                      "-DROS2WASM_EMCC=" + tools.compiler.c.string()},
-       .environment = child_environment(request, tools)},
+       .environment = child_environment(request, tools),
+       .directory = request.work},
       cancellation);
   if (!result) return result.errors();
-  if (result->exit_code != 0) return configure_errors(result->output, request.place);
+  if (result->exit_code != 0) return configure_errors(for_people(result->output, request), request.place);
   return Done{};
 }
 
@@ -121,12 +132,12 @@ Outcome<Done> compile(const PackageBuild& request, const BuildTools& tools,
       cancellation);
   if (!result) return result.errors();
   if (result->exit_code == 0) return Done{};
-  Diagnostics errors = compile_errors(result->output, request.place);
+  Diagnostics errors = compile_errors(for_people(result->output, request), request.place);
   for (Diagnostic& one : link_errors(request.work / kLinkDiagnostics)) errors.push_back(std::move(one));
   if (errors.empty()) {
     errors.push_back(Diagnostic{.code = "R2W0506",
                                 .message = "ninja failed for package `" + request.place.package + "`",
-                                .detail = result->output});
+                                .detail = for_people(result->output, request)});
   }
   return errors;
 }
@@ -136,13 +147,14 @@ Outcome<Done> install(const PackageBuild& request, const BuildTools& tools,
   const auto result =
       run_process({.arguments = {"cmake", "--install", request.work.string(), "--prefix",
                                  request.install.string()},
-                   .environment = child_environment(request, tools)},
+                   .environment = child_environment(request, tools),
+                   .directory = request.work},
                   cancellation);
   if (!result) return result.errors();
   if (result->exit_code == 0) return Done{};
   return Diagnostic{.code = "R2W0508",
                     .message = "package `" + request.place.package + "` does not install",
-                    .detail = result->output};
+                    .detail = for_people(result->output, request)};
 }
 
 }  // namespace

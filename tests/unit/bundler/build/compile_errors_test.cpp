@@ -62,6 +62,7 @@ TEST(CompileErrors, LinksSpeakForThemselvesAndOtherCommandsAreShown) {
       kPlace);
   ASSERT_EQ(errors.size(), 1U);
   EXPECT_EQ(errors[0].code, "R2W0506");
+  EXPECT_EQ(errors[0].message, "package `demo`: the command that makes `gen/x.hpp` failed");
   EXPECT_EQ(errors[0].detail, "Traceback\n");
 }
 

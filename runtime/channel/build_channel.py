@@ -14,13 +14,14 @@ import os
 import shutil
 import subprocess
 import sys
+from collections.abc import Callable
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from pathlib import Path
 from typing import Any
 
 sys.dont_write_bytecode = True
 
-from fingerprint import Compiler, find_compiler, package_keys  # noqa: E402
+from fingerprint import Compiler, find_compiler, package_keys, packer_digest  # noqa: E402
 from metadata import ABI_PACKAGE, abi_record, record  # noqa: E402
 from package_source import PackageSource, find_packages  # noqa: E402
 from stage import BuildFailure, Workshop, build_package  # noqa: E402
@@ -87,8 +88,8 @@ class Channel:
             raise RuntimeError(f"ros2wasm {' '.join(arguments[:2])} failed:\n{done.stdout}")
 
 
-def build_changed(workshop: Workshop, packages: dict[str, PackageSource], keys: dict[str, str],
-                  changed: list[str], jobs: int, done: Any) -> None:
+def build_changed(workshop: Workshop, packages: dict[str, PackageSource], changed: list[str], jobs: int,
+                  done: Callable[[str, Path], None]) -> None:
     """Builds the changed packages, each after those it needs; calls `done(name, tree)` for each."""
     waiting = list(changed)
     running: dict[Future[Path], str] = {}
@@ -118,15 +119,20 @@ def run(options: argparse.Namespace) -> int:
     state = read_state(state_file)
     channel = Channel(options.cli, options.out)
 
-    def current(name: str) -> bool:
-        known = state.get(name)
-        return bool(known) and known["key"] == keys[name] and archive_of(options.out, known["meta"]).exists()
+    packer = packer_digest(ROOT)
 
-    changed = [name for name in packages if not current(name)]
+    def is_built(name: str) -> bool:
+        return name in state and state[name]["key"] == keys[name] and workshop.tree(name).is_dir()
+
+    def is_packed(name: str) -> bool:
+        return state[name]["packer"] == packer and archive_of(options.out, state[name]["meta"]).exists()
+
+    changed = [name for name in packages if not is_built(name)]
+    unpacked = [name for name in packages if name not in changed and not is_packed(name)]
     gone = [name for name in state if name not in packages and name != ABI_PACKAGE]
     abi = abi_record(compiler)
     index_there = (options.out / "noarch" / "repodata.json").exists()
-    if not changed and not gone and index_there and archive_of(options.out, abi).exists():
+    if not changed and not unpacked and not gone and index_there and archive_of(options.out, abi).exists():
         return 0
 
     count = 0
@@ -138,18 +144,20 @@ def run(options: argparse.Namespace) -> int:
         meta["license_files"] = [str(path) for path in (ROOT / "LICENSE", tree / "share" / name / "copyright")
                                  if path.exists()]
         channel.add(meta, tree, workshop.folder / "meta" / f"{name}.json")
-        state[name] = {"key": keys[name], "meta": meta}
+        state[name] = {"key": keys[name], "packer": packer, "meta": meta}
         write_state(state_file, state)
-        say(f"[{count}/{len(changed)}] {name} {meta['version']}")
+        say(f"[{count}/{len(changed) + len(unpacked)}] {name} {meta['version']}")
 
     for name in gone:
         del state[name]
     empty = workshop.folder / "trees" / "empty"
     empty.mkdir(parents=True, exist_ok=True)
     channel.add(abi, empty, workshop.folder / "meta" / f"{ABI_PACKAGE}.json")
-    state[ABI_PACKAGE] = {"key": compiler.version, "meta": abi}
+    state[ABI_PACKAGE] = {"key": compiler.version, "packer": packer, "meta": abi}
+    for name in unpacked:
+        packed(name, workshop.tree(name))
     try:
-        build_changed(workshop, packages, keys, changed, options.jobs, packed)
+        build_changed(workshop, packages, changed, options.jobs, packed)
     except BuildFailure as failure:
         lines = failure.log.read_text(encoding="utf-8", errors="replace").splitlines()
         say("\n".join(lines[-LOG_LINES_SHOWN:]))

@@ -69,6 +69,12 @@ def tree_digest(folder: Path) -> str:
     return result.hexdigest()
 
 
+def packer_digest(repository: Path) -> str:
+    """Hashes the code that makes archives: when it changes, packages are packed again, not built."""
+    files = sorted((repository / "bundler" / "archive").glob("conda_writer*"))
+    return hashlib.sha256(b"\0".join(file.read_bytes() for file in files)).hexdigest()
+
+
 def package_keys(packages: dict[str, PackageSource], compiler: Compiler, recipe: Path,
                  toolchain: Path) -> dict[str, str]:
     """Returns a key for each package: its sources, the keys of its needs, tools and this recipe."""

@@ -51,7 +51,8 @@ export async function isolate(script: URL): Promise<'yes' | 'no' | 'reloading'> 
     return 'no';
   }
   try {
-    await container.register(script, { updateViaCache: 'none' });
+    const registration = await container.register(script, { updateViaCache: 'none' });
+    if ((registration?.installing ?? registration?.waiting ?? registration?.active ?? null) === null) return 'no';
     if (!await controlled(container)) return 'no';
   } catch {
     return 'no';

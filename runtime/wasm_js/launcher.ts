@@ -58,7 +58,11 @@ export async function startSession(options: LaunchOptions = {}): Promise<Session
   if (autostart) for (const node of site.nodes) platform.compile(node.program).catch(() => undefined);
   const session = new SiteSession({ site, platform, broker: chooseBroker(options.link) });
   if (autostart) session.startAll();
-  const later = (): void => void keepOffline(serviceWorker).then((kept) => options.onOffline?.(kept));
+  // Styles and tests can tell by <html data-offline> whether the site is kept.
+  const later = (): void => void keepOffline(serviceWorker).then((kept) => {
+    document.documentElement.dataset['offline'] = kept ? 'kept' : 'not_kept';
+    options.onOffline?.(kept);
+  });
   if ('requestIdleCallback' in globalThis) requestIdleCallback(later, { timeout: 3000 });
   else setTimeout(later, 1000);
   window.addEventListener('pagehide', (event) => {

@@ -1,0 +1,174 @@
+// The runtime in Chromium: both links, hosts with and without headers, offline, and what the policy forbids.
+
+import assert from 'node:assert/strict';
+import { rmSync } from 'node:fs';
+import { after, before, test } from 'node:test';
+import { type Browser, type BrowserContext, chromium, type Page } from 'playwright-core';
+import { chromiumOptions } from './chromium.ts';
+import { type Host, makeSite, serveSite } from './runtime_site.ts';
+
+const watchdog = { timeout: 60_000 };
+
+// A worker that tells what it may not do.
+const probe = `
+  const tell = async () => {
+    const out = {};
+    try { eval('1'); out.eval = 'allowed'; } catch (error) { out.eval = error.name; }
+    try { await fetch('FOREIGN', { mode: 'no-cors' }); out.fetch = 'allowed'; } catch (error) { out.fetch = error.name; }
+    postMessage(out);
+  };
+  tell();
+`;
+
+let browser: Browser;
+let foreign: Host;
+let folder: string;
+const contexts: BrowserContext[] = [];
+
+before(async () => {
+  foreign = await serveSite('/nowhere', false);
+  folder = makeSite([{ program: 'talker.c' }, { program: 'listener.c' }],
+    { 'probe.js': probe.replace('FOREIGN', foreign.url) });
+  browser = await chromium.launch(chromiumOptions());
+});
+
+after(async () => {
+  for (const context of contexts) await context.close();
+  await browser.close();
+  await foreign.close();
+  rmSync(folder, { recursive: true });
+});
+
+async function open(options: Parameters<Browser['newContext']>[0] = {}): Promise<Page> {
+  const context = await browser.newContext(options);
+  contexts.push(context);
+  return context.newPage();
+}
+
+async function heard(page: Page): Promise<void> {
+  await page.waitForFunction(() => document.body.textContent?.includes('I heard: [Hello World'), null, { timeout: 30_000 });
+}
+
+/** Runs the probe as a worker from the site's URL, or from a blob: URL as nodes are started. */
+function probeWorker(page: Page, way: 'url' | 'blob'): Promise<unknown> {
+  return page.evaluate(async (how) => {
+    const url = how === 'url' ? 'probe.js' : URL.createObjectURL(await (await fetch('probe.js')).blob());
+    return new Promise((resolve, reject) => {
+      const worker = new Worker(url);
+      worker.onmessage = (event) => resolve(event.data);
+      worker.onerror = (event) => reject(new Error(event.message));
+    });
+  }, way);
+}
+
+const refused = { eval: 'EvalError', fetch: 'TypeError' };
+
+test('a host with the headers: shared memory, and nothing from elsewhere', watchdog, async () => {
+  const host = await serveSite(folder, true);
+  try {
+    const page = await open();
+    const outside: string[] = [];
+    page.on('request', (request) => {
+      const { href, protocol } = new URL(request.url());
+      if (!href.startsWith(host.url) && protocol !== 'blob:') outside.push(href);
+    });
+    await page.goto(host.url);
+    await heard(page);
+    assert.equal(await page.evaluate(() => crossOriginIsolated), true);
+    assert.match(await page.textContent('body') ?? '', /Shared memory/);
+    assert.deepEqual(outside, []);
+    assert.deepEqual(await probeWorker(page, 'blob'), refused);
+  } finally {
+    await host.close();
+  }
+});
+
+test('a host without headers: the service worker adds them, and the policy to worker scripts too', watchdog, async () => {
+  const host = await serveSite(folder, false);
+  try {
+    const page = await open();
+    await page.goto(host.url);
+    await heard(page);
+    assert.equal(await page.evaluate(() => crossOriginIsolated), true);
+    assert.deepEqual(await probeWorker(page, 'url'), refused);
+    assert.deepEqual(await probeWorker(page, 'blob'), refused);
+    assert.ok(!foreign.requests.some((path) => path.startsWith('/some')), 'the foreign host heard nothing');
+  } finally {
+    await host.close();
+  }
+});
+
+test('offline after the first visit', watchdog, async () => {
+  const host = await serveSite(folder, false);
+  const page = await open();
+  await page.goto(host.url);
+  await heard(page);
+  await page.waitForFunction(() => document.documentElement.dataset['offline'] === 'kept', null, { timeout: 30_000 });
+  await host.close();
+  await page.goto(host.url);
+  await heard(page);
+  assert.equal(await page.evaluate(() => crossOriginIsolated), true);
+});
+
+test('a new version of the site is what the next visit shows', watchdog, async () => {
+  const changing = makeSite([{ program: 'talker.c' }, { program: 'listener.c' }]);
+  const host = await serveSite(changing, false);
+  try {
+    const page = await open();
+    await page.goto(host.url);
+    await heard(page);
+    await page.waitForFunction(() => document.documentElement.dataset['offline'] === 'kept', null, { timeout: 30_000 });
+    const next = makeSite([{ program: 'echo.c' }]);
+    rmSync(changing, { recursive: true });
+    const { renameSync } = await import('node:fs');
+    renameSync(next, changing);
+    await page.reload();
+    await page.waitForFunction(() => document.body.textContent?.includes('COLOUR=red'), null, { timeout: 30_000 });
+  } finally {
+    await host.close();
+    rmSync(changing, { recursive: true });
+  }
+});
+
+test('where no service worker can run: ports, and the policy holds in workers all the same', watchdog, async () => {
+  const host = await serveSite(folder, false);
+  try {
+    const page = await open({ serviceWorkers: 'block' });
+    await page.goto(host.url);
+    await heard(page);
+    assert.equal(await page.evaluate(() => crossOriginIsolated), false);
+    assert.match(await page.textContent('body') ?? '', /Message ports/);
+    assert.deepEqual(await probeWorker(page, 'blob'), refused);
+    const node = page.workers().find((worker) => worker.url().startsWith('blob:'));
+    assert.ok(node !== undefined, 'a node worker');
+    const answer = await node.evaluate(async (url) => {
+      const out = { eval: 'allowed', fetch: 'allowed' };
+      try {
+        new Function('return 1')();
+      } catch (error) {
+        out.eval = (error as Error).name;
+      }
+      try {
+        await fetch(url, { mode: 'no-cors' });
+      } catch (error) {
+        out.fetch = (error as Error).name;
+      }
+      return out;
+    }, foreign.url);
+    assert.equal(answer.fetch, 'TypeError');
+  } finally {
+    await host.close();
+  }
+});
+
+test('in a frame of a foreign page the port link runs', watchdog, async () => {
+  const host = await serveSite(folder, false);
+  try {
+    const page = await open();
+    await page.setContent(`<iframe src="${host.url}" width="900" height="700"></iframe>`);
+    const frame = page.frameLocator('iframe');
+    await frame.getByText('I heard: [Hello World').first().waitFor({ timeout: 30_000 });
+  } finally {
+    await host.close();
+  }
+});

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "bundler/pipeline.hpp"
+#include "bundler/resolve/locked_solve.hpp"
 #include "bundler/serve/site_responder.hpp"
 #include "cli/console.hpp"
 #include "cli/diagnostic_text.hpp"
@@ -63,6 +64,7 @@ int WatchedPack::pack_now() {
     state.problems = problem_text(report.errors());
     exit_code = context_.console.fail(report.errors());
   }
+  watch_.accept(workspace_marks({folder_ / kLockFileName}, {}));
   pages_.set(std::move(state));
   return exit_code;
 }

@@ -3,6 +3,7 @@
 
 #include <chrono>
 
+#include "bundler/io/sha256.hpp"
 #include "workspace_schema/json_writer.hpp"
 
 namespace ros2wasm {
@@ -11,8 +12,6 @@ namespace {
 /// How long a stream waits before it looks whether the page is still there.
 constexpr std::chrono::milliseconds kLookAround{500};
 
-// The service worker of the packed site keeps files for offline use, so they are dropped before the
-// page is loaded again.
 constexpr std::string_view kScript = R"js(// Reloads the page when `ros2wasm serve --watch` has packed the site again.
 const shown = new URL(import.meta.url).search.slice(1);
 const note = document.createElement('pre');
@@ -24,23 +23,12 @@ Object.assign(note.style, {
   color: '#fff', background: '#7a1220', borderTop: '2px solid #ff6b81',
 });
 
-async function reload() {
-  try {
-    for (const key of await caches.keys()) await caches.delete(key);
-    const worker = await navigator.serviceWorker?.getRegistration();
-    await worker?.update();
-  } catch {
-    // No caches here: nothing old can be shown.
-  }
-  location.reload();
-}
-
 const events = new EventSource(new URL('events', import.meta.url));
 events.onmessage = (event) => {
   const state = JSON.parse(event.data);
   if (state.version !== shown) {
     events.close();
-    void reload();
+    location.reload();
   } else if (state.problems !== '') {
     note.textContent = `The last good site is shown; packing again failed:\n\n${state.problems}`;
     document.body.append(note);
@@ -103,6 +91,15 @@ std::string with_reload_script(std::string_view page, const std::string& version
   std::string text(page);
   const std::size_t head_end = text.find("</head>");
   text.insert(head_end == std::string::npos ? 0 : head_end, tag);
+  return text;
+}
+
+std::string with_page_hash(std::string_view site_json, std::string_view page,
+                           std::string_view served_page) {
+  std::string text(site_json);
+  const std::string packed_hash = sha256_hex(page);
+  const std::size_t at = text.find(packed_hash);
+  if (at != std::string::npos) text.replace(at, packed_hash.size(), sha256_hex(served_page));
   return text;
 }
 

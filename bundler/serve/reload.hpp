@@ -49,4 +49,9 @@ class ReloadHub {
 /// `page` with the script's tag before `</head>` (or at its start when it has no head).
 [[nodiscard]] std::string with_reload_script(std::string_view page, const std::string& version);
 
+/// `site_json` with the hash of the page as it is served in place of the packed one's: the site's
+/// service worker keeps files by these hashes, and would else show the page without the script.
+[[nodiscard]] std::string with_page_hash(std::string_view site_json, std::string_view page,
+                                         std::string_view served_page);
+
 }  // namespace ros2wasm

@@ -113,14 +113,23 @@ HttpResponse file_response(const HttpRequest& request, const std::filesystem::pa
   return response;
 }
 
-/// The start page in watch mode: never kept, and with the reload script.
-HttpResponse watched_page(const ReloadHub& reload, const std::filesystem::path& path) {
-  const auto page = read_file(path);
-  if (!page) return text_response(404, "This site has no such file.\n");
-  return HttpResponse{.status = 200,
-                      .headers = {},
-                      .content_type = std::string(mime_type("index.html")),
-                      .body = with_reload_script(*page, reload.state().version)};
+/// What differs in watch mode: the start page has the reload script, and site.json its new hash.
+std::optional<HttpResponse> watched_response(const SiteServing& serving, const std::string& path) {
+  const bool description = path == "site.json";
+  if (!description && !path.empty() && path != "index.html") return std::nullopt;
+  const auto page = read_file(serving.folder / "index.html");
+  if (!page) return std::nullopt;
+  std::string text = with_reload_script(*page, serving.reload->state().version);
+  if (description) {
+    const auto packed = read_file(serving.folder / "site.json");
+    if (!packed) return std::nullopt;
+    text = with_page_hash(*packed, *page, text);
+  }
+  return HttpResponse{
+      .status = 200,
+      .headers = {},
+      .content_type = std::string(mime_type(description ? "site.json" : "index.html")),
+      .body = std::move(text)};
 }
 
 std::optional<HttpResponse> reload_response(const ReloadHub& reload, const std::string& path) {
@@ -143,14 +152,11 @@ HttpResponse path_response(const SiteServing& serving, const HttpRequest& reques
                            const std::string& path) {
   if (serving.reload) {
     if (auto special = reload_response(*serving.reload, path)) return std::move(*special);
+    if (auto special = watched_response(serving, path)) return std::move(*special);
   }
   const bool wants_folder = path.empty() || path.ends_with('/');
   const Found found = find_in_site(serving.folder, wants_folder ? path + "index.html" : path);
-  if (found.kind == Lookup::kFile) {
-    if (serving.reload && (path.empty() || path == "index.html"))
-      return watched_page(*serving.reload, found.path);
-    return file_response(request, found.path);
-  }
+  if (found.kind == Lookup::kFile) return file_response(request, found.path);
   // A folder's page has relative links, which need the slash.
   if (found.kind == Lookup::kFolder && !wants_folder &&
       find_in_site(serving.folder, path + "/index.html").kind == Lookup::kFile) {

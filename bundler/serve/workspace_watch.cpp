@@ -86,4 +86,11 @@ std::optional<std::string> WorkspaceWatch::look(WorkspaceMarks now) {
   return changed;
 }
 
+void WorkspaceWatch::accept(const WorkspaceMarks& written) {
+  for (const auto& [path, mark] : written) {
+    packed_[path] = mark;
+    last_[path] = mark;
+  }
+}
+
 }  // namespace ros2wasm

@@ -37,6 +37,9 @@ class WorkspaceWatch {
   /// `git checkout` may write many files. The changes then count as packed.
   [[nodiscard]] std::optional<std::string> look(WorkspaceMarks now);
 
+  /// Files that the pack itself wrote: as they are now, they are no change.
+  void accept(const WorkspaceMarks& written);
+
  private:
   WorkspaceMarks packed_;
   WorkspaceMarks last_;

@@ -45,5 +45,14 @@ TEST(WithReloadScript, GoesIntoTheHead) {
             "<script type=\"module\" src=\".ros2wasm/reload.js?7\"></script>text");
 }
 
+TEST(WithPageHash, NamesThePageThatIsServed) {
+  // printf 'page' | sha256sum, printf 'served' | sha256sum
+  const std::string packed = "3660315a9af3df255d8f19ab077e4797822b41488a0e2a04bc6af71213c23274";
+  const std::string served = "8fe88bf015b53b37b5fa84dc726cd93aacca97f601185be11f5fb74fa3d77802";
+  EXPECT_EQ(with_page_hash("{\"sha256\":\"" + packed + "\"}", "page", "served"),
+            "{\"sha256\":\"" + served + "\"}");
+  EXPECT_EQ(with_page_hash("{}", "page", "served"), "{}");
+}
+
 }  // namespace
 }  // namespace ros2wasm

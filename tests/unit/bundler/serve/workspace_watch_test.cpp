@@ -79,6 +79,14 @@ TEST(WorkspaceWatch, SeesWhatIsNewAndWhatIsGone) {
   EXPECT_EQ(watch.look(one), "b");
 }
 
+TEST(WorkspaceWatch, AcceptsWhatThePackWrote) {
+  WorkspaceWatch watch({{"a", {.size = 1}}});
+  watch.accept({{"lock", {.size = 5}}});
+  const WorkspaceMarks now = {{"a", {.size = 1}}, {"lock", {.size = 5}}};
+  EXPECT_EQ(watch.look(now), std::nullopt);
+  EXPECT_EQ(watch.look(now), std::nullopt);
+}
+
 TEST(WorkspaceWatch, ForgetsAChangeThatWasTakenBack) {
   const WorkspaceMarks before = {{"a", {.size = 1}}};
   WorkspaceWatch watch(before);

@@ -77,8 +77,9 @@ Diagnostic& Binder::wrong_type(const YamlNode& node, const std::string& what,
                  "expected " + std::string(wanted));
   if (node.kind == YamlKind::kScalar &&
       std::holds_alternative<YamlUnknownTag>(scalar_value(node))) {
-    Diagnostic& wrong = error("R2W0103", "the value of " + called(what) + " has a tag that does not fit", node.range,
-                              "tagged `" + node.tag + "`");
+    Diagnostic& wrong =
+        error("R2W0103", "the value of " + called(what) + " has a tag that does not fit",
+              node.range, "tagged `" + node.tag + "`");
     wrong.why.push_back(
         "only YAML's own tags are read, such as `!!str`, and the value must fit its tag");
     return wrong;
@@ -87,16 +88,21 @@ Diagnostic& Binder::wrong_type(const YamlNode& node, const std::string& what,
                "this is " + std::string(described(node)));
 }
 
-std::optional<Spanned<std::string>> Binder::text(const YamlNode& node, const std::string& what) {
+std::optional<Spanned<std::string>> Binder::text(
+    const YamlNode& node, const std::string& what,
+    const std::function<bool(const std::string&)>& accepts, std::string_view wanted,
+    const std::string& rule) {
   if (is_text(node)) return Spanned<std::string>{.value = node.text, .span = span(node)};
-  Diagnostic& wrong = wrong_type(node, what, "a text");
-  if (is_scalar_value(node)) {
-    wrong.fix.push_back("write `" + quoted_form(node.text) + "`");
-  } else if (node.kind == YamlKind::kSequence && node.items.size() == 1 &&
-             is_text(node.items.front())) {
-    wrong.fix.push_back("write `" + pair_or_value(what, as_yaml_text(node.items.front().text)) +
-                        "`");
-  }
+  Diagnostic& wrong = wrong_type(node, what, wanted);
+  if (!rule.empty()) wrong.why.push_back(rule);
+  const bool only_item =
+      node.kind == YamlKind::kSequence && node.items.size() == 1 && is_text(node.items.front());
+  if (!is_scalar_value(node) && !only_item) return std::nullopt;
+  const std::string& meant = only_item ? node.items.front().text : node.text;
+  if (accepts && !accepts(meant)) return std::nullopt;
+  wrong.fix.push_back("write `" +
+                      (only_item ? pair_or_value(what, as_yaml_text(meant)) : quoted_form(meant)) +
+                      "`");
   return std::nullopt;
 }
 
@@ -144,7 +150,10 @@ std::optional<bool> Binder::boolean(const YamlNode& node, const std::string& wha
 
 std::optional<Spanned<std::string>> Binder::word(const YamlNode& node, const std::string& what,
                                                  std::span<const std::string> words) {
-  auto found = text(node, what);
+  const auto known = [words](const std::string& meant) {
+    return std::find(words.begin(), words.end(), meant) != words.end();
+  };
+  auto found = text(node, what, known, "one of " + name_list(words, 12));
   if (!found) return std::nullopt;
   if (std::find(words.begin(), words.end(), found->value) != words.end()) return found;
   Diagnostic& wrong = error("R2W0103", called(what) + " cannot be `" + found->value + "`",
@@ -174,7 +183,10 @@ Diagnostic* Binder::missing(const YamlNode& map, const std::string& what, const 
 
 std::optional<Spanned<std::string>> Binder::name(const YamlNode& node, const std::string& what,
                                                  NameCheck check) {
-  auto found = text(node, what);
+  const auto good = [check](const std::string& meant) { return !check(meant); };
+  const bool scalar = node.kind == YamlKind::kScalar;
+  const auto broken = scalar ? check(node.text) : std::nullopt;
+  auto found = text(node, what, good, "a text", broken ? broken->rule : "");
   if (!found) return std::nullopt;
   const auto fault = check(found->value);
   if (!fault) return found;

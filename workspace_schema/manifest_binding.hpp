@@ -43,7 +43,12 @@ class Binder {
 
   /// A text. Numbers and booleans are refused with the quoted form as fix. `what` is the key's
   /// name.
-  std::optional<Spanned<std::string>> text(const YamlNode& node, const std::string& what);
+  /// The quoted form is offered only when `accepts` takes its text.
+  /// `wanted` says what the text is, and `rule` which rule it follows, for the message.
+  std::optional<Spanned<std::string>> text(
+      const YamlNode& node, const std::string& what,
+      const std::function<bool(const std::string&)>& accepts = {},
+      std::string_view wanted = "a text", const std::string& rule = {});
   /// A text that is not empty and has one line.
   std::optional<Spanned<std::string>> line(const YamlNode& node, const std::string& what);
   /// A text or a number, as it is written: for versions and arguments.
@@ -74,8 +79,8 @@ class Binder {
   /// only says that it is no mapping at all. `where` completes "there is no key `x` in ...".
   bool mapping(const YamlNode& node, const std::string& where, std::span<const KeyRow> keys);
 
-  /// R2W0106 for a required key, unless a misspelt key was reported that must have meant it. Returns the error to
-  /// be completed, or nullptr.
+  /// R2W0106 for a required key, unless a misspelt key was reported that must have meant it.
+  /// Returns the error to be completed, or nullptr.
   Diagnostic* missing(const YamlNode& map, const std::string& what, const std::string& key);
 
   [[nodiscard]] Diagnostics take_errors() { return std::move(errors_); }
@@ -90,7 +95,8 @@ class Binder {
   const SourceText& source_;
   Diagnostics errors_;
   Diagnostics warnings_;
-  std::set<std::pair<std::size_t, std::string>> meant_;  ///< start of a mapping, key that was misspelt in it
+  std::set<std::pair<std::size_t, std::string>>
+      meant_;  ///< start of a mapping, key that was misspelt in it
 };
 
 /// The value of a key, or nullptr. `map` may be anything; only mappings have keys.

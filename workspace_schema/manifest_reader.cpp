@@ -184,7 +184,7 @@ class Reader {
   }
 
   void read_orcid(const YamlNode& node, Author& author) {
-    auto text = binder_.line(node, "orcid");
+    auto text = binder_.text(node, "orcid", is_orcid, "an ORCID iD such as 0000-0002-1825-0097");
     if (!text) return;
     if (is_orcid(text->value)) {
       author.orcid = std::move(text->value);
@@ -203,7 +203,10 @@ class Reader {
     static const std::array<std::string, 7> kEnded{"ardent",   "bouncy", "crystal", "dashing",
                                                    "eloquent", "foxy",   "galactic"};
     static const std::array<std::string, 4> kRos1{"indigo", "kinetic", "melodic", "noetic"};
-    auto text = binder_.text(node, "distro");
+    const auto known = [](const std::string& meant) {
+      return std::find(distros().begin(), distros().end(), meant) != distros().end();
+    };
+    auto text = binder_.text(node, "distro", known, "one of " + name_list(distros(), 12));
     if (!text) return;
     if (std::find(distros().begin(), distros().end(), text->value) != distros().end()) {
       manifest_.distro = std::move(text->value);

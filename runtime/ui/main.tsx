@@ -5,5 +5,9 @@ import { mountPage } from './mount.tsx';
 
 const root = document.getElementById('page');
 if (root !== null) {
-  mountPage(root, startSession());
+  let keep: (kept: boolean) => void = () => undefined;
+  const kept = new Promise<boolean>((resolve) => {
+    keep = resolve;
+  });
+  mountPage(root, startSession({ onOffline: keep }), kept);
 }

@@ -14,9 +14,10 @@ import { IconButton } from './parts/button.tsx';
 import { ProblemView } from './parts/problem_view.tsx';
 import { texts } from './texts.ts';
 
-export function mountPage(root: Element, starting: Promise<Session>): void {
+/** `kept` tells, some time later, whether the site is kept for visits without a network. */
+export function mountPage(root: Element, starting: Promise<Session>, kept: Promise<boolean>): void {
   root.replaceChildren();
-  render(<App starting={starting} store={browserStore()} />, root);
+  render(<App starting={starting} kept={kept} store={browserStore()} />, root);
 }
 
 type Progress =
@@ -24,13 +25,14 @@ type Progress =
   | { readonly kind: 'running'; readonly session: Session }
   | { readonly kind: 'failed'; readonly problem: Problem };
 
-function App({
-  starting,
-  store,
-}: {
+interface AppProps {
   readonly starting: Promise<Session>;
+  readonly kept: Promise<boolean>;
   readonly store: Store | null;
-}) {
+}
+
+function App({ starting, kept, store }: AppProps) {
+  const [offline, setOffline] = useState<boolean | null>(null);
   const [progress, setProgress] = useState<Progress>({ kind: 'starting' });
   const [mistake, setMistake] = useState<Problem | null>(null);
 
@@ -43,6 +45,10 @@ function App({
       (error: unknown) => setProgress({ kind: 'failed', problem: problemOf(error) }),
     );
   }, [starting]);
+
+  useEffect(() => {
+    void kept.then(setOffline);
+  }, [kept]);
 
   useEffect(() => {
     const onError = (event: ErrorEvent): void =>
@@ -68,7 +74,7 @@ function App({
         </main>
       ) : (
         <Boundary title={texts.product} announce={ignore}>
-          <Page session={progress.session} store={store} />
+          <Page session={progress.session} store={store} offline={offline} />
         </Boundary>
       )}
     </>

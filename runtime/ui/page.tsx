@@ -20,11 +20,12 @@ const kLeft = { minimum: 208, maximum: 480, usual: 272 };
 const kRight = { minimum: 256, maximum: 640, usual: 352 };
 
 export interface PageProps {
+  readonly offline: boolean | null;
   readonly session: Session;
   readonly store: Store | null;
 }
 
-export function Page({ session, store }: PageProps) {
+export function Page({ session, store, offline }: PageProps) {
   const wide = useMedia('(min-width: 78rem)');
   const middling = useMedia('(min-width: 46rem)');
   const [focusId, setFocusId] = useState<string | null>(null);
@@ -78,6 +79,7 @@ export function Page({ session, store }: PageProps) {
       <AboutDialog
         session={session}
         open={aboutOpen}
+        offline={offline}
         onClose={() => setAboutOpen(false)}
         announce={announce}
       />

@@ -259,6 +259,7 @@ test('the link is told in plain words, with the way to a faster one', () =>
     await page.getByRole('button', { name: /^Link between the nodes: Message ports/ }).click();
     const dialog = page.getByRole('dialog');
     await dialog.getByText('Cross-Origin-Opener-Policy: same-origin').waitFor();
+    await dialog.getByText('opens again without a network').waitFor();
     await page.keyboard.press('Escape');
     await dialog.waitFor({ state: 'hidden' });
     await page.getByRole('button', { name: 'About this page', exact: true }).click();

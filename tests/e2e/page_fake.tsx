@@ -209,5 +209,5 @@ if (root !== null && scene !== undefined) {
     (fake) => Object.assign(globalThis, { fake }),
     () => undefined,
   );
-  mountPage(root, starting);
+  mountPage(root, starting, Promise.resolve(true));
 }

@@ -11,11 +11,13 @@ import { CopyButton, IconButton } from './button.tsx';
 export interface AboutDialogProps {
   readonly session: Session;
   readonly open: boolean;
+  /** Whether the site is kept for visits without a network; null while unknown. */
+  readonly offline: boolean | null;
   readonly onClose: () => void;
   readonly announce: (text: string) => void;
 }
 
-export function AboutDialog({ session, open, onClose, announce }: AboutDialogProps) {
+export function AboutDialog({ session, open, offline, onClose, announce }: AboutDialogProps) {
   const dialog = useRef<HTMLDialogElement>(null);
   useEffect(() => {
     const element = dialog.current;
@@ -36,6 +38,7 @@ export function AboutDialog({ session, open, onClose, announce }: AboutDialogPro
         ? ''
         : texts.about.sizeOf(formatCount(site.files.length), formatBytes(bytes)),
     ],
+    [texts.about.offline, offlineWords(offline)],
     [texts.about.generator, site.generator],
   ];
   return (
@@ -69,4 +72,9 @@ export function AboutDialog({ session, open, onClose, announce }: AboutDialogPro
       </p>
     </dialog>
   );
+}
+
+function offlineWords(offline: boolean | null): string {
+  if (offline === null) return '';
+  return offline ? texts.about.offlineYes : texts.about.offlineNo;
 }

@@ -10,7 +10,7 @@ import { formatCount } from '../model/quantities.ts';
 import { texts } from '../texts.ts';
 import { CopyButton, IconButton } from './button.tsx';
 import { LineScroller } from './line_scroller.tsx';
-import { StateBadge } from './node_state.tsx';
+import { isAlive, StateBadge } from './node_state.tsx';
 
 /** Lines kept per view; older ones fall off. */
 const kCapacity = 100_000;
@@ -77,17 +77,19 @@ export function ConsoleTile({
         list={list}
         version={version}
         label={title}
-        empty={
-          list.allCount === 0
-            ? texts.console.empty
-            : texts.console.emptyFiltered(formatCount(list.allCount))
-        }
+        empty={emptyWords(list.allCount, nodes)}
       />
       {asking && only !== undefined ? (
         <InputLine label={label} send={(text) => session.sendInput(only.id, text)} />
       ) : null}
     </article>
   );
+}
+
+function emptyWords(lines: number, nodes: readonly NodeView[]): string {
+  if (lines > 0) return texts.console.emptyFiltered(formatCount(lines));
+  const mayPrint = nodes.some((node) => isAlive(node.state));
+  return mayPrint ? texts.console.empty : texts.console.emptyForGood;
 }
 
 interface Lines {

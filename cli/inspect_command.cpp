@@ -1,4 +1,5 @@
 // `ros2wasm inspect version|spec|match|archive`: what the parsers make of a text or a file, one JSON object a line.
+#include <charconv>
 #include <iostream>
 #include <memory>
 
@@ -53,6 +54,21 @@ std::string spec_line(const std::string& input) {
   return json.text();
 }
 
+/// A name that the spec matches: its own, with nothing in place of each `*`.
+std::string fitting_name(const MatchSpec& spec) {
+  std::string name = spec.name().text();
+  std::erase(name, '*');
+  return name.empty() ? "package" : name;
+}
+
+/// Build strings end with their number by custom: "py39_1".
+std::uint64_t number_of_build(std::string_view build) {
+  const std::size_t digits = build.find_last_not_of("0123456789") + 1;
+  std::uint64_t number = 0;
+  std::from_chars(build.data() + digits, build.data() + build.size(), number);
+  return number;
+}
+
 /// "spec<TAB>version<TAB>build", as if the package had the spec's name.
 std::string match_line(const std::string& input) {
   const std::size_t first = input.find('\t');
@@ -62,9 +78,10 @@ std::string match_line(const std::string& input) {
   }
   const auto spec = MatchSpec::parse(input.substr(0, first));
   if (!spec) return failed(input, spec.errors());
-  PackageRecord record{.name = spec->exact_name().value_or("package"),
+  PackageRecord record{.name = fitting_name(*spec),
                        .version = input.substr(first + 1, second == std::string::npos ? second : second - first - 1),
                        .build = second == std::string::npos ? std::string() : input.substr(second + 1)};
+  record.build_number = number_of_build(record.build);
   const auto version = Version::parse(record.version);
   if (!version) return failed(input, version.errors());
   JsonWriter json;

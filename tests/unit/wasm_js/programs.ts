@@ -10,6 +10,7 @@ import { fileURLToPath } from 'node:url';
 const root = fileURLToPath(new URL('../../../', import.meta.url));
 const include = join(root, 'runtime/wasm_cpp/include');
 const core = join(root, 'runtime/wasm_cpp/src');
+const exceptionContext = join(root, 'templates/toolchain/include/ros2wasm/exception_context.h');
 
 const compile = ['-O2', '-fwasm-exceptions', '-pthread', `-I${include}`];
 const link = ['-O2', '--profiling-funcs', '-fwasm-exceptions', '-sALLOW_MEMORY_GROWTH=1',
@@ -39,7 +40,7 @@ export function buildProgram(name: string, { threads = false }: ProgramKind = {}
   const objects = sources.map((file, i) => {
     const object = join(work, `${i}.o`);
     const cpp = file.endsWith('.cpp');
-    const context = ['-std=c++17', '-include', join(include, 'ros2wasm/exception_context.h')];
+    const context = ['-std=c++17', '-include', exceptionContext];
     run(cpp ? 'em++' : 'emcc', [...compile, ...(cpp ? context : []), '-c', file, '-o', object]);
     return object;
   });

@@ -1,0 +1,166 @@
+// Sessions over real programs under Node.js: states, consoles, input, threads, crashes, rules.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import type { TopicView } from '../../../runtime/wasm_js/session.ts';
+import { prints, reaches, withSession } from './site_fixture.ts';
+
+const watchdog = { timeout: 60_000 };
+
+for (const link of ['shared', 'port'] as const) {
+  test(`${link}: talker and listener; topics, rates and the last message; stop`, watchdog, () =>
+    withSession([{ program: 'talker.c' }, { program: 'listener.c' }], async (session) => {
+      assert.equal(session.link, link);
+      assert.deepEqual(session.nodes().map(({ state }) => state.kind), ['stopped', 'stopped']);
+      session.startAll();
+      await prints(session, 'listener-2', /I heard: \[Hello World: \d+\] after 1/);
+      const topic = await new Promise<TopicView>((resolve) => {
+        const off = session.onTopics((topics) => {
+          const view = topics.find(({ name, rateHz, count }) => name === '/chatter' && rateHz > 1 && count > 5);
+          if (view === undefined) return;
+          off();
+          resolve(view);
+        });
+      });
+      assert.equal(topic.type, 'std_msgs/msg/String');
+      assert.deepEqual([topic.publishers, topic.subscriptions], [1, 1]);
+      assert.deepEqual(topic.qos, [{ reliability: 'reliable', durability: 'volatile', history: 'keep_last', depth: 10 }]);
+      assert.ok(topic.bytesPerSecond > topic.rateHz);
+      const last = session.lastMessage('/chatter');
+      assert.match(new TextDecoder().decode(last?.bytes), /Hello World: \d+\0$/);
+      assert.ok(Math.abs((last?.receivedAt ?? 0) - Date.now()) < 30_000);
+      assert.equal(session.lastMessage('/nothing'), undefined);
+      assert.equal((await session.interfaces()).get('std_msgs/msg/String'), 'string data\n');
+      session.stop('talker-1');
+      const talker = await reaches(session, 'talker-1', 'exited');
+      assert.deepEqual(talker.state, { kind: 'exited', code: 0 });
+      await prints(session, 'talker-1', /^talker stops$/);
+      session.stopAll();
+      await reaches(session, 'listener-2', 'exited');
+      session.start('talker-1');
+      await reaches(session, 'talker-1', 'running');
+    }, link));
+
+  test(`${link}: arguments, environment and standard input; the exit code`, watchdog, () =>
+    withSession([{ program: 'echo.c', arguments: ['--ros-args', '-r', 'a:=b'] }], async (session) => {
+      session.startAll();
+      await prints(session, 'echo-1', /^COLOUR=red$/);
+      assert.deepEqual(session.console('echo-1').lines().slice(0, 4).map(({ text }) => text),
+        ['argument 0: echo', 'argument 1: --ros-args', 'argument 2: -r', 'argument 3: a:=b']);
+      session.sendInput('echo-1', 'grüezi\n');
+      await prints(session, 'echo-1', /^echo grüezi$/);
+      session.sendInput('echo-1', 'one\ntwo\n');
+      await prints(session, 'echo-1', /^echo two$/);
+      session.sendInput('echo-1', 'quit\n');
+      assert.deepEqual((await reaches(session, 'echo-1', 'exited')).state, { kind: 'exited', code: 7 });
+      session.start('echo-1');
+      await prints(session, 'echo-1', /^COLOUR=red$/);
+      session.sendInput('echo-1', 'quit\n');
+      await reaches(session, 'echo-1', 'exited');
+    }, link));
+
+  test(`${link}: exit codes, traps, exceptions and unknown imports are told; the others go on`, watchdog, () =>
+    withSession([
+      { program: 'exits.c', arguments: ['--code', '3'] },
+      { program: 'traps.c' },
+      { program: 'throws.cpp' },
+      { program: 'unknown.c' },
+      { program: 'talker.c' },
+    ], async (session) => {
+      session.startAll();
+      assert.deepEqual((await reaches(session, 'exits-1', 'exited')).state, { kind: 'exited', code: 3 });
+      await prints(session, 'exits-1', /^ending with 3$/);
+      const trap = (await reaches(session, 'traps-2', 'crashed')).state;
+      assert.equal(trap.kind === 'crashed' && trap.code, 'R2W0701');
+      assert.match(trap.kind === 'crashed' ? trap.message : '', /^divide by zero\n {2}at .*wasm-function/);
+      await prints(session, 'traps-2', /^dividing$/);
+      const thrown = (await reaches(session, 'throws-3', 'crashed')).state;
+      assert.deepEqual(thrown, {
+        kind: 'crashed',
+        code: 'R2W0702',
+        message: "terminate called after throwing an instance of 'std::runtime_error'\n  what():  the wheel came off",
+      });
+      const unknown = (await reaches(session, 'unknown-4', 'crashed')).state;
+      assert.equal(unknown.kind === 'crashed' && unknown.code, 'R2W0703');
+      assert.match(unknown.kind === 'crashed' ? unknown.message : '', /ros2wasm\.teleport/);
+      assert.deepEqual(session.nodes()[3]?.source, { file: 'workspace.yaml', line: 6, column: 5 });
+      await prints(session, 'talker-5', /Publishing/);
+    }, link));
+}
+
+test('threads throw and catch at once; joined and detached ones end', watchdog, () =>
+  withSession([{ program: 'threads.cpp', threads: true }], async (session) => {
+    session.startAll();
+    assert.deepEqual((await reaches(session, 'threads-1', 'exited')).state, { kind: 'exited', code: 0 });
+    assert.deepEqual(session.console('threads-1').lines().map(({ text }) => text), ['async ok', '4000']);
+  }));
+
+test('a thread that exits or throws ends the program', watchdog, () =>
+  withSession([
+    { program: 'thread_exits.cpp', threads: true },
+    { program: 'thread_exits.cpp', threads: true, arguments: ['throw'] },
+  ], async (session) => {
+    session.startAll();
+    assert.deepEqual((await reaches(session, 'thread_exits-1', 'exited')).state, { kind: 'exited', code: 5 });
+    const crash = (await reaches(session, 'thread_exits-2', 'crashed')).state;
+    assert.match(crash.kind === 'crashed' ? crash.message : '', /what\(\): {2}from a thread/);
+  }));
+
+test('a threaded program is refused on the port link', watchdog, () =>
+  withSession([{ program: 'threads.cpp', threads: true }], async (session) => {
+    session.startAll();
+    const state = (await reaches(session, 'threads-1', 'crashed')).state;
+    assert.equal(state.kind === 'crashed' && state.code, 'R2W0704');
+  }, 'port'));
+
+test('respawn starts a node again until it is stopped', watchdog, () =>
+  withSession([{ program: 'exits.c', respawn: true }], async (session) => {
+    let starts = 0;
+    const twice = new Promise<void>((resolve) => {
+      session.onNodes(([node]) => {
+        if (node?.state.kind === 'starting') starts += 1;
+        if (starts === 3) resolve();
+      });
+    });
+    session.startAll();
+    await twice;
+    session.stop('exits-1');
+    await reaches(session, 'exits-1', 'exited');
+  }));
+
+test('a node that hears nothing is killed at the second stop; restart starts it again', watchdog, () =>
+  withSession([{ program: 'spins.c' }], async (session) => {
+    session.startAll();
+    await prints(session, 'spins-1', /^spinning$/);
+    session.stop('spins-1');
+    assert.equal(session.nodes()[0]?.state.kind, 'running');
+    session.stop('spins-1');
+    assert.deepEqual(session.nodes()[0]?.state, { kind: 'exited', code: 137 });
+    session.start('spins-1');
+    await reaches(session, 'spins-1', 'running');
+    session.restart('spins-1');
+    session.stop('spins-1');
+    await reaches(session, 'spins-1', 'running');
+  }));
+
+test('a node that prints without end keeps the newest lines, and the page alive', watchdog, () =>
+  withSession([{ program: 'flood.c' }], async (session) => {
+    session.startAll();
+    await prints(session, 'flood-1', /^line [1-9]\d{4,}$/);
+    const lines = session.console('flood-1').lines();
+    assert.ok(lines.length <= 2000);
+    assert.ok(session.console('flood-1').dropped() > 0);
+    session.console('flood-1').clear();
+    session.stop('flood-1');
+    session.stop('flood-1');
+  }));
+
+test('a program that is not there is told', watchdog, async () => {
+  const { unlinkSync } = await import('node:fs');
+  const { makeFolder } = await import('./site_fixture.ts');
+  const { nodePlatform } = await import('../../../runtime/wasm_js/node_platform.ts');
+  const folder = makeFolder([{ program: 'exits.c' }]);
+  unlinkSync(`${folder}/programs/exits.wasm`);
+  const platform = nodePlatform(folder, new URL('../../../runtime/wasm_js/headless.ts', import.meta.url));
+  await assert.rejects(platform.compile('programs/exits.wasm'), { code: 'R2W0706' });
+});

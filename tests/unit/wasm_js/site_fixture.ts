@@ -1,0 +1,92 @@
+// A session under Node.js over the small test programs.
+
+import { copyFileSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { PortBroker, SharedBroker } from '../../../runtime/wasm_js/broker.ts';
+import { nodePlatform } from '../../../runtime/wasm_js/node_platform.ts';
+import type { LinkKind, NodeState, NodeView, Session } from '../../../runtime/wasm_js/session.ts';
+import { readSite } from '../../../runtime/wasm_js/site_reader.ts';
+import { SiteSession } from '../../../runtime/wasm_js/site_session.ts';
+import { buildProgram } from './programs.ts';
+
+const entry = new URL('../../../runtime/wasm_js/headless.ts', import.meta.url);
+
+export interface FixtureNode {
+  readonly program: string;
+  readonly threads?: boolean;
+  readonly respawn?: boolean;
+  readonly arguments?: readonly string[];
+}
+
+export function makeFolder(nodes: readonly FixtureNode[]): string {
+  const folder = mkdtempSync(join(tmpdir(), 'ros2wasm-session-'));
+  mkdirSync(join(folder, 'programs'));
+  const described = nodes.map(({ program, threads = false, respawn = false, arguments: args = [] }, i) => {
+    const name = program.replace(/\..*/, '');
+    copyFileSync(buildProgram(program, { threads }), join(folder, 'programs', `${name}.wasm`));
+    return {
+      id: `${name}-${i + 1}`, package: 'test', executable: name, label: `/${name}`, kind: 'cpp', threads, respawn,
+      program: `programs/${name}.wasm`, arguments: args, environment: { COLOUR: 'red' }, output: 'screen',
+      source: { file: 'workspace.yaml', line: 3 + i, column: 5 },
+    };
+  });
+  writeFileSync(join(folder, 'interfaces.json'), '{"std_msgs/msg/String": "string data\\n"}');
+  writeFileSync(join(folder, 'site.json'), JSON.stringify({
+    schema: 1, protocol: 1, generator: 'test', name: 'test', title: 'A test', version: '1', distro: 'jazzy',
+    license: 'Apache-2.0', authors: [], nodes: described, interfaces: 'interfaces.json', ui: {}, files: [],
+  }));
+  return folder;
+}
+
+/** Runs `use` with a session; everything is closed after it. */
+export async function withSession(
+  nodes: readonly FixtureNode[], use: (session: Session) => Promise<void>, link: LinkKind = 'shared',
+): Promise<void> {
+  const folder = makeFolder(nodes);
+  const platform = nodePlatform(folder, entry);
+  const broker = link === 'shared' ? new SharedBroker({ ceiling: 256 << 20 }) : new PortBroker();
+  const session = new SiteSession({ site: readSite(await platform.json('site.json')), platform, broker });
+  try {
+    await use(session);
+  } finally {
+    session.close();
+    platform.close();
+    rmSync(folder, { recursive: true });
+  }
+}
+
+/** Resolves with the node's view when its state is of the kind. */
+export function reaches(session: Session, id: string, kind: NodeState['kind']): Promise<NodeView> {
+  return new Promise((resolve) => {
+    const look = (nodes: readonly NodeView[]): boolean => {
+      const node = nodes.find((each) => each.id === id && each.state.kind === kind);
+      if (node !== undefined) resolve(node);
+      return node !== undefined;
+    };
+    if (look(session.nodes())) return;
+    const off = session.onNodes((nodes) => {
+      if (look(nodes)) off();
+    });
+  });
+}
+
+/** Resolves with the first console line that fits, also one that is there already. */
+export function prints(session: Session, id: string, pattern: RegExp): Promise<string> {
+  return new Promise((resolve) => {
+    const log = session.console(id);
+    let done = false;
+    const off = log.onLines((lines) => {
+      const line = lines.find(({ text }) => pattern.test(text));
+      if (line === undefined || done) return;
+      done = true;
+      off();
+      resolve(line.text);
+    });
+    const line = log.lines().find(({ text }) => pattern.test(text));
+    if (line === undefined) return;
+    done = true;
+    off();
+    resolve(line.text);
+  });
+}

@@ -33,7 +33,7 @@ struct ResolveRequest {
 };
 
 struct Resolution {
-  /// One record per name, dependencies before those that need them, names in order where free.
+  /// One record per name, each after all that it needs; otherwise by name.
   std::vector<PackageRecord> packages;
 };
 

@@ -1,0 +1,17 @@
+# Tests of what comes from channels: archives, channels, resolving, the store.
+add_executable(bundler_channel_test
+  archive/conda_writer_test.cpp
+  archive/hostile_archive_test.cpp
+  channel/channel_index_test.cpp
+  channel/channel_writer_test.cpp
+  io/files_test.cpp
+  resolve/check_solution_test.cpp
+  resolve/solve_oracle_test.cpp
+  resolve/solve_test.cpp
+  store/environment_test.cpp
+  store/store_test.cpp
+)
+target_include_directories(bundler_channel_test PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+target_compile_definitions(bundler_channel_test PRIVATE ROS2WASM_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+target_link_libraries(bundler_channel_test PRIVATE bundler GTest::gtest_main)
+gtest_discover_tests(bundler_channel_test TEST_PREFIX bundler. DISCOVERY_TIMEOUT 60)

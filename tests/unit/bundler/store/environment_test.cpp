@@ -1,0 +1,93 @@
+// Environments: all files of all packages in one prefix, made once.
+#include "bundler/store/environment.hpp"
+
+#include <gtest/gtest.h>
+
+#include "bundler/store/prefix_text.hpp"
+#include "unit/bundler/support/small_channel.hpp"
+
+namespace ros2wasm {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text_of(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+TEST(Environment, HasAllFilesAndIsMadeOnce) {
+  testing::SmallChannel channel;
+  channel.add("a", "1.0", {{"include/a.h", "a"}, {"share/ament_index/a", ""}});
+  channel.add("b", "1.0", {{"include/b.h", "b"}});
+  channel.write_index();
+  const std::vector<PackageRecord> records{channel.record("a"), channel.record("b")};
+  const auto first = make_environment(channel.store(), records);
+  ASSERT_TRUE(first.ok());
+  EXPECT_FALSE(first->cached);
+  EXPECT_EQ(text_of(first->prefix / "include/a.h"), "a");
+  EXPECT_EQ(text_of(first->prefix / "include/b.h"), "b");
+  EXPECT_FALSE(fs::exists(first->prefix / "info"));
+  EXPECT_EQ(fs::hard_link_count(first->prefix / "include/a.h"), 2U);
+  const auto second = make_environment(channel.store(), records);
+  ASSERT_TRUE(second.ok());
+  EXPECT_TRUE(second->cached);
+  EXPECT_EQ(second->prefix, first->prefix);
+  EXPECT_EQ(second->key, environment_key(records));
+  EXPECT_NE(environment_key({records[0]}), environment_key(records));
+  EXPECT_TRUE(fs::is_empty(channel.tree() / "cache/environments/unfinished"));
+}
+
+TEST(Environment, PlaceholdersBecomeThePrefix) {
+  testing::SmallChannel channel;
+  channel.add("a", "1.0", {{"lib/a.cmake", "set(P /old/place/lib;/old/place)"}, {"lib/plain", "x"}}, {}, "/old/place");
+  channel.write_index();
+  const auto environment = make_environment(channel.store(), {channel.record("a")});
+  ASSERT_TRUE(environment.ok());
+  const std::string prefix = environment->prefix.string();
+  EXPECT_EQ(text_of(environment->prefix / "lib/a.cmake"), "set(P " + prefix + "/lib;" + prefix + ")");
+  // The store keeps the bytes of the archive.
+  EXPECT_TRUE(channel.store().unpacked(channel.record("a")).ok());
+}
+
+TEST(Environment, LaterPackagesWinAndItIsReported) {
+  testing::SmallChannel channel;
+  channel.add("a", "1.0", {{"share/x", "from a"}, {"share/same", "same"}});
+  channel.add("b", "1.0", {{"share/x", "from b"}, {"share/same", "same"}});
+  channel.write_index();
+  const auto environment = make_environment(channel.store(), {channel.record("a"), channel.record("b")});
+  ASSERT_TRUE(environment.ok());
+  EXPECT_EQ(text_of(environment->prefix / "share/x"), "from b");
+  ASSERT_EQ(environment->overwritten.size(), 1U);
+  EXPECT_EQ(environment->overwritten[0].path, "share/x");
+  EXPECT_EQ(environment->overwritten[0].winner, "b-1.0-h_0");
+}
+
+TEST(Environment, AFailureLeavesNothing) {
+  testing::SmallChannel channel;
+  const fs::path archive = channel.add("a", "1.0", {{"x", "x"}});
+  channel.write_index();
+  const PackageRecord record = channel.record("a");
+  fs::remove(archive);
+  EXPECT_FALSE(make_environment(channel.store(), {record}).ok());
+  EXPECT_TRUE(fs::is_empty(channel.tree() / "cache/environments/unfinished"));
+  EXPECT_FALSE(make_environment_at(channel.tree() / "own", channel.store(), {record}).ok());
+  EXPECT_FALSE(fs::exists(channel.tree() / "own"));
+  fs::create_directories(channel.tree() / "there");
+  const auto there = make_environment_at(channel.tree() / "there", channel.store(), {});
+  ASSERT_FALSE(there.ok());
+  EXPECT_EQ(there.errors().front().code, "R2W0231");
+}
+
+TEST(PrefixText, BinaryKeepsItsLength) {
+  using namespace std::string_literals;
+  const std::string bytes = "\x7f/placeholder/lib:/placeholder/bin\0rest\0"s;
+  const auto moved = with_prefix_in_binary(bytes, "/placeholder", "/p", "file");
+  ASSERT_TRUE(moved.ok());
+  EXPECT_EQ(*moved, "\x7f/p/lib:/p/bin"s + std::string(20, '\0') + "\0rest\0"s);
+  EXPECT_EQ(moved->size(), bytes.size());
+  EXPECT_EQ(with_prefix_in_binary(bytes, "/placeholder", "/a/longer/prefix", "file").errors().front().code, "R2W0230");
+}
+
+}  // namespace
+}  // namespace ros2wasm

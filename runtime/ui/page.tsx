@@ -16,8 +16,8 @@ import { panels } from './panels/index.ts';
 import type { NodeFocus, PanelProps, PanelRow } from './panels/panel_props.ts';
 import { texts } from './texts.ts';
 
-const kLeft = { minimum: 208, maximum: 480, usual: 272 };
-const kRight = { minimum: 256, maximum: 640, usual: 352 };
+const kLeft = { minimum: 208, maximum: 480, usual: 240 };
+const kRight = { minimum: 256, maximum: 640, usual: 320 };
 
 export interface PageProps {
   readonly offline: boolean | null;

@@ -17,7 +17,7 @@ import type { Served } from './page_site.ts';
 
 const kRoot = fileURLToPath(new URL('../..', import.meta.url));
 const kAxe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
-const kWatchdogMs = 60_000;
+const kWatchdogMs = 30_000;
 
 let work = '';
 let served: Served;
@@ -71,10 +71,7 @@ async function onSite(
   }
 }
 
-const listener = (page: Page) =>
-  page
-    .locator('[aria-label="Console of /minimal_subscriber"], [aria-label="Console of /listener"]')
-    .first();
+const listener = (page: Page) => page.getByRole('log', { name: 'Console of listener' });
 
 test('the listener hears the talker, in the exact format', () =>
   onSite({}, async (page) => {
@@ -88,7 +85,7 @@ test('the listener hears the talker, in the exact format', () =>
         /^\[INFO\] \[\d{10}\.\d{9}\] \[minimal_subscriber\]: I heard: 'Hello, world! \d+'$/,
       );
     await page.getByText('2 of 2 running').waitFor();
-    await page.getByText('workspace.yaml:13:5').waitFor();
+    await page.getByText('workspace.yaml:14:17').waitFor();
   }));
 
 test('the topic has its type, its rate and its last message', () =>
@@ -158,7 +155,7 @@ test('on a phone everything is there, one thing at a time', () =>
   }));
 
 test('the picture of the page', () =>
-  onSite({ colorScheme: 'light', deviceScaleFactor: 2 }, async (page) => {
+  onSite({ colorScheme: 'light' }, async (page) => {
     await page.getByRole('button', { name: /^\/topic/ }).click();
     await listener(page)
       .getByText(/world! 9'/)

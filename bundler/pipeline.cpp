@@ -240,6 +240,8 @@ Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& ca
   const auto answer = resolve(request, *workspace, *packages, *order, roots, compiler->version,
                               cancellation, progress);
   if (!answer) return answer.errors();
+  // A cache may lie inside a workspace; its packages are none of the workspace's.
+  if (auto marked = write_file(roots.cache / "COLCON_IGNORE", ""); !marked) return std::move(marked).errors();
   const auto environment = make_environment(Store(roots), answer->records, cancellation, progress);
   if (!environment) return environment.errors();
 

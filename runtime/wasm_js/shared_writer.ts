@@ -99,7 +99,7 @@ export class SharedWriter {
     if (this.retired.length > 0) this.releaseRetired();
     const head = Atomics.load(bus.i32, word + BusEndpoint.head);
     const sequence = (head + 1) | 0;
-    const room = this.makeRoom(sequence, length, pause);
+    const room = this.makeRoom(sequence, length, sync, pause);
     if (room < 0) return room;
     const ring = Atomics.load(bus.i32, word + BusEndpoint.ring);
     const slot = slotWord(bus, ring, sequence);
@@ -187,7 +187,7 @@ export class SharedWriter {
   }
 
   /** Sees to it that the slot of `sequence` may be written: a ring, grown as readers lag. 0 or an ErrorCode. */
-  private makeRoom(sequence: number, length: number, pause: Pause): number {
+  private makeRoom(sequence: number, length: number, sync: () => void, pause: Pause): number {
     const { bus, word } = this;
     const stride = Math.min(Math.max(minStride, (BusSizes.align + length + unit - 1) & -unit), maxStride);
     let ring = Atomics.load(bus.i32, word + BusEndpoint.ring);
@@ -220,8 +220,8 @@ export class SharedWriter {
         continue;
       }
       if (!this.mayBlock) return 0;
-      if (!this.remoteWants(old)) return ErrorCode.outOfMemory;
-      const outcome = this.blockFor(old, pause);
+      if (!this.keepAllWants(old, false)) return this.keepAllWants(old, true) ? ErrorCode.outOfMemory : 0;
+      const outcome = this.blockFor(old, sync, pause);
       if (outcome < 0) return outcome;
       ring = Atomics.load(bus.i32, word + BusEndpoint.ring);
     }
@@ -253,18 +253,20 @@ export class SharedWriter {
     return false;
   }
 
-  private remoteWants(old: number): boolean {
-    return this.readers.some((reader) => reader.reliable && !reader.local && reader.depth === Infinity
+  /** Does a reliable keep_all reader, here or elsewhere, still have to read the sample? */
+  private keepAllWants(old: number, local: boolean): boolean {
+    return this.readers.some((reader) => reader.reliable && reader.local === local && reader.depth === Infinity
       && ((old - this.cursor(reader)) | 0) > 0);
   }
 
-  private blockFor(old: number, pause: Pause): number {
+  private blockFor(old: number, sync: () => void, pause: Pause): number {
     const { bus, word } = this;
     const wake = bus.participantWord(this.record.participant) + BusParticipant.wake;
     Atomics.store(bus.i32, word + BusEndpoint.blocked, 1);
     for (;;) {
       const token = Atomics.load(bus.i32, wake);
-      if (!this.remoteWants(old)) break;
+      sync();
+      if (!this.keepAllWants(old, false)) break;
       const outcome = pause(token);
       if (outcome === 'again') continue;
       Atomics.store(bus.i32, word + BusEndpoint.blocked, 0);
@@ -274,17 +276,16 @@ export class SharedWriter {
     return 0;
   }
 
-  /** How far a reader has come. A reader without a place here has read nothing. */
+  /** How far a reader has come. A reader without a place here has read nothing; one that ended is not waited for. */
   private cursor(reader: ReaderRef): number {
     const { i32 } = this.bus;
+    let cursor = 0;
     if (reader.pair < 0 || Atomics.load(i32, reader.pair) !== this.record.key) {
       reader.pair = findCursor(this.bus, reader.word, this.record.key);
-      if (reader.pair < 0) return 0;
     }
-    const cursor = Atomics.load(this.bus.i32, reader.pair + 1);
-    // A reader that ended is not waited for.
-    if (Atomics.load(this.bus.i32, reader.word + BusEndpoint.generation) !== reader.generation) {
-      return Atomics.load(this.bus.i32, this.word + BusEndpoint.head);
+    if (reader.pair >= 0) cursor = Atomics.load(this.bus.i32, reader.pair + 1);
+    if (Atomics.load(i32, reader.word + BusEndpoint.generation) !== reader.generation) {
+      return Atomics.load(i32, this.word + BusEndpoint.head);
     }
     return cursor;
   }

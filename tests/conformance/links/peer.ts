@@ -126,6 +126,27 @@ export class Peer {
     return count;
   }
 
+  /** Writes for ever: every sample is filled with the low byte of its number, in sizes that vary up to `largest`. */
+  async flood(endpoint: number, largest: number): Promise<never> {
+    for (let i = 1; ; i += 1) {
+      const result = await this.write(endpoint, new Uint8Array(1 + (i * 7919) % largest).fill(i & 255));
+      if (result < 0) throw new Error(`write: ${result}`);
+    }
+  }
+
+  /** Takes `count` samples of floods; an error when one is torn, comes twice or out of order. */
+  async verify(endpoint: number, count: number): Promise<number> {
+    const newest = new Map<string, number>();
+    for (let i = 0; i < count; i += 1) {
+      const { bytes, sequence, writerGid } = await this.takeNext(endpoint);
+      const writer = writerGid.join();
+      if (sequence <= (newest.get(writer) ?? 0)) throw new Error(`${sequence} after ${newest.get(writer)}`);
+      newest.set(writer, sequence);
+      if (bytes.some((byte) => byte !== (sequence & 255))) throw new Error(`sample ${sequence} is torn`);
+    }
+    return newest.size;
+  }
+
   take(endpoint: number): Sample | undefined {
     for (;;) {
       const { heap } = this;

@@ -1,0 +1,84 @@
+// Workers that are killed in the middle of whatever they do, on the shared link: nobody else suffers, nothing leaks.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { SharedBroker } from '../../../runtime/wasm_js/broker.ts';
+import { startNodeWorker } from './node_start.ts';
+import { World } from './world.ts';
+
+const watchdog = { timeout: 120_000 };
+const rounds = 12;
+
+function until(condition: () => boolean): Promise<void> {
+  return new Promise((resolve) => {
+    const look = (): void => {
+      if (condition()) resolve();
+      else setImmediate(look);
+    };
+    look();
+  });
+}
+
+for (const { what, largest, qos } of [
+  { what: 'small messages, depth 10', largest: 200, qos: {} },
+  { what: 'mixed sizes, depth 3', largest: 20_000, qos: { depth: 3 } },
+  { what: 'keep_all with back pressure', largest: 500, qos: { history: 2 } },
+  { what: 'large messages, best effort', largest: 300_000, qos: { reliability: 2, depth: 2 } },
+]) {
+  test(`writers die while they write: ${what}`, watchdog, async () => {
+    const world = new World('shared', startNodeWorker);
+    const { broker } = world;
+    assert.ok(broker instanceof SharedBroker);
+    try {
+      const reader = await world.peer();
+      const sub = await reader.call('subscription', { node: await reader.call('node', 'reader'), name: '/flood', qos });
+      const deaf = await world.peer();
+      const slow = await deaf.call('subscription', { node: await deaf.call('node', 'deaf'), name: '/flood', qos: { ...qos, history: 1 } });
+      for (let round = 0; round < rounds; round += 1) {
+        const writer = await world.peer();
+        const pub = await writer.call('publisher', { node: await writer.call('node', 'writer'), name: '/flood', qos });
+        const flood = await writer.begin('flood', pub, largest);
+        flood.result.catch(() => undefined);
+        assert.ok(await reader.call('verify', sub, 40 + round * 3) >= 1);
+        await writer.terminate();
+      }
+      await reader.call('waitMatched', sub, 0);
+      while (await reader.call('take', sub) !== undefined) {
+        // Whatever the dead have left.
+      }
+      while (await deaf.call('take', slow) !== undefined) {
+        // The same.
+      }
+      await deaf.terminate();
+      await reader.terminate();
+      // The broker frees what was left behind.
+      await until(() => broker.bus.usage().used === 0);
+      assert.equal(broker.link.graph().endpoints.length, 0);
+    } finally {
+      await world.close();
+    }
+  });
+}
+
+test('readers die while they read', watchdog, async () => {
+  const world = new World('shared', startNodeWorker);
+  try {
+    const writer = await world.peer();
+    const pub = await writer.call('publisher', { node: await writer.call('node', 'writer'), name: '/x', qos: { history: 2 } });
+    const survivor = await world.peer();
+    const sub = await survivor.call('subscription', { node: await survivor.call('node', 's'), name: '/x', qos: { history: 2 } });
+    const flood = await writer.begin('flood', pub, 3000);
+    flood.result.catch(() => undefined);
+    for (let round = 0; round < rounds; round += 1) {
+      const reader = await world.peer();
+      const mine = await reader.call('subscription', { node: await reader.call('node', 'r'), name: '/x', qos: { history: 2 } });
+      const reading = await reader.begin('verify', mine, 1_000_000);
+      reading.result.catch(() => undefined);
+      await survivor.call('verify', sub, 200);
+      await reader.terminate();
+    }
+    assert.equal(await survivor.call('verify', sub, 5000), 1);
+  } finally {
+    await world.close();
+  }
+});

@@ -14,7 +14,7 @@ import { packExample } from './example_site.ts';
 import { type Host, serveSite } from './runtime_site.ts';
 import { Scratch, ServedSite } from './served_site.ts';
 
-const WATCHDOG = { timeout: 240_000 };
+const WATCHDOG = { timeout: 600_000 };
 const HEARD_MS = 60_000;
 const CHANNEL = 'ros2wasm-probe';
 

@@ -6,7 +6,7 @@ import { dirname, join } from 'node:path';
 
 export const CLI: string =
   process.env['ROS2WASM_CLI'] ?? new URL('../../build/ros2wasm', import.meta.url).pathname;
-const WATCHDOG_MS = 60_000;
+const WATCHDOG_MS = 240_000; // with --watch the start is a whole pack
 
 /** A folder that goes away with the test. */
 export class Scratch {

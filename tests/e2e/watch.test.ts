@@ -8,7 +8,7 @@ import { chromium } from 'playwright-core';
 import { chromiumOptions } from './chromium.ts';
 import { Scratch, ServedSite } from './served_site.ts';
 
-const WATCHDOG = { timeout: 180_000 };
+const WATCHDOG = { timeout: 600_000 };
 
 const PACKAGE_XML = `<?xml version="1.0"?>
 <package format="3">
@@ -65,6 +65,7 @@ describe('serve --watch', WATCHDOG, () => {
     const browser = await chromium.launch(chromiumOptions());
     try {
       const page = await browser.newPage();
+      page.setDefaultTimeout(WATCHDOG.timeout / 4);
       const refused: string[] = [];
       page.on('console', (message) => {
         if (/Content Security Policy/.test(message.text())) refused.push(message.text());

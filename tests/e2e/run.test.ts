@@ -1,0 +1,94 @@
+// `ros2wasm run` on a packed site, as CI users call it: exit codes, output, Ctrl-C; and `ros2wasm init`,
+// whose workspace packs and runs at once.
+import assert from 'node:assert/strict';
+import { spawn } from 'node:child_process';
+import { join } from 'node:path';
+import { after, before, describe, test } from 'node:test';
+import { packExample } from './example_site.ts';
+import { CLI, Scratch, runCli } from './served_site.ts';
+
+const WATCHDOG = { timeout: 600_000 };
+const LOG_LINE = /^\[(talker-1|listener-2)\] \[INFO\] \[\d+\.\d{9}\] \[minimal_(publisher|subscriber)\]: .+$/;
+
+const scratch = new Scratch();
+let site: string;
+
+before(async () => {
+  site = await packExample(scratch);
+}, WATCHDOG);
+
+after(() => scratch[Symbol.dispose]());
+
+describe('run', WATCHDOG, () => {
+  for (const link of ['shared', 'port']) {
+    test(`ends with 0 when a line matches, on the ${link} link`, async () => {
+      const args = ['run', site, '--until', "I heard: 'Hello, world! 2'", '--for', '60s'];
+      const ended = await runCli([...args, '--link', link]);
+      assert.equal(ended.code, 0, ended.errors);
+      const lines = ended.output.trimEnd().split('\n');
+      for (const line of lines) assert.match(line, LOG_LINE);
+      assert.match(lines.at(-1) ?? '', /^\[listener-2\].*I heard: 'Hello, world! 2'$/);
+    });
+  }
+
+  test('ends with 1 when the time is over and nothing matched', async () => {
+    const ended = await runCli(['run', site, '--until', 'never said', '--for', '700ms']);
+    assert.equal(ended.code, 1);
+  });
+
+  test('ends with 0 when it only had to run for a time', async () => {
+    assert.equal((await runCli(['run', site, '--for', '700ms'])).code, 0);
+  });
+
+  test('--json prints one object a line', async () => {
+    const ended = await runCli(['--json', 'run', site, '--until', 'I heard', '--for', '60s']);
+    assert.equal(ended.code, 0, ended.errors);
+    const events = ended.output
+      .trimEnd()
+      .split('\n')
+      .map((line) => JSON.parse(line) as { event: string; node?: string; met?: boolean });
+    assert.ok(events.some(({ event, node }) => event === 'line' && node === 'listener-2'));
+    assert.deepEqual(events.at(-1), { event: 'end', met: true });
+  });
+
+  for (const signal of ['SIGINT', 'SIGTERM'] as const) {
+    test(`${signal} reaches the nodes and ends it with 130`, async () => {
+      const child = spawn(CLI, ['run', site], { stdio: ['ignore', 'pipe', 'inherit'] });
+      const code = await new Promise<number | null>((resolve, reject) => {
+        let output = '';
+        child.stdout.on('data', (chunk: Buffer) => {
+          const heard = output.includes('I heard');
+          output += chunk.toString();
+          if (!heard && output.includes('I heard')) child.kill(signal);
+        });
+        child.on('error', reject);
+        child.on('close', resolve);
+      });
+      assert.equal(code, 130);
+    });
+  }
+});
+
+describe('init', WATCHDOG, () => {
+  test('a new workspace packs and runs at once', async () => {
+    const folder = join(scratch.path, 'my_robot');
+    assert.equal((await runCli(['init', 'cpp', folder])).code, 0);
+    const out = join(scratch.path, 'robot_site');
+    const packed = await runCli(['pack', folder, '-o', out]);
+    assert.equal(packed.code, 0, packed.errors);
+    const ended = await runCli(['run', out, '--until', "\\[listener\\]: I heard", '--for', '60s']);
+    assert.equal(ended.code, 0, ended.errors);
+  });
+
+  test('the manifest for a colcon workspace packs as it is', async () => {
+    const folder = join(scratch.path, 'colcon');
+    assert.equal((await runCli(['init', 'cpp', folder])).code, 0);
+    const manifest = join(scratch.path, 'colcon.yaml');
+    const made = await runCli(['init', '--from', folder, '-o', manifest]);
+    assert.equal(made.code, 0, made.errors);
+    const packed = await runCli(['pack', manifest, '--plan']);
+    assert.equal(packed.code, 0, packed.errors);
+    assert.match(packed.output, /programs\/pubsub\/talker\.wasm/);
+    assert.match(packed.output, /programs\/pubsub\/listener\.wasm/);
+  });
+});

@@ -65,6 +65,11 @@ void compare(Gathered& gathered, const std::string& name) {
       } else if (!entry.sha256.empty() && ascii_lower(entry.sha256) != found->second->sha256) {
         faults.push_back({path, "has the sha256 " + found->second->sha256 + " instead of " + entry.sha256});
       }
+    } else if (found->second->kind == MemberKind::kLink && found->second->target.empty()) {
+      const bool known = std::any_of(there.begin(), there.end(), [&](const auto& other) {
+        return !entry.sha256.empty() && other.second->sha256 == ascii_lower(entry.sha256);
+      });
+      if (!known) faults.push_back({path, "is a link without a target"});
     }
   }
   for (const auto& [path, member] : there) {

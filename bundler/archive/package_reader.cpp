@@ -80,7 +80,12 @@ class Unpacker {
   Outcome<UnpackedPackage> finish() {
     if (auto done = write_hard_links(); !done) return std::move(done).errors();
     if (auto done = write_links(); !done) return std::move(done).errors();
-    if (auto done = check_paths(); !done) return std::move(done).errors();
+    const auto text = read_file(directory_ / "info/paths.json");
+    if (!text) return damaged_archive(name_, "it has no info/paths.json");
+    const auto entries = parse_paths_json(*text, name_);
+    if (!entries) return entries.errors();
+    if (auto done = restore_empty_links(*entries); !done) return std::move(done).errors();
+    if (auto done = check_paths(*entries); !done) return std::move(done).errors();
     return UnpackedPackage{.files = files_.size() + links_.size(), .bytes = total_bytes_};
   }
 
@@ -175,6 +180,10 @@ class Unpacker {
 
   Outcome<Done> link(const std::string& path, const std::string& target) {
     if (auto claimed = claim(path); !claimed) return claimed;
+    if (target.empty()) {
+      empty_links_.push_back(path);
+      return Done{};
+    }
     if (!link_stays_inside(path, target)) {
       return refused("R2W0223", name_, "the link `" + path + "` leads outside, to `" + printable(target) + "`");
     }
@@ -227,21 +236,35 @@ class Unpacker {
     return Done{};
   }
 
+  /// Some old archives lost the targets of their links. What a link led to is known by its sha256 all the same.
+  Outcome<Done> restore_empty_links(const std::map<std::string, PathEntry>& entries) {
+    for (const std::string& path : empty_links_) {
+      const auto entry = entries.find(path);
+      if (entry == entries.end() || entry->second.sha256.empty()) continue;  // check_paths() says that it is missing
+      const auto same = std::find_if(files_.begin(), files_.end(), [&](const auto& file) {
+        return !file.first.starts_with("info/") && file.second.sha256 == ascii_lower(entry->second.sha256);
+      });
+      if (same == files_.end()) continue;
+      if (auto made = make_folder_of(path); !made) return made;
+      std::error_code error;
+      fs::create_hard_link(directory_ / same->first, directory_ / path, error);
+      if (error) return cannot_write(directory_ / path, error.value());
+      files_.emplace(path, same->second);
+    }
+    return Done{};
+  }
+
   // The check against info/paths.json.
-  Outcome<Done> check_paths() {
-    const auto text = read_file(directory_ / "info/paths.json");
-    if (!text) return damaged_archive(name_, "it has no info/paths.json");
-    const auto entries = parse_paths_json(*text, name_);
-    if (!entries) return entries.errors();
+  Outcome<Done> check_paths(const std::map<std::string, PathEntry>& entries) {
     std::vector<std::string> faults;
-    for (const auto& [path, entry] : *entries) {
+    for (const auto& [path, entry] : entries) {
       if (auto fault = path_fault(path, entry)) faults.push_back(std::move(*fault));
     }
     for (const auto& [path, written] : files_) {
-      if (!path.starts_with("info/") && !entries->contains(path)) faults.push_back("`" + path + "` is not listed");
+      if (!path.starts_with("info/") && !entries.contains(path)) faults.push_back("`" + path + "` is not listed");
     }
     for (const auto& [path, target] : links_) {
-      if (!path.starts_with("info/") && !entries->contains(path)) faults.push_back("`" + path + "` is not listed");
+      if (!path.starts_with("info/") && !entries.contains(path)) faults.push_back("`" + path + "` is not listed");
     }
     if (faults.empty()) return Done{};
     Diagnostic error = refused("R2W0226", name_, "its files are not those that its info/paths.json lists");
@@ -290,6 +313,7 @@ class Unpacker {
   std::map<std::string, std::string> claimed_;  ///< lower case -> as it came
   std::map<std::string, WrittenFile> files_;
   std::map<std::string, std::string> links_;
+  std::vector<std::string> empty_links_;  ///< links whose target the archive does not say
   std::vector<std::pair<std::string, std::string>> hard_links_;
 };
 

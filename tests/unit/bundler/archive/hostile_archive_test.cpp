@@ -108,6 +108,16 @@ TEST_F(HostileArchive, LinksThatLeadOutside) {
   EXPECT_EQ(code(RawTar().file("a", "body").add("h", '1', {}, "not-there")), "R2W0223");
 }
 
+TEST_F(HostileArchive, LinksWithoutATargetAreRestoredByTheirHash) {
+  const auto info = [](const std::string& linked) {
+    return RawTar().file("info/paths.json", paths_json({{"a", "body"}, {"l", linked}}));
+  };
+  const RawTar files = RawTar().file("a", "body").add("l", '2');
+  EXPECT_EQ(code(conda(files, info("body"))), "unpacked");
+  EXPECT_EQ(std::filesystem::file_size(tree_ / "deep/down/out/l"), 4U);
+  EXPECT_EQ(code(conda(files, info("other"))), "R2W0226");
+}
+
 TEST_F(HostileArchive, NothingIsWrittenThroughALink) {
   EXPECT_EQ(code(RawTar().file("a", "body").add("d", '2', {}, "e").file("d/x", "evil")), "R2W0224");
   EXPECT_EQ(code(RawTar().file("a", "body").add("d", '2', {}, "e").add("d/l", '2', {}, "f")), "R2W0224");

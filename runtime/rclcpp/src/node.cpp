@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "rclcpp/detail/qos_parameters.hpp"
 #include "rclcpp/node_interfaces/node_base.hpp"
 #include "rclcpp/node_interfaces/node_clock.hpp"
 #include "rclcpp/node_interfaces/node_graph.hpp"
@@ -115,6 +116,12 @@ Node::Node(const std::string& node_name, const std::string& ns, const NodeOption
       node_waitables_(std::make_shared<node_interfaces::NodeWaitables>(node_base_.get())),
       node_options_(options),
       effective_namespace_(node_base_->get_namespace()) {
+  // So that they can be seen; a publisher's QoS does not change any more.
+  detail::declare_qos_parameters(
+      {QosPolicyKind::Depth, QosPolicyKind::Durability, QosPolicyKind::History,
+       QosPolicyKind::Reliability},
+      *node_parameters_, node_topics_->resolve_topic_name("/parameter_events"),
+      options.parameter_event_qos(), detail::QosEntity::publisher);
   if (options.enable_logger_service()) {
     node_logging_->create_logger_services(node_base_.get(), node_services_.get());
   }

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "rclcpp/exceptions.hpp"
+#include "rclcpp/parameter_map.hpp"
 #include "ros2wasm/arguments.hpp"
 #include "ros2wasm/yaml.hpp"
 
@@ -76,16 +77,15 @@ void add_tree(const std::string& prefix, const YamlNode& node, Overrides& out) {
   }
 }
 
-// Namespaces may be nested as maps; the key ros__parameters ends them.
-void add_document(const std::string& path, const YamlNode& node, const std::string& node_name,
-                  Overrides& out) {
+// Calls `found` with each node name and its parameters. Namespaces may be nested as maps; the key
+// ros__parameters ends them.
+template <typename FoundT>
+void visit_document(const std::string& path, const YamlNode& node, const FoundT& found) {
   for (const auto& [key, child] : node.entries) {
     if (key == "ros__parameters") {
-      if (matches(path, node_name)) {
-        add_tree("", child, out);
-      }
+      found(path, child);
     } else if (child.kind == YamlNode::Kind::map) {
-      add_document(path + absolute(key), child, node_name, out);
+      visit_document(path + absolute(key), child, found);
     } else {
       throw std::runtime_error("value '" + key + "' stands outside of ros__parameters");
     }
@@ -112,7 +112,12 @@ void add_arguments(const ros2wasm::Arguments& arguments, const std::string& full
   for (const ros2wasm::ParameterSource& source : arguments.parameters) {
     try {
       if (source.is_file) {
-        add_document("", ros2wasm::parse_yaml(read_file(source.file)), full_name, out);
+        visit_document("", ros2wasm::parse_yaml(read_file(source.file)),
+                       [&](const std::string& node, const YamlNode& parameters) {
+                         if (matches(node, full_name)) {
+                           add_tree("", parameters, out);
+                         }
+                       });
       } else if (source.rule.node.empty() || source.rule.node == name ||
                  matches(absolute(source.rule.node), full_name)) {
         out[source.rule.name] = to_value(ros2wasm::parse_yaml(source.rule.value));
@@ -143,4 +148,38 @@ Overrides resolve_parameter_overrides(const node_interfaces::NodeBaseInterface& 
 }
 
 }  // namespace detail
+
+ParameterMap parameter_map_from_yaml_file(const std::string& yaml_filename,
+                                          const char* node_fqn) {
+  ParameterMap map;
+  try {
+    detail::visit_document(
+        "", ros2wasm::parse_yaml(detail::read_file(yaml_filename)),
+        [&](const std::string& node, const ros2wasm::YamlNode& tree) {
+          if (node_fqn != nullptr && !detail::matches(node, node_fqn)) {
+            return;
+          }
+          detail::Overrides values;
+          detail::add_tree("", tree, values);
+          for (const auto& [name, value] : values) {
+            map[node_fqn == nullptr ? node : node_fqn].emplace_back(name, value);
+          }
+        });
+  } catch (const std::runtime_error& error) {
+    detail::fail("parameter file '" + yaml_filename + "': " + error.what());
+  }
+  return map;
+}
+
+std::vector<Parameter> parameters_from_map(const ParameterMap& parameter_map,
+                                           const char* node_fqn) {
+  std::vector<Parameter> parameters;
+  for (const auto& [node, values] : parameter_map) {
+    if (node_fqn == nullptr || detail::matches(node, node_fqn)) {
+      parameters.insert(parameters.end(), values.begin(), values.end());
+    }
+  }
+  return parameters;
+}
+
 }  // namespace rclcpp

@@ -81,8 +81,11 @@ RemapRule parse_remap(const std::string& flag, const std::string& rule) {
 
 ParameterRule parse_parameter(const std::string& flag, const std::string& rule) {
   Split split = split_rule(flag, rule, "parameter override rule");
-  std::string node = take_node_prefix(split.left);
-  return {std::move(node), split.left, split.right};
+  const size_t colon = split.left.rfind(':');
+  if (colon == std::string::npos) {
+    return {{}, split.left, split.right};
+  }
+  return {split.left.substr(0, colon), split.left.substr(colon + 1), split.right};
 }
 
 int severity_from(const std::string& flag, const std::string& text) {

@@ -2,8 +2,8 @@
 #include <cxxabi.h>
 
 #include <cstdint>
-#include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <string>
 #include <typeinfo>
@@ -12,16 +12,33 @@ extern "C" void* __cxa_begin_catch(void* exception) noexcept;
 
 namespace {
 
+// "std::runtime_error" of "St13runtime_error", "a::B" of "N1a1BE"; other names stay as they are.
+// (The runtime's own demangler would weigh more than a node's program.)
+std::string readable(const char* mangled) {
+  std::string name;
+  const char* at = mangled;
+  const bool nested = *at == 'N';
+  at += nested ? 1 : 0;
+  if (at[0] == 'S' && at[1] == 't') {
+    name = "std";
+    at += 2;
+  }
+  while (*at >= '0' && *at <= '9') {
+    char* text = nullptr;
+    const unsigned long length = std::strtoul(at, &text, 10);
+    if (length > std::strlen(text)) {
+      return mangled;
+    }
+    name += (name.empty() ? "" : "::") + std::string(text, length);
+    at = text + length;
+  }
+  const bool complete = nested ? at[0] == 'E' && at[1] == '\0' : at[0] == '\0';
+  return complete ? name : mangled;
+}
+
 std::string type_name() {
   const std::type_info* type = abi::__cxa_current_exception_type();
-  if (type == nullptr) {
-    return "unknown";
-  }
-  int status = 0;
-  char* readable = abi::__cxa_demangle(type->name(), nullptr, nullptr, &status);
-  std::string name = status == 0 ? readable : type->name();
-  std::free(readable);
-  return name;
+  return type == nullptr ? "unknown" : readable(type->name());
 }
 
 }  // namespace

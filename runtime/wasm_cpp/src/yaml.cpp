@@ -363,13 +363,11 @@ class Parser {
   size_t at_ = 0;
 };
 
-bool is_any_of(const std::string& text, std::initializer_list<const char*> words) {
-  for (const char* word : words) {
-    if (text == word) {
-      return true;
-    }
-  }
-  return false;
+// Whether `text` is one of the words, which stand between spaces.
+bool is_any_of(const std::string& text, const char* words) {
+  const std::string_view all(words);
+  const size_t at = text.empty() ? std::string_view::npos : all.find(" " + text + " ");
+  return at != std::string_view::npos && text.find(' ') == std::string::npos;
 }
 
 bool to_integer(const std::string& text, int64_t& value) {
@@ -380,15 +378,15 @@ bool to_integer(const std::string& text, int64_t& value) {
 }
 
 bool to_double(const std::string& text, double& value) {
-  if (is_any_of(text, {".nan", ".NaN", ".NAN"})) {
+  if (is_any_of(text, " .nan .NaN .NAN ")) {
     value = std::numeric_limits<double>::quiet_NaN();
     return true;
   }
-  if (is_any_of(text, {".inf", ".Inf", ".INF", "+.inf", "+.Inf", "+.INF"})) {
+  if (is_any_of(text, " .inf .Inf .INF +.inf +.Inf +.INF ")) {
     value = std::numeric_limits<double>::infinity();
     return true;
   }
-  if (is_any_of(text, {"-.inf", "-.Inf", "-.INF"})) {
+  if (is_any_of(text, " -.inf -.Inf -.INF ")) {
     value = -std::numeric_limits<double>::infinity();
     return true;
   }
@@ -410,14 +408,13 @@ ParameterScalar to_scalar(const YamlNode& node) {
   if (node.is_text) {
     return text;
   }
-  if (is_any_of(text, {"", "~", "null", "Null", "NULL"})) {
+  if (text.empty() || is_any_of(text, " ~ null Null NULL ")) {
     return std::monostate();
   }
-  if (is_any_of(text, {"Y", "y", "yes", "Yes", "YES", "true", "True", "TRUE", "on", "On", "ON"})) {
+  if (is_any_of(text, " Y y yes Yes YES true True TRUE on On ON ")) {
     return true;
   }
-  if (is_any_of(text,
-                {"N", "n", "no", "No", "NO", "false", "False", "FALSE", "off", "Off", "OFF"})) {
+  if (is_any_of(text, " N n no No NO false False FALSE off Off OFF ")) {
     return false;
   }
   int64_t integer = 0;

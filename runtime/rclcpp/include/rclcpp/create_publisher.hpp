@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "rclcpp/detail/override_qos.hpp"
 #include "rclcpp/node_interfaces/node_topics_interface.hpp"
 #include "rclcpp/publisher.hpp"
 #include "rclcpp/publisher_options.hpp"
@@ -18,8 +19,11 @@ std::shared_ptr<PublisherT> create_publisher(
     const rclcpp::PublisherOptionsWithAllocator<AllocatorT>& options =
         rclcpp::PublisherOptionsWithAllocator<AllocatorT>()) {
   auto topics = rclcpp::node_interfaces::get_node_topics_interface(node);
-  auto publisher = std::make_shared<PublisherT>(topics->get_node_base_interface(), topic_name,
-                                                qos, options);
+  auto publisher = std::make_shared<PublisherT>(
+      topics->get_node_base_interface(), topic_name,
+      detail::override_qos(node, *topics, topic_name, qos, options.qos_overriding_options,
+                           detail::QosEntity::publisher),
+      options);
   topics->add_publisher(publisher, options.callback_group);
   return publisher;
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "rclcpp/detail/override_qos.hpp"
 #include "rclcpp/node_interfaces/node_topics_interface.hpp"
 #include "rclcpp/qos.hpp"
 #include "rclcpp/subscription.hpp"
@@ -25,7 +26,10 @@ std::shared_ptr<SubscriptionT> create_subscription(
   AnySubscriptionCallback<MessageT, AllocatorT> any_callback;
   any_callback.set(std::forward<CallbackT>(callback));
   auto subscription = std::make_shared<SubscriptionT>(
-      topics->get_node_base_interface(), topic_name, qos, std::move(any_callback), options);
+      topics->get_node_base_interface(), topic_name,
+      detail::override_qos(node, *topics, topic_name, qos, options.qos_overriding_options,
+                           detail::QosEntity::subscription),
+      std::move(any_callback), options);
   topics->add_subscription(subscription, options.callback_group);
   return subscription;
 }

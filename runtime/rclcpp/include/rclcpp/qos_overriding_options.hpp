@@ -44,15 +44,14 @@ class QosOverridingOptions {
   /// History, depth and reliability.
   static QosOverridingOptions with_default_policies(QosCallback validation_callback = nullptr,
                                                     std::string id = {}) {
-    return QosOverridingOptions(kDefaultPolicies, std::move(validation_callback), std::move(id));
+    return QosOverridingOptions(
+        {QosPolicyKind::History, QosPolicyKind::Depth, QosPolicyKind::Reliability},
+        std::move(validation_callback), std::move(id));
   }
 
   const std::string& get_id() const { return id_; }
   const std::vector<QosPolicyKind>& get_policy_kinds() const { return policy_kinds_; }
   const QosCallback& get_validation_callback() const { return validation_callback_; }
-
-  static constexpr std::initializer_list<QosPolicyKind> kDefaultPolicies = {
-      QosPolicyKind::History, QosPolicyKind::Depth, QosPolicyKind::Reliability};
 
  private:
   std::string id_;

@@ -1,0 +1,14 @@
+# The functions of this package, for those that find it.
+set(rclcpp_components_NODE_TEMPLATE "${rclcpp_components_DIR}/node_main.cpp.in")
+
+macro(_rclcpp_components_register_package_hook)
+  if(NOT DEFINED _RCLCPP_COMPONENTS_PACKAGE_HOOK_REGISTERED)
+    set(_RCLCPP_COMPONENTS_PACKAGE_HOOK_REGISTERED TRUE)
+    find_package(ament_cmake_core QUIET REQUIRED)
+    ament_register_extension("ament_package" "rclcpp_components"
+      "rclcpp_components_package_hook.cmake")
+  endif()
+endmacro()
+
+include("${rclcpp_components_DIR}/rclcpp_components_register_node.cmake")
+include("${rclcpp_components_DIR}/rclcpp_components_register_nodes.cmake")

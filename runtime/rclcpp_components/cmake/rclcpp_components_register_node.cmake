@@ -1,0 +1,50 @@
+# rclcpp_components_register_node(<library> PLUGIN <class> EXECUTABLE <name>
+#                                 [EXECUTOR <class>] [RESOURCE_INDEX <name>])
+# Notes the component in the package's index and makes a program that runs it alone.
+macro(rclcpp_components_register_node target)
+  cmake_parse_arguments(ARGS "" "PLUGIN;EXECUTABLE;EXECUTOR;RESOURCE_INDEX" "" ${ARGN})
+  if(ARGS_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "rclcpp_components_register_node() called with unused arguments: "
+      "${ARGS_UNPARSED_ARGUMENTS}")
+  endif()
+  if("${ARGS_PLUGIN}" STREQUAL "")
+    message(FATAL_ERROR
+      "rclcpp_components_register_node macro requires a PLUGIN argument for target ${target}")
+  endif()
+  if("${ARGS_EXECUTABLE}" STREQUAL "")
+    message(FATAL_ERROR
+      "rclcpp_components_register_node macro requires a EXECUTABLE argument for target ${target}")
+  endif()
+  set(resource_index "rclcpp_components")
+  if(NOT "${ARGS_RESOURCE_INDEX}" STREQUAL "")
+    set(resource_index ${ARGS_RESOURCE_INDEX})
+  endif()
+  set(executor "SingleThreadedExecutor")
+  if(NOT "${ARGS_EXECUTOR}" STREQUAL "")
+    set(executor ${ARGS_EXECUTOR})
+  endif()
+  set(component ${ARGS_PLUGIN})
+  set(node ${ARGS_EXECUTABLE})
+  _rclcpp_components_note(${resource_index} ${component} ${target})
+  configure_file(${rclcpp_components_NODE_TEMPLATE}
+    ${PROJECT_BINARY_DIR}/rclcpp_components/node_main_${node}.cpp @ONLY)
+  add_executable(${node} ${PROJECT_BINARY_DIR}/rclcpp_components/node_main_${node}.cpp)
+  rclcpp_components_link_components(${node} ${target})
+  install(TARGETS ${node} DESTINATION lib/${PROJECT_NAME})
+endmacro()
+
+# Links whole libraries of components into a program, so that they register themselves.
+function(rclcpp_components_link_components program)
+  foreach(library IN LISTS ARGN)
+    target_link_libraries(${program}
+      "-Wl,--whole-archive" "$<TARGET_FILE:${library}>" "-Wl,--no-whole-archive" ${library})
+  endforeach()
+  target_link_libraries(${program} rclcpp_components::component)
+endfunction()
+
+macro(_rclcpp_components_note resource_index component target)
+  _rclcpp_components_register_package_hook()
+  set(_RCLCPP_COMPONENTS_${resource_index}__NODES
+    "${_RCLCPP_COMPONENTS_${resource_index}__NODES}${component};lib/$<TARGET_FILE_NAME:${target}>\n")
+  list(APPEND _RCLCPP_COMPONENTS_PACKAGE_RESOURCE_INDICES ${resource_index})
+endmacro()

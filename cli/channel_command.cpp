@@ -65,11 +65,13 @@ Outcome<CondaPackage> read_metadata(const std::string& file) {
                        .summary = json->text_of("summary"),
                        .home = json->text_of("home")};
   if (json->text_of("noarch") == "python") package.noarch = NoarchKind::kPython;
-  for (const std::string& path : text_list(*json, "license_files")) package.license_files.emplace_back(path);
+  for (const std::string& path : text_list(*json, "license_files"))
+    package.license_files.emplace_back(path);
   if (const JsonValue* number = json->find("build_number")) {
     package.build_number = number->unsigned_integer().value_or(0);
   }
-  if (const JsonValue* time = json->find("timestamp_ms")) package.timestamp_ms = time->integer().value_or(0);
+  if (const JsonValue* time = json->find("timestamp_ms"))
+    package.timestamp_ms = time->integer().value_or(0);
   return package;
 }
 
@@ -92,7 +94,8 @@ Outcome<CondaPackage> package_of(const ChannelOptions& options) {
   override_with(package.summary, options.summary);
   override_with(package.subdir, options.noarch ? "noarch" : options.subdir);
   if (package.subdir.empty()) package.subdir = "emscripten-wasm32";
-  if (package.subdir == "noarch" && package.noarch == NoarchKind::kNo) package.noarch = NoarchKind::kGeneric;
+  if (package.subdir == "noarch" && package.noarch == NoarchKind::kNo)
+    package.noarch = NoarchKind::kGeneric;
   if (!options.depends.empty()) package.depends = options.depends;
   if (!options.constrains.empty()) package.constrains = options.constrains;
   for (const std::string& path : options.license_files) package.license_files.emplace_back(path);
@@ -101,7 +104,8 @@ Outcome<CondaPackage> package_of(const ChannelOptions& options) {
     const char* end = options.build_number.data() + options.build_number.size();
     const auto read = std::from_chars(options.build_number.data(), end, package.build_number);
     if (read.ec != std::errc() || read.ptr != end) {
-      return usage_error("`--build-number " + options.build_number + "` is not a number", "it counts from 0");
+      return usage_error("`--build-number " + options.build_number + "` is not a number",
+                         "it counts from 0");
     }
   }
   return package;
@@ -124,9 +128,9 @@ int add(const ChannelOptions& options, Context& context) {
     return archive ? report_path(context, *archive) : context.console.fail(archive.errors());
   }
   if (options.words.size() != 1 || options.prefix.empty()) {
-    return context.console.fail(
-        usage_error("`ros2wasm channel add` takes a channel and an archive, or a channel and --prefix",
-                    "`ros2wasm channel --help` has examples"));
+    return context.console.fail(usage_error(
+        "`ros2wasm channel add` takes a channel and an archive, or a channel and --prefix",
+        "`ros2wasm channel --help` has examples"));
   }
   const auto package = package_of(options);
   if (!package) return context.console.fail(package.errors());
@@ -136,19 +140,24 @@ int add(const ChannelOptions& options, Context& context) {
 
 int index(const ChannelOptions& options, Context& context) {
   if (options.words.size() != 1) {
-    return context.console.fail(
-        usage_error("`ros2wasm channel index` takes one channel folder", "`ros2wasm channel --help` has examples"));
+    return context.console.fail(usage_error("`ros2wasm channel index` takes one channel folder",
+                                            "`ros2wasm channel --help` has examples"));
   }
   const auto summary = index_channel(options.words[0]);
   if (!summary) return context.console.fail(summary.errors());
   if (context.json) {
     JsonWriter json;
-    json.begin_object().key("packages").unsigned_integer(summary->packages).key("subdirs").begin_array();
+    json.begin_object()
+        .key("packages")
+        .unsigned_integer(summary->packages)
+        .key("subdirs")
+        .begin_array();
     for (const std::string& subdir : summary->subdirs) json.string(subdir);
     json.end_array().end_object();
     context.console.result(json.text());
   } else {
-    context.console.remark("indexed " + std::to_string(summary->packages) + " packages in " + options.words[0]);
+    context.console.remark("indexed " + std::to_string(summary->packages) + " packages in " +
+                           options.words[0]);
   }
   return 0;
 }
@@ -157,7 +166,8 @@ int index(const ChannelOptions& options, Context& context) {
 
 CommandBody channel_command(Arguments& arguments) {
   const auto options = std::make_shared<ChannelOptions>();
-  arguments.required("ACTION", options->action, "`add` puts a package into a channel, `index` writes its index");
+  arguments.required("ACTION", options->action,
+                     "`add` puts a package into a channel, `index` writes its index");
   arguments.rest("DIR", options->words, "the channel's folder; behind it, for `add`, an archive");
   arguments.value("--prefix", options->prefix, "TREE", "Pack the files of this folder");
   arguments.value("--metadata", options->metadata, "FILE",
@@ -167,21 +177,26 @@ CommandBody channel_command(Arguments& arguments) {
   arguments.value("--build", options->build, "STRING", "Build string");
   arguments.value("--build-number", options->build_number, "N", "Build number");
   arguments.values("--depends", options->depends, "SPEC", "A package that this one needs");
-  arguments.values("--constrains", options->constrains, "SPEC", "What another package must be if it is there");
+  arguments.values("--constrains", options->constrains, "SPEC",
+                   "What another package must be if it is there");
   arguments.value("--license", options->license, "SPDX", "License expression");
   arguments.values("--license-file", options->license_files, "FILE", "A file for info/licenses");
   arguments.value("--summary", options->summary, "TEXT", "One line about the package");
-  arguments.value("--subdir", options->subdir, "SUBDIR", "emscripten-wasm32 (the default) or another platform");
-  arguments.value("--placeholder", options->placeholder, "PATH",
-                  "The prefix that the files were installed for; it is replaced where text files name it");
+  arguments.value("--subdir", options->subdir, "SUBDIR",
+                  "emscripten-wasm32 (the default) or another platform");
+  arguments.value(
+      "--placeholder", options->placeholder, "PATH",
+      "The prefix that the files were installed for; it is replaced where text files name it");
   arguments.flag("--noarch", options->noarch, "The package is for every platform");
   arguments.examples({"ros2wasm channel add my-channel --prefix stage --metadata package.json",
-                      "ros2wasm channel add my-channel demo-1.0-0.conda", "ros2wasm channel index my-channel"});
+                      "ros2wasm channel add my-channel demo-1.0-0.conda",
+                      "ros2wasm channel index my-channel"});
   return [options](Context& context) {
     if (options->action == "add") return add(*options, context);
     if (options->action == "index") return index(*options, context);
-    return context.console.fail(usage_error("`ros2wasm channel` has no action `" + options->action + "`",
-                                            "the actions are: add, index"));
+    return context.console.fail(
+        usage_error("`ros2wasm channel` has no action `" + options->action + "`",
+                    "the actions are: add, index"));
   };
 }
 

@@ -1,4 +1,5 @@
-// `ros2wasm inspect version|spec|match|archive`: what the parsers make of a text or a file, one JSON object a line.
+// `ros2wasm inspect version|spec|match|archive`: what the parsers make of a text or a file, one
+// JSON object a line.
 #include <charconv>
 #include <iostream>
 #include <memory>
@@ -35,7 +36,8 @@ std::string failed(const std::string& input, const Diagnostics& errors) {
 std::string version_line(const std::string& input) {
   const auto version = Version::parse(input);
   if (!version) return failed(input, version.errors());
-  std::string out = "{\"input\":" + json_quoted(input) + ",\"parsed\":" + version_json(version->segments());
+  std::string out =
+      "{\"input\":" + json_quoted(input) + ",\"parsed\":" + version_json(version->segments());
   if (!version->local().empty()) out += ",\"local\":" + version_json(version->local());
   return out + "}";
 }
@@ -78,14 +80,18 @@ std::string match_line(const std::string& input) {
   }
   const auto spec = MatchSpec::parse(input.substr(0, first));
   if (!spec) return failed(input, spec.errors());
-  PackageRecord record{.name = fitting_name(*spec),
-                       .version = input.substr(first + 1, second == std::string::npos ? second : second - first - 1),
-                       .build = second == std::string::npos ? std::string() : input.substr(second + 1)};
+  PackageRecord record{
+      .name = fitting_name(*spec),
+      .version = input.substr(first + 1, second == std::string::npos ? second : second - first - 1),
+      .build = second == std::string::npos ? std::string() : input.substr(second + 1)};
   record.build_number = number_of_build(record.build);
   const auto version = Version::parse(record.version);
   if (!version) return failed(input, version.errors());
   JsonWriter json;
-  json.begin_object().field("input", input).field_boolean("matches", spec->matches(record, *version)).end_object();
+  json.begin_object()
+      .field("input", input)
+      .field_boolean("matches", spec->matches(record, *version))
+      .end_object();
   return json.text();
 }
 
@@ -99,11 +105,16 @@ int each_line(Context& context, std::string (*answer)(const std::string&)) {
 
 std::string_view kind_word(MemberKind kind) {
   switch (kind) {
-    case MemberKind::kFile: return "file";
-    case MemberKind::kLink: return "link";
-    case MemberKind::kHardLink: return "hard_link";
-    case MemberKind::kDirectory: return "directory";
-    case MemberKind::kOther: return "other";
+    case MemberKind::kFile:
+      return "file";
+    case MemberKind::kLink:
+      return "link";
+    case MemberKind::kHardLink:
+      return "hard_link";
+    case MemberKind::kDirectory:
+      return "directory";
+    case MemberKind::kOther:
+      return "other";
   }
   return "other";
 }
@@ -135,25 +146,28 @@ int inspect_archive(Context& context, const std::string& file) {
 
 int run(const InspectOptions& options, Context& context) {
   if (options.what == "archive") {
-    if (options.file.empty()) return context.console.fail(usage_error("`ros2wasm inspect archive` takes a file"));
+    if (options.file.empty())
+      return context.console.fail(usage_error("`ros2wasm inspect archive` takes a file"));
     return inspect_archive(context, options.file);
   }
   if (options.what == "version") return each_line(context, version_line);
   if (options.what == "spec") return each_line(context, spec_line);
   if (options.what == "match") return each_line(context, match_line);
-  return context.console.fail(
-      usage_error("`ros2wasm inspect` knows version, spec, match and archive, not `" + options.what + "`"));
+  return context.console.fail(usage_error(
+      "`ros2wasm inspect` knows version, spec, match and archive, not `" + options.what + "`"));
 }
 
 }  // namespace
 
 CommandBody inspect_command(Arguments& arguments) {
   const auto options = std::make_shared<InspectOptions>();
-  arguments.required("WHAT", options->what,
-                     "`version` and `spec` read lines from stdin; `match` reads spec<TAB>version<TAB>build; "
-                     "`archive` looks into a file");
+  arguments.required(
+      "WHAT", options->what,
+      "`version` and `spec` read lines from stdin; `match` reads spec<TAB>version<TAB>build; "
+      "`archive` looks into a file");
   arguments.optional("FILE", options->file, "for `archive`: a .conda or .tar.bz2 file");
-  arguments.examples({"echo 1.0rc1 | ros2wasm inspect version", "ros2wasm inspect archive demo-1.0-0.conda"});
+  arguments.examples(
+      {"echo 1.0rc1 | ros2wasm inspect version", "ros2wasm inspect archive demo-1.0-0.conda"});
   return [options](Context& context) { return run(*options, context); };
 }
 

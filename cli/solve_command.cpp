@@ -26,7 +26,8 @@ ChannelRoots roots_of(const Context& context) {
   std::error_code error;
   ChannelRoots roots{.working_directory = std::filesystem::current_path(error),
                      .embedded = {},
-                     .cache = default_cache_directory(variable(context, "XDG_CACHE_HOME"), variable(context, "HOME"))};
+                     .cache = default_cache_directory(variable(context, "XDG_CACHE_HOME"),
+                                                      variable(context, "HOME"))};
   if (auto embedded = embedded_channel(context.executable)) roots.embedded = std::move(*embedded);
   return roots;
 }
@@ -37,9 +38,14 @@ ChannelPriority priority_of(const std::string& word) {
 }
 
 void put_record(JsonWriter& json, const PackageRecord& record) {
-  json.begin_object().field("name", record.name).field("version", record.version).field("build", record.build);
+  json.begin_object()
+      .field("name", record.name)
+      .field("version", record.version)
+      .field("build", record.build);
   json.key("build_number").unsigned_integer(record.build_number);
-  json.field("subdir", record.subdir).field("channel", record.channel).field("file", record.file_name);
+  json.field("subdir", record.subdir)
+      .field("channel", record.channel)
+      .field("file", record.file_name);
   json.field("url", record.url).field("sha256", record.sha256).field("md5", record.md5);
   json.key("size").unsigned_integer(record.size).key("depends").begin_array();
   for (const std::string& spec : record.depends) json.string(spec);
@@ -49,7 +55,8 @@ void put_record(JsonWriter& json, const PackageRecord& record) {
 void show(Context& context, const Resolution& resolution, const RepoIndex& index) {
   if (!context.json) {
     for (const PackageRecord& record : resolution.packages) {
-      context.console.result(record.name + " " + record.version + " " + record.build + "  " + record.url);
+      context.console.result(record.name + " " + record.version + " " + record.build + "  " +
+                             record.url);
     }
     return;
   }
@@ -69,10 +76,12 @@ int run(const SolveOptions& options, Context& context) {
   std::vector<ChannelSource> channels;
   for (const std::string& name : options.channels) channels.push_back({.name = name, .span = {}});
   if (channels.empty()) channels.push_back({.name = "embedded", .span = {}});
-  const auto index = load_channels(channels, roots_of(context), context.cancellation, context.progress);
+  const auto index =
+      load_channels(channels, roots_of(context), context.cancellation, context.progress);
   if (!index) return context.console.fail(index.errors());
   ResolveRequest request{.specs = {}, .locked = {}, .priority = priority_of(options.priority)};
-  for (const std::string& text : options.specs) request.specs.push_back({.text = text, .origin = {}, .span = {}});
+  for (const std::string& text : options.specs)
+    request.specs.push_back({.text = text, .origin = {}, .span = {}});
   const auto resolution = solve(request, *index);
   if (!resolution) return context.console.fail(resolution.errors());
   show(context, *resolution, *index);
@@ -83,10 +92,13 @@ int run(const SolveOptions& options, Context& context) {
 
 CommandBody solve_command(Arguments& arguments) {
   const auto options = std::make_shared<SolveOptions>();
-  arguments.values("-c,--channel", options->channels, "CHANNEL", "A folder or file:// address; the embedded channel if none");
-  arguments.choice("--priority", options->priority, {"strict", "flexible", "disabled"}, "What the order of channels means");
+  arguments.values("-c,--channel", options->channels, "CHANNEL",
+                   "A folder or file:// address; the embedded channel if none");
+  arguments.choice("--priority", options->priority, {"strict", "flexible", "disabled"},
+                   "What the order of channels means");
   arguments.rest("SPEC", options->specs, "conda match specs: \"ros-jazzy-rclcpp >=28\"");
-  arguments.examples({"ros2wasm solve ros-jazzy-std-msgs", "ros2wasm solve --channel my-channel --json \"demo >=1,<2\""});
+  arguments.examples({"ros2wasm solve ros-jazzy-std-msgs",
+                      "ros2wasm solve --channel my-channel --json \"demo >=1,<2\""});
   return [options](Context& context) { return run(*options, context); };
 }
 

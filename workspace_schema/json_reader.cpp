@@ -16,9 +16,15 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
  public:
   bool null() override { return put(JsonValue()); }
   bool boolean(bool value) override { return put(JsonValue(value)); }
-  bool number_integer(number_integer_t value) override { return put(JsonValue(std::int64_t{value})); }
-  bool number_unsigned(number_unsigned_t value) override { return put(JsonValue(std::uint64_t{value})); }
-  bool number_float(number_float_t value, const string_t&) override { return put(JsonValue(value)); }
+  bool number_integer(number_integer_t value) override {
+    return put(JsonValue(std::int64_t{value}));
+  }
+  bool number_unsigned(number_unsigned_t value) override {
+    return put(JsonValue(std::uint64_t{value}));
+  }
+  bool number_float(number_float_t value, const string_t&) override {
+    return put(JsonValue(value));
+  }
   bool string(string_t& value) override { return put(JsonValue(std::move(value))); }
   bool binary(binary_t&) override { return false; }
   bool start_object(std::size_t) override { return open(JsonValue(JsonValue::Object{})); }
@@ -33,8 +39,10 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
                    const nlohmann::detail::exception& raised) override {
     error_at_ = position;
     error_ = raised.what();
-    // "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error ..." -> the last part
-    if (const auto cut = error_.find(": "); cut != std::string::npos) error_ = error_.substr(cut + 2);
+    // "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error ..." -> the
+    // last part
+    if (const auto cut = error_.find(": "); cut != std::string::npos)
+      error_ = error_.substr(cut + 2);
     return false;
   }
 
@@ -111,7 +119,8 @@ std::optional<std::int64_t> JsonValue::integer() const {
     }
   }
   if (const auto* value = std::get_if<double>(&state_)) {
-    if (std::abs(*value) < 9e15 && std::trunc(*value) == *value) return static_cast<std::int64_t>(*value);
+    if (std::abs(*value) < 9e15 && std::trunc(*value) == *value)
+      return static_cast<std::int64_t>(*value);
   }
   return std::nullopt;
 }
@@ -155,7 +164,8 @@ std::string JsonValue::text_of(std::string_view key) const {
   return text == nullptr ? std::string() : *text;
 }
 
-Outcome<JsonValue> parse_json(std::string_view text, const std::string& file, const std::string& code) {
+Outcome<JsonValue> parse_json(std::string_view text, const std::string& file,
+                              const std::string& code) {
   Builder builder;
   bool read = false;
   std::string failure;

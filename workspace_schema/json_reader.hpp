@@ -1,4 +1,5 @@
-// Reads JSON text into values. Pure. The JSON library ends in json_reader.cpp; writing is in json_writer.hpp.
+// Reads JSON text into values. Pure. The JSON library ends in json_reader.cpp; writing is in
+// json_writer.hpp.
 #pragma once
 
 #include <cstdint>
@@ -17,9 +18,10 @@ class JsonValue {
  public:
   using Array = std::vector<JsonValue>;
   using Member = std::pair<std::string, JsonValue>;
-  using Object = std::vector<Member>;  ///< in the order of the text; a repeated key keeps the last value
-  using State =
-      std::variant<std::nullptr_t, bool, std::int64_t, std::uint64_t, double, std::string, Array, Object>;
+  using Object =
+      std::vector<Member>;  ///< in the order of the text; a repeated key keeps the last value
+  using State = std::variant<std::nullptr_t, bool, std::int64_t, std::uint64_t, double, std::string,
+                             Array, Object>;
 
   JsonValue() = default;
   explicit JsonValue(State state) : state_(std::move(state)) {}

@@ -8,11 +8,13 @@
 namespace ros2wasm {
 namespace {
 
-void put_text(std::string& out, std::string_view indent, std::string_view key, const std::string& value) {
+void put_text(std::string& out, std::string_view indent, std::string_view key,
+              const std::string& value) {
   out.append(indent).append(key).append(": ").append(as_yaml_text(value)).append("\n");
 }
 
-void put_number(std::string& out, std::string_view indent, std::string_view key, std::uint64_t value) {
+void put_number(std::string& out, std::string_view indent, std::string_view key,
+                std::uint64_t value) {
   out.append(indent).append(key).append(": ").append(std::to_string(value)).append("\n");
 }
 
@@ -20,7 +22,8 @@ void put_list(std::string& out, const std::string& indent, std::string_view key,
               const std::vector<std::string>& values) {
   if (values.empty()) return;
   out.append(indent).append(key).append(":\n");
-  for (const std::string& value : values) out.append(indent).append("  - ").append(as_yaml_text(value)).append("\n");
+  for (const std::string& value : values)
+    out.append(indent).append("  - ").append(as_yaml_text(value)).append("\n");
 }
 
 void put_package(std::string& out, const PackageRecord& record) {
@@ -52,7 +55,8 @@ void put_package(std::string& out, const PackageRecord& record) {
 
 std::string write_lock(const Lock& lock) {
   std::string out =
-      "# Which packages this workspace uses, exactly. Written by ros2wasm; keep it under version control.\n";
+      "# Which packages this workspace uses, exactly. Written by ros2wasm; keep it under version "
+      "control.\n";
   put_number(out, "", "schema", static_cast<std::uint64_t>(lock.schema));
   put_text(out, "", "platform", lock.platform);
   put_list(out, "", "channels", lock.channels);

@@ -13,8 +13,8 @@ namespace ros2wasm {
 struct Lock {
   int schema = 1;
   std::string platform = "emscripten-wasm32";
-  std::vector<std::string> channels;    ///< in the order of priority
-  std::vector<std::string> specs;       ///< what was asked for, sorted; for people, never for a check
+  std::vector<std::string> channels;  ///< in the order of priority
+  std::vector<std::string> specs;     ///< what was asked for, sorted; for people, never for a check
   std::vector<PackageRecord> packages;  ///< sorted by name
 };
 

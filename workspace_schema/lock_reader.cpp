@@ -50,7 +50,9 @@ class Reader {
                       .span = source_.span(range.offset, range.length),
                       .fix = {}};
   }
-  void fail(const YamlNode& node, const std::string& why) { faults_.push_back(fault(node.range, why)); }
+  void fail(const YamlNode& node, const std::string& why) {
+    faults_.push_back(fault(node.range, why));
+  }
 
   void text(const YamlNode& node, std::string& target) {
     if (node.kind == YamlKind::kScalar) {
@@ -78,17 +80,20 @@ class Reader {
 
   void hash(const YamlNode& node, std::string& target, std::size_t digits) {
     text(node, target);
-    if (!is_hex(target, digits)) fail(node, "a hash of " + std::to_string(digits) + " hexadecimal digits is expected");
+    if (!is_hex(target, digits))
+      fail(node, "a hash of " + std::to_string(digits) + " hexadecimal digits is expected");
   }
 
   void noarch(const YamlNode& node, NoarchKind& target) {
     std::string word;
     text(node, word);
-    if (word != "generic" && word != "python") return fail(node, "`noarch` is `generic` or `python`");
+    if (word != "generic" && word != "python")
+      return fail(node, "`noarch` is `generic` or `python`");
     target = word == "python" ? NoarchKind::kPython : NoarchKind::kGeneric;
   }
 
-  void read_fields(const YamlNode& map, const Fields& fields, const std::vector<std::string_view>& required) {
+  void read_fields(const YamlNode& map, const Fields& fields,
+                   const std::vector<std::string_view>& required) {
     for (const YamlEntry& entry : map.entries) {
       const auto field = fields.find(entry.key);
       if (field == fields.end()) {
@@ -113,7 +118,8 @@ class Reader {
                  {"packages", [&](const YamlNode& node) { read_packages(node, lock.packages); }}},
                 {"schema", "platform", "packages"});
     if (lock.schema != 1 && faults_.empty()) {
-      fail(root, "it has schema " + std::to_string(lock.schema) + ", and this ros2wasm reads schema 1");
+      fail(root,
+           "it has schema " + std::to_string(lock.schema) + ", and this ros2wasm reads schema 1");
     }
   }
 
@@ -128,31 +134,33 @@ class Reader {
     }
     std::map<std::string, int> seen;
     for (std::size_t i = 0; i < packages.size(); ++i) {
-      if (++seen[packages[i].name] == 2) fail(node, "the package `" + packages[i].name + "` is there twice");
+      if (++seen[packages[i].name] == 2)
+        fail(node, "the package `" + packages[i].name + "` is there twice");
     }
   }
 
   PackageRecord read_package(const YamlNode& map) {
     PackageRecord record;
-    read_fields(map,
-                {{"name", [&](const YamlNode& node) { text(node, record.name); }},
-                 {"version", [&](const YamlNode& node) { text(node, record.version); }},
-                 {"build", [&](const YamlNode& node) { text(node, record.build); }},
-                 {"build_number", [&](const YamlNode& node) { number(node, record.build_number); }},
-                 {"subdir", [&](const YamlNode& node) { text(node, record.subdir); }},
-                 {"channel", [&](const YamlNode& node) { text(node, record.channel); }},
-                 {"file", [&](const YamlNode& node) { text(node, record.file_name); }},
-                 {"url", [&](const YamlNode& node) { text(node, record.url); }},
-                 {"sha256", [&](const YamlNode& node) { hash(node, record.sha256, 64); }},
-                 {"md5", [&](const YamlNode& node) { hash(node, record.md5, 32); }},
-                 {"size", [&](const YamlNode& node) { number(node, record.size); }},
-                 {"depends", [&](const YamlNode& node) { texts(node, record.depends); }},
-                 {"constrains", [&](const YamlNode& node) { texts(node, record.constrains); }},
-                 {"track_features", [&](const YamlNode& node) { texts(node, record.track_features); }},
-                 {"license", [&](const YamlNode& node) { text(node, record.license); }},
-                 {"timestamp_ms", [&](const YamlNode& node) { number(node, record.timestamp_ms); }},
-                 {"noarch", [&](const YamlNode& node) { noarch(node, record.noarch); }}},
-                {"name", "version", "build", "subdir", "channel", "file", "url"});
+    read_fields(
+        map,
+        {{"name", [&](const YamlNode& node) { text(node, record.name); }},
+         {"version", [&](const YamlNode& node) { text(node, record.version); }},
+         {"build", [&](const YamlNode& node) { text(node, record.build); }},
+         {"build_number", [&](const YamlNode& node) { number(node, record.build_number); }},
+         {"subdir", [&](const YamlNode& node) { text(node, record.subdir); }},
+         {"channel", [&](const YamlNode& node) { text(node, record.channel); }},
+         {"file", [&](const YamlNode& node) { text(node, record.file_name); }},
+         {"url", [&](const YamlNode& node) { text(node, record.url); }},
+         {"sha256", [&](const YamlNode& node) { hash(node, record.sha256, 64); }},
+         {"md5", [&](const YamlNode& node) { hash(node, record.md5, 32); }},
+         {"size", [&](const YamlNode& node) { number(node, record.size); }},
+         {"depends", [&](const YamlNode& node) { texts(node, record.depends); }},
+         {"constrains", [&](const YamlNode& node) { texts(node, record.constrains); }},
+         {"track_features", [&](const YamlNode& node) { texts(node, record.track_features); }},
+         {"license", [&](const YamlNode& node) { text(node, record.license); }},
+         {"timestamp_ms", [&](const YamlNode& node) { number(node, record.timestamp_ms); }},
+         {"noarch", [&](const YamlNode& node) { noarch(node, record.noarch); }}},
+        {"name", "version", "build", "subdir", "channel", "file", "url"});
     return record;
   }
 

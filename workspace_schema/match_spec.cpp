@@ -1,5 +1,5 @@
-// See match_spec.hpp. Takes a spec apart in the order in which conda does: comment, file name, brackets,
-// parentheses, channel, name, version and build.
+// See match_spec.hpp. Takes a spec apart in the order in which conda does: comment, file name,
+// brackets, parentheses, channel, name, version and build.
 #include "workspace_schema/match_spec.hpp"
 
 #include <algorithm>
@@ -12,23 +12,28 @@ namespace {
 constexpr std::size_t kLongest = 8192;
 
 constexpr auto kSubdirs = std::to_array<std::string_view>(
-    {"emscripten-32", "emscripten-wasm32", "freebsd-64",    "linux-32",      "linux-64",    "linux-aarch64",
-     "linux-armv6l",  "linux-armv7l",      "linux-ppc64",   "linux-ppc64le", "linux-riscv32", "linux-riscv64",
-     "linux-s390x",   "noarch",            "osx-64",        "osx-arm64",     "wasi-wasm32", "win-32",
-     "win-64",        "win-arm64",         "zos-z"});
+    {"emscripten-32", "emscripten-wasm32", "freebsd-64",   "linux-32",    "linux-64",
+     "linux-aarch64", "linux-armv6l",      "linux-armv7l", "linux-ppc64", "linux-ppc64le",
+     "linux-riscv32", "linux-riscv64",     "linux-s390x",  "noarch",      "osx-64",
+     "osx-arm64",     "wasi-wasm32",       "win-32",       "win-64",      "win-arm64",
+     "zos-z"});
 
 constexpr auto kBracketKeys = std::to_array<std::string_view>(
-    {"channel", "subdir", "name", "version", "build", "build_number", "track_features", "features", "url",
-     "md5", "sha256", "license", "license_family", "fn", "when", "extras", "flags", "optional", "target"});
+    {"channel", "subdir", "name", "version", "build", "build_number", "track_features", "features",
+     "url", "md5", "sha256", "license", "license_family", "fn", "when", "extras", "flags",
+     "optional", "target"});
 
 bool known_subdir(std::string_view text) {
   return std::find(kSubdirs.begin(), kSubdirs.end(), text) != kSubdirs.end();
 }
 
-bool one_of(char c, std::string_view set) { return set.find(c) != std::string_view::npos; }
+bool one_of(char c, std::string_view set) {
+  return set.find(c) != std::string_view::npos;
+}
 
 bool is_key_char(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+         c == '-';
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -37,7 +42,8 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// Takes the last "(...)" or "[...]" out of `text` and returns what is inside; nothing when there is none.
+/// Takes the last "(...)" or "[...]" out of `text` and returns what is inside; nothing when there
+/// is none.
 std::optional<std::string> take_section(std::string& text, char open, char close) {
   const std::size_t end = text.rfind(close);
   if (end == std::string::npos || end == 0) return std::nullopt;
@@ -53,8 +59,10 @@ struct BracketPair {
   std::string value;
 };
 
-/// The pair whose value begins behind `equals`, and where the text goes on; nothing when it is none.
-std::optional<std::pair<BracketPair, std::size_t>> pair_at(std::string_view text, std::size_t equals) {
+/// The pair whose value begins behind `equals`, and where the text goes on; nothing when it is
+/// none.
+std::optional<std::pair<BracketPair, std::size_t>> pair_at(std::string_view text,
+                                                           std::size_t equals) {
   std::size_t key_start = equals;
   while (key_start > 0 && is_key_char(text[key_start - 1])) --key_start;
   if (key_start == equals) return std::nullopt;
@@ -64,7 +72,8 @@ std::optional<std::pair<BracketPair, std::size_t>> pair_at(std::string_view text
     const std::size_t end = text.find_first_of("'\"", start + 1);
     if (end == std::string_view::npos || text[end] != text[start]) return std::nullopt;
     if (end + 1 < text.size() && !one_of(text[end + 1], ", ")) return std::nullopt;
-    return {{{key, std::string(text.substr(start + 1, end - start - 1))}, std::min(end + 2, text.size())}};
+    return {{{key, std::string(text.substr(start + 1, end - start - 1))},
+             std::min(end + 2, text.size())}};
   }
   const std::size_t end = std::min(text.find_first_of(", ", start), text.size());
   const std::string_view value = text.substr(start, end - start);
@@ -151,21 +160,26 @@ std::string_view last_part(std::string_view path) {
   return slash == std::string_view::npos ? path : path.substr(slash + 1);
 }
 
-bool is_archive_name(std::string_view text) { return text.ends_with(".conda") || text.ends_with(".tar.bz2"); }
+bool is_archive_name(std::string_view text) {
+  return text.ends_with(".conda") || text.ends_with(".tar.bz2");
+}
 
 }  // namespace
 
 /// Fills a MatchSpec step by step. `fault_` is set by the first step that cannot go on.
 class MatchSpecReader {
  public:
-  explicit MatchSpecReader(std::string_view text) : given_(trimmed(text)) { spec_.text_ = std::string(given_); }
+  explicit MatchSpecReader(std::string_view text) : given_(trimmed(text)) {
+    spec_.text_ = std::string(given_);
+  }
 
   Outcome<MatchSpec> read() {
     if (given_.empty()) return bad("it is empty");
     if (given_.size() > kLongest) return bad("it is too long");
     if (first_control_character()) return bad("it has a control character");
     std::string text = without_comment();
-    if (const std::size_t condition = text.find(" if "); condition != std::string::npos) text.resize(condition);
+    if (const std::size_t condition = text.find(" if "); condition != std::string::npos)
+      text.resize(condition);
     text = std::string(trimmed(text));
     if (text.ends_with('@')) return feature(text.substr(0, text.size() - 1));
     if (is_archive_name(text)) return archive(text);
@@ -178,19 +192,19 @@ class MatchSpecReader {
 
  private:
   Diagnostic bad(const std::string& why) const {
-    return Diagnostic{.code = "R2W0303",
-                      .message = "`" + std::string(given_.substr(0, 120)) + "` is no match spec: " + why};
+    return Diagnostic{
+        .code = "R2W0303",
+        .message = "`" + std::string(given_.substr(0, 120)) + "` is no match spec: " + why};
   }
   bool fail(const std::string& why) {
     fault_ = {bad(why)};
     return false;
   }
-  bool fail(Diagnostics errors) {
-    return fail(errors.front().message);
-  }
+  bool fail(Diagnostics errors) { return fail(errors.front().message); }
 
   [[nodiscard]] bool first_control_character() const {
-    return std::any_of(given_.begin(), given_.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; });
+    return std::any_of(given_.begin(), given_.end(),
+                       [](char c) { return static_cast<unsigned char>(c) < 0x20; });
   }
 
   /// Cuts a comment; the fragment of an archive's URL is its hash.
@@ -219,9 +233,11 @@ class MatchSpecReader {
     if (text.find("://") != std::string::npos) spec_.url_ = text;
     const std::string_view stem = file.substr(0, file.size() - (file.ends_with(".conda") ? 6 : 8));
     const std::size_t build = stem.rfind('-');
-    const std::size_t version = build == 0 || build == std::string_view::npos ? build : stem.rfind('-', build - 1);
+    const std::size_t version =
+        build == 0 || build == std::string_view::npos ? build : stem.rfind('-', build - 1);
     const std::string_view folder = std::string_view(text).substr(0, text.size() - file.size());
-    const bool in_subdir = known_subdir(last_part(folder.substr(0, folder.empty() ? 0 : folder.size() - 1)));
+    const bool in_subdir =
+        known_subdir(last_part(folder.substr(0, folder.empty() ? 0 : folder.size() - 1)));
     if (version == std::string_view::npos || version == 0) {
       if (in_subdir) return bad("the file name has not the parts name, version and build");
       spec_.name_ = *TextPattern::parse("*", LetterCase::kIgnored);
@@ -250,7 +266,8 @@ class MatchSpecReader {
     const std::size_t colon = text.rfind(':');
     if (colon == std::string::npos) return;
     const std::size_t second = colon == 0 ? std::string::npos : text.rfind(':', colon - 1);
-    const std::string channel = second == std::string::npos ? std::string() : text.substr(0, second);
+    const std::string channel =
+        second == std::string::npos ? std::string() : text.substr(0, second);
     text.erase(0, colon + 1);
     set_channel(std::string(trimmed(channel)));
   }
@@ -273,7 +290,8 @@ class MatchSpecReader {
     if (name.empty()) return fail("it has no package name");
     const bool pattern = name.find('*') != std::string::npos;
     if (!pattern && !is_package_name(name)) {
-      return fail("`" + name + "` is no package name (letters, digits, and single `-`, `_`, `.` between them)");
+      return fail("`" + name +
+                  "` is no package name (letters, digits, and single `-`, `_`, `.` between them)");
     }
     auto parsed = TextPattern::parse(name, LetterCase::kIgnored);
     if (!parsed) return fail(parsed.errors());
@@ -299,7 +317,8 @@ class MatchSpecReader {
     return true;
   }
 
-  bool set_pattern(std::optional<TextPattern>& field, const std::string& text, LetterCase letter_case) {
+  bool set_pattern(std::optional<TextPattern>& field, const std::string& text,
+                   LetterCase letter_case) {
     auto pattern = TextPattern::parse(text, letter_case);
     if (!pattern) return fail(pattern.errors());
     field = std::move(*pattern);
@@ -356,7 +375,8 @@ class MatchSpecReader {
       }
       if (!fine) return false;
     }
-    if (const auto subdir = brackets_.find("subdir"); subdir != brackets_.end()) spec_.subdir_ = subdir->second;
+    if (const auto subdir = brackets_.find("subdir"); subdir != brackets_.end())
+      spec_.subdir_ = subdir->second;
     return channel_.empty() || set_pattern(spec_.channel_, channel_, LetterCase::kCounts);
   }
 
@@ -367,7 +387,9 @@ class MatchSpecReader {
   Diagnostics fault_;
 };
 
-Outcome<MatchSpec> MatchSpec::parse(std::string_view text) { return MatchSpecReader(text).read(); }
+Outcome<MatchSpec> MatchSpec::parse(std::string_view text) {
+  return MatchSpecReader(text).read();
+}
 
 std::optional<std::string> MatchSpec::exact_name() const {
   return name_.exact() ? std::optional(name_.text()) : std::nullopt;
@@ -375,10 +397,12 @@ std::optional<std::string> MatchSpec::exact_name() const {
 
 namespace {
 
-/// A channel is named by its whole address or by the end of it: `conda-forge` for `https://host/conda-forge`.
+/// A channel is named by its whole address or by the end of it: `conda-forge` for
+/// `https://host/conda-forge`.
 bool channel_matches(const TextPattern& pattern, const std::string& channel) {
   if (pattern.matches(channel)) return true;
-  for (std::size_t slash = channel.find('/'); slash != std::string::npos; slash = channel.find('/', slash + 1)) {
+  for (std::size_t slash = channel.find('/'); slash != std::string::npos;
+       slash = channel.find('/', slash + 1)) {
     if (pattern.matches(std::string_view(channel).substr(slash + 1))) return true;
   }
   return false;

@@ -1,5 +1,5 @@
-// Conda match specs (CEP 29): what a dependency asks for. Where the CEP's text and conda disagree, conda wins;
-// the decisions are listed in docs/match-specs.md.
+// Conda match specs (CEP 29): what a dependency asks for. Where the CEP's text and conda disagree,
+// conda wins; the decisions are listed in docs/match-specs.md.
 #pragma once
 
 #include <optional>
@@ -44,7 +44,7 @@ class MatchSpec {
   std::optional<VersionSpec> build_number_;  ///< conda compares numbers as versions
   std::optional<TextPattern> license_;
   std::optional<std::vector<std::string>> track_features_;  ///< sorted; must be the same
-  std::string subdir_;  ///< these are empty when not asked for
+  std::string subdir_;                                      ///< these are empty when not asked for
   std::string file_name_;
   std::string url_;
   std::string sha256_;

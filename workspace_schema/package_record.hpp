@@ -17,9 +17,10 @@ struct PackageRecord {
   std::string subdir;     ///< "emscripten-wasm32" or "noarch"
   std::string channel;    ///< as the request names it: "embedded", "./dir", "https://host/name"
   std::string file_name;  ///< "name-version-build.conda" or ".tar.bz2"
-  std::string url;        ///< where the archive is: <channel>/<subdir>/<file>; "embedded:/<subdir>/<file>"
-  std::string sha256;     ///< of the archive, lower-case hex; empty when the channel does not say
-  std::string md5;        ///< likewise
+  std::string
+      url;  ///< where the archive is: <channel>/<subdir>/<file>; "embedded:/<subdir>/<file>"
+  std::string sha256;      ///< of the archive, lower-case hex; empty when the channel does not say
+  std::string md5;         ///< likewise
   std::uint64_t size = 0;  ///< of the archive in bytes; 0 when the channel does not say
   std::vector<std::string> depends;     ///< match specs, as written
   std::vector<std::string> constrains;  ///< match specs that hold only if the package is there

@@ -12,8 +12,9 @@ namespace {
 constexpr std::size_t kLongestRegex = 256;
 
 Diagnostic bad_pattern(std::string_view text, const std::string& why) {
-  return Diagnostic{.code = "R2W0303",
-                    .message = "the pattern `" + std::string(text.substr(0, 100)) + "` cannot be used: " + why};
+  return Diagnostic{
+      .code = "R2W0303",
+      .message = "the pattern `" + std::string(text.substr(0, 100)) + "` cannot be used: " + why};
 }
 
 /// The expression in POSIX's words, or why it has none.
@@ -36,12 +37,18 @@ std::variant<std::string, Diagnostic> posix_form(std::string_view text) {
     }
     ++i;
     switch (next) {
-      case 'd': out += "[0-9]"; break;
-      case 'w': out += "[A-Za-z0-9_]"; break;
-      case 's': out += "[[:space:]]"; break;
+      case 'd':
+        out += "[0-9]";
+        break;
+      case 'w':
+        out += "[A-Za-z0-9_]";
+        break;
+      case 's':
+        out += "[[:space:]]";
+        break;
       default:
-        if ((next >= '0' && next <= '9') || (next >= 'a' && next <= 'z') || (next >= 'A' && next <= 'Z') ||
-            next == '\0') {
+        if ((next >= '0' && next <= '9') || (next >= 'a' && next <= 'z') ||
+            (next >= 'A' && next <= 'Z') || next == '\0') {
           return bad_pattern(text, std::string("`\\") + next + "` is not supported");
         }
         out += '\\';
@@ -101,7 +108,8 @@ Outcome<TextPattern> TextPattern::parse(std::string_view text, LetterCase letter
     const auto posix = posix_form(pattern.text_);
     if (const auto* fault = std::get_if<Diagnostic>(&posix)) return *fault;
     auto regex = std::make_shared<Regex>();
-    if (regcomp(&regex->compiled, std::get<std::string>(posix).c_str(), REG_EXTENDED | REG_NOSUB) != 0) {
+    if (regcomp(&regex->compiled, std::get<std::string>(posix).c_str(), REG_EXTENDED | REG_NOSUB) !=
+        0) {
       return bad_pattern(text, "it is no regular expression");
     }
     pattern.kind_ = Kind::kRegex;
@@ -113,11 +121,15 @@ Outcome<TextPattern> TextPattern::parse(std::string_view text, LetterCase letter
 }
 
 bool TextPattern::matches(std::string_view value) const {
-  const std::string folded = letter_case_ == LetterCase::kIgnored ? ascii_lower(value) : std::string(value);
+  const std::string folded =
+      letter_case_ == LetterCase::kIgnored ? ascii_lower(value) : std::string(value);
   switch (kind_) {
-    case Kind::kExact: return folded == text_;
-    case Kind::kGlob: return glob_matches(text_, folded);
-    case Kind::kRegex: return regexec(&regex_->compiled, folded.c_str(), 0, nullptr, 0) == 0;
+    case Kind::kExact:
+      return folded == text_;
+    case Kind::kGlob:
+      return glob_matches(text_, folded);
+    case Kind::kRegex:
+      return regexec(&regex_->compiled, folded.c_str(), 0, nullptr, 0) == 0;
   }
   return false;
 }

@@ -10,8 +10,12 @@ namespace {
 
 constexpr std::size_t kLongest = 2048;  // no version is near it; keeps hostile input cheap
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_digits(std::string_view text) { return !text.empty() && std::all_of(text.begin(), text.end(), is_digit); }
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+bool is_digits(std::string_view text) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), is_digit);
+}
 
 Diagnostic bad_version(std::string_view text, const std::string& why) {
   return Diagnostic{.code = "R2W0304",
@@ -20,7 +24,8 @@ Diagnostic bad_version(std::string_view text, const std::string& why) {
 
 bool valid_characters(std::string_view text) {
   return std::all_of(text.begin(), text.end(), [](char c) {
-    return is_digit(c) || (c >= 'a' && c <= 'z') || c == '.' || c == '*' || c == '+' || c == '!' || c == '_';
+    return is_digit(c) || (c >= 'a' && c <= 'z') || c == '.' || c == '*' || c == '+' || c == '!' ||
+           c == '_';
   });
 }
 
@@ -69,7 +74,8 @@ VersionSegment segment_of(std::string_view component) {
   if (!is_digit(component.front())) segment.emplace_back();
   while (!component.empty()) {
     std::size_t length = 1;
-    while (length < component.size() && run_kind(component[length]) == run_kind(component[0])) ++length;
+    while (length < component.size() && run_kind(component[length]) == run_kind(component[0]))
+      ++length;
     segment.push_back(atom_of(component.substr(0, length)));
     component.remove_prefix(length);
   }
@@ -93,17 +99,19 @@ std::strong_ordering compare(const VersionSegment& a, const VersionSegment& b, s
   return std::strong_ordering::equal;
 }
 
-std::strong_ordering compare(const std::vector<VersionSegment>& a, const std::vector<VersionSegment>& b,
-                             std::size_t count) {
+std::strong_ordering compare(const std::vector<VersionSegment>& a,
+                             const std::vector<VersionSegment>& b, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     const VersionSegment& left = segment_at(a, i);
     const VersionSegment& right = segment_at(b, i);
-    if (const auto order = compare(left, right, std::max(left.size(), right.size())); order != 0) return order;
+    if (const auto order = compare(left, right, std::max(left.size(), right.size())); order != 0)
+      return order;
   }
   return std::strong_ordering::equal;
 }
 
-std::strong_ordering compare(const std::vector<VersionSegment>& a, const std::vector<VersionSegment>& b) {
+std::strong_ordering compare(const std::vector<VersionSegment>& a,
+                             const std::vector<VersionSegment>& b) {
   return compare(a, b, std::max(a.size(), b.size()));
 }
 
@@ -111,7 +119,8 @@ std::strong_ordering compare(const std::vector<VersionSegment>& a, const std::ve
 
 std::strong_ordering VersionAtom::operator<=>(const VersionAtom& other) const {
   if (kind != other.kind) return kind <=> other.kind;
-  if (kind == Kind::kNumber && text.size() != other.text.size()) return text.size() <=> other.text.size();
+  if (kind == Kind::kNumber && text.size() != other.text.size())
+    return text.size() <=> other.text.size();
   return text.compare(other.text) <=> 0;
 }
 
@@ -127,7 +136,8 @@ Outcome<Version> Version::parse(std::string_view given) {
   if (!valid_characters(text) && text.find('_') == std::string::npos) {
     std::replace(text.begin(), text.end(), '-', '_');
   }
-  if (!valid_characters(text)) return bad_version(given, "it has a character that versions may not have");
+  if (!valid_characters(text))
+    return bad_version(given, "it has a character that versions may not have");
 
   std::string epoch = "0";
   const std::vector<std::string> by_epoch = split(text, '!');
@@ -193,9 +203,15 @@ std::string version_json(const std::vector<VersionSegment>& segments) {
     for (const VersionAtom& atom : segment) {
       if (out.back() != '[') out += ',';
       switch (atom.kind) {
-        case VersionAtom::Kind::kNumber: out += atom.text; break;
-        case VersionAtom::Kind::kPost: out += "1e999"; break;  // JSON for infinity
-        case VersionAtom::Kind::kText: out += json_quoted(atom.text); break;
+        case VersionAtom::Kind::kNumber:
+          out += atom.text;
+          break;
+        case VersionAtom::Kind::kPost:
+          out += "1e999";
+          break;  // JSON for infinity
+        case VersionAtom::Kind::kText:
+          out += json_quoted(atom.text);
+          break;
       }
     }
     out += ']';

@@ -15,8 +15,8 @@ namespace ros2wasm {
 struct VersionAtom {
   enum class Kind : unsigned char { kText, kNumber, kPost };
   Kind kind = Kind::kNumber;
-  /// kNumber: decimal digits without leading zeros ("0" for zero), of any length. kText: lower case, with "dev"
-  /// as "DEV" so that it sorts first. kPost: empty.
+  /// kNumber: decimal digits without leading zeros ("0" for zero), of any length. kText: lower
+  /// case, with "dev" as "DEV" so that it sorts first. kPost: empty.
   std::string text = "0";
 
   std::strong_ordering operator<=>(const VersionAtom& other) const;
@@ -48,8 +48,8 @@ class Version {
   std::vector<VersionSegment> local_;
 };
 
-/// Conda's nested list as JSON, of Version::segments() or local(): `[[0],[1],[2,"rc",1]]`, with `post` (conda's
-/// infinity) as 1e999, which JSON readers take for infinity.
+/// Conda's nested list as JSON, of Version::segments() or local(): `[[0],[1],[2,"rc",1]]`, with
+/// `post` (conda's infinity) as 1e999, which JSON readers take for infinity.
 [[nodiscard]] std::string version_json(const std::vector<VersionSegment>& segments);
 
 }  // namespace ros2wasm

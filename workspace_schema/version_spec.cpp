@@ -45,8 +45,9 @@ constexpr std::size_t kLongest = 4096;
 constexpr std::size_t kMostTokens = 256;
 
 Diagnostic bad_spec(std::string_view text, const std::string& why) {
-  return Diagnostic{.code = "R2W0303",
-                    .message = "`" + std::string(text.substr(0, 100)) + "` says nothing about versions: " + why};
+  return Diagnostic{
+      .code = "R2W0303",
+      .message = "`" + std::string(text.substr(0, 100)) + "` says nothing about versions: " + why};
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -90,11 +91,13 @@ Outcome<NodePointer> with_version(Kind kind, std::string_view text) {
 }
 
 Outcome<NodePointer> relation(std::string_view text) {
-  const auto* found = std::find_if(kRelations.begin(), kRelations.end(),
-                                   [text](const Relation& row) { return text.starts_with(row.sign); });
+  const auto* found =
+      std::find_if(kRelations.begin(), kRelations.end(),
+                   [text](const Relation& row) { return text.starts_with(row.sign); });
   if (found == kRelations.end()) return bad_spec(text, "no such comparison");
   std::string_view rest = trimmed(text.substr(found->sign.size()));
-  if (rest.empty()) return bad_spec(text, "a version is missing behind `" + std::string(found->sign) + "`");
+  if (rest.empty())
+    return bad_spec(text, "a version is missing behind `" + std::string(found->sign) + "`");
   if (std::string_view("=<>!~").find(rest.front()) != std::string_view::npos ||
       rest.find(' ') != std::string_view::npos) {
     return bad_spec(text, "no such comparison");
@@ -111,7 +114,8 @@ Outcome<NodePointer> relation(std::string_view text) {
 Outcome<NodePointer> as_pattern(std::string_view text) {
   auto pattern = TextPattern::parse(text, LetterCase::kCounts);
   if (!pattern) return std::move(pattern).errors();
-  return NodePointer(std::make_shared<Node>(Node{.kind = Kind::kPattern, .pattern = std::move(*pattern)}));
+  return NodePointer(
+      std::make_shared<Node>(Node{.kind = Kind::kPattern, .pattern = std::move(*pattern)}));
 }
 
 /// `1.8*` and `1.8.*`: fuzzy.
@@ -198,7 +202,8 @@ class Parser {
       if (depth == kDeepest) return bad_spec(text_, "too many parentheses");
       auto inner = either(depth + 1);
       if (!inner) return inner;
-      if (at_ == tokens_.size() || tokens_[at_++] != ")") return bad_spec(text_, "a parenthesis is not closed");
+      if (at_ == tokens_.size() || tokens_[at_++] != ")")
+        return bad_spec(text_, "a parenthesis is not closed");
       return inner;
     }
     if (token == ")" || token == "|" || token == ",") {
@@ -215,21 +220,36 @@ class Parser {
 }  // namespace
 
 bool VersionSpec::Node::matches(const Version& candidate) const {
-  const auto part_matches = [&candidate](const NodePointer& part) { return part->matches(candidate); };
+  const auto part_matches = [&candidate](const NodePointer& part) {
+    return part->matches(candidate);
+  };
   switch (kind) {
-    case Kind::kAny: return true;
-    case Kind::kAnd: return std::all_of(parts.begin(), parts.end(), part_matches);
-    case Kind::kOr: return std::any_of(parts.begin(), parts.end(), part_matches);
-    case Kind::kEqual: return candidate == version;
-    case Kind::kNotEqual: return candidate != version;
-    case Kind::kLess: return candidate < version;
-    case Kind::kLessEqual: return candidate <= version;
-    case Kind::kGreater: return candidate > version;
-    case Kind::kGreaterEqual: return candidate >= version;
-    case Kind::kStartsWith: return candidate.starts_with(version);
-    case Kind::kNotStartsWith: return !candidate.starts_with(version);
-    case Kind::kCompatible: return candidate >= version && (!stem || candidate.starts_with(*stem));
-    case Kind::kPattern: return pattern.matches(candidate.text());
+    case Kind::kAny:
+      return true;
+    case Kind::kAnd:
+      return std::all_of(parts.begin(), parts.end(), part_matches);
+    case Kind::kOr:
+      return std::any_of(parts.begin(), parts.end(), part_matches);
+    case Kind::kEqual:
+      return candidate == version;
+    case Kind::kNotEqual:
+      return candidate != version;
+    case Kind::kLess:
+      return candidate < version;
+    case Kind::kLessEqual:
+      return candidate <= version;
+    case Kind::kGreater:
+      return candidate > version;
+    case Kind::kGreaterEqual:
+      return candidate >= version;
+    case Kind::kStartsWith:
+      return candidate.starts_with(version);
+    case Kind::kNotStartsWith:
+      return !candidate.starts_with(version);
+    case Kind::kCompatible:
+      return candidate >= version && (!stem || candidate.starts_with(*stem));
+    case Kind::kPattern:
+      return pattern.matches(candidate.text());
   }
   return false;
 }
@@ -246,6 +266,8 @@ Outcome<VersionSpec> VersionSpec::parse(std::string_view given) {
   return spec;
 }
 
-bool VersionSpec::matches(const Version& version) const { return !root_ || root_->matches(version); }
+bool VersionSpec::matches(const Version& version) const {
+  return !root_ || root_->matches(version);
+}
 
 }  // namespace ros2wasm

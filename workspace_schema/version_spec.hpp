@@ -1,5 +1,5 @@
-// What a dependency may say about versions: relations joined by `,` (and, binds tighter) and `|` (or), with
-// parentheses. Follows conda's VersionSpec.
+// What a dependency may say about versions: relations joined by `,` (and, binds tighter) and `|`
+// (or), with parentheses. Follows conda's VersionSpec.
 #pragma once
 
 #include <memory>

@@ -21,7 +21,9 @@ std::string reason(archive* reader) {
   return text == nullptr ? "it is damaged" : text;
 }
 
-std::string text_or_empty(const char* text) { return text == nullptr ? std::string() : std::string(text); }
+std::string text_or_empty(const char* text) {
+  return text == nullptr ? std::string() : std::string(text);
+}
 
 /// Names are bytes; where the archive says that they are UTF-8, the locale must not matter.
 std::string path_of(archive_entry* entry) {
@@ -43,7 +45,9 @@ ArchiveMember member_of(archive_entry* entry) {
       member.kind = MemberKind::kFile;
       member.executable = (archive_entry_perm(entry) & 0111U) != 0;
       break;
-    case AE_IFDIR: member.kind = MemberKind::kDirectory; break;
+    case AE_IFDIR:
+      member.kind = MemberKind::kDirectory;
+      break;
     case AE_IFLNK: {
       const char* target = archive_entry_symlink(entry);
       if (target == nullptr) target = archive_entry_symlink_utf8(entry);
@@ -51,12 +55,14 @@ ArchiveMember member_of(archive_entry* entry) {
       member.target = text_or_empty(target);
       break;
     }
-    default: break;
+    default:
+      break;
   }
   return member;
 }
 
-Outcome<Done> visit_members(archive* reader, const std::string& name, const MemberVisitor& visitor) {
+Outcome<Done> visit_members(archive* reader, const std::string& name,
+                            const MemberVisitor& visitor) {
   std::vector<char> buffer(kPiece);
   const ByteSource bytes = [&]() -> Outcome<std::string_view> {
     const auto got = archive_read_data(reader, buffer.data(), buffer.size());
@@ -68,13 +74,14 @@ Outcome<Done> visit_members(archive* reader, const std::string& name, const Memb
     const int status = archive_read_next_header(reader, &entry);
     if (status == ARCHIVE_EOF) return Done{};
     // A warning is about a name in another character set: the bytes are still right.
-    if (status != ARCHIVE_OK && status != ARCHIVE_WARN) return damaged_archive(name, reason(reader));
+    if (status != ARCHIVE_OK && status != ARCHIVE_WARN)
+      return damaged_archive(name, reason(reader));
     if (auto visited = visitor(member_of(entry), bytes); !visited) return visited;
   }
 }
 
-/// Feeds libarchive from another archive's member. A failure of the source is kept, since libarchive only knows
-/// that it got nothing.
+/// Feeds libarchive from another archive's member. A failure of the source is kept, since
+/// libarchive only knows that it got nothing.
 struct Feed {
   const ByteSource& source;
   std::optional<Diagnostics> failure;
@@ -128,7 +135,8 @@ Outcome<Done> visit_tar_file(const std::filesystem::path& file, const std::strin
   return visit_members(reader.get(), name, visitor);
 }
 
-Outcome<Done> visit_tar(const ByteSource& packed, const std::string& name, const MemberVisitor& visitor) {
+Outcome<Done> visit_tar(const ByteSource& packed, const std::string& name,
+                        const MemberVisitor& visitor) {
   Feed state{.source = packed, .failure = std::nullopt};
   const Reader reader = tar_reader();
   if (archive_read_open(reader.get(), &state, nullptr, feed, nullptr) != ARCHIVE_OK) {

@@ -1,5 +1,6 @@
-// Walks through ZIP and tar archives, member by member, without writing anything. libarchive ends in
-// archive_library.cpp; names and kinds are handed on as they are in the archive, to be judged by the caller.
+// Walks through ZIP and tar archives, member by member, without writing anything. libarchive ends
+// in archive_library.cpp; names and kinds are handed on as they are in the archive, to be judged by
+// the caller.
 #pragma once
 
 #include <cstdint>
@@ -25,15 +26,16 @@ struct ArchiveMember {
 using ByteSource = std::function<Outcome<std::string_view>()>;
 
 /// Called for each member in the order of the archive. The source need not be read to its end.
-using MemberVisitor = std::function<Outcome<Done>(const ArchiveMember& member, const ByteSource& bytes)>;
+using MemberVisitor =
+    std::function<Outcome<Done>(const ArchiveMember& member, const ByteSource& bytes)>;
 
 /// Members of a ZIP file, by its central directory. R2W0221 when damaged; `name` is for messages.
 [[nodiscard]] Outcome<Done> visit_zip(const std::filesystem::path& file, const std::string& name,
                                       const MemberVisitor& visitor);
 
 /// Members of a tar file that is compressed with bzip2 or zstd or not at all. R2W0221 when damaged.
-[[nodiscard]] Outcome<Done> visit_tar_file(const std::filesystem::path& file, const std::string& name,
-                                           const MemberVisitor& visitor);
+[[nodiscard]] Outcome<Done> visit_tar_file(const std::filesystem::path& file,
+                                           const std::string& name, const MemberVisitor& visitor);
 
 /// The same for a tar that comes out of another archive.
 [[nodiscard]] Outcome<Done> visit_tar(const ByteSource& packed, const std::string& name,

@@ -1,4 +1,5 @@
-// See conda_writer.hpp. The parts: a tar of the files, a tar of info/, both compressed, in a ZIP of stored members.
+// See conda_writer.hpp. The parts: a tar of the files, a tar of info/, both compressed, in a ZIP of
+// stored members.
 #include "bundler/archive/conda_writer.hpp"
 
 #include <algorithm>
@@ -24,15 +25,15 @@ constexpr int kCompressionLevel = 17;  // near the best, and still quick for sta
 constexpr std::uint64_t kLargestPart = 0xFFFFFFFFULL - (1U << 20U);
 
 Diagnostic bad_metadata(const CondaPackage& package, const std::string& why) {
-  return Diagnostic{.code = "R2W0205",
-                    .message = "the metadata of package `" + package.name + "` cannot go into a channel",
-                    .why = {why}};
+  return Diagnostic{
+      .code = "R2W0205",
+      .message = "the metadata of package `" + package.name + "` cannot go into a channel",
+      .why = {why}};
 }
 
 Diagnostic bad_prefix(const fs::path& prefix, const std::string& why) {
-  return Diagnostic{.code = "R2W0206",
-                    .message = "`" + prefix.string() + "` cannot be packed",
-                    .why = {why}};
+  return Diagnostic{
+      .code = "R2W0206", .message = "`" + prefix.string() + "` cannot be packed", .why = {why}};
 }
 
 Diagnostics metadata_faults(const CondaPackage& package) {
@@ -48,7 +49,8 @@ Diagnostics metadata_faults(const CondaPackage& package) {
     faults.push_back(bad_metadata(package, version.errors().front().message));
   }
   if ((package.noarch != NoarchKind::kNo) != (package.subdir == "noarch")) {
-    faults.push_back(bad_metadata(package, "a package is noarch if and only if its subdirectory is"));
+    faults.push_back(
+        bad_metadata(package, "a package is noarch if and only if its subdirectory is"));
   }
   for (const auto* list : {&package.depends, &package.constrains}) {
     for (const std::string& spec : *list) {
@@ -99,7 +101,9 @@ std::string about_json(const CondaPackage& package) {
   return json.text() + "\n";
 }
 
-bool looks_like_text(std::string_view bytes) { return bytes.find('\0') == std::string_view::npos; }
+bool looks_like_text(std::string_view bytes) {
+  return bytes.find('\0') == std::string_view::npos;
+}
 
 /// Collects the files' tar, and the lists that info/ has of them.
 class Payload {
@@ -111,7 +115,8 @@ class Payload {
   void add_file(const TreeEntry& entry, std::string_view bytes) {
     tar_.file(entry.path, bytes, entry.executable);
     begin(entry.path);
-    if (!package_.placeholder.empty() && bytes.find(package_.placeholder) != std::string_view::npos) {
+    if (!package_.placeholder.empty() &&
+        bytes.find(package_.placeholder) != std::string_view::npos) {
       paths_.field("file_mode", looks_like_text(bytes) ? "text" : "binary");
       paths_.field("path_type", "hardlink").field("prefix_placeholder", package_.placeholder);
     } else {
@@ -161,7 +166,8 @@ class Payload {
   std::string files_;
 };
 
-Outcome<Done> add_entries(const fs::path& prefix, const std::vector<TreeEntry>& entries, Payload& payload) {
+Outcome<Done> add_entries(const fs::path& prefix, const std::vector<TreeEntry>& entries,
+                          Payload& payload) {
   for (const TreeEntry& entry : entries) {
     if (entry.path == "info" || entry.path.starts_with("info/")) {
       return bad_prefix(prefix, "`" + entry.path + "`: the folder info/ is the archive's own");
@@ -175,7 +181,8 @@ Outcome<Done> add_entries(const fs::path& prefix, const std::vector<TreeEntry>& 
       }
       case FileKind::kLink: {
         if (!link_stays_inside(entry.path, entry.link_target)) {
-          return bad_prefix(prefix, "the link `" + entry.path + "` leads outside, to `" + entry.link_target + "`");
+          return bad_prefix(prefix, "the link `" + entry.path + "` leads outside, to `" +
+                                        entry.link_target + "`");
         }
         std::error_code error;
         std::optional<std::string> target;
@@ -198,13 +205,15 @@ Outcome<Done> add_entries(const fs::path& prefix, const std::vector<TreeEntry>& 
 }
 
 /// The members of info/, by name.
-Outcome<std::map<std::string, std::string>> info_files(const CondaPackage& package, Payload& payload) {
+Outcome<std::map<std::string, std::string>> info_files(const CondaPackage& package,
+                                                       Payload& payload) {
   std::map<std::string, std::string> members{{"info/about.json", about_json(package)},
                                              {"info/files", payload.files()},
                                              {"info/index.json", index_json(package)},
                                              {"info/paths.json", payload.take_paths_json()}};
   if (package.noarch == NoarchKind::kPython) {
-    members["info/link.json"] = "{\"noarch\":{\"type\":\"python\"},\"package_metadata_version\":1}\n";
+    members["info/link.json"] =
+        "{\"noarch\":{\"type\":\"python\"},\"package_metadata_version\":1}\n";
   }
   for (const fs::path& license : package.license_files) {
     auto bytes = read_file(license);
@@ -225,7 +234,8 @@ Outcome<std::string> write_conda(const CondaPackage& package, const fs::path& st
   const auto entries = list_tree(staged_prefix);
   if (!entries) return entries.errors();
   Payload payload(package);
-  if (auto added = add_entries(staged_prefix, *entries, payload); !added) return std::move(added).errors();
+  if (auto added = add_entries(staged_prefix, *entries, payload); !added)
+    return std::move(added).errors();
   const auto info = info_files(package, payload);
   if (!info) return info.errors();
 

@@ -7,11 +7,13 @@
 
 namespace ros2wasm {
 
-/// The name as a clean relative path: without leading `./`, doubled or ending `/`. Nothing when it is absolute,
-/// empty, has a `..` part, a control character or a NUL, i.e. when it may not be written.
+/// The name as a clean relative path: without leading `./`, doubled or ending `/`. Nothing when it
+/// is absolute, empty, has a `..` part, a control character or a NUL, i.e. when it may not be
+/// written.
 [[nodiscard]] std::optional<std::string> safe_member_path(std::string_view name);
 
-/// Whether a symbolic link at `path` (clean, relative) to `target` ends inside the root, by names alone.
+/// Whether a symbolic link at `path` (clean, relative) to `target` ends inside the root, by names
+/// alone.
 [[nodiscard]] bool link_stays_inside(std::string_view path, std::string_view target);
 
 }  // namespace ros2wasm

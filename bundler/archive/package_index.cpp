@@ -18,16 +18,20 @@ Outcome<std::string> collect(const ByteSource& bytes, const std::string& name) {
     if (!piece) return std::move(piece).errors();
     if (piece->empty()) return text;
     text += *piece;
-    if (text.size() > kLargestIndex) return damaged_archive(name, "info/index.json is larger than 16 MiB");
+    if (text.size() > kLargestIndex)
+      return damaged_archive(name, "info/index.json is larger than 16 MiB");
   }
 }
 
 }  // namespace
 
-Outcome<std::string> read_index_json(const std::filesystem::path& archive, const std::string& name) {
+Outcome<std::string> read_index_json(const std::filesystem::path& archive,
+                                     const std::string& name) {
   std::optional<std::string> index;
-  const MemberVisitor in_tar = [&](const ArchiveMember& member, const ByteSource& bytes) -> Outcome<Done> {
-    if (index || member.kind != MemberKind::kFile || safe_member_path(member.path) != "info/index.json") {
+  const MemberVisitor in_tar = [&](const ArchiveMember& member,
+                                   const ByteSource& bytes) -> Outcome<Done> {
+    if (index || member.kind != MemberKind::kFile ||
+        safe_member_path(member.path) != "info/index.json") {
       return Done{};
     }
     auto text = collect(bytes, name);
@@ -35,7 +39,8 @@ Outcome<std::string> read_index_json(const std::filesystem::path& archive, const
     index = std::move(text).value();
     return Done{};
   };
-  const MemberVisitor in_zip = [&](const ArchiveMember& member, const ByteSource& bytes) -> Outcome<Done> {
+  const MemberVisitor in_zip = [&](const ArchiveMember& member,
+                                   const ByteSource& bytes) -> Outcome<Done> {
     if (!member.path.starts_with("info-") || !member.path.ends_with(".tar.zst")) return Done{};
     return visit_tar(bytes, name, in_tar);
   };

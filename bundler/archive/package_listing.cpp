@@ -20,7 +20,8 @@ struct Gathered {
 };
 
 Outcome<Done> gather(Gathered& gathered, const ArchiveMember& member, const ByteSource& bytes) {
-  ListedMember listed{.path = member.path, .kind = member.kind, .sha256 = {}, .target = member.target};
+  ListedMember listed{
+      .path = member.path, .kind = member.kind, .sha256 = {}, .target = member.target};
   if (member.kind == MemberKind::kFile) {
     const bool is_paths = safe_member_path(member.path) == "info/paths.json";
     Hasher hasher;
@@ -49,7 +50,8 @@ void compare(Gathered& gathered, const std::string& name) {
   for (const ListedMember& member : gathered.listing.members) {
     const auto path = safe_member_path(member.path);
     if (!path) {
-      if (member.kind != MemberKind::kDirectory) faults.push_back({member.path, "leads outside of the package"});
+      if (member.kind != MemberKind::kDirectory)
+        faults.push_back({member.path, "leads outside of the package"});
     } else if (!there.emplace(*path, &member).second && member.kind != MemberKind::kDirectory) {
       faults.push_back({*path, "is there twice"});
     }
@@ -60,10 +62,11 @@ void compare(Gathered& gathered, const std::string& name) {
       if (entry.kind != PathKind::kDirectory) faults.push_back({path, "is missing"});
     } else if (found->second->kind == MemberKind::kFile && entry.kind != PathKind::kDirectory) {
       if (entry.size_known && entry.size != found->second->size) {
-        faults.push_back({path, "has " + std::to_string(found->second->size) + " bytes instead of " +
-                                    std::to_string(entry.size)});
+        faults.push_back({path, "has " + std::to_string(found->second->size) +
+                                    " bytes instead of " + std::to_string(entry.size)});
       } else if (!entry.sha256.empty() && ascii_lower(entry.sha256) != found->second->sha256) {
-        faults.push_back({path, "has the sha256 " + found->second->sha256 + " instead of " + entry.sha256});
+        faults.push_back(
+            {path, "has the sha256 " + found->second->sha256 + " instead of " + entry.sha256});
       }
     } else if (found->second->kind == MemberKind::kLink && found->second->target.empty()) {
       const bool known = std::any_of(there.begin(), there.end(), [&](const auto& other) {
@@ -73,7 +76,8 @@ void compare(Gathered& gathered, const std::string& name) {
     }
   }
   for (const auto& [path, member] : there) {
-    if (member->kind != MemberKind::kDirectory && !path.starts_with("info/") && !entries->contains(path)) {
+    if (member->kind != MemberKind::kDirectory && !path.starts_with("info/") &&
+        !entries->contains(path)) {
       faults.push_back({path, "is not listed"});
     }
   }
@@ -89,7 +93,8 @@ Outcome<PackageListing> list_package(const std::filesystem::path& archive) {
   const MemberVisitor in_tar = [&](const ArchiveMember& member, const ByteSource& bytes) {
     return gather(gathered, member, bytes);
   };
-  const MemberVisitor in_zip = [&](const ArchiveMember& member, const ByteSource& bytes) -> Outcome<Done> {
+  const MemberVisitor in_zip = [&](const ArchiveMember& member,
+                                   const ByteSource& bytes) -> Outcome<Done> {
     return member.path.ends_with(".tar.zst") ? visit_tar(bytes, name, in_tar) : Done{};
   };
   auto visited = archive.extension() == ".conda" ? visit_zip(archive, name, in_zip)

@@ -1,5 +1,5 @@
-// What is in a conda archive and how it compares with its own info/paths.json. Writes nothing and refuses nothing:
-// for looking at archives, damaged ones too. Unpacking is in package_reader.hpp.
+// What is in a conda archive and how it compares with its own info/paths.json. Writes nothing and
+// refuses nothing: for looking at archives, damaged ones too. Unpacking is in package_reader.hpp.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// See package_reader.hpp. Files are written as they come; links only when all files are there, so that nothing is
-// ever written through a link.
+// See package_reader.hpp. Files are written as they come; links only when all files are there, so
+// that nothing is ever written through a link.
 #include "bundler/archive/package_reader.hpp"
 
 #include <fcntl.h>
@@ -40,12 +40,15 @@ Diagnostic refused(std::string code, const std::string& name, const std::string&
 /// `bin/.<package>-post-link.sh` and its like: programs of the package that conda would run.
 bool is_link_script(std::string_view path) {
   const std::size_t slash = path.rfind('/');
-  const std::string_view folder = slash == std::string_view::npos ? std::string_view() : path.substr(0, slash);
+  const std::string_view folder =
+      slash == std::string_view::npos ? std::string_view() : path.substr(0, slash);
   const std::string_view file = slash == std::string_view::npos ? path : path.substr(slash + 1);
   if ((folder != "bin" && folder != "Scripts") || !file.starts_with('.')) return false;
-  for (const std::string_view ending : {std::string_view("-pre-link"), std::string_view("-post-link"),
-                                        std::string_view("-pre-unlink")}) {
-    if (file.ends_with(std::string(ending) + ".sh") || file.ends_with(std::string(ending) + ".bat")) return true;
+  for (const std::string_view ending :
+       {std::string_view("-pre-link"), std::string_view("-post-link"),
+        std::string_view("-pre-unlink")}) {
+    if (file.ends_with(std::string(ending) + ".sh") || file.ends_with(std::string(ending) + ".bat"))
+      return true;
   }
   return false;
 }
@@ -54,27 +57,40 @@ class Unpacker {
  public:
   Unpacker(const fs::path& directory, const std::string& name, const ExtractLimits& limits,
            std::uint64_t packed_bytes, const Cancellation& cancellation)
-      : directory_(directory), name_(name), limits_(limits), packed_bytes_(packed_bytes), cancellation_(cancellation) {}
+      : directory_(directory),
+        name_(name),
+        limits_(limits),
+        packed_bytes_(packed_bytes),
+        cancellation_(cancellation) {}
 
   Outcome<Done> member(const ArchiveMember& member, const ByteSource& bytes) {
     if (cancellation_.requested()) return interrupted();
     if (++members_ > limits_.files) {
-      return refused("R2W0225", name_, "it has more than " + std::to_string(limits_.files) + " members");
+      return refused("R2W0225", name_,
+                     "it has more than " + std::to_string(limits_.files) + " members");
     }
     const auto path = safe_member_path(member.path);
     if (!path) {
       // Some tars begin with a member for the folder itself.
-      if (member.kind == MemberKind::kDirectory && (member.path == "." || member.path == "./")) return Done{};
-      return refused("R2W0222", name_, "the member `" + printable(member.path) + "` leads outside of the package");
+      if (member.kind == MemberKind::kDirectory && (member.path == "." || member.path == "./"))
+        return Done{};
+      return refused("R2W0222", name_,
+                     "the member `" + printable(member.path) + "` leads outside of the package");
     }
     switch (member.kind) {
-      case MemberKind::kDirectory: return make_folder(*path);
-      case MemberKind::kFile: return file(*path, member.executable, bytes);
-      case MemberKind::kLink: return link(*path, member.target);
-      case MemberKind::kHardLink: return hard_link(*path, member.target);
-      case MemberKind::kOther: break;
+      case MemberKind::kDirectory:
+        return make_folder(*path);
+      case MemberKind::kFile:
+        return file(*path, member.executable, bytes);
+      case MemberKind::kLink:
+        return link(*path, member.target);
+      case MemberKind::kHardLink:
+        return hard_link(*path, member.target);
+      case MemberKind::kOther:
+        break;
     }
-    return refused("R2W0222", name_, "the member `" + *path + "` is neither a file, a link nor a directory");
+    return refused("R2W0222", name_,
+                   "the member `" + *path + "` is neither a file, a link nor a directory");
   }
 
   Outcome<UnpackedPackage> finish() {
@@ -96,16 +112,19 @@ class Unpacker {
     return out;
   }
 
-  /// Claims a name for one file or link. The same name, or one that differs in letter case only, may not come twice.
+  /// Claims a name for one file or link. The same name, or one that differs in letter case only,
+  /// may not come twice.
   Outcome<Done> claim(const std::string& path) {
     if (is_link_script(path)) {
-      return refused("R2W0227", name_, "it has a link script, `" + path + "`, which ros2wasm does not run");
+      return refused("R2W0227", name_,
+                     "it has a link script, `" + path + "`, which ros2wasm does not run");
     }
     const auto [found, fresh] = claimed_.emplace(ascii_lower(path), path);
     if (fresh) return Done{};
     return refused("R2W0224", name_,
-                   found->second == path ? "it has `" + path + "` twice"
-                                         : "`" + found->second + "` and `" + path + "` differ in letter case only");
+                   found->second == path
+                       ? "it has `" + path + "` twice"
+                       : "`" + found->second + "` and `" + path + "` differ in letter case only");
   }
 
   Outcome<Done> make_folder(const std::string& path) {
@@ -127,11 +146,13 @@ class Unpacker {
   Outcome<Done> count(std::uint64_t bytes) {
     total_bytes_ += bytes;
     if (total_bytes_ > limits_.total_bytes) {
-      return refused("R2W0225", name_, "it unpacks to more than " + std::to_string(limits_.total_bytes) + " bytes");
+      return refused("R2W0225", name_,
+                     "it unpacks to more than " + std::to_string(limits_.total_bytes) + " bytes");
     }
     if (total_bytes_ > limits_.ratio_from_bytes && total_bytes_ / limits_.ratio > packed_bytes_) {
-      return refused("R2W0225", name_,
-                     "it unpacks to more than " + std::to_string(limits_.ratio) + " times its own size");
+      return refused(
+          "R2W0225", name_,
+          "it unpacks to more than " + std::to_string(limits_.ratio) + " times its own size");
     }
     return Done{};
   }
@@ -140,7 +161,8 @@ class Unpacker {
     if (auto claimed = claim(path); !claimed) return claimed;
     if (auto made = make_folder_of(path); !made) return made;
     const fs::path place = directory_ / path;
-    const int fd = ::open(place.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600);
+    const int fd =
+        ::open(place.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600);
     if (fd < 0) {
       const int failed = errno;
       if (failed == EEXIST || failed == EISDIR) {
@@ -149,7 +171,8 @@ class Unpacker {
       return cannot_write(place, failed);
     }
     auto written = copy(bytes, fd, place);
-    if (written && ::fchmod(fd, executable ? 0555 : 0444) != 0) written = cannot_write(place, errno);
+    if (written && ::fchmod(fd, executable ? 0555 : 0444) != 0)
+      written = cannot_write(place, errno);
     if (::close(fd) != 0 && written) written = cannot_write(place, errno);
     if (!written) return std::move(written).errors();
     files_.emplace(path, std::move(*written));
@@ -185,7 +208,8 @@ class Unpacker {
       return Done{};
     }
     if (!link_stays_inside(path, target)) {
-      return refused("R2W0223", name_, "the link `" + path + "` leads outside, to `" + printable(target) + "`");
+      return refused("R2W0223", name_,
+                     "the link `" + path + "` leads outside, to `" + printable(target) + "`");
     }
     links_.emplace(path, target);
     return Done{};
@@ -195,7 +219,8 @@ class Unpacker {
     if (auto claimed = claim(path); !claimed) return claimed;
     const auto inside = safe_member_path(target);
     if (!inside) {
-      return refused("R2W0223", name_, "the hard link `" + path + "` leads outside, to `" + printable(target) + "`");
+      return refused("R2W0223", name_,
+                     "the hard link `" + path + "` leads outside, to `" + printable(target) + "`");
     }
     hard_links_.emplace_back(path, *inside);
     return Done{};
@@ -206,7 +231,9 @@ class Unpacker {
     for (const auto& [path, target] : hard_links_) {
       const auto found = files_.find(target);
       if (found == files_.end()) {
-        return refused("R2W0223", name_, "the hard link `" + path + "` leads to `" + target + "`, which is no file of it");
+        return refused(
+            "R2W0223", name_,
+            "the hard link `" + path + "` leads to `" + target + "`, which is no file of it");
       }
       if (auto made = make_folder_of(path); !made) return made;
       std::error_code error;
@@ -220,9 +247,11 @@ class Unpacker {
   Outcome<Done> write_links() {
     for (const auto& [path, target] : links_) {
       // The folder of a link must be a real one: no other link may stand on the way.
-      for (std::size_t slash = path.find('/'); slash != std::string::npos; slash = path.find('/', slash + 1)) {
+      for (std::size_t slash = path.find('/'); slash != std::string::npos;
+           slash = path.find('/', slash + 1)) {
         if (links_.contains(path.substr(0, slash))) {
-          return refused("R2W0224", name_, "`" + path.substr(0, slash) + "` is both a link and a folder");
+          return refused("R2W0224", name_,
+                         "`" + path.substr(0, slash) + "` is both a link and a folder");
         }
       }
       if (auto made = make_folder_of(path); !made) return made;
@@ -236,13 +265,16 @@ class Unpacker {
     return Done{};
   }
 
-  /// Some old archives lost the targets of their links. What a link led to is known by its sha256 all the same.
+  /// Some old archives lost the targets of their links. What a link led to is known by its sha256
+  /// all the same.
   Outcome<Done> restore_empty_links(const std::map<std::string, PathEntry>& entries) {
     for (const std::string& path : empty_links_) {
       const auto entry = entries.find(path);
-      if (entry == entries.end() || entry->second.sha256.empty()) continue;  // check_paths() says that it is missing
+      if (entry == entries.end() || entry->second.sha256.empty())
+        continue;  // check_paths() says that it is missing
       const auto same = std::find_if(files_.begin(), files_.end(), [&](const auto& file) {
-        return !file.first.starts_with("info/") && file.second.sha256 == ascii_lower(entry->second.sha256);
+        return !file.first.starts_with("info/") &&
+               file.second.sha256 == ascii_lower(entry->second.sha256);
       });
       if (same == files_.end()) continue;
       if (auto made = make_folder_of(path); !made) return made;
@@ -261,25 +293,32 @@ class Unpacker {
       if (auto fault = path_fault(path, entry)) faults.push_back(std::move(*fault));
     }
     for (const auto& [path, written] : files_) {
-      if (!path.starts_with("info/") && !entries.contains(path)) faults.push_back("`" + path + "` is not listed");
+      if (!path.starts_with("info/") && !entries.contains(path))
+        faults.push_back("`" + path + "` is not listed");
     }
     for (const auto& [path, target] : links_) {
-      if (!path.starts_with("info/") && !entries.contains(path)) faults.push_back("`" + path + "` is not listed");
+      if (!path.starts_with("info/") && !entries.contains(path))
+        faults.push_back("`" + path + "` is not listed");
     }
     if (faults.empty()) return Done{};
-    Diagnostic error = refused("R2W0226", name_, "its files are not those that its info/paths.json lists");
+    Diagnostic error =
+        refused("R2W0226", name_, "its files are not those that its info/paths.json lists");
     constexpr std::size_t kMostShown = 20;
-    for (std::size_t i = 0; i < std::min(faults.size(), kMostShown); ++i) error.why.push_back(faults[i]);
-    if (faults.size() > kMostShown) error.why.push_back("and " + std::to_string(faults.size() - kMostShown) + " more");
+    for (std::size_t i = 0; i < std::min(faults.size(), kMostShown); ++i)
+      error.why.push_back(faults[i]);
+    if (faults.size() > kMostShown)
+      error.why.push_back("and " + std::to_string(faults.size() - kMostShown) + " more");
     return error;
   }
 
-  [[nodiscard]] std::optional<std::string> path_fault(const std::string& path, const PathEntry& entry) const {
+  [[nodiscard]] std::optional<std::string> path_fault(const std::string& path,
+                                                      const PathEntry& entry) const {
     const auto quoted = "`" + path + "`";
     switch (entry.kind) {
       case PathKind::kDirectory: {
         std::error_code error;
-        if (!fs::is_directory(fs::symlink_status(directory_ / path, error))) return quoted + " is no folder";
+        if (!fs::is_directory(fs::symlink_status(directory_ / path, error)))
+          return quoted + " is no folder";
         return std::nullopt;
       }
       case PathKind::kLink:
@@ -330,7 +369,8 @@ Outcome<UnpackedPackage> unpack_package(const fs::path& archive, const fs::path&
     return unpacker.member(member, bytes);
   };
   std::set<std::string> parts;
-  const MemberVisitor in_zip = [&](const ArchiveMember& member, const ByteSource& bytes) -> Outcome<Done> {
+  const MemberVisitor in_zip = [&](const ArchiveMember& member,
+                                   const ByteSource& bytes) -> Outcome<Done> {
     const bool is_part = member.path.ends_with(".tar.zst") &&
                          (member.path.starts_with("pkg-") || member.path.starts_with("info-"));
     if (!is_part) return Done{};

@@ -14,7 +14,7 @@ namespace ros2wasm {
 struct ExtractLimits {
   std::uint64_t total_bytes = 8ULL << 30U;  ///< of all files together
   std::uint64_t files = 500'000;
-  std::uint64_t ratio = 250;                     ///< unpacked to packed bytes ...
+  std::uint64_t ratio = 250;                      ///< unpacked to packed bytes ...
   std::uint64_t ratio_from_bytes = 64ULL << 20U;  ///< ... once this much was unpacked
 };
 
@@ -23,11 +23,12 @@ struct UnpackedPackage {
   std::uint64_t bytes = 0;
 };
 
-/// Unpacks the archive into `directory` (which must be empty) and checks every file against info/paths.json.
-/// On an error the caller removes `directory`; nothing was written outside. `name` is for messages.
-/// R2W0221 damaged or not a conda archive, R2W0222 a name that leads outside (absolute, `..`), R2W0223 a link
-/// that leads outside, R2W0224 two members with one name or names that differ in letter case only,
-/// R2W0225 over a limit, R2W0226 files that differ from paths.json, R2W0227 a link script.
+/// Unpacks the archive into `directory` (which must be empty) and checks every file against
+/// info/paths.json. On an error the caller removes `directory`; nothing was written outside. `name`
+/// is for messages. R2W0221 damaged or not a conda archive, R2W0222 a name that leads outside
+/// (absolute, `..`), R2W0223 a link that leads outside, R2W0224 two members with one name or names
+/// that differ in letter case only, R2W0225 over a limit, R2W0226 files that differ from
+/// paths.json, R2W0227 a link script.
 [[nodiscard]] Outcome<UnpackedPackage> unpack_package(const std::filesystem::path& archive,
                                                       const std::filesystem::path& directory,
                                                       const std::string& name,

@@ -15,11 +15,13 @@ PathKind kind_of(const std::string& path_type) {
 
 }  // namespace
 
-Outcome<std::map<std::string, PathEntry>> parse_paths_json(std::string_view text, const std::string& name) {
+Outcome<std::map<std::string, PathEntry>> parse_paths_json(std::string_view text,
+                                                           const std::string& name) {
   const auto json = parse_json(text, "info/paths.json of " + name, "R2W0221");
   if (!json) return json.errors();
   const JsonValue* paths = json->find("paths");
-  if (paths == nullptr || !paths->is_array()) return damaged_archive(name, "info/paths.json has no list `paths`");
+  if (paths == nullptr || !paths->is_array())
+    return damaged_archive(name, "info/paths.json has no list `paths`");
   std::map<std::string, PathEntry> entries;
   for (const JsonValue& item : paths->items()) {
     const std::string written = item.text_of("_path");

@@ -22,7 +22,8 @@ struct PathEntry {
   PrefixMode mode = PrefixMode::kNone;
 };
 
-/// By path. R2W0221 when it cannot be read or names a path that leads outside. `name` is for messages.
+/// By path. R2W0221 when it cannot be read or names a path that leads outside. `name` is for
+/// messages.
 [[nodiscard]] Outcome<std::map<std::string, PathEntry>> parse_paths_json(std::string_view text,
                                                                          const std::string& name);
 

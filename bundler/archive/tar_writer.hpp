@@ -1,5 +1,5 @@
-// Writes tar archives whose bytes depend on the members only: POSIX ustar, with a pax header where a name is long
-// or not ASCII. Owner 0, time 0, modes 644 and 755.
+// Writes tar archives whose bytes depend on the members only: POSIX ustar, with a pax header where
+// a name is long or not ASCII. Owner 0, time 0, modes 644 and 755.
 #pragma once
 
 #include <string>
@@ -16,8 +16,10 @@ class TarWriter {
   [[nodiscard]] std::string finish();
 
  private:
-  void header(std::string_view path, std::string_view target, char type, std::size_t size, unsigned mode);
-  void block(std::string_view path, std::string_view target, char type, std::size_t size, unsigned mode);
+  void header(std::string_view path, std::string_view target, char type, std::size_t size,
+              unsigned mode);
+  void block(std::string_view path, std::string_view target, char type, std::size_t size,
+             unsigned mode);
   void pad();
 
   std::string bytes_;

@@ -24,7 +24,8 @@ constexpr std::array<std::uint32_t, 256> crc_table() {
   std::array<std::uint32_t, 256> table{};
   for (std::uint32_t i = 0; i < 256; ++i) {
     std::uint32_t value = i;
-    for (int bit = 0; bit < 8; ++bit) value = (value >> 1U) ^ ((value & 1U) != 0 ? 0xEDB88320U : 0U);
+    for (int bit = 0; bit < 8; ++bit)
+      value = (value >> 1U) ^ ((value & 1U) != 0 ? 0xEDB88320U : 0U);
     table[i] = value;
   }
   return table;
@@ -51,7 +52,8 @@ std::string member_facts(std::string_view name, std::string_view bytes) {
 std::uint32_t crc32(std::string_view bytes) {
   static constexpr auto kTable = crc_table();
   std::uint32_t value = 0xFFFFFFFFU;
-  for (const char c : bytes) value = kTable[(value ^ static_cast<unsigned char>(c)) & 0xFFU] ^ (value >> 8U);
+  for (const char c : bytes)
+    value = kTable[(value ^ static_cast<unsigned char>(c)) & 0xFFU] ^ (value >> 8U);
   return value ^ 0xFFFFFFFFU;
 }
 
@@ -63,9 +65,9 @@ void ZipWriter::member(std::string_view name, std::string_view bytes) {
   put32(directory_, 0x02014b50U);
   put16(directory_, (3U << 8U) | kVersionNeeded);  // made on Unix
   directory_ += facts;
-  put16(directory_, 0);              // no comment
-  put16(directory_, 0);              // disk
-  put16(directory_, 0);              // internal attributes
+  put16(directory_, 0);                // no comment
+  put16(directory_, 0);                // disk
+  put16(directory_, 0);                // internal attributes
   put32(directory_, 0100644U << 16U);  // regular file, rw-r--r--
   put32(directory_, offset);
   directory_ += name;

@@ -1,5 +1,5 @@
-// Writes ZIP archives of stored (not compressed) members whose bytes depend on the members only. No ZIP64: members
-// and archive stay under 4 GiB.
+// Writes ZIP archives of stored (not compressed) members whose bytes depend on the members only. No
+// ZIP64: members and archive stay under 4 GiB.
 #pragma once
 
 #include <cstdint>

@@ -12,9 +12,10 @@ namespace ros2wasm {
 /// One frame with its size and a checksum. The same bytes on every machine with one libzstd.
 [[nodiscard]] std::string zstd_compressed(std::string_view bytes, int level);
 
-/// All frames of `bytes`. R2W0202 when damaged or when more than `limit_bytes` would come out; `name` is for
-/// messages.
-[[nodiscard]] Outcome<std::string> zstd_decompressed(std::string_view bytes, std::uint64_t limit_bytes,
+/// All frames of `bytes`. R2W0202 when damaged or when more than `limit_bytes` would come out;
+/// `name` is for messages.
+[[nodiscard]] Outcome<std::string> zstd_decompressed(std::string_view bytes,
+                                                     std::uint64_t limit_bytes,
                                                      const std::string& name);
 
 }  // namespace ros2wasm

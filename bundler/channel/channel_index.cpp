@@ -15,7 +15,8 @@ constexpr std::array<std::string_view, 2> kSubdirs{"emscripten-wasm32", "noarch"
 constexpr std::uint64_t kLargestIndex = 4ULL << 30U;
 
 /// The text of a subdirectory's index, or nothing when the channel has none.
-Outcome<std::optional<std::string>> index_text(const std::string& folder_url, const ChannelRoots& roots,
+Outcome<std::optional<std::string>> index_text(const std::string& folder_url,
+                                               const ChannelRoots& roots,
                                                const Cancellation& cancellation) {
   for (const std::string_view file_name :
        {std::string_view("repodata.json.zst"), std::string_view("repodata.json")}) {
@@ -34,13 +35,14 @@ Outcome<std::optional<std::string>> index_text(const std::string& folder_url, co
 }
 
 Diagnostic no_channel(const ChannelSource& source) {
-  return Diagnostic{.code = "R2W0201",
-                    .kind = FailureKind::kEnvironment,
-                    .message = "there is no channel at `" + source.name + "`",
-                    .span = source.span,
-                    .label = "no channel here",
-                    .why = {"it has neither `noarch/repodata.json` nor `emscripten-wasm32/repodata.json` "
-                            "(nor `.json.zst` of either)"}};
+  return Diagnostic{
+      .code = "R2W0201",
+      .kind = FailureKind::kEnvironment,
+      .message = "there is no channel at `" + source.name + "`",
+      .span = source.span,
+      .label = "no channel here",
+      .why = {"it has neither `noarch/repodata.json` nor `emscripten-wasm32/repodata.json` "
+              "(nor `.json.zst` of either)"}};
 }
 
 Outcome<RepoIndex> load_channel(const ChannelSource& source, const ChannelRoots& roots,
@@ -70,9 +72,14 @@ Outcome<RepoIndex> load_channels(std::span<const ChannelSource> channels, const 
   RepoIndex index;
   Diagnostics errors;
   for (const ChannelSource& source : channels) {
-    if (std::find(index.channels.begin(), index.channels.end(), source.name) != index.channels.end()) continue;
+    if (std::find(index.channels.begin(), index.channels.end(), source.name) !=
+        index.channels.end())
+      continue;
     if (progress) {
-      progress({.step = "index", .item = source.name, .done = index.channels.size(), .total = channels.size(),
+      progress({.step = "index",
+                .item = source.name,
+                .done = index.channels.size(),
+                .total = channels.size(),
                 .unit = "channels"});
     }
     index.channels.push_back(source.name);
@@ -89,7 +96,11 @@ Outcome<RepoIndex> load_channels(std::span<const ChannelSource> channels, const 
   }
   if (!errors.empty()) return errors;
   if (progress) {
-    progress({.step = "index", .item = {}, .done = channels.size(), .total = channels.size(), .unit = "channels"});
+    progress({.step = "index",
+              .item = {},
+              .done = channels.size(),
+              .total = channels.size(),
+              .unit = "channels"});
   }
   return index;
 }
@@ -105,8 +116,8 @@ Outcome<std::filesystem::path> embedded_channel(const std::filesystem::path& exe
   return Diagnostic{.code = "R2W0204",
                     .kind = FailureKind::kEnvironment,
                     .message = "the channel that comes with ros2wasm is not there",
-                    .why = {"looked for `noarch/repodata.json` in `" + places[0].string() + "` and `" +
-                            places[1].string() + "`"}};
+                    .why = {"looked for `noarch/repodata.json` in `" + places[0].string() +
+                            "` and `" + places[1].string() + "`"}};
 }
 
 }  // namespace ros2wasm

@@ -1,4 +1,5 @@
-// Reads the index of every channel: which packages there are. An edge: it reads files through the transports.
+// Reads the index of every channel: which packages there are. An edge: it reads files through the
+// transports.
 #pragma once
 
 #include <filesystem>
@@ -22,7 +23,8 @@ struct ChannelRoots {
   std::filesystem::path cache;              ///< Store's cache directory
 };
 
-/// One channel as the manifest or the command line names it: "embedded", "./dir", "/dir", "file:///dir".
+/// One channel as the manifest or the command line names it: "embedded", "./dir", "/dir",
+/// "file:///dir".
 struct ChannelSource {
   std::string name;
   std::optional<SourceSpan> span;  ///< for messages
@@ -43,7 +45,8 @@ struct RepoIndex {
 };
 
 /// Reads `emscripten-wasm32` and `noarch` of every channel (repodata.json.zst, else repodata.json).
-/// R2W0201 the channel is not there, R2W0202 its index cannot be read, R2W0203 nobody speaks its scheme.
+/// R2W0201 the channel is not there, R2W0202 its index cannot be read, R2W0203 nobody speaks its
+/// scheme.
 [[nodiscard]] Outcome<RepoIndex> load_channels(std::span<const ChannelSource> channels,
                                                const ChannelRoots& roots,
                                                const Cancellation& cancellation = {},
@@ -53,8 +56,9 @@ struct RepoIndex {
 [[nodiscard]] Outcome<RepoIndex> parse_repodata(std::string_view json, const std::string& channel,
                                                 const std::string& subdir);
 
-/// The channel that ships with the program: `<exe dir>/channel`, then `<exe dir>/../share/ros2wasm/channel`.
-/// R2W0204 when neither is there.
-[[nodiscard]] Outcome<std::filesystem::path> embedded_channel(const std::filesystem::path& executable);
+/// The channel that ships with the program: `<exe dir>/channel`, then `<exe
+/// dir>/../share/ros2wasm/channel`. R2W0204 when neither is there.
+[[nodiscard]] Outcome<std::filesystem::path> embedded_channel(
+    const std::filesystem::path& executable);
 
 }  // namespace ros2wasm

@@ -25,7 +25,8 @@ Diagnostic misplaced(const fs::path& archive, const std::string& why) {
                     .why = {why}};
 }
 
-void field_strings(JsonWriter& json, std::string_view name, const std::vector<std::string>& values) {
+void field_strings(JsonWriter& json, std::string_view name,
+                   const std::vector<std::string>& values) {
   json.key(name).begin_array();
   for (const std::string& value : values) json.string(value);
   json.end_array();
@@ -47,7 +48,8 @@ std::string record_json(const PackageRecord& record) {
   if (record.timestamp_ms != 0) json.field_integer("timestamp", record.timestamp_ms);
   if (!record.track_features.empty()) {
     std::string features;
-    for (const std::string& feature : record.track_features) features += (features.empty() ? "" : " ") + feature;
+    for (const std::string& feature : record.track_features)
+      features += (features.empty() ? "" : " ") + feature;
     json.field("track_features", features);
   }
   json.field("version", record.version).end_object();
@@ -81,7 +83,8 @@ std::string repodata_text(const std::string& subdir, const std::vector<PackageRe
   std::string tar;
   for (const PackageRecord& record : records) {
     std::string& part = record.file_name.ends_with(".conda") ? conda : tar;
-    part += (part.empty() ? "\n" : ",\n") + json_quoted(record.file_name) + ":" + record_json(record);
+    part +=
+        (part.empty() ? "\n" : ",\n") + json_quoted(record.file_name) + ":" + record_json(record);
   }
   return "{\"info\":{\"subdir\":" + json_quoted(subdir) + "},\n\"packages\":{" + tar +
          "},\n\"packages.conda\":{" + conda + "},\n\"removed\":[],\n\"repodata_version\":1}\n";
@@ -109,7 +112,8 @@ Outcome<std::size_t> index_subdir(const fs::path& folder, const std::string& sub
   }
   if (!errors.empty()) return errors;
   const std::string text = repodata_text(subdir, records);
-  if (auto done = write_file(folder / "repodata.json", text); !done) return std::move(done).errors();
+  if (auto done = write_file(folder / "repodata.json", text); !done)
+    return std::move(done).errors();
   auto done = write_file(folder / "repodata.json.zst", zstd_compressed(text, kCompressionLevel));
   if (!done) return std::move(done).errors();
   return records.size();
@@ -149,7 +153,8 @@ Outcome<ChannelSummary> index_channel(const fs::path& channel) {
   if (error) return cannot_read(channel, error.value());
   for (const fs::directory_iterator end; it != end; it.increment(error)) {
     const std::string name = it->path().filename().string();
-    if (name != "noarch" && is_subdir(name) && it->is_directory(error)) summary.subdirs.push_back(name);
+    if (name != "noarch" && is_subdir(name) && it->is_directory(error))
+      summary.subdirs.push_back(name);
     if (error) return cannot_read(channel, error.value());
   }
   std::sort(summary.subdirs.begin(), summary.subdirs.end());

@@ -10,12 +10,14 @@
 
 namespace ros2wasm {
 
-/// Writes the package to `<channel>/<subdir>/` and returns the archive's path. The index is not touched.
-[[nodiscard]] Outcome<std::filesystem::path> add_to_channel(const std::filesystem::path& channel,
-                                                            const CondaPackage& package,
-                                                            const std::filesystem::path& staged_prefix);
+/// Writes the package to `<channel>/<subdir>/` and returns the archive's path. The index is not
+/// touched.
+[[nodiscard]] Outcome<std::filesystem::path> add_to_channel(
+    const std::filesystem::path& channel, const CondaPackage& package,
+    const std::filesystem::path& staged_prefix);
 
-/// Puts a finished archive into `<channel>/<subdir>/`, the subdirectory that it names itself. R2W0205, R2W0221.
+/// Puts a finished archive into `<channel>/<subdir>/`, the subdirectory that it names itself.
+/// R2W0205, R2W0221.
 [[nodiscard]] Outcome<std::filesystem::path> copy_to_channel(const std::filesystem::path& channel,
                                                              const std::filesystem::path& archive);
 
@@ -24,9 +26,9 @@ struct ChannelSummary {
   std::vector<std::string> subdirs;
 };
 
-/// Reads info/index.json of every archive and writes repodata.json and repodata.json.zst of `noarch` and of each
-/// other subdirectory that holds packages. The same archives give the same bytes.
-/// R2W0221 an archive is damaged, R2W0205 its metadata does not fit its place.
+/// Reads info/index.json of every archive and writes repodata.json and repodata.json.zst of
+/// `noarch` and of each other subdirectory that holds packages. The same archives give the same
+/// bytes. R2W0221 an archive is damaged, R2W0205 its metadata does not fit its place.
 [[nodiscard]] Outcome<ChannelSummary> index_channel(const std::filesystem::path& channel);
 
 }  // namespace ros2wasm

@@ -1,5 +1,5 @@
-// What names, versions and build strings may look like in a channel (CEP 26). Also the guard that no field of a
-// record can lead out of a folder. Pure.
+// What names, versions and build strings may look like in a channel (CEP 26). Also the guard that
+// no field of a record can lead out of a folder. Pure.
 #pragma once
 
 #include <optional>
@@ -15,14 +15,16 @@ enum class Strictness {
   kWriting,  ///< what CEP 26 asks of new packages
 };
 
-/// The first thing that is wrong with the record's name, version, build, subdir or file name; nothing when all is
-/// well.
-[[nodiscard]] std::optional<std::string> record_fault(const PackageRecord& record, Strictness strictness);
+/// The first thing that is wrong with the record's name, version, build, subdir or file name;
+/// nothing when all is well.
+[[nodiscard]] std::optional<std::string> record_fault(const PackageRecord& record,
+                                                      Strictness strictness);
 
 /// "linux-64", "emscripten-wasm32", "noarch".
 [[nodiscard]] bool is_subdir(std::string_view text);
 
-/// "x-1.0-0" for both "x-1.0-0.conda" and "x-1.0-0.tar.bz2"; empty when the name has neither ending.
+/// "x-1.0-0" for both "x-1.0-0.conda" and "x-1.0-0.tar.bz2"; empty when the name has neither
+/// ending.
 [[nodiscard]] std::string_view archive_stem(std::string_view file_name);
 
 }  // namespace ros2wasm

@@ -10,9 +10,10 @@
 namespace ros2wasm {
 namespace {
 
-/// What a file name is put behind: the folder of the index itself, or `info.base_url` (CEP 15), which may be
-/// relative to that folder.
-std::string archive_base_url(const JsonValue& json, const std::string& channel, const std::string& subdir) {
+/// What a file name is put behind: the folder of the index itself, or `info.base_url` (CEP 15),
+/// which may be relative to that folder.
+std::string archive_base_url(const JsonValue& json, const std::string& channel,
+                             const std::string& subdir) {
   const std::string here = channel_base_url(channel) + "/" + subdir;
   const JsonValue* info = json.find("info");
   std::string base = info == nullptr ? std::string() : info->text_of("base_url");
@@ -51,8 +52,10 @@ Outcome<RepoIndex> parse_repodata(std::string_view text, const std::string& chan
   const RecordPlace place{
       .channel = channel, .subdir = subdir, .base_url = archive_base_url(*json, channel, subdir)};
   const auto removed = removed_names(*json);
-  std::set<std::string, std::less<>> stems;  // of what is there as .conda: its .tar.bz2 twin is not needed
-  for (const std::string_view key : {std::string_view("packages.conda"), std::string_view("packages")}) {
+  std::set<std::string, std::less<>>
+      stems;  // of what is there as .conda: its .tar.bz2 twin is not needed
+  for (const std::string_view key :
+       {std::string_view("packages.conda"), std::string_view("packages")}) {
     const JsonValue* packages = json->find(key);
     if (packages == nullptr) continue;
     for (const auto& [file_name, member] : packages->members()) {
@@ -71,10 +74,12 @@ Outcome<RepoIndex> parse_repodata(std::string_view text, const std::string& chan
       }
     }
   }
-  std::sort(index.records.begin(), index.records.end(),
-            [](const PackageRecord& a, const PackageRecord& b) { return a.file_name < b.file_name; });
-  std::sort(index.left_out.begin(), index.left_out.end(),
-            [](const LeftOutRecord& a, const LeftOutRecord& b) { return a.file_name < b.file_name; });
+  std::sort(
+      index.records.begin(), index.records.end(),
+      [](const PackageRecord& a, const PackageRecord& b) { return a.file_name < b.file_name; });
+  std::sort(
+      index.left_out.begin(), index.left_out.end(),
+      [](const LeftOutRecord& a, const LeftOutRecord& b) { return a.file_name < b.file_name; });
   return index;
 }
 

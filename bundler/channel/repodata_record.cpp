@@ -78,7 +78,8 @@ bool is_hex(const std::string& text, std::size_t digits) {
          });
 }
 
-/// Old channels have seconds, newer ones milliseconds; no package is older than conda or from the year 4000.
+/// Old channels have seconds, newer ones milliseconds; no package is older than conda or from the
+/// year 4000.
 std::int64_t timestamp_ms(std::int64_t value) {
   constexpr std::int64_t kLargestSeconds = 64'060'588'799;
   if (value < 0) return 0;
@@ -88,13 +89,15 @@ std::int64_t timestamp_ms(std::int64_t value) {
 std::optional<std::string> read_hashes(const JsonValue& json, PackageRecord& record) {
   record.sha256 = lower_case(json.text_of("sha256"));
   record.md5 = lower_case(json.text_of("md5"));
-  if (!record.sha256.empty() && !is_hex(record.sha256, 64)) return "`sha256` is not 64 hexadecimal digits";
+  if (!record.sha256.empty() && !is_hex(record.sha256, 64))
+    return "`sha256` is not 64 hexadecimal digits";
   if (!record.md5.empty() && !is_hex(record.md5, 32)) return "`md5` is not 32 hexadecimal digits";
   return std::nullopt;
 }
 
 std::optional<std::string> read_numbers(const JsonValue& json, PackageRecord& record) {
-  if (const JsonValue* number = json.find("build_number"); number != nullptr && !number->is_null()) {
+  if (const JsonValue* number = json.find("build_number");
+      number != nullptr && !number->is_null()) {
     const auto value = number->unsigned_integer();
     if (!value) return "`build_number` is not a number";
     record.build_number = *value;
@@ -112,7 +115,8 @@ std::optional<std::string> read_numbers(const JsonValue& json, PackageRecord& re
 
 }  // namespace
 
-std::variant<PackageRecord, std::string> parse_record(const JsonValue& json, const std::string& file_name,
+std::variant<PackageRecord, std::string> parse_record(const JsonValue& json,
+                                                      const std::string& file_name,
                                                       const RecordPlace& place) {
   if (!json.is_object()) return "it is not a JSON object";
   PackageRecord record{.name = lower_case(json.text_of("name")),
@@ -125,7 +129,8 @@ std::variant<PackageRecord, std::string> parse_record(const JsonValue& json, con
                        .license = json.text_of("license")};
   if (const std::string own = json.text_of("subdir"); is_subdir(own)) record.subdir = own;
   if (auto fault = record_fault(record, Strictness::kReading)) return *fault;
-  if (const auto version = Version::parse(record.version); !version) return version.errors().front().message;
+  if (const auto version = Version::parse(record.version); !version)
+    return version.errors().front().message;
   if (auto fault = read_hashes(json, record)) return *fault;
   if (auto fault = read_numbers(json, record)) return *fault;
   if (auto fault = read_noarch(json.find("noarch"), record.noarch)) return *fault;

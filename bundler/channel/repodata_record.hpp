@@ -1,4 +1,5 @@
-// One record of a repodata.json or an info/index.json, as a value. Accepts the many forms that real channels have.
+// One record of a repodata.json or an info/index.json, as a value. Accepts the many forms that real
+// channels have.
 #pragma once
 
 #include <string>

@@ -23,7 +23,8 @@ std::string percent_decoded(std::string_view text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     unsigned value = 0;
     if (text[i] == '%' && i + 2 < text.size() &&
-        std::from_chars(text.data() + i + 1, text.data() + i + 3, value, 16).ptr == text.data() + i + 3) {
+        std::from_chars(text.data() + i + 1, text.data() + i + 3, value, 16).ptr ==
+            text.data() + i + 3) {
       out += static_cast<char>(value);
       i += 2;
     } else {
@@ -33,11 +34,13 @@ std::string percent_decoded(std::string_view text) {
   return out;
 }
 
-Outcome<LocalFile> bring_plain(const std::string& url, const ChannelRoots& roots, const Cancellation&) {
+Outcome<LocalFile> bring_plain(const std::string& url, const ChannelRoots& roots,
+                               const Cancellation&) {
   return existing(roots.working_directory / url);
 }
 
-Outcome<LocalFile> bring_file_url(const std::string& url, const ChannelRoots&, const Cancellation&) {
+Outcome<LocalFile> bring_file_url(const std::string& url, const ChannelRoots&,
+                                  const Cancellation&) {
   std::string_view rest = std::string_view(url).substr(std::string_view("file:").size());
   if (rest.starts_with("//localhost/")) {
     rest.remove_prefix(std::string_view("//localhost").size());
@@ -47,7 +50,8 @@ Outcome<LocalFile> bring_file_url(const std::string& url, const ChannelRoots&, c
   return existing(percent_decoded(rest));
 }
 
-Outcome<LocalFile> bring_embedded(const std::string& url, const ChannelRoots& roots, const Cancellation&) {
+Outcome<LocalFile> bring_embedded(const std::string& url, const ChannelRoots& roots,
+                                  const Cancellation&) {
   std::string_view rest = std::string_view(url).substr(std::string_view("embedded:").size());
   while (rest.starts_with('/')) rest.remove_prefix(1);
   return existing(roots.embedded / rest);
@@ -69,19 +73,24 @@ std::string_view scheme_of(std::string_view url) {
 
 }  // namespace
 
-std::span<const Transport> transports() { return kTransports; }
+std::span<const Transport> transports() {
+  return kTransports;
+}
 
-Outcome<LocalFile> bring(const std::string& url, const ChannelRoots& roots, const Cancellation& cancellation) {
+Outcome<LocalFile> bring(const std::string& url, const ChannelRoots& roots,
+                         const Cancellation& cancellation) {
   const std::string_view scheme = scheme_of(url);
   std::vector<std::string> known;
   for (const Transport& transport : transports()) {
     if (transport.scheme == scheme) return transport.bring(url, roots, cancellation);
     if (!transport.scheme.empty()) known.push_back("`" + std::string(transport.scheme) + ":`");
   }
-  return Diagnostic{.code = "R2W0203",
-                    .message = "channels at `" + std::string(scheme) + ":` addresses cannot be read",
-                    .why = {"`" + url + "` was asked for; a channel is a folder, or an address that begins with " +
-                            name_list(known)}};
+  return Diagnostic{
+      .code = "R2W0203",
+      .message = "channels at `" + std::string(scheme) + ":` addresses cannot be read",
+      .why = {"`" + url +
+              "` was asked for; a channel is a folder, or an address that begins with " +
+              name_list(known)}};
 }
 
 std::string channel_base_url(std::string_view channel_name) {

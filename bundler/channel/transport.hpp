@@ -1,4 +1,5 @@
-// How bytes of a channel reach this machine: one row per URL scheme. The next scheme is one file and one row.
+// How bytes of a channel reach this machine: one row per URL scheme. The next scheme is one file
+// and one row.
 #pragma once
 
 #include <filesystem>
@@ -29,7 +30,8 @@ struct Transport {
 [[nodiscard]] Outcome<LocalFile> bring(const std::string& url, const ChannelRoots& roots,
                                        const Cancellation& cancellation = {});
 
-/// "embedded" -> "embedded:", "./dir/" -> "./dir", the base that "/noarch/repodata.json" is put behind.
+/// "embedded" -> "embedded:", "./dir/" -> "./dir", the base that "/noarch/repodata.json" is put
+/// behind.
 [[nodiscard]] std::string channel_base_url(std::string_view channel_name);
 
 }  // namespace ros2wasm

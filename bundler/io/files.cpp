@@ -58,7 +58,8 @@ void make_removable(const fs::path& path) {
   std::error_code ignored;
   if (fs::symlink_status(path, ignored).type() != fs::file_type::directory) return;
   fs::permissions(path, fs::perms::owner_all, fs::perm_options::add, ignored);
-  for (fs::recursive_directory_iterator it(path, ignored), end; !ignored && it != end; it.increment(ignored)) {
+  for (fs::recursive_directory_iterator it(path, ignored), end; !ignored && it != end;
+       it.increment(ignored)) {
     if (it->symlink_status(ignored).type() == fs::file_type::directory) {
       fs::permissions(it->path(), fs::perms::owner_all, fs::perm_options::add, ignored);
     }
@@ -182,7 +183,8 @@ Outcome<std::vector<TreeEntry>> list_tree(const fs::path& root) {
   return entries;
 }
 
-Outcome<TemporaryDirectory> TemporaryDirectory::make(const fs::path& parent, const std::string& prefix) {
+Outcome<TemporaryDirectory> TemporaryDirectory::make(const fs::path& parent,
+                                                     const std::string& prefix) {
   if (auto made = make_directories(parent); !made) return std::move(made).errors();
   std::string path = (parent / (prefix + "XXXXXX")).string();
   if (::mkdtemp(path.data()) == nullptr) return cannot_write(parent, errno);

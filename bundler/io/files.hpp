@@ -1,5 +1,5 @@
-// Reading and writing files: the edge to the disk. Errors are values: R2W0210 cannot read, R2W0211 cannot write
-// (both say what the system said). Nothing here knows what the bytes mean.
+// Reading and writing files: the edge to the disk. Errors are values: R2W0210 cannot read, R2W0211
+// cannot write (both say what the system said). Nothing here knows what the bytes mean.
 #pragma once
 
 #include <filesystem>
@@ -14,8 +14,8 @@ namespace ros2wasm {
 /// The whole file as bytes. R2W0210.
 [[nodiscard]] Outcome<std::string> read_file(const std::filesystem::path& path);
 
-/// Writes beside and renames, so that readers see the old bytes or the new ones, never half. Parent directories
-/// are made. Writes nothing when the file has these bytes already. R2W0211.
+/// Writes beside and renames, so that readers see the old bytes or the new ones, never half. Parent
+/// directories are made. Writes nothing when the file has these bytes already. R2W0211.
 [[nodiscard]] Outcome<Done> write_file(const std::filesystem::path& path, std::string_view bytes);
 
 /// `mkdir -p`. R2W0211.
@@ -29,16 +29,17 @@ enum class FileKind { kFile, kLink, kDirectory, kOther };
 struct TreeEntry {
   std::string path;  ///< relative to the root, with `/`
   FileKind kind = FileKind::kFile;
-  bool executable = false;   ///< of a file: somebody may run it
-  std::uint64_t size = 0;    ///< of a file
+  bool executable = false;  ///< of a file: somebody may run it
+  std::uint64_t size = 0;   ///< of a file
   std::string link_target;  ///< of a link, as it is written in it
 };
 
-/// All files, links and other things below `root` (directories only when empty), sorted by path as bytes. Links
-/// are not followed. R2W0210.
+/// All files, links and other things below `root` (directories only when empty), sorted by path as
+/// bytes. Links are not followed. R2W0210.
 [[nodiscard]] Outcome<std::vector<TreeEntry>> list_tree(const std::filesystem::path& root);
 
-/// A new empty directory `<parent>/<prefix>XXXXXX` which removes itself, unless it was renamed away.
+/// A new empty directory `<parent>/<prefix>XXXXXX` which removes itself, unless it was renamed
+/// away.
 class TemporaryDirectory {
  public:
   [[nodiscard]] static Outcome<TemporaryDirectory> make(const std::filesystem::path& parent,

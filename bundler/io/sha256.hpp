@@ -39,6 +39,7 @@ struct FileHashes {
 };
 
 /// Reads a file once. R2W0210.
-[[nodiscard]] Outcome<FileHashes> hash_file(const std::filesystem::path& path, bool with_md5 = false);
+[[nodiscard]] Outcome<FileHashes> hash_file(const std::filesystem::path& path,
+                                            bool with_md5 = false);
 
 }  // namespace ros2wasm

@@ -70,15 +70,18 @@ class Checker {
 
 }  // namespace
 
-Diagnostics check_solution(const std::vector<RequestedSpec>& specs, const std::vector<PackageRecord>& packages) {
+Diagnostics check_solution(const std::vector<RequestedSpec>& specs,
+                           const std::vector<PackageRecord>& packages) {
   Checker checker(packages);
   for (const RequestedSpec& spec : specs) {
-    checker.require((spec.origin.empty() ? "the workspace" : spec.origin) + " asks for", spec.text, false);
+    checker.require((spec.origin.empty() ? "the workspace" : spec.origin) + " asks for", spec.text,
+                    false);
   }
   for (const PackageRecord& record : packages) {
     const std::string who = record.name + " " + record.version;
     for (const std::string& text : record.depends) checker.require(who + " needs", text, false);
-    for (const std::string& text : record.constrains) checker.require(who + " allows only", text, true);
+    for (const std::string& text : record.constrains)
+      checker.require(who + " allows only", text, true);
   }
   return checker.take();
 }

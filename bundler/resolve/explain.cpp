@@ -24,8 +24,12 @@ Facts facts_of(const std::vector<ProofRule>& conflict) {
   Facts facts;
   for (const ProofRule& rule : conflict) {
     switch (rule.kind) {
-      case ProofRule::Kind::kWanted: facts.wanted.insert(rule.requirement); break;
-      case ProofRule::Kind::kRequires: facts.needs[rule.candidate].insert(rule.requirement); break;
+      case ProofRule::Kind::kWanted:
+        facts.wanted.insert(rule.requirement);
+        break;
+      case ProofRule::Kind::kRequires:
+        facts.needs[rule.candidate].insert(rule.requirement);
+        break;
       case ProofRule::Kind::kExcludes:
         facts.excludes[rule.candidate].insert(rule.other);
         facts.excludes[rule.other].insert(rule.candidate);
@@ -37,7 +41,8 @@ Facts facts_of(const std::vector<ProofRule>& conflict) {
 
 class Tree {
  public:
-  Tree(const ResolveRequest& request, const Universe& universe, const std::vector<ProofRule>& conflict)
+  Tree(const ResolveRequest& request, const Universe& universe,
+       const std::vector<ProofRule>& conflict)
       : request_(request), universe_(universe), facts_(facts_of(conflict)) {}
 
   std::vector<std::string> lines() {
@@ -68,7 +73,8 @@ class Tree {
     const std::string there = versions_there(universe_, *name);
     if (!there.empty()) return "there is only " + *name + " " + there;
     std::string text = "no channel has a package `" + *name + "`";
-    if (const auto near = nearest(*name, universe_.names)) text += " (did you mean `" + *near + "`?)";
+    if (const auto near = nearest(*name, universe_.names))
+      text += " (did you mean `" + *near + "`?)";
     return text;
   }
 
@@ -85,7 +91,8 @@ class Tree {
     }
     line(depth, head);
     if (depth >= kDeepest) return;
-    std::map<std::pair<std::set<RequirementId>, std::set<std::string>>, std::vector<CandidateId>> groups;
+    std::map<std::pair<std::set<RequirementId>, std::set<std::string>>, std::vector<CandidateId>>
+        groups;
     std::vector<decltype(groups)::key_type> order;
     for (const CandidateId candidate : one.providers) {
       auto key = std::pair(reasons(candidate), excluded(candidate));
@@ -99,7 +106,8 @@ class Tree {
         requirement(need, who + " needs `" + universe_.requirements[need].text + "`", depth + 1);
       }
       if (key.first.empty()) {
-        for (const std::string& other : key.second) line(depth + 1, who + " cannot be there together with " + other);
+        for (const std::string& other : key.second)
+          line(depth + 1, who + " cannot be there together with " + other);
       }
     }
   }
@@ -115,9 +123,11 @@ class Tree {
     const auto found = facts_.excludes.find(candidate);
     if (found == facts_.excludes.end()) return others;
     std::map<std::string, std::vector<CandidateId>> by_name;
-    for (const CandidateId other : found->second) by_name[universe_.candidates[other].record->name].push_back(other);
+    for (const CandidateId other : found->second)
+      by_name[universe_.candidates[other].record->name].push_back(other);
     const std::string& own = universe_.candidates[candidate].record->name;
-    for (const auto& [name, ids] : by_name) others.insert(name == own ? "another version of " + name : names_of(ids));
+    for (const auto& [name, ids] : by_name)
+      others.insert(name == own ? "another version of " + name : names_of(ids));
     return others;
   }
 
@@ -126,7 +136,8 @@ class Tree {
     std::vector<std::string> versions;
     for (const CandidateId id : ids) {
       const std::string& version = universe_.candidates[id].record->version;
-      if (std::find(versions.begin(), versions.end(), version) == versions.end()) versions.push_back(version);
+      if (std::find(versions.begin(), versions.end(), version) == versions.end())
+        versions.push_back(version);
     }
     return universe_.candidates[ids.front()].record->name + " " + name_list(versions, 4);
   }

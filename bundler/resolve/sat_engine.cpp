@@ -1,5 +1,6 @@
-// See sat_engine.hpp. libsolv knows nothing of conda here: each distinct requirement is one Id, which every
-// candidate that matches provides, and the place in the order of preference is the version.
+// See sat_engine.hpp. libsolv knows nothing of conda here: each distinct requirement is one Id,
+// which every candidate that matches provides, and the place in the order of preference is the
+// version.
 #include "bundler/resolve/sat_engine.hpp"
 
 #include <algorithm>
@@ -40,7 +41,8 @@ class IdQueue {
 /// A Universe as libsolv's pool, with the way back from its Ids.
 class SolvPool {
  public:
-  explicit SolvPool(const Universe& universe) : universe_(universe), pool_(pool_create(), pool_free) {
+  explicit SolvPool(const Universe& universe)
+      : universe_(universe), pool_(pool_create(), pool_free) {
     Repo* repo = repo_create(pool_.get(), "channels");
     for (RequirementId id = 0; id < universe.requirements.size(); ++id) {
       needs_.push_back(text_id("n" + std::to_string(id)));
@@ -50,10 +52,13 @@ class SolvPool {
     std::vector<std::vector<RequirementId>> provides(universe.candidates.size());
     std::vector<std::vector<RequirementId>> rivals(universe.candidates.size());
     for (RequirementId id = 0; id < universe.requirements.size(); ++id) {
-      for (const CandidateId candidate : universe.requirements[id].providers) provides[candidate].push_back(id);
-      for (const CandidateId candidate : universe.requirements[id].rivals) rivals[candidate].push_back(id);
+      for (const CandidateId candidate : universe.requirements[id].providers)
+        provides[candidate].push_back(id);
+      for (const CandidateId candidate : universe.requirements[id].rivals)
+        rivals[candidate].push_back(id);
     }
-    for (CandidateId id = 0; id < universe.candidates.size(); ++id) add(repo, id, provides[id], rivals[id]);
+    for (CandidateId id = 0; id < universe.candidates.size(); ++id)
+      add(repo, id, provides[id], rivals[id]);
     pool_createwhatprovides(pool_.get());
   }
 
@@ -135,7 +140,8 @@ class SolvPool {
       case SOLVER_RULE_JOB:
       case SOLVER_RULE_JOB_NOTHING_PROVIDES_DEP:
         if (!requirement_of_.contains(dependency)) return std::nullopt;
-        return ProofRule{.kind = ProofRule::Kind::kWanted, .requirement = requirement_of_.at(dependency)};
+        return ProofRule{.kind = ProofRule::Kind::kWanted,
+                         .requirement = requirement_of_.at(dependency)};
       case SOLVER_RULE_PKG_REQUIRES:
       case SOLVER_RULE_PKG_NOTHING_PROVIDES_DEP:
         return ProofRule{.kind = ProofRule::Kind::kRequires,
@@ -162,6 +168,8 @@ class SolvPool {
 
 }  // namespace
 
-std::variant<Choice, Proof> choose(const Universe& universe) { return SolvPool(universe).solve(); }
+std::variant<Choice, Proof> choose(const Universe& universe) {
+  return SolvPool(universe).solve();
+}
 
 }  // namespace ros2wasm

@@ -1,4 +1,5 @@
-// The SAT engine: which candidates are chosen, or the rules that cannot all hold. libsolv ends in sat_engine.cpp.
+// The SAT engine: which candidates are chosen, or the rules that cannot all hold. libsolv ends in
+// sat_engine.cpp.
 #pragma once
 
 #include <optional>

@@ -53,7 +53,8 @@ Diagnostics unknown_names(const ResolveRequest& request, const std::vector<Match
         error.why.push_back(record.file_name + " was left out: " + record.reason);
       }
     }
-    if (const auto near = nearest(*name, universe.names)) error.fix.push_back("write `" + *near + "`");
+    if (const auto near = nearest(*name, universe.names))
+      error.fix.push_back("write `" + *near + "`");
     errors.push_back(std::move(error));
   }
   return errors;
@@ -62,7 +63,8 @@ Diagnostics unknown_names(const ResolveRequest& request, const std::vector<Match
 /// Dependencies before those that need them; names in order where free.
 class InstallOrder {
  public:
-  InstallOrder(const Universe& universe, const Choice& choice) : universe_(universe), choice_(choice) {
+  InstallOrder(const Universe& universe, const Choice& choice)
+      : universe_(universe), choice_(choice) {
     chosen_.insert(choice.begin(), choice.end());
   }
 
@@ -93,8 +95,9 @@ class InstallOrder {
 };
 
 /// Requests with one spec set free that do have a solution: proven ways out.
-std::vector<std::string> proven_fixes(const ResolveRequest& request, const std::vector<MatchSpec>& specs,
-                                      const Universe& universe, const std::vector<ProofRule>& conflict,
+std::vector<std::string> proven_fixes(const ResolveRequest& request,
+                                      const std::vector<MatchSpec>& specs, const Universe& universe,
+                                      const std::vector<ProofRule>& conflict,
                                       const RepoIndex& index) {
   std::vector<std::string> fixes;
   std::size_t trials = 0;
@@ -114,7 +117,8 @@ std::vector<std::string> proven_fixes(const ResolveRequest& request, const std::
     for (const CandidateId id : *choice) {
       const PackageRecord& record = *wider.candidates[id].record;
       if (record.name == *name) {
-        fixes.push_back("write `" + *name + " " + record.version + "` instead of `" + request.specs[i].text + "`");
+        fixes.push_back("write `" + *name + " " + record.version + "` instead of `" +
+                        request.specs[i].text + "`");
       }
     }
   }
@@ -127,10 +131,12 @@ Outcome<Resolution> solve(const ResolveRequest& request, const RepoIndex& index)
   const auto specs = parse_specs(request.specs);
   if (!specs) return specs.errors();
   const Universe universe = make_universe(request, *specs, index);
-  if (Diagnostics errors = unknown_names(request, *specs, universe, index); !errors.empty()) return errors;
+  if (Diagnostics errors = unknown_names(request, *specs, universe, index); !errors.empty())
+    return errors;
 
   const auto answer = choose(universe);
-  if (const auto* choice = std::get_if<Choice>(&answer)) return InstallOrder(universe, *choice).resolution();
+  if (const auto* choice = std::get_if<Choice>(&answer))
+    return InstallOrder(universe, *choice).resolution();
 
   Diagnostics errors;
   for (const std::vector<ProofRule>& conflict : std::get<Proof>(answer)) {
@@ -139,9 +145,10 @@ Outcome<Resolution> solve(const ResolveRequest& request, const RepoIndex& index)
                      .why = explain(request, universe, conflict),
                      .fix = proven_fixes(request, *specs, universe, conflict, index)};
     for (std::size_t i = 0; i < universe.wanted.size() && !error.span; ++i) {
-      const bool involved = std::any_of(conflict.begin(), conflict.end(), [&](const ProofRule& rule) {
-        return rule.kind == ProofRule::Kind::kWanted && rule.requirement == universe.wanted[i];
-      });
+      const bool involved =
+          std::any_of(conflict.begin(), conflict.end(), [&](const ProofRule& rule) {
+            return rule.kind == ProofRule::Kind::kWanted && rule.requirement == universe.wanted[i];
+          });
       if (involved) error.span = request.specs[i].span;
     }
     errors.push_back(std::move(error));

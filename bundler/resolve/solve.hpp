@@ -1,5 +1,5 @@
-// Chooses one record per package. Pure: request and index in, choice or explanation out. The engine is libsolv,
-// which ends in sat_engine.cpp.
+// Chooses one record per package. Pure: request and index in, choice or explanation out. The engine
+// is libsolv, which ends in sat_engine.cpp.
 #pragma once
 
 #include <optional>
@@ -37,13 +37,14 @@ struct Resolution {
   std::vector<PackageRecord> packages;
 };
 
-/// Newest version first, then highest build number, then a fixed rule, so that the same request and records give
-/// the same answer on every machine and in every order of records. `__unix` and `__archspec` are there.
-/// R2W0301 no choice fits (with a tree of reasons), R2W0302 no channel has such a name, R2W0303 bad match spec.
+/// Newest version first, then highest build number, then a fixed rule, so that the same request and
+/// records give the same answer on every machine and in every order of records. `__unix` and
+/// `__archspec` are there. R2W0301 no choice fits (with a tree of reasons), R2W0302 no channel has
+/// such a name, R2W0303 bad match spec.
 [[nodiscard]] Outcome<Resolution> solve(const ResolveRequest& request, const RepoIndex& index);
 
-/// Why `packages` is no solution of `specs`: one diagnostic (R2W0311) per edge that does not hold; empty when it
-/// is one. Needs no index and no network.
+/// Why `packages` is no solution of `specs`: one diagnostic (R2W0311) per edge that does not hold;
+/// empty when it is one. Needs no index and no network.
 [[nodiscard]] Diagnostics check_solution(const std::vector<RequestedSpec>& specs,
                                          const std::vector<PackageRecord>& packages);
 

@@ -19,7 +19,8 @@ using RecordList = std::vector<const PackageRecord*>;
 class Builder {
  public:
   Builder(const ResolveRequest& request, const RepoIndex& index) : request_(request) {
-    for (std::size_t i = 0; i < index.channels.size(); ++i) channel_rank_.emplace(index.channels[i], i);
+    for (std::size_t i = 0; i < index.channels.size(); ++i)
+      channel_rank_.emplace(index.channels[i], i);
     for (const PackageRecord& record : index.records) records_[record.name].push_back(&record);
     if (request.priority == ChannelPriority::kStrict) hide_lower_channels();
     for (const PackageRecord& locked : request.locked) locked_.emplace(locked.url, locked.sha256);
@@ -91,9 +92,12 @@ class Builder {
     for (const PackageRecord* record : found->second) {
       auto version = Version::parse(record->version);
       if (!version) continue;
-      Candidate candidate{.record = record, .version = std::move(*version), .depends = {}, .constrains = {}};
-      for (const std::string& text : record->depends) candidate.depends.push_back(requirement(text));
-      for (const std::string& text : record->constrains) candidate.constrains.push_back(requirement(text));
+      Candidate candidate{
+          .record = record, .version = std::move(*version), .depends = {}, .constrains = {}};
+      for (const std::string& text : record->depends)
+        candidate.depends.push_back(requirement(text));
+      for (const std::string& text : record->constrains)
+        candidate.constrains.push_back(requirement(text));
       universe_.candidates.push_back(std::move(candidate));
     }
   }
@@ -178,7 +182,8 @@ std::string versions_there(const Universe& universe, std::string_view name) {
   std::vector<std::string> versions;
   for (const CandidateId id : ids) {
     const std::string& version = universe.candidates[id].record->version;
-    if (std::find(versions.begin(), versions.end(), version) == versions.end()) versions.push_back(version);
+    if (std::find(versions.begin(), versions.end(), version) == versions.end())
+      versions.push_back(version);
   }
   return name_list(versions, 4);
 }

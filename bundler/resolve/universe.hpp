@@ -1,5 +1,6 @@
-// The part of the channels that a request can reach, in the order of preference, with every dependency looked up.
-// Pure. This is what the SAT engine gets, and what explanations are made from.
+// The part of the channels that a request can reach, in the order of preference, with every
+// dependency looked up. Pure. This is what the SAT engine gets, and what explanations are made
+// from.
 #pragma once
 
 #include <map>
@@ -33,18 +34,19 @@ struct Candidate {
 
 struct Universe {
   std::vector<PackageRecord> virtual_records;
-  std::vector<Candidate> candidates;      ///< by name, then best first
+  std::vector<Candidate> candidates;  ///< by name, then best first
   std::map<std::string, std::vector<CandidateId>, std::less<>> by_name;
   std::vector<Requirement> requirements;
-  std::vector<RequirementId> wanted;      ///< one per spec of the request, in its order
-  std::vector<std::string> names;         ///< of all packages that the channels have, sorted
+  std::vector<RequirementId> wanted;  ///< one per spec of the request, in its order
+  std::vector<std::string> names;     ///< of all packages that the channels have, sorted
 };
 
 /// The request's specs must parse (see solve()).
-[[nodiscard]] Universe make_universe(const ResolveRequest& request, const std::vector<MatchSpec>& specs,
-                                     const RepoIndex& index);
+[[nodiscard]] Universe make_universe(const ResolveRequest& request,
+                                     const std::vector<MatchSpec>& specs, const RepoIndex& index);
 
-/// "1.0, 1.1 (and 3 more)": versions of a name that are there, newest first; empty when there is none.
+/// "1.0, 1.1 (and 3 more)": versions of a name that are there, newest first; empty when there is
+/// none.
 [[nodiscard]] std::string versions_there(const Universe& universe, std::string_view name);
 
 }  // namespace ros2wasm

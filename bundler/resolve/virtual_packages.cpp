@@ -4,8 +4,9 @@
 namespace ros2wasm {
 
 std::vector<PackageRecord> virtual_packages() {
-  return {PackageRecord{.name = "__archspec", .version = "0", .build = "wasm32", .subdir = "noarch"},
-          PackageRecord{.name = "__unix", .version = "0", .build = "0", .subdir = "noarch"}};
+  return {
+      PackageRecord{.name = "__archspec", .version = "0", .build = "wasm32", .subdir = "noarch"},
+      PackageRecord{.name = "__unix", .version = "0", .build = "0", .subdir = "noarch"}};
 }
 
 }  // namespace ros2wasm

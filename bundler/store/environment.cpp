@@ -22,7 +22,8 @@ constexpr std::string_view kLayout = "1";  // changes when the layout of environ
 /// Puts package after package into one prefix.
 class Installer {
  public:
-  explicit Installer(fs::path staging, fs::path prefix) : staging_(std::move(staging)), prefix_(std::move(prefix)) {}
+  explicit Installer(fs::path staging, fs::path prefix)
+      : staging_(std::move(staging)), prefix_(std::move(prefix)) {}
 
   Outcome<Done> install(const PackageRecord& record, const fs::path& package) {
     const auto text = read_file(package / "info/paths.json");
@@ -67,17 +68,19 @@ class Installer {
   }
 
   /// Later packages win; a file with other bytes is remembered.
-  Outcome<Done> clear(const PackageRecord& record, const std::string& path, const std::string& sha256) {
+  Outcome<Done> clear(const PackageRecord& record, const std::string& path,
+                      const std::string& sha256) {
     const auto owner = owners_.find(path);
     if (owner == owners_.end()) return Done{};
     if (owner->second.sha256 != sha256) {
-      overwritten_.push_back({.path = path, .winner = distribution_name(record), .loser = owner->second.name});
+      overwritten_.push_back(
+          {.path = path, .winner = distribution_name(record), .loser = owner->second.name});
     }
     return remove_tree(staging_ / path);
   }
 
-  Outcome<Done> place_with_prefix(const fs::path& source, const fs::path& target, const std::string& path,
-                                  const PathEntry& entry) {
+  Outcome<Done> place_with_prefix(const fs::path& source, const fs::path& target,
+                                  const std::string& path, const PathEntry& entry) {
     const auto bytes = read_file(source);
     if (!bytes) return bytes.errors();
     Outcome<std::string> moved =
@@ -103,22 +106,30 @@ class Installer {
 };
 
 Outcome<Environment> build(const fs::path& staging, const fs::path& prefix, const Store& store,
-                           const std::vector<PackageRecord>& records, const Cancellation& cancellation,
-                           const ProgressSink& progress) {
+                           const std::vector<PackageRecord>& records,
+                           const Cancellation& cancellation, const ProgressSink& progress) {
   Installer installer(staging, prefix);
   std::uint64_t done = 0;
   for (const PackageRecord& record : records) {
     if (cancellation.requested()) return interrupted();
     if (progress) {
-      progress({.step = "fetch", .item = record.name, .done = done, .total = records.size(), .unit = "packages"});
+      progress({.step = "fetch",
+                .item = record.name,
+                .done = done,
+                .total = records.size(),
+                .unit = "packages"});
     }
     const auto package = store.unpacked(record, cancellation);
     if (!package) return package.errors();
-    if (auto installed = installer.install(record, *package); !installed) return std::move(installed).errors();
+    if (auto installed = installer.install(record, *package); !installed)
+      return std::move(installed).errors();
     ++done;
   }
-  if (progress) progress({.step = "fetch", .item = {}, .done = done, .total = done, .unit = "packages"});
-  return Environment{.prefix = prefix, .key = environment_key(records), .overwritten = installer.take_overwritten()};
+  if (progress)
+    progress({.step = "fetch", .item = {}, .done = done, .total = done, .unit = "packages"});
+  return Environment{.prefix = prefix,
+                     .key = environment_key(records),
+                     .overwritten = installer.take_overwritten()};
 }
 
 }  // namespace
@@ -133,12 +144,14 @@ std::string environment_key(const std::vector<PackageRecord>& records) {
 }
 
 Outcome<Environment> make_environment(const Store& store, const std::vector<PackageRecord>& records,
-                                      const Cancellation& cancellation, const ProgressSink& progress) {
+                                      const Cancellation& cancellation,
+                                      const ProgressSink& progress) {
   const std::string key = environment_key(records);
   const fs::path folder = store.roots().cache / "environments";
   const fs::path prefix = folder / key.substr(0, 32);
   std::error_code error;
-  if (fs::is_directory(prefix, error)) return Environment{.prefix = prefix, .key = key, .overwritten = {}, .cached = true};
+  if (fs::is_directory(prefix, error))
+    return Environment{.prefix = prefix, .key = key, .overwritten = {}, .cached = true};
   auto beside = TemporaryDirectory::make(folder / "unfinished", key.substr(0, 8) + ".");
   if (!beside) return std::move(beside).errors();
   const fs::path staging = beside->path() / "prefix";
@@ -153,7 +166,8 @@ Outcome<Environment> make_environment(const Store& store, const std::vector<Pack
 
 Outcome<Environment> make_environment_at(const fs::path& prefix, const Store& store,
                                          const std::vector<PackageRecord>& records,
-                                         const Cancellation& cancellation, const ProgressSink& progress) {
+                                         const Cancellation& cancellation,
+                                         const ProgressSink& progress) {
   std::error_code error;
   if (fs::exists(prefix, error)) {
     return Diagnostic{.code = "R2W0231",

@@ -1,4 +1,5 @@
-// A prefix with the files of many packages, as conda would install them, for CMake and the pack to read.
+// A prefix with the files of many packages, as conda would install them, for CMake and the pack to
+// read.
 #pragma once
 
 #include <filesystem>
@@ -22,13 +23,15 @@ struct OverwrittenFile {
 
 struct Environment {
   std::filesystem::path prefix;
-  std::string key;  ///< hash of the record list: the same packages give the same key on every machine
+  std::string
+      key;  ///< hash of the record list: the same packages give the same key on every machine
   std::vector<OverwrittenFile> overwritten;  ///< sorted by path; empty when it came from the cache
   bool cached = false;
 };
 
-/// Makes (or finds) the environment in the store's cache: `<cache>/environments/<key>`. Read-only: install your
-/// own files elsewhere. `records` in install order. Placeholders in text files become the prefix.
+/// Makes (or finds) the environment in the store's cache: `<cache>/environments/<key>`. Read-only:
+/// install your own files elsewhere. `records` in install order. Placeholders in text files become
+/// the prefix.
 [[nodiscard]] Outcome<Environment> make_environment(const Store& store,
                                                     const std::vector<PackageRecord>& records,
                                                     const Cancellation& cancellation = {},

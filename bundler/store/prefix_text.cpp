@@ -5,7 +5,8 @@
 
 namespace ros2wasm {
 
-std::string with_prefix_in_text(std::string_view text, std::string_view placeholder, std::string_view prefix) {
+std::string with_prefix_in_text(std::string_view text, std::string_view placeholder,
+                                std::string_view prefix) {
   std::string out;
   while (!text.empty()) {
     const std::size_t at = placeholder.empty() ? std::string_view::npos : text.find(placeholder);
@@ -20,11 +21,12 @@ std::string with_prefix_in_text(std::string_view text, std::string_view placehol
 Outcome<std::string> with_prefix_in_binary(std::string_view bytes, std::string_view placeholder,
                                            std::string_view prefix, const std::string& path) {
   if (prefix.size() > placeholder.size()) {
-    return Diagnostic{.code = "R2W0230",
-                      .kind = FailureKind::kEnvironment,
-                      .message = "`" + path + "` cannot be moved to `" + std::string(prefix) + "`",
-                      .why = {"it is a binary file with room for " + std::to_string(placeholder.size()) +
-                              " bytes of path, and this path has " + std::to_string(prefix.size())}};
+    return Diagnostic{
+        .code = "R2W0230",
+        .kind = FailureKind::kEnvironment,
+        .message = "`" + path + "` cannot be moved to `" + std::string(prefix) + "`",
+        .why = {"it is a binary file with room for " + std::to_string(placeholder.size()) +
+                " bytes of path, and this path has " + std::to_string(prefix.size())}};
   }
   std::string out;
   out.reserve(bytes.size());

@@ -1,5 +1,6 @@
-// See store.hpp. One folder per package, named by the archive's sha256. A folder is complete when it has its final
-// name: it is made beside and renamed. Two processes that make the same one do it twice, and one result is kept.
+// See store.hpp. One folder per package, named by the archive's sha256. A folder is complete when
+// it has its final name: it is made beside and renamed. Two processes that make the same one do it
+// twice, and one result is kept.
 #include "bundler/store/store.hpp"
 
 #include "bundler/archive/paths_json.hpp"
@@ -16,7 +17,8 @@ namespace fs = std::filesystem;
 Diagnostic wrong_archive(const PackageRecord& record, const std::string& why) {
   return Diagnostic{.code = "R2W0220",
                     .kind = FailureKind::kEnvironment,
-                    .message = "the archive of `" + distribution_name(record) + "` is not the one that was asked for",
+                    .message = "the archive of `" + distribution_name(record) +
+                               "` is not the one that was asked for",
                     .why = {why, "it is at " + record.url}};
 }
 
@@ -32,7 +34,8 @@ Outcome<std::string> verified_sha256(const PackageRecord& record, const fs::path
                                      std::to_string(record.size));
   }
   if (!record.sha256.empty() && hashes->sha256 != record.sha256) {
-    return wrong_archive(record, "its sha256 is " + hashes->sha256 + " instead of " + record.sha256);
+    return wrong_archive(record,
+                         "its sha256 is " + hashes->sha256 + " instead of " + record.sha256);
   }
   if (record.sha256.empty() && hashes->md5 != record.md5) {
     return wrong_archive(record, "its md5 is " + hashes->md5 + " instead of " + record.md5);
@@ -40,8 +43,8 @@ Outcome<std::string> verified_sha256(const PackageRecord& record, const fs::path
   return std::move(hashes->sha256);
 }
 
-/// Every file of a package in the store has the bytes that its paths.json lists. False when one has not, whatever
-/// the reason: then the package is unpacked again.
+/// Every file of a package in the store has the bytes that its paths.json lists. False when one has
+/// not, whatever the reason: then the package is unpacked again.
 bool still_intact(const fs::path& folder, const std::string& name) {
   const auto text = read_file(folder / "info/paths.json");
   if (!text) return false;
@@ -70,12 +73,16 @@ fs::path default_cache_directory(const std::string& xdg_cache_home, const std::s
   return fs::path(home.empty() ? "/tmp" : home) / ".cache" / "ros2wasm";
 }
 
-Store::Store(ChannelRoots roots, ExtractLimits limits) : roots_(std::move(roots)), limits_(limits) {}
+Store::Store(ChannelRoots roots, ExtractLimits limits)
+    : roots_(std::move(roots)), limits_(limits) {}
 
-Outcome<fs::path> Store::unpacked(const PackageRecord& record, const Cancellation& cancellation) const {
+Outcome<fs::path> Store::unpacked(const PackageRecord& record,
+                                  const Cancellation& cancellation) const {
   const fs::path packages = roots_.cache / "packages";
   const std::string name = distribution_name(record);
-  const auto folder_of = [&](const std::string& sha256) { return packages / sha256.substr(0, 2) / sha256; };
+  const auto folder_of = [&](const std::string& sha256) {
+    return packages / sha256.substr(0, 2) / sha256;
+  };
   std::error_code error;
   if (!record.sha256.empty()) {
     const fs::path folder = folder_of(record.sha256);

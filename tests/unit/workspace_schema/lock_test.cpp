@@ -33,7 +33,8 @@ Lock lock() {
               .packages = {record("b"), record("a"), record("yes"), record("1e3")}};
 }
 
-constexpr const char* kText = R"(# Which packages this workspace uses, exactly. Written by ros2wasm; keep it under version control.
+constexpr const char* kText =
+    R"(# Which packages this workspace uses, exactly. Written by ros2wasm; keep it under version control.
 schema: 1
 platform: emscripten-wasm32
 channels:
@@ -64,7 +65,8 @@ packages:
 )";
 
 TEST(Lock, HasOneForm) {
-  EXPECT_EQ(write_lock({.channels = {"embedded"}, .specs = {"a"}, .packages = {record("a")}}), kText);
+  EXPECT_EQ(write_lock({.channels = {"embedded"}, .specs = {"a"}, .packages = {record("a")}}),
+            kText);
 }
 
 TEST(Lock, OrderOfPackagesAndSpecsDoesNotMatter) {
@@ -81,7 +83,8 @@ TEST(Lock, IsReadAsItWasWritten) {
   EXPECT_EQ(read->channels, lock().channels);
   EXPECT_EQ(read->packages.size(), 4U);
   for (const PackageRecord& one : lock().packages) {
-    EXPECT_NE(std::find(read->packages.begin(), read->packages.end(), one), read->packages.end()) << one.name;
+    EXPECT_NE(std::find(read->packages.begin(), read->packages.end(), one), read->packages.end())
+        << one.name;
   }
   EXPECT_EQ(write_lock(*read), text);
 }
@@ -113,7 +116,8 @@ TEST(Lock, RefusesWhatIsNone) {
 }
 
 TEST(Lock, SaysAllFaultsWithTheirPlaces) {
-  const auto read = read_lock(replaced(replaced(kText, "size: 1234", "size: x"), "md5: bbb", "md5: bxb"), "ros2wasm.lock");
+  const auto read = read_lock(
+      replaced(replaced(kText, "size: 1234", "size: x"), "md5: bbb", "md5: bxb"), "ros2wasm.lock");
   ASSERT_FALSE(read.ok());
   ASSERT_EQ(read.errors().size(), 2U);
   EXPECT_EQ(read.errors()[0].span->line, 18U);

@@ -1,4 +1,5 @@
-// Match specs: the table of conda's answers, what is refused, and the parts that the table does not show.
+// Match specs: the table of conda's answers, what is refused, and the parts that the table does not
+// show.
 #include "workspace_schema/match_spec.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +13,11 @@ namespace ros2wasm {
 namespace {
 
 PackageRecord record(const std::string& version, const std::string& build) {
-  PackageRecord made{.name = "pkg", .version = version, .build = build, .subdir = "noarch", .channel = "https://host/forge"};
+  PackageRecord made{.name = "pkg",
+                     .version = version,
+                     .build = build,
+                     .subdir = "noarch",
+                     .channel = "https://host/forge"};
   const std::size_t digits = build.find_last_not_of("0123456789") + 1;
   if (digits < build.size()) made.build_number = std::stoull(build.substr(digits));
   return made;
@@ -25,7 +30,8 @@ bool matches(const std::string& text, const PackageRecord& candidate) {
 }
 
 TEST(MatchSpec, TableOfCondasAnswers) {
-  std::ifstream table(std::string(ROS2WASM_SOURCE_DIR) + "/tests/unit/workspace_schema/match_spec_table.tsv");
+  std::ifstream table(std::string(ROS2WASM_SOURCE_DIR) +
+                      "/tests/unit/workspace_schema/match_spec_table.tsv");
   ASSERT_TRUE(table.is_open());
   std::size_t rows = 0;
   for (std::string line; std::getline(table, line);) {
@@ -43,10 +49,32 @@ TEST(MatchSpec, TableOfCondasAnswers) {
 }
 
 TEST(MatchSpec, RefusesWhatIsNone) {
-  for (const char* text :
-       {"", "pkg ==", "pkg !=", "pkg >=1.2,", "pkg >=", "pkg 1.2=", "pkg ><1", "pkg >=3.8<3.9", "pkg !!1", "pkg >==1", "pkg 1.5||1.6",
-        "pkg[version='(1.5']", "pkg[version='1.5)']", "pkg 1..2", "pkg[sha512=00]", "pkg[build=]", "chan:: pkg", "p/kg", "-pkg",
-        "pkg..x", "pkg 1 [a=[b]]", "pkg[version='~=1.*']", "pkg[build='^(a$']", "pkg[build='^a{3}$']", "pkg[build='^(?=a)$']", "pkg[build_number=x!]"}) {
+  for (const char* text : {"",
+                           "pkg ==",
+                           "pkg !=",
+                           "pkg >=1.2,",
+                           "pkg >=",
+                           "pkg 1.2=",
+                           "pkg ><1",
+                           "pkg >=3.8<3.9",
+                           "pkg !!1",
+                           "pkg >==1",
+                           "pkg 1.5||1.6",
+                           "pkg[version='(1.5']",
+                           "pkg[version='1.5)']",
+                           "pkg 1..2",
+                           "pkg[sha512=00]",
+                           "pkg[build=]",
+                           "chan:: pkg",
+                           "p/kg",
+                           "-pkg",
+                           "pkg..x",
+                           "pkg 1 [a=[b]]",
+                           "pkg[version='~=1.*']",
+                           "pkg[build='^(a$']",
+                           "pkg[build='^a{3}$']",
+                           "pkg[build='^(?=a)$']",
+                           "pkg[build_number=x!]"}) {
     const auto spec = MatchSpec::parse(text);
     ASSERT_FALSE(spec.ok()) << text;
     EXPECT_EQ(spec.errors().front().code, "R2W0303") << text;
@@ -59,7 +87,8 @@ TEST(MatchSpec, HostileTextsEndSoon) {
   std::string many = "1";
   for (int i = 0; i < 1500; ++i) many += "|1";
   EXPECT_FALSE(VersionSpec::parse(many).ok());
-  const auto stars = TextPattern::parse("^" + std::string("(a*)*").append("(a*)*b") + "$", LetterCase::kCounts);
+  const auto stars =
+      TextPattern::parse("^" + std::string("(a*)*").append("(a*)*b") + "$", LetterCase::kCounts);
   ASSERT_TRUE(stars.ok());
   EXPECT_FALSE(stars->matches(std::string(2000, 'a')));
   EXPECT_FALSE(glob_matches("*a*a*a*a*a*a*a*b", std::string(5000, 'a')));
@@ -93,7 +122,8 @@ TEST(MatchSpec, FileNamesAndAddresses) {
   EXPECT_TRUE(matches("https://host/forge/noarch/pkg-1.0-h_0.conda", candidate));
   EXPECT_FALSE(matches("https://other/forge/noarch/pkg-1.0-h_0.conda", candidate));
   EXPECT_EQ(MatchSpec::parse("https://host/forge/noarch/pkg-1.0-h_0.conda")->exact_name(), "pkg");
-  EXPECT_FALSE(matches("https://host/forge/noarch/pkg-1.0-h_0.conda#" + std::string(32, 'a'), candidate));
+  EXPECT_FALSE(
+      matches("https://host/forge/noarch/pkg-1.0-h_0.conda#" + std::string(32, 'a'), candidate));
 }
 
 TEST(MatchSpec, NamesAndPatterns) {
@@ -115,9 +145,12 @@ std::vector<std::string> lines_of(const char* name) {
 }
 
 TEST(MatchSpec, PublicListsAreAcceptedAndRejected) {
-  for (const std::string& line : lines_of("xpass.txt")) EXPECT_TRUE(MatchSpec::parse(line).ok()) << line;
-  for (const std::string& line : lines_of("xfail.txt")) EXPECT_FALSE(MatchSpec::parse(line).ok()) << line;
-  for (const std::string& line : lines_of("xfail-should-pass.txt")) EXPECT_TRUE(MatchSpec::parse(line).ok()) << line;
+  for (const std::string& line : lines_of("xpass.txt"))
+    EXPECT_TRUE(MatchSpec::parse(line).ok()) << line;
+  for (const std::string& line : lines_of("xfail.txt"))
+    EXPECT_FALSE(MatchSpec::parse(line).ok()) << line;
+  for (const std::string& line : lines_of("xfail-should-pass.txt"))
+    EXPECT_TRUE(MatchSpec::parse(line).ok()) << line;
 }
 
 }  // namespace

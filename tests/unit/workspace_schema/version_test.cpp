@@ -1,4 +1,5 @@
-// Versions: order, prefixes, and what is none. With the public list of parsed versions, where it is.
+// Versions: order, prefixes, and what is none. With the public list of parsed versions, where it
+// is.
 #include "workspace_schema/version.hpp"
 
 #include <gtest/gtest.h>
@@ -17,13 +18,42 @@ Version version(std::string_view text) {
 }
 
 TEST(Version, IsOrderedAsCondaOrders) {
-  // Groups of equal versions, each group newer than the one before (CEP 33, with openssl's and PEP 440's forms).
-  const std::vector<std::vector<std::string>> groups{
-      {"0.4", "0.4.0"}, {"0.4.1.rc"}, {"0.4.1"}, {"0.5*"}, {"0.5a1"}, {"0.5b3"}, {"0.5C1"}, {"0.5"}, {"0.9.6"},
-      {"0.960923"}, {"1.0"}, {"1.0.1dev"}, {"1.0.1_"}, {"1.0.1a"}, {"1.0.1"}, {"1.0.1post.a"}, {"1.0.1post.z"},
-      {"1.0.1post"}, {"1.0.2"}, {"1.1dev1"}, {"1.1_"}, {"1.1a1"}, {"1.1.0dev1", "1.1.dev1"}, {"1.1.a1"},
-      {"1.1.0rc1", "1.1.rc1"}, {"1.1", "1.1.0"}, {"1.1.0post1", "1.1.post1"}, {"1.1post1"}, {"1.10000000000000000000"},
-      {"1.10000000000000000001"}, {"1996.07.12"}, {"1!0.4.1"}, {"1!3.1.1.6"}, {"2!0.4.1"}};
+  // Groups of equal versions, each group newer than the one before (CEP 33, with openssl's and PEP
+  // 440's forms).
+  const std::vector<std::vector<std::string>> groups{{"0.4", "0.4.0"},
+                                                     {"0.4.1.rc"},
+                                                     {"0.4.1"},
+                                                     {"0.5*"},
+                                                     {"0.5a1"},
+                                                     {"0.5b3"},
+                                                     {"0.5C1"},
+                                                     {"0.5"},
+                                                     {"0.9.6"},
+                                                     {"0.960923"},
+                                                     {"1.0"},
+                                                     {"1.0.1dev"},
+                                                     {"1.0.1_"},
+                                                     {"1.0.1a"},
+                                                     {"1.0.1"},
+                                                     {"1.0.1post.a"},
+                                                     {"1.0.1post.z"},
+                                                     {"1.0.1post"},
+                                                     {"1.0.2"},
+                                                     {"1.1dev1"},
+                                                     {"1.1_"},
+                                                     {"1.1a1"},
+                                                     {"1.1.0dev1", "1.1.dev1"},
+                                                     {"1.1.a1"},
+                                                     {"1.1.0rc1", "1.1.rc1"},
+                                                     {"1.1", "1.1.0"},
+                                                     {"1.1.0post1", "1.1.post1"},
+                                                     {"1.1post1"},
+                                                     {"1.10000000000000000000"},
+                                                     {"1.10000000000000000001"},
+                                                     {"1996.07.12"},
+                                                     {"1!0.4.1"},
+                                                     {"1!3.1.1.6"},
+                                                     {"2!0.4.1"}};
   for (std::size_t i = 0; i < groups.size(); ++i) {
     for (const std::string& a : groups[i]) {
       for (const std::string& b : groups[i]) EXPECT_EQ(version(a), version(b)) << a << " " << b;
@@ -51,7 +81,8 @@ TEST(Version, BeginsWithAPrefix) {
 }
 
 TEST(Version, RefusesWhatIsNone) {
-  for (const char* text : {"", " ", "1..2", ".1", "1.", "a!1", "1!2!3", "1+2+3", "+1", "1 2", "1-2_3", "1.2~3", "5.\xC3\xA4", "1.2+"}) {
+  for (const char* text : {"", " ", "1..2", ".1", "1.", "a!1", "1!2!3", "1+2+3", "+1", "1 2",
+                           "1-2_3", "1.2~3", "5.\xC3\xA4", "1.2+"}) {
     const auto parsed = Version::parse(text);
     ASSERT_FALSE(parsed.ok()) << text;
     EXPECT_EQ(parsed.errors().front().code, "R2W0304");
@@ -71,7 +102,8 @@ std::string as_json(std::string text) {
   for (char& c : text) {
     if (c == '\'') c = '"';
   }
-  for (std::size_t at = text.find(",inf"); at != std::string::npos; at = text.find(",inf", at)) text.replace(at, 4, ",1e999");
+  for (std::size_t at = text.find(",inf"); at != std::string::npos; at = text.find(",inf", at))
+    text.replace(at, 4, ",1e999");
   return text;
 }
 
@@ -82,7 +114,9 @@ TEST(Version, PublicListParsesToTheSameForm) {
   std::size_t count = 0;
   for (std::string line; std::getline(stream, line); ++count) {
     const std::size_t equals = line.find('=');
-    EXPECT_EQ(version_json(version(line.substr(0, equals)).segments()), as_json(line.substr(equals + 1))) << line;
+    EXPECT_EQ(version_json(version(line.substr(0, equals)).segments()),
+              as_json(line.substr(equals + 1)))
+        << line;
   }
   EXPECT_GT(count, 10'000U);
 }

@@ -1,4 +1,5 @@
-// The writer: same input, same bytes; what it writes is what the readers read; bad input is refused.
+// The writer: same input, same bytes; what it writes is what the readers read; bad input is
+// refused.
 #include "bundler/archive/conda_writer.hpp"
 
 #include <gtest/gtest.h>
@@ -43,7 +44,8 @@ TEST(CondaWriter, SameFilesGiveTheSameBytes) {
   const testing::TemporaryTree two;
   fill(one);
   fill(two);
-  fs::last_write_time(two / "p/bin/tool", fs::file_time_type::min() + std::chrono::hours(24 * 365 * 60));
+  fs::last_write_time(two / "p/bin/tool",
+                      fs::file_time_type::min() + std::chrono::hours(24 * 365 * 60));
   const auto first = write_conda(package(), one / "p");
   const auto second = write_conda(package(), two / "p");
   ASSERT_TRUE(first.ok() && second.ok());
@@ -58,25 +60,30 @@ TEST(CondaWriter, RoundTrip) {
   const fs::path archive = tree.write("demo-1.0-h_0.conda", *bytes);
   fs::create_directories(tree / "out");
   const auto unpacked = unpack_package(archive, tree / "out", "demo", {});
-  ASSERT_TRUE(unpacked.ok()) << unpacked.errors().front().message << unpacked.errors().front().why.front();
+  ASSERT_TRUE(unpacked.ok()) << unpacked.errors().front().message
+                             << unpacked.errors().front().why.front();
   EXPECT_EQ(tree.read("out/share/text.cmake"), "set(X /build/prefix/lib)");
-  EXPECT_EQ(tree.read("out/share/" + std::string(150, 'n') + "/\xC3\xBC.txt"), "long and not ASCII");
+  EXPECT_EQ(tree.read("out/share/" + std::string(150, 'n') + "/\xC3\xBC.txt"),
+            "long and not ASCII");
   EXPECT_TRUE(fs::is_directory(tree / "out/share/empty"));
   EXPECT_EQ(fs::read_symlink(tree / "out/share/link"), "../bin/tool");
-  EXPECT_NE(fs::status(tree / "out/bin/tool").permissions() & fs::perms::owner_exec, fs::perms::none);
+  EXPECT_NE(fs::status(tree / "out/bin/tool").permissions() & fs::perms::owner_exec,
+            fs::perms::none);
   EXPECT_TRUE(list_package(archive)->faults.empty());
 
   const auto index = read_index_json(archive, "demo");
   ASSERT_TRUE(index.ok());
-  EXPECT_EQ(*index,
-            R"({"arch":null,"build":"h_0","build_number":0,"constrains":[],"depends":["a","b >=1"],"license":"MIT",)"
-            R"("name":"demo","noarch":"generic","platform":null,"subdir":"noarch","version":"1.0"})"
-            "\n");
+  EXPECT_EQ(
+      *index,
+      R"({"arch":null,"build":"h_0","build_number":0,"constrains":[],"depends":["a","b >=1"],"license":"MIT",)"
+      R"("name":"demo","noarch":"generic","platform":null,"subdir":"noarch","version":"1.0"})"
+      "\n");
   const auto paths = parse_json(tree.read("out/info/paths.json"), "paths.json", "R2W0221");
   ASSERT_TRUE(paths.ok());
   std::string found;
   for (const JsonValue& item : paths->find("paths")->items()) {
-    if (!item.text_of("prefix_placeholder").empty()) found += item.text_of("_path") + item.text_of("file_mode");
+    if (!item.text_of("prefix_placeholder").empty())
+      found += item.text_of("_path") + item.text_of("file_mode");
   }
   EXPECT_EQ(found, "share/text.cmaketext");
 }
@@ -113,7 +120,9 @@ TEST(CondaWriter, RefusesWhatCannotBePacked) {
   EXPECT_EQ(refusal(package(), tree / "p"), "R2W0206");
 }
 
-TEST(ZipWriter, Crc32) { EXPECT_EQ(crc32("123456789"), 0xCBF43926U); }
+TEST(ZipWriter, Crc32) {
+  EXPECT_EQ(crc32("123456789"), 0xCBF43926U);
+}
 
 }  // namespace
 }  // namespace ros2wasm

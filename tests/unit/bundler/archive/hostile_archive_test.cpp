@@ -1,4 +1,5 @@
-// Archives that no honest tool makes: each is refused with its code, and nothing is written outside.
+// Archives that no honest tool makes: each is refused with its code, and nothing is written
+// outside.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -22,7 +23,8 @@ namespace fs = std::filesystem;
 /// Members exactly as given, whatever they are.
 class RawTar {
  public:
-  RawTar& add(const std::string& name, char type, const std::string& body = {}, const std::string& target = {}) {
+  RawTar& add(const std::string& name, char type, const std::string& body = {},
+              const std::string& target = {}) {
     std::array<char, 512> head{};
     std::memcpy(head.data(), name.data(), std::min<std::size_t>(name.size(), 100));
     std::memcpy(head.data() + 100, "0000644", 7);
@@ -34,8 +36,9 @@ class RawTar {
     head[156] = type;
     std::memcpy(head.data() + 157, target.data(), std::min<std::size_t>(target.size(), 100));
     std::memcpy(head.data() + 257, "ustar\00000", 8);
-    const unsigned sum = std::accumulate(head.begin(), head.end(), 0U,
-                                         [](unsigned total, char c) { return total + static_cast<unsigned char>(c); });
+    const unsigned sum = std::accumulate(head.begin(), head.end(), 0U, [](unsigned total, char c) {
+      return total + static_cast<unsigned char>(c);
+    });
     std::snprintf(head.data() + 148, 8, "%06o", sum);
     bytes_.append(head.data(), head.size()).append(body);
     bytes_.append((512 - bytes_.size() % 512) % 512, '\0');
@@ -51,8 +54,9 @@ class RawTar {
 std::string paths_json(const std::vector<std::pair<std::string, std::string>>& files) {
   std::string text;
   for (const auto& [path, body] : files) {
-    text += (text.empty() ? "" : ",") + std::string("{\"_path\":\"") + path + "\",\"path_type\":\"hardlink\",\"sha256\":\"" +
-            sha256_hex(body) + "\",\"size_in_bytes\":" + std::to_string(body.size()) + "}";
+    text += (text.empty() ? "" : ",") + std::string("{\"_path\":\"") + path +
+            "\",\"path_type\":\"hardlink\",\"sha256\":\"" + sha256_hex(body) +
+            "\",\"size_in_bytes\":" + std::to_string(body.size()) + "}";
   }
   return "{\"paths\":[" + text + "],\"paths_version\":1}";
 }
@@ -64,12 +68,17 @@ std::string conda(const RawTar& files, const RawTar& info) {
   return zip.finish();
 }
 
-RawTar good_info() { return RawTar().file("info/index.json", "{}").file("info/paths.json", paths_json({{"a", "body"}})); }
+RawTar good_info() {
+  return RawTar()
+      .file("info/index.json", "{}")
+      .file("info/paths.json", paths_json({{"a", "body"}}));
+}
 
 class HostileArchive : public ::testing::Test {
  protected:
   /// The code with which the archive is refused, or "unpacked".
-  std::string code(const std::string& bytes, const ExtractLimits& limits = {}, const std::string& name = "x-1-0.conda") {
+  std::string code(const std::string& bytes, const ExtractLimits& limits = {},
+                   const std::string& name = "x-1-0.conda") {
     const fs::path archive = tree_.write(name, bytes);
     fs::remove_all(tree_ / "deep");
     fs::create_directories(tree_ / "deep/down/out");
@@ -87,7 +96,9 @@ class HostileArchive : public ::testing::Test {
   std::vector<std::string> why_;
 };
 
-TEST_F(HostileArchive, AGoodOneIsUnpacked) { EXPECT_EQ(code(RawTar().file("a", "body")), "unpacked"); }
+TEST_F(HostileArchive, AGoodOneIsUnpacked) {
+  EXPECT_EQ(code(RawTar().file("a", "body")), "unpacked");
+}
 
 TEST_F(HostileArchive, NamesThatLeadOutside) {
   for (const char* name : {"../a", "b/../../a", "/ros2wasm-escaped", "..", "a/..", "x\ny"}) {
@@ -96,7 +107,8 @@ TEST_F(HostileArchive, NamesThatLeadOutside) {
 }
 
 TEST_F(HostileArchive, DevicesAndPipes) {
-  for (const char type : {'3', '4', '6'}) EXPECT_EQ(code(RawTar().file("a", "body").add("d", type)), "R2W0222") << type;
+  for (const char type : {'3', '4', '6'})
+    EXPECT_EQ(code(RawTar().file("a", "body").add("d", type)), "R2W0222") << type;
 }
 
 TEST_F(HostileArchive, LinksThatLeadOutside) {
@@ -120,7 +132,8 @@ TEST_F(HostileArchive, LinksWithoutATargetAreRestoredByTheirHash) {
 
 TEST_F(HostileArchive, NothingIsWrittenThroughALink) {
   EXPECT_EQ(code(RawTar().file("a", "body").add("d", '2', {}, "e").file("d/x", "evil")), "R2W0224");
-  EXPECT_EQ(code(RawTar().file("a", "body").add("d", '2', {}, "e").add("d/l", '2', {}, "f")), "R2W0224");
+  EXPECT_EQ(code(RawTar().file("a", "body").add("d", '2', {}, "e").add("d/l", '2', {}, "f")),
+            "R2W0224");
 }
 
 TEST_F(HostileArchive, TwoMembersWithOneName) {
@@ -139,7 +152,8 @@ TEST_F(HostileArchive, TwoMembersWithOneName) {
 
 TEST_F(HostileArchive, Bombs) {
   const std::string zeros(4U << 20U, '\0');
-  const std::string bomb = conda(RawTar().file("a", zeros), RawTar().file("info/paths.json", paths_json({{"a", zeros}})));
+  const std::string bomb = conda(RawTar().file("a", zeros),
+                                 RawTar().file("info/paths.json", paths_json({{"a", zeros}})));
   EXPECT_EQ(code(bomb), "unpacked");
   EXPECT_EQ(code(bomb, {.total_bytes = 1U << 20U}), "R2W0225");
   EXPECT_EQ(code(bomb, {.ratio = 10, .ratio_from_bytes = 1U << 20U}), "R2W0225");
@@ -163,10 +177,13 @@ TEST_F(HostileArchive, DamagedOnes) {
   EXPECT_EQ(code(""), "R2W0221");
   EXPECT_EQ(code("not a zip"), "R2W0221");
   EXPECT_EQ(code(good.substr(0, good.size() / 2)), "R2W0221");
-  EXPECT_EQ(code(conda(RawTar().file("a", "body"), RawTar().file("info/index.json", "{}"))), "R2W0221");
-  EXPECT_EQ(code(conda(RawTar().file("a", "body"), RawTar().file("info/paths.json", "{}"))), "R2W0221");
+  EXPECT_EQ(code(conda(RawTar().file("a", "body"), RawTar().file("info/index.json", "{}"))),
+            "R2W0221");
+  EXPECT_EQ(code(conda(RawTar().file("a", "body"), RawTar().file("info/paths.json", "{}"))),
+            "R2W0221");
   EXPECT_EQ(code(conda(RawTar().file("a", "body"),
-                       RawTar().file("info/paths.json", R"({"paths":[{"_path":"../x","path_type":"hardlink"}]})"))),
+                       RawTar().file("info/paths.json",
+                                     R"({"paths":[{"_path":"../x","path_type":"hardlink"}]})"))),
             "R2W0221");
   std::string flipped = good;
   for (std::size_t at = 40; at < good.size(); at += 7) {  // any one byte
@@ -190,21 +207,24 @@ TEST_F(HostileArchive, PublicArchiveWithTwoEmptyFilesIsRefusedNamingBoth) {
 }
 
 TEST_F(HostileArchive, PublicArchivesAreUnpacked) {
-  for (const char* name : {"linux-64/zlib-1.2.11-h7b6447c_3.conda", "win-64/zlib-1.2.11-h62dcd97_3.conda",
-                           "win-64/zlib-1.2.11-h62dcd97_3.tar.bz2", "osx-64/zlib-1.2.11-h1de35cc_3.conda"}) {
+  for (const char* name :
+       {"linux-64/zlib-1.2.11-h7b6447c_3.conda", "win-64/zlib-1.2.11-h62dcd97_3.conda",
+        "win-64/zlib-1.2.11-h62dcd97_3.tar.bz2", "osx-64/zlib-1.2.11-h1de35cc_3.conda"}) {
     const auto archive = testing::conda_data(std::string("mini_channel/") + name);
     if (!archive) return;
     fs::remove_all(tree_ / "out");
     fs::create_directories(tree_ / "out");
     const auto unpacked = unpack_package(*archive, tree_ / "out", "zlib", {});
-    EXPECT_TRUE(unpacked.ok()) << name << ": " << (unpacked.ok() ? "" : unpacked.errors().front().why.front());
+    EXPECT_TRUE(unpacked.ok()) << name << ": "
+                               << (unpacked.ok() ? "" : unpacked.errors().front().why.front());
   }
 }
 
 TEST(LinkRules, Names) {
   EXPECT_EQ(safe_member_path("./a//b/"), "a/b");
   EXPECT_EQ(safe_member_path("a/./b"), "a/b");
-  for (const char* bad : {"", ".", "/a", "../a", "a/../b", "a\tb"}) EXPECT_EQ(safe_member_path(bad), std::nullopt) << bad;
+  for (const char* bad : {"", ".", "/a", "../a", "a/../b", "a\tb"})
+    EXPECT_EQ(safe_member_path(bad), std::nullopt) << bad;
   EXPECT_TRUE(link_stays_inside("a/b/l", "../../x"));
   EXPECT_FALSE(link_stays_inside("a/b/l", "../../../x"));
   EXPECT_TRUE(link_stays_inside("l", "x/y"));

@@ -11,7 +11,8 @@ namespace ros2wasm {
 namespace {
 
 RepoIndex parsed(const std::string& packages, const std::string& rest = {}) {
-  auto index = parse_repodata("{\"packages.conda\":{" + packages + "}" + rest + "}", "chan", "noarch");
+  auto index =
+      parse_repodata("{\"packages.conda\":{" + packages + "}" + rest + "}", "chan", "noarch");
   EXPECT_TRUE(index.ok());
   return index.ok() ? std::move(*index) : RepoIndex{};
 }
@@ -51,14 +52,16 @@ TEST(Repodata, BadRecordsAreLeftOutWithAReason) {
   ASSERT_EQ(index.records.size(), 1U);
   EXPECT_EQ(index.records[0].name, "a");
   EXPECT_EQ(index.left_out.size(), 11U);
-  for (const LeftOutRecord& record : index.left_out) EXPECT_FALSE(record.reason.empty()) << record.file_name;
+  for (const LeftOutRecord& record : index.left_out)
+    EXPECT_FALSE(record.reason.empty()) << record.file_name;
 }
 
 TEST(Repodata, CondaIsPreferredAndRemovedIsLeftOut) {
   const std::string record = R"({"name":"a","version":"1","build":"0"})";
-  const RepoIndex index = parsed("\"a-1-0.conda\":" + record + ",\"a-1-1.conda\":" + record,
-                                 ",\"packages\":{\"a-1-0.tar.bz2\":" + record + ",\"a-1-2.tar.bz2\":" + record +
-                                     "},\"removed\":[\"a-1-1.conda\"]");
+  const RepoIndex index =
+      parsed("\"a-1-0.conda\":" + record + ",\"a-1-1.conda\":" + record,
+             ",\"packages\":{\"a-1-0.tar.bz2\":" + record + ",\"a-1-2.tar.bz2\":" + record +
+                 "},\"removed\":[\"a-1-1.conda\"]");
   ASSERT_EQ(index.records.size(), 2U);
   EXPECT_EQ(index.records[0].file_name, "a-1-0.conda");
   EXPECT_EQ(index.records[1].file_name, "a-1-2.tar.bz2");
@@ -66,8 +69,10 @@ TEST(Repodata, CondaIsPreferredAndRemovedIsLeftOut) {
 
 TEST(Repodata, BaseUrl) {
   const std::string packages = R"("a-1-0.conda":{"name":"a","version":"1","build":"0"})";
-  EXPECT_EQ(parsed(packages, R"(,"info":{"base_url":"https://other/x/"})").records[0].url, "https://other/x/a-1-0.conda");
-  EXPECT_EQ(parsed(packages, R"(,"info":{"base_url":"../y"})").records[0].url, "chan/noarch/../y/a-1-0.conda");
+  EXPECT_EQ(parsed(packages, R"(,"info":{"base_url":"https://other/x/"})").records[0].url,
+            "https://other/x/a-1-0.conda");
+  EXPECT_EQ(parsed(packages, R"(,"info":{"base_url":"../y"})").records[0].url,
+            "chan/noarch/../y/a-1-0.conda");
 }
 
 TEST(Repodata, DamagedTextsAreErrorsAndEmptyOnesAreEmpty) {
@@ -81,21 +86,25 @@ TEST(Repodata, DamagedTextsAreErrorsAndEmptyOnesAreEmpty) {
   EXPECT_FALSE(parse_repodata(std::string(100'000, '['), "chan", "noarch").ok());
 }
 
-constexpr const char* kOne = R"({"packages.conda":{"a-1-0.conda":{"name":"a","version":"1","build":"0"}}})";
+constexpr const char* kOne =
+    R"({"packages.conda":{"a-1-0.conda":{"name":"a","version":"1","build":"0"}}})";
 
 std::string load_code(const std::string& channel, const ChannelRoots& roots) {
   const std::vector<ChannelSource> sources{{.name = channel, .span = {}}};
   const auto index = load_channels(sources, roots);
   if (!index) return index.errors().front().code;
-  return std::to_string(index->records.size()) + " " + (index->records.empty() ? "" : index->records[0].url);
+  return std::to_string(index->records.size()) + " " +
+         (index->records.empty() ? "" : index->records[0].url);
 }
 
 TEST(LoadChannels, FoldersFileAddressesAndTheEmbeddedOne) {
   const testing::TemporaryTree tree;
   tree.write("my chan/noarch/repodata.json", kOne);
-  const ChannelRoots roots{.working_directory = tree.root(), .embedded = tree / "my chan", .cache = tree / "cache"};
+  const ChannelRoots roots{
+      .working_directory = tree.root(), .embedded = tree / "my chan", .cache = tree / "cache"};
   EXPECT_EQ(load_code("./my chan/", roots), "1 ./my chan/noarch/a-1-0.conda");
-  EXPECT_EQ(load_code((tree / "my chan").string(), roots), "1 " + (tree / "my chan").string() + "/noarch/a-1-0.conda");
+  EXPECT_EQ(load_code((tree / "my chan").string(), roots),
+            "1 " + (tree / "my chan").string() + "/noarch/a-1-0.conda");
   EXPECT_EQ(load_code("file://" + tree.root().string() + "/my%20chan", roots),
             "1 file://" + tree.root().string() + "/my%20chan/noarch/a-1-0.conda");
   EXPECT_EQ(load_code("embedded", roots), "1 embedded:/noarch/a-1-0.conda");
@@ -107,7 +116,8 @@ TEST(LoadChannels, TheCompressedIndexWinsAndDamageIsSaid) {
   const testing::TemporaryTree tree;
   tree.write("c/noarch/repodata.json", "{}");
   tree.write("c/noarch/repodata.json.zst", zstd_compressed(kOne, 3));
-  const ChannelRoots roots{.working_directory = tree.root(), .embedded = {}, .cache = tree / "cache"};
+  const ChannelRoots roots{
+      .working_directory = tree.root(), .embedded = {}, .cache = tree / "cache"};
   EXPECT_EQ(load_code("c", roots), "1 c/noarch/a-1-0.conda");
   tree.write("c/noarch/repodata.json.zst", zstd_compressed(kOne, 3).substr(0, 20));
   EXPECT_EQ(load_code("c", roots), "R2W0202");
@@ -117,8 +127,10 @@ TEST(LoadChannels, TheCompressedIndexWinsAndDamageIsSaid) {
 
 TEST(LoadChannels, AllMissingChannelsAtOnce) {
   const testing::TemporaryTree tree;
-  const ChannelRoots roots{.working_directory = tree.root(), .embedded = {}, .cache = tree / "cache"};
-  const std::vector<ChannelSource> sources{{.name = "one", .span = {}}, {.name = "two", .span = {}}};
+  const ChannelRoots roots{
+      .working_directory = tree.root(), .embedded = {}, .cache = tree / "cache"};
+  const std::vector<ChannelSource> sources{{.name = "one", .span = {}},
+                                           {.name = "two", .span = {}}};
   const auto index = load_channels(sources, roots);
   ASSERT_FALSE(index.ok());
   EXPECT_EQ(index.errors().size(), 2U);

@@ -35,7 +35,9 @@ TEST(ChannelWriter, TheOrderOfAddingDoesNotMatter) {
   one.write_index();
   two.write_index();
   for (const char* name : {"noarch/repodata.json", "noarch/repodata.json.zst"}) {
-    EXPECT_EQ(one.tree().read(std::string("channel/") + name), two.tree().read(std::string("channel/") + name)) << name;
+    EXPECT_EQ(one.tree().read(std::string("channel/") + name),
+              two.tree().read(std::string("channel/") + name))
+        << name;
   }
 }
 
@@ -83,12 +85,14 @@ TEST(ChannelWriter, PublicArchivesAreIndexedAsTheirOwnIndexSays) {
   const auto ours = parse_repodata(tree.read("c/win-64/repodata.json"), "c", "win-64");
   const auto file = testing::conda_data("mini_channel/win-64/repodata.json");
   std::ifstream stream(*file, std::ios::binary);
-  const auto theirs = parse_repodata(std::string(std::istreambuf_iterator<char>(stream), {}), "c", "win-64");
+  const auto theirs =
+      parse_repodata(std::string(std::istreambuf_iterator<char>(stream), {}), "c", "win-64");
   ASSERT_TRUE(ours.ok() && theirs.ok());
   ASSERT_FALSE(ours->records.empty());
   for (const PackageRecord& record : ours->records) {
-    const auto twin = std::find_if(theirs->records.begin(), theirs->records.end(),
-                                   [&](const PackageRecord& other) { return other.file_name == record.file_name; });
+    const auto twin = std::find_if(
+        theirs->records.begin(), theirs->records.end(),
+        [&](const PackageRecord& other) { return other.file_name == record.file_name; });
     ASSERT_NE(twin, theirs->records.end()) << record.file_name;
     EXPECT_EQ(record.sha256, twin->sha256);
     EXPECT_EQ(record.md5, twin->md5);

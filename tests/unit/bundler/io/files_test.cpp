@@ -51,7 +51,8 @@ TEST(Files, TreesAreListedInOrder) {
   const auto entries = list_tree(tree.root());
   ASSERT_TRUE(entries.ok());
   std::string text;
-  for (const TreeEntry& entry : *entries) text += entry.path + " " + std::to_string(entry.size) + entry.link_target + "\n";
+  for (const TreeEntry& entry : *entries)
+    text += entry.path + " " + std::to_string(entry.size) + entry.link_target + "\n";
   EXPECT_EQ(text, "a 2\nb/link 0../a\nb/x 1\nempty/inside 0\n");
 }
 

@@ -10,7 +10,8 @@ namespace {
 using testing::made_record;
 using testing::request_for;
 
-std::vector<std::string> faults(const std::vector<std::string>& specs, const std::vector<PackageRecord>& packages) {
+std::vector<std::string> faults(const std::vector<std::string>& specs,
+                                const std::vector<PackageRecord>& packages) {
   std::vector<std::string> messages;
   for (const Diagnostic& fault : check_solution(request_for(specs).specs, packages)) {
     EXPECT_EQ(fault.code, "R2W0311");
@@ -25,15 +26,21 @@ TEST(CheckSolution, EveryEdgeCounts) {
   PackageRecord a = made_record("a", "1", {"b >=1", "__unix"});
   a.constrains = {"c <2", "absent 1"};
   EXPECT_EQ(faults({"a"}, {a, made_record("b", "1")}), Lines{});
-  EXPECT_EQ(faults({"a 2"}, {a, made_record("b", "1")}), Lines{"the workspace asks for `a 2`, but a 1 h_0 is there"});
-  EXPECT_EQ(faults({"a"}, {a, made_record("b", "0.9")}), Lines{"a 1 needs `b >=1`, but b 0.9 h_0 is there"});
+  EXPECT_EQ(faults({"a 2"}, {a, made_record("b", "1")}),
+            Lines{"the workspace asks for `a 2`, but a 1 h_0 is there"});
+  EXPECT_EQ(faults({"a"}, {a, made_record("b", "0.9")}),
+            Lines{"a 1 needs `b >=1`, but b 0.9 h_0 is there"});
   EXPECT_EQ(faults({"a"}, {a}), Lines{"a 1 needs `b >=1`, but nothing like it is there"});
-  EXPECT_EQ(faults({"a"}, {a, made_record("b", "1"), made_record("c", "2")}), Lines{"a 1 allows only `c <2`, but c 2 h_0 is there"});
-  EXPECT_EQ(faults({}, {made_record("b", "1"), made_record("b", "2")}), Lines{"`b` is there twice"});
+  EXPECT_EQ(faults({"a"}, {a, made_record("b", "1"), made_record("c", "2")}),
+            Lines{"a 1 allows only `c <2`, but c 2 h_0 is there"});
+  EXPECT_EQ(faults({}, {made_record("b", "1"), made_record("b", "2")}),
+            Lines{"`b` is there twice"});
 }
 
 TEST(CheckSolution, EverySolutionIsOne) {
-  const RepoIndex index = testing::index_of({made_record("a", "1", {"b", "c >=1"}), made_record("b", "1", {"c <3"}), made_record("c", "2"), made_record("c", "3")});
+  const RepoIndex index =
+      testing::index_of({made_record("a", "1", {"b", "c >=1"}), made_record("b", "1", {"c <3"}),
+                         made_record("c", "2"), made_record("c", "3")});
   const auto resolution = solve(request_for({"a"}), index);
   ASSERT_TRUE(resolution.ok());
   EXPECT_TRUE(check_solution(request_for({"a"}).specs, resolution->packages).empty());

@@ -1,5 +1,5 @@
-// The resolver against brute force: on small random universes it finds a solution exactly when there is one, and what it
-// finds is one.
+// The resolver against brute force: on small random universes it finds a solution exactly when
+// there is one, and what it finds is one.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -52,8 +52,8 @@ class Universes {
 };
 
 /// Tries every choice of at most one record per name.
-bool has_solution(const ResolveRequest& request, const std::vector<PackageRecord>& records, std::size_t from,
-                  std::vector<PackageRecord>& chosen) {
+bool has_solution(const ResolveRequest& request, const std::vector<PackageRecord>& records,
+                  std::size_t from, std::vector<PackageRecord>& chosen) {
   if (check_solution(request.specs, chosen).empty()) return true;
   for (std::size_t i = from; i < records.size(); ++i) {
     if (!chosen.empty() && chosen.back().name == records[i].name) continue;

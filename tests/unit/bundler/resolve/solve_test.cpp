@@ -17,25 +17,30 @@ using testing::made_record;
 using testing::request_for;
 
 TEST(Solve, NewestVersionThenHighestBuild) {
-  EXPECT_EQ(answer({"a"}, {made_record("a", "1.9"), made_record("a", "1.10"), made_record("a", "1.10", {}, 2), made_record("a", "1.10", {}, 1)}),
+  EXPECT_EQ(answer({"a"}, {made_record("a", "1.9"), made_record("a", "1.10"),
+                           made_record("a", "1.10", {}, 2), made_record("a", "1.10", {}, 1)}),
             "a 1.10 h_2");
   EXPECT_EQ(answer({"a <1.10"}, {made_record("a", "1.9"), made_record("a", "1.10")}), "a 1.9");
   EXPECT_EQ(answer({"a"}, {made_record("a", "2.0rc1"), made_record("a", "1.0")}), "a 2.0rc1");
 }
 
 TEST(Solve, OnlyWhatIsNeededInInstallOrder) {
-  EXPECT_EQ(answer({"z", "m"}, {made_record("z", "1", {"b", "y"}), made_record("b", "1", {"y"}), made_record("y", "1"), made_record("m", "1"),
-                                made_record("unused", "1")}),
+  EXPECT_EQ(answer({"z", "m"},
+                   {made_record("z", "1", {"b", "y"}), made_record("b", "1", {"y"}),
+                    made_record("y", "1"), made_record("m", "1"), made_record("unused", "1")}),
             "y 1, b 1, m 1, z 1");
-  EXPECT_EQ(answer({"a"}, {made_record("a", "1", {"b"}), made_record("b", "1", {"a"})}), "b 1, a 1");  // a cycle
+  EXPECT_EQ(answer({"a"}, {made_record("a", "1", {"b"}), made_record("b", "1", {"a"})}),
+            "b 1, a 1");  // a cycle
 }
 
 TEST(Solve, GoesBackWhereTheNewestDoesNotFit) {
-  EXPECT_EQ(answer({"a", "b <2"}, {made_record("a", "2", {"b >=2"}), made_record("a", "1", {"b"}), made_record("b", "1"), made_record("b", "2")}),
+  EXPECT_EQ(answer({"a", "b <2"}, {made_record("a", "2", {"b >=2"}), made_record("a", "1", {"b"}),
+                                   made_record("b", "1"), made_record("b", "2")}),
             "b 1, a 1");
   // Deep: the only way out is three steps down.
-  EXPECT_EQ(answer({"a", "d 1"}, {made_record("a", "2", {"b 2"}), made_record("a", "1", {"b 1"}), made_record("b", "2", {"c 2"}),
-                                  made_record("b", "1", {"c"}), made_record("c", "2", {"d 2"}), made_record("c", "1", {"d"}),
+  EXPECT_EQ(answer({"a", "d 1"}, {made_record("a", "2", {"b 2"}), made_record("a", "1", {"b 1"}),
+                                  made_record("b", "2", {"c 2"}), made_record("b", "1", {"c"}),
+                                  made_record("c", "2", {"d 2"}), made_record("c", "1", {"d"}),
                                   made_record("d", "1"), made_record("d", "2")}),
             "d 1, c 1, b 1, a 1");
 }
@@ -43,7 +48,8 @@ TEST(Solve, GoesBackWhereTheNewestDoesNotFit) {
 TEST(Solve, ConstrainsHoldOnlyIfThePackageIsThere) {
   PackageRecord a = made_record("a", "1");
   a.constrains = {"b <2"};
-  const std::vector<PackageRecord> records{a, made_record("b", "1"), made_record("b", "2"), made_record("c", "1", {"b"})};
+  const std::vector<PackageRecord> records{a, made_record("b", "1"), made_record("b", "2"),
+                                           made_record("c", "1", {"b"})};
   EXPECT_EQ(answer({"a"}, records), "a 1");
   EXPECT_EQ(answer({"a", "c"}, records), "a 1, b 1, c 1");
   EXPECT_EQ(answer({"a", "b 2"}, records), "R2W0301");
@@ -84,7 +90,8 @@ TEST(Solve, ChannelPriorities) {
 }
 
 TEST(Solve, LockedPackagesAreKeptWhileTheyFit) {
-  const RepoIndex index = index_of({made_record("a", "1"), made_record("a", "2"), made_record("b", "1"), made_record("b", "2")});
+  const RepoIndex index = index_of(
+      {made_record("a", "1"), made_record("a", "2"), made_record("b", "1"), made_record("b", "2")});
   ResolveRequest request = request_for({"a", "b"});
   request.locked = {made_record("a", "1")};
   EXPECT_EQ(answer(request, index), "a 1, b 2");
@@ -93,7 +100,8 @@ TEST(Solve, LockedPackagesAreKeptWhileTheyFit) {
 }
 
 TEST(Solve, PatternsForNames) {
-  EXPECT_EQ(answer({"ros-*-b 1"}, {made_record("ros-x-b", "1"), made_record("other", "1")}), "ros-x-b 1");
+  EXPECT_EQ(answer({"ros-*-b 1"}, {made_record("ros-x-b", "1"), made_record("other", "1")}),
+            "ros-x-b 1");
 }
 
 TEST(Solve, TheOrderOfRecordsAndSpecsDoesNotMatter) {
@@ -101,10 +109,13 @@ TEST(Solve, TheOrderOfRecordsAndSpecsDoesNotMatter) {
   for (int i = 0; i < 12; ++i) {
     for (int version = 1; version <= 4; ++version) {
       std::vector<std::string> depends;
-      if (i > 0) depends.push_back("p" + std::to_string(i - 1) + " >=" + std::to_string(version - 1));
-      if (i > 3) depends.push_back("p" + std::to_string(i - 3) + " <" + std::to_string(version + 2));
+      if (i > 0)
+        depends.push_back("p" + std::to_string(i - 1) + " >=" + std::to_string(version - 1));
+      if (i > 3)
+        depends.push_back("p" + std::to_string(i - 3) + " <" + std::to_string(version + 2));
       for (std::uint64_t build = 0; build < 2; ++build) {
-        PackageRecord record = made_record("p" + std::to_string(i), std::to_string(version), depends, build);
+        PackageRecord record =
+            made_record("p" + std::to_string(i), std::to_string(version), depends, build);
         record.build = "x" + record.build;
         record.build_number = 0;  // only the file name tells them apart
         record.file_name = record.name + "-" + record.version + "-" + record.build + ".conda";
@@ -139,12 +150,14 @@ std::string joined(const std::vector<std::string>& lines) {
 }
 
 TEST(SolveErrors, ConflictIsExplainedAsATree) {
-  const RepoIndex index = index_of({made_record("nav", "1.0", {"core >=2", "maps"}), made_record("nav", "0.9", {"core >=2"}),
-                                    made_record("maps", "1"), made_record("arm", "3.0", {"core <2"}), made_record("core", "1.0"),
-                                    made_record("core", "2.0")});
+  const RepoIndex index = index_of(
+      {made_record("nav", "1.0", {"core >=2", "maps"}), made_record("nav", "0.9", {"core >=2"}),
+       made_record("maps", "1"), made_record("arm", "3.0", {"core <2"}), made_record("core", "1.0"),
+       made_record("core", "2.0")});
   ResolveRequest request = request_for({"nav", "arm"});
   request.specs[0].origin = "package.xml of demo";
-  request.specs[1].span = SourceSpan{.file = "workspace.yaml", .line = 4, .column = 5, .length = 3, .line_text = {}};
+  request.specs[1].span =
+      SourceSpan{.file = "workspace.yaml", .line = 4, .column = 5, .length = 3, .line_text = {}};
   const Diagnostic error = error_of(request, index);
   EXPECT_EQ(error.code, "R2W0301");
   EXPECT_EQ(joined(error.why), R"(`nav` is asked for by package.xml of demo
@@ -159,7 +172,9 @@ TEST(SolveErrors, ConflictIsExplainedAsATree) {
 }
 
 TEST(SolveErrors, WhatIsThereInstead) {
-  const Diagnostic error = error_of(request_for({"a"}), index_of({made_record("a", "1", {"b >=3"}), made_record("b", "1"), made_record("b", "2")}));
+  const Diagnostic error = error_of(
+      request_for({"a"}),
+      index_of({made_record("a", "1", {"b >=3"}), made_record("b", "1"), made_record("b", "2")}));
   EXPECT_EQ(joined(error.why), R"(`a` is asked for
   a 1 needs `b >=3`, but there is only b 2, 1
 )");
@@ -167,14 +182,19 @@ TEST(SolveErrors, WhatIsThereInstead) {
 
 TEST(SolveErrors, AFixIsOfferedOnlyWhenItSolves) {
   const RepoIndex index = index_of({made_record("a", "1"), made_record("b", "1", {"missing"})});
-  EXPECT_EQ(error_of(request_for({"a >=2"}), index).fix, std::vector<std::string>{"write `a 1` instead of `a >=2`"});
+  EXPECT_EQ(error_of(request_for({"a >=2"}), index).fix,
+            std::vector<std::string>{"write `a 1` instead of `a >=2`"});
   EXPECT_TRUE(error_of(request_for({"b >=2"}), index).fix.empty());
 }
 
 TEST(SolveErrors, AllUnknownNamesAtOnceWithTheNearest) {
   RepoIndex index = index_of({made_record("ros-jazzy-rclcpp", "28.1.9")});
-  index.left_out.push_back({.channel = "test", .subdir = "noarch", .file_name = "broken-1-0.conda", .reason = "its version is bad"});
-  const auto resolution = solve(request_for({"ros-jazzy-rclcp", "broken", "ros-jazzy-rclcpp"}), index);
+  index.left_out.push_back({.channel = "test",
+                            .subdir = "noarch",
+                            .file_name = "broken-1-0.conda",
+                            .reason = "its version is bad"});
+  const auto resolution =
+      solve(request_for({"ros-jazzy-rclcp", "broken", "ros-jazzy-rclcpp"}), index);
   ASSERT_FALSE(resolution.ok());
   ASSERT_EQ(resolution.errors().size(), 2U);
   EXPECT_EQ(resolution.errors()[0].code, "R2W0302");
@@ -183,7 +203,8 @@ TEST(SolveErrors, AllUnknownNamesAtOnceWithTheNearest) {
 }
 
 TEST(SolveErrors, AllBadSpecsAtOnce) {
-  const auto resolution = solve(request_for({"a >=", "a", "b ==="}), index_of({made_record("a", "1")}));
+  const auto resolution =
+      solve(request_for({"a >=", "a", "b ==="}), index_of({made_record("a", "1")}));
   ASSERT_FALSE(resolution.ok());
   EXPECT_EQ(resolution.errors().size(), 2U);
   EXPECT_EQ(resolution.errors()[0].code, "R2W0303");

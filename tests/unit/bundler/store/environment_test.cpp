@@ -40,12 +40,14 @@ TEST(Environment, HasAllFilesAndIsMadeOnce) {
 
 TEST(Environment, PlaceholdersBecomeThePrefix) {
   testing::SmallChannel channel;
-  channel.add("a", "1.0", {{"lib/a.cmake", "set(P /old/place/lib;/old/place)"}, {"lib/plain", "x"}}, {}, "/old/place");
+  channel.add("a", "1.0", {{"lib/a.cmake", "set(P /old/place/lib;/old/place)"}, {"lib/plain", "x"}},
+              {}, "/old/place");
   channel.write_index();
   const auto environment = make_environment(channel.store(), {channel.record("a")});
   ASSERT_TRUE(environment.ok());
   const std::string prefix = environment->prefix.string();
-  EXPECT_EQ(text_of(environment->prefix / "lib/a.cmake"), "set(P " + prefix + "/lib;" + prefix + ")");
+  EXPECT_EQ(text_of(environment->prefix / "lib/a.cmake"),
+            "set(P " + prefix + "/lib;" + prefix + ")");
   // The store keeps the bytes of the archive.
   EXPECT_TRUE(channel.store().unpacked(channel.record("a")).ok());
 }
@@ -55,7 +57,8 @@ TEST(Environment, LaterPackagesWinAndItIsReported) {
   channel.add("a", "1.0", {{"share/x", "from a"}, {"share/same", "same"}});
   channel.add("b", "1.0", {{"share/x", "from b"}, {"share/same", "same"}});
   channel.write_index();
-  const auto environment = make_environment(channel.store(), {channel.record("a"), channel.record("b")});
+  const auto environment =
+      make_environment(channel.store(), {channel.record("a"), channel.record("b")});
   ASSERT_TRUE(environment.ok());
   EXPECT_EQ(text_of(environment->prefix / "share/x"), "from b");
   ASSERT_EQ(environment->overwritten.size(), 1U);
@@ -86,7 +89,11 @@ TEST(PrefixText, BinaryKeepsItsLength) {
   ASSERT_TRUE(moved.ok());
   EXPECT_EQ(*moved, "\x7f/p/lib:/p/bin"s + std::string(20, '\0') + "\0rest\0"s);
   EXPECT_EQ(moved->size(), bytes.size());
-  EXPECT_EQ(with_prefix_in_binary(bytes, "/placeholder", "/a/longer/prefix", "file").errors().front().code, "R2W0230");
+  EXPECT_EQ(with_prefix_in_binary(bytes, "/placeholder", "/a/longer/prefix", "file")
+                .errors()
+                .front()
+                .code,
+            "R2W0230");
 }
 
 }  // namespace

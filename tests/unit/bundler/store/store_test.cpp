@@ -16,10 +16,14 @@ namespace fs = std::filesystem;
 std::size_t left_behind(const testing::SmallChannel& channel) {
   std::error_code error;
   const fs::path folder = channel.tree() / "cache/packages/unfinished";
-  return fs::exists(folder, error) ? static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), {})) : 0;
+  return fs::exists(folder, error)
+             ? static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), {}))
+             : 0;
 }
 
-std::string code_of(const Outcome<fs::path>& outcome) { return outcome.ok() ? "ok" : outcome.errors().front().code; }
+std::string code_of(const Outcome<fs::path>& outcome) {
+  return outcome.ok() ? "ok" : outcome.errors().front().code;
+}
 
 class StoreTest : public ::testing::Test {
  protected:
@@ -48,7 +52,8 @@ TEST_F(StoreTest, UnpacksOnceAndKeeps) {
 TEST_F(StoreTest, FilesAreReadOnly) {
   const auto folder = channel_.store().unpacked(record_);
   ASSERT_TRUE(folder.ok());
-  EXPECT_EQ(fs::status(*folder / "include/a.h").permissions() & fs::perms::owner_write, fs::perms::none);
+  EXPECT_EQ(fs::status(*folder / "include/a.h").permissions() & fs::perms::owner_write,
+            fs::perms::none);
 }
 
 TEST_F(StoreTest, ADamagedCopyIsMadeAgain) {

@@ -15,7 +15,8 @@
 namespace ros2wasm::testing {
 
 /// "name version" or "name version build" or "name version build_number".
-inline PackageRecord made_record(const std::string& name, const std::string& version, std::vector<std::string> depends = {},
+inline PackageRecord made_record(const std::string& name, const std::string& version,
+                                 std::vector<std::string> depends = {},
                                  std::uint64_t build_number = 0) {
   const std::string build = "h_" + std::to_string(build_number);
   const std::string file = name + "-" + version + "-" + build + ".conda";
@@ -38,7 +39,8 @@ inline RepoIndex index_of(std::vector<PackageRecord> records) {
 
 inline ResolveRequest request_for(const std::vector<std::string>& specs) {
   ResolveRequest request;
-  for (const std::string& text : specs) request.specs.push_back({.text = text, .origin = {}, .span = {}});
+  for (const std::string& text : specs)
+    request.specs.push_back({.text = text, .origin = {}, .span = {}});
   return request;
 }
 
@@ -47,7 +49,8 @@ inline std::string answer(const ResolveRequest& request, const RepoIndex& index)
   const auto resolution = solve(request, index);
   std::string text;
   if (!resolution) {
-    for (const Diagnostic& error : resolution.errors()) text += (text.empty() ? "" : ", ") + error.code;
+    for (const Diagnostic& error : resolution.errors())
+      text += (text.empty() ? "" : ", ") + error.code;
     return text;
   }
   for (const PackageRecord& record : resolution->packages) {
@@ -57,7 +60,8 @@ inline std::string answer(const ResolveRequest& request, const RepoIndex& index)
   return text;
 }
 
-inline std::string answer(const std::vector<std::string>& specs, const std::vector<PackageRecord>& records) {
+inline std::string answer(const std::vector<std::string>& specs,
+                          const std::vector<PackageRecord>& records) {
   return answer(request_for(specs), index_of(records));
 }
 
@@ -69,8 +73,9 @@ class SmallChannel {
     std::string text;
   };
 
-  std::filesystem::path add(const std::string& name, const std::string& version, const std::vector<File>& files,
-                            std::vector<std::string> depends = {}, const std::string& placeholder = {}) {
+  std::filesystem::path add(const std::string& name, const std::string& version,
+                            const std::vector<File>& files, std::vector<std::string> depends = {},
+                            const std::string& placeholder = {}) {
     const std::string stage = "stage-" + name + "-" + version;
     std::filesystem::create_directories(tree_ / stage);
     for (const File& file : files) tree_.write(stage + "/" + file.path, file.text);

@@ -79,7 +79,7 @@ class CdrWriter {
   }
 
   /// The 32-bit count in front of a sequence or string.
-  void put_count(size_t count) {
+  [[gnu::noinline]] void put_count(size_t count) {
     if (count > std::numeric_limits<uint32_t>::max()) {
       ok_ = false;
       return;
@@ -161,7 +161,7 @@ class CdrReader {
 
   /// The count in front of a sequence. Fails, and gives 0, when it exceeds `bound` (0: none) or
   /// when elements of at least `minimum_element_size` bytes (not 0) cannot all be in the rest.
-  [[nodiscard]] size_t get_count(size_t bound, size_t minimum_element_size) {
+  [[nodiscard, gnu::noinline]] size_t get_count(size_t bound, size_t minimum_element_size) {
     uint32_t count = 0;
     get(count);
     if (!ok_ || (bound != 0 && count > bound) ||

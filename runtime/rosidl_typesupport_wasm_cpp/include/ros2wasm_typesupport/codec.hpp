@@ -102,7 +102,8 @@ inline void size_string(CdrSizer& sizer, const std::u16string& value) {
   sizer.add(value.size() * 4, 1);
 }
 
-inline void write_string(CdrWriter& writer, const std::string& value, size_t bound) {
+[[gnu::noinline]] inline void write_string(CdrWriter& writer, const std::string& value,
+                                           size_t bound) {
   if (bound != kNoBound && value.size() > bound) {
     writer.fail();
     return;
@@ -111,7 +112,8 @@ inline void write_string(CdrWriter& writer, const std::string& value, size_t bou
   writer.put_bytes(value.c_str(), value.size() + 1, 1);
 }
 
-inline void write_string(CdrWriter& writer, const std::u16string& value, size_t bound) {
+[[gnu::noinline]] inline void write_string(CdrWriter& writer, const std::u16string& value,
+                                           size_t bound) {
   if (bound != kNoBound && value.size() > bound) {
     writer.fail();
     return;
@@ -122,7 +124,7 @@ inline void write_string(CdrWriter& writer, const std::u16string& value, size_t 
   }
 }
 
-inline void read_string(CdrReader& reader, std::string& value, size_t bound) {
+[[gnu::noinline]] inline void read_string(CdrReader& reader, std::string& value, size_t bound) {
   const size_t count = reader.get_count(bound == kNoBound ? kNoBound : bound + 1, 1);
   if (count == 0) {  // not what we write, but some writers send an empty string so
     value.clear();
@@ -136,7 +138,7 @@ inline void read_string(CdrReader& reader, std::string& value, size_t bound) {
   value.assign(reinterpret_cast<const char*>(bytes), count - 1);
 }
 
-inline void read_string(CdrReader& reader, std::u16string& value, size_t bound) {
+[[gnu::noinline]] inline void read_string(CdrReader& reader, std::u16string& value, size_t bound) {
   const size_t count = reader.get_count(bound, 4);
   value.resize(count);
   for (size_t i = 0; i < count; ++i) {

@@ -1,7 +1,7 @@
 // Builds the page with the fake session into a folder and serves it on localhost with the headers of a
 // plain static host. Opens Chromium for tests of the page.
 
-import { copyFileSync, mkdirSync, readFileSync } from 'node:fs';
+import { copyFileSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { extname, join, normalize } from 'node:path';
@@ -44,7 +44,10 @@ export async function buildFakePage(folder: string): Promise<string> {
     format: 'iife',
   });
   await build({ ...shared, entryPoints: { styles: join(ui, 'styles/index.css') }, outdir: folder });
-  for (const file of ['index.html', 'icon.svg']) copyFileSync(join(ui, file), join(folder, file));
+  copyFileSync(join(ui, 'icon.svg'), join(folder, 'icon.svg'));
+  // What a real session fetches first is not there.
+  const page = readFileSync(join(ui, 'index.html'), 'utf8').replace(/<link rel="preload".*\n/g, '');
+  writeFileSync(join(folder, 'index.html'), page);
   return folder;
 }
 

@@ -3,7 +3,7 @@
 
 import { createHash } from 'node:crypto';
 import { mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { basename, join, resolve } from 'node:path';
+import { basename, join, relative, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
 import { build } from 'esbuild';
@@ -12,7 +12,8 @@ const root = fileURLToPath(new URL('..', import.meta.url));
 
 /**
  * One row per file of the site.
- * kind: "modules" is an ES module whose dynamic imports become files of their own; "classic" one plain script;
+ * kind: "modules" is an ES module whose dynamic imports become files of their own, each complete, so that the page
+ * needs one request before it starts; "classic" one plain script;
  * "style" one sheet; "copy" the file as it is; "node" a module for Node.js.
  */
 const rows = [
@@ -32,11 +33,26 @@ const shared = {
 };
 
 const options = {
-  modules: { format: 'esm', splitting: true, platform: 'browser', chunkNames: 'chunk-[hash]' },
+  modules: { format: 'esm', platform: 'browser' },
   classic: { format: 'iife', platform: 'browser' },
   style: {},
   node: { format: 'esm', platform: 'node', target: 'node26' },
 };
+
+/** Leaves dynamic imports of our files out of the bundle and notes them: file name -> source. */
+function separateImports(later) {
+  return {
+    name: 'separate-imports',
+    setup(esbuild) {
+      esbuild.onResolve({ filter: /^\./ }, ({ kind, path, resolveDir }) => {
+        if (kind !== 'dynamic-import') return undefined;
+        const file = basename(path).replace(/\.[^.]+$/, '.js');
+        later.set(file, relative(root, join(resolveDir, path)));
+        return { path: `./${file}`, external: true };
+      });
+    },
+  };
+}
 
 async function buildRow(row, out) {
   if (row.kind === 'copy') {
@@ -44,7 +60,15 @@ async function buildRow(row, out) {
     return;
   }
   const name = row.file.replace(/\.[^.]+$/, '');
-  await build({ ...shared, ...options[row.kind], entryPoints: { [name]: row.from }, outdir: out });
+  const later = new Map();
+  await build({
+    ...shared,
+    ...options[row.kind],
+    entryPoints: { [name]: row.from },
+    outdir: out,
+    plugins: row.kind === 'modules' ? [separateImports(later)] : [],
+  });
+  for (const [file, from] of later) await buildRow({ file, from, kind: row.kind }, out);
 }
 
 const { values } = parseArgs({ options: { out: { type: 'string' } } });
@@ -64,7 +88,7 @@ const assets = readdirSync(out)
     const bytes = readFileSync(join(out, file));
     return {
       file: basename(file),
-      role: roles.get(file) ?? 'script', // what splitting made
+      role: roles.get(file) ?? 'script', // what is imported later
       size: bytes.length,
       sha256: createHash('sha256').update(bytes).digest('hex'),
     };

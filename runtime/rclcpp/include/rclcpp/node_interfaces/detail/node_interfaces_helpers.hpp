@@ -2,7 +2,8 @@
 #pragma once
 
 #include <memory>
-#include <stdexcept>
+#include <type_traits>
+#include <utility>
 
 namespace rclcpp {
 namespace node_interfaces {
@@ -12,17 +13,19 @@ namespace helpers {
 template <typename InterfaceT>
 struct InterfaceOf;
 
+template <typename T, typename = void>
+struct IsPointer : std::false_type {};
 template <typename T>
-T& dereference(T& node) {
-  return node;
-}
+struct IsPointer<T, std::void_t<decltype(*std::declval<T&>())>> : std::true_type {};
+
+/// The node itself, of a node or of any pointer to one.
 template <typename T>
-T& dereference(const std::shared_ptr<T>& node) {
-  return *node;
-}
-template <typename T>
-T& dereference(T* node) {
-  return *node;
+auto& dereference(T& node) {
+  if constexpr (IsPointer<T>::value) {
+    return *node;
+  } else {
+    return node;
+  }
 }
 
 }  // namespace helpers

@@ -3,13 +3,14 @@
 // loop run. Used within one thread.
 
 import {
-  EndpointKind, ErrorCode, flagHidden, frameHeaderSize, maxHashLength, maxNameLength, maxSampleLength, StatusKind,
+  EndpointKind, ErrorCode, flagHidden, frameHeaderSize, maxHashLength, maxNameLength, maxSampleLength, type StatusKind,
   WaitResult,
 } from '../protocol/generated/constants.ts';
 import { putNanoseconds, systemNanoseconds } from './clock.ts';
 import { type ConsoleCredit, LocalCredit } from './console_sender.ts';
 import { type EndpointRecord, Graph, relate } from './graph.ts';
 import type { EndpointDescription, EndpointStatus, GraphSnapshot, Heap, Link } from './link.ts';
+import { EventCounters } from './event_counters.ts';
 import type { ControlMessage, PeerMessage, PeerPort, WriterSample } from './port_messages.ts';
 import { PortReader } from './port_reader.ts';
 import { type Frame, PortWriter, windowBytes, windowFrames } from './port_writer.ts';
@@ -21,13 +22,6 @@ export interface PortTicket {
   readonly peers: readonly PeerPort[];
 }
 
-interface Counter {
-  total: number;
-  totalRead: number;
-  currentRead: number;
-  policy: number;
-}
-
 interface Own {
   readonly record: EndpointRecord;
   readonly writer: PortWriter | undefined;
@@ -37,7 +31,7 @@ interface Own {
   /** They fit, but have not said yet that they know this one. */
   readonly expected: Set<number>;
   readonly strangers: Set<number>;
-  readonly counters: { readonly matched: Counter; readonly incompatible: Counter; readonly type: Counter; readonly lost: Counter };
+  readonly counters: EventCounters;
 }
 
 /** Frames that came from one writer and were not acknowledged yet. */
@@ -53,10 +47,6 @@ const smallPayload = 64 << 10;
 /** A program that never waits long must still let messages in. */
 const longestRunMs = 4;
 const encoder = new TextEncoder();
-
-function counter(): Counter {
-  return { total: 0, totalRead: 0, currentRead: 0, policy: 0 };
-}
 
 export class PortLink implements Link {
   readonly kind = 'port';
@@ -167,7 +157,7 @@ export class PortLink implements Link {
       matched: new Set(),
       expected: new Set(),
       strangers: new Set(),
-      counters: { matched: counter(), incompatible: counter(), type: counter(), lost: counter() },
+      counters: new EventCounters(),
     };
     this.own.set(handle, own);
     this.graphReplica.add(record);
@@ -402,35 +392,8 @@ export class PortLink implements Link {
   status(endpoint: number, kind: StatusKind): EndpointStatus | undefined {
     const own = this.own.get(endpoint);
     if (own === undefined) return undefined;
-    const { counters } = own;
-    const reading = (of: Counter, currentCount: number): EndpointStatus => {
-      const status = {
-        totalCount: of.total,
-        totalChange: of.total - of.totalRead,
-        currentCount,
-        currentChange: currentCount - of.currentRead,
-        lastPolicy: of.policy,
-      };
-      of.totalRead = of.total;
-      of.currentRead = currentCount;
-      return status;
-    };
-    switch (kind) {
-      case StatusKind.publicationMatched:
-      case StatusKind.subscriptionMatched:
-        return reading(counters.matched, own.matched.size);
-      case StatusKind.offeredQosIncompatible:
-      case StatusKind.requestedQosIncompatible:
-        return reading(counters.incompatible, 0);
-      case StatusKind.publisherIncompatibleType:
-      case StatusKind.subscriptionIncompatibleType:
-        return reading(counters.type, 0);
-      case StatusKind.messageLost:
-        counters.lost.total = own.reader?.lost ?? 0;
-        return reading(counters.lost, 0);
-      default:
-        return undefined;
-    }
+    own.counters.lost.total = own.reader?.lost ?? 0;
+    return own.counters.read(kind, own.matched.size);
   }
 
   graphVersion(): number {

@@ -77,40 +77,79 @@ Outcome<BuiltWorkspace> read_workspace(const PackRequest& request) {
   return workspace;
 }
 
-struct ChannelAnswer {
-  std::vector<PackageRecord> records;     ///< what the workspace needs, in install order
-  std::vector<std::string> all_packages;  ///< ROS names of everything that the channels have, sorted
+/// What is known before anything is solved.
+struct Question {
+  BuiltWorkspace workspace;
+  std::vector<LocalPackage> packages;
+  BuildOrder order;
+  Compiler compiler;
+  ChannelRoots roots;
+  RepoIndex index;                        ///< what the channels have
+  std::vector<std::string> all_packages;  ///< ROS names of all of it, sorted
+  std::vector<RequestedSpec> specs;       ///< what is asked of them
 };
 
-/// Step 3: the channels' records that the workspace needs, as the lock has them or chosen anew.
-Outcome<ChannelAnswer> resolve(const PackRequest& request, BuiltWorkspace& workspace,
-                                            const std::vector<LocalPackage>& packages,
-                                            const BuildOrder& order, const ChannelRoots& roots,
-                                            const std::string& compiler_version,
-                                            const Cancellation& cancellation,
-                                            const ProgressSink& progress) {
+/// Steps 1 to 3, up to the request to the channels.
+Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellation,
+                      const ProgressSink& progress) {
+  // 1. the manifest
+  auto read = read_workspace(request);
+  if (!read) return std::move(read).errors();
+  BuiltWorkspace workspace = std::move(read).value();
+  const Manifest& manifest = workspace.manifest;
+
+  // 2. the packages of the workspace, and the order of building them
+  auto packages = discover_packages(workspace.folder, workspace.shown_folder, manifest.packages,
+                                    ros_condition_variables(manifest.distro));
+  if (!packages) return std::move(packages).errors();
+  auto order = order_packages(*packages, manifest.distro);
+  if (!order) return std::move(order).errors();
+  for (const LocalPackage& package : *packages) workspace.watched.push_back(package.directory);
+  auto compiler = find_compiler(request.variables);
+  if (!compiler) return std::move(compiler).errors();
+
+  // 3. what the channels have, and what is asked of them
+  begin_step(progress, "solve");
+  ChannelRoots roots{.working_directory = workspace.folder,
+                     .embedded = {},
+                     .cache = default_cache_directory(variable(request.variables, "XDG_CACHE_HOME"),
+                                                      variable(request.variables, "HOME"))};
+  auto embedded = embedded_channel(request.executable);
+  if (embedded) roots.embedded = std::move(embedded).value();
+  if (!embedded && manifest.channels.empty()) return std::move(embedded).errors();
   std::vector<ChannelSource> channels;
-  for (const auto& channel : workspace.manifest.channels) channels.push_back({channel.value, channel.span});
+  for (const auto& channel : manifest.channels) channels.push_back({channel.value, channel.span});
   if (channels.empty()) channels.push_back({"embedded", std::nullopt});
-  const auto index = load_channels(channels, roots, cancellation, progress);
-  if (!index) return index.errors();
+  auto index = load_channels(channels, roots, cancellation, progress);
+  if (!index) return std::move(index).errors();
   std::set<std::string> distinct;
   for (const PackageRecord& record : index->records) distinct.insert(record.name);
   const std::vector<std::string> names(distinct.begin(), distinct.end());
-  const auto wanted = channel_request(workspace.manifest, packages, order, names, compiler_version);
-  if (!wanted) return wanted.errors();
+  auto wanted = channel_request(manifest, *packages, *order, names, compiler->version);
+  if (!wanted) return std::move(wanted).errors();
   append(workspace.warnings, wanted->warnings);
+  std::vector<std::string> all_packages = ros_names(names, manifest.distro);
+  return Question{.workspace = std::move(workspace),
+                  .packages = std::move(*packages),
+                  .order = std::move(*order),
+                  .compiler = std::move(*compiler),
+                  .roots = std::move(roots),
+                  .index = std::move(*index),
+                  .all_packages = std::move(all_packages),
+                  .specs = std::move(wanted->specs)};
+}
 
-  const fs::path lock_file = workspace.folder / kLockFileName;
-  const auto solved = solve_with_lock(wanted->specs, *index, lock_file, request.locked);
-  if (!solved) return solved.errors();
+/// The rest of step 3: the records that the workspace needs, as the lock has them or chosen anew.
+Outcome<std::vector<PackageRecord>> resolve(const PackRequest& request, Question& question) {
+  const fs::path lock_file = question.workspace.folder / kLockFileName;
+  auto solved = solve_with_lock(question.specs, question.index, lock_file, request.locked);
+  if (!solved) return std::move(solved).errors();
   if (!request.locked && !request.plan_only && solved->lock_changed) {
     if (auto written = write_file(lock_file, solved->lock_text); !written) return std::move(written).errors();
-    workspace.remarks.push_back("wrote " + std::string(kLockFileName) + " (" +
-                                std::to_string(solved->packages.size()) + " packages)");
+    question.workspace.remarks.push_back("wrote " + std::string(kLockFileName) + " (" +
+                                         std::to_string(solved->packages.size()) + " packages)");
   }
-  return ChannelAnswer{.records = solved->packages,
-                       .all_packages = ros_names(names, workspace.manifest.distro)};
+  return std::move(solved->packages);
 }
 
 /// What the prefixes hold, packages of the workspace before those of the channels.
@@ -213,36 +252,17 @@ Outcome<SitePlan> plan(const PackRequest& request, const BuiltWorkspace& workspa
 
 Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& cancellation,
                               const ProgressSink& progress) {
-  // 1. the manifest
-  auto workspace = read_workspace(request);
-  if (!workspace) return workspace;
-  const Manifest& manifest = workspace->manifest;
-
-  // 2. the packages of the workspace, and the order of building them
-  auto packages = discover_packages(workspace->folder, workspace->shown_folder, manifest.packages,
-                                    ros_condition_variables(manifest.distro));
-  if (!packages) return std::move(packages).errors();
-  const auto order = order_packages(*packages, manifest.distro);
-  if (!order) return order.errors();
-  for (const LocalPackage& package : *packages) workspace->watched.push_back(package.directory);
-  const auto compiler = find_compiler(request.variables);
-  if (!compiler) return compiler.errors();
-
-  // 3. what the channels give: index, solve, lock, fetch
-  begin_step(progress, "solve");
-  ChannelRoots roots{.working_directory = workspace->folder,
-                     .embedded = {},
-                     .cache = default_cache_directory(variable(request.variables, "XDG_CACHE_HOME"),
-                                                      variable(request.variables, "HOME"))};
-  auto embedded = embedded_channel(request.executable);
-  if (embedded) roots.embedded = std::move(embedded).value();
-  if (!embedded && manifest.channels.empty()) return std::move(embedded).errors();
-  const auto answer = resolve(request, *workspace, *packages, *order, roots, compiler->version,
-                              cancellation, progress);
-  if (!answer) return answer.errors();
+  // 1. the manifest, 2. the packages of the workspace, 3. what the channels give: index, solve, lock, fetch
+  auto question = ask(request, cancellation, progress);
+  if (!question) return std::move(question).errors();
+  const auto records = resolve(request, *question);
+  if (!records) return records.errors();
+  const ChannelRoots& roots = question->roots;
+  const Compiler& compiler = question->compiler;
+  BuiltWorkspace* workspace = &question->workspace;
   // A cache may lie inside a workspace; its packages are none of the workspace's.
   if (auto marked = write_file(roots.cache / "COLCON_IGNORE", ""); !marked) return std::move(marked).errors();
-  const auto environment = make_environment(Store(roots), answer->records, cancellation, progress);
+  const auto environment = make_environment(Store(roots), *records, cancellation, progress);
   if (!environment) return environment.errors();
 
   // 4. build, through the toolchain file
@@ -250,19 +270,19 @@ Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& ca
                                        "the CMake toolchain");
   if (!toolchain) return toolchain.errors();
   workspace->cache = roots.cache / "build";
-  const BuildTools tools{.compiler = *compiler,
+  const BuildTools tools{.compiler = compiler,
                          .compiler_environment = compiler_environment(request.variables),
                          .toolchain = fs::canonical(*toolchain),
                          .cli = request.executable,
                          .jobs = request.jobs != 0 ? request.jobs : std::max(1U, std::thread::hardware_concurrency())};
   begin_step(progress, "build");
-  auto built = build_workspace(*packages, *order, tools,
+  auto built = build_workspace(question->packages, question->order, tools,
                                {.cache = workspace->cache,
                                 .environment_prefix = environment->prefix,
                                 .environment_key = environment->key,
                                 .base = workspace->folder,
                                 .shown_base = workspace->shown_folder,
-                                .channel_packages = answer->all_packages},
+                                .channel_packages = question->all_packages},
                                cancellation, progress);
   if (!built) return std::move(built).errors();
   append(workspace->warnings, built->warnings);
@@ -271,7 +291,31 @@ Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& ca
 
   // 5. what is installed now
   workspace->installed = all_installed(workspace->packages, environment->prefix);
-  return workspace;
+  return std::move(*workspace);
+}
+
+Outcome<LockReport> lock(const LockRequest& request, const Cancellation& cancellation,
+                         const ProgressSink& progress) {
+  auto question = ask({.input = request.input, .executable = request.executable, .variables = request.variables},
+                      cancellation, progress);
+  if (!question) return std::move(question).errors();
+  LockReport report{.file = question->workspace.folder / kLockFileName,
+                    .warnings = question->workspace.warnings};
+  if (request.check_only) {
+    const auto text = read_file(report.file);
+    if (!text) return text.errors();
+    auto old = read_lock(*text, report.file.filename().string());
+    if (!old) return std::move(old).errors();
+    if (Diagnostics faults = check_solution(question->specs, old->packages); !faults.empty()) return faults;
+    report.packages = std::move(old->packages);
+    return report;
+  }
+  auto solved = solve_with_lock(question->specs, question->index, report.file, false, request.update);
+  if (!solved) return std::move(solved).errors();
+  if (auto written = write_file(report.file, solved->lock_text); !written) return std::move(written).errors();
+  report.packages = std::move(solved->packages);
+  report.changed = solved->lock_changed;
+  return report;
 }
 
 Outcome<PackReport> pack(const PackRequest& request, const Cancellation& cancellation,

@@ -7,6 +7,7 @@
 
 #include "bundler/build/build_workspace.hpp"
 #include "bundler/plan/site_plan.hpp"
+#include "bundler/resolve/locked_solve.hpp"
 #include "workspace_schema/cancellation.hpp"
 #include "workspace_schema/manifest.hpp"
 #include "workspace_schema/outcome.hpp"
@@ -45,6 +46,25 @@ struct PackReport {
   Diagnostics warnings;
   std::vector<std::string> remarks;
 };
+
+struct LockRequest {
+  std::string input;        ///< as in PackRequest
+  bool check_only = false;  ///< write nothing: does the lock still fulfil what is asked for?
+  LockUpdate update;        ///< what is chosen anew although the lock has it
+  std::filesystem::path executable;
+  EnvironmentVariables variables;
+};
+
+struct LockReport {
+  std::filesystem::path file;
+  std::vector<PackageRecord> packages;
+  bool changed = false;
+  Diagnostics warnings;
+};
+
+/// Writes ros2wasm.lock without building, or checks it by satisfiability (R2W0311, one per edge that does not hold).
+[[nodiscard]] Outcome<LockReport> lock(const LockRequest& request, const Cancellation& cancellation,
+                                       const ProgressSink& progress);
 
 /// Everything up to the installed packages.
 [[nodiscard]] Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& cancellation,

@@ -13,6 +13,7 @@ CommandBody explain_command(Arguments& arguments);
 CommandBody inspect_command(Arguments& arguments);
 CommandBody init_command(Arguments& arguments);
 CommandBody link_program_command(Arguments& arguments);
+CommandBody lock_command(Arguments& arguments);
 CommandBody pack_command(Arguments& arguments);
 CommandBody run_command(Arguments& arguments);
 CommandBody schema_command(Arguments& arguments);
@@ -38,6 +39,7 @@ constexpr auto kCommands = std::to_array<CommandRow>({
      .help = "Compile a workspace, without making a site",
      .declare = build_command},
     {.name = "why", .help = "Say why a file is in a site", .declare = why_command},
+    {.name = "lock", .help = "Write or check ros2wasm.lock", .declare = lock_command},
     {.name = "channel", .help = "Make a channel of packages", .declare = channel_command},
     {.name = "schema",
      .help = "Print the JSON Schema of workspace.yaml",

@@ -31,8 +31,10 @@ std::vector<PackageRecord> still_there(const std::vector<PackageRecord>& locked,
 
 }  // namespace
 
-Outcome<LockedSolution> solve_with_lock(const std::vector<RequestedSpec>& specs, const RepoIndex& index,
-                                        const std::filesystem::path& lock_file, bool must_fit) {
+Outcome<LockedSolution> solve_with_lock(const std::vector<RequestedSpec>& specs,
+                                        const RepoIndex& index,
+                                        const std::filesystem::path& lock_file, bool must_fit,
+                                        const LockUpdate& update) {
   std::error_code error;
   std::string old_text;
   std::vector<PackageRecord> locked;
@@ -43,6 +45,10 @@ Outcome<LockedSolution> solve_with_lock(const std::vector<RequestedSpec>& specs,
     auto lock = read_lock(old_text, lock_file.filename().string());
     if (!lock) return std::move(lock).errors();
     locked = std::move(lock->packages);
+    std::erase_if(locked, [&update](const PackageRecord& record) {
+      return update.everything ||
+             std::find(update.names.begin(), update.names.end(), record.name) != update.names.end();
+    });
   } else if (must_fit) {
     return lock_does_not_fit(lock_file, {"there is no " + lock_file.string()});
   }

@@ -12,6 +12,12 @@ namespace ros2wasm {
 
 inline constexpr const char* kLockFileName = "ros2wasm.lock";
 
+/// What is chosen anew although the lock has it.
+struct LockUpdate {
+  bool everything = false;
+  std::vector<std::string> names;
+};
+
 struct LockedSolution {
   std::vector<PackageRecord> packages;  ///< in install order
   std::string lock_text;                ///< the lock that says so
@@ -23,6 +29,7 @@ struct LockedSolution {
 [[nodiscard]] Outcome<LockedSolution> solve_with_lock(const std::vector<RequestedSpec>& specs,
                                                       const RepoIndex& index,
                                                       const std::filesystem::path& lock_file,
-                                                      bool must_fit);
+                                                      bool must_fit,
+                                                      const LockUpdate& update = {});
 
 }  // namespace ros2wasm

@@ -1,0 +1,62 @@
+// `ros2wasm lock`: writes or checks ros2wasm.lock without building anything.
+#include <memory>
+
+#include "bundler/pipeline.hpp"
+#include "cli/arguments.hpp"
+#include "cli/console.hpp"
+#include "workspace_schema/json_writer.hpp"
+
+namespace ros2wasm {
+namespace {
+
+struct LockOptions {
+  std::string input;
+  bool check = false;
+  bool update_all = false;
+  std::vector<std::string> update;
+};
+
+int run(Context& context, const LockOptions& options) {
+  const auto report = lock({.input = options.input,
+                            .check_only = options.check,
+                            .update = {.everything = options.update_all, .names = options.update},
+                            .executable = context.executable,
+                            .variables = context.environment},
+                           context.cancellation, context.progress);
+  if (!report) return context.console.fail(report.errors());
+  for (const Diagnostic& warning : report->warnings) context.console.report(warning);
+  if (context.json) {
+    JsonWriter json;
+    json.begin_object().field("lock", report->file.string());
+    json.field_boolean("changed", report->changed).key("packages").begin_array();
+    for (const PackageRecord& record : report->packages) {
+      json.begin_object().field("name", record.name).field("version", record.version);
+      json.field("build", record.build).field("url", record.url).end_object();
+    }
+    json.end_array().end_object();
+    context.console.result(json.text());
+  } else {
+    const std::string count = std::to_string(report->packages.size()) + " packages";
+    context.console.remark(report->changed ? "wrote " + count : "nothing to change: " + count);
+    context.console.result(report->file.string());
+  }
+  return 0;
+}
+
+}  // namespace
+
+CommandBody lock_command(Arguments& arguments) {
+  const auto options = std::make_shared<LockOptions>();
+  arguments.optional(
+      "WORKSPACE", options->input,
+      "a workspace.yaml, or a folder with ROS 2 packages (default: the current folder)");
+  arguments.flag("--check", options->check,
+                 "write nothing; fail when the lock does not fulfil what is asked for");
+  arguments.values("--update", options->update, "NAME",
+                   "choose this package anew, as in the channels");
+  arguments.flag("--update-all", options->update_all, "choose every package anew");
+  arguments.examples({"ros2wasm lock", "ros2wasm lock --check examples/01_talker_listener"});
+  return [options](Context& context) { return run(context, *options); };
+}
+
+}  // namespace ros2wasm

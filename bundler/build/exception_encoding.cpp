@@ -1,6 +1,9 @@
 // See exception_encoding.hpp.
 #include "bundler/build/exception_encoding.hpp"
 
+#include <array>
+#include <vector>
+
 #include "bundler/io/files.hpp"
 #include "bundler/io/installation.hpp"
 #include "bundler/io/process.hpp"
@@ -8,6 +11,15 @@
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
+namespace {
+
+/// What Emscripten 3.1.6 uses and the standard encoding needs. Not "all": newer features change the encoding of
+/// other sections, which fewer browsers read.
+constexpr std::array<const char*, 7> kFeatures = {
+    "--enable-exception-handling", "--enable-reference-types", "--enable-threads", "--enable-bulk-memory",
+    "--enable-mutable-globals",    "--enable-sign-ext",        "--enable-multivalue"};
+
+}  // namespace
 
 Outcome<std::string> with_standard_exceptions(std::string_view program, const fs::path& executable,
                                               const fs::path& cache,
@@ -30,10 +42,10 @@ Outcome<std::string> with_standard_exceptions(std::string_view program, const fs
   const fs::path node = tool->parent_path() / "node";
   std::error_code error;
   const std::string interpreter = fs::exists(node, error) ? node.string() : "node";
-  const auto result = run_process(
-      {.arguments = {interpreter, tool->string(), "--all-features", "--translate-to-exnref",
-                     input.string(), "-o", output.string()}},
-      cancellation);
+  std::vector<std::string> command = {interpreter, tool->string()};
+  command.insert(command.end(), kFeatures.begin(), kFeatures.end());
+  command.insert(command.end(), {"--translate-to-exnref", input.string(), "-o", output.string()});
+  const auto result = run_process({.arguments = std::move(command)}, cancellation);
   if (!result) return result.errors();
   if (result->exit_code != 0) {
     return Diagnostic{.code = "R2W0509",

@@ -100,24 +100,27 @@ set(CMAKE_FIND_PACKAGE_PREFER_CONFIG OFF)
 if(NOT DEFINED ROS2WASM_HOST_SHARE)
   set(ROS2WASM_HOST_SHARE /usr/share)
 endif()
-file(GLOB _ros2wasm_host_packages RELATIVE "${ROS2WASM_HOST_SHARE}"
+file(GLOB _ros2wasm_host_packages
   "${ROS2WASM_HOST_SHARE}/ament_cmake*" "${ROS2WASM_HOST_SHARE}/ament_lint*"
   "${ROS2WASM_HOST_SHARE}/rosidl_cmake" "${ROS2WASM_HOST_SHARE}/rosidl_adapter"
   "${ROS2WASM_HOST_SHARE}/rosidl_parser" "${ROS2WASM_HOST_SHARE}/rosidl_cli"
   "${ROS2WASM_HOST_SHARE}/rosidl_pycommon" "${ROS2WASM_HOST_SHARE}/rosidl_generator_c"
   "${ROS2WASM_HOST_SHARE}/rosidl_generator_cpp" "${ROS2WASM_HOST_SHARE}/python_cmake_module")
-foreach(_package IN LISTS _ros2wasm_host_packages)
-  if(NOT EXISTS "${ROS2WASM_HOST_SHARE}/${_package}/cmake")
+# What the host lacks comes last.
+file(GLOB _ros2wasm_own_packages "${ROS2WASM_TOOLCHAIN_DIR}/packages/*")
+foreach(_folder IN LISTS _ros2wasm_host_packages _ros2wasm_own_packages)
+  get_filename_component(_package "${_folder}" NAME)
+  if(${_package}_DIR OR NOT EXISTS "${_folder}/cmake")
     continue()
   endif()
-  set(_from_host TRUE)
+  set(_elsewhere FALSE)
   foreach(_prefix IN LISTS CMAKE_PREFIX_PATH)
     if(EXISTS "${_prefix}/share/${_package}/cmake")
-      set(_from_host FALSE)
+      set(_elsewhere TRUE)
     endif()
   endforeach()
-  if(_from_host)
-    set(${_package}_DIR "${ROS2WASM_HOST_SHARE}/${_package}/cmake")
+  if(NOT _elsewhere)
+    set(${_package}_DIR "${_folder}/cmake")
   endif()
 endforeach()
 # ament's Python modules belong to Debian's interpreter, whatever `python3` is on PATH.

@@ -33,7 +33,8 @@ Outcome<InitReport> init(const Context& context, const Options& options) {
                                                          : workspace / "workspace.yaml");
   }
   if (options.kind.empty()) return wrong_use("what to begin with is missing");
-  if (options.kind != "cpp") return wrong_use("there is no template `" + options.kind + "`; there is `cpp`");
+  if (options.kind != "cpp")
+    return wrong_use("there is no template `" + options.kind + "`; there is `cpp`");
   if (options.output) return wrong_use("`--output` goes with `--from` only");
   if (options.folder.empty()) return wrong_use("the folder of the new workspace is missing");
   const auto source = find_own_data(context.executable, "templates/workspaces/" + options.kind,

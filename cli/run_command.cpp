@@ -1,4 +1,5 @@
-// `ros2wasm run SITE`: the nodes of a packed site in Node.js, for CI and for a look without a browser.
+// `ros2wasm run SITE`: the nodes of a packed site in Node.js, for CI and for a look without a
+// browser.
 #include <iostream>
 #include <memory>
 

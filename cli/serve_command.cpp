@@ -13,7 +13,8 @@
 namespace ros2wasm {
 namespace {
 
-constexpr int kUsualPort = 8000;  // always the same, so that the browser keeps what it knows of a site
+constexpr int kUsualPort =
+    8000;  // always the same, so that the browser keeps what it knows of a site
 
 struct Options {
   std::string site;
@@ -96,8 +97,7 @@ CommandBody serve_command(Arguments& arguments) {
   arguments.required("SITE", options->site, "the folder that `ros2wasm pack` wrote");
   arguments.number("-p,--port", options->port, "N", 0, 65535,
                    "0 takes any free port [8000, or any when that is in use]");
-  arguments.value("--host", options->host, "ADDRESS",
-                  "0.0.0.0 lets other machines in [127.0.0.1]");
+  arguments.value("--host", options->host, "ADDRESS", "0.0.0.0 lets other machines in [127.0.0.1]");
   arguments.flag("--no-isolation", options->no_isolation,
                  "leave out COOP and COEP, as hosts do that cannot send headers");
   arguments.value("--watch", options->watch, "WORKSPACE",

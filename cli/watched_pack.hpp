@@ -1,4 +1,5 @@
-// The workspace behind `serve --watch`: packs it, notices changes, packs again, and tells the pages.
+// The workspace behind `serve --watch`: packs it, notices changes, packs again, and tells the
+// pages.
 #pragma once
 
 #include <chrono>

@@ -23,7 +23,7 @@ constexpr auto kUnits = std::to_array<Unit>({
 });
 constexpr double kLongestMs = 7.0 * 24 * 3'600'000;
 
-Diagnostic bad_duration(std::string_view text, std::string why, std::string fix = {}) {
+Diagnostic bad_duration(std::string_view text, std::string why, const std::string& fix = {}) {
   Diagnostic error{.code = "R2W0621",
                    .kind = FailureKind::kCommandLine,
                    .message = "`" + std::string(text) + "` is not a duration",

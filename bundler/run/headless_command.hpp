@@ -16,7 +16,7 @@ struct HeadlessRun {
   std::filesystem::path site;
   std::optional<std::chrono::milliseconds> limit;  ///< `--for`
   std::optional<std::string> until;                ///< a JavaScript regular expression
-  std::string link;                                ///< "shared", "port", or empty: the runtime chooses
+  std::string link;  ///< "shared", "port", or empty: the runtime chooses
   bool json = false;
 };
 

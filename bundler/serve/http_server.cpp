@@ -17,7 +17,7 @@ namespace {
 
 /// Each watching page holds one for its events; a page that loads needs about six.
 constexpr std::size_t kThreads = 32;
-constexpr std::size_t kPieceBytes = 64 * 1024;
+constexpr std::size_t kPieceBytes = std::size_t{64} * 1024;
 
 HttpRequest request_of(const httplib::Request& request) {
   return HttpRequest{.method = request.method,
@@ -65,9 +65,8 @@ void put_response(HttpResponse&& answer, httplib::Response& response) {
         });
   } else if (const auto* stream = std::get_if<TextStream>(&answer.body)) {
     response.set_chunked_content_provider(
-        answer.content_type, [next = *stream](std::size_t, httplib::DataSink& sink) {
-          return send_text(next, sink);
-        });
+        answer.content_type,
+        [next = *stream](std::size_t, httplib::DataSink& sink) { return send_text(next, sink); });
   }
 }
 
@@ -84,17 +83,16 @@ httplib::Server::HandlerResponse handle(const HttpHandler& handler, const httpli
 /// reason to itself.
 Diagnostic bind_error(const std::string& host, int port) {
   const std::string place = host + ":" + std::to_string(port);
-  Diagnostic error{.code = "R2W0611",
-                   .kind = FailureKind::kEnvironment,
-                   .message = "cannot listen on " + place};
+  Diagnostic error{
+      .code = "R2W0611", .kind = FailureKind::kEnvironment, .message = "cannot listen on " + place};
   addrinfo hints{};
   hints.ai_socktype = SOCK_STREAM;
   hints.ai_flags = AI_PASSIVE;
   addrinfo* found = nullptr;
   const int lookup = getaddrinfo(host.c_str(), std::to_string(port).c_str(), &hints, &found);
   if (lookup != 0) {
-    error.why.push_back("`" + host + "` is not an address of this machine: " +
-                        std::string(gai_strerror(lookup)));
+    error.why.push_back(
+        "`" + host + "` is not an address of this machine: " + std::string(gai_strerror(lookup)));
     error.fix.push_back("leave `--host` out, or write `--host 127.0.0.1`");
     return error;
   }
@@ -142,7 +140,7 @@ Outcome<HttpServer> HttpServer::start(const std::string& host, int port, HttpHan
   // One request per connection: an idle connection would hold a thread and delay the end.
   server.set_keep_alive_max_count(1);
   server.set_tcp_nodelay(true);
-  server.set_payload_max_length(64 * 1024);  // nothing is ever sent to this server
+  server.set_payload_max_length(std::size_t{64} * 1024);  // nothing is ever sent to this server
   // Without SO_REUSEPORT, so that a port in use is noticed.
   server.set_socket_options([](socket_t socket) {
     const int one = 1;

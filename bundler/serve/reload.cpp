@@ -12,7 +12,8 @@ namespace {
 /// How long a stream waits before it looks whether the page is still there.
 constexpr std::chrono::milliseconds kLookAround{500};
 
-constexpr std::string_view kScript = R"js(// Reloads the page when `ros2wasm serve --watch` has packed the site again.
+constexpr std::string_view kScript =
+    R"js(// Reloads the page when `ros2wasm serve --watch` has packed the site again.
 const shown = new URL(import.meta.url).search.slice(1);
 const note = document.createElement('pre');
 note.setAttribute('role', 'alert');

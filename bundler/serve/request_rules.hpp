@@ -8,10 +8,10 @@
 
 namespace ros2wasm {
 
-/// The path below the site that a request target asks for: decoded, without leading slash and query;
-/// empty for the root, with a `/` at the end when the target had one. Nothing when it is no such
-/// path: bad escapes, `.` and `..` segments, empty segments, encoded slashes, backslashes, control
-/// characters.
+/// The path below the site that a request target asks for: decoded, without leading slash and
+/// query; empty for the root, with a `/` at the end when the target had one. Nothing when it is no
+/// such path: bad escapes, `.` and `..` segments, empty segments, encoded slashes, backslashes,
+/// control characters.
 [[nodiscard]] std::optional<std::string> site_path_of(std::string_view target);
 
 /// Whether a `Host` header names this machine: `localhost`, a name below it, or an address. A page

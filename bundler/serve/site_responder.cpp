@@ -140,10 +140,8 @@ std::optional<HttpResponse> reload_response(const ReloadHub& reload, const std::
                         .body = std::string(reload_script())};
   }
   if (path == kReloadEventsPath) {
-    return HttpResponse{.status = 200,
-                        .headers = {},
-                        .content_type = "text/event-stream",
-                        .body = reload.events()};
+    return HttpResponse{
+        .status = 200, .headers = {}, .content_type = "text/event-stream", .body = reload.events()};
   }
   return std::nullopt;
 }
@@ -161,8 +159,8 @@ HttpResponse path_response(const SiteServing& serving, const HttpRequest& reques
   if (found.kind == Lookup::kFolder && !wants_folder &&
       find_in_site(serving.folder, path + "/index.html").kind == Lookup::kFile) {
     HttpResponse redirect = text_response(308, "This page is a folder.\n");
-    const std::string_view sent = std::string_view(request.target).substr(
-        0, request.target.find_first_of("?#"));
+    const std::string_view sent =
+        std::string_view(request.target).substr(0, request.target.find_first_of("?#"));
     redirect.headers.emplace_back("Location",
                                   "." + std::string(sent.substr(sent.rfind('/'))) + "/");
     return redirect;

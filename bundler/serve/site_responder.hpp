@@ -11,9 +11,9 @@
 namespace ros2wasm {
 
 struct SiteServing {
-  std::filesystem::path folder;    ///< absolute; may be replaced by another folder at any time
-  bool isolation = true;           ///< send the headers that make the page cross-origin isolated
-  bool only_local_hosts = true;    ///< refuse requests for the names of other machines
+  std::filesystem::path folder;     ///< absolute; may be replaced by another folder at any time
+  bool isolation = true;            ///< send the headers that make the page cross-origin isolated
+  bool only_local_hosts = true;     ///< refuse requests for the names of other machines
   std::optional<ReloadHub> reload;  ///< watch mode: pages get the reload script
 };
 

@@ -22,9 +22,9 @@ struct FileMark {
 /// Every file of the workspace by its path.
 using WorkspaceMarks = std::map<std::string, FileMark>;
 
-/// `roots` are files and folders. Hidden folders, folders that hold COLCON_IGNORE (as colcon's build,
-/// install and log do) and `ignored` ones are left out; links to folders are followed, each folder
-/// once.
+/// `roots` are files and folders. Hidden folders, folders that hold COLCON_IGNORE (as colcon's
+/// build, install and log do) and `ignored` ones are left out; links to folders are followed, each
+/// folder once.
 [[nodiscard]] WorkspaceMarks workspace_marks(const std::vector<std::filesystem::path>& roots,
                                              const std::vector<std::filesystem::path>& ignored);
 

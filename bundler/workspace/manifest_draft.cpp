@@ -103,7 +103,8 @@ void replace_all(std::string& text, std::string_view from, const std::string& to
     text.replace(at, from.size(), to);
 }
 
-/// The targets of `install(TARGETS a b ... DESTINATION lib/x)`; none when they do not go below lib/.
+/// The targets of `install(TARGETS a b ... DESTINATION lib/x)`; none when they do not go below
+/// lib/.
 std::vector<std::string> installed_targets(const CMakeCommand& command) {
   constexpr std::string_view kEnds[] = {"EXPORT",  "ARCHIVE", "LIBRARY",     "RUNTIME",
                                         "OBJECTS", "BUNDLE",  "DESTINATION", "INCLUDES"};
@@ -112,9 +113,8 @@ std::vector<std::string> installed_targets(const CMakeCommand& command) {
   const auto last = std::find_if(first, command.words.end(), [&](const std::string& word) {
     return std::find(std::begin(kEnds), std::end(kEnds), word) != std::end(kEnds);
   });
-  const bool below_lib = std::any_of(last, command.words.end(), [](const std::string& word) {
-    return word.starts_with("lib/");
-  });
+  const bool below_lib = std::any_of(
+      last, command.words.end(), [](const std::string& word) { return word.starts_with("lib/"); });
   return below_lib ? std::vector<std::string>(first, last) : std::vector<std::string>();
 }
 
@@ -127,14 +127,15 @@ std::string yaml_text(const std::string& text) {
   const bool plain = !text.empty() && std::all_of(text.begin(), text.end(), safe) &&
                      ((text[0] >= 'a' && text[0] <= 'z') || (text[0] >= 'A' && text[0] <= 'Z')) &&
                      text.back() != ' ';
-  constexpr std::string_view kWords[] = {"true", "false", "yes", "no", "on", "off", "null", "y", "n"};
-  const bool word = std::find(std::begin(kWords), std::end(kWords), lower_case(text)) !=
-                    std::end(kWords);
+  constexpr std::string_view kWords[] = {"true", "false", "yes", "no", "on",
+                                         "off",  "null",  "y",   "n"};
+  const bool word =
+      std::find(std::begin(kWords), std::end(kWords), lower_case(text)) != std::end(kWords);
   return plain && !word ? text : json_quoted(text);
 }
 
 /// The value that all packages agree on, or nothing.
-std::string agreed(const std::vector<DraftPackage>& packages, std::string DraftPackage::* member) {
+std::string agreed(const std::vector<DraftPackage>& packages, std::string DraftPackage::*member) {
   if (packages.empty()) return {};
   const std::string& first = packages.front().*member;
   const bool same = std::all_of(packages.begin(), packages.end(),
@@ -149,6 +150,7 @@ std::vector<std::string> package_entries(const std::vector<DraftPackage>& packag
   });
   if (all_in_src) return {"src"};
   std::vector<std::string> folders;
+  folders.reserve(packages.size());
   for (const DraftPackage& package : packages) folders.push_back(package.folder);
   return folders;
 }
@@ -163,7 +165,8 @@ std::string launch_section(const DraftInput& input) {
   }
   std::string text;
   if (!input.launch_files.empty()) {
-    text += "# The workspace has launch files, which are not read yet; list what they start below:\n";
+    text +=
+        "# The workspace has launch files, which are not read yet; list what they start below:\n";
     for (const std::string& file : input.launch_files) text += "#   " + file + "\n";
   }
   return text + "# What runs: each program once. Take out what should not; a node may also have\n" +

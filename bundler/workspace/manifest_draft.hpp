@@ -20,7 +20,7 @@ struct DraftPackage {
 };
 
 struct DraftInput {
-  std::string name;   ///< a valid workspace name
+  std::string name;  ///< a valid workspace name
   std::string title;
   std::vector<DraftPackage> packages;     ///< sorted by folder
   std::vector<std::string> launch_files;  ///< relative to the manifest

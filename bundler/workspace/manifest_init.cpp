@@ -52,13 +52,13 @@ std::string relative_text(const fs::path& path, const fs::path& base) {
 }
 
 DraftPackage draft_package(const LocalPackage& package, const fs::path& base) {
-  DraftPackage draft{.name = package.xml.name.value,
-                     .version = package.xml.version.value,
-                     .license = package.xml.licenses.empty() ? std::string()
-                                                             : package.xml.licenses.front().value,
-                     .build_type = package.xml.build_type,
-                     .folder = relative_text(package.directory, base),
-                     .programs = {}};
+  DraftPackage draft{
+      .name = package.xml.name.value,
+      .version = package.xml.version.value,
+      .license = package.xml.licenses.empty() ? std::string() : package.xml.licenses.front().value,
+      .build_type = package.xml.build_type,
+      .folder = relative_text(package.directory, base),
+      .programs = {}};
   if (draft.build_type == "ament_cmake") {
     if (const auto lists = read_file(package.directory / "CMakeLists.txt"))
       draft.programs = installed_program_names(*lists);
@@ -90,9 +90,9 @@ std::vector<std::string> draft_remarks(const DraftInput& input) {
     if (package.build_type != "ament_cmake")
       left_out.push_back(package.name + " (" + package.build_type + ")");
   }
-  std::vector<std::string> remarks = {
-      std::to_string(names.size()) + (names.size() == 1 ? " package: " : " packages: ") +
-      name_list(names, 12)};
+  std::vector<std::string> remarks = {std::to_string(names.size()) +
+                                      (names.size() == 1 ? " package: " : " packages: ") +
+                                      name_list(names, 12)};
   remarks.push_back(std::to_string(nodes) + (nodes == 1 ? " node" : " nodes") +
                     " under `launch:`, one for each program");
   if (!left_out.empty()) remarks.push_back("programs not looked for in " + name_list(left_out));

@@ -15,8 +15,9 @@ struct InitReport {
   std::vector<std::string> remarks;  ///< what was chosen, for people
 };
 
-/// A manifest at `output` for the packages below `workspace`. R2W0630 `output` exists, R2W0631 there
-/// is no package, R2W0632 no program was seen in them; errors of package.xml files as they are.
+/// A manifest at `output` for the packages below `workspace`. R2W0630 `output` exists, R2W0631
+/// there is no package, R2W0632 no program was seen in them; errors of package.xml files as they
+/// are.
 [[nodiscard]] Outcome<InitReport> init_from_workspace(const std::filesystem::path& workspace,
                                                       const std::filesystem::path& output);
 

@@ -65,11 +65,11 @@ DraftPackage package(const std::string& name, const std::string& folder, Names p
 }
 
 TEST(DraftManifest, IsReadBack) {
-  const std::string text = draft_manifest({.name = "ws",
-                                           .title = "My: \"workspace\"",
-                                           .packages = {package("a", "src/a", {"talker", "true"}),
-                                                        package("b", "src/x/b", {})},
-                                           .launch_files = {"src/a/launch/demo.launch.py"}});
+  const std::string text = draft_manifest(
+      {.name = "ws",
+       .title = "My: \"workspace\"",
+       .packages = {package("a", "src/a", {"talker", "true"}), package("b", "src/x/b", {})},
+       .launch_files = {"src/a/launch/demo.launch.py"}});
   const auto manifest = read_manifest(text, "workspace.yaml");
   ASSERT_TRUE(manifest.ok()) << text;
   EXPECT_EQ(manifest->name.value, "ws");
@@ -85,10 +85,11 @@ TEST(DraftManifest, IsReadBack) {
 }
 
 TEST(DraftManifest, NamesFoldersOutsideOfSrc) {
-  const std::string text = draft_manifest({.name = "ws",
-                                           .title = "ws",
-                                           .packages = {package("a", "a", {"x"}), package("b", "src/b", {})},
-                                           .launch_files = {}});
+  const std::string text =
+      draft_manifest({.name = "ws",
+                      .title = "ws",
+                      .packages = {package("a", "a", {"x"}), package("b", "src/b", {})},
+                      .launch_files = {}});
   const auto manifest = read_manifest(text, "workspace.yaml");
   ASSERT_TRUE(manifest.ok()) << text;
   ASSERT_EQ(manifest->packages.size(), 2U);
@@ -100,8 +101,10 @@ TEST(DraftManifest, LeavesOutWhatThePackagesDoNotAgreeOn) {
   DraftPackage other = package("b", "src/b", {});
   other.license = "MIT";
   other.version = "2.0.0";
-  const std::string text = draft_manifest(
-      {.name = "ws", .title = "ws", .packages = {package("a", "src/a", {}), other}, .launch_files = {}});
+  const std::string text = draft_manifest({.name = "ws",
+                                           .title = "ws",
+                                           .packages = {package("a", "src/a", {}), other},
+                                           .launch_files = {}});
   EXPECT_EQ(text.find("license"), std::string::npos);
   EXPECT_NE(text.find("version: \"0.1.0\""), std::string::npos);
 }

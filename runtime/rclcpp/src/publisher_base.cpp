@@ -112,7 +112,7 @@ bool PublisherBase::is_durability_transient_local() const {
   return qos_.durability() == DurabilityPolicy::TransientLocal;
 }
 
-bool PublisherBase::assert_liveliness() const { return endpoint_->assert_liveliness(); }
+bool PublisherBase::assert_liveliness() const { return context_->is_valid(); }
 
 bool PublisherBase::operator==(const rmw_gid_t* gid) const {
   return std::memcmp(gid->data, gid_.data, sizeof(gid_.data)) == 0;

@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <ctime>
 #include <map>
 #include <mutex>
 #include <string>
@@ -144,14 +143,26 @@ const char* color_of(int severity) {
   }
 }
 
+// In UTC: a page's programs know no time zone.
 std::string date_time_with_ms(rcutils_time_point_value_t stamp) {
-  const std::time_t seconds = static_cast<std::time_t>(stamp / 1000000000);
-  std::tm parts{};
-  localtime_r(&seconds, &parts);
+  constexpr int64_t kSecond = 1000000000;
+  const int64_t seconds = stamp / kSecond;
+  const int64_t of_day = seconds % 86400;
+  // Days since 1 March of year 0, in eras of 400 years, so that leap days come last.
+  const int64_t days = seconds / 86400 + 719468;
+  const int64_t era = days / 146097;
+  const int64_t of_era = days % 146097;
+  const int64_t year_of_era = (of_era - of_era / 1460 + of_era / 36524 - of_era / 146096) / 365;
+  const int64_t of_year = of_era - (365 * year_of_era + year_of_era / 4 - year_of_era / 100);
+  const int64_t month_from_march = (5 * of_year + 2) / 153;
+  const int day = static_cast<int>(of_year - (153 * month_from_march + 2) / 5 + 1);
+  const int month = static_cast<int>(month_from_march < 10 ? month_from_march + 3
+                                                           : month_from_march - 9);
+  const int year = static_cast<int>(year_of_era + era * 400 + (month <= 2 ? 1 : 0));
   char text[64];
-  const size_t length = std::strftime(text, sizeof(text), "%Y-%m-%d %H:%M:%S", &parts);
-  std::snprintf(text + length, sizeof(text) - length, ".%03d",
-                static_cast<int>(stamp / 1000000 % 1000));
+  std::snprintf(text, sizeof(text), "%04d-%02d-%02d %02d:%02d:%02d.%03d", year, month, day,
+                static_cast<int>(of_day / 3600), static_cast<int>(of_day / 60 % 60),
+                static_cast<int>(of_day % 60), static_cast<int>(stamp / 1000000 % 1000));
   return text;
 }
 

@@ -19,9 +19,6 @@ std::mutex& creation_mutex() {
   return mutex;
 }
 
-// A write with this flag carries no sample, only the news that its writer lives.
-constexpr uint32_t kAssertLiveliness = 1u << 31;
-
 int64_t read_clock(clockid_t clock) {
   timespec now{};
   clock_gettime(clock, &now);
@@ -112,13 +109,6 @@ void Endpoint::drain() {
 }
 
 int32_t Endpoint::matched() const { return ros2wasm_matched(id_); }
-
-bool Endpoint::assert_liveliness() {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  SampleInfo info{};
-  info.flags = kAssertLiveliness;
-  return ros2wasm_write(id_, nullptr, 0, &info) >= 0;
-}
 
 bool Endpoint::status(int32_t kind, EndpointStatus& out) {
   const std::lock_guard<std::mutex> lock(mutex_);

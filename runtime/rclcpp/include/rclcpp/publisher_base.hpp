@@ -51,7 +51,8 @@ class PublisherBase : public std::enable_shared_from_this<PublisherBase> {
   size_t get_subscription_count() const;
   size_t get_intra_process_subscription_count() const;
   bool is_durability_transient_local() const;
-  /// Says that the publisher is alive, for manual_by_topic liveliness.
+  /// The bus knows that a publisher lives for as long as its program does, so there is nothing to
+  /// say; false after shutdown.
   [[nodiscard]] bool assert_liveliness() const;
   rclcpp::QoS get_actual_qos() const { return qos_; }
   bool can_loan_messages() const { return false; }

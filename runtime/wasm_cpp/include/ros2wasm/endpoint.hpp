@@ -66,8 +66,6 @@ class Endpoint {
   /// Throws away whatever waits to be taken.
   void drain();
   [[nodiscard]] int32_t matched() const;
-  /// Says that this writer is alive (liveliness manual_by_topic).
-  bool assert_liveliness();
   /// False when this kind of status is unknown to the bus.
   bool status(int32_t kind, EndpointStatus& out);
 

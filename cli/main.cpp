@@ -1,5 +1,6 @@
 // The program from above: read the command line, prepare the world, run one command, say how it
 // ended.
+#include <poll.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -64,6 +65,12 @@ ConsoleOptions console_options(const GlobalOptions& global,
   return options;
 }
 
+/// Whether stdout is a pipe that nobody reads any more, as behind `| head`: that is no failure.
+bool reader_ended() {
+  pollfd out{.fd = STDOUT_FILENO, .events = POLLOUT, .revents = 0};
+  return poll(&out, 1, 0) == 1 && (out.revents & POLLERR) != 0;
+}
+
 Diagnostic bug(const std::string& what) {
   return Diagnostic{
       .code = "R2W0990",
@@ -98,7 +105,7 @@ int run(int argc, char** argv) {
       code = console.fail(bug("unknown exception"));
     }
   }
-  if (!std::cout.flush() && code == 0) {
+  if (!std::cout.flush() && code == 0 && !reader_ended()) {
     code =
         console.fail(Diagnostic{.code = "R2W0904",
                                 .kind = FailureKind::kEnvironment,

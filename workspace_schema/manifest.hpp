@@ -46,8 +46,8 @@ struct NodeEntry {
   SourceSpan span;  ///< of the whole entry's first key
   Spanned<std::string> package;
   Spanned<std::string> executable;
-  std::optional<Spanned<std::string>> name;                     ///< ROS node name, if remapped
-  std::optional<Spanned<std::string>> name_space;               ///< ROS namespace as written, if remapped
+  std::optional<Spanned<std::string>> name;        ///< ROS node name, if remapped
+  std::optional<Spanned<std::string>> name_space;  ///< ROS namespace as written, if remapped
   std::vector<std::pair<std::string, std::string>> remappings;  ///< from, to; in order
   std::vector<ParameterEntry> parameters;
   std::vector<Spanned<std::string>> parameter_files;  ///< relative to the manifest

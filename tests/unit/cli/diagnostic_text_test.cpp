@@ -130,13 +130,14 @@ TEST(DiagnosticText, ColourAddsOnlyColour) {
 }
 
 TEST(DiagnosticJson, HasAllMembers) {
-  EXPECT_EQ(diagnostic_json(example()),
-            R"({"event":"diagnostic","code":"R2W0402","severity":"error","kind":"user_input",)"
-            R"("message":"package `demo_nodes_cpp` has no executable `talkr`",)"
-            R"("span":{"file":"workspace.yaml","line":12,"column":17,"length":5,"line_text":"    executable: talkr"},)"
-            R"("label":"no such executable in demo_nodes_cpp 0.20.5",)"
-            R"~("why":["its executables are: listener, talker, add_two_ints_server (and 4 more)"],)~"
-            R"("fix":["write `executable: talker`"],"detail":""})");
+  EXPECT_EQ(
+      diagnostic_json(example()),
+      R"({"event":"diagnostic","code":"R2W0402","severity":"error","kind":"user_input",)"
+      R"("message":"package `demo_nodes_cpp` has no executable `talkr`",)"
+      R"("span":{"file":"workspace.yaml","line":12,"column":17,"length":5,"line_text":"    executable: talkr"},)"
+      R"("label":"no such executable in demo_nodes_cpp 0.20.5",)"
+      R"~("why":["its executables are: listener, talker, add_two_ints_server (and 4 more)"],)~"
+      R"("fix":["write `executable: talker`"],"detail":""})");
   EXPECT_NE(
       diagnostic_json(Diagnostic{.code = "R2W0901", .message = "\xFF"}).find(R"("span":null)"),
       std::string::npos);

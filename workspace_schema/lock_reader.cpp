@@ -161,6 +161,12 @@ class Reader {
          {"timestamp_ms", [&](const YamlNode& node) { number(node, record.timestamp_ms); }},
          {"noarch", [&](const YamlNode& node) { noarch(node, record.noarch); }}},
         {"name", "version", "build", "subdir", "channel", "file", "url"});
+    const std::string stem = distribution_name(record);
+    if (record.file_name != stem + ".conda" && record.file_name != stem + ".tar.bz2") {
+      fail(map, "the file `" + record.file_name + "` is not that of `" + stem + "`");
+    } else if (!record.url.ends_with("/" + record.file_name)) {
+      fail(map, "the url of `" + stem + "` does not end with its file");
+    }
     return record;
   }
 

@@ -6,163 +6,17 @@
 #include <array>
 #include <map>
 
+#include "workspace_schema/match_spec_text.hpp"
+
 namespace ros2wasm {
 namespace {
 
 constexpr std::size_t kLongest = 8192;
 
-constexpr auto kSubdirs = std::to_array<std::string_view>(
-    {"emscripten-32", "emscripten-wasm32", "freebsd-64",   "linux-32",    "linux-64",
-     "linux-aarch64", "linux-armv6l",      "linux-armv7l", "linux-ppc64", "linux-ppc64le",
-     "linux-riscv32", "linux-riscv64",     "linux-s390x",  "noarch",      "osx-64",
-     "osx-arm64",     "wasi-wasm32",       "win-32",       "win-64",      "win-arm64",
-     "zos-z"});
-
 constexpr auto kBracketKeys = std::to_array<std::string_view>(
     {"channel", "subdir", "name", "version", "build", "build_number", "track_features", "features",
      "url", "md5", "sha256", "license", "license_family", "fn", "when", "extras", "flags",
      "optional", "target"});
-
-bool known_subdir(std::string_view text) {
-  return std::find(kSubdirs.begin(), kSubdirs.end(), text) != kSubdirs.end();
-}
-
-bool one_of(char c, std::string_view set) {
-  return set.find(c) != std::string_view::npos;
-}
-
-bool is_key_char(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-         c == '-';
-}
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && one_of(text.front(), " \t\r\n")) text.remove_prefix(1);
-  while (!text.empty() && one_of(text.back(), " \t\r\n")) text.remove_suffix(1);
-  return text;
-}
-
-/// Takes the last "(...)" or "[...]" out of `text` and returns what is inside; nothing when there
-/// is none.
-std::optional<std::string> take_section(std::string& text, char open, char close) {
-  const std::size_t end = text.rfind(close);
-  if (end == std::string::npos || end == 0) return std::nullopt;
-  const std::size_t start = text.rfind(open, end - 1);
-  if (start == std::string::npos) return std::nullopt;
-  std::string inside = text.substr(start + 1, end - start - 1);
-  text.erase(start, end - start + 1);
-  return inside;
-}
-
-struct BracketPair {
-  std::string key;
-  std::string value;
-};
-
-/// The pair whose value begins behind `equals`, and where the text goes on; nothing when it is
-/// none.
-std::optional<std::pair<BracketPair, std::size_t>> pair_at(std::string_view text,
-                                                           std::size_t equals) {
-  std::size_t key_start = equals;
-  while (key_start > 0 && is_key_char(text[key_start - 1])) --key_start;
-  if (key_start == equals) return std::nullopt;
-  const std::string key(text.substr(key_start, equals - key_start));
-  std::size_t start = equals + 1;
-  if (start < text.size() && one_of(text[start], "'\"")) {
-    const std::size_t end = text.find_first_of("'\"", start + 1);
-    if (end == std::string_view::npos || text[end] != text[start]) return std::nullopt;
-    if (end + 1 < text.size() && !one_of(text[end + 1], ", ")) return std::nullopt;
-    return {{{key, std::string(text.substr(start + 1, end - start - 1))},
-             std::min(end + 2, text.size())}};
-  }
-  const std::size_t end = std::min(text.find_first_of(", ", start), text.size());
-  const std::string_view value = text.substr(start, end - start);
-  if (value.find_first_of("'\"") != std::string_view::npos) return std::nullopt;
-  return {{{key, std::string(value)}, std::min(end + 1, text.size())}};
-}
-
-/// All `key=value` of a bracket section; what is none of them is passed over, as conda does.
-std::vector<BracketPair> bracket_pairs(std::string_view text) {
-  std::vector<BracketPair> pairs;
-  std::size_t start = 0;
-  for (std::size_t at = text.find('='); at != std::string_view::npos; at = text.find('=', at)) {
-    const auto found = pair_at(text.substr(start), at - start);
-    if (found) {
-      pairs.push_back(found->first);
-      start += found->second;
-      at = start;
-    } else {
-      ++at;
-    }
-  }
-  return pairs;
-}
-
-/// "=1.2" -> "1.2*", "==1.2" -> "1.2": conda's way to write fuzzy and exact.
-std::string normal_version(const std::string& version, bool has_build) {
-  if (version == "==" || version == "=" || !version.starts_with('=')) return version;
-  const std::size_t solid = version.find_first_not_of('=');
-  const std::string rest = solid == std::string::npos ? std::string() : version.substr(solid);
-  if (version.starts_with("==") && !has_build) return rest;
-  if (rest.find_first_of("=,|") != std::string::npos) return version;
-  if (!has_build && !rest.ends_with('*')) return rest + "*";
-  return rest;
-}
-
-/// Spaces behind a sign of comparison or a comma mean nothing.
-std::string without_idle_spaces(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (one_of(c, " \t") && !out.empty() && one_of(out.back(), "<>=!~,|")) continue;
-    out += c;
-  }
-  return out;
-}
-
-struct VersionAndBuild {
-  std::string version;
-  std::optional<std::string> build;
-};
-
-/// The first space or `=` behind which only a build string can stand parts the two.
-VersionAndBuild part_version_and_build(std::string_view text) {
-  const std::size_t last_sign = text.find_last_of("-=,|<>~");  // none of these is in a build string
-  VersionAndBuild parts{.version = std::string(text), .build = std::nullopt};
-  for (std::size_t i = 1; i + 1 < text.size(); ++i) {
-    const bool parting = (text[i] == ' ' || text[i] == '=') && !one_of(text[i - 1], "=!|,<>~");
-    if (!parting || (last_sign != std::string_view::npos && last_sign > i)) continue;
-    parts.version = std::string(text.substr(0, i));
-    parts.build = std::string(trimmed(text.substr(i + 1)));
-    break;
-  }
-  std::erase(parts.version, ' ');
-  return parts;
-}
-
-/// CEP 26: letters, digits and single separators; `_` or `__` may stand in front.
-bool is_package_name(std::string_view name) {
-  std::size_t i = 0;
-  while (i < name.size() && i < 2 && name[i] == '_') ++i;
-  if (i == name.size()) return false;
-  bool separated = true;  // a separator now would be doubled
-  for (; i < name.size(); ++i) {
-    const char c = name[i];
-    const bool separator = c == '.' || c == '-' || c == '_';
-    if (!separator && !((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'))) return false;
-    if (separator && separated) return false;
-    separated = separator;
-  }
-  return true;
-}
-
-std::string_view last_part(std::string_view path) {
-  const std::size_t slash = path.find_last_of("/\\");
-  return slash == std::string_view::npos ? path : path.substr(slash + 1);
-}
-
-bool is_archive_name(std::string_view text) {
-  return text.ends_with(".conda") || text.ends_with(".tar.bz2");
-}
 
 }  // namespace
 
@@ -184,7 +38,7 @@ class MatchSpecReader {
     if (text.ends_with('@')) return feature(text.substr(0, text.size() - 1));
     if (is_archive_name(text)) return archive(text);
     if (!take_brackets(text)) return fault_;
-    take_section(text, '(', ')');
+    (void)take_section(text, '(', ')');  // an old form; conda drops it too
     take_channel(text);
     if (!take_name(text) || !take_version(text) || !apply_brackets()) return fault_;
     return std::move(spec_);

@@ -103,6 +103,8 @@ TEST(Lock, RefusesWhatIsNone) {
       {replaced(kText, "size: 1234", "size: many"), "a number that is not negative"},
       {replaced(kText, "md5: bbb", "md5: bxb"), "a hash of 32"},
       {replaced(kText, "noarch: generic", "noarch: true"), "`noarch` is"},
+      {replaced(kText, "version: \"1.0\"", "version: \"1.1\""), "is not that of `a-1.1-h0_0`"},
+      {replaced(kText, "noarch/a-1.0", "noarch/b-1.0"), "does not end with its file"},
       {replaced(kText, "license:", "licence:"), "unknown key `licence`"},
       {replaced(kText, "    url: \"embedded:/noarch/a-1.0-h0_0.conda\"\n", ""), "`url` is missing"},
       {replaced(kText, "channels:\n  - embedded", "channels: embedded"), "a list is expected"}};

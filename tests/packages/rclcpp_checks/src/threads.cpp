@@ -1,0 +1,89 @@
+// Threads: a multi-threaded executor with both kinds of groups, publishing from a thread.
+#include <atomic>
+#include <future>
+#include <mutex>
+#include <set>
+#include <thread>
+
+#include "checks.hpp"
+#include "std_msgs/msg/string.hpp"
+
+using std_msgs::msg::String;
+using namespace std::chrono_literals;
+
+int main(int argc, char** argv) {
+  rclcpp::init(argc, argv);
+  Checks checks("threads");
+  auto node = std::make_shared<rclcpp::Node>("threads_node");
+  auto free_group = node->create_callback_group(rclcpp::CallbackGroupType::Reentrant);
+  auto one_group = node->create_callback_group(rclcpp::CallbackGroupType::MutuallyExclusive);
+
+  rclcpp::executors::MultiThreadedExecutor executor(rclcpp::ExecutorOptions(), 3);
+  std::atomic<int> inside{0};
+  std::atomic<int> most_inside{0};
+  std::atomic<int> alone{0};
+  std::atomic<int> most_alone{0};
+  std::atomic<int> heard{0};
+  std::mutex mutex;
+  std::set<std::thread::id> ids;
+  const auto enter = [](std::atomic<int>& count, std::atomic<int>& most) {
+    const int now = ++count;
+    int seen = most;
+    while (now > seen && !most.compare_exchange_weak(seen, now)) {
+    }
+  };
+  auto parallel = node->create_wall_timer(
+      1ms,
+      [&] {
+        enter(inside, most_inside);
+        {
+          const std::lock_guard<std::mutex> lock(mutex);
+          ids.insert(std::this_thread::get_id());
+        }
+        std::this_thread::sleep_for(10ms);
+        --inside;
+      },
+      free_group);
+  const auto exclusive = [&] {
+    enter(alone, most_alone);
+    std::this_thread::sleep_for(1ms);
+    --alone;
+  };
+  auto first = node->create_wall_timer(1ms, exclusive, one_group);
+  auto second = node->create_wall_timer(1ms, exclusive, one_group);
+  rclcpp::SubscriptionOptions options;
+  options.callback_group = free_group;
+  auto subscription = node->create_subscription<String>(
+      "topic", 100, [&](const String&) { ++heard; }, options);
+  auto publisher = node->create_publisher<String>("topic", 100);
+  constexpr int kMessages = 20;
+  std::thread feeder([&] {
+    for (int i = 0; i < kMessages; ++i) {
+      publisher->publish(String());
+      std::this_thread::sleep_for(2ms);
+    }
+  });
+  auto caught = std::async(std::launch::async, [] {
+    try {
+      throw std::out_of_range("in a thread");
+    } catch (const std::exception& error) {
+      return std::string(error.what());
+    }
+  });
+  std::thread stopper([&] {
+    while (heard < kMessages || most_inside < 2) {
+      std::this_thread::sleep_for(1ms);
+    }
+    executor.cancel();
+  });
+  executor.add_node(node);
+  executor.spin();
+  stopper.join();
+  feeder.join();
+  CHECK(heard == kMessages);
+  CHECK(most_inside > 1);
+  CHECK(most_alone == 1);
+  CHECK(ids.size() > 1);
+  CHECK(caught.get() == "in a thread");
+  return checks.finish();
+}

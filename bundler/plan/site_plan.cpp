@@ -2,10 +2,12 @@
 #include "bundler/plan/site_plan.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "bundler/build/wasm_module.hpp"
 #include "bundler/io/sha256.hpp"
 #include "bundler/render/interfaces_json.hpp"
+#include "bundler/render/page_html.hpp"
 #include "bundler/render/site_json.hpp"
 
 namespace ros2wasm {
@@ -13,6 +15,7 @@ namespace {
 
 /// The headless entry runs from the ros2wasm installation and is not part of sites.
 constexpr std::string_view kHeadlessRole = "headless";
+constexpr std::string_view kPageRole = "page";
 
 std::string program_path(const LaunchNode& node) {
   return "programs/" + node.package + "/" + node.executable + ".wasm";
@@ -44,8 +47,15 @@ std::string reason_of_asset(std::string_view role) {
 Outcome<SitePlan> plan_site(PlanInput input) {
   SitePlan plan;
   Diagnostics errors;
+  std::set<std::string> paths;
+  for (const LaunchNode& node : input.nodes) paths.insert(program_path(node));
+  const Manifest& manifest = input.manifest;
   for (RuntimeAsset& asset : input.runtime) {
     if (asset.role == kHeadlessRole) continue;
+    if (asset.role == kPageRole) {
+      asset.bytes = page_html(std::move(asset.bytes), manifest.title.empty() ? manifest.name.value : manifest.title,
+                              {paths.begin(), paths.end()});
+    }
     add(plan, asset.file, reason_of_asset(asset.role), std::move(asset.bytes));
   }
   std::map<std::string, bool> threads_of;

@@ -40,7 +40,13 @@ void write_node(JsonWriter& json, const PlannedNode& planned) {
 
 void write_options(JsonWriter& json, std::string_view name, const std::map<std::string, std::string>& options) {
   json.key(name).begin_object();
-  for (const auto& [key, value] : options) json.field(key, value);
+  for (const auto& [key, value] : options) {
+    if (value == "true" || value == "false") {
+      json.field_boolean(key, value == "true");
+    } else {
+      json.field(key, value);
+    }
+  }
   json.end_object();
 }
 

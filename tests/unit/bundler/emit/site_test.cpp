@@ -9,6 +9,7 @@
 #include "bundler/plan/runtime_assets.hpp"
 #include "bundler/plan/site_plan.hpp"
 #include "bundler/io/sha256.hpp"
+#include "bundler/render/page_html.hpp"
 #include "tests/unit/bundler/support/temporary_tree.hpp"
 #include "workspace_schema/json_reader.hpp"
 
@@ -29,7 +30,7 @@ Manifest manifest() {
   result.version = "1.0.0";
   result.license = "MIT";
   result.authors = {{.name = "Ada", .email = "", .orcid = "0000-0001", .affiliation = ""}};
-  result.ui = {{"theme", "dark"}};
+  result.ui = {{"autostart", "false"}, {"theme", "dark"}};
   return result;
 }
 
@@ -89,6 +90,15 @@ TEST(SitePlan, SiteJsonSaysWhatRuns) {
   EXPECT_EQ(nodes[0].find("source")->find("line")->integer(), 3);
   EXPECT_EQ(json->find("files")->items().size(), 4U);
   EXPECT_EQ(json->find("ui")->text_of("theme"), "dark");
+  EXPECT_EQ(json->find("ui")->find("autostart")->boolean(), false);
+}
+
+TEST(PageHtml, HasTheTitleAndHintsAndNothingUnescaped) {
+  const std::string page = "<head><title>ros2wasm</title></head><body></body>";
+  EXPECT_EQ(page_html(page, "A & <b>", {"programs/demo/talker.wasm"}),
+            "<head><title>A &amp; &lt;b&gt;</title><link rel=\"preload\" href=\"programs/demo/talker.wasm\" "
+            "as=\"fetch\" crossorigin>\n</head><body></body>");
+  EXPECT_EQ(page_html("<p>", "t", {"x"}), "<p>");
 }
 
 TEST(SitePlan, TheSameInputGivesTheSameBytes) {

@@ -1,0 +1,40 @@
+// See page_html.hpp.
+#include "bundler/render/page_html.hpp"
+
+namespace ros2wasm {
+namespace {
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&': result += "&amp;"; break;
+      case '<': result += "&lt;"; break;
+      case '>': result += "&gt;"; break;
+      case '"': result += "&quot;"; break;
+      default: result += c;
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string page_html(std::string page, std::string_view title, const std::vector<std::string>& programs) {
+  constexpr std::string_view kOpen = "<title>";
+  const std::size_t open = page.find(kOpen);
+  const std::size_t close = page.find("</title>");
+  if (open != std::string::npos && close != std::string::npos && open < close) {
+    const std::size_t begin = open + kOpen.size();
+    page.replace(begin, close - begin, escaped(title));
+  }
+  std::string hints;
+  for (const std::string& program : programs) {
+    hints += "<link rel=\"preload\" href=\"" + escaped(program) + "\" as=\"fetch\" crossorigin>\n";
+  }
+  const std::size_t head_end = page.find("</head>");
+  if (head_end != std::string::npos) page.insert(head_end, hints);
+  return page;
+}
+
+}  // namespace ros2wasm

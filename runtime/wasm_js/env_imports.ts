@@ -1,6 +1,7 @@
 // Module "env": what Emscripten's C library wants from its JavaScript side. A single-threaded program needs next to
 // nothing of it; a threaded one its thread functions. Thread workers are started by the page: this worker may block.
 
+import { timeImports } from './env_time.ts';
 import type { Exports } from './program.ts';
 import { unwound } from './program.ts';
 import type { ProgramMemory } from './program_memory.ts';
@@ -97,7 +98,7 @@ export function envImports(host: EnvHost): Record<string, EnvFunction> {
     emscripten_receive_on_main_thread_js: (): number => 0,
     emscripten_num_logical_cores: (): number => Math.max(2, navigator.hardwareConcurrency),
   };
-  const functions = { ...single, ...(host.threaded ? threads : {}) };
+  const functions = { ...single, ...(host.threaded ? { ...timeImports(memory), ...threads } : {}) };
   // System calls that this C library leaves to JavaScript: none of them is there.
   return new Proxy(functions, {
     get: (target, name) => {

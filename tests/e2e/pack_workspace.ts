@@ -66,7 +66,7 @@ ament_package()
     return finished(this.start(args, environment));
   }
 
-  read(path: string): Buffer {
+  read(path: string): Buffer<ArrayBuffer> {
     return readFileSync(join(this.root, path));
   }
 

@@ -134,7 +134,7 @@ async function visit(options: BrowserContextOptions = {}): Promise<Visit> {
 
 async function heard(page: Page): Promise<void> {
   await page.waitForFunction(
-    () => /I heard: 'Hello, world! \d+'/.test(document.body.innerText),
+    () => /I heard: 'Hello, world! \d+'/.test((document.body?.innerText ?? "")),
     null,
     { timeout: HEARD_MS },
   );

@@ -20,9 +20,9 @@ const probe = `
   tell();
 `;
 
-let browser: Browser;
+let browser: Browser | undefined;
 let foreign: Host;
-let folder: string;
+let folder = '';
 const contexts: BrowserContext[] = [];
 
 before(async () => {
@@ -34,19 +34,20 @@ before(async () => {
 
 after(async () => {
   for (const context of contexts) await context.close();
-  await browser.close();
+  await browser?.close();
   await foreign.close();
-  rmSync(folder, { recursive: true });
+  if (folder !== '') rmSync(folder, { recursive: true });
 });
 
 async function open(options: Parameters<Browser['newContext']>[0] = {}): Promise<Page> {
+  assert.ok(browser);
   const context = await browser.newContext(options);
   contexts.push(context);
   return context.newPage();
 }
 
 async function heard(page: Page): Promise<void> {
-  await page.waitForFunction(() => document.body.textContent?.includes('I heard: [Hello World'), null, { timeout: 30_000 });
+  await page.waitForFunction(() => (document.body?.textContent ?? "").includes('I heard: [Hello World'), null, { timeout: 30_000 });
 }
 
 /** Runs the probe as a worker from the site's URL, or from a blob: URL as nodes are started. */
@@ -123,7 +124,7 @@ test('a new version of the site is what the next visit shows', watchdog, async (
     const { renameSync } = await import('node:fs');
     renameSync(next, changing);
     await page.reload();
-    await page.waitForFunction(() => document.body.textContent?.includes('COLOUR=red'), null, { timeout: 30_000 });
+    await page.waitForFunction(() => (document.body?.textContent ?? "").includes('COLOUR=red'), null, { timeout: 30_000 });
   } finally {
     await host.close();
     rmSync(changing, { recursive: true });

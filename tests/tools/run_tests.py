@@ -96,7 +96,9 @@ def run(suite: Suite, build: Path, environment: dict[str, str]) -> Counts:
     elif suite.counting == "node":
         command[2:2] = [
             "--test-reporter=junit", f"--test-reporter-destination={report}",
-            "--test-reporter=dot", "--test-reporter-destination=stdout",
+            "--test-reporter=spec", "--test-reporter-destination=stdout",
+            # A watchdog for tests that have none, and an end even when a test left a server open.
+            "--test-timeout=600000", "--test-force-exit",
         ]
     started = time.monotonic()
     process = subprocess.run(

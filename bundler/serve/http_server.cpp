@@ -142,9 +142,11 @@ Outcome<HttpServer> HttpServer::start(const std::string& host, int port, HttpHan
   server.set_tcp_nodelay(true);
   server.set_payload_max_length(std::size_t{64} * 1024);  // nothing is ever sent to this server
   // Without SO_REUSEPORT, so that a port in use is noticed.
-  server.set_socket_options([](socket_t socket) {
+  auto bound = std::make_shared<socket_t>(INVALID_SOCKET);
+  server.set_socket_options([bound](socket_t socket) {
     const int one = 1;
     setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &one, sizeof one);
+    *bound = socket;
   });
   server.set_pre_routing_handler(
       [handler = std::move(handler)](const httplib::Request& request, httplib::Response& response) {
@@ -156,6 +158,8 @@ Outcome<HttpServer> HttpServer::start(const std::string& host, int port, HttpHan
     state->port = server.bind_to_port(host, port) ? port : -1;
   }
   if (state->port <= 0) return bind_error(host, port);
+  // The library queues five connections; more at once would wait for the retries of TCP.
+  ::listen(*bound, SOMAXCONN);
   state->thread = std::thread([&server] { server.listen_after_bind(); });
   // stop() does nothing before the server runs.
   while (!server.is_running()) std::this_thread::sleep_for(std::chrono::milliseconds(1));

@@ -1,4 +1,5 @@
-// The steps of a pack, in order. Edges (disk, processes) and pure steps alternate as ARCHITECTURE.md says.
+// The steps of a pack, in order. Edges (disk, processes) and pure steps alternate as
+// ARCHITECTURE.md says.
 #include "bundler/pipeline.hpp"
 
 #include <algorithm>
@@ -33,7 +34,9 @@ std::string variable(const EnvironmentVariables& variables, const std::string& n
   return found == variables.end() ? std::string() : found->second;
 }
 
-void append(Diagnostics& to, const Diagnostics& more) { to.insert(to.end(), more.begin(), more.end()); }
+void append(Diagnostics& to, const Diagnostics& more) {
+  to.insert(to.end(), more.begin(), more.end());
+}
 
 void begin_step(const ProgressSink& progress, const char* step) {
   if (progress) progress({.step = step, .item = {}, .done = 0, .total = 0, .unit = {}});
@@ -145,7 +148,8 @@ Outcome<std::vector<PackageRecord>> resolve(const PackRequest& request, Question
   auto solved = solve_with_lock(question.specs, question.index, lock_file, request.locked);
   if (!solved) return std::move(solved).errors();
   if (!request.locked && !request.plan_only && solved->lock_changed) {
-    if (auto written = write_file(lock_file, solved->lock_text); !written) return std::move(written).errors();
+    if (auto written = write_file(lock_file, solved->lock_text); !written)
+      return std::move(written).errors();
     question.workspace.remarks.push_back("wrote " + std::string(kLockFileName) + " (" +
                                          std::to_string(solved->packages.size()) + " packages)");
   }
@@ -153,7 +157,8 @@ Outcome<std::vector<PackageRecord>> resolve(const PackRequest& request, Question
 }
 
 /// What the prefixes hold, packages of the workspace before those of the channels.
-std::vector<InstalledPackage> all_installed(const std::vector<BuiltPackage>& built, const fs::path& environment) {
+std::vector<InstalledPackage> all_installed(const std::vector<BuiltPackage>& built,
+                                            const fs::path& environment) {
   std::vector<InstalledPackage> result;
   std::set<std::string> names;
   for (const BuiltPackage& one : built) {
@@ -174,7 +179,8 @@ std::string build_remark(const std::vector<BuiltPackage>& packages) {
   for (const BuiltPackage& one : packages) {
     if (!one.from_cache) fresh.push_back(one.name);
   }
-  if (fresh.empty()) return "nothing to build: " + std::to_string(packages.size()) + " packages are as before";
+  if (fresh.empty())
+    return "nothing to build: " + std::to_string(packages.size()) + " packages are as before";
   return "built " + name_list(fresh);
 }
 
@@ -182,7 +188,8 @@ std::string build_remark(const std::vector<BuiltPackage>& packages) {
 Outcome<std::vector<LaunchNode>> launch(BuiltWorkspace& workspace) {
   Manifest& manifest = workspace.manifest;
   if (manifest.nodes.empty()) {
-    const auto local_end = workspace.installed.begin() + static_cast<std::ptrdiff_t>(workspace.packages.size());
+    const auto local_end =
+        workspace.installed.begin() + static_cast<std::ptrdiff_t>(workspace.packages.size());
     manifest.nodes = default_nodes({workspace.installed.begin(), local_end});
     if (manifest.nodes.empty()) {
       return Diagnostic{.code = "R2W0406",
@@ -190,7 +197,8 @@ Outcome<std::vector<LaunchNode>> launch(BuiltWorkspace& workspace) {
                         .why = {"none of its packages installs an executable into lib/<package>/"}};
     }
     std::vector<std::string> names;
-    for (const NodeEntry& node : manifest.nodes) names.push_back(node.package.value + "/" + node.executable.value);
+    for (const NodeEntry& node : manifest.nodes)
+      names.push_back(node.package.value + "/" + node.executable.value);
     workspace.remarks.push_back("every program runs once: " + name_list(names, 12));
   }
   ParameterFiles files;
@@ -203,10 +211,11 @@ Outcome<std::vector<LaunchNode>> launch(BuiltWorkspace& workspace) {
       if (text) {
         files[file.value] = std::move(text).value();
       } else {
-        errors.push_back(Diagnostic{.code = "R2W0403",
-                                    .message = "the parameter file `" + file.value + "` cannot be read",
-                                    .span = file.span,
-                                    .why = text.errors().front().why});
+        errors.push_back(
+            Diagnostic{.code = "R2W0403",
+                       .message = "the parameter file `" + file.value + "` cannot be read",
+                       .span = file.span,
+                       .why = text.errors().front().why});
       }
     }
   }
@@ -221,13 +230,15 @@ Outcome<std::vector<LaunchNode>> launch(BuiltWorkspace& workspace) {
 /// Step 7: read what the plan is made of.
 Outcome<SitePlan> plan(const PackRequest& request, const BuiltWorkspace& workspace,
                        std::vector<LaunchNode> nodes, const Cancellation& cancellation) {
-  const auto list = find_own_data(request.executable, "runtime/runtime_assets.json", "the runtime of sites");
+  const auto list =
+      find_own_data(request.executable, "runtime/runtime_assets.json", "the runtime of sites");
   if (!list) return list.errors();
   auto runtime = read_runtime_assets(*list);
   if (!runtime) return std::move(runtime).errors();
 
   const auto exceptions = workspace.manifest.site.find("exceptions");
-  const bool standard = exceptions != workspace.manifest.site.end() && exceptions->second == "standard";
+  const bool standard =
+      exceptions != workspace.manifest.site.end() && exceptions->second == "standard";
   PlanInput input{.manifest = workspace.manifest,
                   .nodes = std::move(nodes),
                   .programs = {},
@@ -252,7 +263,8 @@ Outcome<SitePlan> plan(const PackRequest& request, const BuiltWorkspace& workspa
 
 Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& cancellation,
                               const ProgressSink& progress) {
-  // 1. the manifest, 2. the packages of the workspace, 3. what the channels give: index, solve, lock, fetch
+  // 1. the manifest, 2. the packages of the workspace, 3. what the channels give: index, solve,
+  // lock, fetch
   auto question = ask(request, cancellation, progress);
   if (!question) return std::move(question).errors();
   const auto records = resolve(request, *question);
@@ -261,20 +273,22 @@ Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& ca
   const Compiler& compiler = question->compiler;
   BuiltWorkspace* workspace = &question->workspace;
   // A cache may lie inside a workspace; its packages are none of the workspace's.
-  if (auto marked = write_file(roots.cache / "COLCON_IGNORE", ""); !marked) return std::move(marked).errors();
+  if (auto marked = write_file(roots.cache / "COLCON_IGNORE", ""); !marked)
+    return std::move(marked).errors();
   const auto environment = make_environment(Store(roots), *records, cancellation, progress);
   if (!environment) return environment.errors();
 
   // 4. build, through the toolchain file
-  const auto toolchain = find_own_data(request.executable, "templates/toolchain/ros2wasm-toolchain.cmake",
-                                       "the CMake toolchain");
+  const auto toolchain = find_own_data(
+      request.executable, "templates/toolchain/ros2wasm-toolchain.cmake", "the CMake toolchain");
   if (!toolchain) return toolchain.errors();
   workspace->cache = roots.cache / "build";
-  const BuildTools tools{.compiler = compiler,
-                         .compiler_environment = compiler_environment(request.variables),
-                         .toolchain = fs::canonical(*toolchain),
-                         .cli = request.executable,
-                         .jobs = request.jobs != 0 ? request.jobs : std::max(1U, std::thread::hardware_concurrency())};
+  const BuildTools tools{
+      .compiler = compiler,
+      .compiler_environment = compiler_environment(request.variables),
+      .toolchain = fs::canonical(*toolchain),
+      .cli = request.executable,
+      .jobs = request.jobs != 0 ? request.jobs : std::max(1U, std::thread::hardware_concurrency())};
   begin_step(progress, "build");
   auto built = build_workspace(question->packages, question->order, tools,
                                {.cache = workspace->cache,
@@ -296,8 +310,9 @@ Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& ca
 
 Outcome<LockReport> lock(const LockRequest& request, const Cancellation& cancellation,
                          const ProgressSink& progress) {
-  auto question = ask({.input = request.input, .executable = request.executable, .variables = request.variables},
-                      cancellation, progress);
+  auto question = ask(
+      {.input = request.input, .executable = request.executable, .variables = request.variables},
+      cancellation, progress);
   if (!question) return std::move(question).errors();
   LockReport report{.file = question->workspace.folder / kLockFileName,
                     .warnings = question->workspace.warnings};
@@ -306,13 +321,16 @@ Outcome<LockReport> lock(const LockRequest& request, const Cancellation& cancell
     if (!text) return text.errors();
     auto old = read_lock(*text, report.file.filename().string());
     if (!old) return std::move(old).errors();
-    if (Diagnostics faults = check_solution(question->specs, old->packages); !faults.empty()) return faults;
+    if (Diagnostics faults = check_solution(question->specs, old->packages); !faults.empty())
+      return faults;
     report.packages = std::move(old->packages);
     return report;
   }
-  auto solved = solve_with_lock(question->specs, question->index, report.file, false, request.update);
+  auto solved =
+      solve_with_lock(question->specs, question->index, report.file, false, request.update);
   if (!solved) return std::move(solved).errors();
-  if (auto written = write_file(report.file, solved->lock_text); !written) return std::move(written).errors();
+  if (auto written = write_file(report.file, solved->lock_text); !written)
+    return std::move(written).errors();
   report.packages = std::move(solved->packages);
   report.changed = solved->lock_changed;
   return report;

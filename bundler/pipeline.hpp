@@ -1,4 +1,5 @@
-// The whole way from a workspace to a site, in one place: pipeline.cpp reads as its table of contents.
+// The whole way from a workspace to a site, in one place: pipeline.cpp reads as its table of
+// contents.
 #pragma once
 
 #include <filesystem>
@@ -16,10 +17,11 @@
 namespace ros2wasm {
 
 struct PackRequest {
-  std::string input;             ///< workspace.yaml, or a folder with or without one; empty: the current folder
-  std::filesystem::path output;  ///< folder to write
-  bool locked = false;           ///< fail rather than change ros2wasm.lock
-  bool plan_only = false;        ///< write nothing but the build cache
+  std::string
+      input;  ///< workspace.yaml, or a folder with or without one; empty: the current folder
+  std::filesystem::path output;      ///< folder to write
+  bool locked = false;               ///< fail rather than change ros2wasm.lock
+  bool plan_only = false;            ///< write nothing but the build cache
   std::filesystem::path executable;  ///< of this program
   EnvironmentVariables variables;
   unsigned jobs = 0;  ///< compilers at once; 0: one per processor
@@ -29,10 +31,11 @@ struct PackRequest {
 struct BuiltWorkspace {
   Manifest manifest;
   bool has_manifest = true;
-  std::filesystem::path folder;                ///< of the manifest, absolute
-  std::filesystem::path shown_folder;          ///< the same as the person named it
-  std::vector<BuiltPackage> packages;          ///< of the workspace, in build order
-  std::vector<InstalledPackage> installed;     ///< of workspace and channels; the workspace comes first
+  std::filesystem::path folder;        ///< of the manifest, absolute
+  std::filesystem::path shown_folder;  ///< the same as the person named it
+  std::vector<BuiltPackage> packages;  ///< of the workspace, in build order
+  std::vector<InstalledPackage>
+      installed;  ///< of workspace and channels; the workspace comes first
   std::vector<std::filesystem::path> watched;  ///< files and folders that a rebuild depends on
   std::filesystem::path cache;
   Diagnostics warnings;
@@ -62,12 +65,14 @@ struct LockReport {
   Diagnostics warnings;
 };
 
-/// Writes ros2wasm.lock without building, or checks it by satisfiability (R2W0311, one per edge that does not hold).
+/// Writes ros2wasm.lock without building, or checks it by satisfiability (R2W0311, one per edge
+/// that does not hold).
 [[nodiscard]] Outcome<LockReport> lock(const LockRequest& request, const Cancellation& cancellation,
                                        const ProgressSink& progress);
 
 /// Everything up to the installed packages.
-[[nodiscard]] Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& cancellation,
+[[nodiscard]] Outcome<BuiltWorkspace> build(const PackRequest& request,
+                                            const Cancellation& cancellation,
                                             const ProgressSink& progress);
 
 /// build(), then launch, plan, emit.

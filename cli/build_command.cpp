@@ -42,10 +42,12 @@ int run(Context& context, const Options& options) {
 
 CommandBody build_command(Arguments& arguments) {
   const auto options = std::make_shared<Options>();
-  arguments.optional("WORKSPACE", options->input,
-                     "a workspace.yaml, or a folder with ROS 2 packages (default: the current folder)");
+  arguments.optional(
+      "WORKSPACE", options->input,
+      "a workspace.yaml, or a folder with ROS 2 packages (default: the current folder)");
   arguments.flag("--locked", options->locked, "fail rather than change ros2wasm.lock");
-  arguments.number("-j,--jobs", options->jobs, "N", 1, 256, "compilers at once (default: one per processor)");
+  arguments.number("-j,--jobs", options->jobs, "N", 1, 256,
+                   "compilers at once (default: one per processor)");
   arguments.examples({"ros2wasm build ~/ros2_ws"});
   return [options](Context& context) { return run(context, *options); };
 }

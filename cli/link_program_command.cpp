@@ -1,4 +1,5 @@
-// `ros2wasm link-program -- em++ ... -o talker.wasm`: what CMake runs instead of the linker. Not for people.
+// `ros2wasm link-program -- em++ ... -o talker.wasm`: what CMake runs instead of the linker. Not
+// for people.
 #include <memory>
 
 #include "bundler/build/compiler.hpp"
@@ -27,10 +28,11 @@ void hand_up(const Context& context, const std::string& output, const Diagnostic
 
 int link(Context& context, const Options& options) {
   if (options.command.empty()) {
-    return context.console.fail(Diagnostic{.code = "R2W0902",
-                                           .kind = FailureKind::kCommandLine,
-                                           .message = "there is no link command",
-                                           .fix = {"ros2wasm link-program -- em++ main.o -o main.wasm"}});
+    return context.console.fail(
+        Diagnostic{.code = "R2W0902",
+                   .kind = FailureKind::kCommandLine,
+                   .message = "there is no link command",
+                   .fix = {"ros2wasm link-program -- em++ main.o -o main.wasm"}});
   }
   const auto linked = link_program({.package = options.package,
                                     .command = options.command,

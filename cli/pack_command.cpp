@@ -21,7 +21,8 @@ void print_plan(Console& console, const SitePlan& plan) {
   for (const PlannedFile& file : plan.files) {
     std::string size = std::to_string(file.bytes.size());
     if (size.size() < 9) size.insert(0, 9 - size.size(), ' ');
-    console.result(size + "  " + file.sha256.substr(0, 12) + "  " + file.path + "  (" + file.reason + ")");
+    console.result(size + "  " + file.sha256.substr(0, 12) + "  " + file.path + "  (" +
+                   file.reason + ")");
   }
 }
 
@@ -39,7 +40,9 @@ void print_json(Console& console, const PackReport& report, bool written) {
   console.result(json.text());
 }
 
-std::string kilobytes(std::uint64_t bytes) { return std::to_string((bytes + 999) / 1000) + " kB"; }
+std::string kilobytes(std::uint64_t bytes) {
+  return std::to_string((bytes + 999) / 1000) + " kB";
+}
 
 int run(Context& context, const Options& options) {
   const auto report = pack({.input = options.input,
@@ -70,12 +73,16 @@ int run(Context& context, const Options& options) {
 
 CommandBody pack_command(Arguments& arguments) {
   const auto options = std::make_shared<Options>();
-  arguments.optional("WORKSPACE", options->input,
-                     "a workspace.yaml, or a folder with ROS 2 packages (default: the current folder)");
-  arguments.value("-o,--output", options->output, "FOLDER", "where to write the site (default: site)");
+  arguments.optional(
+      "WORKSPACE", options->input,
+      "a workspace.yaml, or a folder with ROS 2 packages (default: the current folder)");
+  arguments.value("-o,--output", options->output, "FOLDER",
+                  "where to write the site (default: site)");
   arguments.flag("--locked", options->locked, "fail rather than change ros2wasm.lock");
-  arguments.flag("--plan", options->plan, "print every file with size, hash and reason; write no site");
-  arguments.number("-j,--jobs", options->jobs, "N", 1, 256, "compilers at once (default: one per processor)");
+  arguments.flag("--plan", options->plan,
+                 "print every file with size, hash and reason; write no site");
+  arguments.number("-j,--jobs", options->jobs, "N", 1, 256,
+                   "compilers at once (default: one per processor)");
   arguments.examples({"ros2wasm pack examples/01_talker_listener/workspace.yaml -o site",
                       "ros2wasm pack ~/ros2_ws --plan"});
   return [options](Context& context) { return run(context, *options); };

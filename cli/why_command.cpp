@@ -30,7 +30,8 @@ Diagnostic not_in_site(const std::string& path, std::vector<std::string> why) {
                     .why = std::move(why)};
 }
 
-int answer(Context& context, const std::string& path, std::uint64_t size, const std::string& reason) {
+int answer(Context& context, const std::string& path, std::uint64_t size,
+           const std::string& reason) {
   if (context.json) {
     JsonWriter json;
     json.begin_object().field("path", path);
@@ -46,14 +47,17 @@ int answer(Context& context, const std::string& path, std::uint64_t size, const 
 int why(Context& context, const std::string& word) {
   const fs::path folder = site_above(word);
   if (folder.empty()) {
-    return context.console.fail(not_in_site(word, {"there is no site.json in the folders above it"}));
+    return context.console.fail(
+        not_in_site(word, {"there is no site.json in the folders above it"}));
   }
-  const std::string relative = fs::absolute(word).lexically_normal().lexically_relative(folder).generic_string();
+  const std::string relative =
+      fs::absolute(word).lexically_normal().lexically_relative(folder).generic_string();
   const auto text = read_file(folder / "site.json");
   if (!text) return context.console.fail(text.errors());
   const auto json = parse_json(*text, (folder / "site.json").string(), "R2W0605");
   if (!json) return context.console.fail(json.errors());
-  if (relative == "site.json") return answer(context, relative, text->size(), "what runs in the site");
+  if (relative == "site.json")
+    return answer(context, relative, text->size(), "what runs in the site");
   std::vector<std::string> known;
   const JsonValue* files = json->find("files");
   for (const JsonValue& file : files == nullptr ? JsonValue::Array() : files->items()) {
@@ -64,7 +68,8 @@ int why(Context& context, const std::string& word) {
                   file.text_of("reason"));
   }
   Diagnostic error = not_in_site(word, {"site.json of " + folder.string() + " does not list it"});
-  if (const auto similar = nearest(relative, known)) error.why.push_back("it lists `" + *similar + "`");
+  if (const auto similar = nearest(relative, known))
+    error.why.push_back("it lists `" + *similar + "`");
   return context.console.fail(error);
 }
 

@@ -36,7 +36,8 @@ std::string hash_of(const LocalPackage& package, const std::vector<const BuiltPa
   return hash.finish();
 }
 
-/// Programs go into sites without their function names; the names stay beside them for crash reports.
+/// Programs go into sites without their function names; the names stay beside them for crash
+/// reports.
 Outcome<Done> split_programs(const fs::path& prefix, const std::string& package) {
   std::error_code error;
   for (fs::directory_iterator it(prefix / "lib" / package, error), end; !error && it != end;
@@ -54,19 +55,26 @@ Outcome<Done> split_programs(const fs::path& prefix, const std::string& package)
   return Done{};
 }
 
-/// All that the packages' builds share; packages that do not need each other are built at the same time.
+/// All that the packages' builds share; packages that do not need each other are built at the same
+/// time.
 class WorkspaceBuilder {
  public:
   WorkspaceBuilder(const std::vector<LocalPackage>& packages, const BuildOrder& order,
                    const BuildTools& tools, const BuildSettings& settings,
                    const Cancellation& cancellation, const ProgressSink& progress)
-      : packages_(packages), order_(order), tools_(tools), settings_(settings),
-        cancellation_(cancellation), progress_(progress), built_(packages.size()),
+      : packages_(packages),
+        order_(order),
+        tools_(tools),
+        settings_(settings),
+        cancellation_(cancellation),
+        progress_(progress),
+        built_(packages.size()),
         state_(packages.size(), State::kWaiting),
         toolchain_hash_(hash_of_tree(tools.toolchain.parent_path())) {}
 
   [[nodiscard]] Outcome<WorkspaceBuild> run() {
-    const unsigned workers = std::max(1U, std::min<unsigned>(tools_.jobs, static_cast<unsigned>(packages_.size())));
+    const unsigned workers =
+        std::max(1U, std::min<unsigned>(tools_.jobs, static_cast<unsigned>(packages_.size())));
     std::vector<std::thread> threads;
     for (unsigned i = 1; i < workers; ++i) threads.emplace_back([this] { work(); });
     work();
@@ -83,7 +91,9 @@ class WorkspaceBuilder {
     while (true) {
       const auto next = ready();
       if (!next) {
-        if (std::none_of(state_.begin(), state_.end(), [](State s) { return s == State::kRunning; })) break;
+        if (std::none_of(state_.begin(), state_.end(),
+                         [](State s) { return s == State::kRunning; }))
+          break;
         changed_.wait(lock);
         continue;
       }
@@ -102,11 +112,13 @@ class WorkspaceBuilder {
     for (const std::size_t index : order_.order) {
       if (state_[index] != State::kWaiting) continue;
       const auto& needs = order_.needs[index];
-      if (std::any_of(needs.begin(), needs.end(), [&](std::size_t n) { return state_[n] == State::kNotBuilt; })) {
+      if (std::any_of(needs.begin(), needs.end(),
+                      [&](std::size_t n) { return state_[n] == State::kNotBuilt; })) {
         state_[index] = State::kNotBuilt;
         continue;
       }
-      if (std::all_of(needs.begin(), needs.end(), [&](std::size_t n) { return state_[n] == State::kBuilt; })) {
+      if (std::all_of(needs.begin(), needs.end(),
+                      [&](std::size_t n) { return state_[n] == State::kBuilt; })) {
         return index;
       }
     }
@@ -142,7 +154,8 @@ class WorkspaceBuilder {
     std::error_code error;
     if (fs::is_directory(result.prefix, error)) return std::optional(std::move(result));
     result.from_cache = false;
-    if (auto done = build_anew(*language, package, needs, result.prefix); !done) return std::move(done).errors();
+    if (auto done = build_anew(*language, package, needs, result.prefix); !done)
+      return std::move(done).errors();
     return std::optional(std::move(result));
   }
 
@@ -161,17 +174,20 @@ class WorkspaceBuilder {
     auto staging = TemporaryDirectory::make(settings_.cache / "built", "." + name + "-");
     if (!staging) return std::move(staging).errors();
 
-    PackageBuild request{.place = {.package = name,
-                                   .source = package.directory,
-                                   .display = shown_path(package.directory, settings_.base, settings_.shown_base),
-                                   .compiler_version = tools_.compiler.version,
-                                   .channel_packages = settings_.channel_packages},
-                         .prefixes = {},
-                         .work = work,
-                         .install = staging->path(),
-                         .final_prefix = prefix};
-    for (auto need = needs.rbegin(); need != needs.rend(); ++need) request.prefixes.push_back((*need)->prefix);
-    if (!settings_.environment_prefix.empty()) request.prefixes.push_back(settings_.environment_prefix);
+    PackageBuild request{
+        .place = {.package = name,
+                  .source = package.directory,
+                  .display = shown_path(package.directory, settings_.base, settings_.shown_base),
+                  .compiler_version = tools_.compiler.version,
+                  .channel_packages = settings_.channel_packages},
+        .prefixes = {},
+        .work = work,
+        .install = staging->path(),
+        .final_prefix = prefix};
+    for (auto need = needs.rbegin(); need != needs.rend(); ++need)
+      request.prefixes.push_back((*need)->prefix);
+    if (!settings_.environment_prefix.empty())
+      request.prefixes.push_back(settings_.environment_prefix);
 
     if (auto done = language.build(request, tools_, cancellation_, progress_); !done) return done;
     if (auto done = split_programs(staging->path(), name); !done) return done;
@@ -182,7 +198,8 @@ class WorkspaceBuilder {
 
   [[nodiscard]] Outcome<WorkspaceBuild> result() {
     if (cancellation_.requested()) return interrupted();
-    std::sort(errors_.begin(), errors_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::sort(errors_.begin(), errors_.end(),
+              [](const auto& a, const auto& b) { return a.first < b.first; });
     Diagnostics all;
     for (auto& [index, errors] : errors_) {
       for (Diagnostic& one : errors) {
@@ -199,14 +216,16 @@ class WorkspaceBuilder {
       if (built_[index]) result.packages.push_back(std::move(*built_[index]));
     }
     std::sort(left_out_.begin(), left_out_.end());
-    for (const std::size_t index : left_out_) result.warnings.push_back(left_out_warning(packages_[index]));
+    for (const std::size_t index : left_out_)
+      result.warnings.push_back(left_out_warning(packages_[index]));
     return result;
   }
 
   [[nodiscard]] static Diagnostic left_out_warning(const LocalPackage& package) {
     return Diagnostic{.code = "R2W0514",
                       .severity = Severity::kWarning,
-                      .message = "package `" + package.xml.name.value + "` is left out: packages of build type `" +
+                      .message = "package `" + package.xml.name.value +
+                                 "` is left out: packages of build type `" +
                                  package.xml.build_type + "` are not built for sites",
                       .span = package.xml.name.span,
                       .why = {"build types that are: " + name_list(known_build_types())}};

@@ -1,5 +1,6 @@
-// Builds the packages of a workspace in order, each into a prefix of its own that is named by the hash of all it
-// depends on. A package whose hash is known is not built again, and no tool is started for it.
+// Builds the packages of a workspace in order, each into a prefix of its own that is named by the
+// hash of all it depends on. A package whose hash is known is not built again, and no tool is
+// started for it.
 #pragma once
 
 #include <filesystem>
@@ -18,7 +19,8 @@ struct BuildSettings {
   std::string environment_key;               ///< changes with those packages
   std::filesystem::path base;                ///< of the workspace
   std::filesystem::path shown_base;          ///< the same as the person named it, for messages
-  std::vector<std::string> channel_packages;  ///< ROS names that the channels have, sorted: for advice
+  std::vector<std::string>
+      channel_packages;  ///< ROS names that the channels have, sorted: for advice
 };
 
 struct BuiltPackage {
@@ -34,14 +36,12 @@ struct WorkspaceBuild {
   Diagnostics warnings;                ///< packages that were left out
 };
 
-/// Tools are asked for only when something must be built, so a warm pack works without a compiler's start.
-/// R2W0501 to R2W0508 as the steps say; R2W0514 (warning) a build type without a row: that package is left out.
-/// A package that fails does not stop those that do not need it: all mistakes come at once.
-[[nodiscard]] Outcome<WorkspaceBuild> build_workspace(const std::vector<LocalPackage>& packages,
-                                                      const BuildOrder& order,
-                                                      const BuildTools& tools,
-                                                      const BuildSettings& settings,
-                                                      const Cancellation& cancellation,
-                                                      const ProgressSink& progress);
+/// Tools are asked for only when something must be built, so a warm pack works without a compiler's
+/// start. R2W0501 to R2W0508 as the steps say; R2W0514 (warning) a build type without a row: that
+/// package is left out. A package that fails does not stop those that do not need it: all mistakes
+/// come at once.
+[[nodiscard]] Outcome<WorkspaceBuild> build_workspace(
+    const std::vector<LocalPackage>& packages, const BuildOrder& order, const BuildTools& tools,
+    const BuildSettings& settings, const Cancellation& cancellation, const ProgressSink& progress);
 
 }  // namespace ros2wasm

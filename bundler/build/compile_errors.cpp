@@ -27,7 +27,8 @@ std::vector<std::string> lines_of(std::string_view text) {
 bool is_ninja_line(const std::string& line) {
   return line.starts_with("ninja: ") || line.starts_with("FAILED: ") ||
          (line.starts_with('[') && line.find('/') != std::string::npos &&
-          line.find("] ") != std::string::npos && line.find_first_not_of("[0123456789/") == line.find(']'));
+          line.find("] ") != std::string::npos &&
+          line.find_first_not_of("[0123456789/") == line.find(']'));
 }
 
 /// How a message names a file: below the package as the person sees it, else as it is.
@@ -88,8 +89,8 @@ constexpr auto kMissingFeatures = std::to_array<MissingFeature>({
 void explain_missing_features(Diagnostic& diagnostic, const BuildPlace& place) {
   for (const MissingFeature& feature : kMissingFeatures) {
     if (diagnostic.detail.find(feature.sign) == std::string::npos) continue;
-    diagnostic.why.push_back("the C++ library of Emscripten " + place.compiler_version + " has no " +
-                             std::string(feature.name) +
+    diagnostic.why.push_back("the C++ library of Emscripten " + place.compiler_version +
+                             " has no " + std::string(feature.name) +
                              "; a newer Emscripten on PATH or in EMSDK may have it");
   }
 }
@@ -115,8 +116,9 @@ Diagnostic compile_error(const FailedCommand& failed, const BuildPlace& place) {
 std::string without_wrapper_lines(std::string_view text) {
   std::string result;
   for (const std::string& line : lines_of(text)) {
-    const bool wrapper = (line.starts_with("em++: error: '") || line.starts_with("emcc: error: '")) &&
-                         line.find("' failed (") != std::string::npos;
+    const bool wrapper =
+        (line.starts_with("em++: error: '") || line.starts_with("emcc: error: '")) &&
+        line.find("' failed (") != std::string::npos;
     if (!wrapper) result += line + "\n";
   }
   return result;
@@ -139,14 +141,15 @@ std::vector<FailedCommand> failed_commands(std::string_view ninja_output) {
 Diagnostics compile_errors(std::string_view ninja_output, const BuildPlace& place) {
   Diagnostics result;
   for (const FailedCommand& failed : failed_commands(ninja_output)) {
-    if (failed.command.find(" link-program ") != std::string::npos) continue;  // it speaks for itself
+    if (failed.command.find(" link-program ") != std::string::npos)
+      continue;  // it speaks for itself
     if (failed.output_file.ends_with(".o")) {
       result.push_back(compile_error(failed, place));
     } else {
       const std::string made = failed.output_file.substr(0, failed.output_file.find(' '));
       result.push_back(Diagnostic{.code = "R2W0506",
-                                  .message = "package `" + place.package + "`: the command that makes `" +
-                                             made + "` failed",
+                                  .message = "package `" + place.package +
+                                             "`: the command that makes `" + made + "` failed",
                                   .why = {"the command was: " + failed.command},
                                   .detail = failed.text});
     }
@@ -156,8 +159,7 @@ Diagnostics compile_errors(std::string_view ninja_output, const BuildPlace& plac
 
 Diagnostics configure_errors(std::string_view cmake_output, const BuildPlace& place) {
   static const std::regex kPlace(R"(^CMake Error at (.+?):(\d+).*$)");
-  static const std::regex kNotFound(
-      R"rx(package configuration file provided by\s+"([^"]+)")rx");
+  static const std::regex kNotFound(R"rx(package configuration file provided by\s+"([^"]+)")rx");
   Diagnostic result{.code = "R2W0503",
                     .message = "CMakeLists.txt of package `" + place.package + "` failed",
                     .detail = std::string(cmake_output)};
@@ -165,9 +167,10 @@ Diagnostics configure_errors(std::string_view cmake_output, const BuildPlace& pl
     std::smatch match;
     if (line.size() > 4000 || !std::regex_match(line, match, kPlace)) continue;
     const std::string file = match[1];
-    result.span = SourceSpan{
-        .file = display_file(fs::path(file).is_absolute() ? file : (place.source / file).string(), place),
-        .line = static_cast<std::uint32_t>(std::stoul(match[2]))};
+    result.span =
+        SourceSpan{.file = display_file(
+                       fs::path(file).is_absolute() ? file : (place.source / file).string(), place),
+                   .line = static_cast<std::uint32_t>(std::stoul(match[2]))};
     break;
   }
   std::smatch match;
@@ -175,8 +178,8 @@ Diagnostics configure_errors(std::string_view cmake_output, const BuildPlace& pl
   if (std::regex_search(text, match, kNotFound)) {
     const std::string wanted = match[1];
     result.code = "R2W0507";
-    result.message = "package `" + place.package + "` asks CMake for `" + wanted +
-                     "`, which is not there";
+    result.message =
+        "package `" + place.package + "` asks CMake for `" + wanted + "`, which is not there";
     result.why.push_back("only what package.xml names is brought from the channels");
     const auto& known = place.channel_packages;
     if (std::binary_search(known.begin(), known.end(), wanted)) {

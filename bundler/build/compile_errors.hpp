@@ -11,8 +11,8 @@
 
 namespace ros2wasm {
 
-/// Emscripten's wrappers repeat the compiler's or linker's whole command when it failed. That line is not part of
-/// the tool's own message.
+/// Emscripten's wrappers repeat the compiler's or linker's whole command when it failed. That line
+/// is not part of the tool's own message.
 [[nodiscard]] std::string without_wrapper_lines(std::string_view text);
 
 /// One command that failed, as ninja reports it.
@@ -29,15 +29,16 @@ struct BuildPlace {
   std::filesystem::path source;  ///< folder of package.xml
   std::string display;           ///< how messages name that folder; may be empty
   std::string compiler_version;
-  std::vector<std::string> channel_packages;  ///< ROS names that the channels have, sorted: for advice
+  std::vector<std::string>
+      channel_packages;  ///< ROS names that the channels have, sorted: for advice
 };
 
-/// R2W0502, one per file that does not compile, each with the compiler's whole message. Commands of other kinds
-/// become R2W0506.
+/// R2W0502, one per file that does not compile, each with the compiler's whole message. Commands of
+/// other kinds become R2W0506.
 [[nodiscard]] Diagnostics compile_errors(std::string_view ninja_output, const BuildPlace& place);
 
-/// R2W0503 CMakeLists.txt failed, R2W0507 find_package() asked for what is not there. `cmake_output` is both
-/// streams.
+/// R2W0503 CMakeLists.txt failed, R2W0507 find_package() asked for what is not there.
+/// `cmake_output` is both streams.
 [[nodiscard]] Diagnostics configure_errors(std::string_view cmake_output, const BuildPlace& place);
 
 }  // namespace ros2wasm

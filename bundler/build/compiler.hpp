@@ -22,8 +22,8 @@ struct Compiler {
 /// EMSDK's compiler when that variable is set, else the one on PATH. R2W0501 when there is none.
 [[nodiscard]] Outcome<Compiler> find_compiler(const EnvironmentVariables& variables);
 
-/// What Emscripten's tools need in their environment here: Debian's emcc finds its JavaScript libraries
-/// through NODE_PATH, whichever Node.js runs it.
+/// What Emscripten's tools need in their environment here: Debian's emcc finds its JavaScript
+/// libraries through NODE_PATH, whichever Node.js runs it.
 [[nodiscard]] EnvironmentVariables compiler_environment(const EnvironmentVariables& variables);
 
 }  // namespace ros2wasm

@@ -45,13 +45,13 @@ Diagnostics diagnostics_from_json(std::string_view text) {
   for (const JsonValue& item : json->items()) {
     const JsonValue* kind = item.find("kind");
     const auto number = kind == nullptr ? std::nullopt : kind->integer();
-    result.push_back(Diagnostic{
-        .code = item.text_of("code"),
-        .kind = number ? static_cast<FailureKind>(*number) : FailureKind::kUserInput,
-        .message = item.text_of("message"),
-        .why = read_lines(item.find("why")),
-        .fix = read_lines(item.find("fix")),
-        .detail = item.text_of("detail")});
+    result.push_back(
+        Diagnostic{.code = item.text_of("code"),
+                   .kind = number ? static_cast<FailureKind>(*number) : FailureKind::kUserInput,
+                   .message = item.text_of("message"),
+                   .why = read_lines(item.find("why")),
+                   .fix = read_lines(item.find("fix")),
+                   .detail = item.text_of("detail")});
   }
   return result;
 }

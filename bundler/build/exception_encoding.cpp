@@ -13,11 +13,12 @@ namespace ros2wasm {
 namespace fs = std::filesystem;
 namespace {
 
-/// What Emscripten 3.1.6 uses and the standard encoding needs. Not "all": newer features change the encoding of
-/// other sections, which fewer browsers read.
+/// What Emscripten 3.1.6 uses and the standard encoding needs. Not "all": newer features change the
+/// encoding of other sections, which fewer browsers read.
 constexpr std::array<const char*, 7> kFeatures = {
-    "--enable-exception-handling", "--enable-reference-types", "--enable-threads", "--enable-bulk-memory",
-    "--enable-mutable-globals",    "--enable-sign-ext",        "--enable-multivalue"};
+    "--enable-exception-handling", "--enable-reference-types", "--enable-threads",
+    "--enable-bulk-memory",        "--enable-mutable-globals", "--enable-sign-ext",
+    "--enable-multivalue"};
 
 }  // namespace
 
@@ -28,10 +29,11 @@ Outcome<std::string> with_standard_exceptions(std::string_view program, const fs
   if (auto known = read_file(kept)) return std::move(known).value();
   const auto tool = find_npm_tool(executable, "wasm-opt");
   if (!tool) {
-    return Diagnostic{.code = "R2W0509",
-                      .kind = FailureKind::kEnvironment,
-                      .message = "`site: exceptions: standard` needs binaryen's wasm-opt, which is not there",
-                      .why = {"it comes with the npm package binaryen"}};
+    return Diagnostic{
+        .code = "R2W0509",
+        .kind = FailureKind::kEnvironment,
+        .message = "`site: exceptions: standard` needs binaryen's wasm-opt, which is not there",
+        .why = {"it comes with the npm package binaryen"}};
   }
   auto folder = TemporaryDirectory::make(cache / "exnref", ".new-");
   if (!folder) return std::move(folder).errors();

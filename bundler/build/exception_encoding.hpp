@@ -1,4 +1,5 @@
-// Translates programs from the exception encoding that Emscripten 3.1.6 writes to the one of WebAssembly 3.0
+// Translates programs from the exception encoding that Emscripten 3.1.6 writes to the one of
+// WebAssembly 3.0
 // (`site: exceptions: standard` in the manifest), with binaryen's wasm-opt.
 #pragma once
 

@@ -30,7 +30,9 @@ std::vector<std::string> expanded(const std::vector<std::string>& command) {
   return result;
 }
 
-std::string target_of(const LinkLine& line) { return fs::path(line.output).stem().string(); }
+std::string target_of(const LinkLine& line) {
+  return fs::path(line.output).stem().string();
+}
 
 std::string described(const LinkRequest& request, const LinkLine& line) {
   const std::string target = "`" + target_of(line) + "`";
@@ -44,15 +46,17 @@ Diagnostic link_failed(const LinkRequest& request, const LinkLine& line,
                     .detail = without_wrapper_lines(output)};
 }
 
-/// Which objects refer to each symbol, from the linker's own trace. Only when a link failed already, so its cost
-/// does not matter.
-std::map<std::string, std::set<std::string>> references(const LinkRequest& request, const LinkLine& line,
+/// Which objects refer to each symbol, from the linker's own trace. Only when a link failed
+/// already, so its cost does not matter.
+std::map<std::string, std::set<std::string>> references(const LinkRequest& request,
+                                                        const LinkLine& line,
                                                         const std::vector<std::string>& symbols,
                                                         const std::string& stem,
                                                         const Cancellation& cancellation) {
   constexpr std::string_view kMark = ": reference to ";
   LinkLine traced = line;
-  for (const std::string& symbol : symbols) traced.arguments.push_back("-Wl,--trace-symbol=" + symbol);
+  for (const std::string& symbol : symbols)
+    traced.arguments.push_back("-Wl,--trace-symbol=" + symbol);
   traced.arguments.emplace_back("-O0");
   const auto result = run_process({.arguments = link_command(traced, LinkKind::kSingle, stem),
                                    .environment = request.environment},
@@ -93,13 +97,14 @@ Diagnostics undefined_symbols(const LinkRequest& request, const LinkLine& line,
 Outcome<LinkReport> link_program(const LinkRequest& request, const Cancellation& cancellation) {
   const LinkLine line = parse_link_line(expanded(request.command));
   const fs::path output = fs::absolute(line.output);
-  const auto folder = TemporaryDirectory::make(output.parent_path(), output.stem().string() + ".link-");
+  const auto folder =
+      TemporaryDirectory::make(output.parent_path(), output.stem().string() + ".link-");
   if (!folder) return folder.errors();
   const std::string stem = (folder->path() / "program").string();
   const auto link = [&](LinkKind kind) {
-    return run_process({.arguments = link_command(line, kind, stem),
-                        .environment = request.environment},
-                       cancellation);
+    return run_process(
+        {.arguments = link_command(line, kind, stem), .environment = request.environment},
+        cancellation);
   };
 
   const auto marker = write_file(stem + kThreadMarkerSuffix, thread_marker_object());

@@ -1,4 +1,5 @@
-// `ros2wasm link-program`: links one program of a package. CMake calls it through the toolchain file.
+// `ros2wasm link-program`: links one program of a package. CMake calls it through the toolchain
+// file.
 #pragma once
 
 #include <map>
@@ -12,8 +13,8 @@
 namespace ros2wasm {
 
 struct LinkRequest {
-  std::string package;               ///< for messages; may be empty
-  std::vector<std::string> command;  ///< compiler and arguments, with -o
+  std::string package;                             ///< for messages; may be empty
+  std::vector<std::string> command;                ///< compiler and arguments, with -o
   std::map<std::string, std::string> environment;  ///< for the compiler, see compiler_environment()
 };
 
@@ -22,8 +23,8 @@ struct LinkReport {
   LinkKind kind = LinkKind::kSingle;
 };
 
-/// Links singly; links again for threads when the program starts any. R2W0504 symbols that nothing defines,
-/// R2W0505 the linker failed otherwise. The output appears whole or not at all.
+/// Links singly; links again for threads when the program starts any. R2W0504 symbols that nothing
+/// defines, R2W0505 the linker failed otherwise. The output appears whole or not at all.
 [[nodiscard]] Outcome<LinkReport> link_program(const LinkRequest& request,
                                                const Cancellation& cancellation);
 

@@ -14,17 +14,28 @@ namespace ros2wasm {
 namespace {
 
 /// Options and libraries that a native link has and a site has no use for.
-constexpr std::array<std::string_view, 16> kDropped = {
-    "-pthread",       "-lpthread",      "-ldl",       "-lrt",        "-lm",
-    "-latomic",       "-lstdc++fs",     "-rdynamic",  "-static-libgcc", "-static-libstdc++",
-    "-Wl,--as-needed", "-Wl,--no-as-needed", "-Wl,--no-undefined", "-Wl,-Bstatic", "-Wl,-Bdynamic",
-    "-fPIC"};
+constexpr std::array<std::string_view, 16> kDropped = {"-pthread",
+                                                       "-lpthread",
+                                                       "-ldl",
+                                                       "-lrt",
+                                                       "-lm",
+                                                       "-latomic",
+                                                       "-lstdc++fs",
+                                                       "-rdynamic",
+                                                       "-static-libgcc",
+                                                       "-static-libstdc++",
+                                                       "-Wl,--as-needed",
+                                                       "-Wl,--no-as-needed",
+                                                       "-Wl,--no-undefined",
+                                                       "-Wl,-Bstatic",
+                                                       "-Wl,-Bdynamic",
+                                                       "-fPIC"};
 constexpr std::array<std::string_view, 5> kDroppedPrefixes = {
     "-Wl,-rpath", "-Wl,-z,", "-Wl,-soname", "-Wl,--disable-new-dtags", "-Wl,--enable-new-dtags"};
 
 /// Functions outside WASI and "ros2wasm" that the site's loader supplies to every program.
-constexpr std::array<std::string_view, 4> kLoaderFunctions = {
-    "emscripten_notify_memory_growth", "getentropy", "system", "abort"};
+constexpr std::array<std::string_view, 4> kLoaderFunctions = {"emscripten_notify_memory_growth",
+                                                              "getentropy", "system", "abort"};
 
 bool is_dropped(std::string_view argument) {
   return std::find(kDropped.begin(), kDropped.end(), argument) != kDropped.end() ||
@@ -92,12 +103,11 @@ std::vector<std::string> split_response_file(std::string_view text) {
 
 std::vector<std::string> link_command(const LinkLine& line, LinkKind kind,
                                       const std::string& stem) {
-  std::vector<std::string> command = {line.compiler, "-O2", "--profiling-funcs",
-                                      "-fwasm-exceptions", "-sALLOW_MEMORY_GROWTH=1",
-                                      // What the loader calls: the text of an uncaught exception, a thread's stack.
-                                      "-Wl,--export-if-defined=__cpp_exception",
-                                      "-Wl,--export-if-defined=ros2wasm_exception_what",
-                                      "-Wl,--export-if-defined=ros2wasm_thread_stack"};
+  std::vector<std::string> command = {
+      line.compiler, "-O2", "--profiling-funcs", "-fwasm-exceptions", "-sALLOW_MEMORY_GROWTH=1",
+      // What the loader calls: the text of an uncaught exception, a thread's stack.
+      "-Wl,--export-if-defined=__cpp_exception", "-Wl,--export-if-defined=ros2wasm_exception_what",
+      "-Wl,--export-if-defined=ros2wasm_thread_stack"};
   switch (kind) {
     case LinkKind::kSingle:
       command.insert(command.end(), {"-sSTANDALONE_WASM", "-sERROR_ON_UNDEFINED_SYMBOLS=0",
@@ -105,10 +115,11 @@ std::vector<std::string> link_command(const LinkLine& line, LinkKind kind,
                                      stem + kThreadMarkerSuffix});
       break;
     case LinkKind::kThreads:
-      command.insert(command.end(),
-                     {"-pthread", "-sMAXIMUM_MEMORY=1GB", "-sWASM_BIGINT", "-Wno-pthreads-mem-growth",
-                      // What the programs import from "ros2wasm" is not known to the glue writer.
-                      "-sERROR_ON_UNDEFINED_SYMBOLS=0", "-sWARN_ON_UNDEFINED_SYMBOLS=0"});
+      command.insert(
+          command.end(),
+          {"-pthread", "-sMAXIMUM_MEMORY=1GB", "-sWASM_BIGINT", "-Wno-pthreads-mem-growth",
+           // What the programs import from "ros2wasm" is not known to the glue writer.
+           "-sERROR_ON_UNDEFINED_SYMBOLS=0", "-sWARN_ON_UNDEFINED_SYMBOLS=0"});
       break;
   }
   command.insert(command.end(), line.arguments.begin(), line.arguments.end());

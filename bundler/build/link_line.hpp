@@ -9,13 +9,15 @@
 
 namespace ros2wasm {
 
-/// How a program is linked: alone, or with threads in a shared memory. Objects are the same for both.
+/// How a program is linked: alone, or with threads in a shared memory. Objects are the same for
+/// both.
 enum class LinkKind { kSingle, kThreads };
 
 struct LinkLine {
-  std::string compiler;                 ///< emcc or em++
-  std::string output;                   ///< what follows -o
-  std::vector<std::string> arguments;   ///< objects, libraries and options, without what a site has no use for
+  std::string compiler;  ///< emcc or em++
+  std::string output;    ///< what follows -o
+  std::vector<std::string>
+      arguments;  ///< objects, libraries and options, without what a site has no use for
 };
 
 /// `command` is the compiler and its arguments, response files already expanded.
@@ -27,15 +29,16 @@ struct LinkLine {
 /// Where the thread marker's object must lie for kSingle: `<stem>` with this added.
 inline constexpr const char* kThreadMarkerSuffix = ".thread_marker.o";
 
-/// The compiler's whole command for one kind. kSingle writes `<stem>.wasm`, kThreads also JavaScript, which
-/// nobody needs.
+/// The compiler's whole command for one kind. kSingle writes `<stem>.wasm`, kThreads also
+/// JavaScript, which nobody needs.
 [[nodiscard]] std::vector<std::string> link_command(const LinkLine& line, LinkKind kind,
                                                     const std::string& stem);
 
 /// What the imports of a singly linked program say.
 struct ImportFindings {
   bool needs_threads = false;
-  std::vector<std::string> undefined;  ///< symbols nobody defines (as the linker writes them), sorted
+  std::vector<std::string>
+      undefined;  ///< symbols nobody defines (as the linker writes them), sorted
 };
 
 [[nodiscard]] ImportFindings classify_imports(const WasmModule& module);

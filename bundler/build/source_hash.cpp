@@ -63,6 +63,8 @@ HashBuilder& HashBuilder::add(std::string_view name, std::string_view value) {
   return *this;
 }
 
-std::string HashBuilder::finish() const { return sha256_hex(text_); }
+std::string HashBuilder::finish() const {
+  return sha256_hex(text_);
+}
 
 }  // namespace ros2wasm

@@ -18,7 +18,9 @@ std::string bytes(std::initializer_list<int> values) {
   return result;
 }
 
-std::string section(int id, const std::string& contents) { return bytes({id}) + sized(contents); }
+std::string section(int id, const std::string& contents) {
+  return bytes({id}) + sized(contents);
+}
 
 std::string custom(std::string_view name, const std::string& contents) {
   return section(0, sized(name) + contents);
@@ -34,8 +36,8 @@ std::string thread_marker_object() {
                               sized("ros2wasm") + sized(kThreadMarkerImport) + bytes({0, 0});
   const std::string functions = bytes({1, 0});
   // local.get 0..3; call 0 (five bytes, for the linker to fill in); end
-  const std::string body = bytes({0, 0x20, 0, 0x20, 1, 0x20, 2, 0x20, 3, 0x10, 0x80, 0x80, 0x80, 0x80,
-                                  0, 0x0b});
+  const std::string body =
+      bytes({0, 0x20, 0, 0x20, 1, 0x20, 2, 0x20, 3, 0x10, 0x80, 0x80, 0x80, 0x80, 0, 0x0b});
   const std::string code = bytes({1}) + sized(body);
   constexpr int kCallOperand = 12;  // offset of the five bytes in the code section
   constexpr int kWeak = 0x01;
@@ -47,8 +49,7 @@ std::string thread_marker_object() {
   const std::string linking = bytes({2}) + bytes({kSymbolTable}) + sized(symbols);
   constexpr int kCodeSectionIndex = 3;
   constexpr int kFunctionIndexLeb = 0;
-  const std::string relocations =
-      bytes({kCodeSectionIndex, 1, kFunctionIndexLeb, kCallOperand, 0});
+  const std::string relocations = bytes({kCodeSectionIndex, 1, kFunctionIndexLeb, kCallOperand, 0});
   return std::string("\0asm\1\0\0\0", 8) + section(1, type) + section(2, imports) +
          section(3, functions) + section(10, code) + custom("linking", linking) +
          custom("reloc.CODE", relocations);

@@ -1,6 +1,6 @@
-// The object file that is linked into every program first: it defines `__wrap_pthread_create`, which only
-// calls the import `ros2wasm.thread_create_required`. A program that has that import after the link starts
-// threads, and is linked again for them.
+// The object file that is linked into every program first: it defines `__wrap_pthread_create`,
+// which only calls the import `ros2wasm.thread_create_required`. A program that has that import
+// after the link starts threads, and is linked again for them.
 #pragma once
 
 #include <string>

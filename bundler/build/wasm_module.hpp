@@ -1,4 +1,5 @@
-// Reads the outer structure of a WebAssembly module: sections, imports, exports. Pure; knows nothing of code.
+// Reads the outer structure of a WebAssembly module: sections, imports, exports. Pure; knows
+// nothing of code.
 #pragma once
 
 #include <cstdint>
@@ -19,11 +20,11 @@ struct WasmImport {
 };
 
 struct WasmSection {
-  std::uint8_t id = 0;        ///< 0 is a custom section
-  std::string name;           ///< of a custom section
-  std::size_t begin = 0;      ///< offset of the section's id byte
-  std::size_t end = 0;        ///< offset after its last byte
-  std::size_t contents = 0;   ///< offset of the contents (after the name of a custom section)
+  std::uint8_t id = 0;       ///< 0 is a custom section
+  std::string name;          ///< of a custom section
+  std::size_t begin = 0;     ///< offset of the section's id byte
+  std::size_t end = 0;       ///< offset after its last byte
+  std::size_t contents = 0;  ///< offset of the contents (after the name of a custom section)
 };
 
 struct WasmModule {

@@ -28,7 +28,8 @@ std::string megabytes(std::uint64_t bytes) {
 
 /// Puts `fresh` in the place of `folder` in one step; what was there ends up at `fresh`.
 int swap_folders(const fs::path& fresh, const fs::path& folder) {
-  if (::renameat2(AT_FDCWD, fresh.c_str(), AT_FDCWD, folder.c_str(), RENAME_EXCHANGE) == 0) return 0;
+  if (::renameat2(AT_FDCWD, fresh.c_str(), AT_FDCWD, folder.c_str(), RENAME_EXCHANGE) == 0)
+    return 0;
   // Some file systems cannot exchange: move the old one aside first.
   const fs::path aside = fresh.string() + ".old";
   if (::rename(folder.c_str(), aside.c_str()) != 0) return errno;
@@ -47,13 +48,15 @@ std::optional<Diagnostic> refuse_folder(const fs::path& folder) {
   std::error_code error;
   const fs::file_status status = fs::status(folder, error);
   if (!fs::exists(status)) return std::nullopt;
-  if (fs::is_directory(status) && (fs::is_empty(folder, error) || is_site_of_ours(folder))) return std::nullopt;
-  return Diagnostic{.code = "R2W0601",
-                    .message = "`" + folder.string() + "` exists and is not a site made by ros2wasm",
-                    .why = {fs::is_directory(status)
-                                ? "writing a site there would remove what is in it; it has no site.json of ours"
-                                : "it is not a folder"},
-                    .fix = {"choose another place with -o"}};
+  if (fs::is_directory(status) && (fs::is_empty(folder, error) || is_site_of_ours(folder)))
+    return std::nullopt;
+  return Diagnostic{
+      .code = "R2W0601",
+      .message = "`" + folder.string() + "` exists and is not a site made by ros2wasm",
+      .why = {fs::is_directory(status)
+                  ? "writing a site there would remove what is in it; it has no site.json of ours"
+                  : "it is not a folder"},
+      .fix = {"choose another place with -o"}};
 }
 
 std::optional<Diagnostic> refuse_size(const fs::path& folder, std::uint64_t needed,
@@ -62,8 +65,8 @@ std::optional<Diagnostic> refuse_size(const fs::path& folder, std::uint64_t need
   return Diagnostic{.code = "R2W0602",
                     .kind = FailureKind::kEnvironment,
                     .message = "there is not enough space for the site at " + folder.string(),
-                    .why = {"the site needs " + megabytes(needed) + ", the disk has " + megabytes(available) +
-                            " left"}};
+                    .why = {"the site needs " + megabytes(needed) + ", the disk has " +
+                            megabytes(available) + " left"}};
 }
 
 Outcome<Done> emit_folder(const SitePlan& plan, const fs::path& folder,
@@ -77,7 +80,8 @@ Outcome<Done> emit_folder(const SitePlan& plan, const fs::path& folder,
   if (!error) {
     if (auto refusal = refuse_size(folder, total_size(plan), space.available)) return *refusal;
   }
-  auto beside = TemporaryDirectory::make(clean.parent_path(), "." + clean.filename().string() + "-new-");
+  auto beside =
+      TemporaryDirectory::make(clean.parent_path(), "." + clean.filename().string() + "-new-");
   if (!beside) return std::move(beside).errors();
   for (const PlannedFile& file : plan.files) {
     if (cancellation.requested()) return interrupted();

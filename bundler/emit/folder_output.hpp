@@ -1,4 +1,5 @@
-// Writes a site as a folder: beside its place, then renamed, so that a failure leaves the old one untouched.
+// Writes a site as a folder: beside its place, then renamed, so that a failure leaves the old one
+// untouched.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +12,8 @@
 
 namespace ros2wasm {
 
-/// Nothing when a site may be written to `folder`: it is not there, is empty, or holds a site that ros2wasm made.
-/// R2W0601 otherwise. Asked before anything is built.
+/// Nothing when a site may be written to `folder`: it is not there, is empty, or holds a site that
+/// ros2wasm made. R2W0601 otherwise. Asked before anything is built.
 [[nodiscard]] std::optional<Diagnostic> refuse_folder(const std::filesystem::path& folder);
 
 /// R2W0602 when `needed` bytes do not fit on a disk with `available`.

@@ -25,8 +25,8 @@ Outcome<fs::path> find_own_data(const fs::path& executable, std::string_view rel
   }
   return Diagnostic{.code = "R2W0912",
                     .kind = FailureKind::kEnvironment,
-                    .message = "this installation of ros2wasm is not complete: " + std::string(what) +
-                               " is missing",
+                    .message = "this installation of ros2wasm is not complete: " +
+                               std::string(what) + " is missing",
                     .why = std::move(looked)};
 }
 

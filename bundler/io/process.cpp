@@ -143,7 +143,8 @@ void drain(Descriptor& from, std::string& into, const ProcessRequest& request) {
 
 }  // namespace
 
-std::optional<fs::path> find_program(const std::string& name, std::optional<std::string_view> path) {
+std::optional<fs::path> find_program(const std::string& name,
+                                     std::optional<std::string_view> path) {
   const auto runnable = [](const fs::path& file) {
     std::error_code error;
     return fs::is_regular_file(file, error) && ::access(file.c_str(), X_OK) == 0;
@@ -152,7 +153,8 @@ std::optional<fs::path> find_program(const std::string& name, std::optional<std:
     return runnable(name) ? std::optional<fs::path>(name) : std::nullopt;
   }
   const char* inherited = std::getenv("PATH");  // NOLINT(concurrency-mt-unsafe)
-  std::string_view rest = path ? *path : std::string_view(inherited != nullptr ? inherited : "/usr/bin:/bin");
+  std::string_view rest =
+      path ? *path : std::string_view(inherited != nullptr ? inherited : "/usr/bin:/bin");
   while (!rest.empty()) {
     const auto colon = rest.find(':');
     const auto folder = rest.substr(0, colon);

@@ -1,5 +1,5 @@
-// Runs child programs: the only file pair that starts processes. A child lives in its own process group, so
-// that stopping it stops what it started too (ninja and its compilers).
+// Runs child programs: the only file pair that starts processes. A child lives in its own process
+// group, so that stopping it stops what it started too (ninja and its compilers).
 #pragma once
 
 #include <filesystem>
@@ -16,9 +16,9 @@
 namespace ros2wasm {
 
 enum class OutputMode {
-  kCapture,       ///< stdout and stderr are collected, each in its own string
+  kCapture,        ///< stdout and stderr are collected, each in its own string
   kCaptureMerged,  ///< both are collected in `output`, in the order written
-  kInherit,       ///< the child writes where this process writes
+  kInherit,        ///< the child writes where this process writes
 };
 
 struct ProcessRequest {
@@ -26,8 +26,10 @@ struct ProcessRequest {
   std::map<std::string, std::string> environment;  ///< added to the inherited one
   std::filesystem::path directory;                 ///< empty: the current one
   OutputMode output_mode = OutputMode::kCaptureMerged;
-  std::function<void(std::string_view)> on_output;  ///< each piece of output as it comes; may be empty
-  /// The child keeps the terminal's process group and gets Ctrl-C itself; for programs a person talks to.
+  std::function<void(std::string_view)>
+      on_output;  ///< each piece of output as it comes; may be empty
+  /// The child keeps the terminal's process group and gets Ctrl-C itself; for programs a person
+  /// talks to.
   bool share_terminal = false;
 };
 
@@ -37,13 +39,13 @@ struct ProcessResult {
   std::string error;
 };
 
-/// Runs to the end. R2W0910 when the program cannot be started, interrupted() when it was asked to stop (the
-/// child's whole group is ended first: SIGTERM, then SIGKILL after two seconds).
+/// Runs to the end. R2W0910 when the program cannot be started, interrupted() when it was asked to
+/// stop (the child's whole group is ended first: SIGTERM, then SIGKILL after two seconds).
 [[nodiscard]] Outcome<ProcessResult> run_process(const ProcessRequest& request,
                                                  const Cancellation& cancellation);
 
-/// The executable file that `name` stands for: itself when it has a slash, else the first hit in `path`
-/// (colon separated; the environment's PATH when not given).
+/// The executable file that `name` stands for: itself when it has a slash, else the first hit in
+/// `path` (colon separated; the environment's PATH when not given).
 [[nodiscard]] std::optional<std::filesystem::path> find_program(
     const std::string& name, std::optional<std::string_view> path = std::nullopt);
 

@@ -1,4 +1,5 @@
-// C and C++ packages: cmake configures, ninja compiles, cmake installs, all through the site's toolchain.
+// C and C++ packages: cmake configures, ninja compiles, cmake installs, all through the site's
+// toolchain.
 #include <algorithm>
 #include <charconv>
 
@@ -40,11 +41,14 @@ EnvironmentVariables child_environment(const PackageBuild& request, const BuildT
   return result;
 }
 
-/// Tool output for people: the folder where it was built is of no use to them, and differs from run to run.
+/// Tool output for people: the folder where it was built is of no use to them, and differs from run
+/// to run.
 std::string for_people(std::string text, const PackageBuild& request) {
   const std::string work = request.work.string();
-  for (std::size_t at = 0; (at = text.find(work, at)) != std::string::npos;) text.replace(at, work.size(), "<build>");
-  constexpr std::string_view kNoise = "Not searching for unused variables given on the command line.\n";
+  for (std::size_t at = 0; (at = text.find(work, at)) != std::string::npos;)
+    text.replace(at, work.size(), "<build>");
+  constexpr std::string_view kNoise =
+      "Not searching for unused variables given on the command line.\n";
   const std::size_t noise = text.find(kNoise);
   if (noise != std::string::npos) text.erase(noise, kNoise.size());
   return text;
@@ -76,7 +80,11 @@ class NinjaProgress {
     const auto second = std::from_chars(first.ptr + 1, end, total);
     if (second.ec != std::errc() || total == 0) return;
     // The step as a whole ends elsewhere, so a package never reports that all is done.
-    sink_({.step = "build", .item = package_, .done = std::min(done, total - 1), .total = total, .unit = "commands"});
+    sink_({.step = "build",
+           .item = package_,
+           .done = std::min(done, total - 1),
+           .total = total,
+           .unit = "commands"});
   }
 
   std::string package_;
@@ -89,8 +97,8 @@ Outcome<Done> configure(const PackageBuild& request, const BuildTools& tools,
   std::error_code ignored;
   fs::remove(request.work / "CMakeCache.txt", ignored);  // what it found may have moved
   const auto result = run_process(
-      {.arguments = {"cmake", "-S", request.place.source.string(), "-B", request.work.string(), "-G", "Ninja",
-                     "-Wno-dev", "--no-warn-unused-cli",
+      {.arguments = {"cmake", "-S", request.place.source.string(), "-B", request.work.string(),
+                     "-G", "Ninja", "-Wno-dev", "--no-warn-unused-cli",
                      "-DCMAKE_TOOLCHAIN_FILE=" + tools.toolchain.string(),
                      "-DCMAKE_INSTALL_PREFIX=" + request.final_prefix.string(),
                      "-DCMAKE_PREFIX_PATH=" + joined(request.prefixes),
@@ -101,7 +109,8 @@ Outcome<Done> configure(const PackageBuild& request, const BuildTools& tools,
        .directory = request.work},
       cancellation);
   if (!result) return result.errors();
-  if (result->exit_code != 0) return configure_errors(for_people(result->output, request), request.place);
+  if (result->exit_code != 0)
+    return configure_errors(for_people(result->output, request), request.place);
   return Done{};
 }
 
@@ -125,31 +134,32 @@ Diagnostics link_errors(const fs::path& folder) {
 Outcome<Done> compile(const PackageBuild& request, const BuildTools& tools,
                       const Cancellation& cancellation, const ProgressSink& progress) {
   if (auto cleared = remove_tree(request.work / kLinkDiagnostics); !cleared) return cleared;
-  const auto result = run_process(
-      {.arguments = {"ninja", "-C", request.work.string(), "-k", "0", "-j", std::to_string(tools.jobs)},
-       .environment = child_environment(request, tools),
-       .on_output = NinjaProgress(request.place.package, progress)},
-      cancellation);
+  const auto result = run_process({.arguments = {"ninja", "-C", request.work.string(), "-k", "0",
+                                                 "-j", std::to_string(tools.jobs)},
+                                   .environment = child_environment(request, tools),
+                                   .on_output = NinjaProgress(request.place.package, progress)},
+                                  cancellation);
   if (!result) return result.errors();
   if (result->exit_code == 0) return Done{};
   Diagnostics errors = compile_errors(for_people(result->output, request), request.place);
-  for (Diagnostic& one : link_errors(request.work / kLinkDiagnostics)) errors.push_back(std::move(one));
+  for (Diagnostic& one : link_errors(request.work / kLinkDiagnostics))
+    errors.push_back(std::move(one));
   if (errors.empty()) {
-    errors.push_back(Diagnostic{.code = "R2W0506",
-                                .message = "ninja failed for package `" + request.place.package + "`",
-                                .detail = for_people(result->output, request)});
+    errors.push_back(
+        Diagnostic{.code = "R2W0506",
+                   .message = "ninja failed for package `" + request.place.package + "`",
+                   .detail = for_people(result->output, request)});
   }
   return errors;
 }
 
 Outcome<Done> install(const PackageBuild& request, const BuildTools& tools,
                       const Cancellation& cancellation) {
-  const auto result =
-      run_process({.arguments = {"cmake", "--install", request.work.string(), "--prefix",
-                                 request.install.string()},
-                   .environment = child_environment(request, tools),
-                   .directory = request.work},
-                  cancellation);
+  const auto result = run_process({.arguments = {"cmake", "--install", request.work.string(),
+                                                 "--prefix", request.install.string()},
+                                   .environment = child_environment(request, tools),
+                                   .directory = request.work},
+                                  cancellation);
   if (!result) return result.errors();
   if (result->exit_code == 0) return Done{};
   return Diagnostic{.code = "R2W0508",

@@ -27,9 +27,11 @@ struct BuildTools {
 /// One package to build.
 struct PackageBuild {
   BuildPlace place;
-  std::vector<std::filesystem::path> prefixes;  ///< where its dependencies are installed, nearest first
-  std::filesystem::path work;     ///< kept from run to run, so that only what changed is compiled again
-  std::filesystem::path install;  ///< empty folder to install into
+  std::vector<std::filesystem::path>
+      prefixes;  ///< where its dependencies are installed, nearest first
+  std::filesystem::path
+      work;  ///< kept from run to run, so that only what changed is compiled again
+  std::filesystem::path install;       ///< empty folder to install into
   std::filesystem::path final_prefix;  ///< what `install` will be called later
 };
 

@@ -15,12 +15,14 @@ constexpr std::array<std::string_view, 3> kInterfaceKinds = {"msg", "srv", "acti
 template <typename Visit>
 void each_entry(const fs::path& folder, Visit visit) {
   std::error_code error;
-  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) visit(*it);
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
+    visit(*it);
 }
 
 }  // namespace
 
-std::vector<InstalledProgram> installed_programs(const fs::path& prefix, const std::string& package) {
+std::vector<InstalledProgram> installed_programs(const fs::path& prefix,
+                                                 const std::string& package) {
   std::vector<InstalledProgram> result;
   each_entry(prefix / "lib" / package, [&](const fs::directory_entry& entry) {
     std::error_code error;
@@ -44,7 +46,10 @@ std::vector<InstalledPackage> installed_packages(const fs::path& prefix) {
     std::error_code error;
     if (!fs::is_regular_file(entry.path() / "package.xml", error)) return;
     const std::string name = entry.path().filename().string();
-    result.push_back({.name = name, .version = {}, .prefix = prefix, .programs = installed_programs(prefix, name)});
+    result.push_back({.name = name,
+                      .version = {},
+                      .prefix = prefix,
+                      .programs = installed_programs(prefix, name)});
   });
   std::sort(result.begin(), result.end(),
             [](const InstalledPackage& a, const InstalledPackage& b) { return a.name < b.name; });

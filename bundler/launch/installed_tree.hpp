@@ -1,5 +1,5 @@
-// Looks into installed prefixes: which packages there are, their programs, their interface definitions. An edge:
-// reads folders and files.
+// Looks into installed prefixes: which packages there are, their programs, their interface
+// definitions. An edge: reads folders and files.
 #pragma once
 
 #include <filesystem>
@@ -11,14 +11,16 @@
 
 namespace ros2wasm {
 
-/// What `package` put into lib/<package>/ of `prefix`, sorted by name. Names files (.names) do not count.
+/// What `package` put into lib/<package>/ of `prefix`, sorted by name. Names files (.names) do not
+/// count.
 [[nodiscard]] std::vector<InstalledProgram> installed_programs(const std::filesystem::path& prefix,
                                                                const std::string& package);
 
 /// The packages in share/ of `prefix` (those with a package.xml), sorted, with their programs.
 [[nodiscard]] std::vector<InstalledPackage> installed_packages(const std::filesystem::path& prefix);
 
-/// Adds the .msg, .srv and .action files in share/<package>/ of `prefix`; a type that is known stays.
+/// Adds the .msg, .srv and .action files in share/<package>/ of `prefix`; a type that is known
+/// stays.
 void collect_interfaces(const std::filesystem::path& prefix, const std::string& package,
                         InterfaceTexts& into);
 

@@ -88,7 +88,8 @@ Outcome<std::vector<LaunchNode>> launch_nodes(const std::vector<NodeEntry>& entr
     std::vector<ParameterRule> rules;
     for (const Spanned<std::string>& file : entry.parameter_files) {
       const auto text = parameter_files.find(file.value);
-      auto read = read_parameter_file(text == parameter_files.end() ? "" : text->second, file.value);
+      auto read =
+          read_parameter_file(text == parameter_files.end() ? "" : text->second, file.value);
       if (read) {
         rules.insert(rules.end(), read->begin(), read->end());
       } else {

@@ -14,24 +14,24 @@ namespace ros2wasm {
 /// A file in lib/<package>/ of an installed tree that a node entry can name.
 struct InstalledProgram {
   std::string package;
-  std::string executable;        ///< name without `.wasm`
+  std::string executable;  ///< name without `.wasm`
   std::filesystem::path file;
-  bool is_program = false;       ///< a WebAssembly program; else a script or data
+  bool is_program = false;  ///< a WebAssembly program; else a script or data
 };
 
 struct InstalledPackage {
   std::string name;
-  std::string version;           ///< as package.xml or the channel says; may be empty
-  std::filesystem::path prefix;  ///< share/<name> is below
+  std::string version;                     ///< as package.xml or the channel says; may be empty
+  std::filesystem::path prefix;            ///< share/<name> is below
   std::vector<InstalledProgram> programs;  ///< sorted by executable
 };
 
 struct LaunchNode {
-  std::string id;          ///< `<executable>-<n>`, as ros2 launch names processes
+  std::string id;  ///< `<executable>-<n>`, as ros2 launch names processes
   std::string package;
   std::string executable;
-  std::string label;       ///< for people: the node's full name when it is known, else the executable
-  std::filesystem::path program;  ///< the installed file
+  std::string label;  ///< for people: the node's full name when it is known, else the executable
+  std::filesystem::path program;       ///< the installed file
   std::vector<std::string> arguments;  ///< after argv[0], as ros2 launch would pass them
   NodeOutput output = NodeOutput::kScreen;
   bool respawn = false;
@@ -41,8 +41,8 @@ struct LaunchNode {
 /// A parameter file that was read, by the path the manifest gives.
 using ParameterFiles = std::map<std::string, std::string>;
 
-/// Checks the manifest's nodes against what is installed. R2W0401 no such package, R2W0402 no such executable,
-/// R2W0405 it is not a program for the site; errors of parameter files. All at once.
+/// Checks the manifest's nodes against what is installed. R2W0401 no such package, R2W0402 no such
+/// executable, R2W0405 it is not a program for the site; errors of parameter files. All at once.
 [[nodiscard]] Outcome<std::vector<LaunchNode>> launch_nodes(
     const std::vector<NodeEntry>& entries, const std::vector<InstalledPackage>& installed,
     const ParameterFiles& parameter_files);

@@ -9,8 +9,12 @@
 namespace ros2wasm {
 namespace {
 
-std::string text_of(bool value) { return value ? "true" : "false"; }
-std::string text_of(std::int64_t value) { return std::to_string(value); }
+std::string text_of(bool value) {
+  return value ? "true" : "false";
+}
+std::string text_of(std::int64_t value) {
+  return std::to_string(value);
+}
 
 std::string text_of(double value) {
   if (std::isnan(value)) return ".nan";

@@ -8,17 +8,20 @@
 
 namespace ros2wasm {
 
-/// A value as YAML on one line, such that reading it gives the same type again: `1.0`, `'1'`, `[true, false]`.
+/// A value as YAML on one line, such that reading it gives the same type again: `1.0`, `'1'`,
+/// `[true, false]`.
 [[nodiscard]] std::string parameter_text(const ParameterValue& value);
 
-/// A parameter of the nodes that `pattern` matches (a name, a full name, or with `*` and `**`; empty: all nodes).
+/// A parameter of the nodes that `pattern` matches (a name, a full name, or with `*` and `**`;
+/// empty: all nodes).
 struct ParameterRule {
   std::string pattern;
   std::string name;
   std::string value;  ///< YAML on one line
 };
 
-/// Everything after argv[0]. Later rules win over earlier ones, so files come before single parameters.
+/// Everything after argv[0]. Later rules win over earlier ones, so files come before single
+/// parameters.
 [[nodiscard]] std::vector<std::string> node_arguments(const NodeEntry& entry,
                                                       const std::vector<ParameterRule>& from_files);
 

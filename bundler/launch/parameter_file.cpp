@@ -16,7 +16,8 @@ constexpr std::string_view kParametersKey = "ros__parameters";
 std::optional<ParameterValue> typed(const YamlNode& node) {
   if (is_old_boolean(node)) {
     const char first = node.text.front();
-    const bool on = first == 'y' || first == 'Y' || node.text == "on" || node.text == "On" || node.text == "ON";
+    const bool on =
+        first == 'y' || first == 'Y' || node.text == "on" || node.text == "On" || node.text == "ON";
     return ParameterValue(on);
   }
   const YamlValue value = scalar_value(node);
@@ -45,7 +46,8 @@ class Reader {
 
   void nodes(const YamlNode& node, const std::string& name) {
     if (node.kind != YamlKind::kMap) {
-      fail(node.range, "expected node names and `ros__parameters`, found " + std::string(described(node)));
+      fail(node.range,
+           "expected node names and `ros__parameters`, found " + std::string(described(node)));
       return;
     }
     for (const YamlEntry& entry : node.entries) {
@@ -96,7 +98,8 @@ class Reader {
     if (!list) list = list_of<std::int64_t>(items);
     if (!list) list = list_of<double>(items);
     if (!list) list = list_of<bool>(items);
-    if (!list) fail(node.range, "parameter `" + name + "`: all items of a list must have the same type");
+    if (!list)
+      fail(node.range, "parameter `" + name + "`: all items of a list must have the same type");
     return list;
   }
 

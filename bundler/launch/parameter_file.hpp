@@ -10,8 +10,8 @@
 
 namespace ros2wasm {
 
-/// Rules in the order of the file. Nested keys are joined by dots, nested namespaces by slashes, as rcl does.
-/// R2W0403 not YAML, or not a parameter file (with line and column).
+/// Rules in the order of the file. Nested keys are joined by dots, nested namespaces by slashes, as
+/// rcl does. R2W0403 not YAML, or not a parameter file (with line and column).
 [[nodiscard]] Outcome<std::vector<ParameterRule>> read_parameter_file(std::string_view text,
                                                                       const std::string& file);
 

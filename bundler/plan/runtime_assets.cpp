@@ -9,10 +9,11 @@ namespace ros2wasm {
 namespace {
 
 Diagnostic damaged(const std::filesystem::path& file, const std::string& why) {
-  return Diagnostic{.code = "R2W0604",
-                    .kind = FailureKind::kEnvironment,
-                    .message = "the runtime of this ros2wasm installation is damaged: " + file.string(),
-                    .why = {why}};
+  return Diagnostic{
+      .code = "R2W0604",
+      .kind = FailureKind::kEnvironment,
+      .message = "the runtime of this ros2wasm installation is damaged: " + file.string(),
+      .why = {why}};
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// The built runtime that goes into every site: runtime_assets.json and the files beside it. An edge: reads files.
+// The built runtime that goes into every site: runtime_assets.json and the files beside it. An
+// edge: reads files.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +10,8 @@
 
 namespace ros2wasm {
 
-/// Reads and checks all files against their sizes and hashes. R2W0604 the list or a file is damaged.
+/// Reads and checks all files against their sizes and hashes. R2W0604 the list or a file is
+/// damaged.
 [[nodiscard]] Outcome<std::vector<RuntimeAsset>> read_runtime_assets(
     const std::filesystem::path& list);
 

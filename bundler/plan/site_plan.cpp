@@ -53,7 +53,8 @@ Outcome<SitePlan> plan_site(PlanInput input) {
   for (RuntimeAsset& asset : input.runtime) {
     if (asset.role == kHeadlessRole) continue;
     if (asset.role == kPageRole) {
-      asset.bytes = page_html(std::move(asset.bytes), manifest.title.empty() ? manifest.name.value : manifest.title,
+      asset.bytes = page_html(std::move(asset.bytes),
+                              manifest.title.empty() ? manifest.name.value : manifest.title,
                               {paths.begin(), paths.end()});
     }
     add(plan, asset.file, reason_of_asset(asset.role), std::move(asset.bytes));
@@ -65,9 +66,10 @@ Outcome<SitePlan> plan_site(PlanInput input) {
       const std::string& bytes = input.programs.at(node.program);
       const auto module = read_wasm_module(bytes);
       if (!module) {
-        errors.push_back(Diagnostic{.code = "R2W0606",
-                                    .message = "`" + node.program.string() + "` is not a WebAssembly module",
-                                    .span = node.source});
+        errors.push_back(
+            Diagnostic{.code = "R2W0606",
+                       .message = "`" + node.program.string() + "` is not a WebAssembly module",
+                       .span = node.source});
         continue;
       }
       threads_of[path] = imports_shared_memory(*module);
@@ -76,7 +78,8 @@ Outcome<SitePlan> plan_site(PlanInput input) {
     plan.nodes.push_back({.node = node, .program = path, .threads = threads_of[path]});
   }
   if (!errors.empty()) return errors;
-  add(plan, "interfaces.json", "definitions of all message types", interfaces_json(input.interfaces));
+  add(plan, "interfaces.json", "definitions of all message types",
+      interfaces_json(input.interfaces));
   const auto by_path = [](const PlannedFile& a, const PlannedFile& b) { return a.path < b.path; };
   std::sort(plan.files.begin(), plan.files.end(), by_path);
   add(plan, "site.json", "what runs in the site", site_json(input.manifest, plan));

@@ -1,4 +1,5 @@
-// The site before it exists: every file with its size, its SHA-256 and the reason it is there. Pure values.
+// The site before it exists: every file with its size, its SHA-256 and the reason it is there. Pure
+// values.
 #pragma once
 
 #include <cstdint>

@@ -8,11 +8,20 @@ std::string escaped(std::string_view text) {
   std::string result;
   for (const char c : text) {
     switch (c) {
-      case '&': result += "&amp;"; break;
-      case '<': result += "&lt;"; break;
-      case '>': result += "&gt;"; break;
-      case '"': result += "&quot;"; break;
-      default: result += c;
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += c;
     }
   }
   return result;
@@ -20,7 +29,8 @@ std::string escaped(std::string_view text) {
 
 }  // namespace
 
-std::string page_html(std::string page, std::string_view title, const std::vector<std::string>& programs) {
+std::string page_html(std::string page, std::string_view title,
+                      const std::vector<std::string>& programs) {
   constexpr std::string_view kOpen = "<title>";
   const std::size_t open = page.find(kOpen);
   const std::size_t close = page.find("</title>");

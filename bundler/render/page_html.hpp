@@ -1,5 +1,5 @@
-// The page of one site: the runtime's index.html with the site's title and with hints to fetch its programs early.
-// Pure.
+// The page of one site: the runtime's index.html with the site's title and with hints to fetch its
+// programs early. Pure.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace ros2wasm {
 
-/// `page` without a <title> or </head> stays as it is there. Texts are escaped; `programs` are paths in the site,
-/// each named once.
+/// `page` without a <title> or </head> stays as it is there. Texts are escaped; `programs` are
+/// paths in the site, each named once.
 [[nodiscard]] std::string page_html(std::string page, std::string_view title,
                                     const std::vector<std::string>& programs);
 

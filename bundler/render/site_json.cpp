@@ -33,12 +33,15 @@ void write_node(JsonWriter& json, const PlannedNode& planned) {
   json.field("output", output_name(node.output)).field_boolean("respawn", node.respawn);
   if (!node.source.file.empty()) {
     json.key("source").begin_object().field("file", node.source.file);
-    json.field_integer("line", node.source.line).field_integer("column", node.source.column).end_object();
+    json.field_integer("line", node.source.line)
+        .field_integer("column", node.source.column)
+        .end_object();
   }
   json.end_object();
 }
 
-void write_options(JsonWriter& json, std::string_view name, const std::map<std::string, std::string>& options) {
+void write_options(JsonWriter& json, std::string_view name,
+                   const std::map<std::string, std::string>& options) {
   json.key(name).begin_object();
   for (const auto& [key, value] : options) {
     if (value == "true" || value == "false") {
@@ -58,7 +61,9 @@ std::string site_json(const Manifest& manifest, const SitePlan& plan) {
   json.field("generator", std::string(kSiteGenerator) + " " ROS2WASM_VERSION);
   json.field("name", manifest.name.value);
   json.field("title", manifest.title.empty() ? manifest.name.value : manifest.title);
-  json.field("version", manifest.version).field("distro", manifest.distro).field("license", manifest.license);
+  json.field("version", manifest.version)
+      .field("distro", manifest.distro)
+      .field("license", manifest.license);
   json.key("authors").begin_array();
   for (const Author& author : manifest.authors) {
     json.begin_object().field("name", author.name);

@@ -17,7 +17,8 @@ Diagnostic lock_does_not_fit(const std::filesystem::path& file, std::vector<std:
 }
 
 /// Records of the lock that are still in the index, exactly as they were.
-std::vector<PackageRecord> still_there(const std::vector<PackageRecord>& locked, const RepoIndex& index) {
+std::vector<PackageRecord> still_there(const std::vector<PackageRecord>& locked,
+                                       const RepoIndex& index) {
   std::vector<PackageRecord> result;
   for (const PackageRecord& one : locked) {
     if (std::any_of(index.records.begin(), index.records.end(), [&](const PackageRecord& record) {

@@ -1,4 +1,5 @@
-// Solving with a lock file: what is locked stays as long as it fits. Reads the lock; writing it is the caller's.
+// Solving with a lock file: what is locked stays as long as it fits. Reads the lock; writing it is
+// the caller's.
 #pragma once
 
 #include <filesystem>
@@ -24,12 +25,12 @@ struct LockedSolution {
   bool lock_changed = false;            ///< the file does not say so yet
 };
 
-/// `must_fit`: the lock has to hold as it is. R2W0320 it is missing or does not fit; R2W0310 it is damaged; errors
-/// of solve(). Locked records that their channel no longer has are chosen anew, unless `must_fit`.
+/// `must_fit`: the lock has to hold as it is. R2W0320 it is missing or does not fit; R2W0310 it is
+/// damaged; errors of solve(). Locked records that their channel no longer has are chosen anew,
+/// unless `must_fit`.
 [[nodiscard]] Outcome<LockedSolution> solve_with_lock(const std::vector<RequestedSpec>& specs,
                                                       const RepoIndex& index,
                                                       const std::filesystem::path& lock_file,
-                                                      bool must_fit,
-                                                      const LockUpdate& update = {});
+                                                      bool must_fit, const LockUpdate& update = {});
 
 }  // namespace ros2wasm

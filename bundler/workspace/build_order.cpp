@@ -28,7 +28,9 @@ bool matters_for_building(DependencyKind kind) {
   return false;
 }
 
-bool matters_for_running(DependencyKind kind) { return kind == DependencyKind::kExec; }
+bool matters_for_running(DependencyKind kind) {
+  return kind == DependencyKind::kExec;
+}
 
 Diagnostics duplicate_names(const std::vector<LocalPackage>& packages) {
   std::map<std::string, const LocalPackage*> first;
@@ -109,7 +111,8 @@ Indices closure(std::size_t index, const std::vector<Indices>& direct, const Ind
   while (!todo.empty()) {
     const std::size_t next = todo.back();
     todo.pop_back();
-    if (reached.insert(next).second) todo.insert(todo.end(), direct[next].begin(), direct[next].end());
+    if (reached.insert(next).second)
+      todo.insert(todo.end(), direct[next].begin(), direct[next].end());
   }
   Indices result;
   for (const std::size_t one : order) {
@@ -155,7 +158,8 @@ Outcome<BuildOrder> order_packages(const std::vector<LocalPackage>& packages,
       const std::string& name = dependency.name.value;
       const auto neighbour = local.find(name);
       if (neighbour != local.end()) {
-        if (building && std::find(direct[i].begin(), direct[i].end(), neighbour->second) == direct[i].end()) {
+        if (building &&
+            std::find(direct[i].begin(), direct[i].end(), neighbour->second) == direct[i].end()) {
           direct[i].push_back(neighbour->second);
         }
         continue;
@@ -205,7 +209,8 @@ Diagnostics missing_dependencies(const std::vector<ExternalDependency>& external
         .label = "asked for here",
         .why = {"in a channel it would be called `" + wanted + "`"}};
     if (dependency.places.size() > 1) {
-      diagnostic.why.push_back("it is asked for in " + std::to_string(dependency.places.size()) + " places");
+      diagnostic.why.push_back("it is asked for in " + std::to_string(dependency.places.size()) +
+                               " places");
     }
     if (const auto similar = nearest(wanted, channel_names)) {
       diagnostic.why.push_back("a channel has `" + *similar + "`");

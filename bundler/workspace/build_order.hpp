@@ -12,15 +12,17 @@ namespace ros2wasm {
 
 /// A package that a local package wants and the workspace has not.
 struct ExternalDependency {
-  std::string name;        ///< as package.xml says it
-  std::string match_spec;  ///< conda: "ros-jazzy-std-msgs >=5.0"
-  bool needed_to_build = false;  ///< else only when nodes run
+  std::string name;                ///< as package.xml says it
+  std::string match_spec;          ///< conda: "ros-jazzy-std-msgs >=5.0"
+  bool needed_to_build = false;    ///< else only when nodes run
   std::vector<SourceSpan> places;  ///< where it is asked for; the first is shown
 };
 
 struct BuildOrder {
-  std::vector<std::size_t> order;  ///< indices of packages: what is needed stands before what needs it
-  /// For each package (by index) the indices of the local packages it needs, directly or not, in build order.
+  std::vector<std::size_t>
+      order;  ///< indices of packages: what is needed stands before what needs it
+  /// For each package (by index) the indices of the local packages it needs, directly or not, in
+  /// build order.
   std::vector<std::vector<std::size_t>> needs;
   std::vector<ExternalDependency> external;  ///< sorted by name
 };
@@ -36,8 +38,9 @@ struct BuildOrder {
 [[nodiscard]] Outcome<BuildOrder> order_packages(const std::vector<LocalPackage>& packages,
                                                  std::string_view distro);
 
-/// What no channel has, each with the line that asks for it: R2W0513. Dependencies that only matter when nodes
-/// run become warnings of the same code. `channel_names` are the names of the channels' records, sorted.
+/// What no channel has, each with the line that asks for it: R2W0513. Dependencies that only matter
+/// when nodes run become warnings of the same code. `channel_names` are the names of the channels'
+/// records, sorted.
 [[nodiscard]] Diagnostics missing_dependencies(const std::vector<ExternalDependency>& external,
                                                const std::vector<std::string>& channel_names,
                                                std::string_view distro);

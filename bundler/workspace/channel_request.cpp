@@ -9,7 +9,8 @@
 namespace ros2wasm {
 namespace {
 
-/// A package that says which Emscripten built the libraries of a channel; programs must come of the same one.
+/// A package that says which Emscripten built the libraries of a channel; programs must come of the
+/// same one.
 constexpr std::string_view kCompilerPackage = "emscripten-abi";
 
 bool has(const std::vector<std::string>& sorted, std::string_view name) {
@@ -49,9 +50,10 @@ Outcome<ChannelRequest> channel_request(const Manifest& manifest,
   }
   for (const Spanned<std::string>& dependency : manifest.dependencies) {
     if (!host_package_reason(dependency.value).empty()) continue;
-    request.specs.push_back({.text = dependency_spec(dependency.value, manifest.distro, channel_names),
-                             .origin = manifest.file,
-                             .span = dependency.span});
+    request.specs.push_back(
+        {.text = dependency_spec(dependency.value, manifest.distro, channel_names),
+         .origin = manifest.file,
+         .span = dependency.span});
   }
   const auto is_local = [&](const std::string& name) {
     return std::any_of(packages.begin(), packages.end(),
@@ -69,9 +71,9 @@ Outcome<ChannelRequest> channel_request(const Manifest& manifest,
   }
   std::stable_sort(request.specs.begin(), request.specs.end(),
                    [](const RequestedSpec& a, const RequestedSpec& b) { return a.text < b.text; });
-  const auto repeated = std::unique(
-      request.specs.begin(), request.specs.end(),
-      [](const RequestedSpec& a, const RequestedSpec& b) { return a.text == b.text; });
+  const auto repeated =
+      std::unique(request.specs.begin(), request.specs.end(),
+                  [](const RequestedSpec& a, const RequestedSpec& b) { return a.text == b.text; });
   request.specs.erase(repeated, request.specs.end());
   return request;
 }

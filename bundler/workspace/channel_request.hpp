@@ -15,8 +15,8 @@ struct ChannelRequest {
   Diagnostics warnings;              ///< wished for at run time, but in no channel
 };
 
-/// `channel_names`: names of all records, sorted. Dependencies of the manifest may be ROS package names; nodes may
-/// name packages that nobody lists. R2W0513 for everything that no channel has.
+/// `channel_names`: names of all records, sorted. Dependencies of the manifest may be ROS package
+/// names; nodes may name packages that nobody lists. R2W0513 for everything that no channel has.
 [[nodiscard]] Outcome<ChannelRequest> channel_request(const Manifest& manifest,
                                                       const std::vector<LocalPackage>& packages,
                                                       const BuildOrder& order,

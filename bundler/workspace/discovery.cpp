@@ -15,11 +15,13 @@ namespace {
 
 bool is_ignored(const fs::path& folder) {
   std::error_code error;
-  return fs::exists(folder / "COLCON_IGNORE", error) || fs::exists(folder / "AMENT_IGNORE", error) ||
-         fs::exists(folder / "CATKIN_IGNORE", error);
+  return fs::exists(folder / "COLCON_IGNORE", error) ||
+         fs::exists(folder / "AMENT_IGNORE", error) || fs::exists(folder / "CATKIN_IGNORE", error);
 }
 
-bool is_hidden(const fs::path& path) { return path.filename().native().starts_with('.'); }
+bool is_hidden(const fs::path& path) {
+  return path.filename().native().starts_with('.');
+}
 
 std::vector<fs::path> sorted_subfolders(const fs::path& folder) {
   std::vector<fs::path> result;
@@ -43,7 +45,9 @@ void search(const fs::path& folder, std::set<fs::path>& visited, std::vector<fs:
   for (const fs::path& inner : sorted_subfolders(folder)) search(inner, visited, found);
 }
 
-bool has_wildcard(std::string_view text) { return text.find_first_of("*?[") != std::string_view::npos; }
+bool has_wildcard(std::string_view text) {
+  return text.find_first_of("*?[") != std::string_view::npos;
+}
 
 void expand(const fs::path& base, const std::vector<std::string>& parts, std::size_t at,
             std::set<fs::path>& found) {
@@ -104,8 +108,8 @@ std::string shown_path(const fs::path& path, const fs::path& base, const fs::pat
 }
 
 Outcome<std::vector<LocalPackage>> discover_packages(
-    const fs::path& base, const fs::path& shown_base, const std::vector<Spanned<std::string>>& entries,
-    const ConditionVariables& variables) {
+    const fs::path& base, const fs::path& shown_base,
+    const std::vector<Spanned<std::string>>& entries, const ConditionVariables& variables) {
   std::map<fs::path, fs::path> folders;  // real path -> as it was found first
   std::error_code error;
   Diagnostics errors;

@@ -16,21 +16,25 @@ struct LocalPackage {
   std::filesystem::path directory;  ///< absolute
 };
 
-/// Folders with a package.xml at or below `root`, sorted. A package's own folder is not searched further;
-/// folders that hold COLCON_IGNORE, AMENT_IGNORE or CATKIN_IGNORE and hidden folders are left out.
+/// Folders with a package.xml at or below `root`, sorted. A package's own folder is not searched
+/// further; folders that hold COLCON_IGNORE, AMENT_IGNORE or CATKIN_IGNORE and hidden folders are
+/// left out.
 [[nodiscard]] std::vector<std::filesystem::path> find_package_folders(
     const std::filesystem::path& root);
 
-/// Paths that match a pattern with `*`, `?` and `**` (any depth) relative to `base`, sorted. A pattern without
-/// these stands for itself when it exists.
+/// Paths that match a pattern with `*`, `?` and `**` (any depth) relative to `base`, sorted. A
+/// pattern without these stands for itself when it exists.
 [[nodiscard]] std::vector<std::filesystem::path> expand_glob(const std::filesystem::path& base,
                                                              const std::string& pattern);
 
-/// A file or folder below `base` as messages name it: below `shown_base`, which is how the person named `base`.
-[[nodiscard]] std::string shown_path(const std::filesystem::path& path, const std::filesystem::path& base,
+/// A file or folder below `base` as messages name it: below `shown_base`, which is how the person
+/// named `base`.
+[[nodiscard]] std::string shown_path(const std::filesystem::path& path,
+                                     const std::filesystem::path& base,
                                      const std::filesystem::path& shown_base);
 
-/// All packages that the entries name, each once, sorted by folder. R2W0510 an entry leads to no package; errors of package.xml files as they are.
+/// All packages that the entries name, each once, sorted by folder. R2W0510 an entry leads to no
+/// package; errors of package.xml files as they are.
 [[nodiscard]] Outcome<std::vector<LocalPackage>> discover_packages(
     const std::filesystem::path& base, const std::filesystem::path& shown_base,
     const std::vector<Spanned<std::string>>& entries, const ConditionVariables& variables);

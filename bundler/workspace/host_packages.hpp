@@ -1,5 +1,5 @@
-// The names in package.xml files that ask for nothing from a channel: tools of the build machine, test and
-// launch tooling. One table, so that people can read what is taken for granted.
+// The names in package.xml files that ask for nothing from a channel: tools of the build machine,
+// test and launch tooling. One table, so that people can read what is taken for granted.
 #pragma once
 
 #include <string_view>

@@ -56,7 +56,7 @@ def all_metas(work: Path) -> list[dict[str, Any]]:
 
 
 def archive_of(out: Path, meta: dict[str, Any]) -> Path:
-    return out / meta["subdir"] / f"{meta['name']}-{meta['version']}-{meta['build']}.conda"
+    return out / str(meta["subdir"]) / f"{meta['name']}-{meta['version']}-{meta['build']}.conda"
 
 
 class Channel:

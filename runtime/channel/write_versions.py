@@ -9,13 +9,14 @@ import argparse
 import json
 import sys
 from pathlib import Path
+from typing import Any
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = ROOT / "docs" / "upstream-versions.md"
 TABLE = ROOT / "runtime" / "versions.json"
 
 
-def page(table: dict) -> str:
+def page(table: dict[str, Any]) -> str:
     """Returns the Markdown text for a parsed versions.json."""
     rows = "".join(
         f"| {name} | {entry['version']} | {entry['repository']} |\n"

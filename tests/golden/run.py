@@ -51,7 +51,8 @@ class Case:
 def parse(path: Path) -> Case:
     case = Case(path)
     lines = path.read_text(encoding="utf-8").split("\n")
-    kind, name, body = "", "", []
+    kind, name = "", ""
+    body: list[str] = []
     answer_from = len(lines)
 
     def close() -> None:

@@ -12,7 +12,9 @@ std::vector<RegisteredClass>& classes() {
 
 }  // namespace
 
-void register_class(RegisteredClass registered) { classes().push_back(std::move(registered)); }
+void register_class(RegisteredClass registered) {
+  classes().push_back(std::move(registered));
+}
 
 std::vector<std::string> class_names(const std::string& base) {
   std::vector<std::string> names;

@@ -19,10 +19,9 @@ std::atomic<uint32_t> g_entities_version{1};
 
 template <typename EntityT>
 void add_to(std::vector<std::weak_ptr<EntityT>>& entities, const std::shared_ptr<EntityT>& entity) {
-  entities.erase(
-      std::remove_if(entities.begin(), entities.end(),
-                     [](const std::weak_ptr<EntityT>& weak) { return weak.expired(); }),
-      entities.end());
+  entities.erase(std::remove_if(entities.begin(), entities.end(),
+                                [](const std::weak_ptr<EntityT>& weak) { return weak.expired(); }),
+                 entities.end());
   entities.push_back(entity);
 }
 
@@ -37,7 +36,9 @@ void visit(const std::vector<std::weak_ptr<EntityT>>& entities, const FunctionT&
 
 }  // namespace
 
-uint32_t detail::entities_version() { return g_entities_version; }
+uint32_t detail::entities_version() {
+  return g_entities_version;
+}
 
 void detail::bump_entities_version() {
   ++g_entities_version;
@@ -50,7 +51,9 @@ CallbackGroup::CallbackGroup(CallbackGroupType group_type, rclcpp::Context::Weak
       automatically_add_to_executor_with_node_(automatically_add_to_executor_with_node),
       context_(std::move(context)) {}
 
-CallbackGroup::~CallbackGroup() { detail::bump_entities_version(); }
+CallbackGroup::~CallbackGroup() {
+  detail::bump_entities_version();
+}
 
 size_t CallbackGroup::size() const {
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -84,7 +87,9 @@ rclcpp::GuardCondition::SharedPtr CallbackGroup::get_notify_guard_condition() {
   return notify_guard_condition_;
 }
 
-void CallbackGroup::trigger_notify_guard_condition() { detail::bump_entities_version(); }
+void CallbackGroup::trigger_notify_guard_condition() {
+  detail::bump_entities_version();
+}
 
 void CallbackGroup::add_publisher(const std::shared_ptr<PublisherBase>&) {}
 

@@ -13,9 +13,7 @@ namespace rclcpp {
 
 JumpHandler::JumpHandler(pre_callback_t pre, post_callback_t post,
                          const rcl_jump_threshold_t& threshold)
-    : pre_callback(std::move(pre)),
-      post_callback(std::move(post)),
-      notice_threshold(threshold) {}
+    : pre_callback(std::move(pre)), post_callback(std::move(post)), notice_threshold(threshold) {}
 
 class Clock::Impl {
  public:
@@ -47,7 +45,9 @@ Clock::Clock(rcl_clock_type_t clock_type) : impl_(std::make_shared<Impl>(clock_t
 
 Clock::~Clock() = default;
 
-Time Clock::now() const { return Time(impl_->now(), impl_->type); }
+Time Clock::now() const {
+  return Time(impl_->now(), impl_->type);
+}
 
 bool Clock::wait_until(int64_t until_ns, const Context::SharedPtr& context) {
   const bool was_active = impl_->ros_active;
@@ -80,7 +80,9 @@ bool Clock::sleep_for(Duration rel_time, Context::SharedPtr context) {
   return sleep_until(now() + rel_time, std::move(context));
 }
 
-bool Clock::started() { return impl_->now() > 0; }
+bool Clock::started() {
+  return impl_->now() > 0;
+}
 
 bool Clock::wait_until_started(Context::SharedPtr context) {
   if (!context || !context->is_valid()) {
@@ -119,15 +121,19 @@ void Clock::cancel_sleep_or_wait() {
   ros2wasm::wake();
 }
 
-rcl_clock_type_t Clock::get_clock_type() const noexcept { return impl_->type; }
+rcl_clock_type_t Clock::get_clock_type() const noexcept {
+  return impl_->type;
+}
 
-std::mutex& Clock::get_clock_mutex() noexcept { return impl_->clock_mutex; }
+std::mutex& Clock::get_clock_mutex() noexcept {
+  return impl_->clock_mutex;
+}
 
 JumpHandler::SharedPtr Clock::create_jump_callback(JumpHandler::pre_callback_t pre_callback,
                                                    JumpHandler::post_callback_t post_callback,
                                                    const rcl_jump_threshold_t& threshold) {
-  auto handler = std::make_shared<JumpHandler>(std::move(pre_callback), std::move(post_callback),
-                                               threshold);
+  auto handler =
+      std::make_shared<JumpHandler>(std::move(pre_callback), std::move(post_callback), threshold);
   const std::lock_guard<std::mutex> lock(impl_->handlers_mutex);
   impl_->handlers.push_back(handler);
   return handler;
@@ -153,11 +159,11 @@ void Clock::jump(rcl_clock_change_t change, ChangeT&& apply) {
   for (const auto& handler : handlers) {
     const rcl_jump_threshold_t& limit = handler->notice_threshold;
     const bool changed = change == RCL_ROS_TIME_ACTIVATED || change == RCL_ROS_TIME_DEACTIVATED;
-    const bool noticed =
-        (changed && limit.on_clock_change) ||
-        (limit.min_forward.nanoseconds > 0 && step.delta.nanoseconds >= limit.min_forward.nanoseconds) ||
-        (limit.min_backward.nanoseconds < 0 &&
-         step.delta.nanoseconds <= limit.min_backward.nanoseconds);
+    const bool noticed = (changed && limit.on_clock_change) ||
+                         (limit.min_forward.nanoseconds > 0 &&
+                          step.delta.nanoseconds >= limit.min_forward.nanoseconds) ||
+                         (limit.min_backward.nanoseconds < 0 &&
+                          step.delta.nanoseconds <= limit.min_backward.nanoseconds);
     if (!noticed) {
       continue;
     }

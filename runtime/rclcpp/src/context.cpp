@@ -259,9 +259,13 @@ bool install_signal_handlers(SignalHandlerOptions signal_handler_options) {
   return !g_handles_stop.exchange(true);
 }
 
-bool signal_handlers_installed() { return g_handles_stop; }
+bool signal_handlers_installed() {
+  return g_handles_stop;
+}
 
-SignalHandlerOptions get_current_signal_handler_options() { return g_signal_options; }
+SignalHandlerOptions get_current_signal_handler_options() {
+  return g_signal_options;
+}
 
 bool uninstall_signal_handlers() {
   g_signal_options = SignalHandlerOptions::None;
@@ -278,7 +282,9 @@ std::vector<std::string> init_and_remove_ros_arguments(int argc, char const* con
   return remove_ros_arguments(argc, argv);
 }
 
-bool ok(Context::SharedPtr context) { return default_if_null(std::move(context))->is_valid(); }
+bool ok(Context::SharedPtr context) {
+  return default_if_null(std::move(context))->is_valid();
+}
 
 bool shutdown(Context::SharedPtr context, const std::string& reason) {
   const bool is_default = !context || context == contexts::get_global_default_context();
@@ -297,8 +303,12 @@ bool sleep_for(const std::chrono::nanoseconds& nanoseconds, Context::SharedPtr c
   return default_if_null(std::move(context))->sleep_for(nanoseconds);
 }
 
-const char* get_c_string(const char* string_in) { return string_in; }
-const char* get_c_string(const std::string& string_in) { return string_in.c_str(); }
+const char* get_c_string(const char* string_in) {
+  return string_in;
+}
+const char* get_c_string(const std::string& string_in) {
+  return string_in.c_str();
+}
 
 std::vector<const char*> get_c_vector_string(const std::vector<std::string>& strings_in) {
   std::vector<const char*> pointers;

@@ -5,8 +5,7 @@
 
 namespace rclcpp {
 
-EventHandlerBase::EventHandlerBase(std::shared_ptr<ros2wasm::Endpoint> endpoint,
-                                   int32_t event_type)
+EventHandlerBase::EventHandlerBase(std::shared_ptr<ros2wasm::Endpoint> endpoint, int32_t event_type)
     : endpoint_(std::move(endpoint)), event_type_(event_type) {
   if (!poll()) {
     rcutils_set_error_state("the bus does not know this event", __FILE__, __LINE__);

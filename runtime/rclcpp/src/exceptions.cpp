@@ -77,8 +77,7 @@ RCLInvalidArgument::RCLInvalidArgument(rcl_ret_t ret, const rcl_error_state_t* e
 RCLInvalidArgument::RCLInvalidArgument(const RCLErrorBase& base_exc, const std::string& prefix)
     : RCLErrorBase(base_exc), std::invalid_argument(prefix + base_exc.formatted_message) {}
 
-RCLInvalidROSArgsError::RCLInvalidROSArgsError(rcl_ret_t ret,
-                                               const rcl_error_state_t* error_state,
+RCLInvalidROSArgsError::RCLInvalidROSArgsError(rcl_ret_t ret, const rcl_error_state_t* error_state,
                                                const std::string& prefix)
     : RCLInvalidROSArgsError(RCLErrorBase(ret, error_state), prefix) {}
 RCLInvalidROSArgsError::RCLInvalidROSArgsError(const RCLErrorBase& base_exc,

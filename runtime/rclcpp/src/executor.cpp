@@ -45,7 +45,9 @@ class Seeking {
   std::atomic<int>& seekers_;
 };
 
-nanoseconds steady_now() { return nanoseconds(ros2wasm::steady_now_ns()); }
+nanoseconds steady_now() {
+  return nanoseconds(ros2wasm::steady_now_ns());
+}
 
 template <typename WeakT, typename SharedT>
 bool is_same(const WeakT& weak, const SharedT& shared) {
@@ -348,7 +350,9 @@ void Executor::spin_once(nanoseconds timeout) {
   spin_once_impl(timeout);
 }
 
-void Executor::spin_some(nanoseconds max_duration) { spin_some_impl(max_duration, false); }
+void Executor::spin_some(nanoseconds max_duration) {
+  spin_some_impl(max_duration, false);
+}
 
 void Executor::spin_all(nanoseconds max_duration) {
   if (max_duration.count() < 0) {
@@ -415,8 +419,7 @@ void Executor::spin_node_all(std::shared_ptr<rclcpp::Node> node, nanoseconds max
 }
 
 FutureReturnCode Executor::spin_until_future_complete_impl(
-    nanoseconds timeout,
-    const std::function<std::future_status(nanoseconds)>& wait_for_future) {
+    nanoseconds timeout, const std::function<std::future_status(nanoseconds)>& wait_for_future) {
   if (wait_for_future(nanoseconds(0)) == std::future_status::ready) {
     return FutureReturnCode::SUCCESS;
   }
@@ -424,8 +427,8 @@ FutureReturnCode Executor::spin_until_future_complete_impl(
   const nanoseconds until = limited ? steady_now() + timeout : nanoseconds::max();
   const SpinningFlag flag(spinning, "spin_until_future_complete()");
   while (context_->is_valid() && spinning) {
-    const nanoseconds left = limited ? std::max(until - steady_now(), nanoseconds(0))
-                                     : nanoseconds(-1);
+    const nanoseconds left =
+        limited ? std::max(until - steady_now(), nanoseconds(0)) : nanoseconds(-1);
     spin_once_impl(left);
     if (wait_for_future(nanoseconds(0)) == std::future_status::ready) {
       return FutureReturnCode::SUCCESS;
@@ -442,7 +445,9 @@ void Executor::cancel() {
   ros2wasm::wake();
 }
 
-bool Executor::is_spinning() { return spinning; }
+bool Executor::is_spinning() {
+  return spinning;
+}
 
 std::string to_string(const FutureReturnCode& future_return_code) {
   const std::string number = " (" + std::to_string(static_cast<int>(future_return_code)) + ")";

@@ -6,7 +6,9 @@
 
 namespace rclcpp {
 
-Logger get_logger(const std::string& name) { return Logger(name); }
+Logger get_logger(const std::string& name) {
+  return Logger(name);
+}
 
 Logger Logger::get_child(const std::string& suffix) {
   return name_ ? Logger(*name_ + RCUTILS_LOGGING_SEPARATOR_STRING + suffix) : Logger();
@@ -16,8 +18,7 @@ void Logger::set_level(Level level) {
   const rcutils_ret_t result =
       rcutils_logging_set_logger_level(name_ ? name_->c_str() : "", static_cast<int>(level));
   if (result != RCUTILS_RET_OK) {
-    exceptions::throw_from_rcl_error(RCL_RET_INVALID_ARGUMENT,
-                                     "rcutils_logging_set_logger_level");
+    exceptions::throw_from_rcl_error(RCL_RET_INVALID_ARGUMENT, "rcutils_logging_set_logger_level");
   }
 }
 

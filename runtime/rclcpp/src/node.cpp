@@ -117,11 +117,11 @@ Node::Node(const std::string& node_name, const std::string& ns, const NodeOption
       node_options_(options),
       effective_namespace_(node_base_->get_namespace()) {
   // So that they can be seen; a publisher's QoS does not change any more.
-  detail::declare_qos_parameters(
-      {QosPolicyKind::Depth, QosPolicyKind::Durability, QosPolicyKind::History,
-       QosPolicyKind::Reliability},
-      *node_parameters_, node_topics_->resolve_topic_name("/parameter_events"),
-      options.parameter_event_qos(), detail::QosEntity::publisher);
+  detail::declare_qos_parameters({QosPolicyKind::Depth, QosPolicyKind::Durability,
+                                  QosPolicyKind::History, QosPolicyKind::Reliability},
+                                 *node_parameters_,
+                                 node_topics_->resolve_topic_name("/parameter_events"),
+                                 options.parameter_event_qos(), detail::QosEntity::publisher);
   if (options.enable_logger_service()) {
     node_logging_->create_logger_services(node_base_.get(), node_services_.get());
   }
@@ -158,12 +158,18 @@ Node::~Node() {
   node_graph_.reset();
 }
 
-const char* Node::get_name() const { return node_base_->get_name(); }
-const char* Node::get_namespace() const { return node_base_->get_namespace(); }
+const char* Node::get_name() const {
+  return node_base_->get_name();
+}
+const char* Node::get_namespace() const {
+  return node_base_->get_namespace();
+}
 const char* Node::get_fully_qualified_name() const {
   return node_base_->get_fully_qualified_name();
 }
-rclcpp::Logger Node::get_logger() const { return node_logging_->get_logger(); }
+rclcpp::Logger Node::get_logger() const {
+  return node_logging_->get_logger();
+}
 
 rclcpp::CallbackGroup::SharedPtr Node::create_callback_group(
     rclcpp::CallbackGroupType group_type, bool automatically_add_to_executor_with_node) {
@@ -251,7 +257,9 @@ void Node::remove_post_set_parameters_callback(
   node_parameters_->remove_post_set_parameters_callback(handler);
 }
 
-std::vector<std::string> Node::get_node_names() const { return node_graph_->get_node_names(); }
+std::vector<std::string> Node::get_node_names() const {
+  return node_graph_->get_node_names();
+}
 std::map<std::string, std::vector<std::string>> Node::get_topic_names_and_types() const {
   return node_graph_->get_topic_names_and_types();
 }
@@ -278,19 +286,26 @@ std::vector<TopicEndpointInfo> Node::get_publishers_info_by_topic(const std::str
                                                                   bool no_mangle) const {
   return node_graph_->get_publishers_info_by_topic(topic_name, no_mangle);
 }
-std::vector<TopicEndpointInfo> Node::get_subscriptions_info_by_topic(
-    const std::string& topic_name, bool no_mangle) const {
+std::vector<TopicEndpointInfo> Node::get_subscriptions_info_by_topic(const std::string& topic_name,
+                                                                     bool no_mangle) const {
   return node_graph_->get_subscriptions_info_by_topic(topic_name, no_mangle);
 }
-rclcpp::Event::SharedPtr Node::get_graph_event() { return node_graph_->get_graph_event(); }
-void Node::wait_for_graph_change(rclcpp::Event::SharedPtr event,
-                                 std::chrono::nanoseconds timeout) {
+rclcpp::Event::SharedPtr Node::get_graph_event() {
+  return node_graph_->get_graph_event();
+}
+void Node::wait_for_graph_change(rclcpp::Event::SharedPtr event, std::chrono::nanoseconds timeout) {
   node_graph_->wait_for_graph_change(std::move(event), timeout);
 }
 
-rclcpp::Clock::SharedPtr Node::get_clock() { return node_clock_->get_clock(); }
-rclcpp::Clock::ConstSharedPtr Node::get_clock() const { return node_clock_->get_clock(); }
-rclcpp::Time Node::now() const { return node_clock_->get_clock()->now(); }
+rclcpp::Clock::SharedPtr Node::get_clock() {
+  return node_clock_->get_clock();
+}
+rclcpp::Clock::ConstSharedPtr Node::get_clock() const {
+  return node_clock_->get_clock();
+}
+rclcpp::Time Node::now() const {
+  return node_clock_->get_clock()->now();
+}
 
 node_interfaces::NodeBaseInterface::SharedPtr Node::get_node_base_interface() {
   return node_base_;
@@ -327,13 +342,19 @@ Node::get_node_type_descriptions_interface() {
   return node_type_descriptions_;
 }
 
-const std::string& Node::get_sub_namespace() const { return sub_namespace_; }
-const std::string& Node::get_effective_namespace() const { return effective_namespace_; }
+const std::string& Node::get_sub_namespace() const {
+  return sub_namespace_;
+}
+const std::string& Node::get_effective_namespace() const {
+  return effective_namespace_;
+}
 
 rclcpp::Node::SharedPtr Node::create_sub_node(const std::string& sub_namespace) {
   return std::shared_ptr<rclcpp::Node>(new rclcpp::Node(*this, sub_namespace));
 }
 
-const rclcpp::NodeOptions& Node::get_node_options() const { return node_options_; }
+const rclcpp::NodeOptions& Node::get_node_options() const {
+  return node_options_;
+}
 
 }  // namespace rclcpp

@@ -79,9 +79,13 @@ NodeBase::NodeBase(const std::string& node_name, const std::string& ns,
   notify_guard_condition_ = std::make_shared<rclcpp::GuardCondition>(context_);
 }
 
-NodeBase::~NodeBase() { detail::bump_entities_version(); }
+NodeBase::~NodeBase() {
+  detail::bump_entities_version();
+}
 
-int32_t NodeBase::get_node_id() const { return entry_->id(); }
+int32_t NodeBase::get_node_id() const {
+  return entry_->id();
+}
 
 rclcpp::CallbackGroup::SharedPtr NodeBase::create_callback_group(
     rclcpp::CallbackGroupType group_type, bool automatically_add_to_executor_with_node) {
@@ -120,7 +124,9 @@ void NodeBase::for_each_callback_group(const CallbackGroupFunction& func) {
   }
 }
 
-rclcpp::GuardCondition& NodeBase::get_notify_guard_condition() { return *notify_guard_condition_; }
+rclcpp::GuardCondition& NodeBase::get_notify_guard_condition() {
+  return *notify_guard_condition_;
+}
 
 rclcpp::GuardCondition::SharedPtr NodeBase::get_shared_notify_guard_condition() {
   return notify_guard_condition_;

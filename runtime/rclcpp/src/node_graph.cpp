@@ -18,8 +18,7 @@ using ros2wasm::GraphEndpoint;
 
 using NamesAndTypes = NodeGraphInterface::NamesAndTypes;
 
-NamesAndTypes collect(const Graph& graph,
-                      const std::function<bool(const GraphEndpoint&)>& wanted) {
+NamesAndTypes collect(const Graph& graph, const std::function<bool(const GraphEndpoint&)>& wanted) {
   NamesAndTypes result;
   for (const GraphEndpoint& endpoint : graph.endpoints) {
     if (!wanted(endpoint)) {
@@ -44,10 +43,9 @@ NamesAndTypes collect_of_node(const std::string& node_name, const std::string& n
 
 size_t count(const std::string& full_name, EndpointKind kind) {
   const Graph graph = ros2wasm::take_graph_snapshot();
-  return static_cast<size_t>(
-      std::count_if(graph.endpoints.begin(), graph.endpoints.end(), [&](const auto& endpoint) {
-        return endpoint.kind == kind && endpoint.name == full_name;
-      }));
+  return static_cast<size_t>(std::count_if(
+      graph.endpoints.begin(), graph.endpoints.end(),
+      [&](const auto& endpoint) { return endpoint.kind == kind && endpoint.name == full_name; }));
 }
 
 std::vector<TopicEndpointInfo> describe(const std::string& full_name, EndpointKind kind,
@@ -89,14 +87,12 @@ NamesAndTypes NodeGraph::get_client_names_and_types_by_node(const std::string& n
 }
 
 NamesAndTypes NodeGraph::get_publisher_names_and_types_by_node(const std::string& node_name,
-                                                               const std::string& ns,
-                                                               bool) const {
+                                                               const std::string& ns, bool) const {
   return collect_of_node(node_name, ns, EndpointKind::publisher);
 }
 
 NamesAndTypes NodeGraph::get_subscriber_names_and_types_by_node(const std::string& node_name,
-                                                                const std::string& ns,
-                                                                bool) const {
+                                                                const std::string& ns, bool) const {
   return collect_of_node(node_name, ns, EndpointKind::subscription);
 }
 

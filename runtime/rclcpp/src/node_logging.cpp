@@ -164,8 +164,8 @@ void NodeLogging::create_logger_services(NodeBaseInterface* node_base,
       response->levels.push_back(level);
     }
   });
-  add(std::make_shared<rclcpp::Service<GetLoggerLevels>>(
-      node_base, "~/get_logger_levels", std::move(get), rclcpp::ServicesQoS()));
+  add(std::make_shared<rclcpp::Service<GetLoggerLevels>>(node_base, "~/get_logger_levels",
+                                                         std::move(get), rclcpp::ServicesQoS()));
   AnyServiceCallback<SetLoggerLevels> set;
   set.set([](std::shared_ptr<SetLoggerLevels::Request> request,
              std::shared_ptr<SetLoggerLevels::Response> response) {
@@ -180,8 +180,8 @@ void NodeLogging::create_logger_services(NodeBaseInterface* node_base,
       response->results.push_back(result);
     }
   });
-  add(std::make_shared<rclcpp::Service<SetLoggerLevels>>(
-      node_base, "~/set_logger_levels", std::move(set), rclcpp::ServicesQoS()));
+  add(std::make_shared<rclcpp::Service<SetLoggerLevels>>(node_base, "~/set_logger_levels",
+                                                         std::move(set), rclcpp::ServicesQoS()));
 }
 
 }  // namespace node_interfaces

@@ -227,8 +227,8 @@ const ParameterValue& NodeParameters::declare(const std::string& name, Parameter
   const ParameterValue& value =
       !ignore_override && given != overrides_.end() ? given->second : default_value;
   if (value.get_type() == PARAMETER_NOT_SET) {
-    descriptor.type = descriptor.dynamic_typing ? static_cast<uint8_t>(PARAMETER_NOT_SET)
-                                                : descriptor.type;
+    descriptor.type =
+        descriptor.dynamic_typing ? static_cast<uint8_t>(PARAMETER_NOT_SET) : descriptor.type;
     parameters_[name].descriptor = descriptor;
     publish(rcl_interfaces::msg::ParameterEvent());
     return parameters_[name].value;
@@ -261,8 +261,7 @@ const ParameterValue& NodeParameters::declare_parameter(const std::string& name,
   return declare(name, PARAMETER_NOT_SET, default_value, descriptor, ignore_override);
 }
 
-const ParameterValue& NodeParameters::declare_parameter(const std::string& name,
-                                                        ParameterType type,
+const ParameterValue& NodeParameters::declare_parameter(const std::string& name, ParameterType type,
                                                         const ParameterDescriptor& descriptor,
                                                         bool ignore_override) {
   if (type == PARAMETER_NOT_SET) {
@@ -290,8 +289,8 @@ void NodeParameters::undeclare_parameter(const std::string& name) {
                                                   "' because it is read-only");
   }
   if (!found->second.descriptor.dynamic_typing) {
-    throw exceptions::InvalidParameterTypeException(name,
-                                                    "cannot undeclare a statically typed parameter");
+    throw exceptions::InvalidParameterTypeException(
+        name, "cannot undeclare a statically typed parameter");
   }
   parameters_.erase(found);
 }
@@ -316,10 +315,9 @@ NodeParameters::SetResult NodeParameters::check(const std::vector<rclcpp::Parame
     const auto found = infos.find(parameter.get_name());
     ParameterDescriptor descriptor;
     descriptor.dynamic_typing = true;
-    const SetResult result =
-        check_value(parameter.get_name(),
-                    found == infos.end() ? descriptor : found->second.descriptor,
-                    parameter.get_parameter_value());
+    const SetResult result = check_value(
+        parameter.get_name(), found == infos.end() ? descriptor : found->second.descriptor,
+        parameter.get_parameter_value());
     if (!result.successful) {
       return result;
     }
@@ -500,9 +498,8 @@ rcl_interfaces::msg::ListParametersResult NodeParameters::list_parameters(
             ? shallow_enough(name)
             : std::any_of(prefixes.begin(), prefixes.end(), [&](const std::string& prefix) {
                 const size_t length = prefix.size() + 1;
-                return full_name == prefix ||
-                       (full_name.compare(0, length, prefix + ".") == 0 &&
-                        shallow_enough(full_name.substr(length)));
+                return full_name == prefix || (full_name.compare(0, length, prefix + ".") == 0 &&
+                                               shallow_enough(full_name.substr(length)));
               });
     if (!wanted) {
       continue;

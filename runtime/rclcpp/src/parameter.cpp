@@ -64,7 +64,9 @@ std::string to_string(ParameterType type) {
   return "unknown type";
 }
 
-std::ostream& operator<<(std::ostream& os, ParameterType type) { return os << to_string(type); }
+std::ostream& operator<<(std::ostream& os, ParameterType type) {
+  return os << to_string(type);
+}
 
 std::string to_string(const ParameterValue& value) {
   switch (value.get_type()) {
@@ -95,7 +97,9 @@ std::string to_string(const ParameterValue& value) {
   return "unknown type";
 }
 
-ParameterValue::ParameterValue() { value_.type = PARAMETER_NOT_SET; }
+ParameterValue::ParameterValue() {
+  value_.type = PARAMETER_NOT_SET;
+}
 
 ParameterValue::ParameterValue(const rcl_interfaces::msg::ParameterValue& value) : value_(value) {
   if (value.type > PARAMETER_STRING_ARRAY) {

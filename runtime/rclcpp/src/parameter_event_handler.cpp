@@ -23,8 +23,8 @@ void ParameterEventHandler::remove_parameter_event_callback(
     ParameterEventCallbackHandle::SharedPtr callback_handle) {
   const std::lock_guard<std::recursive_mutex> lock(callbacks_->mutex_);
   auto& all = callbacks_->event_callbacks_;
-  const auto found = std::find_if(
-      all.begin(), all.end(), [&](const auto& weak) { return weak.lock() == callback_handle; });
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [&](const auto& weak) { return weak.lock() == callback_handle; });
   if (found == all.end()) {
     throw std::runtime_error("Callback doesn't exist");
   }
@@ -46,11 +46,11 @@ ParameterCallbackHandle::SharedPtr ParameterEventHandler::add_parameter_callback
 void ParameterEventHandler::remove_parameter_callback(
     ParameterCallbackHandle::SharedPtr callback_handle) {
   const std::lock_guard<std::recursive_mutex> lock(callbacks_->mutex_);
-  auto& container = callbacks_->parameter_callbacks_[{callback_handle->parameter_name,
-                                                      callback_handle->node_name}];
-  const auto found =
-      std::find_if(container.begin(), container.end(),
-                   [&](const auto& weak) { return weak.lock() == callback_handle; });
+  auto& container =
+      callbacks_
+          ->parameter_callbacks_[{callback_handle->parameter_name, callback_handle->node_name}];
+  const auto found = std::find_if(container.begin(), container.end(),
+                                  [&](const auto& weak) { return weak.lock() == callback_handle; });
   if (found == container.end()) {
     throw std::runtime_error("Callback doesn't exist");
   }
@@ -75,9 +75,9 @@ bool ParameterEventHandler::get_parameter_from_event(const ParameterEvent& event
   return false;
 }
 
-rclcpp::Parameter ParameterEventHandler::get_parameter_from_event(
-    const ParameterEvent& event, const std::string& parameter_name,
-    const std::string& node_name) {
+rclcpp::Parameter ParameterEventHandler::get_parameter_from_event(const ParameterEvent& event,
+                                                                  const std::string& parameter_name,
+                                                                  const std::string& node_name) {
   rclcpp::Parameter parameter;
   if (!get_parameter_from_event(event, parameter, parameter_name, node_name)) {
     if (event.node == node_name) {

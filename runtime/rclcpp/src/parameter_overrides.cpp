@@ -123,8 +123,7 @@ void add_arguments(const ros2wasm::Arguments& arguments, const std::string& full
         out[source.rule.name] = to_value(ros2wasm::parse_yaml(source.rule.value));
       }
     } catch (const std::runtime_error& error) {
-      fail((source.is_file ? "parameter file '" + source.file
-                           : "parameter '" + source.rule.name) +
+      fail((source.is_file ? "parameter file '" + source.file : "parameter '" + source.rule.name) +
            "': " + error.what());
     }
   }
@@ -149,22 +148,20 @@ Overrides resolve_parameter_overrides(const node_interfaces::NodeBaseInterface& 
 
 }  // namespace detail
 
-ParameterMap parameter_map_from_yaml_file(const std::string& yaml_filename,
-                                          const char* node_fqn) {
+ParameterMap parameter_map_from_yaml_file(const std::string& yaml_filename, const char* node_fqn) {
   ParameterMap map;
   try {
-    detail::visit_document(
-        "", ros2wasm::parse_yaml(detail::read_file(yaml_filename)),
-        [&](const std::string& node, const ros2wasm::YamlNode& tree) {
-          if (node_fqn != nullptr && !detail::matches(node, node_fqn)) {
-            return;
-          }
-          detail::Overrides values;
-          detail::add_tree("", tree, values);
-          for (const auto& [name, value] : values) {
-            map[node_fqn == nullptr ? node : node_fqn].emplace_back(name, value);
-          }
-        });
+    detail::visit_document("", ros2wasm::parse_yaml(detail::read_file(yaml_filename)),
+                           [&](const std::string& node, const ros2wasm::YamlNode& tree) {
+                             if (node_fqn != nullptr && !detail::matches(node, node_fqn)) {
+                               return;
+                             }
+                             detail::Overrides values;
+                             detail::add_tree("", tree, values);
+                             for (const auto& [name, value] : values) {
+                               map[node_fqn == nullptr ? node : node_fqn].emplace_back(name, value);
+                             }
+                           });
   } catch (const std::runtime_error& error) {
     detail::fail("parameter file '" + yaml_filename + "': " + error.what());
   }

@@ -99,8 +99,7 @@ ParameterService::ParameterService(
           response->result = params->set_parameters_atomically(from_messages(request->parameters));
         } catch (const std::exception& error) {
           log_failure("set parameters atomically", error);
-          response->result =
-              failure("One or more parameters were not declared before setting");
+          response->result = failure("One or more parameters were not declared before setting");
         }
       },
       qos_profile, nullptr));

@@ -31,14 +31,15 @@ PublisherBase::PublisherBase(node_interfaces::NodeBaseInterface* node_base,
       type_support_(type_support),
       qos_(detail::resolve_qos(qos)),
       object_functions_(object_functions),
-      intra_process_(object_functions != nullptr &&
-                     resolve(options.use_intra_process_comm,
-                             node_base->get_use_intra_process_default())) {
+      intra_process_(
+          object_functions != nullptr &&
+          resolve(options.use_intra_process_comm, node_base->get_use_intra_process_default())) {
   if (options.require_unique_network_flow_endpoints ==
       RMW_UNIQUE_NETWORK_FLOW_ENDPOINTS_STRICTLY_REQUIRED) {
-    rcutils_set_error_state("Strict requirement on unique network flow endpoints for publishers "
-                            "not supported on the bus of a page",
-                            __FILE__, __LINE__);
+    rcutils_set_error_state(
+        "Strict requirement on unique network flow endpoints for publishers "
+        "not supported on the bus of a page",
+        __FILE__, __LINE__);
     exceptions::throw_from_rcl_error(RCL_RET_ERROR, "could not create publisher");
   }
   const detail::MessageCallbacks& type = detail::callbacks_of(type_support);
@@ -71,8 +72,7 @@ void PublisherBase::add_events(const PublisherOptionsBase& options) {
           std::move(callback), endpoint_, static_cast<int32_t>(type));
     }
   };
-  add(callbacks.deadline_callback, RCL_PUBLISHER_OFFERED_DEADLINE_MISSED,
-      QOSDeadlineOfferedInfo());
+  add(callbacks.deadline_callback, RCL_PUBLISHER_OFFERED_DEADLINE_MISSED, QOSDeadlineOfferedInfo());
   add(callbacks.liveliness_callback, RCL_PUBLISHER_LIVELINESS_LOST, QOSLivelinessLostInfo());
   QOSOfferedIncompatibleQoSCallbackType incompatible = callbacks.incompatible_qos_callback;
   IncompatibleTypeCallbackType wrong_type = callbacks.incompatible_type_callback;
@@ -96,7 +96,9 @@ void PublisherBase::add_events(const PublisherOptionsBase& options) {
   add(callbacks.matched_callback, RCL_PUBLISHER_MATCHED, MatchedInfo());
 }
 
-size_t PublisherBase::get_queue_size() const { return qos_.depth(); }
+size_t PublisherBase::get_queue_size() const {
+  return qos_.depth();
+}
 
 size_t PublisherBase::get_subscription_count() const {
   return static_cast<size_t>(std::max(0, endpoint_->matched()));
@@ -112,7 +114,9 @@ bool PublisherBase::is_durability_transient_local() const {
   return qos_.durability() == DurabilityPolicy::TransientLocal;
 }
 
-bool PublisherBase::assert_liveliness() const { return context_->is_valid(); }
+bool PublisherBase::assert_liveliness() const {
+  return context_->is_valid();
+}
 
 bool PublisherBase::operator==(const rmw_gid_t* gid) const {
   return std::memcmp(gid->data, gid_.data, sizeof(gid_.data)) == 0;

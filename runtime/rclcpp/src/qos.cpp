@@ -28,14 +28,13 @@ std::string qos_policy_name_from_kind(rmw_qos_policy_kind_t policy_kind) {
   }
 }
 
-QoSInitialization::QoSInitialization(rmw_qos_history_policy_t history_policy_arg,
-                                     size_t depth_arg, bool print_depth_warning)
+QoSInitialization::QoSInitialization(rmw_qos_history_policy_t history_policy_arg, size_t depth_arg,
+                                     bool print_depth_warning)
     : history_policy(history_policy_arg), depth(depth_arg) {
   if (history_policy == RMW_QOS_POLICY_HISTORY_KEEP_LAST && depth == 0 && print_depth_warning) {
-    RCLCPP_WARN_ONCE(
-        rclcpp::get_logger("rclcpp"),
-        "A zero depth with KEEP_LAST doesn't make sense; no data could be stored. "
-        "This will be interpreted as SYSTEM_DEFAULT");
+    RCLCPP_WARN_ONCE(rclcpp::get_logger("rclcpp"),
+                     "A zero depth with KEEP_LAST doesn't make sense; no data could be stored. "
+                     "This will be interpreted as SYSTEM_DEFAULT");
   }
 }
 
@@ -72,10 +71,9 @@ QoS& QoS::history(HistoryPolicy policy) {
 }
 QoS& QoS::keep_last(size_t depth) {
   if (depth == 0) {
-    RCLCPP_WARN_ONCE(
-        rclcpp::get_logger("rclcpp"),
-        "A zero depth with KEEP_LAST doesn't make sense; no data could be stored. "
-        "This will be interpreted as SYSTEM_DEFAULT");
+    RCLCPP_WARN_ONCE(rclcpp::get_logger("rclcpp"),
+                     "A zero depth with KEEP_LAST doesn't make sense; no data could be stored. "
+                     "This will be interpreted as SYSTEM_DEFAULT");
   }
   rmw_qos_profile_.history = RMW_QOS_POLICY_HISTORY_KEEP_LAST;
   rmw_qos_profile_.depth = depth;
@@ -93,8 +91,12 @@ QoS& QoS::reliability(rmw_qos_reliability_policy_t reliability) {
 QoS& QoS::reliability(ReliabilityPolicy policy) {
   return reliability(static_cast<rmw_qos_reliability_policy_t>(policy));
 }
-QoS& QoS::reliable() { return reliability(RMW_QOS_POLICY_RELIABILITY_RELIABLE); }
-QoS& QoS::best_effort() { return reliability(RMW_QOS_POLICY_RELIABILITY_BEST_EFFORT); }
+QoS& QoS::reliable() {
+  return reliability(RMW_QOS_POLICY_RELIABILITY_RELIABLE);
+}
+QoS& QoS::best_effort() {
+  return reliability(RMW_QOS_POLICY_RELIABILITY_BEST_EFFORT);
+}
 QoS& QoS::reliability_best_available() {
   return reliability(RMW_QOS_POLICY_RELIABILITY_BEST_AVAILABLE);
 }
@@ -105,8 +107,12 @@ QoS& QoS::durability(rmw_qos_durability_policy_t durability) {
 QoS& QoS::durability(DurabilityPolicy policy) {
   return durability(static_cast<rmw_qos_durability_policy_t>(policy));
 }
-QoS& QoS::durability_volatile() { return durability(RMW_QOS_POLICY_DURABILITY_VOLATILE); }
-QoS& QoS::transient_local() { return durability(RMW_QOS_POLICY_DURABILITY_TRANSIENT_LOCAL); }
+QoS& QoS::durability_volatile() {
+  return durability(RMW_QOS_POLICY_DURABILITY_VOLATILE);
+}
+QoS& QoS::transient_local() {
+  return durability(RMW_QOS_POLICY_DURABILITY_TRANSIENT_LOCAL);
+}
 QoS& QoS::durability_best_available() {
   return durability(RMW_QOS_POLICY_DURABILITY_BEST_AVAILABLE);
 }
@@ -114,12 +120,16 @@ QoS& QoS::deadline(rmw_time_t deadline) {
   rmw_qos_profile_.deadline = deadline;
   return *this;
 }
-QoS& QoS::deadline(const rclcpp::Duration& duration) { return deadline(duration.to_rmw_time()); }
+QoS& QoS::deadline(const rclcpp::Duration& duration) {
+  return deadline(duration.to_rmw_time());
+}
 QoS& QoS::lifespan(rmw_time_t lifespan) {
   rmw_qos_profile_.lifespan = lifespan;
   return *this;
 }
-QoS& QoS::lifespan(const rclcpp::Duration& duration) { return lifespan(duration.to_rmw_time()); }
+QoS& QoS::lifespan(const rclcpp::Duration& duration) {
+  return lifespan(duration.to_rmw_time());
+}
 QoS& QoS::liveliness(rmw_qos_liveliness_policy_t liveliness) {
   rmw_qos_profile_.liveliness = liveliness;
   return *this;
@@ -142,15 +152,21 @@ QoS& QoS::avoid_ros_namespace_conventions(bool avoid) {
 HistoryPolicy QoS::history() const {
   return static_cast<HistoryPolicy>(rmw_qos_profile_.history);
 }
-size_t QoS::depth() const { return rmw_qos_profile_.depth; }
+size_t QoS::depth() const {
+  return rmw_qos_profile_.depth;
+}
 ReliabilityPolicy QoS::reliability() const {
   return static_cast<ReliabilityPolicy>(rmw_qos_profile_.reliability);
 }
 DurabilityPolicy QoS::durability() const {
   return static_cast<DurabilityPolicy>(rmw_qos_profile_.durability);
 }
-Duration QoS::deadline() const { return Duration::from_rmw_time(rmw_qos_profile_.deadline); }
-Duration QoS::lifespan() const { return Duration::from_rmw_time(rmw_qos_profile_.lifespan); }
+Duration QoS::deadline() const {
+  return Duration::from_rmw_time(rmw_qos_profile_.deadline);
+}
+Duration QoS::lifespan() const {
+  return Duration::from_rmw_time(rmw_qos_profile_.lifespan);
+}
 LivelinessPolicy QoS::liveliness() const {
   return static_cast<LivelinessPolicy>(rmw_qos_profile_.liveliness);
 }
@@ -174,16 +190,19 @@ bool operator==(const QoS& left, const QoS& right) {
          a.avoid_ros_namespace_conventions == b.avoid_ros_namespace_conventions;
 }
 
-bool operator!=(const QoS& left, const QoS& right) { return !(left == right); }
+bool operator!=(const QoS& left, const QoS& right) {
+  return !(left == right);
+}
 
 namespace {
 
-bool is_unset(const rmw_time_t& time) { return time.sec == 0 && time.nsec == 0; }
+bool is_unset(const rmw_time_t& time) {
+  return time.sec == 0 && time.nsec == 0;
+}
 
 // The publisher's period must be known and not longer than the subscription's.
 bool period_fits(const rmw_time_t& publisher, const rmw_time_t& subscription) {
-  return is_unset(subscription) ||
-         rmw_time_total_nsec(subscription) == INT64_MAX ||
+  return is_unset(subscription) || rmw_time_total_nsec(subscription) == INT64_MAX ||
          (!is_unset(publisher) &&
           rmw_time_total_nsec(publisher) <= rmw_time_total_nsec(subscription));
 }
@@ -199,8 +218,8 @@ QoSCheckCompatibleResult qos_check_compatible(const QoS& publisher_qos,
     if (static_cast<int>(level) > static_cast<int>(result.compatibility)) {
       result.compatibility = level;
     }
-    result.reason += std::string(level == QoSCompatibility::Error ? "ERROR: " : "WARNING: ") +
-                     text + ";";
+    result.reason +=
+        std::string(level == QoSCompatibility::Error ? "ERROR: " : "WARNING: ") + text + ";";
   };
   if (pub.reliability == RMW_QOS_POLICY_RELIABILITY_BEST_EFFORT &&
       sub.reliability == RMW_QOS_POLICY_RELIABILITY_RELIABLE) {
@@ -211,10 +230,9 @@ QoSCheckCompatibleResult qos_check_compatible(const QoS& publisher_qos,
     note(QoSCompatibility::Error, "Volatile publisher and transient local subscription");
   }
   if (!period_fits(pub.deadline, sub.deadline)) {
-    note(QoSCompatibility::Error,
-         is_unset(pub.deadline)
-             ? "Subscription has a deadline, but publisher does not"
-             : "Subscription deadline is less than publisher deadline");
+    note(QoSCompatibility::Error, is_unset(pub.deadline)
+                                      ? "Subscription has a deadline, but publisher does not"
+                                      : "Subscription deadline is less than publisher deadline");
   }
   if (pub.liveliness == RMW_QOS_POLICY_LIVELINESS_AUTOMATIC &&
       sub.liveliness == RMW_QOS_POLICY_LIVELINESS_MANUAL_BY_TOPIC) {

@@ -20,10 +20,14 @@ namespace detail {
 namespace {
 
 constexpr QosPolicyKind kOrder[] = {
-    QosPolicyKind::AvoidRosNamespaceConventions, QosPolicyKind::Deadline,
-    QosPolicyKind::Durability,                   QosPolicyKind::History,
-    QosPolicyKind::Depth,                        QosPolicyKind::Lifespan,
-    QosPolicyKind::Liveliness,                   QosPolicyKind::LivelinessLeaseDuration,
+    QosPolicyKind::AvoidRosNamespaceConventions,
+    QosPolicyKind::Deadline,
+    QosPolicyKind::Durability,
+    QosPolicyKind::History,
+    QosPolicyKind::Depth,
+    QosPolicyKind::Lifespan,
+    QosPolicyKind::Liveliness,
+    QosPolicyKind::LivelinessLeaseDuration,
     QosPolicyKind::Reliability,
 };
 
@@ -65,8 +69,8 @@ template <typename PolicyT>
 PolicyT require_known(PolicyT policy, PolicyT unknown, QosPolicyKind kind,
                       const std::string& text) {
   if (policy == unknown) {
-    throw std::invalid_argument(std::string("unknown QoS policy ") +
-                                qos_policy_kind_to_cstr(kind) + " value: " + text);
+    throw std::invalid_argument(std::string("unknown QoS policy ") + qos_policy_kind_to_cstr(kind) +
+                                " value: " + text);
   }
   return policy;
 }
@@ -129,8 +133,8 @@ rclcpp::QoS declare_qos_parameters(const rclcpp::QosOverridingOptions& options,
                                    QosEntity entity) {
   const char* entity_name = entity == QosEntity::publisher ? "publisher" : "subscription";
   const std::string& id = options.get_id();
-  const std::string prefix = "qos_overrides." + topic_name + "." + entity_name +
-                             (id.empty() ? "" : "_" + id) + ".";
+  const std::string prefix =
+      "qos_overrides." + topic_name + "." + entity_name + (id.empty() ? "" : "_" + id) + ".";
   const std::string suffix = std::string("} for ") + entity_name + " {" + topic_name + "}" +
                              (id.empty() ? "" : " with id {" + id + "}");
   rclcpp::QoS qos = default_qos;

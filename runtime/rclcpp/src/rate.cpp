@@ -46,9 +46,13 @@ bool Rate::sleep() {
   return true;
 }
 
-rcl_clock_type_t Rate::get_type() const { return clock_->get_clock_type(); }
+rcl_clock_type_t Rate::get_type() const {
+  return clock_->get_clock_type();
+}
 
-void Rate::reset() { last_interval_ = clock_->now(); }
+void Rate::reset() {
+  last_interval_ = clock_->now();
+}
 
 std::chrono::nanoseconds Rate::period() const {
   return std::chrono::nanoseconds(period_.nanoseconds());

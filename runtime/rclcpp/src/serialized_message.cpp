@@ -20,9 +20,8 @@ rcl_serialized_message_t make(size_t capacity, const rcl_allocator_t& allocator)
 }
 
 rcl_serialized_message_t copy_of(const rcl_serialized_message_t& from) {
-  const rcl_allocator_t allocator = rcutils_allocator_is_valid(&from.allocator)
-                                        ? from.allocator
-                                        : rcl_get_default_allocator();
+  const rcl_allocator_t allocator =
+      rcutils_allocator_is_valid(&from.allocator) ? from.allocator : rcl_get_default_allocator();
   rcl_serialized_message_t message = make(from.buffer_capacity, allocator);
   if (from.buffer_length > 0) {
     std::memcpy(message.buffer, from.buffer, from.buffer_length);
@@ -70,7 +69,9 @@ SerializedMessage& SerializedMessage::operator=(rcl_serialized_message_t&& other
   message_ = std::exchange(other, rcutils_get_zero_initialized_uint8_array());
   return *this;
 }
-SerializedMessage::~SerializedMessage() { release(message_); }
+SerializedMessage::~SerializedMessage() {
+  release(message_);
+}
 
 void SerializedMessage::reserve(size_t capacity) {
   const rcutils_ret_t result = rcutils_uint8_array_resize(&message_, capacity);

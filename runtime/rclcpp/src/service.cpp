@@ -47,8 +47,7 @@ int32_t write_object(ros2wasm::Endpoint& endpoint, const detail::MessageCallback
 
 ServiceBase::ServiceBase(node_interfaces::NodeBaseInterface* node_base,
                          const std::string& service_name,
-                         const rosidl_service_type_support_t& type_support,
-                         const rclcpp::QoS& qos)
+                         const rosidl_service_type_support_t& type_support, const rclcpp::QoS& qos)
     : context_(node_base->get_context()),
       service_name_(node_base->resolve_topic_or_service_name(service_name, true)),
       logger_name_(node_base->get_logger_name()),
@@ -57,7 +56,9 @@ ServiceBase::ServiceBase(node_interfaces::NodeBaseInterface* node_base,
       endpoint_(make_endpoint(ros2wasm::EndpointKind::server, node_base, service_name_,
                               detail::callbacks_of(type_support), qos_)) {}
 
-ServiceBase::~ServiceBase() { detail::bump_entities_version(); }
+ServiceBase::~ServiceBase() {
+  detail::bump_entities_version();
+}
 
 bool ServiceBase::take_type_erased_request(void* request_out, rmw_request_id_t& request_id_out) {
   std::vector<uint8_t> bytes;
@@ -93,7 +94,9 @@ void ServiceBase::set_on_new_request_callback(std::function<void(size_t)> callba
   on_new_request_callback_ = std::move(callback);
 }
 
-int32_t ServiceBase::ready_endpoint() const { return endpoint_->id(); }
+int32_t ServiceBase::ready_endpoint() const {
+  return endpoint_->id();
+}
 
 void ServiceBase::run(std::shared_ptr<void>&) {
   auto request = create_request();
@@ -113,9 +116,13 @@ ClientBase::ClientBase(node_interfaces::NodeBaseInterface* node_base,
       endpoint_(make_endpoint(ros2wasm::EndpointKind::client, node_base, service_name_,
                               detail::callbacks_of(type_support), qos_)) {}
 
-ClientBase::~ClientBase() { detail::bump_entities_version(); }
+ClientBase::~ClientBase() {
+  detail::bump_entities_version();
+}
 
-bool ClientBase::service_is_ready() const { return endpoint_->matched() > 0; }
+bool ClientBase::service_is_ready() const {
+  return endpoint_->matched() > 0;
+}
 
 bool ClientBase::wait_for_service_nanoseconds(std::chrono::nanoseconds timeout) {
   const bool limited = timeout.count() >= 0;
@@ -171,7 +178,9 @@ void ClientBase::set_on_new_response_callback(std::function<void(size_t)> callba
   on_new_response_callback_ = std::move(callback);
 }
 
-int32_t ClientBase::ready_endpoint() const { return endpoint_->id(); }
+int32_t ClientBase::ready_endpoint() const {
+  return endpoint_->id();
+}
 
 void ClientBase::run(std::shared_ptr<void>&) {
   auto response = create_response();

@@ -40,9 +40,10 @@ SubscriptionBase::SubscriptionBase(node_interfaces::NodeBaseInterface* node_base
                           : options.use_intra_process_comm == IntraProcessSetting::Enable)) {
   if (options.require_unique_network_flow_endpoints ==
       RMW_UNIQUE_NETWORK_FLOW_ENDPOINTS_STRICTLY_REQUIRED) {
-    rcutils_set_error_state("Strict requirement on unique network flow endpoints for "
-                            "subscriptions not supported on the bus of a page",
-                            __FILE__, __LINE__);
+    rcutils_set_error_state(
+        "Strict requirement on unique network flow endpoints for "
+        "subscriptions not supported on the bus of a page",
+        __FILE__, __LINE__);
     exceptions::throw_from_rcl_error(RCL_RET_ERROR, "could not create subscription");
   }
   if (intra_process_ && qos_.history() == HistoryPolicy::KeepAll) {
@@ -52,13 +53,15 @@ SubscriptionBase::SubscriptionBase(node_interfaces::NodeBaseInterface* node_base
   const detail::MessageCallbacks& type = detail::callbacks_of(type_support);
   ros2wasm::EndpointQos bus_qos = detail::to_bus(qos_);
   bus_qos.ignore_local_publications = options.ignore_local_publications;
-  endpoint_ = std::make_shared<ros2wasm::Endpoint>(
-      ros2wasm::EndpointKind::subscription, node_base->get_node_id(), topic_name_, type.type_name,
-      type.type_hash, bus_qos);
+  endpoint_ = std::make_shared<ros2wasm::Endpoint>(ros2wasm::EndpointKind::subscription,
+                                                   node_base->get_node_id(), topic_name_,
+                                                   type.type_name, type.type_hash, bus_qos);
   add_events(options);
 }
 
-SubscriptionBase::~SubscriptionBase() { detail::bump_entities_version(); }
+SubscriptionBase::~SubscriptionBase() {
+  detail::bump_entities_version();
+}
 
 void SubscriptionBase::add_events(const SubscriptionOptionsBase& options) {
   const SubscriptionEventCallbacks& callbacks = options.event_callbacks;
@@ -89,8 +92,7 @@ void SubscriptionBase::add_events(const SubscriptionOptionsBase& options) {
                   get_topic_name());
     };
   }
-  add(incompatible, RCL_SUBSCRIPTION_REQUESTED_INCOMPATIBLE_QOS,
-      QOSRequestedIncompatibleQoSInfo());
+  add(incompatible, RCL_SUBSCRIPTION_REQUESTED_INCOMPATIBLE_QOS, QOSRequestedIncompatibleQoSInfo());
   add(callbacks.message_lost_callback, RCL_SUBSCRIPTION_MESSAGE_LOST, QOSMessageLostInfo());
   add(wrong_type, RCL_SUBSCRIPTION_INCOMPATIBLE_TYPE, IncompatibleTypeInfo());
   add(callbacks.matched_callback, RCL_SUBSCRIPTION_MATCHED, MatchedInfo());
@@ -112,8 +114,7 @@ bool SubscriptionBase::take_bytes(std::vector<uint8_t>& bytes, rclcpp::MessageIn
   return false;
 }
 
-bool SubscriptionBase::take_type_erased(void* message_out,
-                                        rclcpp::MessageInfo& message_info_out) {
+bool SubscriptionBase::take_type_erased(void* message_out, rclcpp::MessageInfo& message_info_out) {
   std::vector<uint8_t> bytes;
   while (take_bytes(bytes, message_info_out)) {
     if (detail::callbacks_of(type_support_).deserialize(bytes.data(), bytes.size(), message_out)) {
@@ -183,7 +184,9 @@ void SubscriptionBase::set_on_new_message_callback(std::function<void(size_t)> c
   on_new_message_callback_ = std::move(callback);
 }
 
-void SubscriptionBase::clear_on_new_message_callback() { on_new_message_callback_ = nullptr; }
+void SubscriptionBase::clear_on_new_message_callback() {
+  on_new_message_callback_ = nullptr;
+}
 
 void SubscriptionBase::set_content_filter(const std::string&, const std::vector<std::string>&) {
   rcutils_set_error_state("content filters are not supported on the bus of a page", __FILE__,
@@ -211,7 +214,9 @@ void SubscriptionBase::push_local(detail::LocalMessage message) {
   ros2wasm::wake();
 }
 
-int32_t SubscriptionBase::ready_endpoint() const { return endpoint_->id(); }
+int32_t SubscriptionBase::ready_endpoint() const {
+  return endpoint_->id();
+}
 
 bool SubscriptionBase::is_ready_now() {
   const std::lock_guard<std::mutex> lock(local_mutex_);

@@ -86,22 +86,37 @@ Duration& Duration::operator=(const builtin_interfaces::msg::Duration& duration_
   return *this = Duration(duration_msg);
 }
 
-bool Duration::operator==(const Duration& rhs) const { return nanoseconds_ == rhs.nanoseconds_; }
-bool Duration::operator!=(const Duration& rhs) const { return nanoseconds_ != rhs.nanoseconds_; }
-bool Duration::operator<(const Duration& rhs) const { return nanoseconds_ < rhs.nanoseconds_; }
-bool Duration::operator<=(const Duration& rhs) const { return nanoseconds_ <= rhs.nanoseconds_; }
-bool Duration::operator>=(const Duration& rhs) const { return nanoseconds_ >= rhs.nanoseconds_; }
-bool Duration::operator>(const Duration& rhs) const { return nanoseconds_ > rhs.nanoseconds_; }
+bool Duration::operator==(const Duration& rhs) const {
+  return nanoseconds_ == rhs.nanoseconds_;
+}
+bool Duration::operator!=(const Duration& rhs) const {
+  return nanoseconds_ != rhs.nanoseconds_;
+}
+bool Duration::operator<(const Duration& rhs) const {
+  return nanoseconds_ < rhs.nanoseconds_;
+}
+bool Duration::operator<=(const Duration& rhs) const {
+  return nanoseconds_ <= rhs.nanoseconds_;
+}
+bool Duration::operator>=(const Duration& rhs) const {
+  return nanoseconds_ >= rhs.nanoseconds_;
+}
+bool Duration::operator>(const Duration& rhs) const {
+  return nanoseconds_ > rhs.nanoseconds_;
+}
 
 Duration Duration::operator+(const Duration& rhs) const {
   return from_nanoseconds(checked_add(nanoseconds_, rhs.nanoseconds_, "addition"));
 }
-Duration& Duration::operator+=(const Duration& rhs) { return *this = *this + rhs; }
-Duration Duration::operator-(const Duration& rhs) const {
-  return from_nanoseconds(
-      checked_subtract(nanoseconds_, rhs.nanoseconds_, "duration subtraction"));
+Duration& Duration::operator+=(const Duration& rhs) {
+  return *this = *this + rhs;
 }
-Duration& Duration::operator-=(const Duration& rhs) { return *this = *this - rhs; }
+Duration Duration::operator-(const Duration& rhs) const {
+  return from_nanoseconds(checked_subtract(nanoseconds_, rhs.nanoseconds_, "duration subtraction"));
+}
+Duration& Duration::operator-=(const Duration& rhs) {
+  return *this = *this - rhs;
+}
 
 Duration Duration::operator*(double scale) const {
   if (!std::isfinite(scale)) {
@@ -116,10 +131,16 @@ Duration Duration::operator*(double scale) const {
   }
   return from_nanoseconds(static_cast<int64_t>(scaled));
 }
-Duration& Duration::operator*=(double scale) { return *this = *this * scale; }
+Duration& Duration::operator*=(double scale) {
+  return *this = *this * scale;
+}
 
-Duration Duration::max() { return from_nanoseconds(std::numeric_limits<int64_t>::max()); }
-double Duration::seconds() const { return static_cast<double>(nanoseconds_) * 1e-9; }
+Duration Duration::max() {
+  return from_nanoseconds(std::numeric_limits<int64_t>::max());
+}
+double Duration::seconds() const {
+  return static_cast<double>(nanoseconds_) * 1e-9;
+}
 Duration Duration::from_seconds(double seconds) {
   return from_nanoseconds(static_cast<int64_t>(seconds * 1e9));
 }
@@ -158,13 +179,19 @@ bool Time::operator==(const Time& rhs) const {
   require_same_clock(time_, rhs);
   return nanoseconds() == rhs.nanoseconds();
 }
-bool Time::operator!=(const Time& rhs) const { return !(*this == rhs); }
+bool Time::operator!=(const Time& rhs) const {
+  return !(*this == rhs);
+}
 bool Time::operator<(const Time& rhs) const {
   require_same_clock(time_, rhs);
   return nanoseconds() < rhs.nanoseconds();
 }
-bool Time::operator<=(const Time& rhs) const { return !(*this > rhs); }
-bool Time::operator>=(const Time& rhs) const { return !(*this < rhs); }
+bool Time::operator<=(const Time& rhs) const {
+  return !(*this > rhs);
+}
+bool Time::operator>=(const Time& rhs) const {
+  return !(*this < rhs);
+}
 bool Time::operator>(const Time& rhs) const {
   require_same_clock(time_, rhs);
   return nanoseconds() > rhs.nanoseconds();
@@ -199,9 +226,13 @@ Time& Time::operator-=(const Duration& rhs) {
 Time Time::max(rcl_clock_type_t clock_type) {
   return Time(std::numeric_limits<int64_t>::max(), clock_type);
 }
-double Time::seconds() const { return static_cast<double>(time_.nanoseconds) * 1e-9; }
+double Time::seconds() const {
+  return static_cast<double>(time_.nanoseconds) * 1e-9;
+}
 
-Time operator+(const Duration& lhs, const Time& rhs) { return rhs + lhs; }
+Time operator+(const Duration& lhs, const Time& rhs) {
+  return rhs + lhs;
+}
 
 builtin_interfaces::msg::Time convert_rcl_time_to_sec_nanos(rcl_time_point_value_t nanoseconds) {
   return to_message<builtin_interfaces::msg::Time>(nanoseconds);

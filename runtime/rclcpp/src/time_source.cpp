@@ -6,12 +6,12 @@
 #include <stdexcept>
 #include <vector>
 
+#include "rcl_interfaces/msg/parameter_event.hpp"
 #include "rclcpp/detail/background.hpp"
 #include "rclcpp/detail/bus_qos.hpp"
 #include "rclcpp/detail/message_type.hpp"
 #include "rclcpp/logging.hpp"
 #include "rclcpp/node.hpp"
-#include "rcl_interfaces/msg/parameter_event.hpp"
 #include "ros2wasm/endpoint.hpp"
 #include "rosgraph_msgs/msg/clock.hpp"
 
@@ -48,9 +48,9 @@ class TimeSource::State : public std::enable_shared_from_this<TimeSource::State>
   void subscribe() {
     const detail::MessageCallbacks& type =
         detail::callbacks_of(detail::type_support_of<rosgraph_msgs::msg::Clock>());
-    endpoint = std::make_unique<ros2wasm::Endpoint>(
-        ros2wasm::EndpointKind::subscription, node_id, "/clock", type.type_name, type.type_hash,
-        detail::to_bus(detail::resolve_qos(qos)));
+    endpoint = std::make_unique<ros2wasm::Endpoint>(ros2wasm::EndpointKind::subscription, node_id,
+                                                    "/clock", type.type_name, type.type_hash,
+                                                    detail::to_bus(detail::resolve_qos(qos)));
     std::weak_ptr<State> weak = weak_from_this();
     background = detail::add_background(endpoint->id(), [weak] {
       if (const auto state = weak.lock()) {
@@ -106,7 +106,9 @@ TimeSource::TimeSource(const rclcpp::QoS& qos, bool use_clock_thread)
   state_->use_clock_thread = use_clock_thread;
 }
 
-TimeSource::~TimeSource() { detachNode(); }
+TimeSource::~TimeSource() {
+  detachNode();
+}
 
 void TimeSource::attachNode(std::shared_ptr<rclcpp::Node> node) {
   set_use_clock_thread(node->get_node_options().use_clock_thread());
@@ -208,12 +210,16 @@ void TimeSource::detachClock(rclcpp::Clock::SharedPtr clock) {
   clocks.erase(found);
 }
 
-bool TimeSource::get_use_clock_thread() { return state_->use_clock_thread; }
+bool TimeSource::get_use_clock_thread() {
+  return state_->use_clock_thread;
+}
 
 void TimeSource::set_use_clock_thread(bool use_clock_thread) {
   state_->use_clock_thread = use_clock_thread;
 }
 
-bool TimeSource::clock_thread_is_joinable() { return false; }
+bool TimeSource::clock_thread_is_joinable() {
+  return false;
+}
 
 }  // namespace rclcpp

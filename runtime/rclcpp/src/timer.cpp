@@ -86,9 +86,13 @@ std::chrono::nanoseconds TimerBase::time_until_trigger() {
   return std::chrono::nanoseconds(next_call_ns_ - clock_->now().nanoseconds());
 }
 
-bool TimerBase::is_steady() { return clock_->get_clock_type() == RCL_STEADY_TIME; }
+bool TimerBase::is_steady() {
+  return clock_->get_clock_type() == RCL_STEADY_TIME;
+}
 
-bool TimerBase::is_ready() { return time_until_trigger().count() <= 0; }
+bool TimerBase::is_ready() {
+  return time_until_trigger().count() <= 0;
+}
 
 bool TimerBase::exchange_in_use_by_wait_set_state(bool in_use_state) {
   return in_use_by_wait_set_.exchange(in_use_state);
@@ -116,13 +120,15 @@ bool TimerBase::claim(std::shared_ptr<void>& data) {
   return data != nullptr;
 }
 
-void TimerBase::run(std::shared_ptr<void>& data) { execute_callback(data); }
+void TimerBase::run(std::shared_ptr<void>& data) {
+  execute_callback(data);
+}
 
 void TimerBase::on_jump(const rcl_time_jump_t& jump) {
   const std::lock_guard<std::recursive_mutex> lock(mutex_);
   const int64_t now = clock_->now().nanoseconds();
-  const bool changed = jump.clock_change == RCL_ROS_TIME_ACTIVATED ||
-                       jump.clock_change == RCL_ROS_TIME_DEACTIVATED;
+  const bool changed =
+      jump.clock_change == RCL_ROS_TIME_ACTIVATED || jump.clock_change == RCL_ROS_TIME_DEACTIVATED;
   if (changed || now < last_call_ns_) {
     last_call_ns_ = now;
     next_call_ns_ = now + period_ns_;

@@ -101,17 +101,15 @@ void WaitSetCore::add_subscription(std::shared_ptr<rclcpp::SubscriptionBase> sub
   changed();
 }
 
-void WaitSetCore::remove_subscription(
-    const std::shared_ptr<rclcpp::SubscriptionBase>& subscription,
-    const rclcpp::SubscriptionWaitSetMask& mask) {
+void WaitSetCore::remove_subscription(const std::shared_ptr<rclcpp::SubscriptionBase>& subscription,
+                                      const rclcpp::SubscriptionWaitSetMask& mask) {
   if (!subscription) {
     throw std::invalid_argument("subscription is nullptr");
   }
   const std::lock_guard<std::recursive_mutex> lock(mutex_);
   if (mask.include_subscription) {
-    const auto found =
-        std::find_if(subscriptions_.begin(), subscriptions_.end(),
-                     [&](const auto& weak) { return weak.lock() == subscription; });
+    const auto found = std::find_if(subscriptions_.begin(), subscriptions_.end(),
+                                    [&](const auto& weak) { return weak.lock() == subscription; });
     if (found == subscriptions_.end()) {
       throw std::runtime_error("subscription not in wait set");
     }
@@ -126,8 +124,7 @@ void WaitSetCore::remove_subscription(
   changed();
 }
 
-void WaitSetCore::add_waitable(std::shared_ptr<rclcpp::Waitable> waitable,
-                               std::shared_ptr<void>) {
+void WaitSetCore::add_waitable(std::shared_ptr<rclcpp::Waitable> waitable, std::shared_ptr<void>) {
   add(waitables_, std::move(waitable), "waitable is nullptr",
       "waitable already in use by another wait set");
 }
@@ -214,9 +211,13 @@ WaitResultKind WaitSetCore::wait(nanoseconds timeout) {
   }
 }
 
-void WaitSetCore::acquire() { held_ = true; }
+void WaitSetCore::acquire() {
+  held_ = true;
+}
 
-void WaitSetCore::release() { held_ = false; }
+void WaitSetCore::release() {
+  held_ = false;
+}
 
 }  // namespace detail
 }  // namespace rclcpp

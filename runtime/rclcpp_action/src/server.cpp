@@ -61,7 +61,9 @@ int8_t GoalState::status() const {
   return status_;
 }
 
-bool GoalState::is_active() const { return !is_over(status()); }
+bool GoalState::is_active() const {
+  return !is_over(status());
+}
 
 int8_t GoalState::next(int8_t status, Event event) {
   const bool executing = status == GoalStatus::STATUS_EXECUTING;
@@ -92,11 +94,21 @@ void GoalState::change(Event event) {
   status_ = changed;
 }
 
-void GoalState::execute() { change(Event::execute); }
-void GoalState::cancel_goal() { change(Event::cancel_goal); }
-void GoalState::succeed() { change(Event::succeed); }
-void GoalState::abort() { change(Event::abort); }
-void GoalState::canceled() { change(Event::canceled); }
+void GoalState::execute() {
+  change(Event::execute);
+}
+void GoalState::cancel_goal() {
+  change(Event::cancel_goal);
+}
+void GoalState::succeed() {
+  change(Event::succeed);
+}
+void GoalState::abort() {
+  change(Event::abort);
+}
+void GoalState::canceled() {
+  change(Event::canceled);
+}
 
 bool GoalState::try_canceling() noexcept {
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -120,13 +132,12 @@ ServerBase::ServerBase(rclcpp::node_interfaces::NodeBaseInterface* node_base,
           node_base, name + "/_action/status", qos_of(options.status_topic_qos),
           rclcpp::PublisherOptions())) {
   rclcpp::AnyServiceCallback<CancelGoal> callback;
-  callback.set([this](std::shared_ptr<CancelGoal::Request> request,
-                      std::shared_ptr<CancelGoal::Response> response) {
-    cancel(*request, *response);
-  });
-  add_service(std::make_shared<rclcpp::Service<CancelGoal>>(node_base, name + "/_action/cancel_goal",
-                                                            std::move(callback),
-                                                            qos_of(options.cancel_service_qos)));
+  callback.set(
+      [this](std::shared_ptr<CancelGoal::Request> request,
+             std::shared_ptr<CancelGoal::Response> response) { cancel(*request, *response); });
+  add_service(std::make_shared<rclcpp::Service<CancelGoal>>(
+      node_base, name + "/_action/cancel_goal", std::move(callback),
+      qos_of(options.cancel_service_qos)));
 }
 
 ServerBase::~ServerBase() = default;
@@ -166,7 +177,8 @@ void ServerBase::drop_old_results() {
   const int64_t now = clock_->now().nanoseconds();
   const int64_t kept_ns = options_.result_timeout.nanoseconds;
   for (auto it = goals_.begin(); it != goals_.end();) {
-    const bool old = it->second.ended_ns != 0 && kept_ns >= 0 && now - it->second.ended_ns > kept_ns;
+    const bool old =
+        it->second.ended_ns != 0 && kept_ns >= 0 && now - it->second.ended_ns > kept_ns;
     if (old) {
       forget(it->first);
       it = goals_.erase(it);

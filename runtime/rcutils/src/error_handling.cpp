@@ -38,7 +38,9 @@ void rcutils_set_error_state(const char* error_string, const char* file, size_t 
   error.state.line_number = line_number;
 }
 
-bool rcutils_error_is_set(void) { return current().is_set; }
+bool rcutils_error_is_set(void) {
+  return current().is_set;
+}
 
 const rcutils_error_state_t* rcutils_get_error_state(void) {
   return current().is_set ? &current().state : nullptr;
@@ -55,6 +57,8 @@ rcutils_error_string_t rcutils_get_error_string(void) {
   return error.text;
 }
 
-void rcutils_reset_error(void) { current() = ThreadError(); }
+void rcutils_reset_error(void) {
+  current() = ThreadError();
+}
 
 }  // extern "C"

@@ -78,7 +78,7 @@ std::string unescape(std::string_view text) {
   std::string out;
   for (size_t i = 0; i < text.size(); ++i) {
     const size_t letter = text[i] == '\\' && i + 1 < text.size() ? kLetters.find(text[i + 1])
-                                                                   : std::string_view::npos;
+                                                                 : std::string_view::npos;
     if (letter == std::string_view::npos) {
       out += text[i];
     } else {
@@ -98,8 +98,8 @@ std::vector<Piece> parse_format(std::string_view format) {
     if (format[at] == '{') {
       for (const TokenName& candidate : kTokenNames) {
         const size_t end = at + 1 + candidate.name.size();
-        if (format.substr(at + 1, candidate.name.size()) == candidate.name &&
-            end < format.size() && format[end] == '}') {
+        if (format.substr(at + 1, candidate.name.size()) == candidate.name && end < format.size() &&
+            format[end] == '}') {
           if (!text.empty()) {
             pieces.push_back({Token::text, unescape(text)});
             text.clear();
@@ -156,8 +156,8 @@ std::string date_time_with_ms(rcutils_time_point_value_t stamp) {
   const int64_t of_year = of_era - (365 * year_of_era + year_of_era / 4 - year_of_era / 100);
   const int64_t month_from_march = (5 * of_year + 2) / 153;
   const int day = static_cast<int>(of_year - (153 * month_from_march + 2) / 5 + 1);
-  const int month = static_cast<int>(month_from_march < 10 ? month_from_march + 3
-                                                           : month_from_march - 9);
+  const int month =
+      static_cast<int>(month_from_march < 10 ? month_from_march + 3 : month_from_march - 9);
   const int year = static_cast<int>(year_of_era + era * 400 + (month <= 2 ? 1 : 0));
   char text[64];
   std::snprintf(text, sizeof(text), "%04d-%02d-%02d %02d:%02d:%02d.%03d", year, month, day,
@@ -299,8 +299,7 @@ rcutils_ret_t rcutils_logging_severity_level_from_string(const char* severity_st
     return RCUTILS_RET_INVALID_ARGUMENT;
   }
   for (int level = 0; level <= RCUTILS_LOG_SEVERITY_FATAL; ++level) {
-    if (severity_name(level) != nullptr &&
-        strcasecmp(severity_name(level), severity_string) == 0) {
+    if (severity_name(level) != nullptr && strcasecmp(severity_name(level), severity_string) == 0) {
       *severity = level;
       return RCUTILS_RET_OK;
     }
@@ -319,8 +318,7 @@ void rcutils_logging_set_output_handler(rcutils_logging_output_handler_t functio
 }
 
 rcutils_ret_t rcutils_logging_format_message(const rcutils_log_location_t* location, int severity,
-                                             const char* name,
-                                             rcutils_time_point_value_t timestamp,
+                                             const char* name, rcutils_time_point_value_t timestamp,
                                              const char* msg,
                                              rcutils_char_array_t* logging_output) {
   const std::string line = format_line(location, severity, name, timestamp, msg);
@@ -422,8 +420,7 @@ void rcutils_log(const rcutils_log_location_t* location, int severity, const cha
 }
 
 void rcutils_logging_console_output_handler(const rcutils_log_location_t* location, int severity,
-                                            const char* name,
-                                            rcutils_time_point_value_t timestamp,
+                                            const char* name, rcutils_time_point_value_t timestamp,
                                             const char* format, va_list* args) {
   RCUTILS_LOGGING_AUTOINIT;
   if (severity_name(severity) == nullptr) {

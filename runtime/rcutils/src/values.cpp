@@ -24,10 +24,18 @@
 
 namespace {
 
-void* allocate(size_t size, void*) { return std::malloc(size); }
-void deallocate(void* pointer, void*) { std::free(pointer); }
-void* reallocate(void* pointer, size_t size, void*) { return std::realloc(pointer, size); }
-void* zero_allocate(size_t count, size_t size, void*) { return std::calloc(count, size); }
+void* allocate(size_t size, void*) {
+  return std::malloc(size);
+}
+void deallocate(void* pointer, void*) {
+  std::free(pointer);
+}
+void* reallocate(void* pointer, size_t size, void*) {
+  return std::realloc(pointer, size);
+}
+void* zero_allocate(size_t count, size_t size, void*) {
+  return std::calloc(count, size);
+}
 
 rcutils_ret_t out_of_memory() {
   RCUTILS_SET_ERROR_MSG("failed to allocate memory");
@@ -72,7 +80,9 @@ rcutils_ret_t resize_array(Array* array, Element** buffer, size_t size) {
 
 extern "C" {
 
-rcutils_allocator_t rcutils_get_zero_initialized_allocator(void) { return {}; }
+rcutils_allocator_t rcutils_get_zero_initialized_allocator(void) {
+  return {};
+}
 
 rcutils_allocator_t rcutils_get_default_allocator(void) {
   return {allocate, deallocate, reallocate, zero_allocate, nullptr};
@@ -95,7 +105,9 @@ void* rcutils_reallocf(void* pointer, size_t size, rcutils_allocator_t* allocato
   return grown;
 }
 
-rcutils_uint8_array_t rcutils_get_zero_initialized_uint8_array(void) { return {}; }
+rcutils_uint8_array_t rcutils_get_zero_initialized_uint8_array(void) {
+  return {};
+}
 
 rcutils_ret_t rcutils_uint8_array_init(rcutils_uint8_array_t* array, size_t capacity,
                                        const rcutils_allocator_t* allocator) {
@@ -134,7 +146,9 @@ rcutils_ret_t rcutils_uint8_array_resize(rcutils_uint8_array_t* array, size_t si
   return resize_array(array, &array->buffer, size);
 }
 
-rcutils_char_array_t rcutils_get_zero_initialized_char_array(void) { return {}; }
+rcutils_char_array_t rcutils_get_zero_initialized_char_array(void) {
+  return {};
+}
 
 rcutils_ret_t rcutils_char_array_init(rcutils_char_array_t* array, size_t capacity,
                                       const rcutils_allocator_t* allocator) {
@@ -259,9 +273,13 @@ bool rcutils_set_env(const char* name, const char* value) {
   return (value == nullptr ? unsetenv(name) : setenv(name, value, 1)) == 0;
 }
 
-const char* rcutils_get_home_dir(void) { return std::getenv("HOME"); }
+const char* rcutils_get_home_dir(void) {
+  return std::getenv("HOME");
+}
 
-int rcutils_get_pid(void) { return 1; }
+int rcutils_get_pid(void) {
+  return 1;
+}
 
 rcutils_ret_t rcutils_system_time_now(rcutils_time_point_value_t* now) {
   return read_clock(CLOCK_REALTIME, now);
@@ -271,8 +289,8 @@ rcutils_ret_t rcutils_steady_time_now(rcutils_time_point_value_t* now) {
   return read_clock(CLOCK_MONOTONIC, now);
 }
 
-rcutils_ret_t rcutils_time_point_value_as_nanoseconds_string(
-    const rcutils_time_point_value_t* time, char* text, size_t size) {
+rcutils_ret_t rcutils_time_point_value_as_nanoseconds_string(const rcutils_time_point_value_t* time,
+                                                             char* text, size_t size) {
   if (time == nullptr || text == nullptr) {
     return RCUTILS_RET_INVALID_ARGUMENT;
   }

@@ -1,6 +1,6 @@
 """C++ text: a header with the Codec of each message, and one source file for a whole package."""
 
-from typing import Iterable, List
+from typing import Any, Dict, Iterable, List
 
 from layout import LayoutTable, container_of
 import type_description as td
@@ -121,7 +121,7 @@ def _codec(name: str, description: td.Description, layouts: LayoutTable) -> List
     return lines
 
 
-def _call(verb: str, stream: str, field: dict) -> str:
+def _call(verb: str, stream: str, field: Dict[str, Any]) -> str:
     """Return the call that sizes, writes or reads one field."""
     type_ = field['type']
     value = f'message.{field["name"]}'

@@ -1,7 +1,7 @@
 """What the wire form of a type looks like: its fewest bytes, and whether memory equals wire form."""
 
 from dataclasses import dataclass
-from typing import Dict
+from typing import Any, Dict
 
 import type_description as td
 
@@ -55,7 +55,7 @@ class LayoutTable:
             return Layout(max(minimum, 1), 0, 0)
         return Layout(minimum, size, alignment)
 
-    def _field(self, type_: Dict[str, int]) -> Layout:
+    def _field(self, type_: Dict[str, Any]) -> Layout:
         container = container_of(type_['type_id'])
         if container in (td.BOUNDED_SEQUENCE, td.UNBOUNDED_SEQUENCE):
             return Layout(4, 0, 0)

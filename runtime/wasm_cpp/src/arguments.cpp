@@ -93,8 +93,8 @@ int severity_from(const std::string& flag, const std::string& text) {
   for (char& c : upper) {
     c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   }
-  constexpr std::pair<const char*, int> kLevels[] = {{"UNSET", 0},  {"DEBUG", 10}, {"INFO", 20},
-                                                     {"WARN", 30},  {"ERROR", 40}, {"FATAL", 50}};
+  constexpr std::pair<const char*, int> kLevels[] = {{"UNSET", 0}, {"DEBUG", 10}, {"INFO", 20},
+                                                     {"WARN", 30}, {"ERROR", 40}, {"FATAL", 50}};
   for (const auto& [name, level] : kLevels) {
     if (upper == name) {
       return level;
@@ -146,9 +146,8 @@ struct WantedName {
 
 bool fits_name(const RemapRule& rule, const void* pointer) {
   const auto& wanted = *static_cast<const WantedName*>(pointer);
-  const bool right_kind =
-      rule.kind == RemapKind::topic_and_service ||
-      rule.kind == (wanted.is_service ? RemapKind::service : RemapKind::topic);
+  const bool right_kind = rule.kind == RemapKind::topic_and_service ||
+                          rule.kind == (wanted.is_service ? RemapKind::service : RemapKind::topic);
   return right_kind && (rule.node.empty() || rule.node == wanted.node) &&
          expand_topic_name(rule.from, wanted.node, wanted.ns) == wanted.full_name;
 }

@@ -108,14 +108,18 @@ void Endpoint::drain() {
   }
 }
 
-int32_t Endpoint::matched() const { return ros2wasm_matched(id_); }
+int32_t Endpoint::matched() const {
+  return ros2wasm_matched(id_);
+}
 
 bool Endpoint::status(int32_t kind, EndpointStatus& out) {
   const std::lock_guard<std::mutex> lock(mutex_);
   return ros2wasm_endpoint_status(id_, kind, &out) >= 0;
 }
 
-int32_t wake_token() { return ros2wasm_wake_token(); }
+int32_t wake_token() {
+  return ros2wasm_wake_token();
+}
 
 WaitOutcome wait(int32_t token, int64_t timeout_ns) {
   switch (ros2wasm_wait(token, timeout_ns)) {
@@ -128,11 +132,17 @@ WaitOutcome wait(int32_t token, int64_t timeout_ns) {
   }
 }
 
-void wake() { ros2wasm_wake(); }
+void wake() {
+  ros2wasm_wake();
+}
 
-bool stop_requested() { return ros2wasm_stop_requested() != 0; }
+bool stop_requested() {
+  return ros2wasm_stop_requested() != 0;
+}
 
-bool sleep_for(int64_t duration_ns) { return ros2wasm_sleep(duration_ns) == 0; }
+bool sleep_for(int64_t duration_ns) {
+  return ros2wasm_sleep(duration_ns) == 0;
+}
 
 void ready_endpoints(std::vector<uint32_t>& out) {
   out.resize(std::max<size_t>(out.capacity(), 32));
@@ -147,8 +157,12 @@ void ready_endpoints(std::vector<uint32_t>& out) {
   }
 }
 
-int64_t system_now_ns() { return read_clock(CLOCK_REALTIME); }
+int64_t system_now_ns() {
+  return read_clock(CLOCK_REALTIME);
+}
 
-int64_t steady_now_ns() { return read_clock(CLOCK_MONOTONIC); }
+int64_t steady_now_ns() {
+  return read_clock(CLOCK_MONOTONIC);
+}
 
 }  // namespace ros2wasm

@@ -87,8 +87,7 @@ bool parse_graph(const uint8_t* bytes, size_t size, Graph& out) {
 Graph take_graph_snapshot() {
   std::vector<uint8_t> bytes(4096);
   while (true) {
-    const int32_t size =
-        ros2wasm_graph_snapshot(bytes.data(), static_cast<uint32_t>(bytes.size()));
+    const int32_t size = ros2wasm_graph_snapshot(bytes.data(), static_cast<uint32_t>(bytes.size()));
     if (size < 0) {
       return {};
     }
@@ -100,6 +99,8 @@ Graph take_graph_snapshot() {
   }
 }
 
-int32_t graph_version() { return ros2wasm_graph_version(); }
+int32_t graph_version() {
+  return ros2wasm_graph_version();
+}
 
 }  // namespace ros2wasm

@@ -450,7 +450,9 @@ bool collect(const std::vector<ParameterScalar>& scalars, ParameterData& out) {
 
 }  // namespace
 
-YamlNode parse_yaml(std::string_view text) { return Parser(text).parse(); }
+YamlNode parse_yaml(std::string_view text) {
+  return Parser(text).parse();
+}
 
 ParameterData to_parameter(const YamlNode& node) {
   if (node.kind == Kind::map) {

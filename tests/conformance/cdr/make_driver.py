@@ -14,6 +14,7 @@ import os
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 EDGE = "edge_interfaces"
 HERE = Path(__file__).resolve().parent
@@ -44,9 +45,9 @@ def run(command: list[str]) -> subprocess.CompletedProcess[str]:
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
 
 
-def message_descriptions(folders: list[Path]) -> dict[str, dict]:
+def message_descriptions(folders: list[Path]) -> dict[str, dict[str, Any]]:
     """Returns the descriptions of all messages and message parts, by type name."""
-    found: dict[str, dict] = {}
+    found: dict[str, dict[str, Any]] = {}
     for file in sorted(file for folder in folders for file in folder.glob("*/*.json")):
         if file.parent.name not in ("msg", "srv", "action"):
             continue
@@ -73,7 +74,7 @@ def struct_header(type_name: str) -> str:
     return f"{package}/{folder}/detail/{snake}__struct.hpp"
 
 
-def table_source(types: dict[str, dict]) -> str:
+def table_source(types: dict[str, dict[str, Any]]) -> str:
     lines = ['#include "driver.hpp"']
     lines += [f'#include "{path}"' for path in sorted({struct_header(name) for name in types})]
     lines += ["", "namespace driver {"]

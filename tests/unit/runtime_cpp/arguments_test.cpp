@@ -8,7 +8,9 @@
 namespace ros2wasm {
 namespace {
 
-Arguments parse(std::vector<std::string> arguments) { return parse_arguments(arguments); }
+Arguments parse(std::vector<std::string> arguments) {
+  return parse_arguments(arguments);
+}
 
 TEST(Arguments, PartsRosFromTheRest) {
   const Arguments parsed =
@@ -27,8 +29,8 @@ TEST(Arguments, NamesWhatItDoesNotKnow) {
 }
 
 TEST(Arguments, ReadsLogLevelsAndSwitches) {
-  const Arguments parsed = parse({"--ros-args", "--log-level", "debug", "--log-level",
-                                  "a.b:=WARN", "--disable-rosout-logs", "-e", "/x"});
+  const Arguments parsed = parse({"--ros-args", "--log-level", "debug", "--log-level", "a.b:=WARN",
+                                  "--disable-rosout-logs", "-e", "/x"});
   ASSERT_EQ(parsed.log_levels.size(), 2u);
   EXPECT_EQ(parsed.log_levels[0], std::make_pair(std::string(), 10));
   EXPECT_EQ(parsed.log_levels[1], std::make_pair(std::string("a.b"), 30));
@@ -38,15 +40,15 @@ TEST(Arguments, ReadsLogLevelsAndSwitches) {
 }
 
 TEST(Arguments, RefusesRulesThatCannotBe) {
-  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
-           {"--ros-args", "-r"},
-           {"--ros-args", "-r", "x"},
-           {"--ros-args", "-r", ":=y"},
-           {"--ros-args", "-r", "__node:=a/b"},
-           {"--ros-args", "-r", "__ns:=relative"},
-           {"--ros-args", "-r", "a b:=c"},
-           {"--ros-args", "-p", "x"},
-           {"--ros-args", "--log-level", "loud"}}) {
+  for (const std::vector<std::string>& arguments :
+       std::vector<std::vector<std::string>>{{"--ros-args", "-r"},
+                                             {"--ros-args", "-r", "x"},
+                                             {"--ros-args", "-r", ":=y"},
+                                             {"--ros-args", "-r", "__node:=a/b"},
+                                             {"--ros-args", "-r", "__ns:=relative"},
+                                             {"--ros-args", "-r", "a b:=c"},
+                                             {"--ros-args", "-p", "x"},
+                                             {"--ros-args", "--log-level", "loud"}}) {
     EXPECT_THROW(parse_arguments(arguments), std::invalid_argument) << arguments.back();
   }
 }
@@ -78,8 +80,8 @@ TEST(Remap, MeansOneNodeWhenItSaysSo) {
 }
 
 TEST(Parameters, KeepTheNodePatternApart) {
-  const Arguments parsed = parse({"--ros-args", "-p", "/**:a:='x:=y'", "-p", "n:b:=[1, 2]",
-                                  "--params-file", "f.yaml"});
+  const Arguments parsed =
+      parse({"--ros-args", "-p", "/**:a:='x:=y'", "-p", "n:b:=[1, 2]", "--params-file", "f.yaml"});
   ASSERT_EQ(parsed.parameters.size(), 3u);
   EXPECT_EQ(parsed.parameters[0].rule.node, "/**");
   EXPECT_EQ(parsed.parameters[0].rule.name, "a");

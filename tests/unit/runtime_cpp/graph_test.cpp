@@ -6,8 +6,12 @@
 #include <cstring>
 
 // The import that the snapshot comes from; these tests hand their own bytes to the parser.
-extern "C" int32_t ros2wasm_graph_snapshot(uint8_t*, uint32_t) { return -1; }
-extern "C" int32_t ros2wasm_graph_version(void) { return 0; }
+extern "C" int32_t ros2wasm_graph_snapshot(uint8_t*, uint32_t) {
+  return -1;
+}
+extern "C" int32_t ros2wasm_graph_version(void) {
+  return 0;
+}
 
 namespace ros2wasm {
 namespace {

@@ -29,8 +29,8 @@ TEST(TopicName, KnowsTildeAndSubstitutions) {
   for (const char* name : {"chatter", "/chatter", "~", "~/x", "{node}/x", "a/{ns}", "a_1/b"}) {
     EXPECT_FALSE(check_topic_name(name)) << name;
   }
-  for (const char* name : {"", "a/", "a~b", "~x", "a b", "{node", "node}", "{no/de}", "1a", "a/1b",
-                           "{1a}", "a-b"}) {
+  for (const char* name :
+       {"", "a/", "a~b", "~x", "a b", "{node", "node}", "{no/de}", "1a", "a/1b", "{1a}", "a-b"}) {
     EXPECT_TRUE(check_topic_name(name)) << name;
   }
   EXPECT_EQ(check_topic_name("ab~")->index, 2u);

@@ -9,7 +9,9 @@
 namespace ros2wasm {
 namespace {
 
-ParameterData value(const char* text) { return to_parameter(parse_yaml(text)); }
+ParameterData value(const char* text) {
+  return to_parameter(parse_yaml(text));
+}
 
 TEST(YamlValue, HasTheTypesOfRosParameters) {
   EXPECT_EQ(std::get<bool>(value("true")), true);
@@ -32,8 +34,7 @@ TEST(YamlValue, HasTheTypesOfRosParameters) {
 }
 
 TEST(YamlValue, HasListsOfOneType) {
-  EXPECT_EQ(std::get<std::vector<int64_t>>(value("[1, 2, 3]")),
-            (std::vector<int64_t>{1, 2, 3}));
+  EXPECT_EQ(std::get<std::vector<int64_t>>(value("[1, 2, 3]")), (std::vector<int64_t>{1, 2, 3}));
   EXPECT_EQ(std::get<std::vector<double>>(value("[1, 2.5]")), (std::vector<double>{1.0, 2.5}));
   EXPECT_EQ(std::get<std::vector<bool>>(value("[true, no]")), (std::vector<bool>{true, false}));
   EXPECT_EQ(std::get<std::vector<std::string>>(value("[a, 'b, c']")),

@@ -48,8 +48,8 @@ void* make_object(const std::string& name, const std::string& base);
 template <typename Derived, typename Base>
 struct Registrar {
   explicit Registrar(const char* name) {
-    register_class({name, typeid(Base).name(),
-                    []() -> void* { return static_cast<Base*>(new Derived); }});
+    register_class(
+        {name, typeid(Base).name(), []() -> void* { return static_cast<Base*>(new Derived); }});
   }
 };
 

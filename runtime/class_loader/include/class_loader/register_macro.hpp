@@ -6,8 +6,8 @@
 #define CLASS_LOADER_JOIN_(A, B) A##B
 #define CLASS_LOADER_REGISTRAR_(Derived, Base, ID)                                       \
   namespace {                                                                            \
-  const ::class_loader::impl::Registrar<Derived, Base> CLASS_LOADER_JOIN_(g_registrar_, ID){ \
-      #Derived};                                                                         \
+  const ::class_loader::impl::Registrar<Derived, Base> CLASS_LOADER_JOIN_(g_registrar_,  \
+                                                                          ID){#Derived}; \
   }
 #define CLASS_LOADER_REGISTER_CLASS_WITH_ID_(Derived, Base, ID) \
   CLASS_LOADER_REGISTRAR_(Derived, Base, ID)

@@ -34,16 +34,14 @@ class AnyServiceCallback {
       };
     } else if constexpr (std::is_invocable_v<CallbackT&, SharedHeader, SharedRequest,
                                              SharedResponse>) {
-      function_ = [callback = std::move(callback)](const SharedService&,
-                                                   const SharedHeader& header,
+      function_ = [callback = std::move(callback)](const SharedService&, const SharedHeader& header,
                                                    SharedRequest request) mutable {
         auto response = std::make_shared<typename ServiceT::Response>();
         callback(header, std::move(request), response);
         return response;
       };
     } else if constexpr (std::is_invocable_v<CallbackT&, SharedHeader, SharedRequest>) {
-      function_ = [callback = std::move(callback)](const SharedService&,
-                                                   const SharedHeader& header,
+      function_ = [callback = std::move(callback)](const SharedService&, const SharedHeader& header,
                                                    SharedRequest request) mutable {
         callback(header, std::move(request));
         return SharedResponse();
@@ -75,8 +73,7 @@ class AnyServiceCallback {
   }
 
  private:
-  std::function<SharedResponse(const SharedService&, const SharedHeader&, SharedRequest)>
-      function_;
+  std::function<SharedResponse(const SharedService&, const SharedHeader&, SharedRequest)> function_;
 };
 
 }  // namespace rclcpp

@@ -26,9 +26,7 @@ struct InHand {
   std::shared_ptr<T> mine;
 
   const T& get() const { return owned ? *owned : mine ? *mine : *shared; }
-  std::unique_ptr<T> take_unique() {
-    return owned ? std::move(owned) : std::make_unique<T>(get());
-  }
+  std::unique_ptr<T> take_unique() { return owned ? std::move(owned) : std::make_unique<T>(get()); }
   std::shared_ptr<T> take_shared() {
     return mine ? std::move(mine) : std::shared_ptr<T>(take_unique());
   }

@@ -68,12 +68,11 @@ class CallbackGroup {
   /// False while a callback of a mutually exclusive group runs.
   std::atomic_bool& can_be_taken_from() { return can_be_taken_from_; }
   const CallbackGroupType& type() const { return type_; }
-  void collect_all_ptrs(
-      std::function<void(const std::shared_ptr<SubscriptionBase>&)> sub_func,
-      std::function<void(const std::shared_ptr<ServiceBase>&)> service_func,
-      std::function<void(const std::shared_ptr<ClientBase>&)> client_func,
-      std::function<void(const std::shared_ptr<TimerBase>&)> timer_func,
-      std::function<void(const std::shared_ptr<Waitable>&)> waitable_func) const;
+  void collect_all_ptrs(std::function<void(const std::shared_ptr<SubscriptionBase>&)> sub_func,
+                        std::function<void(const std::shared_ptr<ServiceBase>&)> service_func,
+                        std::function<void(const std::shared_ptr<ClientBase>&)> client_func,
+                        std::function<void(const std::shared_ptr<TimerBase>&)> timer_func,
+                        std::function<void(const std::shared_ptr<Waitable>&)> waitable_func) const;
   std::atomic_bool& get_associated_with_executor_atomic() { return associated_with_executor_; }
   bool automatically_add_to_executor_with_node() const {
     return automatically_add_to_executor_with_node_;

@@ -42,8 +42,7 @@ struct FutureAndRequestId {
   FutureT future;
   int64_t request_id;
 
-  FutureAndRequestId(FutureT impl, int64_t req_id)
-      : future(std::move(impl)), request_id(req_id) {}
+  FutureAndRequestId(FutureT impl, int64_t req_id) : future(std::move(impl)), request_id(req_id) {}
   FutureAndRequestId(const FutureAndRequestId& other) = delete;
   FutureAndRequestId& operator=(const FutureAndRequestId& other) = delete;
   FutureAndRequestId(FutureAndRequestId&& other) noexcept = default;
@@ -79,8 +78,8 @@ class ClientBase : public detail::Executable, public std::enable_shared_from_thi
   bool service_is_ready() const;
   /// False after the timeout, or when the context is shut down. Negative: waits for ever.
   template <typename RepT = int64_t, typename RatioT = std::milli>
-  bool wait_for_service(std::chrono::duration<RepT, RatioT> timeout =
-                            std::chrono::duration<RepT, RatioT>(-1)) {
+  bool wait_for_service(
+      std::chrono::duration<RepT, RatioT> timeout = std::chrono::duration<RepT, RatioT>(-1)) {
     return wait_for_service_nanoseconds(
         std::chrono::duration_cast<std::chrono::nanoseconds>(timeout));
   }
@@ -143,8 +142,7 @@ class Client : public ClientBase {
     using detail::FutureAndRequestId<std::future<SharedResponse>>::FutureAndRequestId;
     SharedFuture share() noexcept { return this->future.share(); }
   };
-  struct SharedFutureAndRequestId
-      : detail::FutureAndRequestId<std::shared_future<SharedResponse>> {
+  struct SharedFutureAndRequestId : detail::FutureAndRequestId<std::shared_future<SharedResponse>> {
     using detail::FutureAndRequestId<std::shared_future<SharedResponse>>::FutureAndRequestId;
   };
   struct SharedFutureWithRequestAndRequestId
@@ -181,9 +179,8 @@ class Client : public ClientBase {
   FutureAndRequestId async_send_request(SharedRequest request) {
     auto promise = std::make_shared<Promise>();
     auto future = promise->get_future();
-    const int64_t id = send(*request, [promise](SharedResponse response) {
-      promise->set_value(std::move(response));
-    });
+    const int64_t id = send(
+        *request, [promise](SharedResponse response) { promise->set_value(std::move(response)); });
     return FutureAndRequestId(std::move(future), id);
   }
 
@@ -192,12 +189,12 @@ class Client : public ClientBase {
   SharedFutureAndRequestId async_send_request(SharedRequest request, CallbackT&& cb) {
     auto promise = std::make_shared<Promise>();
     SharedFuture future(promise->get_future());
-    const int64_t id = send(*request, [promise, future, callback = CallbackType(
-                                                            std::forward<CallbackT>(cb))](
-                                          SharedResponse response) {
-      promise->set_value(std::move(response));
-      callback(future);
-    });
+    const int64_t id =
+        send(*request, [promise, future, callback = CallbackType(std::forward<CallbackT>(cb))](
+                           SharedResponse response) {
+          promise->set_value(std::move(response));
+          callback(future);
+        });
     return SharedFutureAndRequestId(std::move(future), id);
   }
 
@@ -207,10 +204,10 @@ class Client : public ClientBase {
   SharedFutureWithRequestAndRequestId async_send_request(SharedRequest request, CallbackT&& cb) {
     auto promise = std::make_shared<PromiseWithRequest>();
     SharedFutureWithRequest future(promise->get_future());
-    const int64_t id =
-        send(*request, [promise, future, request, callback = CallbackWithRequestType(
-                                                      std::forward<CallbackT>(cb))](
-                           SharedResponse response) {
+    const int64_t id = send(
+        *request,
+        [promise, future, request,
+         callback = CallbackWithRequestType(std::forward<CallbackT>(cb))](SharedResponse response) {
           promise->set_value(std::make_pair(request, std::move(response)));
           callback(future);
         });

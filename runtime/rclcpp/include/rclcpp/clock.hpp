@@ -41,17 +41,16 @@ class Clock {
   Time now() const;
   /// Blocks until this clock shows `until`. False when shut down, cancelled, or when the source
   /// of ROS time changed meanwhile. Throws std::runtime_error for another type of clock.
-  bool sleep_until(Time until,
-                   Context::SharedPtr context = contexts::get_global_default_context());
+  bool sleep_until(Time until, Context::SharedPtr context = contexts::get_global_default_context());
   bool sleep_for(Duration rel_time,
                  Context::SharedPtr context = contexts::get_global_default_context());
   /// Whether the time is not zero.
   bool started();
   bool wait_until_started(Context::SharedPtr context = contexts::get_global_default_context());
-  bool wait_until_started(const rclcpp::Duration& timeout,
-                          Context::SharedPtr context = contexts::get_global_default_context(),
-                          const rclcpp::Duration& wait_tick_ns = rclcpp::Duration(
-                              0, static_cast<uint32_t>(1e7)));
+  bool wait_until_started(
+      const rclcpp::Duration& timeout,
+      Context::SharedPtr context = contexts::get_global_default_context(),
+      const rclcpp::Duration& wait_tick_ns = rclcpp::Duration(0, static_cast<uint32_t>(1e7)));
   /// Whether ROS time comes from /clock. Throws RCLError for other clocks.
   bool ros_time_is_active();
   void cancel_sleep_or_wait();

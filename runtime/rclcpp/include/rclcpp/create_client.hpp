@@ -31,9 +31,9 @@ template <typename ServiceT, typename NodeT>
 typename rclcpp::Client<ServiceT>::SharedPtr create_client(
     NodeT node, const std::string& service_name, const rclcpp::QoS& qos = rclcpp::ServicesQoS(),
     rclcpp::CallbackGroup::SharedPtr group = nullptr) {
-  return create_client<ServiceT>(
-      rclcpp::node_interfaces::get_node_base_interface(node), nullptr,
-      rclcpp::node_interfaces::get_node_services_interface(node), service_name, qos, group);
+  return create_client<ServiceT>(rclcpp::node_interfaces::get_node_base_interface(node), nullptr,
+                                 rclcpp::node_interfaces::get_node_services_interface(node),
+                                 service_name, qos, group);
 }
 
 }  // namespace rclcpp

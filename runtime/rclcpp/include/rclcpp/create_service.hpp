@@ -31,10 +31,9 @@ typename rclcpp::Service<ServiceT>::SharedPtr create_service(
     NodeT node, const std::string& service_name, CallbackT&& callback,
     const rclcpp::QoS& qos = rclcpp::ServicesQoS(),
     rclcpp::CallbackGroup::SharedPtr group = nullptr) {
-  return create_service<ServiceT>(
-      rclcpp::node_interfaces::get_node_base_interface(node),
-      rclcpp::node_interfaces::get_node_services_interface(node), service_name,
-      std::forward<CallbackT>(callback), qos, group);
+  return create_service<ServiceT>(rclcpp::node_interfaces::get_node_base_interface(node),
+                                  rclcpp::node_interfaces::get_node_services_interface(node),
+                                  service_name, std::forward<CallbackT>(callback), qos, group);
 }
 
 }  // namespace rclcpp

@@ -23,8 +23,8 @@ std::chrono::nanoseconds safe_cast_to_period_in_ns(
   if (period < std::chrono::duration<DurationRepT, DurationT>::zero()) {
     throw std::invalid_argument{"timer period cannot be negative"};
   }
-  constexpr auto kLongest = std::chrono::duration_cast<std::chrono::duration<double>>(
-      std::chrono::nanoseconds::max());
+  constexpr auto kLongest =
+      std::chrono::duration_cast<std::chrono::duration<double>>(std::chrono::nanoseconds::max());
   if (std::chrono::duration<double>(period) >= kLongest) {
     throw std::invalid_argument{"timer period must be less than std::chrono::nanoseconds::max()"};
   }
@@ -40,14 +40,15 @@ typename rclcpp::TimerBase::SharedPtr create_timer(
     rclcpp::Clock::SharedPtr clock, rclcpp::Duration period, CallbackT&& callback,
     rclcpp::CallbackGroup::SharedPtr group = nullptr, bool autostart = true) {
   return create_timer(clock, period.to_chrono<std::chrono::nanoseconds>(),
-                      std::forward<CallbackT>(callback), group, node_base.get(),
-                      node_timers.get(), autostart);
+                      std::forward<CallbackT>(callback), group, node_base.get(), node_timers.get(),
+                      autostart);
 }
 
 template <typename NodeT, typename CallbackT>
-typename rclcpp::TimerBase::SharedPtr create_timer(
-    NodeT node, rclcpp::Clock::SharedPtr clock, rclcpp::Duration period, CallbackT&& callback,
-    rclcpp::CallbackGroup::SharedPtr group = nullptr, bool autostart = true) {
+typename rclcpp::TimerBase::SharedPtr create_timer(NodeT node, rclcpp::Clock::SharedPtr clock,
+                                                   rclcpp::Duration period, CallbackT&& callback,
+                                                   rclcpp::CallbackGroup::SharedPtr group = nullptr,
+                                                   bool autostart = true) {
   return create_timer(clock, period.to_chrono<std::chrono::nanoseconds>(),
                       std::forward<CallbackT>(callback), group,
                       rclcpp::node_interfaces::get_node_base_interface(node).get(),
@@ -88,9 +89,9 @@ typename rclcpp::WallTimer<CallbackT>::SharedPtr create_wall_timer(
   if (node_timers == nullptr) {
     throw std::invalid_argument{"input node_timers cannot be null"};
   }
-  auto timer = rclcpp::WallTimer<CallbackT>::make_shared(
-      detail::safe_cast_to_period_in_ns(period), std::move(callback), node_base->get_context(),
-      autostart);
+  auto timer = rclcpp::WallTimer<CallbackT>::make_shared(detail::safe_cast_to_period_in_ns(period),
+                                                         std::move(callback),
+                                                         node_base->get_context(), autostart);
   node_timers->add_timer(timer, group);
   return timer;
 }

@@ -82,8 +82,7 @@ class UnsupportedEventTypeException : public exceptions::RCLErrorBase, public st
   UnsupportedEventTypeException(rcl_ret_t ret, const rcl_error_state_t* error_state,
                                 const std::string& prefix)
       : UnsupportedEventTypeException(exceptions::RCLErrorBase(ret, error_state), prefix) {}
-  UnsupportedEventTypeException(const exceptions::RCLErrorBase& base_exc,
-                                const std::string& prefix)
+  UnsupportedEventTypeException(const exceptions::RCLErrorBase& base_exc, const std::string& prefix)
       : exceptions::RCLErrorBase(base_exc),
         std::runtime_error(prefix + (prefix.empty() ? "" : ": ") + base_exc.formatted_message) {}
 };

@@ -33,9 +33,9 @@ class Executor {
 
   virtual void spin() = 0;
 
-  virtual void add_callback_group(
-      rclcpp::CallbackGroup::SharedPtr group_ptr,
-      rclcpp::node_interfaces::NodeBaseInterface::SharedPtr node_ptr, bool notify = true);
+  virtual void add_callback_group(rclcpp::CallbackGroup::SharedPtr group_ptr,
+                                  rclcpp::node_interfaces::NodeBaseInterface::SharedPtr node_ptr,
+                                  bool notify = true);
   virtual void remove_callback_group(rclcpp::CallbackGroup::SharedPtr group_ptr,
                                      bool notify = true);
   virtual std::vector<rclcpp::CallbackGroup::WeakPtr> get_all_callback_groups();
@@ -53,15 +53,12 @@ class Executor {
 
   template <typename RepT = int64_t, typename T = std::milli>
   void spin_node_once(rclcpp::node_interfaces::NodeBaseInterface::SharedPtr node,
-                      std::chrono::duration<RepT, T> timeout =
-                          std::chrono::duration<RepT, T>(-1)) {
-    spin_node_once_nanoseconds(node,
-                               std::chrono::duration_cast<std::chrono::nanoseconds>(timeout));
+                      std::chrono::duration<RepT, T> timeout = std::chrono::duration<RepT, T>(-1)) {
+    spin_node_once_nanoseconds(node, std::chrono::duration_cast<std::chrono::nanoseconds>(timeout));
   }
   template <typename NodeT = rclcpp::Node, typename RepT = int64_t, typename T = std::milli>
   void spin_node_once(std::shared_ptr<NodeT> node,
-                      std::chrono::duration<RepT, T> timeout =
-                          std::chrono::duration<RepT, T>(-1)) {
+                      std::chrono::duration<RepT, T> timeout = std::chrono::duration<RepT, T>(-1)) {
     spin_node_once_nanoseconds(node->get_node_base_interface(),
                                std::chrono::duration_cast<std::chrono::nanoseconds>(timeout));
   }
@@ -78,9 +75,9 @@ class Executor {
   virtual void spin_once(std::chrono::nanoseconds timeout = std::chrono::nanoseconds(-1));
 
   template <typename FutureT, typename TimeRepT = int64_t, typename TimeT = std::milli>
-  FutureReturnCode spin_until_future_complete(const FutureT& future,
-                                              std::chrono::duration<TimeRepT, TimeT> timeout =
-                                                  std::chrono::duration<TimeRepT, TimeT>(-1)) {
+  FutureReturnCode spin_until_future_complete(
+      const FutureT& future,
+      std::chrono::duration<TimeRepT, TimeT> timeout = std::chrono::duration<TimeRepT, TimeT>(-1)) {
     return spin_until_future_complete_impl(
         std::chrono::duration_cast<std::chrono::nanoseconds>(timeout),
         [&future](std::chrono::nanoseconds wait_time) { return future.wait_for(wait_time); });
@@ -109,8 +106,8 @@ class Executor {
   void spin_some_impl(std::chrono::nanoseconds max_duration, bool exhaustive);
   virtual void spin_once_impl(std::chrono::nanoseconds timeout);
   /// Waits until something can run. False: timeout, cancelled or shut down. Negative: no limit.
-  bool get_next_executable(AnyExecutable& any_executable, std::chrono::nanoseconds timeout =
-                                                              std::chrono::nanoseconds(-1));
+  bool get_next_executable(AnyExecutable& any_executable,
+                           std::chrono::nanoseconds timeout = std::chrono::nanoseconds(-1));
   void execute_any_executable(AnyExecutable& any_executable);
 
   std::atomic_bool spinning{false};

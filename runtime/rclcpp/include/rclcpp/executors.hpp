@@ -29,8 +29,7 @@ template <typename FutureT, typename TimeRepT = int64_t, typename TimeT = std::m
 rclcpp::FutureReturnCode spin_node_until_future_complete(
     rclcpp::Executor& executor, rclcpp::node_interfaces::NodeBaseInterface::SharedPtr node_ptr,
     const FutureT& future,
-    std::chrono::duration<TimeRepT, TimeT> timeout =
-        std::chrono::duration<TimeRepT, TimeT>(-1)) {
+    std::chrono::duration<TimeRepT, TimeT> timeout = std::chrono::duration<TimeRepT, TimeT>(-1)) {
   executor.add_node(node_ptr);
   const auto result = executor.spin_until_future_complete(future, timeout);
   executor.remove_node(node_ptr);
@@ -41,8 +40,7 @@ template <typename NodeT = rclcpp::Node, typename FutureT, typename TimeRepT = i
           typename TimeT = std::milli>
 rclcpp::FutureReturnCode spin_node_until_future_complete(
     rclcpp::Executor& executor, std::shared_ptr<NodeT> node_ptr, const FutureT& future,
-    std::chrono::duration<TimeRepT, TimeT> timeout =
-        std::chrono::duration<TimeRepT, TimeT>(-1)) {
+    std::chrono::duration<TimeRepT, TimeT> timeout = std::chrono::duration<TimeRepT, TimeT>(-1)) {
   return spin_node_until_future_complete(executor, node_ptr->get_node_base_interface(), future,
                                          timeout);
 }
@@ -52,8 +50,7 @@ rclcpp::FutureReturnCode spin_node_until_future_complete(
 template <typename FutureT, typename TimeRepT = int64_t, typename TimeT = std::milli>
 rclcpp::FutureReturnCode spin_until_future_complete(
     rclcpp::node_interfaces::NodeBaseInterface::SharedPtr node_ptr, const FutureT& future,
-    std::chrono::duration<TimeRepT, TimeT> timeout =
-        std::chrono::duration<TimeRepT, TimeT>(-1)) {
+    std::chrono::duration<TimeRepT, TimeT> timeout = std::chrono::duration<TimeRepT, TimeT>(-1)) {
   rclcpp::ExecutorOptions options;
   options.context = node_ptr->get_context();
   rclcpp::executors::SingleThreadedExecutor executor(options);
@@ -64,8 +61,7 @@ template <typename NodeT = rclcpp::Node, typename FutureT, typename TimeRepT = i
           typename TimeT = std::milli>
 rclcpp::FutureReturnCode spin_until_future_complete(
     std::shared_ptr<NodeT> node_ptr, const FutureT& future,
-    std::chrono::duration<TimeRepT, TimeT> timeout =
-        std::chrono::duration<TimeRepT, TimeT>(-1)) {
+    std::chrono::duration<TimeRepT, TimeT> timeout = std::chrono::duration<TimeRepT, TimeT>(-1)) {
   return rclcpp::spin_until_future_complete(node_ptr->get_node_base_interface(), future, timeout);
 }
 

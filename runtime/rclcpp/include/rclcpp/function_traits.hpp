@@ -37,8 +37,7 @@ struct function_traits<ReturnT (ClassT::*)(Args...) const noexcept>
     : function_traits<ReturnT(Args...)> {};
 
 template <std::size_t Arity, typename FunctorT>
-struct arity_comparator
-    : std::bool_constant<Arity == function_traits<FunctorT>::arity> {};
+struct arity_comparator : std::bool_constant<Arity == function_traits<FunctorT>::arity> {};
 
 template <typename FunctorT, typename... Args>
 struct check_arguments

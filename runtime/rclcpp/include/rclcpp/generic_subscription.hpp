@@ -20,9 +20,8 @@ class GenericSubscription : private detail::NamedType, public rclcpp::Subscripti
   using Callback =
       std::function<void(const std::shared_ptr<rclcpp::SerializedMessage>&, const MessageInfo&)>;
 
-  GenericSubscription(node_interfaces::NodeBaseInterface* node_base,
-                      const std::string& topic_name, const std::string& topic_type,
-                      const rclcpp::QoS& qos, Callback callback,
+  GenericSubscription(node_interfaces::NodeBaseInterface* node_base, const std::string& topic_name,
+                      const std::string& topic_type, const rclcpp::QoS& qos, Callback callback,
                       const SubscriptionOptionsBase& options)
       : detail::NamedType(topic_type),
         SubscriptionBase(node_base, type_support(), topic_name, qos, options,
@@ -52,8 +51,8 @@ std::shared_ptr<GenericPublisher> create_generic_publisher(
     const std::string& topic_name, const std::string& topic_type, const rclcpp::QoS& qos,
     const rclcpp::PublisherOptionsWithAllocator<AllocatorT>& options =
         rclcpp::PublisherOptionsWithAllocator<AllocatorT>()) {
-  auto publisher = std::make_shared<GenericPublisher>(
-      topics_interface->get_node_base_interface(), topic_name, topic_type, qos, options);
+  auto publisher = std::make_shared<GenericPublisher>(topics_interface->get_node_base_interface(),
+                                                      topic_name, topic_type, qos, options);
   topics_interface->add_publisher(publisher, options.callback_group);
   return publisher;
 }
@@ -76,9 +75,9 @@ std::shared_ptr<GenericSubscription> create_generic_subscription(
       detail::call_with<SerializedMessage>(callback, in_hand, info);
     }
   };
-  auto subscription = std::make_shared<GenericSubscription>(
-      topics_interface->get_node_base_interface(), topic_name, topic_type, qos, std::move(erased),
-      options);
+  auto subscription =
+      std::make_shared<GenericSubscription>(topics_interface->get_node_base_interface(), topic_name,
+                                            topic_type, qos, std::move(erased), options);
   topics_interface->add_subscription(subscription, options.callback_group);
   return subscription;
 }

@@ -13,9 +13,7 @@ class InitOptions {
   /// Whether a stop request (Ctrl-C) shuts the context down.
   bool shutdown_on_signal = true;
 
-  explicit InitOptions(rcl_allocator_t allocator = rcl_get_default_allocator()) {
-    (void)allocator;
-  }
+  explicit InitOptions(rcl_allocator_t allocator = rcl_get_default_allocator()) { (void)allocator; }
   virtual ~InitOptions() = default;
   InitOptions(const InitOptions&) = default;
   InitOptions& operator=(const InitOptions&) = default;

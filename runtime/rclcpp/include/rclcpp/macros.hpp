@@ -16,7 +16,7 @@
 
 #define RCLCPP_UNIQUE_PTR_DEFINITIONS(...) __RCLCPP_UNIQUE_PTR_ALIAS(__VA_ARGS__)
 
-#define RCLCPP_SMART_PTR_DEFINITIONS(...)   \
+#define RCLCPP_SMART_PTR_DEFINITIONS(...)    \
   RCLCPP_SHARED_PTR_DEFINITIONS(__VA_ARGS__) \
   RCLCPP_WEAK_PTR_DEFINITIONS(__VA_ARGS__)   \
   __RCLCPP_UNIQUE_PTR_ALIAS(__VA_ARGS__)
@@ -29,17 +29,17 @@
   __RCLCPP_UNIQUE_PTR_ALIAS(__VA_ARGS__)   \
   __RCLCPP_MAKE_SHARED_DEFINITION(__VA_ARGS__)
 
-#define __RCLCPP_SHARED_PTR_ALIAS(...)             \
+#define __RCLCPP_SHARED_PTR_ALIAS(...)            \
   using SharedPtr = std::shared_ptr<__VA_ARGS__>; \
   using ConstSharedPtr = std::shared_ptr<const __VA_ARGS__>;
 
-#define __RCLCPP_MAKE_SHARED_DEFINITION(...)                                        \
-  template <typename... Args>                                                       \
-  static std::shared_ptr<__VA_ARGS__> make_shared(Args&&... args) {                 \
-    return std::make_shared<__VA_ARGS__>(std::forward<Args>(args)...);              \
+#define __RCLCPP_MAKE_SHARED_DEFINITION(...)                           \
+  template <typename... Args>                                          \
+  static std::shared_ptr<__VA_ARGS__> make_shared(Args&&... args) {    \
+    return std::make_shared<__VA_ARGS__>(std::forward<Args>(args)...); \
   }
 
-#define __RCLCPP_WEAK_PTR_ALIAS(...)           \
+#define __RCLCPP_WEAK_PTR_ALIAS(...)          \
   using WeakPtr = std::weak_ptr<__VA_ARGS__>; \
   using ConstWeakPtr = std::weak_ptr<const __VA_ARGS__>;
 

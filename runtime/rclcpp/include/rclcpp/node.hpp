@@ -107,8 +107,8 @@ class Node : public std::enable_shared_from_this<Node> {
       rclcpp::CallbackGroup::SharedPtr group = nullptr);
   template <typename ServiceT, typename CallbackT>
   typename rclcpp::Service<ServiceT>::SharedPtr create_service(
-      const std::string& service_name, CallbackT&& callback,
-      const rmw_qos_profile_t& qos_profile, rclcpp::CallbackGroup::SharedPtr group = nullptr);
+      const std::string& service_name, CallbackT&& callback, const rmw_qos_profile_t& qos_profile,
+      rclcpp::CallbackGroup::SharedPtr group = nullptr);
 
   template <typename AllocatorT = std::allocator<void>>
   std::shared_ptr<rclcpp::GenericPublisher> create_generic_publisher(
@@ -151,8 +151,8 @@ class Node : public std::enable_shared_from_this<Node> {
   template <typename ParameterT>
   std::vector<ParameterT> declare_parameters(
       const std::string& namespace_,
-      const std::map<std::string,
-                     std::pair<ParameterT, rcl_interfaces::msg::ParameterDescriptor>>& parameters,
+      const std::map<std::string, std::pair<ParameterT, rcl_interfaces::msg::ParameterDescriptor>>&
+          parameters,
       bool ignore_overrides = false);
   void undeclare_parameter(const std::string& name);
   bool has_parameter(const std::string& name) const;
@@ -210,8 +210,8 @@ class Node : public std::enable_shared_from_this<Node> {
   size_t count_subscribers(const std::string& topic_name) const;
   size_t count_clients(const std::string& service_name) const;
   size_t count_services(const std::string& service_name) const;
-  std::vector<rclcpp::TopicEndpointInfo> get_publishers_info_by_topic(
-      const std::string& topic_name, bool no_mangle = false) const;
+  std::vector<rclcpp::TopicEndpointInfo> get_publishers_info_by_topic(const std::string& topic_name,
+                                                                      bool no_mangle = false) const;
   std::vector<rclcpp::TopicEndpointInfo> get_subscriptions_info_by_topic(
       const std::string& topic_name, bool no_mangle = false) const;
   rclcpp::Event::SharedPtr get_graph_event();

@@ -47,8 +47,8 @@ template <typename DurationRepT, typename DurationT, typename CallbackT>
 typename rclcpp::WallTimer<CallbackT>::SharedPtr Node::create_wall_timer(
     std::chrono::duration<DurationRepT, DurationT> period, CallbackT callback,
     rclcpp::CallbackGroup::SharedPtr group, bool autostart) {
-  return rclcpp::create_wall_timer(period, std::move(callback), std::move(group),
-                                   node_base_.get(), node_timers_.get(), autostart);
+  return rclcpp::create_wall_timer(period, std::move(callback), std::move(group), node_base_.get(),
+                                   node_timers_.get(), autostart);
 }
 
 template <typename DurationRepT, typename DurationT, typename CallbackT>
@@ -114,9 +114,9 @@ std::shared_ptr<rclcpp::GenericSubscription> Node::create_generic_subscription(
 }
 
 template <typename ParameterT>
-auto Node::declare_parameter(
-    const std::string& name, const ParameterT& default_value,
-    const rcl_interfaces::msg::ParameterDescriptor& parameter_descriptor, bool ignore_override) {
+auto Node::declare_parameter(const std::string& name, const ParameterT& default_value,
+                             const rcl_interfaces::msg::ParameterDescriptor& parameter_descriptor,
+                             bool ignore_override) {
   try {
     return declare_parameter(name, rclcpp::ParameterValue(default_value), parameter_descriptor,
                              ignore_override)
@@ -127,9 +127,9 @@ auto Node::declare_parameter(
 }
 
 template <typename ParameterT>
-auto Node::declare_parameter(
-    const std::string& name,
-    const rcl_interfaces::msg::ParameterDescriptor& parameter_descriptor, bool ignore_override) {
+auto Node::declare_parameter(const std::string& name,
+                             const rcl_interfaces::msg::ParameterDescriptor& parameter_descriptor,
+                             bool ignore_override) {
   const rclcpp::ParameterValue value{ParameterT{}};
   try {
     return declare_parameter(name, value.get_type(), parameter_descriptor, ignore_override)
@@ -146,9 +146,8 @@ std::vector<ParameterT> Node::declare_parameters(
   const std::string prefix = namespace_.empty() ? "" : namespace_ + ".";
   std::vector<ParameterT> result;
   for (const auto& [name, value] : parameters) {
-    result.push_back(declare_parameter(prefix + name, value,
-                                       rcl_interfaces::msg::ParameterDescriptor(),
-                                       ignore_overrides));
+    result.push_back(declare_parameter(
+        prefix + name, value, rcl_interfaces::msg::ParameterDescriptor(), ignore_overrides));
   }
   return result;
 }

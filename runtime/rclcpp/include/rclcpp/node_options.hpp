@@ -23,26 +23,34 @@ class NodeOptions {
   NodeOptions(const NodeOptions& other) = default;
   NodeOptions& operator=(const NodeOptions& other) = default;
 
-#define RCLCPP_NODE_OPTION_(TYPE, NAME)                    \
-  const TYPE& NAME() const { return NAME##_; }             \
-  NodeOptions& NAME(const TYPE& value) {                   \
-    NAME##_ = value;                                       \
-    return *this;                                          \
+#define RCLCPP_NODE_OPTION_(TYPE, NAME)  \
+  const TYPE& NAME() const {             \
+    return NAME##_;                      \
+  }                                      \
+  NodeOptions& NAME(const TYPE& value) { \
+    NAME##_ = value;                     \
+    return *this;                        \
   }
-#define RCLCPP_NODE_FLAG_(NAME)                            \
-  bool NAME() const { return NAME##_; }                    \
-  NodeOptions& NAME(bool value) {                          \
-    NAME##_ = value;                                       \
-    return *this;                                          \
+#define RCLCPP_NODE_FLAG_(NAME)   \
+  bool NAME() const {             \
+    return NAME##_;               \
+  }                               \
+  NodeOptions& NAME(bool value) { \
+    NAME##_ = value;              \
+    return *this;                 \
   }
 
-  rclcpp::Context::SharedPtr context() const { return context_; }
+  rclcpp::Context::SharedPtr context() const {
+    return context_;
+  }
   NodeOptions& context(rclcpp::Context::SharedPtr context) {
     context_ = std::move(context);
     return *this;
   }
   RCLCPP_NODE_OPTION_(std::vector<std::string>, arguments)
-  std::vector<rclcpp::Parameter>& parameter_overrides() { return parameter_overrides_; }
+  std::vector<rclcpp::Parameter>& parameter_overrides() {
+    return parameter_overrides_;
+  }
   RCLCPP_NODE_OPTION_(std::vector<rclcpp::Parameter>, parameter_overrides)
   template <typename ParameterT>
   NodeOptions& append_parameter_override(const std::string& name, const ParameterT& value) {

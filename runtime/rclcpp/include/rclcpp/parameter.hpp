@@ -22,8 +22,7 @@ class Parameter {
   explicit Parameter(const std::string& name);
   Parameter(const std::string& name, const ParameterValue& value);
   template <typename ValueTypeT>
-  Parameter(const std::string& name, ValueTypeT value)
-      : Parameter(name, ParameterValue(value)) {}
+  Parameter(const std::string& name, ValueTypeT value) : Parameter(name, ParameterValue(value)) {}
   explicit Parameter(const rclcpp::node_interfaces::ParameterInfo& parameter_info);
 
   bool operator==(const Parameter& rhs) const;
@@ -64,9 +63,7 @@ class Parameter {
   const std::vector<int64_t>& as_integer_array() const {
     return get_value<PARAMETER_INTEGER_ARRAY>();
   }
-  const std::vector<double>& as_double_array() const {
-    return get_value<PARAMETER_DOUBLE_ARRAY>();
-  }
+  const std::vector<double>& as_double_array() const { return get_value<PARAMETER_DOUBLE_ARRAY>(); }
   const std::vector<std::string>& as_string_array() const {
     return get_value<PARAMETER_STRING_ARRAY>();
   }

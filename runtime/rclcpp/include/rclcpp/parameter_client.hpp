@@ -53,28 +53,32 @@ class AsyncParametersClient {
                                  const rclcpp::QoS& qos_profile = rclcpp::ParametersQoS(),
                                  rclcpp::CallbackGroup::SharedPtr group = nullptr)
       : AsyncParametersClient(node->get_node_base_interface(), node->get_node_topics_interface(),
-                              node->get_node_graph_interface(),
-                              node->get_node_services_interface(), remote_node_name, qos_profile,
-                              group) {}
+                              node->get_node_graph_interface(), node->get_node_services_interface(),
+                              remote_node_name, qos_profile, group) {}
 
   std::shared_future<std::vector<rclcpp::Parameter>> get_parameters(
       const std::vector<std::string>& names,
       std::function<void(std::shared_future<std::vector<rclcpp::Parameter>>)> callback = nullptr);
   std::shared_future<std::vector<rcl_interfaces::msg::ParameterDescriptor>> describe_parameters(
       const std::vector<std::string>& names,
-      std::function<void(std::shared_future<std::vector<rcl_interfaces::msg::ParameterDescriptor>>)> callback = nullptr);
+      std::function<void(std::shared_future<std::vector<rcl_interfaces::msg::ParameterDescriptor>>)>
+          callback = nullptr);
   std::shared_future<std::vector<rclcpp::ParameterType>> get_parameter_types(
       const std::vector<std::string>& names,
-      std::function<void(std::shared_future<std::vector<rclcpp::ParameterType>>)> callback = nullptr);
+      std::function<void(std::shared_future<std::vector<rclcpp::ParameterType>>)> callback =
+          nullptr);
   std::shared_future<std::vector<rcl_interfaces::msg::SetParametersResult>> set_parameters(
       const std::vector<rclcpp::Parameter>& parameters,
-      std::function<void(std::shared_future<std::vector<rcl_interfaces::msg::SetParametersResult>>)> callback = nullptr);
+      std::function<void(std::shared_future<std::vector<rcl_interfaces::msg::SetParametersResult>>)>
+          callback = nullptr);
   std::shared_future<rcl_interfaces::msg::SetParametersResult> set_parameters_atomically(
       const std::vector<rclcpp::Parameter>& parameters,
-      std::function<void(std::shared_future<rcl_interfaces::msg::SetParametersResult>)> callback = nullptr);
+      std::function<void(std::shared_future<rcl_interfaces::msg::SetParametersResult>)> callback =
+          nullptr);
   std::shared_future<rcl_interfaces::msg::ListParametersResult> list_parameters(
       const std::vector<std::string>& prefixes, uint64_t depth,
-      std::function<void(std::shared_future<rcl_interfaces::msg::ListParametersResult>)> callback = nullptr);
+      std::function<void(std::shared_future<rcl_interfaces::msg::ListParametersResult>)> callback =
+          nullptr);
   std::shared_future<std::vector<rcl_interfaces::msg::SetParametersResult>> delete_parameters(
       const std::vector<std::string>& parameters_names);
   std::shared_future<std::vector<rcl_interfaces::msg::SetParametersResult>> load_parameters(
@@ -83,11 +87,10 @@ class AsyncParametersClient {
       const rclcpp::ParameterMap& parameter_map);
 
   template <typename CallbackT, typename AllocatorT = std::allocator<void>>
-  typename rclcpp::Subscription<rcl_interfaces::msg::ParameterEvent>::SharedPtr
-  on_parameter_event(CallbackT&& callback,
-                     const rclcpp::QoS& qos = rclcpp::ParameterEventsQoS(),
-                     const rclcpp::SubscriptionOptionsWithAllocator<AllocatorT>& options =
-                         rclcpp::SubscriptionOptionsWithAllocator<AllocatorT>()) {
+  typename rclcpp::Subscription<rcl_interfaces::msg::ParameterEvent>::SharedPtr on_parameter_event(
+      CallbackT&& callback, const rclcpp::QoS& qos = rclcpp::ParameterEventsQoS(),
+      const rclcpp::SubscriptionOptionsWithAllocator<AllocatorT>& options =
+          rclcpp::SubscriptionOptionsWithAllocator<AllocatorT>()) {
     return on_parameter_event(node_topics_interface_, std::forward<CallbackT>(callback), qos,
                               options);
   }
@@ -104,8 +107,8 @@ class AsyncParametersClient {
 
   bool service_is_ready() const;
   template <typename RepT = int64_t, typename RatioT = std::milli>
-  bool wait_for_service(std::chrono::duration<RepT, RatioT> timeout =
-                            std::chrono::duration<RepT, RatioT>(-1)) {
+  bool wait_for_service(
+      std::chrono::duration<RepT, RatioT> timeout = std::chrono::duration<RepT, RatioT>(-1)) {
     return wait_for_service_nanoseconds(
         std::chrono::duration_cast<std::chrono::nanoseconds>(timeout));
   }
@@ -146,8 +149,7 @@ class SyncParametersClient {
                        const rclcpp::QoS& qos_profile = rclcpp::ParametersQoS())
       : SyncParametersClient(executor, node->get_node_base_interface(),
                              node->get_node_topics_interface(), node->get_node_graph_interface(),
-                             node->get_node_services_interface(), remote_node_name, qos_profile) {
-  }
+                             node->get_node_services_interface(), remote_node_name, qos_profile) {}
   SyncParametersClient(
       rclcpp::Executor::SharedPtr executor,
       const node_interfaces::NodeBaseInterface::SharedPtr node_base_interface,
@@ -229,15 +231,15 @@ class SyncParametersClient {
   }
   template <typename T>
   T get_parameter(const std::string& parameter_name) {
-    return get_parameter_impl(parameter_name, std::function<T()>([&]() -> T {
-                                throw std::runtime_error("Parameter '" + parameter_name +
-                                                         "' is not set");
-                              }));
+    return get_parameter_impl(
+        parameter_name, std::function<T()>([&]() -> T {
+          throw std::runtime_error("Parameter '" + parameter_name + "' is not set");
+        }));
   }
 
   template <typename CallbackT>
-  typename rclcpp::Subscription<rcl_interfaces::msg::ParameterEvent>::SharedPtr
-  on_parameter_event(CallbackT&& callback) {
+  typename rclcpp::Subscription<rcl_interfaces::msg::ParameterEvent>::SharedPtr on_parameter_event(
+      CallbackT&& callback) {
     return async_parameters_client_->on_parameter_event(std::forward<CallbackT>(callback));
   }
   template <typename CallbackT, typename NodeT>
@@ -247,8 +249,8 @@ class SyncParametersClient {
   }
   bool service_is_ready() const { return async_parameters_client_->service_is_ready(); }
   template <typename RepT = int64_t, typename RatioT = std::milli>
-  bool wait_for_service(std::chrono::duration<RepT, RatioT> timeout =
-                            std::chrono::duration<RepT, RatioT>(-1)) {
+  bool wait_for_service(
+      std::chrono::duration<RepT, RatioT> timeout = std::chrono::duration<RepT, RatioT>(-1)) {
     return async_parameters_client_->wait_for_service(timeout);
   }
 

@@ -39,8 +39,7 @@ struct ParameterEventCallbackHandle {
 class ParameterEventHandler {
  public:
   template <typename NodeT>
-  explicit ParameterEventHandler(NodeT node,
-                                 const rclcpp::QoS& qos = rclcpp::ParameterEventsQoS())
+  explicit ParameterEventHandler(NodeT node, const rclcpp::QoS& qos = rclcpp::ParameterEventsQoS())
       : callbacks_(std::make_shared<Callbacks>()),
         node_base_(rclcpp::node_interfaces::get_node_base_interface(node)) {
     event_subscription_ = rclcpp::create_subscription<rcl_interfaces::msg::ParameterEvent>(

@@ -18,8 +18,7 @@ class ParameterEventsFilter {
   using EventPair = std::pair<EventType, const rcl_interfaces::msg::Parameter*>;
 
   ParameterEventsFilter(std::shared_ptr<const rcl_interfaces::msg::ParameterEvent> event,
-                        const std::vector<std::string>& names,
-                        const std::vector<EventType>& types);
+                        const std::vector<std::string>& names, const std::vector<EventType>& types);
   const std::vector<EventPair>& get_events() const { return result_; }
 
  private:

@@ -121,8 +121,8 @@ class ParameterValue {
     }
   }
 
-  template <typename T, typename = std::enable_if_t<detail::parameter_type_of<T>() !=
-                                                    PARAMETER_NOT_SET>>
+  template <typename T,
+            typename = std::enable_if_t<detail::parameter_type_of<T>() != PARAMETER_NOT_SET>>
   const auto& get() const {
     return get<detail::parameter_type_of<T>()>();
   }

@@ -25,8 +25,7 @@ class Rate : public RateBase {
   RCLCPP_SMART_PTR_DEFINITIONS(Rate)
 
   /// `rate` in Hz. Throws std::invalid_argument unless it is positive.
-  explicit Rate(double rate,
-                Clock::SharedPtr clock = std::make_shared<Clock>(RCL_SYSTEM_TIME));
+  explicit Rate(double rate, Clock::SharedPtr clock = std::make_shared<Clock>(RCL_SYSTEM_TIME));
   explicit Rate(const Duration& period,
                 Clock::SharedPtr clock = std::make_shared<Clock>(RCL_SYSTEM_TIME));
 

@@ -29,8 +29,7 @@ template <typename MessageT>
 class Serialization : public SerializationBase {
  public:
   Serialization()
-      : SerializationBase(
-            rosidl_typesupport_cpp::get_message_type_support_handle<MessageT>()) {}
+      : SerializationBase(rosidl_typesupport_cpp::get_message_type_support_handle<MessageT>()) {}
 };
 
 }  // namespace rclcpp

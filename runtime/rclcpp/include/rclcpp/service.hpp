@@ -75,10 +75,9 @@ class Service : public ServiceBase {
  public:
   using CallbackType = std::function<void(const std::shared_ptr<typename ServiceT::Request>,
                                           std::shared_ptr<typename ServiceT::Response>)>;
-  using CallbackWithHeaderType =
-      std::function<void(const std::shared_ptr<rmw_request_id_t>,
-                         const std::shared_ptr<typename ServiceT::Request>,
-                         std::shared_ptr<typename ServiceT::Response>)>;
+  using CallbackWithHeaderType = std::function<void(
+      const std::shared_ptr<rmw_request_id_t>, const std::shared_ptr<typename ServiceT::Request>,
+      std::shared_ptr<typename ServiceT::Response>)>;
 
   RCLCPP_SMART_PTR_DEFINITIONS(Service)
 
@@ -96,10 +95,9 @@ class Service : public ServiceBase {
   }
   void handle_request(std::shared_ptr<rmw_request_id_t> request_header,
                       std::shared_ptr<void> request) override {
-    const auto response =
-        callback_.dispatch(std::static_pointer_cast<Service>(this->shared_from_this()),
-                           request_header,
-                           std::static_pointer_cast<typename ServiceT::Request>(request));
+    const auto response = callback_.dispatch(
+        std::static_pointer_cast<Service>(this->shared_from_this()), request_header,
+        std::static_pointer_cast<typename ServiceT::Request>(request));
     if (response) {
       send_response(*request_header, *response);
     }

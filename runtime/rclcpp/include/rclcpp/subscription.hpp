@@ -43,8 +43,7 @@ class Subscription : public SubscriptionBase {
   }
 
   template <typename TakeT>
-  std::enable_if_t<std::is_same_v<TakeT, SubscribedT> && !std::is_same_v<TakeT, ROSMessageT>,
-                   bool>
+  std::enable_if_t<std::is_same_v<TakeT, SubscribedT> && !std::is_same_v<TakeT, ROSMessageT>, bool>
   take(TakeT& message_out, rclcpp::MessageInfo& message_info_out) {
     ROSMessageT ros_message;
     if (!take(ros_message, message_info_out)) {
@@ -84,12 +83,11 @@ class Subscription : public SubscriptionBase {
   void handle_local(detail::LocalMessage message,
                     const rclcpp::MessageInfo& message_info) override {
     if (message.owned) {
-      callback_.dispatch(std::unique_ptr<ROSMessageT>(
-                             static_cast<ROSMessageT*>(message.owned.release())),
-                         message_info);
+      callback_.dispatch(
+          std::unique_ptr<ROSMessageT>(static_cast<ROSMessageT*>(message.owned.release())),
+          message_info);
     } else {
-      callback_.dispatch(std::static_pointer_cast<const ROSMessageT>(message.shared),
-                         message_info);
+      callback_.dispatch(std::static_pointer_cast<const ROSMessageT>(message.shared), message_info);
     }
   }
 

@@ -44,16 +44,14 @@ class SubscriptionBase : public detail::Executable,
  public:
   RCLCPP_SMART_PTR_DEFINITIONS_NOT_COPYABLE(SubscriptionBase)
 
-  using EventHandlers = std::unordered_map<rcl_subscription_event_type_t,
-                                           std::shared_ptr<rclcpp::EventHandlerBase>>;
+  using EventHandlers =
+      std::unordered_map<rcl_subscription_event_type_t, std::shared_ptr<rclcpp::EventHandlerBase>>;
 
   /// Throws InvalidTopicNameError for a name that cannot be.
   SubscriptionBase(node_interfaces::NodeBaseInterface* node_base,
-                   const rosidl_message_type_support_t& type_support,
-                   const std::string& topic_name, const rclcpp::QoS& qos,
-                   const SubscriptionOptionsBase& options,
-                   DeliveredMessageKind delivered_message_kind =
-                       DeliveredMessageKind::ROS_MESSAGE);
+                   const rosidl_message_type_support_t& type_support, const std::string& topic_name,
+                   const rclcpp::QoS& qos, const SubscriptionOptionsBase& options,
+                   DeliveredMessageKind delivered_message_kind = DeliveredMessageKind::ROS_MESSAGE);
   ~SubscriptionBase() override;
 
   const char* get_topic_name() const { return topic_name_.c_str(); }

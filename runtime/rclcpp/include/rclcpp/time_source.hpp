@@ -32,14 +32,13 @@ class TimeSource {
   ~TimeSource();
 
   void attachNode(std::shared_ptr<rclcpp::Node> node);
-  void attachNode(
-      std::shared_ptr<node_interfaces::NodeBaseInterface> node_base,
-      std::shared_ptr<node_interfaces::NodeTopicsInterface> node_topics,
-      std::shared_ptr<node_interfaces::NodeGraphInterface> node_graph,
-      std::shared_ptr<node_interfaces::NodeServicesInterface> node_services,
-      std::shared_ptr<node_interfaces::NodeLoggingInterface> node_logging,
-      std::shared_ptr<node_interfaces::NodeClockInterface> node_clock,
-      std::shared_ptr<node_interfaces::NodeParametersInterface> node_parameters);
+  void attachNode(std::shared_ptr<node_interfaces::NodeBaseInterface> node_base,
+                  std::shared_ptr<node_interfaces::NodeTopicsInterface> node_topics,
+                  std::shared_ptr<node_interfaces::NodeGraphInterface> node_graph,
+                  std::shared_ptr<node_interfaces::NodeServicesInterface> node_services,
+                  std::shared_ptr<node_interfaces::NodeLoggingInterface> node_logging,
+                  std::shared_ptr<node_interfaces::NodeClockInterface> node_clock,
+                  std::shared_ptr<node_interfaces::NodeParametersInterface> node_parameters);
   void detachNode();
   /// Throws std::invalid_argument unless it is a ROS clock.
   void attachClock(rclcpp::Clock::SharedPtr clock);

@@ -58,10 +58,11 @@ struct assert_type_pair_is_specialized_type_adapter {
 
 }  // namespace rclcpp
 
-#define RCLCPP_USING_CUSTOM_TYPE_AS_ROS_MESSAGE_TYPE(CUSTOM_TYPE, ROS_MESSAGE_TYPE) \
-  template <>                                                                       \
-  struct rclcpp::ImplicitTypeAdapter<CUSTOM_TYPE>                                   \
-      : public rclcpp::TypeAdapter<CUSTOM_TYPE, ROS_MESSAGE_TYPE> {                 \
-    static_assert(is_specialized::value,                                            \
-                  "Cannot use custom type as ros type when there is no TypeAdapter for that pair"); \
+#define RCLCPP_USING_CUSTOM_TYPE_AS_ROS_MESSAGE_TYPE(CUSTOM_TYPE, ROS_MESSAGE_TYPE)       \
+  template <>                                                                             \
+  struct rclcpp::ImplicitTypeAdapter<CUSTOM_TYPE>                                         \
+      : public rclcpp::TypeAdapter<CUSTOM_TYPE, ROS_MESSAGE_TYPE> {                       \
+    static_assert(                                                                        \
+        is_specialized::value,                                                            \
+        "Cannot use custom type as ros type when there is no TypeAdapter for that pair"); \
   }

@@ -13,10 +13,10 @@ namespace rclcpp {
 
 /// False after the timeout, or when the context was shut down. Negative: waits for ever.
 template <class MsgT, class Rep = int64_t, class Period = std::milli>
-bool wait_for_message(MsgT& out, std::shared_ptr<rclcpp::Subscription<MsgT>> subscription,
-                      std::shared_ptr<rclcpp::Context> context,
-                      std::chrono::duration<Rep, Period> time_to_wait =
-                          std::chrono::duration<Rep, Period>(-1)) {
+bool wait_for_message(
+    MsgT& out, std::shared_ptr<rclcpp::Subscription<MsgT>> subscription,
+    std::shared_ptr<rclcpp::Context> context,
+    std::chrono::duration<Rep, Period> time_to_wait = std::chrono::duration<Rep, Period>(-1)) {
   rclcpp::WaitSet wait_set({}, {}, {}, {}, {}, {}, context);
   wait_set.add_subscription(subscription);
   const auto result = wait_set.wait(time_to_wait);
@@ -29,14 +29,14 @@ bool wait_for_message(MsgT& out, std::shared_ptr<rclcpp::Subscription<MsgT>> sub
 }
 
 template <class MsgT, class Rep = int64_t, class Period = std::milli>
-bool wait_for_message(MsgT& out, rclcpp::Node::SharedPtr node, const std::string& topic,
-                      std::chrono::duration<Rep, Period> time_to_wait =
-                          std::chrono::duration<Rep, Period>(-1),
-                      const rclcpp::QoS& qos = rclcpp::SystemDefaultsQoS()) {
-  const auto subscription = node->create_subscription<MsgT>(
-      topic, qos, [](const std::shared_ptr<const MsgT>&) {});
-  return wait_for_message<MsgT>(out, subscription,
-                                node->get_node_base_interface()->get_context(), time_to_wait);
+bool wait_for_message(
+    MsgT& out, rclcpp::Node::SharedPtr node, const std::string& topic,
+    std::chrono::duration<Rep, Period> time_to_wait = std::chrono::duration<Rep, Period>(-1),
+    const rclcpp::QoS& qos = rclcpp::SystemDefaultsQoS()) {
+  const auto subscription =
+      node->create_subscription<MsgT>(topic, qos, [](const std::shared_ptr<const MsgT>&) {});
+  return wait_for_message<MsgT>(out, subscription, node->get_node_base_interface()->get_context(),
+                                time_to_wait);
 }
 
 }  // namespace rclcpp

@@ -40,8 +40,8 @@ class StaticWaitSet {
 
   const rcl_wait_set_t& get_rcl_wait_set() const { return base_.get_rcl_wait_set(); }
   template <class Rep = int64_t, class Period = std::milli>
-  [[nodiscard]] WaitResult<Base> wait(std::chrono::duration<Rep, Period> time_to_wait =
-                                          std::chrono::duration<Rep, Period>(-1)) {
+  [[nodiscard]] WaitResult<Base> wait(
+      std::chrono::duration<Rep, Period> time_to_wait = std::chrono::duration<Rep, Period>(-1)) {
     return base_.wait(time_to_wait);
   }
 

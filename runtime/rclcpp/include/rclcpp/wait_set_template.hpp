@@ -48,8 +48,7 @@ struct SubscriptionWaitSetEntry {
                            const rclcpp::SubscriptionWaitSetMask& mask_in = {})  // NOLINT
       : subscription(std::move(subscription_in)), mask(mask_in) {}
   template <typename SubscriptionT,
-            typename = std::enable_if_t<
-                std::is_base_of_v<rclcpp::SubscriptionBase, SubscriptionT>>>
+            typename = std::enable_if_t<std::is_base_of_v<rclcpp::SubscriptionBase, SubscriptionT>>>
   SubscriptionWaitSetEntry(const std::shared_ptr<SubscriptionT>& subscription_in)  // NOLINT
       : subscription(subscription_in) {}
 };
@@ -92,9 +91,8 @@ class WaitSetCore {
     changed();
   }
   template <typename EntityT>
-  void remove(std::vector<std::weak_ptr<EntityT>>& entities,
-              const std::shared_ptr<EntityT>& entity, const char* null_text,
-              const char* absent_text) {
+  void remove(std::vector<std::weak_ptr<EntityT>>& entities, const std::shared_ptr<EntityT>& entity,
+              const char* null_text, const char* absent_text) {
     if (!entity) {
       throw std::invalid_argument(null_text);
     }
@@ -237,8 +235,7 @@ class BasicWaitSet final {
   /// Negative: waits for ever. The result holds the wait set until it is gone.
   template <class Rep = int64_t, class Period = std::milli>
   [[nodiscard]] WaitResult<BasicWaitSet> wait(
-      std::chrono::duration<Rep, Period> time_to_wait =
-          std::chrono::duration<Rep, Period>(-1)) {
+      std::chrono::duration<Rep, Period> time_to_wait = std::chrono::duration<Rep, Period>(-1)) {
     switch (core_.wait(std::chrono::duration_cast<std::chrono::nanoseconds>(time_to_wait))) {
       case WaitResultKind::Ready:
         return WaitResult<BasicWaitSet>::from_ready_wait_result_kind(*this);
@@ -262,9 +259,7 @@ class BasicWaitSet final {
   std::shared_ptr<rclcpp::ServiceBase> services(size_t i) const {
     return core_.services_[i].lock();
   }
-  std::shared_ptr<rclcpp::Waitable> waitables(size_t i) const {
-    return core_.waitables_[i].lock();
-  }
+  std::shared_ptr<rclcpp::Waitable> waitables(size_t i) const { return core_.waitables_[i].lock(); }
 
  private:
   RCLCPP_DISABLE_COPY(BasicWaitSet)

@@ -13,7 +13,8 @@
 namespace rclcpp {
 
 /// Differs from rclcpp on ROS machines: there is no rcl wait set, so a waitable says itself
-/// whether it is ready, and calls ros2wasm::wake (or triggers a guard condition) when it becomes so.
+/// whether it is ready, and calls ros2wasm::wake (or triggers a guard condition) when it becomes
+/// so.
 class Waitable : public detail::Executable {
  public:
   RCLCPP_SMART_PTR_DEFINITIONS_NOT_COPYABLE(Waitable)

@@ -41,8 +41,8 @@ class ClientBase {
   bool action_server_is_ready() const;
   /// False after the timeout or on shutdown. Negative: waits for ever.
   template <typename RepT = int64_t, typename RatioT = std::milli>
-  bool wait_for_action_server(std::chrono::duration<RepT, RatioT> timeout =
-                                  std::chrono::duration<RepT, RatioT>(-1)) {
+  bool wait_for_action_server(
+      std::chrono::duration<RepT, RatioT> timeout = std::chrono::duration<RepT, RatioT>(-1)) {
     return wait_for_action_server_nanoseconds(
         std::chrono::duration_cast<std::chrono::nanoseconds>(timeout));
   }
@@ -118,8 +118,8 @@ class Client : public ClientBase, public std::enable_shared_from_this<Client<Act
       }
     });
     status_ = std::make_shared<rclcpp::Subscription<action_msgs::msg::GoalStatusArray>>(
-        node_base, name + "/_action/status", qos_of(options.status_topic_qos),
-        std::move(on_status), rclcpp::SubscriptionOptions());
+        node_base, name + "/_action/status", qos_of(options.status_topic_qos), std::move(on_status),
+        rclcpp::SubscriptionOptions());
     add_subscription(status_);
   }
 
@@ -142,8 +142,8 @@ class Client : public ClientBase, public std::enable_shared_from_this<Client<Act
     request->goal = goal;
     forget_dropped();
     goal_client_->async_send_request(
-        request, [this, request, options, promise](
-                     typename rclcpp::Client<SendGoal>::SharedFuture answer) {
+        request,
+        [this, request, options, promise](typename rclcpp::Client<SendGoal>::SharedFuture answer) {
           on_goal_response(*request, *answer.get(), options, *promise);
         });
     return future;
@@ -215,8 +215,7 @@ class Client : public ClientBase, public std::enable_shared_from_this<Client<Act
   }
 
   void on_goal_response(const typename SendGoal::Request& request,
-                        const typename SendGoal::Response& response,
-                        const SendGoalOptions& options,
+                        const typename SendGoal::Response& response, const SendGoalOptions& options,
                         std::promise<typename GoalHandle::SharedPtr>& promise) {
     typename GoalHandle::SharedPtr handle;
     if (response.accepted) {

@@ -38,11 +38,10 @@ typename Server<ActionT>::SharedPtr create_server(
     typename Server<ActionT>::AcceptedCallback handle_accepted,
     const rcl_action_server_options_t& options = rcl_action_server_get_default_options(),
     rclcpp::CallbackGroup::SharedPtr group = nullptr) {
-  return create_server<ActionT>(node->get_node_base_interface(), node->get_node_clock_interface(),
-                                node->get_node_logging_interface(),
-                                node->get_node_waitables_interface(), name, std::move(handle_goal),
-                                std::move(handle_cancel), std::move(handle_accepted), options,
-                                group);
+  return create_server<ActionT>(
+      node->get_node_base_interface(), node->get_node_clock_interface(),
+      node->get_node_logging_interface(), node->get_node_waitables_interface(), name,
+      std::move(handle_goal), std::move(handle_cancel), std::move(handle_accepted), options, group);
 }
 
 }  // namespace rclcpp_action

@@ -82,8 +82,8 @@ class Server : public ServerBase, public std::enable_shared_from_this<Server<Act
   RCLCPP_SMART_PTR_DEFINITIONS_NOT_COPYABLE(Server)
 
   using GoalHandle = ServerGoalHandle<ActionT>;
-  using GoalCallback = std::function<GoalResponse(const GoalUUID&,
-                                                  std::shared_ptr<const typename ActionT::Goal>)>;
+  using GoalCallback =
+      std::function<GoalResponse(const GoalUUID&, std::shared_ptr<const typename ActionT::Goal>)>;
   using CancelCallback = std::function<CancelResponse(std::shared_ptr<GoalHandle>)>;
   using AcceptedCallback = std::function<void(std::shared_ptr<GoalHandle>)>;
 
@@ -164,8 +164,7 @@ class Server : public ServerBase, public std::enable_shared_from_this<Server<Act
     std::shared_ptr<const typename ActionT::Goal> goal(request, &request->goal);
     typename SendGoal::Response response;
     response.stamp = clock_->now();
-    const GoalResponse decision =
-        has_goal(uuid) ? GoalResponse::REJECT : handle_goal_(uuid, goal);
+    const GoalResponse decision = has_goal(uuid) ? GoalResponse::REJECT : handle_goal_(uuid, goal);
     response.accepted = decision != GoalResponse::REJECT;
     if (!response.accepted) {
       service.send_response(header, response);

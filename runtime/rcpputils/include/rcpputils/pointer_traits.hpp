@@ -20,9 +20,8 @@ template <class T>
 struct is_smart_pointer : details::is_smart_pointer_helper<std::remove_cv_t<T>> {};
 
 template <class T>
-struct is_pointer
-    : std::bool_constant<std::is_pointer_v<std::remove_reference_t<T>> ||
-                         is_smart_pointer<std::remove_reference_t<T>>::value> {};
+struct is_pointer : std::bool_constant<std::is_pointer_v<std::remove_reference_t<T>> ||
+                                       is_smart_pointer<std::remove_reference_t<T>>::value> {};
 
 template <class T>
 struct remove_pointer {

@@ -8,12 +8,12 @@
 extern "C" {
 #endif
 
-#define RMW_QOS_PROFILE_OF_(DEPTH, RELIABILITY, DURABILITY)                                  \
-  {                                                                                          \
-    RMW_QOS_POLICY_HISTORY_KEEP_LAST, DEPTH, RMW_QOS_POLICY_RELIABILITY_##RELIABILITY,       \
-        RMW_QOS_POLICY_DURABILITY_##DURABILITY, RMW_QOS_DEADLINE_DEFAULT,                    \
-        RMW_QOS_LIFESPAN_DEFAULT, RMW_QOS_POLICY_LIVELINESS_SYSTEM_DEFAULT,                  \
-        RMW_QOS_LIVELINESS_LEASE_DURATION_DEFAULT, false                                     \
+#define RMW_QOS_PROFILE_OF_(DEPTH, RELIABILITY, DURABILITY)                            \
+  {                                                                                    \
+    RMW_QOS_POLICY_HISTORY_KEEP_LAST, DEPTH, RMW_QOS_POLICY_RELIABILITY_##RELIABILITY, \
+        RMW_QOS_POLICY_DURABILITY_##DURABILITY, RMW_QOS_DEADLINE_DEFAULT,              \
+        RMW_QOS_LIFESPAN_DEFAULT, RMW_QOS_POLICY_LIVELINESS_SYSTEM_DEFAULT,            \
+        RMW_QOS_LIVELINESS_LEASE_DURATION_DEFAULT, false                               \
   }
 
 static const rmw_qos_profile_t rmw_qos_profile_sensor_data =
@@ -59,16 +59,15 @@ static const rmw_qos_profile_t rmw_qos_profile_best_available = {
     RMW_QOS_POLICY_LIVELINESS_BEST_AVAILABLE,
     RMW_QOS_LIVELINESS_LEASE_DURATION_BEST_AVAILABLE,
     false};
-static const rmw_qos_profile_t rmw_qos_profile_unknown = {
-    RMW_QOS_POLICY_HISTORY_UNKNOWN,
-    RMW_QOS_POLICY_DEPTH_SYSTEM_DEFAULT,
-    RMW_QOS_POLICY_RELIABILITY_UNKNOWN,
-    RMW_QOS_POLICY_DURABILITY_UNKNOWN,
-    RMW_QOS_DEADLINE_DEFAULT,
-    RMW_QOS_LIFESPAN_DEFAULT,
-    RMW_QOS_POLICY_LIVELINESS_UNKNOWN,
-    RMW_QOS_LIVELINESS_LEASE_DURATION_DEFAULT,
-    false};
+static const rmw_qos_profile_t rmw_qos_profile_unknown = {RMW_QOS_POLICY_HISTORY_UNKNOWN,
+                                                          RMW_QOS_POLICY_DEPTH_SYSTEM_DEFAULT,
+                                                          RMW_QOS_POLICY_RELIABILITY_UNKNOWN,
+                                                          RMW_QOS_POLICY_DURABILITY_UNKNOWN,
+                                                          RMW_QOS_DEADLINE_DEFAULT,
+                                                          RMW_QOS_LIFESPAN_DEFAULT,
+                                                          RMW_QOS_POLICY_LIVELINESS_UNKNOWN,
+                                                          RMW_QOS_LIVELINESS_LEASE_DURATION_DEFAULT,
+                                                          false};
 
 #ifdef __cplusplus
 }

@@ -11,9 +11,13 @@
 extern "C" {
 #endif
 
-static inline const char* rmw_get_implementation_identifier(void) { return "rmw_wasm_cpp"; }
+static inline const char* rmw_get_implementation_identifier(void) {
+  return "rmw_wasm_cpp";
+}
 
-static inline const char* rmw_get_serialization_format(void) { return "cdr"; }
+static inline const char* rmw_get_serialization_format(void) {
+  return "cdr";
+}
 
 #ifdef __cplusplus
 }

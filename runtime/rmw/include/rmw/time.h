@@ -18,7 +18,8 @@ typedef int64_t rmw_duration_t;
 
 #define RMW_DURATION_INFINITE_SEC 9223372036LL
 #define RMW_DURATION_INFINITE_NSEC 854775807LL
-#define RMW_DURATION_INFINITE {RMW_DURATION_INFINITE_SEC, RMW_DURATION_INFINITE_NSEC}
+#define RMW_DURATION_INFINITE \
+  { RMW_DURATION_INFINITE_SEC, RMW_DURATION_INFINITE_NSEC }
 
 static inline rmw_duration_t rmw_time_total_nsec(const rmw_time_t time) {
   const uint64_t most = INT64_MAX;

@@ -58,7 +58,8 @@ ROS2WASM_IMPORT("endpoint_gid") int32_t ros2wasm_endpoint_gid(int32_t endpoint, 
 ROS2WASM_IMPORT("write")
 int32_t ros2wasm_write(int32_t endpoint, const void* data, uint32_t len,
                        struct ros2wasm_sample_info* io);
-/** Payload bytes; -1: nothing there. More than `capacity`: nothing was taken, ask with more room. */
+/** Payload bytes; -1: nothing there. More than `capacity`: nothing was taken, ask with more room.
+ */
 ROS2WASM_IMPORT("take")
 int32_t ros2wasm_take(int32_t endpoint, void* buffer, uint32_t capacity,
                       struct ros2wasm_sample_info* out);
@@ -88,4 +89,4 @@ int32_t ros2wasm_graph_snapshot(uint8_t* buffer, uint32_t capacity);
 }
 #endif
 
-#endif  /* ROS2WASM__HOST_H_ */
+#endif /* ROS2WASM__HOST_H_ */

@@ -50,14 +50,16 @@ TEST(CompileErrors, SaysWhatTheLibraryLacks) {
   const Diagnostics errors = compile_errors(kNinja, kPlace);
   ASSERT_EQ(errors[1].why.size(), 1U);
   EXPECT_EQ(errors[1].why[0],
-            "the C++ library of Emscripten 3.1.6 has no <expected>; a newer Emscripten on PATH or in EMSDK may "
+            "the C++ library of Emscripten 3.1.6 has no <expected>; a newer Emscripten on PATH or "
+            "in EMSDK may "
             "have it");
   EXPECT_TRUE(errors[0].why.empty());
 }
 
 TEST(CompileErrors, LinksSpeakForThemselvesAndOtherCommandsAreShown) {
   const Diagnostics errors = compile_errors(
-      "FAILED: talker.wasm \n: && \"ros2wasm\" link-program --package demo -- em++ && :\nsome text\n"
+      "FAILED: talker.wasm \n: && \"ros2wasm\" link-program --package demo -- em++ && :\nsome "
+      "text\n"
       "FAILED: gen/x.hpp \npython3 gen.py\nTraceback\n",
       kPlace);
   ASSERT_EQ(errors.size(), 1U);
@@ -68,7 +70,8 @@ TEST(CompileErrors, LinksSpeakForThemselvesAndOtherCommandsAreShown) {
 
 TEST(ConfigureErrors, ThePlaceIsTheFirstErrors) {
   const Diagnostics errors = configure_errors(
-      "-- x\nCMake Error at CMakeLists.txt:8 (add_executable):\n  Cannot find source file:\n", kPlace);
+      "-- x\nCMake Error at CMakeLists.txt:8 (add_executable):\n  Cannot find source file:\n",
+      kPlace);
   ASSERT_EQ(errors.size(), 1U);
   EXPECT_EQ(errors[0].code, "R2W0503");
   EXPECT_EQ(errors[0].span->file, "src/demo/CMakeLists.txt");
@@ -77,12 +80,16 @@ TEST(ConfigureErrors, ThePlaceIsTheFirstErrors) {
 
 TEST(ConfigureErrors, AMissingPackageGetsTheLineForPackageXml) {
   const auto asked = [](const std::string& name) {
-    return configure_errors("CMake Error at CMakeLists.txt:8 (find_package):\n  asked CMake to find a package "
-                            "configuration file provided by\n  \"" + name + "\", but CMake did not find one.\n",
-                            kPlace).front();
+    return configure_errors(
+               "CMake Error at CMakeLists.txt:8 (find_package):\n  asked CMake to find a package "
+               "configuration file provided by\n  \"" +
+                   name + "\", but CMake did not find one.\n",
+               kPlace)
+        .front();
   };
   EXPECT_EQ(asked("nav_msgs").code, "R2W0507");
-  EXPECT_EQ(asked("nav_msgs").fix, std::vector<std::string>{"add `<depend>nav_msgs</depend>` to package.xml"});
+  EXPECT_EQ(asked("nav_msgs").fix,
+            std::vector<std::string>{"add `<depend>nav_msgs</depend>` to package.xml"});
   EXPECT_TRUE(asked("nav_msg").fix.empty());
   EXPECT_EQ(asked("nav_msg").why.back(), "the channels have `nav_msgs`");
 }

@@ -13,11 +13,14 @@ namespace {
 
 const std::string kHeader("\0asm\1\0\0\0", 8);
 
-std::string sized(const std::string& text) { return std::string(1, static_cast<char>(text.size())) + text; }
+std::string sized(const std::string& text) {
+  return std::string(1, static_cast<char>(text.size())) + text;
+}
 /// Sections may be longer than 127 bytes: two bytes of length.
 std::string section(char id, const std::string& contents) {
   const std::size_t size = contents.size();
-  return std::string({id, static_cast<char>((size & 0x7F) | 0x80), static_cast<char>(size >> 7U)}) + contents;
+  return std::string({id, static_cast<char>((size & 0x7F) | 0x80), static_cast<char>(size >> 7U)}) +
+         contents;
 }
 std::string custom(const std::string& name, const std::string& contents) {
   return section('\0', sized(name) + contents);
@@ -28,7 +31,8 @@ std::string importing(const std::vector<std::pair<std::string, std::string>>& fu
                       const std::string& memory_limits = "") {
   std::string imports;
   std::size_t count = functions.size();
-  for (const auto& [module, name] : functions) imports += sized(module) + sized(name) + std::string("\0\0", 2);
+  for (const auto& [module, name] : functions)
+    imports += sized(module) + sized(name) + std::string("\0\0", 2);
   if (!memory_limits.empty()) {
     imports += sized("env") + sized("memory") + '\2' + memory_limits;
     ++count;
@@ -57,7 +61,8 @@ TEST(WasmModule, ASharedMemoryTellsThreadsApart) {
 }
 
 TEST(WasmModule, EveryTruncationIsRefusedOrRead) {
-  const std::string whole = importing({{"env", "a"}}, std::string("\3\1\2", 3)) + custom("name", "abc");
+  const std::string whole =
+      importing({{"env", "a"}}, std::string("\3\1\2", 3)) + custom("name", "abc");
   for (std::size_t length = 0; length < whole.size(); ++length) {
     const auto module = read_wasm_module(std::string_view(whole).substr(0, length));
     if (module) {
@@ -73,7 +78,8 @@ TEST(WasmModule, EveryTruncationIsRefusedOrRead) {
 
 TEST(WasmModule, NamesAreKeptApart) {
   const std::string plain = importing({{"env", "a"}});
-  const auto split = split_names(plain + custom("name", "the names") + custom("producers", "clang"));
+  const auto split =
+      split_names(plain + custom("name", "the names") + custom("producers", "clang"));
   ASSERT_TRUE(split);
   EXPECT_EQ(split->program, plain);
   const auto names = read_wasm_module(split->names);
@@ -111,8 +117,9 @@ TEST(LinkLine, FindsWhatNobodyDefines) {
 }
 
 TEST(LinkLine, LeavesOutWhatOnlyNativeLinkersKnow) {
-  const LinkLine line = parse_link_line({"em++", "-rdynamic", "a.o", "-o", "x.wasm", "-lpthread",
-                                         "-Wl,-rpath,/lib", "-pthread", "libb.a", "-sSTACK_SIZE=1MB"});
+  const LinkLine line =
+      parse_link_line({"em++", "-rdynamic", "a.o", "-o", "x.wasm", "-lpthread", "-Wl,-rpath,/lib",
+                       "-pthread", "libb.a", "-sSTACK_SIZE=1MB"});
   EXPECT_EQ(line.compiler, "em++");
   EXPECT_EQ(line.output, "x.wasm");
   EXPECT_EQ(line.arguments, (std::vector<std::string>{"a.o", "libb.a", "-sSTACK_SIZE=1MB"}));

@@ -1,4 +1,5 @@
-// From a plan to a folder: contents of site.json, refusals, and that failures leave the old site untouched.
+// From a plan to a folder: contents of site.json, refusals, and that failures leave the old site
+// untouched.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -6,9 +7,9 @@
 #include <csignal>
 
 #include "bundler/emit/folder_output.hpp"
+#include "bundler/io/sha256.hpp"
 #include "bundler/plan/runtime_assets.hpp"
 #include "bundler/plan/site_plan.hpp"
-#include "bundler/io/sha256.hpp"
 #include "bundler/render/page_html.hpp"
 #include "tests/unit/bundler/support/temporary_tree.hpp"
 #include "workspace_schema/json_reader.hpp"
@@ -46,13 +47,14 @@ LaunchNode launched(const std::string& id, const std::string& executable) {
 
 SitePlan plan_of(const std::string& page = "<p>") {
   const Manifest lab = manifest();
-  auto plan = plan_site({.manifest = lab,
-                         .nodes = {launched("talker-1", "talker"), launched("crowd-2", "crowd"),
-                                   launched("talker-3", "talker")},
-                         .programs = {{"/built/talker.wasm", program(false)}, {"/built/crowd.wasm", program(true)}},
-                         .runtime = {{.file = "index.html", .role = "page", .bytes = page},
-                                     {.file = "headless.js", .role = "headless", .bytes = "x"}},
-                         .interfaces = {{"demo/msg/Num", "int64 num\n"}}});
+  auto plan = plan_site(
+      {.manifest = lab,
+       .nodes = {launched("talker-1", "talker"), launched("crowd-2", "crowd"),
+                 launched("talker-3", "talker")},
+       .programs = {{"/built/talker.wasm", program(false)}, {"/built/crowd.wasm", program(true)}},
+       .runtime = {{.file = "index.html", .role = "page", .bytes = page},
+                   {.file = "headless.js", .role = "headless", .bytes = "x"}},
+       .interfaces = {{"demo/msg/Num", "int64 num\n"}}});
   EXPECT_TRUE(plan);
   return plan ? std::move(plan).value() : SitePlan{};
 }
@@ -72,8 +74,9 @@ TEST(SitePlan, EveryFileHasAReasonAndTheHeadlessEntryStaysOut) {
     EXPECT_FALSE(file.reason.empty()) << file.path;
     EXPECT_EQ(file.sha256, sha256_hex(file.bytes));
   }
-  EXPECT_EQ(paths, (std::vector<std::string>{"index.html", "interfaces.json", "programs/demo/crowd.wasm",
-                                             "programs/demo/talker.wasm", "site.json"}));
+  EXPECT_EQ(paths,
+            (std::vector<std::string>{"index.html", "interfaces.json", "programs/demo/crowd.wasm",
+                                      "programs/demo/talker.wasm", "site.json"}));
   EXPECT_EQ(file_of(plan, "programs/demo/talker.wasm")->reason, "program of talker-1, talker-3");
 }
 
@@ -96,7 +99,8 @@ TEST(SitePlan, SiteJsonSaysWhatRuns) {
 TEST(PageHtml, HasTheTitleAndHintsAndNothingUnescaped) {
   const std::string page = "<head><title>ros2wasm</title></head><body></body>";
   EXPECT_EQ(page_html(page, "A & <b>", {"programs/demo/talker.wasm"}),
-            "<head><title>A &amp; &lt;b&gt;</title><link rel=\"preload\" href=\"programs/demo/talker.wasm\" "
+            "<head><title>A &amp; &lt;b&gt;</title><link rel=\"preload\" "
+            "href=\"programs/demo/talker.wasm\" "
             "as=\"fetch\" crossorigin>\n</head><body></body>");
   EXPECT_EQ(page_html("<p>", "t", {"x"}), "<p>");
 }
@@ -105,7 +109,8 @@ TEST(SitePlan, TheSameInputGivesTheSameBytes) {
   const SitePlan first = plan_of();
   const SitePlan second = plan_of();
   ASSERT_EQ(first.files.size(), second.files.size());
-  for (std::size_t i = 0; i < first.files.size(); ++i) EXPECT_EQ(first.files[i].bytes, second.files[i].bytes);
+  for (std::size_t i = 0; i < first.files.size(); ++i)
+    EXPECT_EQ(first.files[i].bytes, second.files[i].bytes);
 }
 
 TEST(SitePlan, AProgramMustBeAModule) {
@@ -128,7 +133,8 @@ TEST(EmitFolder, WritesAndReplaces) {
   EXPECT_EQ(tree.read("deep/site/index.html"), "<p>two");
   EXPECT_FALSE(std::filesystem::exists(tree / "deep/site/left-over.txt"));
   std::size_t entries = 0;
-  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(tree / "deep")) ++entries;
+  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(tree / "deep"))
+    ++entries;
   EXPECT_EQ(entries, 1U) << "nothing is left beside the site";
 }
 
@@ -187,8 +193,10 @@ TEST(RuntimeAssets, AreChecked) {
   const TemporaryTree tree;
   tree.write("index.html", "<p>");
   const auto list = [&](const std::string& hash) {
-    return tree.write("runtime_assets.json", "{\"schema\":1,\"assets\":[{\"file\":\"index.html\",\"role\":\"page\","
-                                             "\"size\":3,\"sha256\":\"" + hash + "\"}]}");
+    return tree.write("runtime_assets.json",
+                      "{\"schema\":1,\"assets\":[{\"file\":\"index.html\",\"role\":\"page\","
+                      "\"size\":3,\"sha256\":\"" +
+                          hash + "\"}]}");
   };
   const auto good = read_runtime_assets(list(sha256_hex("<p>")));
   ASSERT_TRUE(good);

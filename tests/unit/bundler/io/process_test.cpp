@@ -16,10 +16,11 @@ namespace ros2wasm {
 namespace {
 
 TEST(Process, CapturesBothStreamsAndTheExitCode) {
-  const auto result = run_process({.arguments = {"sh", "-c", "echo out; echo err >&2; echo $WORD; exit 3"},
-                                   .environment = {{"WORD", "added"}},
-                                   .output_mode = OutputMode::kCapture},
-                                  {});
+  const auto result =
+      run_process({.arguments = {"sh", "-c", "echo out; echo err >&2; echo $WORD; exit 3"},
+                   .environment = {{"WORD", "added"}},
+                   .output_mode = OutputMode::kCapture},
+                  {});
   ASSERT_TRUE(result);
   EXPECT_EQ(result->output, "out\nadded\n");
   EXPECT_EQ(result->error, "err\n");
@@ -46,14 +47,17 @@ TEST(Process, AProgramThatIsNotThereIsAnError) {
     EXPECT_EQ(result.errors().front().code, "R2W0910");
   }
   const testing::TemporaryTree tree;
-  const auto no_program = tree.write("broken", "\x7f" "ELF but not really");
+  const auto no_program = tree.write("broken",
+                                     "\x7f"
+                                     "ELF but not really");
   std::filesystem::permissions(no_program, std::filesystem::perms::owner_all);
   EXPECT_FALSE(run_process({.arguments = {no_program.string()}}, {}));
   EXPECT_FALSE(run_process({.arguments = {"true"}, .directory = "/no/such/folder"}, {}));
 }
 
 TEST(Process, AStopEndsTheChildAndItsChildren) {
-  // Ctrl-C comes while the child waits for a grandchild; both must be gone when run_process returns.
+  // Ctrl-C comes while the child waits for a grandchild; both must be gone when run_process
+  // returns.
   std::array<int, 2> wake{};
   ASSERT_EQ(pipe(wake.data()), 0);
   std::atomic<bool> stop = false;
@@ -72,7 +76,8 @@ TEST(Process, AStopEndsTheChildAndItsChildren) {
   ASSERT_FALSE(result);
   EXPECT_EQ(result.errors().front().kind, FailureKind::kInterrupted);
   const pid_t grandchild = std::stoi(output);
-  // It was told to end; wait until the system has taken it away (a zombie may linger until init reaps it).
+  // It was told to end; wait until the system has taken it away (a zombie may linger until init
+  // reaps it).
   const std::string state_file = "/proc/" + std::to_string(grandchild) + "/stat";
   bool gone = false;
   for (int i = 0; i < 500 && !gone; ++i) {
@@ -98,13 +103,16 @@ TEST(Installation, LooksBesideTheProgramAndInShare) {
   const testing::TemporaryTree tree;
   tree.write("build/templates/x", "");
   tree.write("usr/share/ros2wasm/templates/x", "");
-  EXPECT_EQ(*find_own_data(tree / "build/ros2wasm", "templates/x", "it"), tree / "build/templates/x");
-  EXPECT_EQ(*find_own_data(tree / "usr/bin/ros2wasm", "templates/x", "it"), tree / "usr/share/ros2wasm/templates/x");
+  EXPECT_EQ(*find_own_data(tree / "build/ros2wasm", "templates/x", "it"),
+            tree / "build/templates/x");
+  EXPECT_EQ(*find_own_data(tree / "usr/bin/ros2wasm", "templates/x", "it"),
+            tree / "usr/share/ros2wasm/templates/x");
   const auto missing = find_own_data(tree / "bin/ros2wasm", "templates/x", "the thing");
   ASSERT_FALSE(missing);
   EXPECT_EQ(missing.errors().front().code, "R2W0912");
   tree.write("node_modules/.bin/wasm-opt", "");
-  EXPECT_EQ(find_npm_tool(tree / "build/ros2wasm", "wasm-opt"), tree / "node_modules/.bin/wasm-opt");
+  EXPECT_EQ(find_npm_tool(tree / "build/ros2wasm", "wasm-opt"),
+            tree / "node_modules/.bin/wasm-opt");
 }
 
 TEST(SourceHash, ContentsCountTimesAndHiddenFilesDoNot) {

@@ -10,7 +10,9 @@
 namespace ros2wasm {
 namespace {
 
-Spanned<std::string> spanned(const std::string& value) { return {.value = value, .span = {.file = "w", .line = 9}}; }
+Spanned<std::string> spanned(const std::string& value) {
+  return {.value = value, .span = {.file = "w", .line = 9}};
+}
 
 NodeEntry node(const std::string& package, const std::string& executable) {
   NodeEntry entry;
@@ -20,12 +22,20 @@ NodeEntry node(const std::string& package, const std::string& executable) {
 }
 
 std::vector<InstalledPackage> installed() {
-  return {{.name = "demo",
-           .version = "1.2.3",
-           .programs = {{.package = "demo", .executable = "listener", .file = "/p/listener.wasm", .is_program = true},
-                        {.package = "demo", .executable = "tool.py", .file = "/p/tool.py", .is_program = false},
-                        {.package = "demo", .executable = "talker", .file = "/p/talker.wasm", .is_program = true}}},
-          {.name = "std_msgs"}};
+  return {
+      {.name = "demo",
+       .version = "1.2.3",
+       .programs =
+           {{.package = "demo",
+             .executable = "listener",
+             .file = "/p/listener.wasm",
+             .is_program = true},
+            {.package = "demo", .executable = "tool.py", .file = "/p/tool.py", .is_program = false},
+            {.package = "demo",
+             .executable = "talker",
+             .file = "/p/talker.wasm",
+             .is_program = true}}},
+      {.name = "std_msgs"}};
 }
 
 TEST(NodeArguments, AreThoseOfRos2Launch) {
@@ -33,12 +43,13 @@ TEST(NodeArguments, AreThoseOfRos2Launch) {
   entry.arguments = {"--fast"};
   entry.name = spanned("chatter");
   entry.name_space = spanned("/a");
-  entry.parameters = {{.name = "rate", .value = 2.0}, {.name = "sub.label", .value = std::string("it's")}};
+  entry.parameters = {{.name = "rate", .value = 2.0},
+                      {.name = "sub.label", .value = std::string("it's")}};
   entry.remappings = {{"topic", "/b"}};
   EXPECT_EQ(node_arguments(entry, {{.pattern = "/**", .name = "rate", .value = "1"}}),
-            (std::vector<std::string>{"--fast", "--ros-args", "-r", "__node:=chatter", "-r", "__ns:=/a", "-p",
-                                      "/**:rate:=1", "-p", "rate:=2.0", "-p", "sub.label:='it''s'", "-r",
-                                      "topic:=/b"}));
+            (std::vector<std::string>{"--fast", "--ros-args", "-r", "__node:=chatter", "-r",
+                                      "__ns:=/a", "-p", "/**:rate:=1", "-p", "rate:=2.0", "-p",
+                                      "sub.label:='it''s'", "-r", "topic:=/b"}));
   EXPECT_EQ(node_label(entry), "/a/chatter");
   EXPECT_TRUE(node_arguments(node("demo", "talker"), {}).empty());
 }
@@ -59,8 +70,10 @@ TEST(NodeArguments, ValuesKeepTheirTypes) {
 TEST(ParameterFile, FollowsTheRulesOfRcl) {
   const auto rules = read_parameter_file(
       "/**:\n  ros__parameters:\n    use_sim_time: yes\n"
-      "ns:\n  talker:\n    ros__parameters:\n      rate: 2.0\n      words: [a, '1']\n      deep: {x: 1}\n"
-      "/*/other:\n  ros__parameters: {}\n", "p.yaml");
+      "ns:\n  talker:\n    ros__parameters:\n      rate: 2.0\n      words: [a, '1']\n      deep: "
+      "{x: 1}\n"
+      "/*/other:\n  ros__parameters: {}\n",
+      "p.yaml");
   ASSERT_TRUE(rules);
   ASSERT_EQ(rules->size(), 4U);
   EXPECT_EQ((*rules)[0].pattern, "/**");
@@ -73,7 +86,9 @@ TEST(ParameterFile, FollowsTheRulesOfRcl) {
 
 TEST(ParameterFile, AllMistakesAtOnce) {
   const auto rules = read_parameter_file(
-      "talker:\n  ros__parameters:\n    mixed: [1, a]\n    nothing: ~\n    nested: [[1]]\nplain: 3\n", "p.yaml");
+      "talker:\n  ros__parameters:\n    mixed: [1, a]\n    nothing: ~\n    nested: [[1]]\nplain: "
+      "3\n",
+      "p.yaml");
   ASSERT_FALSE(rules);
   EXPECT_EQ(rules.errors().size(), 4U);
   for (const Diagnostic& error : rules.errors()) {
@@ -85,8 +100,8 @@ TEST(ParameterFile, AllMistakesAtOnce) {
 }
 
 TEST(LaunchNodes, CountsOverAllNodesAsLaunchDoes) {
-  const auto nodes = launch_nodes({node("demo", "talker"), node("demo", "listener"), node("demo", "talker")},
-                                  installed(), {});
+  const auto nodes = launch_nodes(
+      {node("demo", "talker"), node("demo", "listener"), node("demo", "talker")}, installed(), {});
   ASSERT_TRUE(nodes);
   EXPECT_EQ((*nodes)[0].id, "talker-1");
   EXPECT_EQ((*nodes)[1].id, "listener-2");
@@ -95,8 +110,9 @@ TEST(LaunchNodes, CountsOverAllNodesAsLaunchDoes) {
 }
 
 TEST(LaunchNodes, SaysWhatThereIsInstead) {
-  const auto nodes = launch_nodes({node("demo", "talkr"), node("dmo", "talker"), node("demo", "tool.py"),
-                                   node("std_msgs", "x")}, installed(), {});
+  const auto nodes = launch_nodes({node("demo", "talkr"), node("dmo", "talker"),
+                                   node("demo", "tool.py"), node("std_msgs", "x")},
+                                  installed(), {});
   ASSERT_FALSE(nodes);
   ASSERT_EQ(nodes.errors().size(), 4U);
   const Diagnostic& executable = nodes.errors()[0];

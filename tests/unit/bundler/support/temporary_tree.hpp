@@ -24,7 +24,9 @@ class TemporaryTree {
   }
 
   [[nodiscard]] const std::filesystem::path& root() const { return root_; }
-  [[nodiscard]] std::filesystem::path operator/(const std::string& relative) const { return root_ / relative; }
+  [[nodiscard]] std::filesystem::path operator/(const std::string& relative) const {
+    return root_ / relative;
+  }
 
   /// Writes a file below the root and returns its path.
   std::filesystem::path write(const std::string& relative, const std::string& text) const {

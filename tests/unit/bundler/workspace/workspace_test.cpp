@@ -14,10 +14,11 @@ namespace fs = std::filesystem;
 using testing::TemporaryTree;
 
 std::string package_xml(const std::string& name, const std::string& dependencies = "") {
-  return "<package format=\"3\">\n<name>" + name + "</name>\n<version>1.0.0</version>\n"
+  return "<package format=\"3\">\n<name>" + name +
+         "</name>\n<version>1.0.0</version>\n"
          "<description>d</description>\n<maintainer email=\"a@example.org\">A</maintainer>\n"
-         "<license>MIT</license>\n" + dependencies +
-         "<export><build_type>ament_cmake</build_type></export>\n</package>\n";
+         "<license>MIT</license>\n" +
+         dependencies + "<export><build_type>ament_cmake</build_type></export>\n</package>\n";
 }
 
 Spanned<std::string> entry(const std::string& value) {
@@ -25,7 +26,8 @@ Spanned<std::string> entry(const std::string& value) {
 }
 
 std::vector<LocalPackage> discovered(const TemporaryTree& tree, const std::string& pattern) {
-  auto found = discover_packages(tree.root(), "shown", {entry(pattern)}, ros_condition_variables("jazzy"));
+  auto found =
+      discover_packages(tree.root(), "shown", {entry(pattern)}, ros_condition_variables("jazzy"));
   EXPECT_TRUE(found);
   return found ? std::move(found).value() : std::vector<LocalPackage>();
 }
@@ -39,7 +41,8 @@ std::vector<std::string> names(const std::vector<LocalPackage>& packages) {
 TEST(Discovery, IsThatOfColcon) {
   const TemporaryTree tree;
   tree.write("src/a/package.xml", package_xml("a"));
-  tree.write("src/a/vendor/inner/package.xml", package_xml("inner"));  // inside a package: not searched
+  tree.write("src/a/vendor/inner/package.xml",
+             package_xml("inner"));  // inside a package: not searched
   tree.write("src/group/b/package.xml", package_xml("b"));
   tree.write("src/off/COLCON_IGNORE", "");
   tree.write("src/off/c/package.xml", package_xml("c"));
@@ -56,8 +59,9 @@ TEST(Discovery, IsThatOfColcon) {
 TEST(Discovery, AnEntryThatLeadsNowhereIsAnErrorWithItsPlace) {
   const TemporaryTree tree;
   tree.write("src/a/package.xml", package_xml("a"));
-  const auto found = discover_packages(tree.root(), "shown", {entry("src/*"), entry("srk/*"), entry("nothing")},
-                                       ros_condition_variables("jazzy"));
+  const auto found =
+      discover_packages(tree.root(), "shown", {entry("src/*"), entry("srk/*"), entry("nothing")},
+                        ros_condition_variables("jazzy"));
   ASSERT_FALSE(found);
   ASSERT_EQ(found.errors().size(), 2U);
   EXPECT_EQ(found.errors()[0].code, "R2W0510");
@@ -70,12 +74,15 @@ TEST(Discovery, AnEntryThatLeadsNowhereIsAnErrorWithItsPlace) {
 
 TEST(BuildOrder, WhatIsNeededComesFirst) {
   const TemporaryTree tree;
-  tree.write("src/app/package.xml", package_xml("app", "<depend>middle</depend><depend>std_msgs</depend>\n"));
-  tree.write("src/base/package.xml", package_xml("base", "<buildtool_depend>ament_cmake</buildtool_depend>\n"));
+  tree.write("src/app/package.xml",
+             package_xml("app", "<depend>middle</depend><depend>std_msgs</depend>\n"));
+  tree.write("src/base/package.xml",
+             package_xml("base", "<buildtool_depend>ament_cmake</buildtool_depend>\n"));
   tree.write("src/middle/package.xml",
-             package_xml("middle", "<build_depend>base</build_depend><exec_depend>app</exec_depend>\n"
-                                   "<depend version_gte=\"2.0.0\">rclcpp</depend>\n"
-                                   "<test_depend>ament_lint_auto</test_depend>\n"));
+             package_xml("middle",
+                         "<build_depend>base</build_depend><exec_depend>app</exec_depend>\n"
+                         "<depend version_gte=\"2.0.0\">rclcpp</depend>\n"
+                         "<test_depend>ament_lint_auto</test_depend>\n"));
   const auto packages = discovered(tree, "src");
   const auto order = order_packages(packages, "jazzy");
   ASSERT_TRUE(order);
@@ -104,12 +111,14 @@ TEST(BuildOrder, CirclesAndTwinsAreErrors) {
 
 TEST(ChannelRequest, EverythingMissingAtOnceWithItsLine) {
   const TemporaryTree tree;
-  tree.write("src/a/package.xml", package_xml("a", "<depend>std_mgs</depend>\n<depend>opencv</depend>\n"
-                                                   "<exec_depend>rviz2</exec_depend>\n"));
+  tree.write("src/a/package.xml", package_xml("a",
+                                              "<depend>std_mgs</depend>\n<depend>opencv</depend>\n"
+                                              "<exec_depend>rviz2</exec_depend>\n"));
   const auto packages = discovered(tree, "src");
   const auto order = order_packages(packages, "jazzy");
   ASSERT_TRUE(order);
-  const auto request = channel_request(Manifest{}, packages, *order, {"ros-jazzy-std-msgs"}, "3.1.6");
+  const auto request =
+      channel_request(Manifest{}, packages, *order, {"ros-jazzy-std-msgs"}, "3.1.6");
   ASSERT_FALSE(request);
   ASSERT_EQ(request.errors().size(), 2U);  // rviz2 is a warning only
   EXPECT_EQ(request.errors()[0].code, "R2W0513");
@@ -120,7 +129,8 @@ TEST(ChannelRequest, EverythingMissingAtOnceWithItsLine) {
 
 TEST(ChannelRequest, HasPackagesNodesAndTheCompiler) {
   const TemporaryTree tree;
-  tree.write("src/a/package.xml", package_xml("a", "<depend>std_msgs</depend>\n<exec_depend>rviz2</exec_depend>\n"));
+  tree.write("src/a/package.xml",
+             package_xml("a", "<depend>std_msgs</depend>\n<exec_depend>rviz2</exec_depend>\n"));
   const auto packages = discovered(tree, "src");
   const auto order = order_packages(packages, "jazzy");
   ASSERT_TRUE(order);
@@ -129,14 +139,16 @@ TEST(ChannelRequest, HasPackagesNodesAndTheCompiler) {
   NodeEntry node;
   node.package.value = "demo_nodes";
   manifest.nodes.push_back(node);
-  const auto request = channel_request(
-      manifest, packages, *order,
-      {"emscripten-abi", "ros-jazzy-demo-nodes", "ros-jazzy-nav-msgs", "ros-jazzy-std-msgs", "zlib"}, "3.1.6");
+  const auto request = channel_request(manifest, packages, *order,
+                                       {"emscripten-abi", "ros-jazzy-demo-nodes",
+                                        "ros-jazzy-nav-msgs", "ros-jazzy-std-msgs", "zlib"},
+                                       "3.1.6");
   ASSERT_TRUE(request);
   std::vector<std::string> texts;
   for (const RequestedSpec& spec : request->specs) texts.push_back(spec.text);
-  EXPECT_EQ(texts, (std::vector<std::string>{"emscripten-abi 3.1.6.*", "ros-jazzy-demo-nodes",
-                                             "ros-jazzy-nav-msgs >=5", "ros-jazzy-std-msgs", "zlib"}));
+  EXPECT_EQ(texts,
+            (std::vector<std::string>{"emscripten-abi 3.1.6.*", "ros-jazzy-demo-nodes",
+                                      "ros-jazzy-nav-msgs >=5", "ros-jazzy-std-msgs", "zlib"}));
   ASSERT_EQ(request->warnings.size(), 1U);
   EXPECT_EQ(request->warnings[0].severity, Severity::kWarning);
 }
@@ -152,8 +164,9 @@ TEST(DefaultManifest, IsNamedAfterTheFolder) {
   EXPECT_EQ(default_manifest("/home/me/My ROS-2 ws").name.value, "my_ros_2_ws");
   EXPECT_EQ(default_manifest("/home/me/2024").name.value, "workspace");
   const std::vector<InstalledPackage> local = {
-      {.name = "a", .programs = {{.package = "a", .executable = "run.py", .is_program = false},
-                                 {.package = "a", .executable = "talker", .is_program = true}}}};
+      {.name = "a",
+       .programs = {{.package = "a", .executable = "run.py", .is_program = false},
+                    {.package = "a", .executable = "talker", .is_program = true}}}};
   const auto nodes = default_nodes(local);
   ASSERT_EQ(nodes.size(), 1U);
   EXPECT_EQ(nodes[0].executable.value, "talker");

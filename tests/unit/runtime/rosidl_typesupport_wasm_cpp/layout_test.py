@@ -2,12 +2,12 @@
 import unittest
 
 import type_description as td
-from layout import LayoutTable
+from layout import Layout, LayoutTable
 
 from .definitions import described
 
 
-def layout(text: str, **others: str):
+def layout(text: str, **others: str) -> Layout:
     types = td.TypeTable()
     for name, definition in {**others, "Subject": text}.items():
         types.add(described("p", f"msg/{name}.msg", definition).descriptions)
@@ -16,7 +16,7 @@ def layout(text: str, **others: str):
 
 class PlainTypes(unittest.TestCase):
 
-    def plain(self, expected: tuple, text: str, **others: str) -> None:
+    def plain(self, expected: tuple[int, int], text: str, **others: str) -> None:
         found = layout(text, **others)
         self.assertEqual((found.plain_size, found.plain_alignment), expected, text)
 

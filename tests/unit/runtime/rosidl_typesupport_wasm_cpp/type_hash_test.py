@@ -1,6 +1,8 @@
 """Type hashes are those of ROS 2 Jazzy: the expected values were seen on real systems."""
 import unittest
 
+import type_description as td
+
 from .definitions import shipped
 
 TIME = "builtin_interfaces/msg/Time"
@@ -24,6 +26,8 @@ HASHES = {
 
 class TypeHash(unittest.TestCase):
     """One table holds everything that the hashed types refer to."""
+
+    types: td.TypeTable
 
     @classmethod
     def setUpClass(cls) -> None:

@@ -14,10 +14,9 @@ namespace detail {
 template <typename NodeT, typename = void>
 struct HasParameters : std::false_type {};
 template <typename NodeT>
-struct HasParameters<NodeT, std::void_t<decltype(node_interfaces::helpers::dereference(
-                                                     std::declval<NodeT&>())
-                                                     .get_node_parameters_interface())>>
-    : std::true_type {};
+struct HasParameters<
+    NodeT, std::void_t<decltype(node_interfaces::helpers::dereference(std::declval<NodeT&>())
+                                    .get_node_parameters_interface())>> : std::true_type {};
 
 template <typename NodeT>
 rclcpp::QoS override_qos(NodeT& node, const node_interfaces::NodeTopicsInterface& topics,

@@ -14,10 +14,9 @@ class MultiThreadedExecutor : public rclcpp::Executor {
   RCLCPP_SMART_PTR_DEFINITIONS(MultiThreadedExecutor)
 
   /// `number_of_threads` 0: as many as the machine runs at once, at least 2.
-  explicit MultiThreadedExecutor(
-      const rclcpp::ExecutorOptions& options = rclcpp::ExecutorOptions(),
-      size_t number_of_threads = 0, bool yield_before_execute = false,
-      std::chrono::nanoseconds timeout = std::chrono::nanoseconds(-1));
+  explicit MultiThreadedExecutor(const rclcpp::ExecutorOptions& options = rclcpp::ExecutorOptions(),
+                                 size_t number_of_threads = 0, bool yield_before_execute = false,
+                                 std::chrono::nanoseconds timeout = std::chrono::nanoseconds(-1));
   ~MultiThreadedExecutor() override = default;
 
   void spin() override;

@@ -50,9 +50,7 @@ class NodeBase : public NodeBaseInterface, public std::enable_shared_from_this<N
   rclcpp::GuardCondition& get_notify_guard_condition() override;
   rclcpp::GuardCondition::SharedPtr get_shared_notify_guard_condition() override;
   void trigger_notify_guard_condition() override;
-  bool get_use_intra_process_default() const override {
-    return options_.use_intra_process_default;
-  }
+  bool get_use_intra_process_default() const override { return options_.use_intra_process_default; }
   bool get_enable_topic_statistics_default() const override {
     return options_.enable_topic_statistics_default;
   }

@@ -17,7 +17,6 @@
 #include "rclcpp/qos.hpp"
 #include "rmw/types.h"
 
-
 namespace rclcpp {
 
 enum class EndpointType {
@@ -77,14 +76,14 @@ class NodeGraphInterface {
   virtual NamesAndTypes get_service_names_and_types() const = 0;
   virtual NamesAndTypes get_service_names_and_types_by_node(
       const std::string& node_name, const std::string& namespace_) const = 0;
-  virtual NamesAndTypes get_client_names_and_types_by_node(
-      const std::string& node_name, const std::string& namespace_) const = 0;
-  virtual NamesAndTypes get_publisher_names_and_types_by_node(
-      const std::string& node_name, const std::string& namespace_,
-      bool no_demangle = false) const = 0;
-  virtual NamesAndTypes get_subscriber_names_and_types_by_node(
-      const std::string& node_name, const std::string& namespace_,
-      bool no_demangle = false) const = 0;
+  virtual NamesAndTypes get_client_names_and_types_by_node(const std::string& node_name,
+                                                           const std::string& namespace_) const = 0;
+  virtual NamesAndTypes get_publisher_names_and_types_by_node(const std::string& node_name,
+                                                              const std::string& namespace_,
+                                                              bool no_demangle = false) const = 0;
+  virtual NamesAndTypes get_subscriber_names_and_types_by_node(const std::string& node_name,
+                                                               const std::string& namespace_,
+                                                               bool no_demangle = false) const = 0;
   /// Full names.
   virtual std::vector<std::string> get_node_names() const = 0;
   virtual std::vector<std::pair<std::string, std::string>> get_node_names_and_namespaces()

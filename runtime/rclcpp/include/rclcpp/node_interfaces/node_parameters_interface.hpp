@@ -66,8 +66,7 @@ class NodeParametersInterface {
       const std::string& prefix, std::map<std::string, rclcpp::Parameter>& parameters) const = 0;
   virtual std::vector<rcl_interfaces::msg::ParameterDescriptor> describe_parameters(
       const std::vector<std::string>& names) const = 0;
-  virtual std::vector<uint8_t> get_parameter_types(
-      const std::vector<std::string>& names) const = 0;
+  virtual std::vector<uint8_t> get_parameter_types(const std::vector<std::string>& names) const = 0;
   virtual rcl_interfaces::msg::ListParametersResult list_parameters(
       const std::vector<std::string>& prefixes, uint64_t depth) const = 0;
 
@@ -75,8 +74,7 @@ class NodeParametersInterface {
   using OnParametersSetCallbackType = OnSetParametersCallbackType;
   using PostSetParametersCallbackType =
       PostSetParametersCallbackHandle::PostSetParametersCallbackType;
-  using PreSetParametersCallbackType =
-      PreSetParametersCallbackHandle::PreSetParametersCallbackType;
+  using PreSetParametersCallbackType = PreSetParametersCallbackHandle::PreSetParametersCallbackType;
 
   virtual PreSetParametersCallbackHandle::SharedPtr add_pre_set_parameters_callback(
       PreSetParametersCallbackType callback) = 0;

@@ -16,5 +16,4 @@ class NodeTimeSourceInterface {
 }  // namespace node_interfaces
 }  // namespace rclcpp
 
-RCLCPP_NODE_INTERFACE_HELPERS_SUPPORT(rclcpp::node_interfaces::NodeTimeSourceInterface,
-                                      time_source)
+RCLCPP_NODE_INTERFACE_HELPERS_SUPPORT(rclcpp::node_interfaces::NodeTimeSourceInterface, time_source)

@@ -20,8 +20,7 @@ class NodeTopics : public NodeTopicsInterface {
                         rclcpp::CallbackGroup::SharedPtr callback_group) override;
   NodeBaseInterface* get_node_base_interface() const override { return node_base_; }
   NodeTimersInterface* get_node_timers_interface() const override { return node_timers_; }
-  std::string resolve_topic_name(const std::string& name,
-                                 bool only_expand = false) const override;
+  std::string resolve_topic_name(const std::string& name, bool only_expand = false) const override;
 
  private:
   RCLCPP_DISABLE_COPY(NodeTopics)

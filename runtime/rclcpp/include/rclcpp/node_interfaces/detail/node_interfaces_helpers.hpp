@@ -32,23 +32,23 @@ auto& dereference(T& node) {
 }  // namespace node_interfaces
 }  // namespace rclcpp
 
-#define RCLCPP_NODE_INTERFACE_HELPERS_SUPPORT(InterfaceT, NAME)                    \
-  namespace rclcpp::node_interfaces::helpers {                                      \
-  template <>                                                                      \
-  struct InterfaceOf<InterfaceT> {                                                 \
-    template <typename NodeT>                                                      \
-    static std::shared_ptr<InterfaceT> get(NodeT& node) {                          \
-      return node.get_node_##NAME##_interface();                                   \
-    }                                                                              \
-  };                                                                               \
-  }                                                                                \
-  namespace rclcpp::node_interfaces {                                              \
-  inline std::shared_ptr<InterfaceT> get_node_##NAME##_interface(                  \
-      std::shared_ptr<InterfaceT> interface) {                                     \
-    return interface;                                                              \
-  }                                                                                \
-  template <typename NodeT>                                                        \
-  std::shared_ptr<InterfaceT> get_node_##NAME##_interface(NodeT&& node) {          \
-    return helpers::InterfaceOf<InterfaceT>::get(helpers::dereference(node));        \
-  }                                                                                \
+#define RCLCPP_NODE_INTERFACE_HELPERS_SUPPORT(InterfaceT, NAME)               \
+  namespace rclcpp::node_interfaces::helpers {                                \
+  template <>                                                                 \
+  struct InterfaceOf<InterfaceT> {                                            \
+    template <typename NodeT>                                                 \
+    static std::shared_ptr<InterfaceT> get(NodeT& node) {                     \
+      return node.get_node_##NAME##_interface();                              \
+    }                                                                         \
+  };                                                                          \
+  }                                                                           \
+  namespace rclcpp::node_interfaces {                                         \
+  inline std::shared_ptr<InterfaceT> get_node_##NAME##_interface(             \
+      std::shared_ptr<InterfaceT> interface) {                                \
+    return interface;                                                         \
+  }                                                                           \
+  template <typename NodeT>                                                   \
+  std::shared_ptr<InterfaceT> get_node_##NAME##_interface(NodeT&& node) {     \
+    return helpers::InterfaceOf<InterfaceT>::get(helpers::dereference(node)); \
+  }                                                                           \
   }

@@ -67,6 +67,7 @@ def suites(build: Path, bless: bool) -> list[Suite]:
         return sorted(str(p) for p in (ROOT / "tests" / folder).rglob("*.test.ts"))
 
     rows = [
+        Suite("lint", [sys.executable, "tests/tools/lint.py", "--build", str(build)], "lines"),
         Suite("native", ["ctest", "--test-dir", str(build), "--output-on-failure"], "ctest"),
         Suite(
             "golden",

@@ -242,6 +242,7 @@ Outcome<SitePlan> plan(const PackRequest& request, const BuiltWorkspace& workspa
   PlanInput input{.manifest = workspace.manifest,
                   .nodes = std::move(nodes),
                   .programs = {},
+                  .names = {},
                   .runtime = std::move(runtime).value(),
                   .interfaces = {}};
   for (const LaunchNode& node : input.nodes) {
@@ -252,6 +253,12 @@ Outcome<SitePlan> plan(const PackRequest& request, const BuiltWorkspace& workspa
     }
     if (!bytes) return std::move(bytes).errors();
     input.programs[node.program] = std::move(bytes).value();
+    const fs::path names = fs::path(node.program).replace_extension(".names");
+    std::error_code error;
+    if (!fs::is_regular_file(names, error)) continue;
+    auto text = read_file(names);
+    if (!text) return std::move(text).errors();
+    input.names[node.program] = std::move(text).value();
   }
   for (const InstalledPackage& package : workspace.installed) {
     collect_interfaces(package.prefix, package.name, input.interfaces);

@@ -14,7 +14,7 @@ namespace {
 
 using Reader = std::unique_ptr<archive, decltype(&archive_read_free)>;
 
-constexpr std::size_t kPiece = 256U * 1024U;
+constexpr std::size_t kPiece = std::size_t{256} * 1024;
 
 std::string reason(archive* reader) {
   const char* text = archive_error_string(reader);

@@ -29,6 +29,10 @@ void add(SitePlan& plan, std::string path, std::string reason, std::string bytes
                         .sha256 = std::move(hash)});
 }
 
+std::string names_path(const LaunchNode& node) {
+  return "programs/" + node.package + "/" + node.executable + ".names";
+}
+
 std::string reason_of_program(const std::vector<LaunchNode>& nodes, const LaunchNode& first) {
   std::string users;
   for (const LaunchNode& node : nodes) {
@@ -62,6 +66,7 @@ Outcome<SitePlan> plan_site(PlanInput input) {
   std::map<std::string, bool> threads_of;
   for (const LaunchNode& node : input.nodes) {
     const std::string path = program_path(node);
+    const auto names = input.names.find(node.program);
     if (!threads_of.contains(path)) {
       const std::string& bytes = input.programs.at(node.program);
       const auto module = read_wasm_module(bytes);
@@ -74,8 +79,15 @@ Outcome<SitePlan> plan_site(PlanInput input) {
       }
       threads_of[path] = imports_shared_memory(*module);
       add(plan, path, reason_of_program(input.nodes, node), bytes);
+      if (names != input.names.end()) {
+        add(plan, names_path(node), "function names of " + path + ", fetched when a node crashed",
+            names->second);
+      }
     }
-    plan.nodes.push_back({.node = node, .program = path, .threads = threads_of[path]});
+    plan.nodes.push_back({.node = node,
+                          .program = path,
+                          .names = names == input.names.end() ? "" : names_path(node),
+                          .threads = threads_of[path]});
   }
   if (!errors.empty()) return errors;
   add(plan, "interfaces.json", "definitions of all message types",

@@ -26,6 +26,7 @@ struct PlannedFile {
 struct PlannedNode {
   LaunchNode node;
   std::string program;  ///< path in the site
+  std::string names;    ///< path in the site of its functions' names; empty when there are none
   bool threads = false;
 };
 
@@ -49,6 +50,7 @@ struct PlanInput {
   const Manifest& manifest;
   std::vector<LaunchNode> nodes;
   std::map<std::filesystem::path, std::string> programs;  ///< bytes of each node's program file
+  std::map<std::filesystem::path, std::string> names;     ///< by program file, where there are any
   std::vector<RuntimeAsset> runtime;
   InterfaceTexts interfaces;
 };

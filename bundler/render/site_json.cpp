@@ -25,7 +25,9 @@ void write_node(JsonWriter& json, const PlannedNode& planned) {
   const LaunchNode& node = planned.node;
   json.begin_object().field("id", node.id).field("package", node.package);
   json.field("executable", node.executable).field("label", node.label).field("kind", "cpp");
-  json.field("program", planned.program).field_boolean("threads", planned.threads);
+  json.field("program", planned.program);
+  if (!planned.names.empty()) json.field("names", planned.names);
+  json.field_boolean("threads", planned.threads);
   json.key("arguments").begin_array();
   for (const std::string& argument : node.arguments) json.string(argument);
   json.end_array();

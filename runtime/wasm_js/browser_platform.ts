@@ -65,6 +65,7 @@ export function browserPlatform(base: URL, script: string): Platform & { close()
       }
       return module;
     },
+    bytes: async (path) => (await get(new URL(path, base))).arrayBuffer(),
     startWorker: (name, events) => new BrowserWorker(scriptUrl, name, events),
     frame: (task) => {
       // Frames do not come while the page is hidden.

@@ -51,6 +51,10 @@ export function nodePlatform(folder: string, entry: URL): Platform & { close(): 
       }
       return module;
     },
+    bytes: async (path) => {
+      const { buffer, byteOffset, byteLength } = await bytesOf(folder, path);
+      return buffer.slice(byteOffset, byteOffset + byteLength);
+    },
     startWorker: (name, events: WorkerEvents): WorkerHandle => {
       const worker = new Worker(entry, { workerData: workerMark, name });
       workers.add(worker);

@@ -3,6 +3,7 @@
 import type { Broker } from './broker.ts';
 import type { NodeConsole } from './console_log.ts';
 import type { WorkerReport, WorkerStart } from './node_worker.ts';
+import { functionsIn, withNames } from './function_names.ts';
 import type { Platform, WorkerHandle } from './platform.ts';
 import type { ProgramEnd } from './program.ts';
 import type { NodeState, NodeView, SiteNode } from './session.ts';
@@ -12,6 +13,8 @@ import { SiteError } from './site_error.ts';
 export const stopGraceMs = 5000;
 /** Exit code of a node that did not stop in time, as a shell tells of SIGKILL. */
 const killedCode = 137;
+/** A crash is told without function names when they do not come in time. */
+const namesMs = 3000;
 /** A node that crashes at once is not started again without pause. */
 const leastRespawnMs = 100;
 
@@ -188,10 +191,30 @@ export class NodeRunner {
           run?.threads.delete(handle);
           handle.terminate();
         } else {
-          this.finish(stateOf(report.end), report.closed);
+          void this.onEnd(report.end, report.closed);
         }
         return;
     }
+  }
+
+  /** The program is over and its worker rests; a trap's report gets its names before it is told. */
+  private async onEnd(end: Exclude<ProgramEnd, { kind: 'thread' }>, closed: boolean): Promise<void> {
+    const { attempt } = this;
+    const state = stateOf(end);
+    const { names } = this.node;
+    if (state.kind !== 'crashed' || names === undefined || functionsIn(state.message).size === 0) {
+      this.finish(state, closed);
+      return;
+    }
+    let timer: ReturnType<typeof setTimeout> | undefined;
+    const named = await Promise.race([
+      this.host.platform.bytes(names).then((bytes) => withNames(state.message, bytes), () => state.message),
+      new Promise<string>((resolve) => {
+        timer = setTimeout(() => resolve(state.message), namesMs);
+      }),
+    ]);
+    clearTimeout(timer);
+    if (this.attempt === attempt) this.finish({ ...state, message: named }, closed);
   }
 
   private finish(state: NodeState, closed: boolean): void {

@@ -18,6 +18,8 @@ export interface Platform {
   readonly json: (path: string) => Promise<unknown>;
   /** Fetches and compiles; the same path gives the same module. Throws SiteError R2W0706 or R2W0703. */
   readonly compile: (path: string) => Promise<WebAssembly.Module>;
+  /** The file as it is. Throws SiteError R2W0706. */
+  readonly bytes: (path: string) => Promise<ArrayBuffer>;
   readonly startWorker: (name: string, events: WorkerEvents) => WorkerHandle;
   /** Runs a task at the next animation frame, or soon. */
   readonly frame: (task: () => void) => void;

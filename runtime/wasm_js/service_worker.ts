@@ -119,6 +119,8 @@ async function keepAll(): Promise<void> {
   for (const [url, sha256] of await currentManifest()) {
     const key = keyOf(url, sha256);
     wanted.add(key);
+    // Names of functions are for crash reports: kept once they were asked for.
+    if (url.endsWith('.names')) continue;
     if (await cache.match(key) !== undefined) continue;
     const response = await fetch(url);
     if (response.ok) await keep(url, sha256, response);

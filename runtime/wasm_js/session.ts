@@ -19,6 +19,8 @@ export interface SiteNode {
   readonly kind: 'cpp';
   /** Path of the program, relative to site.json. */
   readonly program: string;
+  /** Path of the names of the program's functions, for crash reports; fetched only then. */
+  readonly names?: string;
   readonly threads: boolean;
   readonly arguments: readonly string[];
   readonly environment: Readonly<Record<string, string>>;

@@ -60,6 +60,7 @@ function readNode(value: unknown, what: string): SiteNode {
   if (kind !== 'cpp') fail(`${what}.kind is ${kind}: this runtime runs programs of kind cpp`);
   const environment = object(json['environment'] ?? {}, `${what}.environment`);
   const source = readSource(json);
+  const names = text(json, 'names', what, '');
   return {
     id: text(json, 'id', what),
     package: text(json, 'package', what),
@@ -67,6 +68,7 @@ function readNode(value: unknown, what: string): SiteNode {
     label: text(json, 'label', what, text(json, 'id', what)),
     kind: 'cpp',
     program: path(text(json, 'program', what), `${what}.program`),
+    ...(names === '' ? {} : { names: path(names, `${what}.names`) }),
     threads: flag(json, 'threads'),
     arguments: list(json, 'arguments', what, (item) => (typeof item === 'string' ? item : fail(`${what}.arguments`))),
     environment: Object.fromEntries(Object.keys(environment).map((key) => [key, text(environment, key, what)])),

@@ -78,6 +78,7 @@ test('a host with the headers: shared memory, and nothing from elsewhere', watch
     assert.equal(await page.evaluate(() => crossOriginIsolated), true);
     assert.match(await page.textContent('body') ?? '', /Shared memory/);
     assert.deepEqual(outside, []);
+    assert.deepEqual(host.requests.filter((path) => path.endsWith('.names')), [], 'names are for crash reports');
     assert.deepEqual(await probeWorker(page, 'blob'), refused);
   } finally {
     await host.close();
@@ -105,6 +106,7 @@ test('offline after the first visit', watchdog, async () => {
   await page.goto(host.url);
   await heard(page);
   await page.waitForFunction(() => document.documentElement.dataset['offline'] === 'kept', null, { timeout: 30_000 });
+  assert.ok(!host.requests.some((path) => path.endsWith('.names')), 'nor are names kept before they are needed');
   await host.close();
   await page.goto(host.url);
   await heard(page);
@@ -159,6 +161,20 @@ test('where no service worker can run: ports, and the policy holds in workers al
     assert.equal(answer.fetch, 'TypeError');
   } finally {
     await host.close();
+  }
+});
+
+test('a crash report names the functions, whose names come only then', watchdog, async () => {
+  const crashing = makeSite([{ program: 'talker.c' }, { program: 'traps.c' }]);
+  const host = await serveSite(crashing, true);
+  try {
+    const page = await open();
+    await page.goto(host.url);
+    await page.getByText(/at ratio \(0x[0-9a-f]+\)/).first().waitFor();
+    assert.deepEqual(host.requests.filter((path) => path.endsWith('.names')), ['/some/path/programs/traps.names']);
+  } finally {
+    await host.close();
+    rmSync(crashing, { recursive: true });
   }
 });
 

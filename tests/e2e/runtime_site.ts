@@ -9,6 +9,7 @@ import { tmpdir } from 'node:os';
 import { extname, join, normalize } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { buildProgram } from '../unit/wasm_js/programs.ts';
+import { splitNames } from '../unit/wasm_js/site_fixture.ts';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
 const types: Readonly<Record<string, string>> = {
@@ -27,8 +28,10 @@ export interface TestNode {
   readonly respawn?: boolean;
 }
 
-/** A temporary folder with a whole site. `more`: further files. */
-export function makeSite(nodes: readonly TestNode[], more: Readonly<Record<string, string>> = {}): string {
+/** A temporary folder with a whole site. `more`: further files; `ui`: as in the manifest. */
+export function makeSite(
+  nodes: readonly TestNode[], more: Readonly<Record<string, string>> = {}, ui: Readonly<Record<string, unknown>> = {},
+): string {
   const folder = mkdtempSync(join(tmpdir(), 'ros2wasm-site-'));
   const assets = join(folder, 'assets');
   execFileSync(process.execPath, [join(root, 'runtime/build.mjs'), '--out', assets]);
@@ -39,10 +42,12 @@ export function makeSite(nodes: readonly TestNode[], more: Readonly<Record<strin
   mkdirSync(join(folder, 'programs'));
   const described = nodes.map(({ program, threads = false, respawn = false }, i) => {
     const name = program.replace(/\..*/, '');
-    copyFileSync(buildProgram(program, { threads }), join(folder, 'programs', `${name}.wasm`));
+    const split = splitNames(readFileSync(buildProgram(program, { threads })));
+    writeFileSync(join(folder, 'programs', `${name}.wasm`), split.program);
+    writeFileSync(join(folder, 'programs', `${name}.names`), split.names);
     return {
       id: `${name}-${i + 1}`, package: 'test', executable: name, label: `/${name}`, kind: 'cpp', threads, respawn,
-      program: `programs/${name}.wasm`, arguments: ['--ros-args'], environment: { COLOUR: 'red' }, output: 'screen',
+      program: `programs/${name}.wasm`, names: `programs/${name}.names`, arguments: ['--ros-args'], environment: { COLOUR: 'red' }, output: 'screen',
       source: { file: 'workspace.yaml', line: 3 + i, column: 5 },
     };
   });
@@ -57,7 +62,7 @@ export function makeSite(nodes: readonly TestNode[], more: Readonly<Record<strin
     });
   writeFileSync(join(folder, 'site.json'), JSON.stringify({
     schema: 1, protocol: 1, generator: 'test', name: 'test', title: 'A test', version: '1', distro: 'jazzy',
-    license: 'Apache-2.0', authors: [], nodes: described, ui: {}, files,
+    license: 'Apache-2.0', authors: [], nodes: described, ui, files,
   }));
   return folder;
 }

@@ -1,6 +1,8 @@
 // Sessions over real programs under Node.js: states, consoles, input, threads, crashes, rules.
 
 import assert from 'node:assert/strict';
+import { rmSync } from 'node:fs';
+import { join } from 'node:path';
 import { test } from 'node:test';
 import type { TopicView } from '../../../runtime/wasm_js/session.ts';
 import { prints, reaches, withSession } from './site_fixture.ts';
@@ -87,6 +89,19 @@ for (const link of ['shared', 'port'] as const) {
       await prints(session, 'talker-5', /Publishing/);
     }, link));
 }
+
+test('a trap names the functions from the file of names; without it, their numbers', watchdog, async () => {
+  for (const lost of [false, true]) {
+    await withSession([{ program: 'traps.c', namesApart: true }], async (session, folder) => {
+      if (lost) rmSync(join(folder, 'programs/traps.names'));
+      session.startAll();
+      const { state } = await reaches(session, 'traps-1', 'crashed');
+      const message = state.kind === 'crashed' ? state.message : '';
+      if (lost) assert.match(message, /^divide by zero\n {2}at \(?wasm-function\[\d+\]:0x[0-9a-f]+\)?/);
+      else assert.match(message, /^divide by zero\n {2}at ratio \(0x[0-9a-f]+\)\n {2}at \S+ \(0x[0-9a-f]+\)/);
+    });
+  }
+});
 
 test('threads throw and catch at once; joined and detached ones end', watchdog, () =>
   withSession([{ program: 'threads.cpp', threads: true }], async (session) => {

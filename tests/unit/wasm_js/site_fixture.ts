@@ -1,6 +1,6 @@
 // A session under Node.js over the small test programs.
 
-import { copyFileSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { copyFileSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { PortBroker, SharedBroker } from '../../../runtime/wasm_js/broker.ts';
@@ -17,17 +17,47 @@ export interface FixtureNode {
   readonly threads?: boolean;
   readonly respawn?: boolean;
   readonly arguments?: readonly string[];
+  /** The names of the functions stand in a file of their own, as `pack` has them; otherwise in the program. */
+  readonly namesApart?: boolean;
+}
+
+/** A module without its custom sections, and a module that has its "name" section only. */
+export function splitNames(module: Uint8Array): { readonly program: Uint8Array; readonly names: Uint8Array } {
+  const header = module.subarray(0, 8);
+  const program = [header];
+  const names = [header];
+  for (let at = 8; at < module.length;) {
+    let end = at + 1;
+    let size = 0;
+    for (let shift = 0; ; shift += 7) {
+      const byte = module[end++] ?? 0;
+      size += (byte & 127) << shift;
+      if (byte < 128) break;
+    }
+    const whole = module.subarray(at, end + size);
+    if (module[at] !== 0) program.push(whole);
+    else if (Buffer.from(module.subarray(end, end + 5)).toString() === '\x04name') names.push(whole);
+    at = end + size;
+  }
+  return { program: Buffer.concat(program), names: Buffer.concat(names) };
 }
 
 export function makeFolder(nodes: readonly FixtureNode[]): string {
   const folder = mkdtempSync(join(tmpdir(), 'ros2wasm-session-'));
   mkdirSync(join(folder, 'programs'));
-  const described = nodes.map(({ program, threads = false, respawn = false, arguments: args = [] }, i) => {
+  const described = nodes.map(({ program, threads = false, respawn = false, arguments: args = [], namesApart }, i) => {
     const name = program.replace(/\..*/, '');
-    copyFileSync(buildProgram(program, { threads }), join(folder, 'programs', `${name}.wasm`));
+    const built = buildProgram(program, { threads });
+    if (namesApart === true) {
+      const split = splitNames(readFileSync(built));
+      writeFileSync(join(folder, 'programs', `${name}.wasm`), split.program);
+      writeFileSync(join(folder, 'programs', `${name}.names`), split.names);
+    } else {
+      copyFileSync(built, join(folder, 'programs', `${name}.wasm`));
+    }
     return {
       id: `${name}-${i + 1}`, package: 'test', executable: name, label: `/${name}`, kind: 'cpp', threads, respawn,
-      program: `programs/${name}.wasm`, arguments: args, environment: { COLOUR: 'red' }, output: 'screen',
+      program: `programs/${name}.wasm`, ...(namesApart === true ? { names: `programs/${name}.names` } : {}), arguments: args, environment: { COLOUR: 'red' }, output: 'screen',
       source: { file: 'workspace.yaml', line: 3 + i, column: 5 },
     };
   });
@@ -41,14 +71,14 @@ export function makeFolder(nodes: readonly FixtureNode[]): string {
 
 /** Runs `use` with a session; everything is closed after it. */
 export async function withSession(
-  nodes: readonly FixtureNode[], use: (session: Session) => Promise<void>, link: LinkKind = 'shared',
+  nodes: readonly FixtureNode[], use: (session: Session, folder: string) => Promise<void>, link: LinkKind = 'shared',
 ): Promise<void> {
   const folder = makeFolder(nodes);
   const platform = nodePlatform(folder, entry);
   const broker = link === 'shared' ? new SharedBroker({ ceiling: 256 << 20 }) : new PortBroker();
   const session = new SiteSession({ site: readSite(await platform.json('site.json')), platform, broker });
   try {
-    await use(session);
+    await use(session, folder);
   } finally {
     session.close();
     platform.close();

@@ -52,6 +52,7 @@ SitePlan plan_of(const std::string& page = "<p>") {
        .nodes = {launched("talker-1", "talker"), launched("crowd-2", "crowd"),
                  launched("talker-3", "talker")},
        .programs = {{"/built/talker.wasm", program(false)}, {"/built/crowd.wasm", program(true)}},
+       .names = {{"/built/talker.wasm", "names"}},
        .runtime = {{.file = "index.html", .role = "page", .bytes = page},
                    {.file = "headless.js", .role = "headless", .bytes = "x"}},
        .interfaces = {{"demo/msg/Num", "int64 num\n"}}});
@@ -74,9 +75,10 @@ TEST(SitePlan, EveryFileHasAReasonAndTheHeadlessEntryStaysOut) {
     EXPECT_FALSE(file.reason.empty()) << file.path;
     EXPECT_EQ(file.sha256, sha256_hex(file.bytes));
   }
-  EXPECT_EQ(paths,
-            (std::vector<std::string>{"index.html", "interfaces.json", "programs/demo/crowd.wasm",
-                                      "programs/demo/talker.wasm", "site.json"}));
+  EXPECT_EQ(paths, (std::vector<std::string>{
+                       "index.html", "interfaces.json", "programs/demo/crowd.wasm",
+                       "programs/demo/talker.names", "programs/demo/talker.wasm", "site.json"}));
+  EXPECT_EQ(file_of(plan, "programs/demo/talker.names")->bytes, "names");
   EXPECT_EQ(file_of(plan, "programs/demo/talker.wasm")->reason, "program of talker-1, talker-3");
 }
 
@@ -88,10 +90,12 @@ TEST(SitePlan, SiteJsonSaysWhatRuns) {
   const auto& nodes = json->find("nodes")->items();
   ASSERT_EQ(nodes.size(), 3U);
   EXPECT_EQ(nodes[0].text_of("program"), "programs/demo/talker.wasm");
+  EXPECT_EQ(nodes[0].text_of("names"), "programs/demo/talker.names");
+  EXPECT_EQ(nodes[1].find("names"), nullptr);
   EXPECT_EQ(nodes[0].find("threads")->boolean(), false);
   EXPECT_EQ(nodes[1].find("threads")->boolean(), true);
   EXPECT_EQ(nodes[0].find("source")->find("line")->integer(), 3);
-  EXPECT_EQ(json->find("files")->items().size(), 4U);
+  EXPECT_EQ(json->find("files")->items().size(), 5U);
   EXPECT_EQ(json->find("ui")->text_of("theme"), "dark");
   EXPECT_EQ(json->find("ui")->find("autostart")->boolean(), false);
 }

@@ -69,9 +69,10 @@ void compare(Gathered& gathered, const std::string& name) {
             {path, "has the sha256 " + found->second->sha256 + " instead of " + entry.sha256});
       }
     } else if (found->second->kind == MemberKind::kLink && found->second->target.empty()) {
-      const bool known = std::any_of(there.begin(), there.end(), [&](const auto& other) {
-        return !entry.sha256.empty() && other.second->sha256 == ascii_lower(entry.sha256);
-      });
+      const bool known = std::any_of(there.begin(), there.end(),
+                                     [sha256 = ascii_lower(entry.sha256)](const auto& other) {
+                                       return !sha256.empty() && other.second->sha256 == sha256;
+                                     });
       if (!known) faults.push_back({path, "is a link without a target"});
     }
   }

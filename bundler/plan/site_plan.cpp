@@ -54,11 +54,13 @@ Outcome<SitePlan> plan_site(PlanInput input) {
   std::set<std::string> paths;
   for (const LaunchNode& node : input.nodes) paths.insert(program_path(node));
   const Manifest& manifest = input.manifest;
+  const auto chosen = manifest.ui.find("theme");
+  const std::string theme = chosen == manifest.ui.end() ? "auto" : chosen->second;
   for (RuntimeAsset& asset : input.runtime) {
     if (asset.role == kHeadlessRole) continue;
     if (asset.role == kPageRole) {
       asset.bytes = page_html(std::move(asset.bytes),
-                              manifest.title.empty() ? manifest.name.value : manifest.title,
+                              manifest.title.empty() ? manifest.name.value : manifest.title, theme,
                               {paths.begin(), paths.end()});
     }
     add(plan, asset.file, reason_of_asset(asset.role), std::move(asset.bytes));

@@ -29,7 +29,7 @@ std::string escaped(std::string_view text) {
 
 }  // namespace
 
-std::string page_html(std::string page, std::string_view title,
+std::string page_html(std::string page, std::string_view title, std::string_view theme,
                       const std::vector<std::string>& programs) {
   constexpr std::string_view kOpen = "<title>";
   const std::size_t open = page.find(kOpen);
@@ -37,6 +37,11 @@ std::string page_html(std::string page, std::string_view title,
   if (open != std::string::npos && close != std::string::npos && open < close) {
     const std::size_t begin = open + kOpen.size();
     page.replace(begin, close - begin, escaped(title));
+  }
+  constexpr std::string_view kRoot = "<html";
+  const std::size_t root = page.find(kRoot);
+  if (root != std::string::npos && (theme == "light" || theme == "dark")) {
+    page.insert(root + kRoot.size(), " data-theme=\"" + std::string(theme) + "\"");
   }
   std::string hints;
   for (const std::string& program : programs) {

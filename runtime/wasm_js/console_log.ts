@@ -3,7 +3,7 @@
 import type { ConsoleLine, ConsoleLog, LogLevel, Unsubscribe } from './session.ts';
 import type { SentLine } from './console_sender.ts';
 
-export const mostConsoleLines = 2000;
+export const mostConsoleLines = 50_000;
 
 const logLine = /^(?:\u001b\[[0-9;]*m)*\[(DEBUG|INFO|WARN|ERROR|FATAL)\] \[/;
 

@@ -4,6 +4,7 @@ import { BusEndpoint, BusHeader, BusSizes, Durability, EndpointKind, History, Re
 import type { Broker } from './broker.ts';
 import type { EndpointRecord } from './graph.ts';
 import type { PortLink } from './port_link.ts';
+import { RateWindow } from './rate_window.ts';
 import type { LastMessage, QosView, TopicView } from './session.ts';
 import type { SharedLink } from './shared_link.ts';
 import { keyIndex, slotWord, unit } from './shared_ring.ts';
@@ -13,17 +14,13 @@ interface WriterCount {
   readonly bytes: number;
 }
 
-interface Past extends WriterCount {
-  readonly time: number;
-}
-
-/** Rates are means over about a second. */
-const windowMs = 1000;
 const wantedMs = 2000;
+/** A time further off than this is not of the clock that `now` is of. */
+const otherClockMs = 60_000;
 
 export class Sampler {
   private readonly broker: Broker;
-  private readonly history = new Map<string, Past[]>();
+  private readonly rates = new Map<string, RateWindow>();
   private readonly wanted = new Map<string, number>();
   private views: readonly TopicView[] = [];
 
@@ -51,7 +48,7 @@ export class Sampler {
     }
     const views: TopicView[] = [];
     for (const name of [...topics.keys()].sort()) views.push(this.view(name, topics.get(name) ?? [], now));
-    for (const name of this.history.keys()) if (!topics.has(name)) this.history.delete(name);
+    for (const name of this.rates.keys()) if (!topics.has(name)) this.rates.delete(name);
     this.views = views;
     return views;
   }
@@ -60,26 +57,24 @@ export class Sampler {
     const publishers = records.filter((record) => record.kind === EndpointKind.publisher);
     let count = 0;
     let bytes = 0;
+    let newest = 0;
     for (const publisher of publishers) {
+      newest = Math.max(newest, this.timeOf(publisher) ?? 0);
       const of = this.countOf(publisher);
       count += of.count;
       bytes += of.bytes;
     }
-    const past = this.history.get(name) ?? [];
-    // A publisher that left takes its count along: begin again.
-    if ((past[past.length - 1]?.count ?? 0) > count) past.length = 0;
-    past.push({ time: now, count, bytes });
-    while (past.length > 2 && now - (past[1]?.time ?? now) >= windowMs) past.shift();
-    this.history.set(name, past);
-    const first = past[0] ?? { time: now, count, bytes };
-    const seconds = (now - first.time) / 1000;
+    const window = this.rates.get(name) ?? new RateWindow();
+    this.rates.set(name, window);
+    window.add(count, bytes, Math.abs(now - newest) < otherClockMs ? newest : now);
+    const rate = window.rate(now);
     return {
       name,
       type: records[0]?.type ?? '',
       publishers: publishers.length,
       subscriptions: records.length - publishers.length,
-      rateHz: seconds > 0 ? (count - first.count) / seconds : 0,
-      bytesPerSecond: seconds > 0 ? (bytes - first.bytes) / seconds : 0,
+      rateHz: rate.hz,
+      bytesPerSecond: rate.bytesPerSecond,
       count,
       qos: qosViews(publishers),
     };
@@ -96,6 +91,12 @@ export class Sampler {
       count: wide(BusEndpoint.head, BusEndpoint.headHigh),
       bytes: wide(BusEndpoint.bytesLow, BusEndpoint.bytesHigh),
     };
+  }
+
+  /** When a writer's newest message was published, ms since 1970. */
+  private timeOf(record: EndpointRecord): number | undefined {
+    const { link } = this.broker;
+    return link.kind === 'port' ? link.sampled().get(record.key)?.time : readNewest(link, record, (at) => timeAt(link, at));
   }
 
   /** The newest message on a topic, whichever publisher it came from. */
@@ -120,8 +121,23 @@ function portLast(link: PortLink, record: EndpointRecord): LastMessage | undefin
   return { bytes: sample.payload.slice(), receivedAt: sample.time, count: sample.count };
 }
 
-/** Reads the newest frame of a writer in place, under an observer's hazard word. */
 function sharedLast(link: SharedLink, record: EndpointRecord): LastMessage | undefined {
+  return readNewest(link, record, (offset, length, count) => ({
+    bytes: link.bus.u8.slice(offset + BusSizes.align, offset + BusSizes.align + length),
+    receivedAt: timeAt(link, offset),
+    count,
+  }));
+}
+
+function timeAt(link: SharedLink, offset: number): number {
+  const words = link.bus.i32;
+  return ((words[(offset >> 2) + 4]! >>> 0) + words[(offset >> 2) + 5]! * 2 ** 32) / 1e6;
+}
+
+/** Looks at the newest frame of a writer in place, under an observer's hazard word. `offset` and `length` in bytes. */
+function readNewest<T>(
+  link: SharedLink, record: EndpointRecord, look: (offset: number, length: number, count: number) => T,
+): T | undefined {
   const { bus } = link;
   const word = bus.endpointWord(keyIndex(record.key));
   const hazard = BusHeader.observers;
@@ -142,11 +158,9 @@ function sharedLast(link: SharedLink, record: EndpointRecord): LastMessage | und
     if (held) {
       const offset = frame * unit;
       bus.reach(offset + BusSizes.align + length);
-      const words = bus.i32;
-      const time = ((words[(offset >> 2) + 4]! >>> 0) + words[(offset >> 2) + 5]! * 2 ** 32) / 1e6;
-      const bytes = bus.u8.slice(offset + BusSizes.align, offset + BusSizes.align + length);
+      const seen = look(offset, length, head >>> 0);
       Atomics.store(bus.i32, hazard, 0);
-      return { bytes, receivedAt: time, count: head >>> 0 };
+      return seen;
     }
     Atomics.store(bus.i32, hazard, 0);
   }

@@ -178,6 +178,35 @@ test('a crash report names the functions, whose names come only then', watchdog,
   }
 });
 
+test("the author's theme is shown, and the visitor's choice wins over it", watchdog, async () => {
+  const ground = (page: Page): Promise<string> => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+  const seen: Record<string, string> = {};
+  for (const [theme, colorScheme] of [['dark', 'light'], ['light', 'dark'], ['auto', 'dark'], ['auto', 'light']] as const) {
+    const site = makeSite([{ program: 'talker.c' }], {}, { theme });
+    const host = await serveSite(site, true);
+    try {
+      const page = await open({ colorScheme });
+      await page.goto(host.url);
+      await page.getByRole('button', { name: /^Theme: / }).waitFor();
+      seen[`${theme} on ${colorScheme}`] = await ground(page);
+      if (theme !== 'dark') continue;
+      await page.getByRole('button', { name: /^Theme: dark/ }).click();
+      await page.reload();
+      await page.getByRole('button', { name: /^Theme: as the system/ }).waitFor();
+      seen['the visitor on light'] = await ground(page);
+    } finally {
+      await host.close();
+      rmSync(site, { recursive: true });
+    }
+  }
+  const dark = seen['auto on dark'];
+  const light = seen['auto on light'];
+  assert.notEqual(dark, light);
+  assert.deepEqual(seen, {
+    'dark on light': dark, 'the visitor on light': light, 'light on dark': light, 'auto on dark': dark, 'auto on light': light,
+  });
+});
+
 test('in a frame of a foreign page the port link runs', watchdog, async () => {
   const host = await serveSite(folder, false);
   try {

@@ -5,7 +5,7 @@ import { test } from 'node:test';
 import { EndpointKind, ErrorCode, PolicyKind } from '../../../runtime/protocol/generated/constants.ts';
 import { type Bus, createBus } from '../../../runtime/wasm_js/bus.ts';
 import { putNanoseconds, steadyNanoseconds, systemNanoseconds } from '../../../runtime/wasm_js/clock.ts';
-import { NodeConsole } from '../../../runtime/wasm_js/console_log.ts';
+import { mostConsoleLines, NodeConsole } from '../../../runtime/wasm_js/console_log.ts';
 import { ConsoleSender, LocalCredit, type SentLine } from '../../../runtime/wasm_js/console_sender.ts';
 import { type EndpointRecord, Graph, hiddenNamespace, relate } from '../../../runtime/wasm_js/graph.ts';
 import { encodeGraph } from '../../../runtime/wasm_js/graph_snapshot.ts';
@@ -111,10 +111,22 @@ test('a console finds the level of ROS 2 log lines, coloured ones too', () => {
   for (const task of tasks) task();
   assert.equal(told.length, 3);
   off();
-  for (let i = 0; i < 5000; i += 1) log.add([[1, 1, `${i}`]], 0);
-  assert.equal(log.lines().length, 2000);
-  assert.equal(log.lines().at(-1)?.text, '4999');
-  assert.equal(log.dropped(), 5003 - 2000);
+  log.add([[1, 1, 'after']], 0);
+  assert.equal(told.length, 3);
+});
+
+test('a console keeps its newest fifty thousand lines, and says how many fell off', () => {
+  const console = new NodeConsole((task) => task());
+  const batch = 500;
+  for (let from = 0; from < 120_000; from += batch) {
+    console.add(Array.from({ length: batch }, (_, i) => [1, 1000, `line ${from + i}`] as const), 0);
+  }
+  const lines = console.lines();
+  assert.equal(lines.length, mostConsoleLines);
+  assert.ok(mostConsoleLines >= 50_000);
+  assert.equal(lines[0]?.text, `line ${120_000 - mostConsoleLines}`);
+  assert.equal(lines.at(-1)?.text, 'line 119999');
+  assert.equal(console.dropped(), 120_000 - mostConsoleLines);
 });
 
 test('pages: runs are found, freed, merged; the ceiling is an error', () => {

@@ -102,11 +102,20 @@ TEST(SitePlan, SiteJsonSaysWhatRuns) {
 
 TEST(PageHtml, HasTheTitleAndHintsAndNothingUnescaped) {
   const std::string page = "<head><title>ros2wasm</title></head><body></body>";
-  EXPECT_EQ(page_html(page, "A & <b>", {"programs/demo/talker.wasm"}),
+  EXPECT_EQ(page_html(page, "A & <b>", "auto", {"programs/demo/talker.wasm"}),
             "<head><title>A &amp; &lt;b&gt;</title><link rel=\"preload\" "
             "href=\"programs/demo/talker.wasm\" "
             "as=\"fetch\" crossorigin>\n</head><body></body>");
-  EXPECT_EQ(page_html("<p>", "t", {"x"}), "<p>");
+  EXPECT_EQ(page_html("<p>", "t", "dark", {"x"}), "<p>");
+}
+
+TEST(PageHtml, TheAuthorsThemeIsThereBeforeAnythingIsDrawn) {
+  EXPECT_EQ(page_html("<html lang=\"en\">", "", "dark", {}),
+            "<html data-theme=\"dark\" lang=\"en\">");
+  EXPECT_EQ(page_html("<html>", "", "light", {}), "<html data-theme=\"light\">");
+  EXPECT_EQ(page_html("<html>", "", "auto", {}), "<html>");
+  EXPECT_NE(file_of(plan_of("<html>"), "index.html")->bytes.find("data-theme=\"dark\""),
+            std::string::npos);
 }
 
 TEST(SitePlan, TheSameInputGivesTheSameBytes) {

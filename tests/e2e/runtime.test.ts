@@ -207,6 +207,22 @@ test("the author's theme is shown, and the visitor's choice wins over it", watch
   });
 });
 
+test('a browser that can neither share memory nor suspend is told so', watchdog, async () => {
+  const host = await serveSite(folder, true);
+  try {
+    const page = await open();
+    await page.addInitScript(() => {
+      Reflect.deleteProperty(globalThis, 'SharedArrayBuffer');
+      Reflect.deleteProperty(WebAssembly, 'Suspending');
+    });
+    await page.goto(host.url);
+    await page.getByText('error[R2W0705]').waitFor();
+    await page.getByText('open the page in a tab of its own, in a current browser').waitFor();
+  } finally {
+    await host.close();
+  }
+});
+
 test('in a frame of a foreign page the port link runs', watchdog, async () => {
   const host = await serveSite(folder, false);
   try {

@@ -54,6 +54,27 @@ TEST(Explain, EveryCodeHasAPage) {
   }
 }
 
+/// Codes that any test but this one names.
+std::set<std::string> codes_in_tests() {
+  static const std::regex kCode("R2W[0-9]{4}");
+  std::set<std::string> codes;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(kRoot / "tests")) {
+    if (!entry.is_regular_file() || entry.path().filename() == "explain_test.cpp") continue;
+    const std::string text = read(entry.path());
+    for (std::sregex_iterator at(text.begin(), text.end(), kCode), end; at != end; ++at) {
+      codes.insert(at->str());
+    }
+  }
+  return codes;
+}
+
+TEST(Explain, EveryCodeHasATest) {
+  const auto tested = codes_in_tests();
+  for (const auto& [code, file] : codes_in_sources()) {
+    EXPECT_TRUE(tested.contains(code)) << file << " uses " << code << ", and no test names it";
+  }
+}
+
 TEST(Explain, EveryPageHasACode) {
   const auto codes = codes_in_sources();
   for (const EmbeddedText& page : explain_pages()) {

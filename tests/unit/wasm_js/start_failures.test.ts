@@ -1,0 +1,55 @@
+// Nodes that cannot start: no place on the bus, a worker whose script breaks, an engine that cannot suspend.
+
+import assert from 'node:assert/strict';
+import { rmSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { pathToFileURL } from 'node:url';
+import { type Broker, PortBroker, SharedBroker } from '../../../runtime/wasm_js/broker.ts';
+import { nodePlatform } from '../../../runtime/wasm_js/node_platform.ts';
+import type { NodeState } from '../../../runtime/wasm_js/session.ts';
+import { readSite } from '../../../runtime/wasm_js/site_reader.ts';
+import { SiteSession } from '../../../runtime/wasm_js/site_session.ts';
+import { makeFolder, reaches } from './site_fixture.ts';
+
+const watchdog = { timeout: 60_000 };
+const headless = new URL('../../../runtime/wasm_js/headless.ts', import.meta.url);
+
+/** How the only node of a site ends; `script` is what its worker begins with. */
+async function endOf(broker: Broker, script = ''): Promise<NodeState> {
+  const folder = makeFolder([{ program: 'talker.c' }]);
+  const entry = join(folder, 'entry.mjs');
+  writeFileSync(entry, `${script}\nawait import(${JSON.stringify(headless.href)});\n`);
+  const platform = nodePlatform(folder, pathToFileURL(entry));
+  const session = new SiteSession({ site: readSite(await platform.json('site.json')), platform, broker });
+  try {
+    session.startAll();
+    return (await reaches(session, 'talker-1', 'crashed')).state;
+  } finally {
+    session.close();
+    platform.close();
+    rmSync(folder, { recursive: true });
+  }
+}
+
+test('R2W0707: a site with more nodes than the bus has places', watchdog, async () => {
+  const broker = new SharedBroker({ ceiling: 64 << 20 });
+  let places = 0;
+  while (broker.admit() !== undefined) places += 1;
+  assert.ok(places >= 100, `${places} places`);
+  assert.deepEqual(await endOf(broker), {
+    kind: 'crashed', code: 'R2W0707', message: 'the site has more nodes than the bus has places',
+  });
+});
+
+test('R2W0708: a worker whose script breaks', watchdog, async () => {
+  assert.deepEqual(await endOf(new SharedBroker({ ceiling: 64 << 20 }), "throw new Error('the script broke');"), {
+    kind: 'crashed', code: 'R2W0708', message: 'the script broke',
+  });
+});
+
+test('R2W0705: neither shared memory nor an engine that suspends', watchdog, async () => {
+  assert.deepEqual(await endOf(new PortBroker(), 'delete WebAssembly.Suspending;'), {
+    kind: 'crashed', code: 'R2W0705', message: 'this browser can neither share memory with this page nor suspend a program',
+  });
+});

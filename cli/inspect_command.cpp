@@ -1,8 +1,13 @@
 // `ros2wasm inspect version|spec|match|archive`: what the parsers make of a text or a file, one
 // JSON object a line.
+#include <poll.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
 #include <charconv>
-#include <iostream>
 #include <memory>
+#include <utility>
 
 #include "bundler/archive/package_listing.hpp"
 #include "bundler/io/sha256.hpp"
@@ -47,20 +52,9 @@ std::string spec_line(const std::string& input) {
   if (!spec) return failed(input, spec.errors());
   JsonWriter json;
   json.begin_object().field("input", input).key("parsed").begin_object();
-  json.field("name", spec->name().text());
-  if (!spec->version().any()) json.field("version", spec->version().text());
-  if (spec->build()) json.field("build", spec->build()->text());
-  if (spec->channel()) json.field("channel", spec->channel()->text());
-  if (!spec->subdir().empty()) json.field("subdir", spec->subdir());
+  for (const auto& [key, value] : spec->fields()) json.field(key, value);
   json.end_object().end_object();
   return json.text();
-}
-
-/// A name that the spec matches: its own, with nothing in place of each `*`.
-std::string fitting_name(const MatchSpec& spec) {
-  std::string name = spec.name().text();
-  std::erase(name, '*');
-  return name.empty() ? "package" : name;
 }
 
 /// Build strings end with their number by custom: "py39_1".
@@ -71,35 +65,67 @@ std::uint64_t number_of_build(std::string_view build) {
   return number;
 }
 
-/// "spec<TAB>version<TAB>build", as if the package had the spec's name.
+/// "spec<TAB>version<TAB>build": for a package of the spec's name, channel and so on, about which
+/// the line says nothing.
 std::string match_line(const std::string& input) {
   const std::size_t first = input.find('\t');
   const std::size_t second = first == std::string::npos ? first : input.find('\t', first + 1);
   if (first == std::string::npos) {
     return failed(input, {usage_error("the line is not of the form spec<TAB>version<TAB>build")});
   }
-  const auto spec = MatchSpec::parse(input.substr(0, first));
+  const auto spec = MatchSpec::parse(std::string_view(input).substr(0, first));
   if (!spec) return failed(input, spec.errors());
-  PackageRecord record{
-      .name = fitting_name(*spec),
-      .version = input.substr(first + 1, second == std::string::npos ? second : second - first - 1),
-      .build = second == std::string::npos ? std::string() : input.substr(second + 1)};
-  record.build_number = number_of_build(record.build);
-  const auto version = Version::parse(record.version);
+  const std::string_view rest = std::string_view(input).substr(first + 1);
+  const auto version = Version::parse(rest.substr(0, rest.find('\t')));
   if (!version) return failed(input, version.errors());
+  const std::string_view build =
+      second == std::string::npos ? std::string_view() : std::string_view(input).substr(second + 1);
   JsonWriter json;
   json.begin_object()
       .field("input", input)
-      .field_boolean("matches", spec->matches(record, *version))
+      .field_boolean("matches", spec->matches_build(*version, build, number_of_build(build)))
       .end_object();
   return json.text();
 }
 
+/// What is ready is answered at once, so that a program can talk line by line through pipes, and a
+/// million lines do not cost a million writes.
 int each_line(Context& context, std::string (*answer)(const std::string&)) {
-  for (std::string line; std::getline(std::cin, line);) {
+  constexpr std::size_t kLongestLine = 1 << 20;
+  std::string pending;
+  std::string chunk(1 << 16, '\0');
+  std::string answers;
+  bool passing_over = false;
+  const auto take_line = [&](std::string line) {
     if (line.ends_with('\r')) line.pop_back();
-    context.console.result(answer(line));
+    answers += answer(line) + "\n";
+  };
+  for (;;) {
+    std::array<pollfd, 2> ready{
+        {{.fd = STDIN_FILENO, .events = POLLIN, .revents = 0},
+         {.fd = context.cancellation.wake_fd(), .events = POLLIN, .revents = 0}}};
+    const int polled = ::poll(ready.data(), ready.size(), -1);
+    if (context.cancellation.requested()) return context.console.fail({interrupted()});
+    if (polled < 0 && errno == EINTR) continue;
+    const ssize_t count = ::read(STDIN_FILENO, chunk.data(), chunk.size());
+    if (count <= 0) break;
+    std::string_view rest(chunk.data(), static_cast<std::size_t>(count));
+    for (std::size_t end = rest.find('\n'); end != std::string_view::npos; end = rest.find('\n')) {
+      pending += rest.substr(0, end);
+      rest.remove_prefix(end + 1);
+      if (!std::exchange(passing_over, false)) take_line(std::move(pending));
+      pending.clear();
+    }
+    if (!passing_over) pending += rest;
+    if (pending.size() > kLongestLine) {
+      answers += failed(pending.substr(0, 100), {usage_error("the line is too long")}) + "\n";
+      pending.clear();
+      passing_over = true;
+    }
+    context.console.result_text(std::exchange(answers, {}));
   }
+  if (!pending.empty()) take_line(std::move(pending));
+  context.console.result_text(answers);
   return 0;
 }
 

@@ -23,24 +23,23 @@ constexpr auto kBracketKeys = std::to_array<std::string_view>(
 /// Fills a MatchSpec step by step. `fault_` is set by the first step that cannot go on.
 class MatchSpecReader {
  public:
-  explicit MatchSpecReader(std::string_view text) : given_(trimmed(text)) {
-    spec_.text_ = std::string(given_);
+  explicit MatchSpecReader(std::string_view text) : given_(text) {
+    spec_.text_ = std::string(trimmed(text));
   }
 
   Outcome<MatchSpec> read() {
-    if (given_.empty()) return bad("it is empty");
+    if (spec_.text_.empty()) return bad("it is empty");
     if (given_.size() > kLongest) return bad("it is too long");
     if (first_control_character()) return bad("it has a control character");
     std::string text = without_comment();
     if (const std::size_t condition = text.find(" if "); condition != std::string::npos)
       text.resize(condition);
-    text = std::string(trimmed(text));
     if (text.ends_with('@')) return feature(text.substr(0, text.size() - 1));
     if (is_archive_name(text)) return archive(text);
     if (!take_brackets(text)) return fault_;
     (void)take_section(text, '(', ')');  // an old form; conda drops it too
     take_channel(text);
-    if (!take_name(text) || !take_version(text) || !apply_brackets()) return fault_;
+    if (!take_name(text) || !part_version(text) || !apply_fields()) return fault_;
     return std::move(spec_);
   }
 
@@ -92,13 +91,17 @@ class MatchSpecReader {
     const std::string_view folder = std::string_view(text).substr(0, text.size() - file.size());
     const bool in_subdir =
         known_subdir(last_part(folder.substr(0, folder.empty() ? 0 : folder.size() - 1)));
-    if (version == std::string_view::npos || version == 0) {
+    if (build == std::string_view::npos || version == std::string_view::npos || version == 0) {
       if (in_subdir) return bad("the file name has not the parts name, version and build");
       spec_.name_ = *TextPattern::parse("*", LetterCase::kIgnored);
       return std::move(spec_);
     }
     // The name is kept although the file says all, so that the package can be looked up.
     const std::string name = ascii_lower(stem.substr(0, version));
+    spec_.build_ = *TextPattern::parse(stem.substr(build + 1), LetterCase::kCounts);
+    auto exactly =
+        VersionSpec::parse("==" + std::string(stem.substr(version + 1, build - version - 1)));
+    if (exactly) spec_.version_ = std::move(*exactly);
     spec_.name_ = *TextPattern::parse(is_package_name(name) ? name : "*", LetterCase::kIgnored);
     return std::move(spec_);
   }
@@ -111,7 +114,8 @@ class MatchSpecReader {
       if (std::find(kBracketKeys.begin(), kBracketKeys.end(), pair.key) == kBracketKeys.end()) {
         return fail("there is no field `" + pair.key + "`");
       }
-      brackets_[pair.key] = std::move(pair.value);
+      if (pair.key == "version") pair.value = normal_version(pair.value, false);
+      fields_[pair.key] = std::move(pair.value);
     }
     return true;
   }
@@ -155,13 +159,15 @@ class MatchSpecReader {
     return true;
   }
 
-  bool take_version(const std::string& rest) {
-    const std::string text = without_idle_spaces(trimmed(rest));
+  /// What stands in brackets wins, so nothing is made of the parts yet.
+  bool part_version(const std::string& rest) {
+    const std::string text = with_single_spaces(trimmed(rest));
     if (text.empty()) return true;
     if (text.find('[') != std::string::npos) return fail("it has more than one bracket section");
-    const VersionAndBuild parts = part_version_and_build(text);
-    return set_version(normal_version(parts.version, parts.build.has_value())) &&
-           (!parts.build || set_pattern(spec_.build_, *parts.build, LetterCase::kCounts));
+    VersionAndBuild parts = part_version_and_build(text);
+    fields_.emplace("version", normal_version(parts.version, parts.build.has_value()));
+    if (parts.build) fields_.emplace("build", std::move(*parts.build));
+    return true;
   }
 
   bool set_version(const std::string& text) {
@@ -179,7 +185,24 @@ class MatchSpecReader {
     return true;
   }
 
-  bool set_build_number(const std::string& text) {
+  /// A whole number, a comparison, or a regular expression over its digits; conda takes any other
+  /// text too, and no number is equal to it.
+  bool set_build_number(std::string_view text) {
+    text = trimmed(text);
+    if (text == "*") return true;
+    if (text.empty()) return fail("`build_number` is empty");
+    if (const auto number = whole_number(text)) {
+      text = *number;
+    } else if (text.front() == '^' || text.back() == '$') {
+      if (text.front() != '^' || text.back() != '$')
+        return fail("a regular expression begins with `^` and ends with `$`");
+      return set_pattern(spec_.build_number_text_, std::string(text), LetterCase::kCounts);
+    } else if (std::string_view("=<>!").find(text.front()) == std::string_view::npos) {
+      spec_.no_build_number_ = true;
+      return true;
+    } else if (text.find_first_of("()|,^$ ") != std::string_view::npos) {
+      return fail("`build_number` is neither a number nor one comparison");
+    }
     auto number = VersionSpec::parse(text);
     if (!number) return fail("`build_number` is neither a number nor a comparison");
     spec_.build_number_ = std::move(*number);
@@ -200,12 +223,11 @@ class MatchSpecReader {
     return words;
   }
 
-  /// What stands in brackets wins over what stands before, but for the name.
-  bool apply_brackets() {
-    for (const auto& [key, value] : brackets_) {
+  bool apply_fields() {
+    for (const auto& [key, value] : fields_) {
       bool fine = true;
       if (key == "version") {
-        fine = set_version(normal_version(value, false));
+        fine = set_version(value);
       } else if (key == "build") {
         fine = set_pattern(spec_.build_, value, LetterCase::kCounts);
       } else if (key == "build_number") {
@@ -229,7 +251,7 @@ class MatchSpecReader {
       }
       if (!fine) return false;
     }
-    if (const auto subdir = brackets_.find("subdir"); subdir != brackets_.end())
+    if (const auto subdir = fields_.find("subdir"); subdir != fields_.end())
       spec_.subdir_ = subdir->second;
     return channel_.empty() || set_pattern(spec_.channel_, channel_, LetterCase::kCounts);
   }
@@ -237,7 +259,7 @@ class MatchSpecReader {
   std::string_view given_;
   MatchSpec spec_;
   std::string channel_;
-  std::map<std::string, std::string> brackets_;
+  std::map<std::string, std::string> fields_;
   Diagnostics fault_;
 };
 
@@ -268,13 +290,44 @@ bool same_if_asked(const std::string& wanted, const std::string& value) {
 
 }  // namespace
 
-bool MatchSpec::matches(const PackageRecord& record, const Version& version) const {
-  if (impossible_ || !name_.matches(record.name) || !version_.matches(version)) return false;
-  if (build_ && !build_->matches(record.build)) return false;
-  if (build_number_) {
-    const auto number = Version::parse(std::to_string(record.build_number));
-    if (!number || !build_number_->matches(*number)) return false;
+std::vector<std::pair<std::string_view, std::string>> MatchSpec::fields() const {
+  std::vector<std::pair<std::string_view, std::string>> fields{{"name", name_.text()}};
+  const auto add = [&fields](std::string_view key, const std::string& value) {
+    if (!value.empty()) fields.emplace_back(key, value);
+  };
+  if (!version_.any()) add("version", version_.text());
+  if (build_) add("build", build_->text());
+  if (build_number_) add("build_number", build_number_->text());
+  if (build_number_text_) add("build_number", build_number_text_->text());
+  if (channel_) add("channel", channel_->text());
+  add("subdir", subdir_);
+  if (license_) add("license", license_->text());
+  if (track_features_) {
+    std::string words;
+    for (const std::string& word : *track_features_) words += (words.empty() ? "" : " ") + word;
+    add("track_features", words);
   }
+  add("fn", file_name_);
+  add("url", url_);
+  add("sha256", sha256_);
+  add("md5", md5_);
+  return fields;
+}
+
+bool MatchSpec::matches_build(const Version& version, std::string_view build,
+                              std::uint64_t build_number) const {
+  if (!version_.matches(version) || (build_ && !build_->matches(build))) return false;
+  if (no_build_number_) return false;
+  if (!build_number_ && !build_number_text_) return true;
+  const std::string digits = std::to_string(build_number);
+  if (build_number_text_) return build_number_text_->matches(digits);
+  const auto number = Version::parse(digits);
+  return number && build_number_->matches(*number);
+}
+
+bool MatchSpec::matches(const PackageRecord& record, const Version& version) const {
+  if (impossible_ || !name_.matches(record.name)) return false;
+  if (!matches_build(version, record.build, record.build_number)) return false;
   if (channel_ && !channel_matches(*channel_, record.channel)) return false;
   if (license_ && !license_->matches(record.license)) return false;
   if (track_features_ && *track_features_ != record.track_features) return false;

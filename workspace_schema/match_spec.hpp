@@ -2,9 +2,11 @@
 // conda wins; the decisions are listed in docs/match-specs.md.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "workspace_schema/outcome.hpp"
@@ -29,7 +31,13 @@ class MatchSpec {
   [[nodiscard]] const std::optional<TextPattern>& build() const { return build_; }
   [[nodiscard]] const std::string& subdir() const { return subdir_; }  ///< empty: any
 
+  /// All that is asked for, under conda's names of the fields.
+  [[nodiscard]] std::vector<std::pair<std::string_view, std::string>> fields() const;
+
   [[nodiscard]] bool matches(const PackageRecord& record, const Version& version) const;
+  /// Only what the spec says of versions, builds and build numbers.
+  [[nodiscard]] bool matches_build(const Version& version, std::string_view build,
+                                   std::uint64_t build_number) const;
   /// Parses the record's version; a record whose version does not parse matches nothing.
   [[nodiscard]] bool matches(const PackageRecord& record) const;
 
@@ -41,7 +49,9 @@ class MatchSpec {
   VersionSpec version_;
   std::optional<TextPattern> channel_;
   std::optional<TextPattern> build_;
-  std::optional<VersionSpec> build_number_;  ///< conda compares numbers as versions
+  std::optional<VersionSpec> build_number_;       ///< conda compares numbers as versions
+  std::optional<TextPattern> build_number_text_;  ///< a regular expression over its digits
+  bool no_build_number_ = false;                  ///< asks for a number that is none
   std::optional<TextPattern> license_;
   std::optional<std::vector<std::string>> track_features_;  ///< sorted; must be the same
   std::string subdir_;                                      ///< these are empty when not asked for

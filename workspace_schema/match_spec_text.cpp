@@ -63,9 +63,17 @@ std::optional<std::string> take_section(std::string& text, char open, char close
   if (end == std::string::npos || end == 0) return std::nullopt;
   const std::size_t start = text.rfind(open, end - 1);
   if (start == std::string::npos) return std::nullopt;
-  std::string inside = text.substr(start + 1, end - start - 1);
-  text.erase(start, end - start + 1);
-  return inside;
+  const std::string section = text.substr(start, end - start + 1);
+  std::string rest;
+  std::size_t from = 0;
+  for (std::size_t at = text.find(section); at != std::string::npos;
+       at = text.find(section, from)) {
+    rest.append(text, from, at - from);
+    from = at + section.size();
+  }
+  rest.append(text, from);
+  text = std::move(rest);
+  return section.substr(1, section.size() - 2);
 }
 
 std::vector<BracketPair> bracket_pairs(std::string_view text) {
@@ -90,17 +98,37 @@ std::string normal_version(const std::string& version, bool has_build) {
   const std::string rest = solid == std::string::npos ? std::string() : version.substr(solid);
   if (version.starts_with("==") && !has_build) return rest;
   if (rest.find_first_of("=,|") != std::string::npos) return version;
-  if (!has_build && !rest.ends_with('*')) return rest + "*";
-  return rest;
+  if (has_build || rest.ends_with('*')) return rest;
+  const bool plain = rest.find('*') == std::string::npos && !rest.empty() && !rest.ends_with('.');
+  return rest + (plain ? ".*" : "*");
 }
 
-std::string without_idle_spaces(std::string_view text) {
+std::string with_single_spaces(std::string_view text) {
   std::string out;
   for (const char c : text) {
-    if (one_of(c, " \t") && !out.empty() && one_of(out.back(), "<>=!~,|")) continue;
-    out += c;
+    const bool idle =
+        c == ' ' && out.size() > 1 && out.back() == ' ' && one_of(out[out.size() - 2], "<>=!~,|");
+    if (!idle) out += c;
   }
   return out;
+}
+
+std::optional<std::string> whole_number(std::string_view text) {
+  const bool negative = text.starts_with('-');
+  if (negative || text.starts_with('+')) text.remove_prefix(1);
+  std::string digits;
+  char last = '_';
+  for (const char c : text) {
+    if (c >= '0' && c <= '9') {
+      digits += c;
+    } else if (c != '_' || last == '_') {
+      return std::nullopt;
+    }
+    last = c;
+  }
+  if (last == '_' || (negative && digits.find_first_not_of('0') != std::string::npos))
+    return std::nullopt;
+  return digits;
 }
 
 VersionAndBuild part_version_and_build(std::string_view text) {
@@ -118,15 +146,14 @@ VersionAndBuild part_version_and_build(std::string_view text) {
 }
 
 bool is_package_name(std::string_view name) {
-  std::size_t i = 0;
-  while (i < name.size() && i < 2 && name[i] == '_') ++i;
-  if (i == name.size()) return false;
-  bool separated = true;  // a separator now would be doubled
-  for (; i < name.size(); ++i) {
-    const char c = name[i];
-    const bool separator = c == '.' || c == '-' || c == '_';
-    if (!separator && !((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'))) return false;
-    if (separator && separated) return false;
+  const auto solid = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'); };
+  const bool virtual_package = name.starts_with("__");
+  const std::size_t first = virtual_package ? 2 : 0;
+  if (first >= name.size() || !(solid(name[first]) || (first == 0 && name[0] == '_'))) return false;
+  bool separated = false;
+  for (const char c : name.substr(first + 1)) {
+    const bool separator = one_of(c, "._-");
+    if (!solid(c) && (!separator || separated)) return false;
     separated = separator;
   }
   return true;

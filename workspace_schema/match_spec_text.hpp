@@ -14,8 +14,8 @@ namespace ros2wasm {
 
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 
-/// Takes the last "(...)" or "[...]" out of `text` and returns what is inside; nothing when there
-/// is none.
+/// Takes the last "(...)" or "[...]" out of `text`, wherever it stands, and returns what is inside;
+/// nothing when there is none.
 [[nodiscard]] std::optional<std::string> take_section(std::string& text, char open, char close);
 
 struct BracketPair {
@@ -26,11 +26,15 @@ struct BracketPair {
 /// All `key=value` of a bracket section; what is none of them is passed over, as conda does.
 [[nodiscard]] std::vector<BracketPair> bracket_pairs(std::string_view text);
 
-/// "=1.2" -> "1.2*", "==1.2" -> "1.2": conda's way to write fuzzy and exact.
+/// "=1.2" -> "1.2.*", "==1.2" -> "1.2": conda's way to write fuzzy and exact.
 [[nodiscard]] std::string normal_version(const std::string& version, bool has_build);
 
-/// Spaces behind a sign of comparison or a comma mean nothing.
-[[nodiscard]] std::string without_idle_spaces(std::string_view text);
+/// One space in place of several behind a sign of comparison or a comma, where conda would take
+/// what follows for a build string.
+[[nodiscard]] std::string with_single_spaces(std::string_view text);
+
+/// The digits of what Python's `int` reads as a number that is not negative: "+1", "1_000".
+[[nodiscard]] std::optional<std::string> whole_number(std::string_view text);
 
 struct VersionAndBuild {
   std::string version;

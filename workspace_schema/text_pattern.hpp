@@ -14,10 +14,8 @@ enum class LetterCase { kCounts, kIgnored };
 class TextPattern {
  public:
   TextPattern() = default;  ///< the empty text
-  /// R2W0303 for a regular expression that cannot be read. Expressions are POSIX extended ones with
-  /// `\d`, `\w`,
-  /// `\s` and `(?:...)`; look-around, references and `{n}` are refused, so that matching time stays
-  /// bounded.
+  /// R2W0303 for a regular expression that cannot be read. Expressions are Python's, without
+  /// look-around, references and flags and with small counts, so that matching time stays bounded.
   [[nodiscard]] static Outcome<TextPattern> parse(std::string_view text, LetterCase letter_case);
 
   [[nodiscard]] bool matches(std::string_view value) const;

@@ -2,13 +2,21 @@
 #include "workspace_schema/version.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "workspace_schema/json_writer.hpp"
 
 namespace ros2wasm {
 namespace {
 
-constexpr std::size_t kLongest = 2048;  // no version is near it; keeps hostile input cheap
+constexpr std::size_t kLongest = 65'536;   // no version is near it; keeps hostile input cheap
+constexpr std::size_t kMostDigits = 4300;  // Python reads no longer number
+
+constexpr auto kWideSpaces = std::to_array<std::string_view>(
+    {"\xC2\x85", "\xC2\xA0", "\xE1\x9A\x80", "\xE2\x80\x80", "\xE2\x80\x81", "\xE2\x80\x82",
+     "\xE2\x80\x83", "\xE2\x80\x84", "\xE2\x80\x85", "\xE2\x80\x86", "\xE2\x80\x87", "\xE2\x80\x88",
+     "\xE2\x80\x89", "\xE2\x80\x8A", "\xE2\x80\xA8", "\xE2\x80\xA9", "\xE2\x80\xAF", "\xE2\x81\x9F",
+     "\xE3\x80\x80"});
 
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
@@ -29,11 +37,25 @@ bool valid_characters(std::string_view text) {
   });
 }
 
+/// The length of the white space that `text` begins with: what Python's `str.strip` takes away.
+std::size_t space_at_front(std::string_view text) {
+  if (text.empty()) return 0;
+  const auto c = static_cast<unsigned char>(text.front());
+  if (c == ' ' || (c >= 0x09 && c <= 0x0d) || (c >= 0x1c && c <= 0x1f)) return 1;
+  for (const std::string_view wide : kWideSpaces) {
+    if (text.starts_with(wide)) return wide.size();
+  }
+  return 0;
+}
+
 std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kSpace = " \t\r\n\f\v";
-  const std::size_t first = text.find_first_not_of(kSpace);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kSpace) - first + 1);
+  while (const std::size_t length = space_at_front(text)) text.remove_prefix(length);
+  for (std::size_t length = 1; length <= 3 && length <= text.size(); ++length) {
+    if (space_at_front(text.substr(text.size() - length)) != length) continue;
+    text.remove_suffix(length);
+    length = 0;
+  }
+  return text;
 }
 
 std::vector<std::string> split(std::string_view text, char separator) {
@@ -68,7 +90,7 @@ VersionAtom atom_of(std::string_view run) {
   return {.kind = VersionAtom::Kind::kText, .text = std::string(run)};
 }
 
-VersionSegment segment_of(std::string_view component) {
+Outcome<VersionSegment> segment_of(std::string_view component) {
   VersionSegment segment;
   // A number comes first, so that numbers and words stay in phase between versions.
   if (!is_digit(component.front())) segment.emplace_back();
@@ -76,6 +98,8 @@ VersionSegment segment_of(std::string_view component) {
     std::size_t length = 1;
     while (length < component.size() && run_kind(component[length]) == run_kind(component[0]))
       ++length;
+    if (length > kMostDigits && is_digit(component[0]))
+      return bad_version(component, "it has a number of too many digits");
     segment.push_back(atom_of(component.substr(0, length)));
     component.remove_prefix(length);
   }
@@ -162,12 +186,16 @@ Outcome<Version> Version::parse(std::string_view given) {
   components.insert(components.begin(), epoch);
   for (const std::string& component : components) {
     if (component.empty()) return bad_version(given, "it has an empty part");
-    version.segments_.push_back(segment_of(component));
+    auto segment = segment_of(component);
+    if (!segment) return std::move(segment).errors();
+    version.segments_.push_back(std::move(*segment));
   }
   if (by_local.size() == 2) {
     for (const std::string& component : split_components(by_local[1])) {
       if (component.empty()) return bad_version(given, "its local part has an empty part");
-      version.local_.push_back(segment_of(component));
+      auto segment = segment_of(component);
+      if (!segment) return std::move(segment).errors();
+      version.local_.push_back(std::move(*segment));
     }
   }
   return version;

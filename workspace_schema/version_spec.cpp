@@ -38,11 +38,10 @@ struct VersionSpec::Node {
 namespace {
 
 using Node = VersionSpec::Node;
-using NodePointer = std::shared_ptr<const Node>;
+using NodePointer = std::shared_ptr<Node>;
 using Kind = Node::Kind;
 
-constexpr std::size_t kLongest = 4096;
-constexpr std::size_t kMostTokens = 256;
+constexpr std::size_t kLongest = 8192;
 
 Diagnostic bad_spec(std::string_view text, const std::string& why) {
   return Diagnostic{
@@ -147,18 +146,16 @@ Outcome<NodePointer> leaf(std::string_view text) {
 
 /// Operators and operands; a regular expression is one operand, whatever it holds.
 std::vector<std::string_view> tokens_of(std::string_view text) {
+  constexpr std::string_view kSigns = "()|,";
   std::vector<std::string_view> tokens;
   while (!text.empty()) {
-    const std::size_t solid = text.find_first_not_of(' ');
-    std::size_t length = 1;
-    if (solid == std::string_view::npos) break;
+    const std::size_t solid = std::min(text.find_first_not_of(" \t"), text.size());
     const std::size_t dollar = text.find('$', solid);
-    if (text[solid] == '^' && dollar != std::string_view::npos) {
+    std::size_t length = std::min(text.find_first_of(kSigns), text.size());
+    if (solid < text.size() && text[solid] == '^' && dollar != std::string_view::npos) {
       length = dollar + 1;
-    } else if (std::string_view("()|,").find(text[solid]) != std::string_view::npos) {
+    } else if (solid < text.size() && kSigns.find(text[solid]) != std::string_view::npos) {
       length = solid + 1;
-    } else {
-      length = std::min(text.find_first_of("()|,"), text.size());
     }
     tokens.push_back(trimmed(text.substr(0, length)));
     text.remove_prefix(length);
@@ -166,61 +163,73 @@ std::vector<std::string_view> tokens_of(std::string_view text) {
   return tokens;
 }
 
-/// Reads `or := and {"|" and}`, `and := item {"," item}`, `item := leaf | "(" or ")"`.
-class Parser {
+/// Operands and signs in two stacks, as conda reads them: `,` binds tighter than `|`. Of operands
+/// that no sign joins, the first counts.
+class ExpressionReader {
  public:
-  explicit Parser(std::string_view text) : text_(text), tokens_(tokens_of(text)) {}
+  explicit ExpressionReader(std::string_view text) : text_(text) {}
 
-  Outcome<NodePointer> whole() {
-    if (tokens_.size() > kMostTokens) return bad_spec(text_, "it is too long");
-    auto node = either(0);
-    if (node && at_ != tokens_.size()) return bad_spec(text_, "the parentheses do not fit");
-    return node;
+  Outcome<NodePointer> read() {
+    signs_ = {'('};
+    for (const std::string_view token : tokens_of(text_)) {
+      if (token == "|") {
+        if (!join_above("(")) return bad_spec(text_, "`|` has nothing to join");
+        signs_.push_back('|');
+      } else if (token == ",") {
+        if (!join_above("|(")) return bad_spec(text_, "`,` has nothing to join");
+        signs_.push_back(',');
+      } else if (token == "(") {
+        signs_.push_back('(');
+      } else if (token == ")") {
+        if (!close()) return bad_spec(text_, "the parentheses do not fit");
+      } else if (auto operand = leaf(token)) {
+        operands_.push_back(std::move(*operand));
+      } else {
+        return operand;
+      }
+    }
+    if (!close() || !signs_.empty()) return bad_spec(text_, "the parentheses or signs do not fit");
+    if (operands_.empty()) return bad_spec(text_, "it names no version");
+    return operands_.front();
   }
 
  private:
-  Outcome<NodePointer> either(int depth) { return joined("|", Kind::kOr, depth); }
-
-  Outcome<NodePointer> joined(std::string_view sign, Kind kind, int depth) {
-    Node node{.kind = kind};
-    for (;;) {
-      auto part = kind == Kind::kOr ? joined(",", Kind::kAnd, depth) : item(depth);
-      if (!part) return part;
-      node.parts.push_back(std::move(*part));
-      if (at_ == tokens_.size() || tokens_[at_] != sign) break;
-      ++at_;
+  /// Joins operands by the signs on the stack down to one of `weaker`.
+  bool join_above(std::string_view weaker) {
+    while (!signs_.empty() && weaker.find(signs_.back()) == std::string_view::npos) {
+      if (operands_.size() < 2) return false;
+      NodePointer right = std::move(operands_.back());
+      operands_.pop_back();
+      operands_.back() = joined(signs_.back() == '|' ? Kind::kOr : Kind::kAnd,
+                                std::move(operands_.back()), std::move(right));
+      signs_.pop_back();
     }
-    if (node.parts.size() == 1) return node.parts.front();
-    return NodePointer(std::make_shared<Node>(std::move(node)));
+    return true;
   }
 
-  Outcome<NodePointer> item(int depth) {
-    constexpr int kDeepest = 64;
-    if (at_ == tokens_.size()) return bad_spec(text_, "something is missing at its end");
-    const std::string_view token = tokens_[at_++];
-    if (token == "(") {
-      if (depth == kDeepest) return bad_spec(text_, "too many parentheses");
-      auto inner = either(depth + 1);
-      if (!inner) return inner;
-      if (at_ == tokens_.size() || tokens_[at_++] != ")")
-        return bad_spec(text_, "a parenthesis is not closed");
-      return inner;
-    }
-    if (token == ")" || token == "|" || token == ",") {
-      return bad_spec(text_, "something is missing before `" + std::string(token) + "`");
-    }
-    return leaf(token);
+  /// One flat node for a run of the same sign.
+  static NodePointer joined(Kind kind, NodePointer left, NodePointer right) {
+    if (left->kind != kind)
+      left = std::make_shared<Node>(Node{.kind = kind, .parts = {std::move(left)}});
+    left->parts.push_back(std::move(right));
+    return left;
+  }
+
+  bool close() {
+    if (!join_above("(") || signs_.empty()) return false;
+    signs_.pop_back();
+    return true;
   }
 
   std::string_view text_;
-  std::vector<std::string_view> tokens_;
-  std::size_t at_ = 0;
+  std::vector<char> signs_;
+  std::vector<NodePointer> operands_;
 };
 
 }  // namespace
 
 bool VersionSpec::Node::matches(const Version& candidate) const {
-  const auto part_matches = [&candidate](const NodePointer& part) {
+  const auto part_matches = [&candidate](const std::shared_ptr<const Node>& part) {
     return part->matches(candidate);
   };
   switch (kind) {
@@ -258,7 +267,7 @@ Outcome<VersionSpec> VersionSpec::parse(std::string_view given) {
   const std::string_view text = trimmed(given);
   if (text.empty()) return bad_spec(given, "it is empty");
   if (text.size() > kLongest) return bad_spec(given, "it is too long");
-  auto root = Parser(text).whole();
+  auto root = ExpressionReader(text).read();
   if (!root) return std::move(root).errors();
   VersionSpec spec;
   spec.text_ = std::string(text);

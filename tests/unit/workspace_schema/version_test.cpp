@@ -90,6 +90,21 @@ TEST(Version, RefusesWhatIsNone) {
   EXPECT_FALSE(Version::parse(std::string(100'000, '1')).ok());
 }
 
+TEST(Version, WhiteSpaceAroundItMeansNothing) {
+  EXPECT_EQ(version("\x1c 1.2\t\v").text(), "1.2");
+  EXPECT_EQ(version("\xC2\xA0"
+                    "1.2\xE3\x80\x80\xE2\x80\x83")
+                .text(),
+            "1.2");
+  EXPECT_FALSE(Version::parse("\xE2\x80\x83").ok());
+}
+
+TEST(Version, NumbersHaveAsManyDigitsAsPythonReads) {
+  EXPECT_TRUE(Version::parse(std::string(4300, '9')).ok());
+  EXPECT_FALSE(Version::parse("1." + std::string(4301, '9')).ok());
+  EXPECT_FALSE(Version::parse("1+" + std::string(4301, '9')).ok());
+}
+
 TEST(Version, JsonIsCondasNestedList) {
   EXPECT_EQ(version_json(version("1!2.0rc1_").segments()), R"([[1],[2],[0,"rc",1,"_"]])");
   EXPECT_EQ(version_json(version("1.dev.post2").segments()), R"([[0],[1],[0,"DEV"],[0,1e999,2]])");

@@ -19,7 +19,7 @@ const root = fileURLToPath(new URL('..', import.meta.url));
 const rows = [
   { file: 'index.html', from: 'runtime/ui/index.html', kind: 'copy', role: 'page' },
   { file: 'icon.svg', from: 'runtime/ui/icon.svg', kind: 'copy', role: 'icon' },
-  { file: 'main.js', from: 'runtime/ui/main.tsx', kind: 'modules', role: 'script' },
+  { file: 'start.js', from: 'runtime/ui/start.ts', kind: 'modules', role: 'script' },
   { file: 'boot.js', from: 'runtime/ui/boot.ts', kind: 'classic', role: 'script' },
   { file: 'node_worker.js', from: 'runtime/wasm_js/node_worker_main.ts', kind: 'classic', role: 'worker' },
   { file: 'service_worker.js', from: 'runtime/wasm_js/service_worker.ts', kind: 'classic', role: 'service_worker' },

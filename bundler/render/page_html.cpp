@@ -1,6 +1,8 @@
 // See page_html.hpp.
 #include "bundler/render/page_html.hpp"
 
+#include <algorithm>
+
 namespace ros2wasm {
 namespace {
 
@@ -47,8 +49,9 @@ std::string page_html(std::string page, std::string_view title, std::string_view
   for (const std::string& program : programs) {
     hints += "<link rel=\"preload\" href=\"" + escaped(program) + "\" as=\"fetch\" crossorigin>\n";
   }
+  // Before what else is fetched: scripts and style sheets hold up what stands behind them.
   const std::size_t head_end = page.find("</head>");
-  if (head_end != std::string::npos) page.insert(head_end, hints);
+  if (head_end != std::string::npos) page.insert(std::min(page.find("<link"), head_end), hints);
   return page;
 }
 

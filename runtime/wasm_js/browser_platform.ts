@@ -34,19 +34,26 @@ async function compileModule(url: URL): Promise<WebAssembly.Module> {
   }
 }
 
+export interface BrowserPlatform extends Platform {
+  /** Workers can start at once from then on. Never rejects: whoever starts a worker hears of the failure. */
+  readonly ready: Promise<void>;
+  close(): void;
+}
+
 /**
  * Workers start from a blob: URL of the script. Such a worker has the page's Content-Security-Policy, whatever headers
  * the host sends; a worker from a plain URL would have only the host's.
  */
-export function browserPlatform(base: URL, script: string): Platform & { close(): void } {
+export function browserPlatform(base: URL, script: string): BrowserPlatform {
   const modules = new Map<string, Promise<WebAssembly.Module>>();
   const scriptUrl = get(new URL(script, base))
     .then((response) => response.text())
     .then((text) => URL.createObjectURL(new Blob([text], { type: 'text/javascript' })));
-  // Whoever starts a worker hears of the failure.
-  scriptUrl.catch(() => undefined);
-
   return {
+    ready: scriptUrl.then(
+      () => undefined,
+      () => undefined,
+    ),
     json: async (path) => {
       const response = await get(new URL(path, base));
       try {

@@ -18,6 +18,8 @@ export interface LaunchOptions {
   readonly onOffline?: (kept: boolean) => void;
 }
 
+const longestWaitMs = 250;
+
 const ceilings = [1 << 30, 512 << 20, 256 << 20, 128 << 20];
 
 /** A bus as large as the machine allows, or undefined. */
@@ -43,6 +45,24 @@ function chooseBroker(wanted: LinkKind | undefined): Broker {
   });
 }
 
+/**
+ * Resolves when every node runs or has failed to. Drawing the page holds up the thread that starts the workers, so it
+ * waits for them, but not for long: on a slow network the page is there first.
+ */
+function underWay(session: Session): Promise<void> {
+  return new Promise((resolve) => {
+    const done = (): void => {
+      clearTimeout(timer);
+      unsubscribe();
+      resolve();
+    };
+    const timer = setTimeout(done, longestWaitMs);
+    const unsubscribe = session.onNodes((nodes) => {
+      if (nodes.every(({ state }) => state.kind !== 'starting')) done();
+    });
+  });
+}
+
 /** Never resolves when the page reloads to become isolated. Rejects with a SiteError. */
 export async function startSession(options: LaunchOptions = {}): Promise<Session> {
   const base = options.base ?? new URL('./', document.baseURI);
@@ -52,12 +72,13 @@ export async function startSession(options: LaunchOptions = {}): Promise<Session
     if (isolation === 'reloading') return new Promise(() => undefined);
   }
   const platform = browserPlatform(base, 'node_worker.js');
-  const site = readSite(await platform.json('site.json'));
-  const autostart = site.ui['autostart'] !== false;
-  // Fetching and compiling begins before anything else is set up.
-  if (autostart) for (const node of site.nodes) platform.compile(node.program).catch(() => undefined);
+  const [description] = await Promise.all([platform.json('site.json'), platform.ready]);
+  const site = readSite(description);
   const session = new SiteSession({ site, platform, broker: chooseBroker(options.link) });
-  if (autostart) session.startAll();
+  if (site.ui['autostart'] !== false) {
+    session.startAll();
+    if (site.nodes.length > 0) await underWay(session);
+  }
   // Styles and tests can tell by <html data-offline> whether the site is kept.
   const later = (): void => void keepOffline(serviceWorker).then((kept) => {
     document.documentElement.dataset['offline'] = kept ? 'kept' : 'not_kept';

@@ -202,11 +202,11 @@ test('the theme is chosen, kept, and set before anything is drawn', () =>
       await page.getByRole('button', { name: /^Theme: light/ }).click();
       assert.equal(await page.evaluate(() => document.documentElement.dataset['theme']), 'dark');
       assert.notEqual(await ground(), light);
-      await page.route('**/main.js', (route) => route.abort());
+      await page.route('**/start.js', (route) => route.abort());
       await page.goto(`${stage.served.url}?scene=quiet`, { waitUntil: 'commit' });
       await page.locator('.lone-title').waitFor();
       assert.notEqual(await ground(), light);
-      await page.unroute('**/main.js');
+      await page.unroute('**/start.js');
       await page.goto(`${stage.served.url}?scene=quiet`);
       await page.getByRole('button', { name: /^Theme: dark/ }).click();
       assert.equal(await ground(), light);

@@ -99,7 +99,7 @@ test('an unforeseen error is told in a bar that can be closed', async () => {
 test('never a blank page: no program, no JavaScript, opened from disk', async () => {
   const context = await stage.browser.newContext();
   const page = await context.newPage();
-  await page.route('**/main.js', (route) => route.abort());
+  await page.route('**/start.js', (route) => route.abort());
   await page.goto(stage.served.url);
   await page.evaluate(() => {
     for (const animation of document.getAnimations()) animation.finish();

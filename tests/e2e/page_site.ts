@@ -30,7 +30,7 @@ export async function buildFakePage(folder: string): Promise<string> {
   const shared = { bundle: true, minify: true, target: 'es2022', logLevel: 'warning' } as const;
   await build({
     ...shared,
-    entryPoints: { main: join(kRoot, 'tests/e2e/page_fake.tsx') },
+    entryPoints: { start: join(kRoot, 'tests/e2e/page_fake.tsx') },
     outdir: folder,
     format: 'esm',
     splitting: true,
@@ -46,7 +46,10 @@ export async function buildFakePage(folder: string): Promise<string> {
   await build({ ...shared, entryPoints: { styles: join(ui, 'styles/index.css') }, outdir: folder });
   copyFileSync(join(ui, 'icon.svg'), join(folder, 'icon.svg'));
   // What a real session fetches first is not there.
-  const page = readFileSync(join(ui, 'index.html'), 'utf8').replace(/<link rel="preload".*\n/g, '');
+  const page = readFileSync(join(ui, 'index.html'), 'utf8').replace(
+    /<link rel="(module)?preload".*\n/g,
+    '',
+  );
   writeFileSync(join(folder, 'index.html'), page);
   return folder;
 }

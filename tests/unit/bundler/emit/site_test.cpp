@@ -107,6 +107,8 @@ TEST(PageHtml, HasTheTitleAndHintsAndNothingUnescaped) {
             "href=\"programs/demo/talker.wasm\" "
             "as=\"fetch\" crossorigin>\n</head><body></body>");
   EXPECT_EQ(page_html("<p>", "t", "dark", {"x"}), "<p>");
+  EXPECT_EQ(page_html("<head><meta><link></head>", "t", "auto", {"x"}),
+            "<head><meta><link rel=\"preload\" href=\"x\" as=\"fetch\" crossorigin>\n<link></head>");
 }
 
 TEST(PageHtml, TheAuthorsThemeIsThereBeforeAnythingIsDrawn) {

@@ -1,0 +1,26 @@
+// The page's entry: starts the nodes first, then loads and draws the page (mount.tsx), which would hold them up.
+// Runs as soon as it is there, which may be before the body is.
+
+import { startSession } from '../wasm_js/launcher.ts';
+
+let keep: (kept: boolean) => void = () => undefined;
+const kept = new Promise<boolean>((resolve) => {
+  keep = resolve;
+});
+const session = startSession({ onOffline: keep });
+
+function whenParsed(): Promise<void> {
+  if (document.readyState !== 'loading') return Promise.resolve();
+  return new Promise((resolve) => {
+    document.addEventListener('DOMContentLoaded', () => resolve(), { once: true });
+  });
+}
+
+async function draw(): Promise<void> {
+  const [{ mountPage }] = await Promise.all([import('./mount.tsx'), whenParsed()]);
+  const root = document.getElementById('page');
+  if (root !== null) mountPage(root, session, kept);
+}
+
+// The page shows a failure too.
+session.then(draw, draw);

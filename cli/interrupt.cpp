@@ -27,7 +27,8 @@ extern "C" void on_interrupt(int signal) {
   }
 }
 
-extern "C" void on_broken_pipe(int) {}
+/// The call that failed says so: a closed pipe, a file beyond the limit of its size.
+extern "C" void on_failed_write(int) {}
 
 }  // namespace
 
@@ -43,10 +44,11 @@ Cancellation install_interrupt_handlers() {
   stop.sa_flags = static_cast<int>(SA_RESETHAND);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &stop, nullptr);
 
-  struct sigaction pipe_closed {};
-  pipe_closed.sa_handler = on_broken_pipe;  // a handler, not SIG_IGN, which children would inherit
-  sigemptyset(&pipe_closed.sa_mask);
-  sigaction(SIGPIPE, &pipe_closed, nullptr);
+  struct sigaction failed_write {};
+  failed_write.sa_handler =
+      on_failed_write;  // a handler, not SIG_IGN, which children would inherit
+  sigemptyset(&failed_write.sa_mask);
+  for (const int signal : {SIGPIPE, SIGXFSZ}) sigaction(signal, &failed_write, nullptr);
   return Cancellation(interrupt_requested, ends[0]);
 }
 

@@ -14,6 +14,7 @@
 #include "bundler/build/wasm_module.hpp"
 #include "bundler/io/file_lock.hpp"
 #include "bundler/io/files.hpp"
+#include "bundler/io/kept_folder.hpp"
 #include "bundler/io/sha256.hpp"
 #include "workspace_schema/suggestion.hpp"
 
@@ -151,25 +152,24 @@ class WorkspaceBuilder {
                         .prefix = settings_.cache / "built" / (name + "-" + hash.substr(0, 20)),
                         .hash = hash,
                         .from_cache = true};
-    std::error_code error;
-    if (fs::is_directory(result.prefix, error)) return std::optional(std::move(result));
+    if (is_kept(result.prefix, hash)) return std::optional(std::move(result));
     result.from_cache = false;
-    if (auto done = build_anew(*language, package, needs, result.prefix); !done)
+    if (auto done = build_anew(*language, package, needs, result); !done)
       return std::move(done).errors();
     return std::optional(std::move(result));
   }
 
   [[nodiscard]] Outcome<Done> build_anew(const Language& language, const LocalPackage& package,
                                          const std::vector<const BuiltPackage*>& needs,
-                                         const fs::path& prefix) {
-    const std::string& name = package.xml.name.value;
+                                         const BuiltPackage& result) {
+    const std::string& name = result.name;
+    const fs::path& prefix = result.prefix;
     const fs::path work = settings_.cache / "work" /
                           (name + "-" + sha256_hex(package.directory.string()).substr(0, 16));
     if (auto made = make_directories(work); !made) return made;
     const FileLock lock(work.string() + ".lock");
     if (cancellation_.requested()) return interrupted();
-    std::error_code error;
-    if (fs::is_directory(prefix, error)) return Done{};  // another process was faster
+    if (is_kept(prefix, result.hash)) return Done{};  // another process was faster
     if (progress_) progress_({.step = "build", .item = name, .done = 0, .total = 0, .unit = {}});
     auto staging = TemporaryDirectory::make(settings_.cache / "built", "." + name + "-");
     if (!staging) return std::move(staging).errors();
@@ -191,9 +191,7 @@ class WorkspaceBuilder {
 
     if (auto done = language.build(request, tools_, cancellation_, progress_); !done) return done;
     if (auto done = split_programs(staging->path(), name); !done) return done;
-    fs::rename(staging->path(), prefix, error);
-    if (error && !fs::is_directory(prefix)) return cannot_write(prefix, error.value());
-    return Done{};
+    return keep_folder(staging->path(), prefix, result.hash);
   }
 
   [[nodiscard]] Outcome<WorkspaceBuild> result() {
@@ -210,7 +208,16 @@ class WorkspaceBuilder {
         if (!known) all.push_back(std::move(one));
       }
     }
-    if (!all.empty()) return all;
+    if (!all.empty()) {
+      std::error_code error;
+      const fs::space_info space = fs::space(settings_.cache, error);
+      if (!error) {
+        if (auto full = little_room(settings_.cache, space.available)) {
+          all.insert(all.begin(), std::move(*full));
+        }
+      }
+      return all;
+    }
     WorkspaceBuild result;
     for (const std::size_t index : order_.order) {
       if (built_[index]) result.packages.push_back(std::move(*built_[index]));
@@ -247,6 +254,19 @@ class WorkspaceBuilder {
 };
 
 }  // namespace
+
+std::optional<Diagnostic> little_room(const fs::path& cache, std::uint64_t available) {
+  constexpr std::uint64_t kMegabyte = 1'000'000;
+  constexpr std::uint64_t kEnough = 64 * kMegabyte;  // a program being linked takes some 10 MB
+  if (available >= kEnough) return std::nullopt;
+  return Diagnostic{.code = "R2W0640",
+                    .kind = FailureKind::kEnvironment,
+                    .message = "the disk has too little room to build: " +
+                               std::to_string(available / kMegabyte) + " MB are left",
+                    .why = {"packages are built in " + cache.string(),
+                            "the errors that follow may come of that alone"},
+                    .fix = {"free some space, or set XDG_CACHE_HOME to a folder on another disk"}};
+}
 
 Outcome<WorkspaceBuild> build_workspace(const std::vector<LocalPackage>& packages,
                                         const BuildOrder& order, const BuildTools& tools,

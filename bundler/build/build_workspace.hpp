@@ -3,7 +3,9 @@
 // started for it.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,10 +38,15 @@ struct WorkspaceBuild {
   Diagnostics warnings;                ///< packages that were left out
 };
 
+/// What a failed build says first when the disk of `cache` has little room: the tools' own messages
+/// seldom name the cause, and a linker without room dies like one with a bug. R2W0640.
+[[nodiscard]] std::optional<Diagnostic> little_room(const std::filesystem::path& cache,
+                                                    std::uint64_t available);
+
 /// Tools are asked for only when something must be built, so a warm pack works without a compiler's
 /// start. R2W0501 to R2W0508 as the steps say; R2W0514 (warning) a build type without a row: that
-/// package is left out. A package that fails does not stop those that do not need it: all mistakes
-/// come at once.
+/// package is left out. R2W0640 before the others when the disk is full. A package that fails does
+/// not stop those that do not need it: all mistakes come at once.
 [[nodiscard]] Outcome<WorkspaceBuild> build_workspace(
     const std::vector<LocalPackage>& packages, const BuildOrder& order, const BuildTools& tools,
     const BuildSettings& settings, const Cancellation& cancellation, const ProgressSink& progress);

@@ -14,7 +14,7 @@ namespace {
 /// which may be relative to that folder.
 std::string archive_base_url(const JsonValue& json, const std::string& channel,
                              const std::string& subdir) {
-  const std::string here = channel_base_url(channel) + "/" + subdir;
+  std::string here = channel_base_url(channel) + "/" + subdir;
   const JsonValue* info = json.find("info");
   std::string base = info == nullptr ? std::string() : info->text_of("base_url");
   while (base.ends_with('/')) base.pop_back();

@@ -2,6 +2,7 @@
 // toolchain.
 #include <algorithm>
 #include <charconv>
+#include <cstring>
 
 #include "bundler/build/diagnostic_json.hpp"
 #include "bundler/io/files.hpp"
@@ -92,6 +93,16 @@ class NinjaProgress {
   std::string pending_;
 };
 
+/// What a tool said, and that a signal ended it: then it may have said nothing.
+std::string told(const ProcessResult& result, const PackageBuild& request) {
+  constexpr int kSignals = 128;
+  std::string text = for_people(result.output, request);
+  if (result.exit_code <= kSignals) return text;
+  const char* name = ::strsignal(result.exit_code - kSignals);
+  return text + "ended by signal " + std::to_string(result.exit_code - kSignals) + " (" +
+         (name == nullptr ? "unknown" : name) + ")\n";
+}
+
 Outcome<Done> configure(const PackageBuild& request, const BuildTools& tools,
                         const Cancellation& cancellation) {
   std::error_code ignored;
@@ -109,8 +120,7 @@ Outcome<Done> configure(const PackageBuild& request, const BuildTools& tools,
        .directory = request.work},
       cancellation);
   if (!result) return result.errors();
-  if (result->exit_code != 0)
-    return configure_errors(for_people(result->output, request), request.place);
+  if (result->exit_code != 0) return configure_errors(told(*result, request), request.place);
   return Done{};
 }
 
@@ -141,14 +151,14 @@ Outcome<Done> compile(const PackageBuild& request, const BuildTools& tools,
                                   cancellation);
   if (!result) return result.errors();
   if (result->exit_code == 0) return Done{};
-  Diagnostics errors = compile_errors(for_people(result->output, request), request.place);
+  Diagnostics errors = compile_errors(told(*result, request), request.place);
   for (Diagnostic& one : link_errors(request.work / kLinkDiagnostics))
     errors.push_back(std::move(one));
   if (errors.empty()) {
     errors.push_back(
         Diagnostic{.code = "R2W0506",
                    .message = "ninja failed for package `" + request.place.package + "`",
-                   .detail = for_people(result->output, request)});
+                   .detail = told(*result, request)});
   }
   return errors;
 }
@@ -164,7 +174,7 @@ Outcome<Done> install(const PackageBuild& request, const BuildTools& tools,
   if (result->exit_code == 0) return Done{};
   return Diagnostic{.code = "R2W0508",
                     .message = "package `" + request.place.package + "` does not install",
-                    .detail = for_people(result->output, request)};
+                    .detail = told(*result, request)};
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "bundler/archive/paths_json.hpp"
 #include "bundler/io/files.hpp"
+#include "bundler/io/kept_folder.hpp"
 #include "bundler/io/sha256.hpp"
 #include "bundler/store/prefix_text.hpp"
 
@@ -149,8 +150,7 @@ Outcome<Environment> make_environment(const Store& store, const std::vector<Pack
   const std::string key = environment_key(records);
   const fs::path folder = store.roots().cache / "environments";
   const fs::path prefix = folder / key.substr(0, 32);
-  std::error_code error;
-  if (fs::is_directory(prefix, error))
+  if (is_kept(prefix, key))
     return Environment{.prefix = prefix, .key = key, .overwritten = {}, .cached = true};
   auto beside = TemporaryDirectory::make(folder / "unfinished", key.substr(0, 8) + ".");
   if (!beside) return std::move(beside).errors();
@@ -158,9 +158,7 @@ Outcome<Environment> make_environment(const Store& store, const std::vector<Pack
   if (auto made = make_directories(staging); !made) return std::move(made).errors();
   auto environment = build(staging, prefix, store, records, cancellation, progress);
   if (!environment) return environment;
-  fs::rename(staging, prefix, error);
-  // Somebody else was faster: the same files are there.
-  if (error && !fs::is_directory(prefix)) return cannot_write(prefix, error.value());
+  if (auto kept = keep_folder(staging, prefix, key); !kept) return std::move(kept).errors();
   return environment;
 }
 

@@ -5,6 +5,7 @@ add_executable(bundler_channel_test
   channel/channel_index_test.cpp
   channel/channel_writer_test.cpp
   io/files_test.cpp
+  io/kept_folder_test.cpp
   resolve/check_solution_test.cpp
   resolve/solve_oracle_test.cpp
   resolve/solve_test.cpp

@@ -2,9 +2,11 @@
 // processes, since handlers belong to the whole process.
 #include "cli/interrupt.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <poll.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -68,6 +70,20 @@ TEST(InterruptDeathTest, AClosedPipeIsAnErrorNotTheEnd) {
         close(ends[0]);
         const ssize_t written = write(ends[1], "x", 1);
         leave(made && written == -1 && errno == EPIPE);
+      },
+      ::testing::ExitedWithCode(0), "");
+}
+
+TEST(InterruptDeathTest, AFileThatMayNotGrowIsAnErrorNotTheEnd) {
+  ::testing::FLAGS_gtest_death_test_style = "threadsafe";
+  EXPECT_EXIT(
+      {
+        [[maybe_unused]] const Cancellation cancellation = install_interrupt_handlers();
+        rlimit nothing{};
+        const bool limited = setrlimit(RLIMIT_FSIZE, &nothing) == 0;
+        const int file = open("/tmp", O_TMPFILE | O_WRONLY, 0600);
+        const ssize_t written = write(file, "x", 1);
+        leave(limited && file >= 0 && written == -1 && errno == EFBIG);
       },
       ::testing::ExitedWithCode(0), "");
 }

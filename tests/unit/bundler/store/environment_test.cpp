@@ -38,6 +38,24 @@ TEST(Environment, HasAllFilesAndIsMadeOnce) {
   EXPECT_TRUE(fs::is_empty(channel.tree() / "cache/environments/unfinished"));
 }
 
+TEST(Environment, AHalfWrittenOneIsMadeAgain) {
+  testing::SmallChannel channel;
+  channel.add("a", "1.0", {{"include/a.h", "a"}, {"include/b.h", "b"}});
+  channel.write_index();
+  const std::vector<PackageRecord> records{channel.record("a")};
+  const auto first = make_environment(channel.store(), records);
+  ASSERT_TRUE(first.ok());
+  // As a copy that was cut off leaves it: some of the files, and not what is written last.
+  fs::remove_all(first->prefix);
+  fs::create_directories(first->prefix / "include");
+  std::ofstream(first->prefix / "include/a.h") << "a";
+  const auto again = make_environment(channel.store(), records);
+  ASSERT_TRUE(again.ok());
+  EXPECT_FALSE(again->cached);
+  EXPECT_EQ(text_of(again->prefix / "include/b.h"), "b");
+  EXPECT_TRUE(make_environment(channel.store(), records)->cached);
+}
+
 TEST(Environment, PlaceholdersBecomeThePrefix) {
   testing::SmallChannel channel;
   channel.add("a", "1.0", {{"lib/a.cmake", "set(P /old/place/lib;/old/place)"}, {"lib/plain", "x"}},

@@ -123,13 +123,15 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
   std::vector<ChannelSource> channels;
   for (const auto& channel : manifest.channels) channels.push_back({channel.value, channel.span});
   if (channels.empty()) channels.push_back({"embedded", std::nullopt});
-  auto index = load_channels(channels, roots, cancellation, progress);
-  if (!index) return std::move(index).errors();
-  std::set<std::string> distinct;
-  for (const PackageRecord& record : index->records) distinct.insert(record.name);
-  const std::vector<std::string> names(distinct.begin(), distinct.end());
+  const auto open = open_channels(channels, roots, cancellation, progress);
+  if (!open) return open.errors();
+  const std::vector<std::string>& names = open->names();
   auto wanted = channel_request(manifest, *packages, *order, names, compiler->version);
   if (!wanted) return std::move(wanted).errors();
+  std::vector<std::string> texts;
+  for (const RequestedSpec& spec : wanted->specs) texts.push_back(spec.text);
+  auto index = open->reachable(texts, ChannelPriority::kStrict, cancellation);
+  if (!index) return std::move(index).errors();
   append(workspace.warnings, wanted->warnings);
   std::vector<std::string> all_packages = ros_names(names, manifest.distro);
   return Question{.workspace = std::move(workspace),

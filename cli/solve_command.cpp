@@ -76,10 +76,12 @@ int run(const SolveOptions& options, Context& context) {
   std::vector<ChannelSource> channels;
   for (const std::string& name : options.channels) channels.push_back({.name = name, .span = {}});
   if (channels.empty()) channels.push_back({.name = "embedded", .span = {}});
-  const auto index =
-      load_channels(channels, roots_of(context), context.cancellation, context.progress);
-  if (!index) return context.console.fail(index.errors());
+  const auto open =
+      open_channels(channels, roots_of(context), context.cancellation, context.progress);
+  if (!open) return context.console.fail(open.errors());
   ResolveRequest request{.specs = {}, .locked = {}, .priority = priority_of(options.priority)};
+  const auto index = open->reachable(options.specs, request.priority, context.cancellation);
+  if (!index) return context.console.fail(index.errors());
   for (const std::string& text : options.specs)
     request.specs.push_back({.text = text, .origin = {}, .span = {}});
   const auto resolution = solve(request, *index);

@@ -27,25 +27,37 @@ std::string zstd_compressed(std::string_view bytes, int level) {
   return out;
 }
 
-Outcome<std::string> zstd_decompressed(std::string_view bytes, std::uint64_t limit_bytes,
-                                       const std::string& name) {
+Outcome<Done> zstd_decompress(std::string_view bytes, std::uint64_t limit_bytes,
+                              const std::string& name,
+                              const std::function<Outcome<Done>(std::string_view)>& take) {
   const std::unique_ptr<ZSTD_DCtx, decltype(&ZSTD_freeDCtx)> context(ZSTD_createDCtx(),
                                                                      ZSTD_freeDCtx);
-  std::string out;
-  std::string piece(ZSTD_DStreamOutSize(), '\0');
+  std::string piece(8 * ZSTD_DStreamOutSize(), '\0');
   ZSTD_inBuffer input{bytes.data(), bytes.size(), 0};
   std::size_t state = 0;
+  std::uint64_t total = 0;
   while (input.pos < input.size || state != 0) {
     ZSTD_outBuffer output{piece.data(), piece.size(), 0};
     const std::size_t read_before = input.pos;
     state = ZSTD_decompressStream(context.get(), &output, &input);
     if (ZSTD_isError(state) != 0) return damaged(name, ZSTD_getErrorName(state));
-    if (out.size() + output.pos > limit_bytes) {
+    total += output.pos;
+    if (total > limit_bytes)
       return damaged(name, "it holds more than " + std::to_string(limit_bytes) + " bytes");
-    }
-    out.append(piece.data(), output.pos);
     if (output.pos == 0 && input.pos == read_before) return damaged(name, "it ends too early");
+    if (auto taken = take({piece.data(), output.pos}); !taken) return taken;
   }
+  return Done{};
+}
+
+Outcome<std::string> zstd_decompressed(std::string_view bytes, std::uint64_t limit_bytes,
+                                       const std::string& name) {
+  std::string out;
+  auto done = zstd_decompress(bytes, limit_bytes, name, [&out](std::string_view piece) {
+    out += piece;
+    return Outcome<Done>(Done{});
+  });
+  if (!done) return std::move(done).errors();
   return out;
 }
 

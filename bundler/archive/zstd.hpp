@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -17,5 +18,10 @@ namespace ros2wasm {
 [[nodiscard]] Outcome<std::string> zstd_decompressed(std::string_view bytes,
                                                      std::uint64_t limit_bytes,
                                                      const std::string& name);
+
+/// The same piece by piece, so that the whole never is in memory. What `take` says ends it.
+[[nodiscard]] Outcome<Done> zstd_decompress(
+    std::string_view bytes, std::uint64_t limit_bytes, const std::string& name,
+    const std::function<Outcome<Done>(std::string_view)>& take);
 
 }  // namespace ros2wasm

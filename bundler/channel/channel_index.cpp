@@ -3,35 +3,35 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
+#include <unordered_set>
+#include <utility>
 
-#include "bundler/archive/zstd.hpp"
+#include "bundler/channel/repodata_index.hpp"
+#include "bundler/channel/subdir_index.hpp"
 #include "bundler/channel/transport.hpp"
-#include "bundler/io/files.hpp"
 
 namespace ros2wasm {
 namespace {
 
 constexpr std::array<std::string_view, 2> kSubdirs{"emscripten-wasm32", "noarch"};
-constexpr std::uint64_t kLargestIndex = 4ULL << 30U;
-
-/// The text of a subdirectory's index, or nothing when the channel has none.
-Outcome<std::optional<std::string>> index_text(const std::string& folder_url,
-                                               const ChannelRoots& roots,
-                                               const Cancellation& cancellation) {
-  for (const std::string_view file_name :
-       {std::string_view("repodata.json.zst"), std::string_view("repodata.json")}) {
-    const std::string url = folder_url + "/" + std::string(file_name);
-    const auto file = bring(url, roots, cancellation);
-    if (!file) return file.errors();
+/// The index of a subdirectory, or nothing when the channel has none.
+Outcome<std::unique_ptr<SubdirIndex>> open_subdir(const std::string& channel,
+                                                  const std::string& subdir,
+                                                  const ChannelRoots& roots,
+                                                  const Cancellation& cancellation) {
+  const std::string folder_url = channel_base_url(channel) + "/" + subdir;
+  for (const char* file_name : {"repodata.json.zst", "repodata.json"}) {
+    const std::string url = folder_url + "/" + file_name;
+    auto file = bring(url, roots, cancellation);
+    if (!file) return std::move(file).errors();
     if (!*file) continue;
-    auto bytes = read_file(**file);
-    if (!bytes) return std::move(bytes).errors();
-    if (!file_name.ends_with(".zst")) return std::optional(std::move(*bytes));
-    auto text = zstd_decompressed(*bytes, kLargestIndex, url);
-    if (!text) return std::move(text).errors();
-    return std::optional(std::move(*text));
+    return open_repodata({.file = std::move(**file),
+                          .url = url,
+                          .place = {.channel = channel, .subdir = subdir, .base_url = folder_url}},
+                         roots.cache, cancellation);
   }
-  return std::optional<std::string>();
+  return std::unique_ptr<SubdirIndex>();
 }
 
 Diagnostic no_channel(const ChannelSource& source) {
@@ -45,63 +45,213 @@ Diagnostic no_channel(const ChannelSource& source) {
               "(nor `.json.zst` of either)"}};
 }
 
-Outcome<RepoIndex> load_channel(const ChannelSource& source, const ChannelRoots& roots,
-                                const Cancellation& cancellation) {
-  RepoIndex whole;
-  bool found = false;
+using SubdirIndexes = std::vector<std::unique_ptr<SubdirIndex>>;
+
+Outcome<SubdirIndexes> open_channel(const ChannelSource& source, const ChannelRoots& roots,
+                                    const Cancellation& cancellation) {
+  SubdirIndexes subdirs;
   for (const std::string_view subdir : kSubdirs) {
     if (cancellation.requested()) return interrupted();
-    const auto text =
-        index_text(channel_base_url(source.name) + "/" + std::string(subdir), roots, cancellation);
-    if (!text) return text.errors();
-    if (!*text) continue;
-    found = true;
-    auto part = parse_repodata(**text, source.name, std::string(subdir));
-    if (!part) return std::move(part).errors();
-    std::move(part->records.begin(), part->records.end(), std::back_inserter(whole.records));
-    std::move(part->left_out.begin(), part->left_out.end(), std::back_inserter(whole.left_out));
+    auto index = open_subdir(source.name, std::string(subdir), roots, cancellation);
+    if (!index) return std::move(index).errors();
+    if (*index) subdirs.push_back(std::move(*index));
   }
-  if (!found) return no_channel(source);
-  return whole;
+  if (subdirs.empty()) return no_channel(source);
+  return subdirs;
 }
 
 }  // namespace
 
-Outcome<RepoIndex> load_channels(std::span<const ChannelSource> channels, const ChannelRoots& roots,
-                                 const Cancellation& cancellation, const ProgressSink& progress) {
-  RepoIndex index;
-  Diagnostics errors;
-  for (const ChannelSource& source : channels) {
-    if (std::find(index.channels.begin(), index.channels.end(), source.name) !=
-        index.channels.end())
-      continue;
-    if (progress) {
-      progress({.step = "index",
-                .item = source.name,
-                .done = index.channels.size(),
-                .total = channels.size(),
-                .unit = "channels"});
+struct OpenChannels::State {
+  struct Channel {
+    std::string name;
+    SubdirIndexes subdirs;
+  };
+
+  std::vector<Channel> channels;
+  std::vector<std::string> names;
+  SpecTable specs;
+
+  void collect_names() {
+    std::vector<std::string_view> all;
+    for (const Channel& channel : channels) {
+      for (const auto& subdir : channel.subdirs)
+        all.insert(all.end(), subdir->names().begin(), subdir->names().end());
     }
-    index.channels.push_back(source.name);
-    auto part = load_channel(source, roots, cancellation);
-    if (!part) {
-      for (Diagnostic& error : std::move(part).errors()) {
-        if (!error.span) error.span = source.span;
-        errors.push_back(std::move(error));
-      }
-      continue;
-    }
-    std::move(part->records.begin(), part->records.end(), std::back_inserter(index.records));
-    std::move(part->left_out.begin(), part->left_out.end(), std::back_inserter(index.left_out));
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    names.assign(all.begin(), all.end());
   }
-  if (!errors.empty()) return errors;
-  if (progress) {
+
+  [[nodiscard]] RepoIndex nothing_yet() const {
+    RepoIndex index;
+    for (const Channel& channel : channels) index.channels.push_back(channel.name);
+    index.names = names;
+    return index;
+  }
+};
+
+namespace {
+
+/// Reads records name by name, from the specs of a request outwards.
+class Reach {
+ public:
+  Reach(SpecTable& table, const std::vector<std::string>& names) : table_(table), names_(names) {}
+
+  void begin(const std::string& text) {
+    const auto& spec = table_.parsed(text);
+    if (!spec) return;
+    const auto name = spec->exact_name();
+    if (name) {
+      add(*name);
+      if (spec->channel()) named_channel_.insert(*name);
+      return;
+    }
+    for (const std::string& there : names_) {
+      if (spec->name().matches(there)) add(there);
+    }
+  }
+
+  /// The names that were found since the last time, sorted.
+  std::vector<std::string> next() {
+    std::sort(waiting_.begin(), waiting_.end());
+    return std::exchange(waiting_, {});
+  }
+
+  /// What the records from `first` on depend on.
+  void follow(const RepoIndex& index, std::size_t first) {
+    for (std::size_t i = first; i < index.records.size(); ++i) {
+      for (const std::string& text : index.records[i].depends) {
+        const auto& spec = table_.parsed(text);
+        if (!followed_.insert(&spec).second || !spec) continue;
+        if (const auto name = spec->exact_name()) {
+          add(*name);
+        } else {
+          begin(text);
+        }
+      }
+    }
+  }
+
+  /// A request that names the channel of a package wants to see all channels' records of it.
+  [[nodiscard]] bool names_channel(const std::string& name) const {
+    return named_channel_.contains(name);
+  }
+
+ private:
+  void add(const std::string& name) {
+    if (seen_.insert(name).second) waiting_.push_back(name);
+  }
+
+  SpecTable& table_;
+  const std::vector<std::string>& names_;
+  std::unordered_set<std::string> seen_;
+  std::unordered_set<const Outcome<MatchSpec>*> followed_;
+  std::set<std::string> named_channel_;
+  std::vector<std::string> waiting_;
+};
+
+}  // namespace
+
+const std::vector<std::string>& OpenChannels::names() const {
+  return state_->names;
+}
+
+Outcome<RepoIndex> OpenChannels::reachable(std::span<const std::string> specs,
+                                           ChannelPriority priority,
+                                           const Cancellation& cancellation) const {
+  RepoIndex index = state_->nothing_yet();
+  Reach reach(state_->specs, state_->names);
+  for (const std::string& text : specs) reach.begin(text);
+  for (std::vector<std::string> wave = reach.next(); !wave.empty(); wave = reach.next()) {
+    const std::size_t wave_begin = index.records.size();
+    for (const State::Channel& channel : state_->channels) {
+      const std::size_t first = index.records.size();
+      for (const auto& subdir : channel.subdirs) {
+        auto done = subdir->read(wave, state_->specs, index, cancellation);
+        if (!done) return std::move(done).errors();
+      }
+      if (priority != ChannelPriority::kStrict) continue;
+      std::set<std::string_view> found;  // hidden in the channels that follow
+      for (std::size_t i = first; i < index.records.size(); ++i)
+        found.insert(index.records[i].name);
+      std::erase_if(wave, [&](const std::string& name) {
+        return found.contains(name) && !reach.names_channel(name);
+      });
+    }
+    reach.follow(index, wave_begin);
+  }
+  return index;
+}
+
+Outcome<RepoIndex> OpenChannels::everything(const Cancellation& cancellation) const {
+  RepoIndex index = state_->nothing_yet();
+  for (const State::Channel& channel : state_->channels) {
+    for (const auto& subdir : channel.subdirs) {
+      const std::vector<std::string> all(subdir->names().begin(), subdir->names().end());
+      auto done = subdir->read(all, state_->specs, index, cancellation);
+      if (!done) return std::move(done).errors();
+    }
+  }
+  return index;
+}
+
+Outcome<OpenChannels> open_channels(std::span<const ChannelSource> channels,
+                                    const ChannelRoots& roots, const Cancellation& cancellation,
+                                    const ProgressSink& progress) {
+  OpenChannels open;
+  open.state_ = std::make_shared<OpenChannels::State>();
+  const auto report = [&](const std::string& item, std::size_t done) {
+    if (!progress) return;
     progress({.step = "index",
-              .item = {},
-              .done = channels.size(),
+              .item = item,
+              .done = done,
               .total = channels.size(),
               .unit = "channels"});
+  };
+  Diagnostics errors;
+  std::set<std::string> seen;
+  for (const ChannelSource& source : channels) {
+    if (!seen.insert(source.name).second) continue;
+    report(source.name, seen.size() - 1);
+    auto subdirs = open_channel(source, roots, cancellation);
+    if (subdirs) {
+      open.state_->channels.push_back({.name = source.name, .subdirs = std::move(*subdirs)});
+      continue;
+    }
+    for (Diagnostic& error : std::move(subdirs).errors()) {
+      if (!error.span) error.span = source.span;
+      errors.push_back(std::move(error));
+    }
   }
+  if (!errors.empty()) return errors;
+  open.state_->collect_names();
+  report({}, channels.size());
+  return open;
+}
+
+Outcome<RepoIndex> load_channels(std::span<const ChannelSource> channels, const ChannelRoots& roots,
+                                 const Cancellation& cancellation, const ProgressSink& progress) {
+  const auto open = open_channels(channels, roots, cancellation, progress);
+  if (!open) return open.errors();
+  return open->everything(cancellation);
+}
+
+Outcome<RepoIndex> parse_repodata(std::string_view text, const std::string& channel,
+                                  const std::string& subdir) {
+  const std::string folder_url = channel_base_url(channel) + "/" + subdir;
+  auto source = index_repodata(
+      text, {.file = {},
+             .url = folder_url + "/repodata.json",
+             .place = {.channel = channel, .subdir = subdir, .base_url = folder_url}});
+  if (!source) return std::move(source).errors();
+  const std::vector<std::string> names((*source)->names().begin(), (*source)->names().end());
+  RepoIndex index;
+  index.channels.push_back(channel);
+  index.names = names;
+  SpecTable specs;
+  auto read = (*source)->read(names, specs, index, {});
+  if (!read) return std::move(read).errors();
   return index;
 }
 

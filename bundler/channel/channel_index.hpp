@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -40,13 +41,52 @@ struct LeftOutRecord {
 
 struct RepoIndex {
   std::vector<std::string> channels;   ///< in the order of priority
-  std::vector<PackageRecord> records;  ///< sorted: by channel, then subdir, then file name
+  std::vector<PackageRecord> records;  ///< in no order that matters
   std::vector<LeftOutRecord> left_out;
+  std::vector<std::string>
+      names;  ///< of all packages of the channels, sorted; records may be fewer
 };
 
-/// Reads `emscripten-wasm32` and `noarch` of every channel (repodata.json.zst, else repodata.json).
+enum class ChannelPriority {
+  kStrict,    ///< a name found in one channel hides it in all later ones
+  kFlexible,  ///< earlier channels are preferred, later ones allowed
+  kDisabled,  ///< only versions count
+};
+
+/// Channels whose lists of names are known; records are read when they are asked for.
+class OpenChannels {
+ public:
+  /// Names of all packages, sorted.
+  [[nodiscard]] const std::vector<std::string>& names() const;
+
+  /// What a solution of these match specs can be made of: the records of the names that they speak
+  /// of, of the names that those depend on, and so on. Texts that are no match specs are passed
+  /// over.
+  [[nodiscard]] Outcome<RepoIndex> reachable(std::span<const std::string> specs,
+                                             ChannelPriority priority,
+                                             const Cancellation& cancellation = {}) const;
+
+  /// Every record there is.
+  [[nodiscard]] Outcome<RepoIndex> everything(const Cancellation& cancellation = {}) const;
+
+ private:
+  friend Outcome<OpenChannels> open_channels(std::span<const ChannelSource> channels,
+                                             const ChannelRoots& roots,
+                                             const Cancellation& cancellation,
+                                             const ProgressSink& progress);
+  struct State;
+  std::shared_ptr<State> state_;
+};
+
+/// Opens `emscripten-wasm32` and `noarch` of every channel (repodata.json.zst, else repodata.json).
 /// R2W0201 the channel is not there, R2W0202 its index cannot be read, R2W0203 nobody speaks its
 /// scheme.
+[[nodiscard]] Outcome<OpenChannels> open_channels(std::span<const ChannelSource> channels,
+                                                  const ChannelRoots& roots,
+                                                  const Cancellation& cancellation = {},
+                                                  const ProgressSink& progress = {});
+
+/// open_channels() and everything().
 [[nodiscard]] Outcome<RepoIndex> load_channels(std::span<const ChannelSource> channels,
                                                const ChannelRoots& roots,
                                                const Cancellation& cancellation = {},

@@ -62,7 +62,9 @@ Outcome<PackageRecord> index_archive(const fs::path& archive, const std::string&
   if (!text) return text.errors();
   const auto json = parse_json(*text, archive.string() + ":info/index.json", "R2W0205");
   if (!json) return json.errors();
-  auto parsed = parse_record(*json, file_name, {.channel = {}, .subdir = subdir, .base_url = {}});
+  SpecTable specs;
+  auto parsed =
+      parse_record(*json, file_name, {.channel = {}, .subdir = subdir, .base_url = {}}, specs);
   if (const auto* fault = std::get_if<std::string>(&parsed)) return misplaced(archive, *fault);
   PackageRecord record = std::get<PackageRecord>(std::move(parsed));
   if (record.subdir != subdir) return misplaced(archive, "it is made for `" + record.subdir + "`");

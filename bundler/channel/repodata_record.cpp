@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "bundler/channel/record_rules.hpp"
-#include "workspace_schema/match_spec.hpp"
+#include "workspace_schema/version.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -42,7 +42,7 @@ std::vector<std::string> feature_list(const JsonValue* value) {
 }
 
 /// A reason when a spec of the list cannot be read.
-std::optional<std::string> read_specs(const JsonValue& json, std::string_view key,
+std::optional<std::string> read_specs(const JsonValue& json, std::string_view key, SpecTable& table,
                                       std::vector<std::string>& specs) {
   const JsonValue* list = json.find(key);
   if (list == nullptr || list->is_null()) return std::nullopt;
@@ -50,7 +50,7 @@ std::optional<std::string> read_specs(const JsonValue& json, std::string_view ke
   for (const JsonValue& item : list->items()) {
     const std::string* text = item.string();
     if (text == nullptr) return "`" + std::string(key) + "` holds something that is not text";
-    if (const auto spec = MatchSpec::parse(*text); !spec) {
+    if (const auto& spec = table.parsed(*text); !spec) {
       return "`" + std::string(key) + "`: " + spec.errors().front().message;
     }
     if (std::find(specs.begin(), specs.end(), *text) == specs.end()) specs.push_back(*text);
@@ -117,7 +117,7 @@ std::optional<std::string> read_numbers(const JsonValue& json, PackageRecord& re
 
 std::variant<PackageRecord, std::string> parse_record(const JsonValue& json,
                                                       const std::string& file_name,
-                                                      const RecordPlace& place) {
+                                                      const RecordPlace& place, SpecTable& specs) {
   if (!json.is_object()) return "it is not a JSON object";
   PackageRecord record{.name = lower_case(json.text_of("name")),
                        .version = json.text_of("version"),
@@ -134,8 +134,8 @@ std::variant<PackageRecord, std::string> parse_record(const JsonValue& json,
   if (auto fault = read_hashes(json, record)) return *fault;
   if (auto fault = read_numbers(json, record)) return *fault;
   if (auto fault = read_noarch(json.find("noarch"), record.noarch)) return *fault;
-  if (auto fault = read_specs(json, "depends", record.depends)) return *fault;
-  if (auto fault = read_specs(json, "constrains", record.constrains)) return *fault;
+  if (auto fault = read_specs(json, "depends", specs, record.depends)) return *fault;
+  if (auto fault = read_specs(json, "constrains", specs, record.constrains)) return *fault;
   record.track_features = feature_list(json.find("track_features"));
   return record;
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <variant>
 
+#include "bundler/channel/spec_table.hpp"
 #include "workspace_schema/json_reader.hpp"
 #include "workspace_schema/package_record.hpp"
 
@@ -17,9 +18,10 @@ struct RecordPlace {
   std::string base_url;
 };
 
-/// The record, or the reason why it cannot be used.
+/// The record, or the reason why it cannot be used. Its specs are parsed through `specs`.
 [[nodiscard]] std::variant<PackageRecord, std::string> parse_record(const JsonValue& json,
                                                                     const std::string& file_name,
-                                                                    const RecordPlace& place);
+                                                                    const RecordPlace& place,
+                                                                    SpecTable& specs);
 
 }  // namespace ros2wasm

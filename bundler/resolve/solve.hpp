@@ -20,12 +20,6 @@ struct RequestedSpec {
   std::optional<SourceSpan> span;  ///< where it is written
 };
 
-enum class ChannelPriority {
-  kStrict,    ///< a name found in one channel hides it in all later ones
-  kFlexible,  ///< earlier channels are preferred, later ones allowed
-  kDisabled,  ///< only versions count
-};
-
 struct ResolveRequest {
   std::vector<RequestedSpec> specs;
   std::vector<PackageRecord> locked;  ///< kept when they still fit

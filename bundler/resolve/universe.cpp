@@ -26,9 +26,13 @@ class Builder {
     for (const PackageRecord& locked : request.locked) locked_.emplace(locked.url, locked.sha256);
     universe_.virtual_records = virtual_packages();
     for (const PackageRecord& record : universe_.virtual_records) records_[record.name] = {&record};
+    universe_.names = index.names;
     for (const auto& [name, list] : records_) {
       if (!is_virtual(*list.front())) universe_.names.push_back(name);
     }
+    std::sort(universe_.names.begin(), universe_.names.end());
+    universe_.names.erase(std::unique(universe_.names.begin(), universe_.names.end()),
+                          universe_.names.end());
   }
 
   Universe build(const std::vector<MatchSpec>& specs) {

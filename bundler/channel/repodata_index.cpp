@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 constexpr std::uint64_t kLargestText = 4ULL << 30U;
 constexpr std::size_t kPiece = 4U << 20U;
 /// Smaller sources are scanned again each time: faster than a look into the cache is not possible.
-constexpr std::uint64_t kSmallestKept = 128U << 10U;
+constexpr std::uint64_t kSmallestKept = 16U << 10U;
 
 using Take = std::function<Outcome<Done>(std::string_view)>;
 

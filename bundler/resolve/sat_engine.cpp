@@ -38,8 +38,10 @@ class IdQueue {
   Queue queue_{};
 };
 
+}  // namespace
+
 /// A Universe as libsolv's pool, with the way back from its Ids.
-class SolvPool {
+class SatEngine::SolvPool {
  public:
   explicit SolvPool(const Universe& universe)
       : universe_(universe), pool_(pool_create(), pool_free) {
@@ -62,7 +64,7 @@ class SolvPool {
     pool_createwhatprovides(pool_.get());
   }
 
-  std::variant<Choice, Proof> solve() {
+  std::variant<Choice, Proof> solve(std::span<const CandidateId> fixed) {
     IdQueue job;
     const auto install = [&job](Id need) {
       queue_push2(job.get(), SOLVER_INSTALL | SOLVER_SOLVABLE_PROVIDES, need);
@@ -78,6 +80,8 @@ class SolvPool {
       return universe_.requirements[a].text < universe_.requirements[b].text;
     });
     for (const RequirementId id : wanted) install(needs_[id]);
+    for (const CandidateId id : fixed)
+      queue_push2(job.get(), SOLVER_INSTALL | SOLVER_SOLVABLE, solvables_[id]);
     const SolverPointer solver(solver_create(pool_.get()), solver_free);
     solver_set_flag(solver.get(), SOLVER_FLAG_IGNORE_RECOMMENDED, 1);
     if (solver_solve(solver.get(), job.get()) != 0) return proof(solver.get());
@@ -166,10 +170,11 @@ class SolvPool {
   std::unordered_map<Id, CandidateId> candidate_of_;
 };
 
-}  // namespace
+SatEngine::SatEngine(const Universe& universe) : pool_(std::make_unique<SolvPool>(universe)) {}
+SatEngine::~SatEngine() = default;
 
-std::variant<Choice, Proof> choose(const Universe& universe) {
-  return SolvPool(universe).solve();
+std::variant<Choice, Proof> SatEngine::solve(std::span<const CandidateId> fixed) {
+  return pool_->solve(fixed);
 }
 
 }  // namespace ros2wasm

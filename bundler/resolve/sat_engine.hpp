@@ -2,7 +2,9 @@
 // sat_engine.cpp.
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -28,6 +30,20 @@ using Choice = std::vector<CandidateId>;
 /// One list of rules per independent conflict.
 using Proof = std::vector<std::vector<ProofRule>>;
 
-[[nodiscard]] std::variant<Choice, Proof> choose(const Universe& universe);
+/// Says whether there is a solution, and gives one; which of many is best_choice()'s business.
+class SatEngine {
+ public:
+  explicit SatEngine(const Universe& universe);
+  ~SatEngine();
+  SatEngine(const SatEngine&) = delete;
+  SatEngine& operator=(const SatEngine&) = delete;
+
+  /// A solution of all that is wanted in which all of `fixed` are chosen.
+  [[nodiscard]] std::variant<Choice, Proof> solve(std::span<const CandidateId> fixed);
+
+ private:
+  class SolvPool;
+  std::unique_ptr<SolvPool> pool_;
+};
 
 }  // namespace ros2wasm

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <set>
 
+#include "bundler/resolve/best_choice.hpp"
 #include "bundler/resolve/explain.hpp"
-#include "bundler/resolve/sat_engine.hpp"
 #include "bundler/resolve/universe.hpp"
 #include "bundler/resolve/virtual_packages.hpp"
 #include "workspace_schema/suggestion.hpp"
@@ -111,7 +111,7 @@ std::vector<std::string> proven_fixes(const ResolveRequest& request,
     std::vector<MatchSpec> relaxed = specs;
     relaxed[i] = *MatchSpec::parse(*name);
     const Universe wider = make_universe(request, relaxed, index);
-    const auto answer = choose(wider);
+    const auto answer = best_choice(wider);
     const auto* choice = std::get_if<Choice>(&answer);
     if (choice == nullptr) continue;
     for (const CandidateId id : *choice) {
@@ -134,7 +134,7 @@ Outcome<Resolution> solve(const ResolveRequest& request, const RepoIndex& index)
   if (Diagnostics errors = unknown_names(request, *specs, universe, index); !errors.empty())
     return errors;
 
-  const auto answer = choose(universe);
+  const auto answer = best_choice(universe);
   if (const auto* choice = std::get_if<Choice>(&answer))
     return InstallOrder(universe, *choice).resolution();
 

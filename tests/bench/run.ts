@@ -3,6 +3,7 @@
 //   node tests/bench/run.ts --build BUILD_DIR [NAME ...]
 import { resolve } from 'node:path';
 import { benchPack } from './pack.ts';
+import { benchSolve } from './solve.ts';
 import { benchBytes } from './site_bytes.ts';
 import { benchStart } from './site_start.ts';
 
@@ -18,6 +19,7 @@ export interface BenchContext {
 const BENCHES: Readonly<Record<string, (context: BenchContext) => Promise<void> | void>> = {
   bytes: benchBytes,
   pack: benchPack,
+  solve: benchSolve,
   start: benchStart,
 };
 

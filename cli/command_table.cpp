@@ -19,6 +19,7 @@ CommandBody run_command(Arguments& arguments);
 CommandBody schema_command(Arguments& arguments);
 CommandBody serve_command(Arguments& arguments);
 CommandBody solve_command(Arguments& arguments);
+CommandBody tree_command(Arguments& arguments);
 CommandBody version_command(Arguments& arguments);
 CommandBody why_command(Arguments& arguments);
 
@@ -38,7 +39,10 @@ constexpr auto kCommands = std::to_array<CommandRow>({
     {.name = "build",
      .help = "Compile a workspace, without making a site",
      .declare = build_command},
-    {.name = "why", .help = "Say why a file is in a site", .declare = why_command},
+    {.name = "why",
+     .help = "Say why a file is in a site, or a package in the lock",
+     .declare = why_command},
+    {.name = "tree", .help = "Show who needs whom in the lock", .declare = tree_command},
     {.name = "lock", .help = "Write or check ros2wasm.lock", .declare = lock_command},
     {.name = "channel", .help = "Make a channel of packages", .declare = channel_command},
     {.name = "schema",

@@ -14,6 +14,7 @@ struct Options {
   std::string kind;
   std::string folder;
   std::optional<std::string> from;
+  std::optional<std::string> environment;
   std::optional<std::string> output;
 };
 
@@ -29,6 +30,10 @@ Outcome<InitReport> init(const Context& context, const Options& options) {
   if (options.from) {
     if (!options.kind.empty()) return wrong_use("`--from` goes without a template");
     const std::filesystem::path workspace = *options.from;
+    std::error_code error;
+    if (std::filesystem::is_regular_file(workspace, error))
+      return init_from_environment(workspace, options.output.value_or(""),
+                                   options.environment.value_or(""));
     return init_from_workspace(workspace, options.output ? std::filesystem::path(*options.output)
                                                          : workspace / "workspace.yaml");
   }
@@ -67,11 +72,15 @@ CommandBody init_command(Arguments& arguments) {
   const auto options = std::make_shared<Options>();
   arguments.optional("TEMPLATE", options->kind, "cpp: a talker and a listener in C++");
   arguments.optional("FOLDER", options->folder, "where to write the template");
-  arguments.value("--from", options->from, "FOLDER",
-                  "write a workspace.yaml for the colcon workspace in this folder");
+  arguments.value("--from", options->from, "FOLDER|FILE",
+                  "write a workspace.yaml for the colcon workspace in this folder, or one that "
+                  "begins with an environment.yml, pixi.toml, pixi.lock or conda-lock file");
+  arguments.value("--environment", options->environment, "NAME",
+                  "with --from pixi.lock: which of its environments");
   arguments.value("-o,--output", options->output, "FILE",
-                  "with --from: where to write it [FOLDER/workspace.yaml]");
-  arguments.examples({"ros2wasm init cpp my_workspace", "ros2wasm init --from ~/ros2_ws"});
+                  "with --from: where to write it [workspace.yaml in the folder]");
+  arguments.examples({"ros2wasm init cpp my_workspace", "ros2wasm init --from ~/ros2_ws",
+                      "ros2wasm init --from pixi.lock --environment wasm"});
   return [options](Context& context) { return run(context, *options); };
 }
 

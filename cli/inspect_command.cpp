@@ -1,19 +1,25 @@
-// `ros2wasm inspect version|spec|match|archive`: what the parsers make of a text or a file, one
-// JSON object a line.
+// `ros2wasm inspect version|spec|match|archive|lock`: what the parsers make of a text or a file,
+// one JSON object a line.
 #include <poll.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
 #include <charconv>
+#include <filesystem>
 #include <memory>
 #include <utility>
 
 #include "bundler/archive/package_listing.hpp"
+#include "bundler/io/files.hpp"
 #include "bundler/io/sha256.hpp"
+#include "bundler/resolve/locked_solve.hpp"
+#include "bundler/resolve/solve.hpp"
+#include "bundler/workspace/foreign_environment.hpp"
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
 #include "workspace_schema/json_writer.hpp"
+#include "workspace_schema/lock.hpp"
 #include "workspace_schema/match_spec.hpp"
 #include "workspace_schema/version.hpp"
 
@@ -23,6 +29,7 @@ namespace {
 struct InspectOptions {
   std::string what;
   std::string file;
+  std::string environment;
 };
 
 Diagnostic usage_error(std::string message) {
@@ -170,7 +177,40 @@ int inspect_archive(Context& context, const std::string& file) {
   return listing->faults.empty() ? 0 : 1;
 }
 
+/// The packages of a lock, ours or another tool's.
+Outcome<std::vector<PackageRecord>> locked_packages(const InspectOptions& options) {
+  const auto text = read_file(options.file);
+  if (!text) return text.errors();
+  if (std::filesystem::path(options.file).filename() == kLockFileName) {
+    auto lock = read_lock(*text, options.file);
+    if (!lock) return std::move(lock).errors();
+    return std::move(lock->packages);
+  }
+  auto foreign = read_foreign_environment(*text, options.file, options.environment);
+  if (!foreign) return std::move(foreign).errors();
+  return std::move(foreign->packages);
+}
+
+/// Whether all that each package needs and allows is so.
+int inspect_lock(Context& context, const InspectOptions& options) {
+  const auto packages = locked_packages(options);
+  if (!packages) return context.console.fail(packages.errors());
+  const Diagnostics faults = check_solution({}, *packages);
+  JsonWriter json;
+  json.begin_object().field("lock", options.file);
+  json.key("packages").unsigned_integer(packages->size()).key("faults").begin_array();
+  for (const Diagnostic& one : faults) json.string(one.message);
+  json.end_array().end_object();
+  context.console.result(json.text());
+  return faults.empty() ? 0 : 1;
+}
+
 int run(const InspectOptions& options, Context& context) {
+  if (options.what == "lock") {
+    if (options.file.empty())
+      return context.console.fail(usage_error("`ros2wasm inspect lock` takes a file"));
+    return inspect_lock(context, options);
+  }
   if (options.what == "archive") {
     if (options.file.empty())
       return context.console.fail(usage_error("`ros2wasm inspect archive` takes a file"));
@@ -179,8 +219,9 @@ int run(const InspectOptions& options, Context& context) {
   if (options.what == "version") return each_line(context, version_line);
   if (options.what == "spec") return each_line(context, spec_line);
   if (options.what == "match") return each_line(context, match_line);
-  return context.console.fail(usage_error(
-      "`ros2wasm inspect` knows version, spec, match and archive, not `" + options.what + "`"));
+  return context.console.fail(
+      usage_error("`ros2wasm inspect` knows version, spec, match, archive and lock, not `" +
+                  options.what + "`"));
 }
 
 }  // namespace
@@ -190,10 +231,15 @@ CommandBody inspect_command(Arguments& arguments) {
   arguments.required(
       "WHAT", options->what,
       "`version` and `spec` read lines from stdin; `match` reads spec<TAB>version<TAB>build; "
-      "`archive` looks into a file");
-  arguments.optional("FILE", options->file, "for `archive`: a .conda or .tar.bz2 file");
-  arguments.examples(
-      {"echo 1.0rc1 | ros2wasm inspect version", "ros2wasm inspect archive demo-1.0-0.conda"});
+      "`archive` looks into a file; `lock` checks every dependency of a lock");
+  arguments.optional("FILE", options->file,
+                     "for `archive`: a .conda or .tar.bz2 file; for `lock`: a ros2wasm.lock, "
+                     "pixi.lock or conda-lock file");
+  arguments.value("--environment", options->environment, "NAME",
+                  "for `lock`: which environment of a pixi.lock");
+  arguments.examples({"echo 1.0rc1 | ros2wasm inspect version",
+                      "ros2wasm inspect archive demo-1.0-0.conda",
+                      "ros2wasm inspect lock pixi.lock --environment wasm"});
   return [options](Context& context) { return run(*options, context); };
 }
 

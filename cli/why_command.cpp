@@ -1,10 +1,13 @@
-// `ros2wasm why PATH`: why a file is in a site.
+// `ros2wasm why PATH|NAME`: why a file is in a site, or a package in the lock.
 #include <filesystem>
 #include <memory>
 
 #include "bundler/io/files.hpp"
+#include "bundler/resolve/lock_graph.hpp"
+#include "bundler/resolve/locked_solve.hpp"
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
+#include "cli/workspace_lock.hpp"
 #include "workspace_schema/json_reader.hpp"
 #include "workspace_schema/json_writer.hpp"
 #include "workspace_schema/suggestion.hpp"
@@ -44,8 +47,48 @@ int answer(Context& context, const std::string& path, std::uint64_t size,
   return 0;
 }
 
+/// Who needs a package of the lock, from what was asked for down to it.
+int why_package(Context& context, const std::string& name) {
+  const auto lock = read_workspace_lock({});
+  if (!lock) return context.console.fail(lock.errors());
+  const LockGraph graph(*lock);
+  const auto package = graph.find(name);
+  if (!package) return context.console.fail(not_in_lock(name, *lock));
+  const auto chains = graph.chains_to(*package);
+  const PackageRecord& record = graph.package(*package);
+  if (context.json) {
+    JsonWriter json;
+    json.begin_object().field("name", record.name).field("version", record.version);
+    json.key("chains").begin_array();
+    for (const auto& chain : chains) {
+      json.begin_array();
+      for (const LockEdge& edge : chain) {
+        json.begin_object().field("name", graph.package(edge.package).name);
+        json.field("spec", edge.spec).end_object();
+      }
+      json.end_array();
+    }
+    json.end_array().end_object();
+    context.console.result(json.text());
+    return 0;
+  }
+  context.console.result(record.name + " " + record.version + " " + record.build);
+  if (chains.empty()) context.console.result("  nothing in the lock needs it");
+  for (const auto& chain : chains) {
+    std::string line = "  asked for: " + chain.front().spec;
+    for (std::size_t i = 1; i < chain.size(); ++i)
+      line += "\n    " + graph.package(chain[i - 1].package).name + " needs " + chain[i].spec;
+    context.console.result(line);
+  }
+  return 0;
+}
+
 int why(Context& context, const std::string& word) {
+  std::error_code ignored;
+  const bool is_name = word.find('/') == std::string::npos && !fs::exists(word, ignored);
   const fs::path folder = site_above(word);
+  if (is_name && (folder.empty() || fs::exists(kLockFileName, ignored)))
+    return why_package(context, word);
   if (folder.empty()) {
     return context.console.fail(
         not_in_site(word, {"there is no site.json in the folders above it"}));
@@ -77,8 +120,8 @@ int why(Context& context, const std::string& word) {
 
 CommandBody why_command(Arguments& arguments) {
   const auto path = std::make_shared<std::string>();
-  arguments.required("PATH", *path, "a file of a site");
-  arguments.examples({"ros2wasm why site/programs/demo/talker.wasm"});
+  arguments.required("PATH", *path, "a file of a site, or the name of a package of ros2wasm.lock");
+  arguments.examples({"ros2wasm why site/programs/demo/talker.wasm", "ros2wasm why ros-jazzy-rcl"});
   return [path](Context& context) { return why(context, *path); };
 }
 

@@ -155,6 +155,13 @@ std::vector<std::string> package_entries(const std::vector<DraftPackage>& packag
   return folders;
 }
 
+std::string list_section(const std::string& key, const std::vector<std::string>& entries) {
+  if (entries.empty()) return {};
+  std::string text = "\n" + key + ":\n";
+  for (const std::string& entry : entries) text += "  - " + yaml_text(entry) + "\n";
+  return text;
+}
+
 std::string launch_section(const DraftInput& input) {
   std::string nodes;
   for (const DraftPackage& package : input.packages) {
@@ -168,6 +175,10 @@ std::string launch_section(const DraftInput& input) {
     text +=
         "# The workspace has launch files, which are not read yet; list what they start below:\n";
     for (const std::string& file : input.launch_files) text += "#   " + file + "\n";
+  }
+  if (nodes.empty()) {
+    return text + "# What runs: put in the names of a package and of its program.\nlaunch:\n" +
+           "  - package: my_package\n    executable: my_program\n";
   }
   return text + "# What runs: each program once. Take out what should not; a node may also have\n" +
          "# name, namespace, remappings, parameters and arguments.\nlaunch:\n" + nodes;
@@ -215,9 +226,11 @@ std::string draft_manifest(const DraftInput& input) {
   text += "title: " + yaml_text(input.title) + "\n";
   text += "version: " + json_quoted(version) + "\n";
   if (!license.empty()) text += "license: " + yaml_text(license) + "\n";
-  text += "distro: jazzy\n\npackages:\n";
-  for (const std::string& entry : package_entries(input.packages))
-    text += "  - " + yaml_text(entry) + "\n";
+  text += "distro: jazzy\n";
+  std::vector<std::string> folders;
+  if (!input.packages.empty()) folders = package_entries(input.packages);
+  text += list_section("packages", folders) + list_section("channels", input.channels) +
+          list_section("dependencies", input.dependencies);
   text += "\n" + launch_section(input);
   return text;
 }

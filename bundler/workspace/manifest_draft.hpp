@@ -24,14 +24,16 @@ struct DraftInput {
   std::string title;
   std::vector<DraftPackage> packages;     ///< sorted by folder
   std::vector<std::string> launch_files;  ///< relative to the manifest
+  std::vector<std::string> channels;      ///< none: what a manifest without them has
+  std::vector<std::string> dependencies;  ///< match specs, beyond what the packages ask for
 };
 
 /// Names of the executables that a CMakeLists.txt makes and installs, sorted. Names that CMake puts
 /// together from variables other than PROJECT_NAME are not seen.
 [[nodiscard]] std::vector<std::string> installed_program_names(std::string_view cmake_lists);
 
-/// The manifest's text, with comments on what a person may choose. At least one package must have a
-/// program: a manifest says what runs.
+/// The manifest's text, with comments on what a person may choose. A manifest says what runs: where
+/// no package has a program, a node stands in it for a person to fill in.
 [[nodiscard]] std::string draft_manifest(const DraftInput& input);
 
 }  // namespace ros2wasm

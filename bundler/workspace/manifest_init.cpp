@@ -4,9 +4,13 @@
 #include <algorithm>
 
 #include "bundler/io/files.hpp"
+#include "bundler/resolve/locked_solve.hpp"
+#include "bundler/resolve/solve.hpp"
 #include "bundler/workspace/default_manifest.hpp"
 #include "bundler/workspace/discovery.hpp"
+#include "bundler/workspace/foreign_environment.hpp"
 #include "bundler/workspace/manifest_draft.hpp"
+#include "workspace_schema/lock.hpp"
 #include "workspace_schema/manifest_reader.hpp"
 #include "workspace_schema/suggestion.hpp"
 
@@ -155,6 +159,52 @@ Outcome<InitReport> init_from_workspace(const fs::path& workspace, const fs::pat
   auto written = write_new({{.path = output, .bytes = text}});
   if (!written) return std::move(written).errors();
   return InitReport{.written = std::move(*written), .remarks = draft_remarks(input)};
+}
+
+Outcome<InitReport> init_from_environment(const fs::path& file, const fs::path& output,
+                                          const std::string& environment) {
+  const auto text = read_file(file);
+  if (!text) return text.errors();
+  const auto read = read_foreign_environment(*text, file.string(), environment);
+  if (!read) return read.errors();
+  const fs::path manifest_file = output.empty() ? file.parent_path() / "workspace.yaml" : output;
+  const fs::path base = fs::weakly_canonical(fs::absolute(manifest_file)).parent_path();
+  const Manifest made = default_manifest(base);
+  DraftInput input{
+      .name = made.name.value, .title = made.title, .packages = {}, .launch_files = {}};
+  if (!find_package_folders(base).empty()) {
+    const auto packages =
+        discover_packages(base, base, made.packages, ros_condition_variables(made.distro));
+    if (!packages) return packages.errors();
+    for (const LocalPackage& package : *packages)
+      input.packages.push_back(draft_package(package, base));
+  }
+  input.channels = {"embedded"};
+  input.channels.insert(input.channels.end(), read->channels.begin(), read->channels.end());
+  input.dependencies = read->specs;
+  const std::string manifest = draft_manifest(input);
+  if (auto again = read_manifest(manifest, manifest_file.string()); !again)
+    return std::move(again).errors();
+  std::vector<NewFile> files{{.path = manifest_file, .bytes = manifest}};
+  if (!read->packages.empty()) {
+    std::vector<RequestedSpec> asked;
+    for (const std::string& spec : read->specs)
+      asked.push_back({.text = spec, .origin = {}, .span = {}});
+    if (Diagnostics faults = check_solution(asked, read->packages); !faults.empty()) return faults;
+    files.push_back(
+        {.path = manifest_file.parent_path() / kLockFileName,
+         .bytes = write_lock(
+             {.channels = input.channels, .specs = read->specs, .packages = read->packages})});
+  }
+  auto written = write_new(files);
+  if (!written) return std::move(written).errors();
+  InitReport report{.written = std::move(*written), .remarks = {}};
+  report.remarks.push_back("from the " + read->format + ": " + std::to_string(read->specs.size()) +
+                           " dependencies, " + std::to_string(read->channels.size()) + " channels");
+  if (!read->packages.empty())
+    report.remarks.push_back("its lock has " + std::to_string(read->packages.size()) + " packages");
+  if (!read->left_out.empty()) report.remarks.push_back("left out: " + name_list(read->left_out));
+  return report;
 }
 
 Outcome<InitReport> init_from_template(const fs::path& template_folder, const fs::path& target) {

@@ -21,6 +21,13 @@ struct InitReport {
 [[nodiscard]] Outcome<InitReport> init_from_workspace(const std::filesystem::path& workspace,
                                                       const std::filesystem::path& output);
 
+/// A manifest at `output` (beside `file` when empty) with the channels and dependencies of another
+/// tool's file and the packages beside it; from a lock, a ros2wasm.lock of its packages too.
+/// R2W0630, R2W0340, R2W0341, R2W0311 when the lock's packages do not fit together.
+[[nodiscard]] Outcome<InitReport> init_from_environment(const std::filesystem::path& file,
+                                                        const std::filesystem::path& output,
+                                                        const std::string& environment);
+
 /// Copies the files of `template_folder` to `target`, named after its last part. R2W0630.
 [[nodiscard]] Outcome<InitReport> init_from_template(const std::filesystem::path& template_folder,
                                                      const std::filesystem::path& target);

@@ -12,6 +12,7 @@ add_executable(bundler_channel_test
   resolve/solve_test.cpp
   store/environment_test.cpp
   store/store_test.cpp
+  workspace/foreign_environment_test.cpp
 )
 target_include_directories(bundler_channel_test PRIVATE ${PROJECT_SOURCE_DIR}/tests)
 target_compile_definitions(bundler_channel_test PRIVATE ROS2WASM_SOURCE_DIR="${PROJECT_SOURCE_DIR}")

@@ -1,0 +1,112 @@
+// `ros2wasm tree [NAME]`: who needs whom, as ros2wasm.lock says.
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "bundler/io/files.hpp"
+#include "bundler/resolve/lock_graph.hpp"
+#include "bundler/resolve/locked_solve.hpp"
+#include "cli/arguments.hpp"
+#include "cli/console.hpp"
+#include "cli/workspace_lock.hpp"
+#include "workspace_schema/json_writer.hpp"
+
+namespace ros2wasm {
+namespace {
+
+struct TreeOptions {
+  std::string name;
+  std::string workspace;
+};
+
+/// Prints a package under those that need it; what it needs itself is shown once only.
+class TreePrinter {
+ public:
+  TreePrinter(Context& context, const LockGraph& graph)
+      : context_(context), graph_(graph), shown_(graph.size(), false) {}
+
+  void root(std::size_t i) {
+    context_.console.result(label(i));
+    children(i, "");
+  }
+
+ private:
+  std::string label(std::size_t i) {
+    const PackageRecord& record = graph_.package(i);
+    const bool again = shown_[i] && !graph_.needs(i).empty();
+    return record.name + " " + record.version + (again ? " (see above)" : "");
+  }
+
+  void children(std::size_t i, const std::string& indent) {
+    if (shown_[i]) return;
+    shown_[i] = true;
+    const auto& needs = graph_.needs(i);
+    for (std::size_t k = 0; k < needs.size(); ++k) {
+      const bool last = k + 1 == needs.size();
+      const std::string spec = needs[k].spec;
+      const std::size_t space = spec.find_first_of(" <>=!~[");
+      context_.console.result(indent + (last ? "`-- " : "|-- ") + label(needs[k].package) +
+                              (space == std::string::npos ? "" : "  [" + spec + "]"));
+      children(needs[k].package, indent + (last ? "    " : "|   "));
+    }
+  }
+
+  Context& context_;
+  const LockGraph& graph_;
+  std::vector<bool> shown_;
+};
+
+void print_json(Context& context, const LockGraph& graph) {
+  JsonWriter json;
+  json.begin_object().key("asked_for").begin_array();
+  for (const LockEdge& root : graph.roots()) json.string(root.spec);
+  json.end_array().key("packages").begin_array();
+  for (std::size_t i = 0; i < graph.size(); ++i) {
+    const PackageRecord& record = graph.package(i);
+    json.begin_object().field("name", record.name).field("version", record.version);
+    json.field("build", record.build).key("needs").begin_array();
+    for (const LockEdge& edge : graph.needs(i)) {
+      json.begin_object().field("name", graph.package(edge.package).name);
+      json.field("spec", edge.spec).end_object();
+    }
+    json.end_array().end_object();
+  }
+  json.end_array().end_object();
+  context.console.result(json.text());
+}
+
+int run(Context& context, const TreeOptions& options) {
+  const auto lock = read_workspace_lock(options.workspace);
+  if (!lock) return context.console.fail(lock.errors());
+  const LockGraph graph(*lock);
+  TreePrinter printer(context, graph);
+  if (!options.name.empty()) {
+    const auto package = graph.find(options.name);
+    if (!package) return context.console.fail(not_in_lock(options.name, *lock));
+    if (context.json) {
+      print_json(context, graph);
+    } else {
+      printer.root(*package);
+    }
+    return 0;
+  }
+  if (context.json) {
+    print_json(context, graph);
+    return 0;
+  }
+  for (const LockEdge& root : graph.roots()) printer.root(root.package);
+  return 0;
+}
+
+}  // namespace
+
+CommandBody tree_command(Arguments& arguments) {
+  const auto options = std::make_shared<TreeOptions>();
+  arguments.optional("NAME", options->name, "begin at this package [at all that was asked for]");
+  arguments.value("-w,--workspace", options->workspace, "FOLDER",
+                  "the folder of ros2wasm.lock [the current one]");
+  arguments.examples({"ros2wasm tree", "ros2wasm tree ros-jazzy-rclcpp"});
+  return [options](Context& context) { return run(context, *options); };
+}
+
+}  // namespace ros2wasm

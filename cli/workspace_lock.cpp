@@ -1,0 +1,37 @@
+// See workspace_lock.hpp.
+#include "cli/workspace_lock.hpp"
+
+#include <filesystem>
+
+#include "bundler/io/files.hpp"
+#include "bundler/resolve/locked_solve.hpp"
+#include "workspace_schema/suggestion.hpp"
+
+namespace ros2wasm {
+namespace fs = std::filesystem;
+
+Outcome<Lock> read_workspace_lock(const std::string& workspace) {
+  std::error_code error;
+  fs::path folder = workspace.empty() ? fs::path(".") : fs::path(workspace);
+  if (fs::is_regular_file(folder, error)) folder = folder.parent_path();
+  const fs::path file = (folder / kLockFileName).lexically_normal();
+  if (!fs::exists(file, error)) {
+    return Diagnostic{.code = "R2W0330",
+                      .message = "there is no `" + file.string() + "`",
+                      .why = {"`ros2wasm lock` and `ros2wasm pack` write it"},
+                      .fix = {"ros2wasm lock"}};
+  }
+  const auto text = read_file(file);
+  if (!text) return text.errors();
+  return read_lock(*text, file.string());
+}
+
+Diagnostic not_in_lock(const std::string& name, const Lock& lock) {
+  Diagnostic made{.code = "R2W0331", .message = "the lock has no package `" + name + "`"};
+  std::vector<std::string> names;
+  for (const PackageRecord& record : lock.packages) names.push_back(record.name);
+  if (const auto similar = nearest(name, names)) made.why.push_back("it has `" + *similar + "`");
+  return made;
+}
+
+}  // namespace ros2wasm

@@ -118,8 +118,11 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
                      .cache = default_cache_directory(variable(request.variables, "XDG_CACHE_HOME"),
                                                       variable(request.variables, "HOME"))};
   auto embedded = embedded_channel(request.executable);
-  if (embedded) roots.embedded = std::move(embedded).value();
-  if (!embedded && manifest.channels.empty()) return std::move(embedded).errors();
+  if (embedded) {
+    roots.embedded = std::move(embedded).value();
+  } else if (manifest.channels.empty()) {
+    return std::move(embedded).errors();
+  }
   std::vector<ChannelSource> channels;
   for (const auto& channel : manifest.channels) channels.push_back({channel.value, channel.span});
   if (channels.empty()) channels.push_back({"embedded", std::nullopt});

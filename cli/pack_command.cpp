@@ -61,9 +61,12 @@ int run(Context& context, const Options& options) {
   } else if (options.plan) {
     print_plan(context.console, report->plan);
   } else {
-    context.console.remark(std::to_string(report->plan.nodes.size()) + " nodes, " +
-                           std::to_string(report->plan.files.size()) + " files, " +
-                           kilobytes(total_size(report->plan)));
+    const std::uint64_t names = names_size(report->plan);
+    context.console.remark(
+        std::to_string(report->plan.nodes.size()) + " nodes, " +
+        std::to_string(report->plan.files.size()) + " files, " +
+        kilobytes(total_size(report->plan) - names) +
+        (names == 0 ? "" : ", and " + kilobytes(names) + " of names for crash reports"));
     context.console.result(report->output.string());
   }
   return 0;

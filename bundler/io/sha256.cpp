@@ -38,7 +38,7 @@ std::string Hasher::hex() {
   unsigned length = 0;
   EVP_DigestFinal_ex(state_->context, digest.data(), &length);
   std::string text;
-  text.reserve(2U * length);
+  text.reserve(std::size_t{2} * length);
   for (unsigned i = 0; i < length; ++i) {
     text += kHex[digest[i] >> 4U];
     text += kHex[digest[i] & 0xFU];
@@ -58,7 +58,7 @@ Outcome<FileHashes> hash_file(const std::filesystem::path& path, bool with_md5) 
   Hasher sha256;
   Hasher md5(HashKind::kMd5);
   FileHashes hashes;
-  std::vector<char> buffer(256U * 1024U);
+  std::vector<char> buffer(std::size_t{256} * 1024);
   for (;;) {
     const ssize_t got = ::read(fd, buffer.data(), buffer.size());
     if (got < 0) {

@@ -107,4 +107,12 @@ std::uint64_t total_size(const SitePlan& plan) {
   return sum;
 }
 
+std::uint64_t names_size(const SitePlan& plan) {
+  std::uint64_t sum = 0;
+  for (const PlannedFile& file : plan.files) {
+    if (file.path.ends_with(".names")) sum += file.bytes.size();
+  }
+  return sum;
+}
+
 }  // namespace ros2wasm

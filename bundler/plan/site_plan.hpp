@@ -61,4 +61,7 @@ struct PlanInput {
 /// Total size of all files in bytes.
 [[nodiscard]] std::uint64_t total_size(const SitePlan& plan);
 
+/// The part of it that a visit does not load: names of functions, for crash reports.
+[[nodiscard]] std::uint64_t names_size(const SitePlan& plan);
+
 }  // namespace ros2wasm

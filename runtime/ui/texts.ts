@@ -53,7 +53,7 @@ export const texts = {
     finished: 'Finished, code 0',
     exited: (code: number): string => `Exited with code ${code}`,
     crashed: 'Crashed',
-    announceCrash: (label: string, message: string): string => `${label} crashed: ${message}`,
+    announceCrash: (label: string, message: string): string => `${label} crashed: ${message.split('\n', 1)[0] ?? ''}`,
     announceExit: (label: string, code: number): string => `${label} exited with code ${code}`,
   },
 
@@ -92,7 +92,7 @@ export const texts = {
     noneMatch: 'No topic matches the filter.',
     filter: 'Filter topics',
     hidden: 'Show hidden topics',
-    hiddenShort: 'Hidden',
+    hiddenShort: 'Show hidden',
     publishers: (count: number): string => (count === 1 ? '1 publisher' : `${count} publishers`),
     subscriptions: (count: number): string =>
       count === 1 ? '1 subscription' : `${count} subscriptions`,
@@ -160,6 +160,6 @@ export const texts = {
     pageTitle: 'Something in this page failed',
     panelWhy: 'the other panels and the nodes go on; this is a mistake in the page',
     panelFix: 'open the panel again, and send us the report',
-    nodeWhy: 'the other nodes go on; the last lines of its console tell more',
+    nodeHint: 'The other nodes go on. The last lines of its console may tell more.',
   },
 } as const;

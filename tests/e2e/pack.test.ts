@@ -94,6 +94,19 @@ test('programs carry neither names nor paths of this machine', () => {
   assert.ok(existsSync(join(built, demoBuild, 'lib/demo/single.names')), 'names are kept for crash reports');
 });
 
+test('`ros2wasm run` names the functions of a program that traps', async () => {
+  const ws = workspace();
+  ws.addPackage('falls', { deep: `#include <cstdio>
+namespace falls { int ratio(const char *, volatile int a, volatile int b) { return a / b; } }
+static int (*volatile divide)(const char *, int, int) = falls::ratio;
+int main(int argc, char **) { return divide("x", argc, argc - argc); }
+` });
+  assert.equal((await ws.run(['pack'])).code, 0);
+  const ended = await ws.run(['run', 'site']);
+  assert.equal(ended.code, 1);
+  assert.match(ended.stderr, /\[deep-1\] error\[R2W0701\]: divide by zero\n {2}at falls::ratio\(char const\*, int, int\) \(0x[0-9a-f]+\)\n/);
+});
+
 test('a warm pack starts no tool and gives the same bytes', async () => {
   const before = first.files('site');
   const poisoned = join(first.root, 'poisoned');

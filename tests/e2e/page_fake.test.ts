@@ -88,9 +88,15 @@ test('states are words: starting, exited with code, crashed with code, message a
     );
     assert.match(nodes, /\/safety.*Exited with code 1.*\/logger.*Starting/s);
     await page.evaluate(() =>
-      fake.setState('laser-2', { kind: 'crashed', code: 'R2W0720', message: 'unreachable' }),
+      fake.setState('laser-2', {
+        kind: 'crashed',
+        code: 'R2W0720',
+        message: 'unreachable\n  at scan(int) (0x1f)\n  at main (0x2)',
+      }),
     );
-    await page.getByRole('status').getByText('/robot/laser crashed: unreachable').waitFor();
+    await page.getByRole('status').getByText('/robot/laser crashed: unreachable', { exact: true }).waitFor();
+    const stack = page.locator('.problem-detail').getByText('at scan(int)');
+    assert.equal(await stack.innerText(), '  at scan(int) (0x1f)\n  at main (0x2)');
     await page.evaluate(() => fake.setState('diff_drive-1', { kind: 'exited', code: 0 }));
     await page.locator('.panel-nodes').getByText('Finished, code 0').waitFor();
   }));

@@ -108,9 +108,10 @@ function NodeRow({ node, now, focused, onFocus, session, announce }: NodeRowProp
             code: node.state.code,
             what: node.state.message,
             place: node.source === undefined ? null : placeText(node.source),
-            why: [texts.problem.nodeWhy],
+            why: [],
             fix: [],
           }}
+          hint={texts.problem.nodeHint}
         >
           <button type="button" class="button" onClick={() => session.restart(node.id)}>
             {texts.restart}

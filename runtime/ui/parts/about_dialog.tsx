@@ -26,7 +26,9 @@ export function AboutDialog({ session, open, offline, onClose, announce }: About
     else element.close();
   }, [open]);
   const { site, link } = session;
-  const bytes = site.files.reduce((sum, file) => sum + file.size, 0);
+  // Names of functions are fetched for crash reports only.
+  const files = site.files.filter((file) => !file.path.endsWith('.names'));
+  const bytes = files.reduce((sum, file) => sum + file.size, 0);
   const rows: readonly (readonly [string, string])[] = [
     [texts.about.workspace, `${site.name} ${site.version}`],
     [texts.about.authors, site.authors.map((author) => author.name).join(', ')],
@@ -34,9 +36,9 @@ export function AboutDialog({ session, open, offline, onClose, announce }: About
     [texts.about.distro, site.distro],
     [
       texts.about.size,
-      site.files.length === 0
+      files.length === 0
         ? ''
-        : texts.about.sizeOf(formatCount(site.files.length), formatBytes(bytes)),
+        : texts.about.sizeOf(formatCount(files.length), formatBytes(bytes)),
     ],
     [texts.about.offline, offlineWords(offline)],
     [texts.about.generator, site.generator],

@@ -9,19 +9,24 @@ import { CopyButton } from './button.tsx';
 export interface ProblemViewProps {
   readonly problem: Problem;
   readonly announce: (text: string) => void;
+  /** What to do or to know besides; not part of the report. */
+  readonly hint?: string;
   /** More buttons. */
   readonly children?: ComponentChildren;
 }
 
-export function ProblemView({ problem, announce, children }: ProblemViewProps) {
+export function ProblemView({ problem, announce, hint, children }: ProblemViewProps) {
+  // What follows the first line was laid out by whoever wrote it: a stack, what() of an exception.
+  const [head, ...rest] = problem.what.split('\n');
   return (
     <div class="problem">
       <p class="problem-what">
         <strong class="problem-code">
           error[{problem.code}]<span class="problem-colon">:</span>
         </strong>{' '}
-        {problem.what}
+        {head}
       </p>
+      {rest.length === 0 ? null : <pre class="problem-detail">{rest.join('\n')}</pre>}
       {problem.place === null ? null : <p class="problem-place">{`--> ${problem.place}`}</p>}
       {problem.why.length + problem.fix.length === 0 ? null : (
         <dl class="problem-reasons">
@@ -39,6 +44,7 @@ export function ProblemView({ problem, announce, children }: ProblemViewProps) {
           ))}
         </dl>
       )}
+      {hint === undefined ? null : <p class="problem-hint">{hint}</p>}
       <div class="problem-actions">
         {children}
         <CopyButton

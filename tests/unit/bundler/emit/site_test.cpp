@@ -79,6 +79,7 @@ TEST(SitePlan, EveryFileHasAReasonAndTheHeadlessEntryStaysOut) {
                        "index.html", "interfaces.json", "programs/demo/crowd.wasm",
                        "programs/demo/talker.names", "programs/demo/talker.wasm", "site.json"}));
   EXPECT_EQ(file_of(plan, "programs/demo/talker.names")->bytes, "names");
+  EXPECT_EQ(names_size(plan), 5U);
   EXPECT_EQ(file_of(plan, "programs/demo/talker.wasm")->reason, "program of talker-1, talker-3");
 }
 
@@ -107,8 +108,9 @@ TEST(PageHtml, HasTheTitleAndHintsAndNothingUnescaped) {
             "href=\"programs/demo/talker.wasm\" "
             "as=\"fetch\" crossorigin>\n</head><body></body>");
   EXPECT_EQ(page_html("<p>", "t", "dark", {"x"}), "<p>");
-  EXPECT_EQ(page_html("<head><meta><link></head>", "t", "auto", {"x"}),
-            "<head><meta><link rel=\"preload\" href=\"x\" as=\"fetch\" crossorigin>\n<link></head>");
+  EXPECT_EQ(
+      page_html("<head><meta><link></head>", "t", "auto", {"x"}),
+      "<head><meta><link rel=\"preload\" href=\"x\" as=\"fetch\" crossorigin>\n<link></head>");
 }
 
 TEST(PageHtml, TheAuthorsThemeIsThereBeforeAnythingIsDrawn) {

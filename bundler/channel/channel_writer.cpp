@@ -7,6 +7,7 @@
 #include "bundler/archive/zstd.hpp"
 #include "bundler/channel/record_rules.hpp"
 #include "bundler/channel/repodata_record.hpp"
+#include "bundler/channel/shard_writer.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/sha256.hpp"
 #include "workspace_schema/json_reader.hpp"
@@ -118,6 +119,8 @@ Outcome<std::size_t> index_subdir(const fs::path& folder, const std::string& sub
     return std::move(done).errors();
   auto done = write_file(folder / "repodata.json.zst", zstd_compressed(text, kCompressionLevel));
   if (!done) return std::move(done).errors();
+  if (auto shards = write_shards(folder, subdir, records); !shards)
+    return std::move(shards).errors();
   return records.size();
 }
 

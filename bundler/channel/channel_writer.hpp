@@ -26,7 +26,7 @@ struct ChannelSummary {
   std::vector<std::string> subdirs;
 };
 
-/// Reads info/index.json of every archive and writes repodata.json and repodata.json.zst of
+/// Reads info/index.json of every archive and writes repodata.json, repodata.json.zst and shards of
 /// `noarch` and of each other subdirectory that holds packages. The same archives give the same
 /// bytes. R2W0221 an archive is damaged, R2W0205 its metadata does not fit its place.
 [[nodiscard]] Outcome<ChannelSummary> index_channel(const std::filesystem::path& channel);

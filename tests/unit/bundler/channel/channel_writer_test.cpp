@@ -3,6 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "bundler/archive/zstd.hpp"
+#include "bundler/channel/msgpack_writer.hpp"
+#include "bundler/io/files.hpp"
+#include "bundler/io/sha256.hpp"
 #include "unit/bundler/support/small_channel.hpp"
 #include "unit/support/conda_data.hpp"
 
@@ -34,11 +40,91 @@ TEST(ChannelWriter, TheOrderOfAddingDoesNotMatter) {
   two.add("a", "1.0", {{"x", "1"}});
   one.write_index();
   two.write_index();
-  for (const char* name : {"noarch/repodata.json", "noarch/repodata.json.zst"}) {
+  for (const char* name :
+       {"noarch/repodata.json", "noarch/repodata.json.zst", "noarch/repodata_shards.msgpack.zst"}) {
     EXPECT_EQ(one.tree().read(std::string("channel/") + name),
               two.tree().read(std::string("channel/") + name))
         << name;
   }
+}
+
+/// Names of the files in the folder of shards, sorted.
+std::vector<std::string> shards_in(const fs::path& subdir) {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(subdir / "shards"))
+    names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+TEST(ChannelWriter, ShardsAreNamedByTheirHashAndStaleOnesGo) {
+  testing::SmallChannel channel;
+  channel.add("a", "1.0", {}, {"b >=1"});
+  channel.add("b", "1.0", {});
+  const fs::path newer = channel.add("b", "2.0", {});
+  channel.write_index();
+  const fs::path subdir = channel.folder() / "noarch";
+  const auto shards = shards_in(subdir);
+  ASSERT_EQ(shards.size(), 2U);  // one for each name
+  for (const std::string& name : shards)
+    EXPECT_EQ(hash_file(subdir / "shards" / name)->sha256 + ".msgpack.zst", name);
+
+  const auto packed = read_file(subdir / "repodata_shards.msgpack.zst");
+  const auto index = zstd_decompressed(*packed, 1 << 20, "the index");
+  ASSERT_TRUE(index.ok());
+  EXPECT_TRUE(
+      index->starts_with("\x83\xa4info\x83\xa8"
+                         "base_url\xa0\xafshards_base_url\xa7shards/"
+                         "\xa6subdir\xa6noarch\xa6shards\x82\xa1"
+                         "a\xc4\x20"));
+  EXPECT_TRUE(index->ends_with("\xa7version\x01"));
+
+  fs::remove(newer);
+  channel.tree().write("channel/noarch/shards/notes.txt", "mine");
+  channel.write_index();
+  const auto after = shards_in(subdir);
+  EXPECT_EQ(after.size(), 3U);  // two shards and the other file, which is nobody's shard
+  EXPECT_TRUE(fs::exists(subdir / "shards/notes.txt"));
+  EXPECT_NE(after, shards);
+}
+
+TEST(ChannelWriter, ARecordInAShardIsAsTheFormatHasIt) {
+  testing::SmallChannel channel;
+  channel.add("a", "1.0", {}, {"b >=1"});
+  channel.write_index();
+  const fs::path subdir = channel.folder() / "noarch";
+  const auto shard = zstd_decompressed(*read_file(subdir / "shards" / shards_in(subdir).front()),
+                                       1 << 20, "a shard");
+  ASSERT_TRUE(shard.ok());
+  const auto has = [&shard](std::string_view part) {
+    return shard->find(part) != std::string::npos;
+  };
+  EXPECT_TRUE(
+      has("\x83\xa8packages\x80\xaepackages.conda\x81\xaf"
+          "a-1.0-h_0.conda"));
+  EXPECT_TRUE(
+      has("\xa7"
+          "depends\x91\xa5"
+          "b >=1"));
+  EXPECT_TRUE(has("\xa6sha256\xc4\x20"));  // bytes, not text
+  EXPECT_TRUE(has("\xa3md5\xc4\x10"));
+  EXPECT_TRUE(shard->ends_with("\xa7removed\x90"));
+}
+
+TEST(MsgpackWriter, TakesTheShortestForm) {
+  MsgpackWriter out;
+  out.array(16).map(16).text(std::string(31, 'x')).text(std::string(32, 'x'));
+  EXPECT_EQ(out.data().substr(0, 7), (std::string("\xdc\0\x10\xde\0\x10\xbf", 7)));
+  EXPECT_EQ(out.data().substr(38, 2), "\xd9\x20");
+  const auto number = [](std::uint64_t value) { return MsgpackWriter().number(value).data(); };
+  EXPECT_EQ(number(127), "\x7f");
+  EXPECT_EQ(number(128), "\xcc\x80");
+  EXPECT_EQ(number(256), (std::string("\xcd\x01\0", 3)));
+  EXPECT_EQ(number(65'536), (std::string("\xce\0\x01\0\0", 5)));
+  EXPECT_EQ(number(1ULL << 32U), (std::string("\xcf\0\0\0\x01\0\0\0\0", 9)));
+  EXPECT_EQ(MsgpackWriter().bytes(std::string(300, 'x')).data().substr(0, 3), "\xc5\x01\x2c");
+  EXPECT_EQ(MsgpackWriter().text(std::string(70'000, 'x')).data().substr(0, 5),
+            (std::string("\xdb\0\x01\x11\x70", 5)));
 }
 
 TEST(ChannelWriter, AnEmptyChannelHasANoarchIndex) {

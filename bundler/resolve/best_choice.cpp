@@ -1,39 +1,47 @@
-// See best_choice.hpp. The engine says whether something is possible; which possibility is taken is
-// decided here, one requirement after the other.
+// See best_choice.hpp. Most requests need no search: taking the best candidate that nothing taken
+// before contradicts leads to the end, and then there is nothing better. Where that gets stuck, the
+// SAT engine says of each candidate whether a solution can have it.
 #include "bundler/resolve/best_choice.hpp"
 
 #include <algorithm>
+#include <optional>
 
-#include "bundler/resolve/propagation.hpp"
+#include "bundler/resolve/consequences.hpp"
 #include "bundler/resolve/virtual_packages.hpp"
 
 namespace ros2wasm {
 namespace {
 
+/// One walk over the requirements, from the wanted ones outwards.
 class Walk {
  public:
-  Walk(const Universe& universe, SatEngine& engine, Choice solution)
-      : universe_(universe),
-        engine_(engine),
-        links_(universe),
-        settled_(universe, links_),
-        is_taken_(universe.candidates.size()) {
-    use(std::move(solution));
+  explicit Walk(const Universe& universe)
+      : universe_(universe), consequences_(universe), taken_(universe.candidates.size(), false) {}
+
+  /// With an engine, and a solution of its to begin with, the walk cannot get stuck.
+  Walk(const Universe& universe, SatEngine& engine, const Choice& solution) : Walk(universe) {
+    engine_ = &engine;
+    use(solution);
   }
 
-  Choice choice() {
+  /// Nothing when it got stuck.
+  std::optional<Choice> choice() {
     for (CandidateId id = 0; id < universe_.candidates.size(); ++id) {
-      if (is_virtual(*universe_.candidates[id].record)) take(id);
+      if (!is_virtual(*universe_.candidates[id].record)) continue;
+      if (!consequences_.choose(id)) return std::nullopt;
+      take(id);
     }
     std::vector<RequirementId> round = universe_.wanted;
     while (!round.empty()) {
       sort_by_text(round);
       next_round_.clear();
-      for (const RequirementId requirement : round) serve(requirement);
+      for (const RequirementId requirement : round) {
+        if (!serve(requirement)) return std::nullopt;
+      }
       round = next_round_;
     }
-    std::sort(taken_.begin(), taken_.end());
-    return taken_;
+    std::sort(choice_.begin(), choice_.end());
+    return choice_;
   }
 
  private:
@@ -44,62 +52,66 @@ class Walk {
     round.erase(std::unique(round.begin(), round.end()), round.end());
   }
 
-  /// Takes the best provider that a solution with all that was taken can have.
-  void serve(RequirementId requirement) {
-    const auto& providers = universe_.requirements[requirement].providers;
+  /// Takes the best provider that is possible.
+  bool serve(RequirementId requirement) {
+    const auto& providers = universe_.matches(requirement).providers;
     if (std::any_of(providers.begin(), providers.end(),
-                    [this](CandidateId id) { return is_taken_[id]; })) {
-      return;
+                    [this](CandidateId id) { return taken_[id]; })) {
+      return true;
     }
     const auto best = std::find_if(providers.begin(), providers.end(),
                                    [this](CandidateId id) { return is_possible(id); });
-    take(*best);  // the solution at hand has one
-  }
-
-  bool is_possible(CandidateId candidate) {
-    if (in_solution_[candidate]) return true;
-    if (settled_.banned(candidate)) return false;
-    Propagation trial = settled_;
-    if (!trial.choose(candidate)) return false;
-    Choice fixed = taken_;
-    fixed.push_back(candidate);
-    auto answer = engine_.solve(fixed);
-    auto* solution = std::get_if<Choice>(&answer);
-    if (solution == nullptr) return false;
-    use(std::move(*solution));
+    if (best == providers.end()) return false;
+    take(*best);
     return true;
   }
 
+  /// As far as is known: with an engine that is certain. Afterwards its consequences are drawn.
+  bool is_possible(CandidateId candidate) {
+    if (engine_ == nullptr || in_solution_[candidate]) return consequences_.choose(candidate);
+    const std::size_t before = consequences_.depth();
+    if (!consequences_.choose(candidate)) return false;
+    Choice fixed = choice_;
+    fixed.push_back(candidate);
+    const auto answer = engine_->solve(fixed);
+    if (const auto* solution = std::get_if<Choice>(&answer)) {
+      use(*solution);
+      return true;
+    }
+    consequences_.take_back(before);
+    return false;
+  }
+
   void take(CandidateId candidate) {
-    taken_.push_back(candidate);
-    is_taken_[candidate] = true;
-    static_cast<void>(settled_.choose(candidate));  // a solution has it, so it contradicts nothing
+    choice_.push_back(candidate);
+    taken_[candidate] = true;
     const auto& needs = universe_.candidates[candidate].depends;
     next_round_.insert(next_round_.end(), needs.begin(), needs.end());
   }
 
-  void use(Choice solution) {
+  void use(const Choice& solution) {
     in_solution_.assign(universe_.candidates.size(), false);
     for (const CandidateId id : solution) in_solution_[id] = true;
   }
 
   const Universe& universe_;
-  SatEngine& engine_;
-  UniverseLinks links_;
-  Propagation settled_;            ///< what follows from taken_
-  std::vector<bool> in_solution_;  ///< by candidate: of a solution that has all of taken_
-  Choice taken_;
-  std::vector<bool> is_taken_;  ///< by candidate
+  SatEngine* engine_ = nullptr;
+  Consequences consequences_;      ///< of all that was taken
+  std::vector<bool> in_solution_;  ///< by candidate: of a solution that has all that was taken
+  std::vector<bool> taken_;        ///< by candidate
+  Choice choice_;                  ///< what was taken, in that order
   std::vector<RequirementId> next_round_;
 };
 
 }  // namespace
 
 std::variant<Choice, Proof> best_choice(const Universe& universe) {
+  if (auto choice = Walk(universe).choice()) return std::move(*choice);
   SatEngine engine(universe);
   auto answer = engine.solve({});
-  if (auto* solution = std::get_if<Choice>(&answer))
-    return Walk(universe, engine, std::move(*solution)).choice();
+  if (auto* solution = std::get_if<Choice>(&answer)) {
+    if (auto choice = Walk(universe, engine, *solution).choice()) return std::move(*choice);
+  }
   return answer;
 }
 

@@ -41,9 +41,9 @@ Facts facts_of(const std::vector<ProofRule>& conflict) {
 
 class Tree {
  public:
-  Tree(const ResolveRequest& request, const Universe& universe,
+  Tree(const ResolveRequest& request, const Universe& universe, const RepoIndex& index,
        const std::vector<ProofRule>& conflict)
-      : request_(request), universe_(universe), facts_(facts_of(conflict)) {}
+      : request_(request), universe_(universe), index_(index), facts_(facts_of(conflict)) {}
 
   std::vector<std::string> lines() {
     for (std::size_t i = 0; i < universe_.wanted.size(); ++i) {
@@ -73,7 +73,7 @@ class Tree {
     const std::string there = versions_there(universe_, *name);
     if (!there.empty()) return "there is only " + *name + " " + there;
     std::string text = "no channel has a package `" + *name + "`";
-    if (const auto near = nearest(*name, universe_.names))
+    if (const auto near = nearest(*name, names_there(universe_, index_)))
       text += " (did you mean `" + *near + "`?)";
     return text;
   }
@@ -81,7 +81,8 @@ class Tree {
   /// Candidates that fail for the same reasons, on one line each.
   void requirement(RequirementId id, const std::string& head, int depth) {
     const Requirement& one = universe_.requirements[id];
-    if (one.providers.empty()) {
+    const std::vector<CandidateId>& providers = universe_.matches(id).providers;
+    if (providers.empty()) {
       line(depth, head + ", but " + nothing_fits(one));
       return;
     }
@@ -94,7 +95,7 @@ class Tree {
     std::map<std::pair<std::set<RequirementId>, std::set<std::string>>, std::vector<CandidateId>>
         groups;
     std::vector<decltype(groups)::key_type> order;
-    for (const CandidateId candidate : one.providers) {
+    for (const CandidateId candidate : providers) {
       auto key = std::pair(reasons(candidate), excluded(candidate));
       if (key.first.empty() && key.second.empty()) continue;
       if (!groups.contains(key)) order.push_back(key);
@@ -144,6 +145,7 @@ class Tree {
 
   const ResolveRequest& request_;
   const Universe& universe_;
+  const RepoIndex& index_;
   Facts facts_;
   std::set<RequirementId> shown_;
   std::vector<std::string> lines_;
@@ -152,8 +154,8 @@ class Tree {
 }  // namespace
 
 std::vector<std::string> explain(const ResolveRequest& request, const Universe& universe,
-                                 const std::vector<ProofRule>& conflict) {
-  return Tree(request, universe, conflict).lines();
+                                 const RepoIndex& index, const std::vector<ProofRule>& conflict) {
+  return Tree(request, universe, index, conflict).lines();
 }
 
 }  // namespace ros2wasm

@@ -12,7 +12,7 @@ namespace ros2wasm {
 
 /// One line per step: what is asked for, then indented what stands in its way.
 [[nodiscard]] std::vector<std::string> explain(const ResolveRequest& request,
-                                               const Universe& universe,
+                                               const Universe& universe, const RepoIndex& index,
                                                const std::vector<ProofRule>& conflict);
 
 }  // namespace ros2wasm

@@ -54,9 +54,9 @@ class SatEngine::SolvPool {
     std::vector<std::vector<RequirementId>> provides(universe.candidates.size());
     std::vector<std::vector<RequirementId>> rivals(universe.candidates.size());
     for (RequirementId id = 0; id < universe.requirements.size(); ++id) {
-      for (const CandidateId candidate : universe.requirements[id].providers)
+      for (const CandidateId candidate : universe.matches(id).providers)
         provides[candidate].push_back(id);
-      for (const CandidateId candidate : universe.requirements[id].rivals)
+      for (const CandidateId candidate : universe.matches(id).rivals)
         rivals[candidate].push_back(id);
     }
     for (CandidateId id = 0; id < universe.candidates.size(); ++id)

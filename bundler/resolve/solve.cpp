@@ -38,6 +38,7 @@ Outcome<std::vector<MatchSpec>> parse_specs(const std::vector<RequestedSpec>& sp
 Diagnostics unknown_names(const ResolveRequest& request, const std::vector<MatchSpec>& specs,
                           const Universe& universe, const RepoIndex& index) {
   Diagnostics errors;
+  std::vector<std::string> names;
   for (std::size_t i = 0; i < specs.size(); ++i) {
     const auto name = specs[i].exact_name();
     if (!name || universe.by_name.contains(*name)) continue;
@@ -53,8 +54,8 @@ Diagnostics unknown_names(const ResolveRequest& request, const std::vector<Match
         error.why.push_back(record.file_name + " was left out: " + record.reason);
       }
     }
-    if (const auto near = nearest(*name, universe.names))
-      error.fix.push_back("write `" + *near + "`");
+    if (names.empty()) names = names_there(universe, index);
+    if (const auto near = nearest(*name, names)) error.fix.push_back("write `" + *near + "`");
     errors.push_back(std::move(error));
   }
   return errors;
@@ -79,7 +80,7 @@ class InstallOrder {
     const Candidate& candidate = universe_.candidates[id];
     std::set<CandidateId> needed;  // candidates are numbered by name
     for (const RequirementId need : candidate.depends) {
-      for (const CandidateId provider : universe_.requirements[need].providers) {
+      for (const CandidateId provider : universe_.matches(need).providers) {
         if (chosen_.contains(provider)) needed.insert(provider);
       }
     }
@@ -142,7 +143,7 @@ Outcome<Resolution> solve(const ResolveRequest& request, const RepoIndex& index)
   for (const std::vector<ProofRule>& conflict : std::get<Proof>(answer)) {
     Diagnostic error{.code = "R2W0301",
                      .message = "no choice of packages gives all that is asked for",
-                     .why = explain(request, universe, conflict),
+                     .why = explain(request, universe, index, conflict),
                      .fix = proven_fixes(request, *specs, universe, conflict, index)};
     for (std::size_t i = 0; i < universe.wanted.size() && !error.span; ++i) {
       const bool involved =

@@ -26,13 +26,6 @@ class Builder {
     for (const PackageRecord& locked : request.locked) locked_.emplace(locked.url, locked.sha256);
     universe_.virtual_records = virtual_packages();
     for (const PackageRecord& record : universe_.virtual_records) records_[record.name] = {&record};
-    universe_.names = index.names;
-    for (const auto& [name, list] : records_) {
-      if (!is_virtual(*list.front())) universe_.names.push_back(name);
-    }
-    std::sort(universe_.names.begin(), universe_.names.end());
-    universe_.names.erase(std::unique(universe_.names.begin(), universe_.names.end()),
-                          universe_.names.end());
   }
 
   Universe build(const std::vector<MatchSpec>& specs) {
@@ -46,7 +39,6 @@ class Builder {
       add_candidates(name);
     }
     renumber();
-    for (Requirement& one : universe_.requirements) look_up(one);
     return std::move(universe_);
   }
 
@@ -71,8 +63,8 @@ class Builder {
   RequirementId requirement(const std::string& text, const MatchSpec& spec) {
     const auto [found, fresh] = requirement_ids_.emplace(text, universe_.requirements.size());
     if (!fresh) return found->second;
-    universe_.requirements.push_back({.text = text, .spec = spec, .providers = {}, .rivals = {}});
-    if (const auto name = spec.exact_name()) {
+    universe_.requirements.push_back({.text = text, .spec = spec, .name = spec.exact_name()});
+    if (const auto& name = universe_.requirements.back().name) {
       reach(*name);
     } else {
       for (const auto& [name_there, list] : records_) {
@@ -90,14 +82,21 @@ class Builder {
     return requirement(text, spec ? *spec : MatchSpec());
   }
 
+  const Version* version_of(const PackageRecord& record) {
+    const auto known = universe_.versions.find(record.version);
+    if (known != universe_.versions.end()) return &known->second;
+    auto version = Version::parse(record.version);
+    if (!version) return nullptr;
+    return &universe_.versions.emplace(record.version, std::move(*version)).first->second;
+  }
+
   void add_candidates(const std::string& name) {
     const auto found = records_.find(name);
     if (found == records_.end()) return;
     for (const PackageRecord* record : found->second) {
-      auto version = Version::parse(record->version);
-      if (!version) continue;
-      Candidate candidate{
-          .record = record, .version = std::move(*version), .depends = {}, .constrains = {}};
+      const Version* version = version_of(*record);
+      if (version == nullptr) continue;
+      Candidate candidate{.record = record, .version = version, .depends = {}, .constrains = {}};
       for (const std::string& text : record->depends)
         candidate.depends.push_back(requirement(text));
       for (const std::string& text : record->constrains)
@@ -123,7 +122,8 @@ class Builder {
     if (request_.priority == ChannelPriority::kFlexible && rank_of(left) != rank_of(right)) {
       return rank_of(left) < rank_of(right);
     }
-    if (const auto order = a.version <=> b.version; order != 0) return order > 0;
+    if (const auto order = *a.version <=> *b.version; a.version != b.version && order != 0)
+      return order > 0;
     if (left.build_number != right.build_number) return left.build_number > right.build_number;
     if (left.timestamp_ms != right.timestamp_ms) return left.timestamp_ms > right.timestamp_ms;
     const auto last = [this](const PackageRecord& record) {
@@ -138,24 +138,6 @@ class Builder {
               [this](const Candidate& a, const Candidate& b) { return better(a, b); });
     for (CandidateId id = 0; id < universe_.candidates.size(); ++id) {
       universe_.by_name[universe_.candidates[id].record->name].push_back(id);
-    }
-  }
-
-  void look_up(Requirement& one) {
-    const auto sort_into = [&](const std::vector<CandidateId>& ids) {
-      for (const CandidateId id : ids) {
-        const Candidate& candidate = universe_.candidates[id];
-        const bool fits = one.spec.matches(*candidate.record, candidate.version);
-        (fits ? one.providers : one.rivals).push_back(id);
-      }
-    };
-    if (const auto name = one.spec.exact_name()) {
-      const auto found = universe_.by_name.find(*name);
-      if (found != universe_.by_name.end()) sort_into(found->second);
-      return;
-    }
-    for (const auto& [name, ids] : universe_.by_name) {
-      if (one.spec.name().matches(name)) sort_into(ids);
     }
   }
 
@@ -176,12 +158,46 @@ Universe make_universe(const ResolveRequest& request, const std::vector<MatchSpe
   return Builder(request, index).build(specs);
 }
 
+const Matches& Universe::matches(RequirementId requirement) const {
+  if (matches_.empty()) matches_.resize(requirements.size());
+  std::optional<Matches>& known = matches_[requirement];
+  if (known) return *known;
+  const Requirement& one = requirements[requirement];
+  Matches& found = known.emplace();
+  const auto sort_into = [&](const std::vector<CandidateId>& ids) {
+    for (const CandidateId id : ids) {
+      const bool fits = one.spec.matches(*candidates[id].record, *candidates[id].version);
+      (fits ? found.providers : found.rivals).push_back(id);
+    }
+  };
+  if (one.name) {
+    const auto same_name = by_name.find(*one.name);
+    if (same_name != by_name.end()) sort_into(same_name->second);
+    return found;
+  }
+  for (const auto& [name, ids] : by_name) {
+    if (one.spec.name().matches(name)) sort_into(ids);
+  }
+  return found;
+}
+
+std::vector<std::string> names_there(const Universe& universe, const RepoIndex& index) {
+  std::vector<std::string> names = index.names;
+  for (const auto& [name, ids] : universe.by_name) {
+    if (!is_virtual(*universe.candidates[ids.front()].record)) names.push_back(name);
+  }
+  for (const PackageRecord& record : index.records) names.push_back(record.name);
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  return names;
+}
+
 std::string versions_there(const Universe& universe, std::string_view name) {
   const auto found = universe.by_name.find(name);
   if (found == universe.by_name.end()) return {};
   std::vector<CandidateId> ids = found->second;
   std::stable_sort(ids.begin(), ids.end(), [&](CandidateId a, CandidateId b) {
-    return universe.candidates[a].version > universe.candidates[b].version;
+    return *universe.candidates[a].version > *universe.candidates[b].version;
   });
   std::vector<std::string> versions;
   for (const CandidateId id : ids) {

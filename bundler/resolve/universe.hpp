@@ -4,7 +4,10 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "bundler/channel/channel_index.hpp"
@@ -21,29 +24,44 @@ using RequirementId = std::size_t;
 struct Requirement {
   std::string text;
   MatchSpec spec;
+  std::optional<std::string> name;  ///< nothing when the spec has a pattern there
+};
+
+/// What a requirement means in this universe.
+struct Matches {
   std::vector<CandidateId> providers;  ///< candidates that match, best first
-  std::vector<CandidateId> rivals;     ///< of the same name, but not matching; for `constrains`
+  std::vector<CandidateId> rivals;     ///< of the same name, but not matching
 };
 
 struct Candidate {
   const PackageRecord* record = nullptr;  ///< owned by the index, the request or the universe
-  Version version;
+  const Version* version = nullptr;       ///< owned by the universe
   std::vector<RequirementId> depends;
   std::vector<RequirementId> constrains;
 };
 
 struct Universe {
   std::vector<PackageRecord> virtual_records;
-  std::vector<Candidate> candidates;  ///< by name, then best first
+  std::unordered_map<std::string_view, Version> versions;  ///< by text
+  std::vector<Candidate> candidates;                       ///< by name, then best first
   std::map<std::string, std::vector<CandidateId>, std::less<>> by_name;
   std::vector<Requirement> requirements;
   std::vector<RequirementId> wanted;  ///< one per spec of the request, in its order
-  std::vector<std::string> names;     ///< of all packages that the channels have, sorted
+
+  /// Reckoned when it is asked for the first time: most requests never ask for most.
+  [[nodiscard]] const Matches& matches(RequirementId requirement) const;
+
+ private:
+  mutable std::vector<std::optional<Matches>> matches_;
 };
 
 /// The request's specs must parse (see solve()).
 [[nodiscard]] Universe make_universe(const ResolveRequest& request,
                                      const std::vector<MatchSpec>& specs, const RepoIndex& index);
+
+/// Names of all packages that the channels have, sorted; for messages.
+[[nodiscard]] std::vector<std::string> names_there(const Universe& universe,
+                                                   const RepoIndex& index);
 
 /// "1.0, 1.1 (and 3 more)": versions of a name that are there, newest first; empty when there is
 /// none.

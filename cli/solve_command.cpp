@@ -64,7 +64,9 @@ void show(Context& context, const Resolution& resolution, const RepoIndex& index
   json.begin_object().key("packages").begin_array();
   for (const PackageRecord& record : resolution.packages) put_record(json, record);
   json.end_array().key("left_out").begin_array();
-  for (const LeftOutRecord& record : index.left_out) {
+  std::vector<LeftOutRecord> left_out = index.left_out;
+  left_out.insert(left_out.end(), resolution.left_out.begin(), resolution.left_out.end());
+  for (const LeftOutRecord& record : left_out) {
     json.begin_object().field("channel", record.channel).field("subdir", record.subdir);
     json.field("file", record.file_name).field("reason", record.reason).end_object();
   }

@@ -70,7 +70,8 @@ struct OpenChannels::State {
 
   std::vector<Channel> channels;
   std::vector<std::string> names;
-  SpecTable specs;
+  SpecTable checked;
+  SpecTable unchecked{false};
 
   void collect_names() {
     std::vector<std::string_view> all;
@@ -122,9 +123,8 @@ class Reach {
   void follow(const RepoIndex& index, std::size_t first) {
     for (std::size_t i = first; i < index.records.size(); ++i) {
       for (const std::string& text : index.records[i].depends) {
-        const auto& spec = table_.parsed(text);
-        if (!followed_.insert(&spec).second || !spec) continue;
-        if (const auto name = spec->exact_name()) {
+        if (!followed_.insert(text).second) continue;
+        if (const auto name = table_.exact_name(text)) {
           add(*name);
         } else {
           begin(text);
@@ -146,7 +146,7 @@ class Reach {
   SpecTable& table_;
   const std::vector<std::string>& names_;
   std::unordered_set<std::string> seen_;
-  std::unordered_set<const Outcome<MatchSpec>*> followed_;
+  std::unordered_set<std::string> followed_;  ///< texts of dependencies
   std::set<std::string> named_channel_;
   std::vector<std::string> waiting_;
 };
@@ -161,14 +161,14 @@ Outcome<RepoIndex> OpenChannels::reachable(std::span<const std::string> specs,
                                            ChannelPriority priority,
                                            const Cancellation& cancellation) const {
   RepoIndex index = state_->nothing_yet();
-  Reach reach(state_->specs, state_->names);
+  Reach reach(state_->unchecked, state_->names);
   for (const std::string& text : specs) reach.begin(text);
   for (std::vector<std::string> wave = reach.next(); !wave.empty(); wave = reach.next()) {
     const std::size_t wave_begin = index.records.size();
     for (const State::Channel& channel : state_->channels) {
       const std::size_t first = index.records.size();
       for (const auto& subdir : channel.subdirs) {
-        auto done = subdir->read(wave, state_->specs, index, cancellation);
+        auto done = subdir->read(wave, state_->unchecked, index, cancellation);
         if (!done) return std::move(done).errors();
       }
       if (priority != ChannelPriority::kStrict) continue;
@@ -189,7 +189,7 @@ Outcome<RepoIndex> OpenChannels::everything(const Cancellation& cancellation) co
   for (const State::Channel& channel : state_->channels) {
     for (const auto& subdir : channel.subdirs) {
       const std::vector<std::string> all(subdir->names().begin(), subdir->names().end());
-      auto done = subdir->read(all, state_->specs, index, cancellation);
+      auto done = subdir->read(all, state_->checked, index, cancellation);
       if (!done) return std::move(done).errors();
     }
   }

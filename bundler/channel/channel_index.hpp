@@ -66,7 +66,7 @@ class OpenChannels {
                                              ChannelPriority priority,
                                              const Cancellation& cancellation = {}) const;
 
-  /// Every record there is.
+  /// Every record there is, with every spec checked.
   [[nodiscard]] Outcome<RepoIndex> everything(const Cancellation& cancellation = {}) const;
 
  private:

@@ -2,6 +2,7 @@
 // times. Pure.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -13,10 +14,21 @@ namespace ros2wasm {
 
 class SpecTable {
  public:
+  SpecTable() = default;
+  /// Of a table that does not check, records are read without a look at their specs: who uses such
+  /// a record parses those that matter.
+  explicit SpecTable(bool checks) : checks_(checks) {}
+  [[nodiscard]] bool checks() const { return checks_; }
+
   /// The spec, or what is wrong with the text. Valid as long as this table.
   const Outcome<MatchSpec>& parsed(const std::string& text);
 
+  /// The exact name that the text asks for; nothing when it is no match spec or has a pattern
+  /// there.
+  std::optional<std::string> exact_name(const std::string& text);
+
  private:
+  bool checks_ = true;
   std::unordered_map<std::string, Outcome<MatchSpec>> parsed_;
 };
 

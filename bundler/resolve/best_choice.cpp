@@ -47,7 +47,7 @@ class Walk {
  private:
   void sort_by_text(std::vector<RequirementId>& round) const {
     std::sort(round.begin(), round.end(), [this](RequirementId a, RequirementId b) {
-      return universe_.requirements[a].text < universe_.requirements[b].text;
+      return universe_.requirement(a).text < universe_.requirement(b).text;
     });
     round.erase(std::unique(round.begin(), round.end()), round.end());
   }
@@ -85,7 +85,7 @@ class Walk {
   void take(CandidateId candidate) {
     choice_.push_back(candidate);
     taken_[candidate] = true;
-    const auto& needs = universe_.candidates[candidate].depends;
+    const auto& needs = universe_.needs(candidate).depends;
     next_round_.insert(next_round_.end(), needs.begin(), needs.end());
   }
 

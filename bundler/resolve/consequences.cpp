@@ -8,8 +8,7 @@ namespace ros2wasm {
 Consequences::Consequences(const Universe& universe)
     : universe_(universe),
       chosen_(universe.candidates.size(), false),
-      banned_(universe.candidates.size(), false),
-      required_(universe.requirements.size(), false) {
+      banned_(universe.candidates.size(), false) {
   group_.resize(universe.candidates.size());
   Group group = 0;
   for (const auto& [name, ids] : universe.by_name) {
@@ -58,11 +57,12 @@ bool Consequences::take_up(CandidateId candidate) {
   group_taken_[group_[candidate]] = true;
   steps_.push_back({.kind = Step::Kind::kChosen, .id = candidate});
   changed_.push_back(group_[candidate]);
-  const Candidate& taken = universe_.candidates[candidate];
-  for (const RequirementId need : taken.depends) {
+  const Needs& needs = universe_.needs(candidate);
+  if (!needs.fault.empty()) return false;
+  for (const RequirementId need : needs.depends) {
     if (!require(need)) return false;
   }
-  for (const RequirementId limit : taken.constrains) {
+  for (const RequirementId limit : needs.constrains) {
     for (const CandidateId rival : universe_.matches(limit).rivals) {
       if (!ban(rival)) return false;
     }
@@ -71,11 +71,10 @@ bool Consequences::take_up(CandidateId candidate) {
 }
 
 bool Consequences::require(RequirementId requirement) {
-  if (required_[requirement]) return true;
-  required_[requirement] = true;
+  if (!required_.insert(requirement).second) return true;
   steps_.push_back({.kind = Step::Kind::kRequired, .id = requirement});
   for (const Group group : groups_of(requirement)) watched_[group].push_back(requirement);
-  if (universe_.requirements[requirement].name) {  // one record per name: the others are out
+  if (universe_.requirement(requirement).name) {  // one record per name: the others are out
     for (const CandidateId rival : universe_.matches(requirement).rivals) {
       if (!ban(rival)) return false;
     }
@@ -128,7 +127,7 @@ void Consequences::take_back(std::size_t depth) {
         banned_[step.id] = false;
         break;
       case Step::Kind::kRequired:
-        required_[step.id] = false;
+        required_.erase(step.id);
         for (const Group group : groups_of(step.id)) watched_[group].pop_back();
         break;
     }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <unordered_set>
 #include <vector>
 
 #include "bundler/resolve/universe.hpp"
@@ -37,11 +38,11 @@ class Consequences {
   [[nodiscard]] std::vector<Group> groups_of(RequirementId requirement) const;
 
   const Universe& universe_;
-  std::vector<Group> group_;       ///< by candidate
-  std::vector<bool> chosen_;       ///< by candidate
-  std::vector<bool> banned_;       ///< by candidate
-  std::vector<bool> required_;     ///< by requirement: a chosen candidate depends on it
-  std::vector<bool> group_taken_;  ///< by group: one of it is chosen
+  std::vector<Group> group_;                         ///< by candidate
+  std::vector<bool> chosen_;                         ///< by candidate
+  std::vector<bool> banned_;                         ///< by candidate
+  std::unordered_set<RequirementId> required_;       ///< a chosen candidate depends on them
+  std::vector<bool> group_taken_;                    ///< by group: one of it is chosen
   std::vector<std::vector<RequirementId>> watched_;  ///< by group: required ones it can serve
   std::vector<Step> steps_;                          ///< all that was done, to take it back
   std::vector<CandidateId> waiting_;                 ///< must be there, not yet taken up

@@ -80,7 +80,7 @@ class Tree {
 
   /// Candidates that fail for the same reasons, on one line each.
   void requirement(RequirementId id, const std::string& head, int depth) {
-    const Requirement& one = universe_.requirements[id];
+    const Requirement& one = universe_.requirement(id);
     const std::vector<CandidateId>& providers = universe_.matches(id).providers;
     if (providers.empty()) {
       line(depth, head + ", but " + nothing_fits(one));
@@ -104,7 +104,7 @@ class Tree {
     for (const auto& key : order) {
       const std::string who = names_of(groups[key]);
       for (const RequirementId need : key.first) {
-        requirement(need, who + " needs `" + universe_.requirements[need].text + "`", depth + 1);
+        requirement(need, who + " needs `" + universe_.requirement(need).text + "`", depth + 1);
       }
       if (key.first.empty()) {
         for (const std::string& other : key.second)

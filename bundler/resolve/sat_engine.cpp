@@ -45,15 +45,16 @@ class SatEngine::SolvPool {
  public:
   explicit SolvPool(const Universe& universe)
       : universe_(universe), pool_(pool_create(), pool_free) {
+    universe.meet_all();
     Repo* repo = repo_create(pool_.get(), "channels");
-    for (RequirementId id = 0; id < universe.requirements.size(); ++id) {
+    for (RequirementId id = 0; id < universe.requirement_count(); ++id) {
       needs_.push_back(text_id("n" + std::to_string(id)));
       bans_.push_back(text_id("b" + std::to_string(id)));
       requirement_of_.emplace(needs_.back(), id);
     }
     std::vector<std::vector<RequirementId>> provides(universe.candidates.size());
     std::vector<std::vector<RequirementId>> rivals(universe.candidates.size());
-    for (RequirementId id = 0; id < universe.requirements.size(); ++id) {
+    for (RequirementId id = 0; id < universe.requirement_count(); ++id) {
       for (const CandidateId candidate : universe.matches(id).providers)
         provides[candidate].push_back(id);
       for (const CandidateId candidate : universe.matches(id).rivals)
@@ -77,7 +78,7 @@ class SatEngine::SolvPool {
     std::vector<RequirementId> wanted = universe_.wanted;
     // The order of the request must not matter.
     std::sort(wanted.begin(), wanted.end(), [this](RequirementId a, RequirementId b) {
-      return universe_.requirements[a].text < universe_.requirements[b].text;
+      return universe_.requirement(a).text < universe_.requirement(b).text;
     });
     for (const RequirementId id : wanted) install(needs_[id]);
     for (const CandidateId id : fixed)
@@ -98,6 +99,7 @@ class SatEngine::SolvPool {
   void add(Repo* repo, CandidateId id, const std::vector<RequirementId>& provides,
            const std::vector<RequirementId>& rivals) {
     const Candidate& candidate = universe_.candidates[id];
+    const Needs& needs = universe_.needs(id);
     const Id solvable_id = repo_add_solvable(repo);
     Solvable* solvable = pool_id2solvable(pool_.get(), solvable_id);
     solvable->name = text_id("p" + candidate.record->name);
@@ -111,11 +113,14 @@ class SatEngine::SolvPool {
     for (const RequirementId ban : rivals) {
       solvable->dep_provides = repo_addid_dep(repo, solvable->dep_provides, bans_[ban], 0);
     }
-    for (const RequirementId need : candidate.depends) {
+    for (const RequirementId need : needs.depends) {
       solvable->dep_requires = repo_addid_dep(repo, solvable->dep_requires, needs_[need], 0);
     }
-    for (const RequirementId ban : candidate.constrains) {
+    for (const RequirementId ban : needs.constrains) {
       solvable->dep_conflicts = repo_addid_dep(repo, solvable->dep_conflicts, bans_[ban], 0);
+    }
+    if (!needs.fault.empty()) {
+      solvable->dep_requires = repo_addid_dep(repo, solvable->dep_requires, text_id("nothing"), 0);
     }
     solvables_.push_back(solvable_id);
     candidate_of_.emplace(solvable_id, id);
@@ -148,6 +153,7 @@ class SatEngine::SolvPool {
                          .requirement = requirement_of_.at(dependency)};
       case SOLVER_RULE_PKG_REQUIRES:
       case SOLVER_RULE_PKG_NOTHING_PROVIDES_DEP:
+        if (!requirement_of_.contains(dependency)) return std::nullopt;
         return ProofRule{.kind = ProofRule::Kind::kRequires,
                          .candidate = candidate_of_.at(source),
                          .requirement = requirement_of_.at(dependency)};

@@ -79,7 +79,7 @@ class InstallOrder {
     if (!visited_.insert(id).second) return;
     const Candidate& candidate = universe_.candidates[id];
     std::set<CandidateId> needed;  // candidates are numbered by name
-    for (const RequirementId need : candidate.depends) {
+    for (const RequirementId need : universe_.needs(id).depends) {
       for (const CandidateId provider : universe_.matches(need).providers) {
         if (chosen_.contains(provider)) needed.insert(provider);
       }
@@ -136,8 +136,11 @@ Outcome<Resolution> solve(const ResolveRequest& request, const RepoIndex& index)
     return errors;
 
   const auto answer = best_choice(universe);
-  if (const auto* choice = std::get_if<Choice>(&answer))
-    return InstallOrder(universe, *choice).resolution();
+  if (const auto* choice = std::get_if<Choice>(&answer)) {
+    Resolution resolution = InstallOrder(universe, *choice).resolution();
+    resolution.left_out = universe.unusable();
+    return resolution;
+  }
 
   Diagnostics errors;
   for (const std::vector<ProofRule>& conflict : std::get<Proof>(answer)) {
@@ -145,6 +148,8 @@ Outcome<Resolution> solve(const ResolveRequest& request, const RepoIndex& index)
                      .message = "no choice of packages gives all that is asked for",
                      .why = explain(request, universe, index, conflict),
                      .fix = proven_fixes(request, *specs, universe, conflict, index)};
+    for (const LeftOutRecord& record : universe.unusable())
+      error.why.push_back(record.file_name + " was left out: " + record.reason);
     for (std::size_t i = 0; i < universe.wanted.size() && !error.span; ++i) {
       const bool involved =
           std::any_of(conflict.begin(), conflict.end(), [&](const ProofRule& rule) {

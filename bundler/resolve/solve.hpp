@@ -29,6 +29,8 @@ struct ResolveRequest {
 struct Resolution {
   /// One record per name, each after all that it needs; otherwise by name.
   std::vector<PackageRecord> packages;
+  /// Records that would have been preferred, but have specs that cannot be read.
+  std::vector<LeftOutRecord> left_out;
 };
 
 /// Newest version first, then highest build number, then a fixed rule, so that the same request and

@@ -2,8 +2,6 @@
 #include "bundler/resolve/universe.hpp"
 
 #include <algorithm>
-#include <deque>
-#include <set>
 #include <tuple>
 #include <unordered_map>
 
@@ -15,7 +13,7 @@ namespace {
 
 using RecordList = std::vector<const PackageRecord*>;
 
-/// Builds a Universe name by name, from the wanted ones outwards.
+/// Puts the records of an index into the order of preference.
 class Builder {
  public:
   Builder(const ResolveRequest& request, const RepoIndex& index) : request_(request) {
@@ -29,14 +27,10 @@ class Builder {
   }
 
   Universe build(const std::vector<MatchSpec>& specs) {
-    for (std::size_t i = 0; i < specs.size(); ++i) {
-      universe_.wanted.push_back(requirement(specs[i].text(), specs[i]));
-    }
-    for (const PackageRecord& record : universe_.virtual_records) reach(record.name);
-    while (!waiting_.empty()) {
-      const std::string name = std::move(waiting_.front());
-      waiting_.pop_front();
-      add_candidates(name);
+    for (const MatchSpec& spec : specs)
+      universe_.wanted.push_back(universe_.add_requirement(spec.text(), spec));
+    for (const auto& [name, list] : records_) {
+      for (const PackageRecord* record : list) add_candidate(*record);
     }
     renumber();
     return std::move(universe_);
@@ -56,32 +50,6 @@ class Builder {
     return found == channel_rank_.end() ? channel_rank_.size() : found->second;
   }
 
-  void reach(const std::string& name) {
-    if (reached_.insert(name).second) waiting_.push_back(name);
-  }
-
-  RequirementId requirement(const std::string& text, const MatchSpec& spec) {
-    const auto [found, fresh] = requirement_ids_.emplace(text, universe_.requirements.size());
-    if (!fresh) return found->second;
-    universe_.requirements.push_back({.text = text, .spec = spec, .name = spec.exact_name()});
-    if (const auto& name = universe_.requirements.back().name) {
-      reach(*name);
-    } else {
-      for (const auto& [name_there, list] : records_) {
-        if (spec.name().matches(name_there)) reach(name_there);
-      }
-    }
-    return found->second;
-  }
-
-  /// A spec of a record; records with specs that do not parse never get into an index.
-  RequirementId requirement(const std::string& text) {
-    const auto known = requirement_ids_.find(text);
-    if (known != requirement_ids_.end()) return known->second;
-    const auto spec = MatchSpec::parse(text);
-    return requirement(text, spec ? *spec : MatchSpec());
-  }
-
   const Version* version_of(const PackageRecord& record) {
     const auto known = universe_.versions.find(record.version);
     if (known != universe_.versions.end()) return &known->second;
@@ -90,19 +58,9 @@ class Builder {
     return &universe_.versions.emplace(record.version, std::move(*version)).first->second;
   }
 
-  void add_candidates(const std::string& name) {
-    const auto found = records_.find(name);
-    if (found == records_.end()) return;
-    for (const PackageRecord* record : found->second) {
-      const Version* version = version_of(*record);
-      if (version == nullptr) continue;
-      Candidate candidate{.record = record, .version = version, .depends = {}, .constrains = {}};
-      for (const std::string& text : record->depends)
-        candidate.depends.push_back(requirement(text));
-      for (const std::string& text : record->constrains)
-        candidate.constrains.push_back(requirement(text));
-      universe_.candidates.push_back(std::move(candidate));
-    }
+  void add_candidate(const PackageRecord& record) {
+    const Version* version = version_of(record);
+    if (version != nullptr) universe_.candidates.push_back({.record = &record, .version = version});
   }
 
   [[nodiscard]] bool is_locked(const PackageRecord& record) const {
@@ -146,9 +104,6 @@ class Builder {
   std::map<std::string, RecordList, std::less<>> records_;
   std::unordered_map<std::string, std::size_t> channel_rank_;
   std::unordered_map<std::string, std::string> locked_;  ///< url -> sha256
-  std::unordered_map<std::string, RequirementId> requirement_ids_;
-  std::set<std::string> reached_;
-  std::deque<std::string> waiting_;
 };
 
 }  // namespace
@@ -158,16 +113,23 @@ Universe make_universe(const ResolveRequest& request, const std::vector<MatchSpe
   return Builder(request, index).build(specs);
 }
 
-const Matches& Universe::matches(RequirementId requirement) const {
-  if (matches_.empty()) matches_.resize(requirements.size());
-  std::optional<Matches>& known = matches_[requirement];
+RequirementId Universe::add_requirement(const std::string& text, const MatchSpec& spec) const {
+  const auto [found, fresh] = requirement_ids_.emplace(text, requirements_.size());
+  if (fresh) requirements_.push_back({.text = text, .spec = spec, .name = spec.exact_name()});
+  return found->second;
+}
+
+const Matches& Universe::matches(RequirementId id) const {
+  if (matches_.size() <= id) matches_.resize(requirements_.size());
+  std::optional<Matches>& known = matches_[id];
   if (known) return *known;
-  const Requirement& one = requirements[requirement];
+  const Requirement& one = requirements_[id];
   Matches& found = known.emplace();
   const auto sort_into = [&](const std::vector<CandidateId>& ids) {
-    for (const CandidateId id : ids) {
-      const bool fits = one.spec.matches(*candidates[id].record, *candidates[id].version);
-      (fits ? found.providers : found.rivals).push_back(id);
+    for (const CandidateId candidate : ids) {
+      const bool fits =
+          one.spec.matches(*candidates[candidate].record, *candidates[candidate].version);
+      (fits ? found.providers : found.rivals).push_back(candidate);
     }
   };
   if (one.name) {
@@ -179,6 +141,47 @@ const Matches& Universe::matches(RequirementId requirement) const {
     if (one.spec.name().matches(name)) sort_into(ids);
   }
   return found;
+}
+
+const Needs& Universe::needs(CandidateId id) const {
+  if (needs_.empty()) needs_.resize(candidates.size());
+  std::optional<Needs>& known = needs_[id];
+  if (known) return *known;
+  Needs& needs = known.emplace();
+  const auto read = [&](const std::vector<std::string>& texts, std::vector<RequirementId>& ids) {
+    for (const std::string& text : texts) {
+      if (const auto met = requirement_ids_.find(text); met != requirement_ids_.end()) {
+        ids.push_back(met->second);
+        continue;
+      }
+      const auto spec = MatchSpec::parse(text);
+      if (spec) {
+        ids.push_back(add_requirement(text, *spec));
+      } else if (needs.fault.empty()) {
+        needs.fault = spec.errors().front().message;
+      }
+    }
+  };
+  read(candidates[id].record->depends, needs.depends);
+  read(candidates[id].record->constrains, needs.constrains);
+  return needs;
+}
+
+void Universe::meet_all() const {
+  for (CandidateId id = 0; id < candidates.size(); ++id) static_cast<void>(needs(id));
+}
+
+std::vector<LeftOutRecord> Universe::unusable() const {
+  std::vector<LeftOutRecord> left_out;
+  for (CandidateId id = 0; id < needs_.size(); ++id) {
+    if (!needs_[id] || needs_[id]->fault.empty()) continue;
+    const PackageRecord& record = *candidates[id].record;
+    left_out.push_back({.channel = record.channel,
+                        .subdir = record.subdir,
+                        .file_name = record.file_name,
+                        .reason = needs_[id]->fault});
+  }
+  return left_out;
 }
 
 std::vector<std::string> names_there(const Universe& universe, const RepoIndex& index) {

@@ -3,6 +3,7 @@
 // from.
 #pragma once
 
+#include <deque>
 #include <map>
 #include <optional>
 #include <string>
@@ -33,26 +34,47 @@ struct Matches {
   std::vector<CandidateId> rivals;     ///< of the same name, but not matching
 };
 
+/// What a candidate asks of others.
+struct Needs {
+  std::vector<RequirementId> depends;
+  std::vector<RequirementId> constrains;
+  std::string
+      fault;  ///< why it cannot be used: a spec of its cannot be read; empty when all is well
+};
+
 struct Candidate {
   const PackageRecord* record = nullptr;  ///< owned by the index, the request or the universe
   const Version* version = nullptr;       ///< owned by the universe
-  std::vector<RequirementId> depends;
-  std::vector<RequirementId> constrains;
 };
 
-struct Universe {
+/// What is said of requirements and needs is reckoned when it is asked for the first time: most
+/// requests never ask for most of it. The answers do not depend on the order of the questions.
+class Universe {
+ public:
   std::vector<PackageRecord> virtual_records;
   std::unordered_map<std::string_view, Version> versions;  ///< by text
   std::vector<Candidate> candidates;                       ///< by name, then best first
   std::map<std::string, std::vector<CandidateId>, std::less<>> by_name;
-  std::vector<Requirement> requirements;
   std::vector<RequirementId> wanted;  ///< one per spec of the request, in its order
 
-  /// Reckoned when it is asked for the first time: most requests never ask for most.
-  [[nodiscard]] const Matches& matches(RequirementId requirement) const;
+  /// The same id for the same text.
+  RequirementId add_requirement(const std::string& text, const MatchSpec& spec) const;
+
+  /// Of those that were met so far; after meet_all() of all that there are.
+  [[nodiscard]] std::size_t requirement_count() const { return requirements_.size(); }
+  [[nodiscard]] const Requirement& requirement(RequirementId id) const { return requirements_[id]; }
+  [[nodiscard]] const Matches& matches(RequirementId id) const;
+  [[nodiscard]] const Needs& needs(CandidateId id) const;
+  void meet_all() const;
+  /// Candidates that cannot be used, among those whose needs were asked for.
+  [[nodiscard]] std::vector<LeftOutRecord> unusable() const;
 
  private:
-  mutable std::vector<std::optional<Matches>> matches_;
+  // Deques: what was given out stays where it is.
+  mutable std::deque<Requirement> requirements_;
+  mutable std::deque<std::optional<Matches>> matches_;
+  mutable std::deque<std::optional<Needs>> needs_;
+  mutable std::unordered_map<std::string, RequirementId> requirement_ids_;
 };
 
 /// The request's specs must parse (see solve()).

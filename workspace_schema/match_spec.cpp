@@ -191,8 +191,9 @@ class MatchSpecReader {
     text = trimmed(text);
     if (text == "*") return true;
     if (text.empty()) return fail("`build_number` is empty");
-    if (const auto number = whole_number(text)) {
-      text = *number;
+    const auto whole = whole_number(text);  // `text` may look into it until the end
+    if (whole) {
+      text = *whole;
     } else if (text.front() == '^' || text.back() == '$') {
       if (text.front() != '^' || text.back() != '$')
         return fail("a regular expression begins with `^` and ends with `$`");

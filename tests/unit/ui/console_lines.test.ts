@@ -225,7 +225,7 @@ test('a line list stays bounded and says what fell off', () => {
 
 test('a hundred thousand lines are appended and windowed quickly', () => {
   const list = new LineList(100_000);
-  const started = performance.now();
+  const before = process.cpuUsage();
   for (let batch = 0; batch < 1000; batch += 1) {
     list.append(
       Array.from({ length: 100 }, (_, i) =>
@@ -236,5 +236,6 @@ test('a hundred thousand lines are appended and windowed quickly', () => {
     list.window(list.totalRows - 40, list.totalRows);
   }
   assert.equal(list.shownCount, 100_000);
-  assert.ok(performance.now() - started < 5000);
+  // The time of this process: a busy machine makes it no slower.
+  assert.ok(process.cpuUsage(before).user < 5_000_000);
 });

@@ -7,6 +7,8 @@ export class ProgramMemory implements Heap {
   private buffer: ArrayBufferLike;
   private bytes: Uint8Array;
   private words: Int32Array;
+  /** A shared buffer lives on beside the larger one; any other is detached, which its views tell at no cost. */
+  private readonly shared: boolean;
   private readonly decoder = new TextDecoder();
   private readonly encoder = new TextEncoder();
 
@@ -15,9 +17,11 @@ export class ProgramMemory implements Heap {
     this.buffer = memory.buffer;
     this.bytes = new Uint8Array(this.buffer);
     this.words = new Int32Array(this.buffer);
+    this.shared = !(this.buffer instanceof ArrayBuffer);
   }
 
   private renew(): void {
+    if (!this.shared && this.bytes.length !== 0) return;
     const { buffer } = this.memory;
     if (buffer === this.buffer) return;
     this.buffer = buffer;

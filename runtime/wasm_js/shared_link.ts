@@ -27,6 +27,13 @@ interface Own {
 
 const encoder = new TextEncoder();
 
+/** Who is woken sooner than this after falling asleep is in the middle of an exchange. */
+const briskMs = 0.2;
+const spinMs = 0.05;
+const looksPerRound = 16;
+const { pause } = Atomics as { pause?: () => void };
+const pauseProcessor = pause ?? ((): void => undefined);
+
 export interface SharedLinkOptions {
   readonly bus: Bus;
   readonly participant: number;
@@ -59,6 +66,8 @@ export class SharedLink implements Link {
   private readonly totals = new Map<number, number>();
   private version = -1;
   private stopsTold = 0;
+  /** The last wait was over so soon that it is worth a look or two before the thread sleeps. */
+  private brisk = false;
   private readonly syncNow = (): void => this.sync();
   private readonly pause: Pause;
 
@@ -223,15 +232,34 @@ export class SharedLink implements Link {
     return true;
   }
 
+  /** Looks for an event for a moment: falling asleep and being woken costs more than most answers take. */
+  private spin(token: number, durationMs: number): boolean {
+    const { i32 } = this.bus;
+    const wake = this.word + BusParticipant.wake;
+    const end = performance.now() + durationMs;
+    do {
+      for (let i = 0; i < looksPerRound; i += 1) {
+        if (Atomics.load(i32, wake) !== token) return true;
+        pauseProcessor();
+      }
+    } while (performance.now() < end);
+    return false;
+  }
+
   private block(token: number, timeoutMs: number): WaitResult {
     const { bus, word } = this;
     if (this.tellStop()) return WaitResult.stop;
     const sleepers = word + BusParticipant.sleepers;
     let woken = Atomics.load(bus.i32, word + BusParticipant.wake) !== token;
     if (!woken && timeoutMs > 0) {
-      Atomics.add(bus.i32, sleepers, 1);
-      woken = Atomics.wait(bus.i32, word + BusParticipant.wake, token, timeoutMs) !== 'timed-out';
-      Atomics.sub(bus.i32, sleepers, 1);
+      const begin = performance.now();
+      woken = this.brisk && this.spin(token, Math.min(timeoutMs, spinMs));
+      if (!woken) {
+        Atomics.add(bus.i32, sleepers, 1);
+        woken = Atomics.wait(bus.i32, word + BusParticipant.wake, token, timeoutMs) !== 'timed-out';
+        Atomics.sub(bus.i32, sleepers, 1);
+      }
+      this.brisk = woken && performance.now() - begin < briskMs;
     }
     if (!woken) return WaitResult.timeout;
     return this.tellStop() ? WaitResult.stop : WaitResult.woken;

@@ -99,16 +99,14 @@ export class SharedWriter {
     if (this.retired.length > 0) this.releaseRetired();
     const head = Atomics.load(bus.i32, word + BusEndpoint.head);
     const sequence = (head + 1) | 0;
-    const room = this.makeRoom(sequence, length, sync, pause);
-    if (room < 0) return room;
-    const ring = Atomics.load(bus.i32, word + BusEndpoint.ring);
-    const slot = slotWord(bus, ring, sequence);
-    // Nobody expects sequence + 1 in this slot: from here on the old sample is not there. Readers that came since
-    // the last look might have it in their hands, so look again.
-    Atomics.store(bus.i32, slot, (sequence + 1) | 0);
-    sync();
-    const frame = this.frameFor(ring, slot, sequence, length);
+    let frame = this.claimFrame(sequence, length, sync, pause);
+    while (frame === ErrorCode.outOfMemory) {
+      const outcome = this.reclaim(sequence) ? 0 : this.awaitSlowest(sync, pause);
+      if (outcome < 0) return outcome;
+      frame = this.claimFrame(sequence, length, sync, pause);
+    }
     if (frame < 0) return frame;
+    const slot = slotWord(bus, Atomics.load(bus.i32, word + BusEndpoint.ring), sequence);
     const target = this.fill(heap, address, length, info, sequence, frame);
     const i32 = bus.i32;
     Atomics.store(i32, slot + 1, frame);
@@ -122,6 +120,51 @@ export class SharedWriter {
     sync();
     this.signal(target);
     return 0;
+  }
+
+  /** A frame for the sample, in a slot that holds none. Or an ErrorCode. */
+  private claimFrame(sequence: number, length: number, sync: () => void, pause: Pause): number {
+    const { bus, word } = this;
+    const room = this.makeRoom(sequence, length, sync, pause);
+    if (room < 0) return room;
+    const ring = Atomics.load(bus.i32, word + BusEndpoint.ring);
+    const slot = slotWord(bus, ring, sequence);
+    // Nobody expects sequence + 1 in this slot: from here on the old sample is not there. Readers that came since
+    // the last look might have it in their hands, so look again.
+    Atomics.store(bus.i32, slot, (sequence + 1) | 0);
+    sync();
+    return this.frameFor(ring, slot, sequence, length);
+  }
+
+  /** At the ceiling: gives back the pages of samples that nobody needs any more. False when there were none. */
+  private reclaim(sequence: number): boolean {
+    const { bus, word } = this;
+    const ring = Atomics.load(bus.i32, word + BusEndpoint.ring);
+    if (ring === 0) return false;
+    let freed = false;
+    for (let age = 2; age <= 1 << ringLog2(ring); age += 1) {
+      const s = (sequence - age) | 0;
+      const slot = slotWord(bus, ring, s);
+      if (bus.i32[slot + 5] === 0) continue;
+      const held = Atomics.load(bus.i32, slot) === s;
+      if (held && this.wanted(s, age, Atomics.load(bus.i32, slot + 4))) continue;
+      if (held) Atomics.store(bus.i32, slot, (s + 1) | 0);
+      this.releaseExtent(slot);
+      freed = true;
+    }
+    return freed;
+  }
+
+  /** At the ceiling, a writer that may wait does so until the slowest reader has come one sample further. */
+  private awaitSlowest(sync: () => void, pause: Pause): number {
+    if (!this.mayBlock) return ErrorCode.outOfMemory;
+    const head = Atomics.load(this.bus.i32, this.word + BusEndpoint.head);
+    let furthest = 0;
+    for (const reader of this.readers) {
+      if (!reader.reliable || reader.local || reader.depth !== Infinity) continue;
+      furthest = Math.max(furthest, (head - this.cursor(reader)) | 0);
+    }
+    return furthest === 0 ? ErrorCode.outOfMemory : this.blockFor((head - furthest + 1) | 0, sync, pause);
   }
 
   /** True when no matched reader has anything left to read. */

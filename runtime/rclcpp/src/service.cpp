@@ -27,7 +27,7 @@ std::unique_ptr<ros2wasm::Endpoint> make_endpoint(ros2wasm::EndpointKind kind,
 
 int32_t write_object(ros2wasm::Endpoint& endpoint, const detail::MessageCallbacks& type,
                      const void* object, ros2wasm::SampleInfo& info) {
-  std::vector<uint8_t> bytes(type.serialized_size(object));
+  ros2wasm::Bytes bytes(type.serialized_size(object));
   const size_t size = type.serialize(object, bytes.data(), bytes.size());
   if (size == 0) {
     rcutils_set_error_state("a field is longer than its bound", __FILE__, __LINE__);
@@ -61,7 +61,7 @@ ServiceBase::~ServiceBase() {
 }
 
 bool ServiceBase::take_type_erased_request(void* request_out, rmw_request_id_t& request_id_out) {
-  std::vector<uint8_t> bytes;
+  ros2wasm::Bytes bytes;
   ros2wasm::SampleInfo info{};
   while (endpoint_->take(bytes, info)) {
     if (detail::callbacks_of(type_support_)
@@ -146,7 +146,7 @@ bool ClientBase::wait_for_service_nanoseconds(std::chrono::nanoseconds timeout) 
 
 bool ClientBase::take_type_erased_response(void* response_out,
                                            rmw_request_id_t& request_header_out) {
-  std::vector<uint8_t> bytes;
+  ros2wasm::Bytes bytes;
   ros2wasm::SampleInfo info{};
   while (endpoint_->take(bytes, info)) {
     if (detail::callbacks_of(type_support_)

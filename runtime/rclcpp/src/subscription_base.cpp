@@ -102,7 +102,7 @@ const char* SubscriptionBase::type_name() const {
   return detail::callbacks_of(type_support_).type_name;
 }
 
-bool SubscriptionBase::take_bytes(std::vector<uint8_t>& bytes, rclcpp::MessageInfo& info) {
+bool SubscriptionBase::take_bytes(ros2wasm::Bytes& bytes, rclcpp::MessageInfo& info) {
   ros2wasm::SampleInfo sample{};
   while (endpoint_->take(bytes, sample)) {
     if (intra_process_ && detail::is_local_publisher(sample.writer_gid)) {
@@ -115,7 +115,7 @@ bool SubscriptionBase::take_bytes(std::vector<uint8_t>& bytes, rclcpp::MessageIn
 }
 
 bool SubscriptionBase::take_type_erased(void* message_out, rclcpp::MessageInfo& message_info_out) {
-  std::vector<uint8_t> bytes;
+  ros2wasm::Bytes bytes;
   while (take_bytes(bytes, message_info_out)) {
     if (detail::callbacks_of(type_support_).deserialize(bytes.data(), bytes.size(), message_out)) {
       return true;
@@ -127,7 +127,7 @@ bool SubscriptionBase::take_type_erased(void* message_out, rclcpp::MessageInfo& 
 
 bool SubscriptionBase::take_serialized(rclcpp::SerializedMessage& message_out,
                                        rclcpp::MessageInfo& message_info_out) {
-  std::vector<uint8_t> bytes;
+  ros2wasm::Bytes bytes;
   if (!take_bytes(bytes, message_info_out)) {
     return false;
   }
@@ -251,7 +251,7 @@ void SubscriptionBase::run(std::shared_ptr<void>&) {
     }
     return;
   }
-  std::vector<uint8_t> bytes;
+  ros2wasm::Bytes bytes;
   if (take_bytes(bytes, info)) {
     handle_bytes(bytes.data(), bytes.size(), info);
   }

@@ -61,7 +61,7 @@ class TimeSource::State : public std::enable_shared_from_this<TimeSource::State>
 
   void take_clock() {
     const std::lock_guard<std::recursive_mutex> lock(mutex);
-    std::vector<uint8_t> bytes;
+    ros2wasm::Bytes bytes;
     ros2wasm::SampleInfo info{};
     rosgraph_msgs::msg::Clock message;
     while (endpoint && endpoint->take(bytes, info)) {

@@ -81,7 +81,7 @@ int32_t Endpoint::write(const void* data, size_t size, SampleInfo& info) {
   return ros2wasm_write(id_, data, static_cast<uint32_t>(size), &info);
 }
 
-bool Endpoint::take(std::vector<uint8_t>& buffer, SampleInfo& info) {
+bool Endpoint::take(Bytes& buffer, SampleInfo& info) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (buffer.size() < size_hint_) {
     buffer.resize(size_hint_);
@@ -102,7 +102,7 @@ bool Endpoint::take(std::vector<uint8_t>& buffer, SampleInfo& info) {
 }
 
 void Endpoint::drain() {
-  std::vector<uint8_t> buffer;
+  Bytes buffer;
   SampleInfo info;
   while (take(buffer, info)) {
   }

@@ -21,10 +21,7 @@
 #include "rclcpp/qos.hpp"
 #include "rclcpp/serialized_message.hpp"
 #include "rclcpp/subscription_options.hpp"
-
-namespace ros2wasm {
-class Endpoint;
-}
+#include "ros2wasm/endpoint.hpp"
 
 namespace rclcpp {
 
@@ -116,7 +113,7 @@ class SubscriptionBase : public detail::Executable,
  private:
   RCLCPP_DISABLE_COPY(SubscriptionBase)
   void add_events(const SubscriptionOptionsBase& options);
-  bool take_bytes(std::vector<uint8_t>& bytes, rclcpp::MessageInfo& info);
+  bool take_bytes(ros2wasm::Bytes& bytes, rclcpp::MessageInfo& info);
   bool run_local();
 
   const std::string topic_name_;

@@ -266,6 +266,12 @@ void read_sequence(CdrReader& reader, Sequence& sequence, size_t bound, size_t s
         sequence[i] = bytes[i] != 0;
       }
     }
+  } else if constexpr (std::is_integral_v<Element> && sizeof(Element) == 1) {
+    // Images and point clouds: written once, not zeroed before.
+    const auto* bytes = reinterpret_cast<const Element*>(reader.take(count, 1));
+    if (bytes != nullptr) {
+      sequence.assign(bytes, bytes + count);
+    }
   } else {
     sequence.resize(count);
     read_elements(reader, elements_of(sequence), count, string_bound);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <string_view>
@@ -27,6 +28,29 @@ struct EndpointQos {
   int64_t lifespan_ns = 0;
   int64_t lease_ns = 0;
   bool ignore_local_publications = false;
+};
+
+/// A serialised message. New bytes are left as they are: what fills the buffer overwrites them.
+class Bytes {
+ public:
+  Bytes() = default;
+  explicit Bytes(size_t size) { resize(size); }
+  [[nodiscard]] uint8_t* data() { return data_.get(); }
+  [[nodiscard]] const uint8_t* data() const { return data_.get(); }
+  [[nodiscard]] size_t size() const { return size_; }
+  /// Loses the content when the buffer has to grow.
+  void resize(size_t size) {
+    if (size > capacity_) {
+      data_.reset(new uint8_t[size]);
+      capacity_ = size;
+    }
+    size_ = size;
+  }
+
+ private:
+  std::unique_ptr<uint8_t[]> data_;
+  size_t size_ = 0;
+  size_t capacity_ = 0;
 };
 
 using Gid = std::array<uint8_t, 16>;
@@ -62,7 +86,7 @@ class Endpoint {
   /// 0, or the bus's error number (< 0).
   int32_t write(const void* data, size_t size, SampleInfo& info);
   /// Resizes `buffer` to the payload; false when there is nothing.
-  bool take(std::vector<uint8_t>& buffer, SampleInfo& info);
+  bool take(Bytes& buffer, SampleInfo& info);
   /// Throws away whatever waits to be taken.
   void drain();
   [[nodiscard]] int32_t matched() const;

@@ -1,0 +1,154 @@
+// How messages travel between two rclcpp nodes: round trips and throughput, over both links, under Node.js and in
+// Chromium. The peer is ddsperf of Eclipse Cyclone DDS on loopback, in the same run. Our payload is made, serialised
+// (one CDR copy), written to the bus (one), read out of it (one) and deserialised (one); ddsperf's stays in its stack.
+import { spawn, spawnSync } from 'node:child_process';
+import { cpSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { chromium } from 'playwright-core';
+import { chromiumOptions } from '../e2e/chromium.ts';
+import type { BenchContext } from './run.ts';
+import { staticServer } from './static_server.ts';
+
+const WATCHDOG_MS = 180_000;
+const PEER_SECONDS = 4;
+/** ddsperf's sequence number and length are part of its size; 12 is the least. */
+const PEER_SIZES: Readonly<Record<number, number>> = { 8: 12, 1000: 1000, 64000: 64000, 1000000: 1000000, 6000000: 6000000 };
+const COPIES = 'CDR made by the writer; copies: serialise, to the bus, from the bus, deserialise';
+
+type Line = Readonly<Record<string, number>>;
+type Place = 'Node.js' | 'Chromium';
+type Link = 'shared' | 'port';
+
+/** The JSON lines that the nodes printed. */
+function jsonLines(text: string): Line[] {
+  return [...text.matchAll(/\{"bytes".*?\}/g)].map(([json]) => JSON.parse(json) as Line);
+}
+
+function pack(context: BenchContext, folder: string, name: string, launch: readonly string[]): string {
+  const workspace = join(folder, name);
+  mkdirSync(workspace);
+  cpSync(join(context.root, 'tests/bench/packages/link_bench'), join(workspace, 'link_bench'), { recursive: true });
+  const manifest = ['schema: 1', `name: ${name}`, 'packages: [link_bench]', 'launch:', ...launch.map((node) => `  - ${node}`), ''];
+  writeFileSync(join(workspace, 'workspace.yaml'), manifest.join('\n'));
+  const site = join(workspace, 'site');
+  const run = spawnSync(join(context.build, 'ros2wasm'), ['pack', join(workspace, 'workspace.yaml'), '-o', site], { encoding: 'utf8' });
+  if (run.status !== 0) throw new Error(`pack failed: ${run.stderr}`);
+  return site;
+}
+
+function inNode(context: BenchContext, site: string, link: Link, until: string): Line[] {
+  const command = ['run', site, '--link', link, '--until', until, '--for', `${WATCHDOG_MS / 1000}s`];
+  const run = spawnSync(join(context.build, 'ros2wasm'), command, { encoding: 'utf8' });
+  if (run.status !== 0) throw new Error(`run failed: ${run.stdout}${run.stderr}`);
+  return jsonLines(run.stdout);
+}
+
+async function inChromium(site: string, link: Link, until: string): Promise<Line[]> {
+  const server = await staticServer(site, link === 'shared');
+  // Without service workers the page cannot become isolated, and takes the port link.
+  const browser = await chromium.launch(chromiumOptions());
+  try {
+    const context = await browser.newContext({ serviceWorkers: link === 'shared' ? 'allow' : 'block' });
+    const page = await context.newPage();
+    await page.goto(server.url);
+    await page.waitForFunction((text) => (document.body?.innerText ?? '').includes(text), until, { timeout: WATCHDOG_MS });
+    return jsonLines(await page.evaluate(() => document.body.innerText));
+  } finally {
+    await browser.close();
+    await server.close();
+  }
+}
+
+/** What one ddsperf prints while another, the `other`, runs too. */
+async function ddsperf(other: readonly string[], own: readonly string[]): Promise<string> {
+  const partner = spawn('ddsperf', ['-D', String(PEER_SECONDS + 4), ...other], { stdio: ['ignore', 'pipe', 'inherit'] });
+  let printed = '';
+  partner.stdout.on('data', (chunk: Buffer) => {
+    printed += chunk.toString();
+  });
+  const ended = new Promise((resolve) => partner.on('exit', resolve));
+  const run = spawnSync('ddsperf', ['-D', String(PEER_SECONDS), ...own], { encoding: 'utf8' });
+  partner.kill();
+  await ended;
+  return `${run.stdout}\n${printed}`;
+}
+
+function middle(values: readonly number[]): number {
+  return [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)] ?? Number.NaN;
+}
+
+/** Median round trip in microseconds. ddsperf prints half of it: its count times its mean makes half of the time. */
+async function peerRoundTrip(bytes: number): Promise<number> {
+  const text = await ddsperf(['pong'], ['ping', 'size', String(PEER_SIZES[bytes] ?? bytes)]);
+  return 2 * middle([...text.matchAll(/size \d+ mean .* 50% ([0-9.]+)us/g)].map(([, half]) => Number(half)));
+}
+
+/** Samples per second that arrive at one subscriber, reliable and keep_all. */
+async function peerThroughput(bytes: number): Promise<number> {
+  const text = await ddsperf(['-k', 'all', 'sub'], ['-k', 'all', 'pub', 'size', String(PEER_SIZES[bytes] ?? bytes)]);
+  return 1000 * middle([...text.matchAll(/ rate ([0-9.]+) kS\/s/g)].map(([, rate]) => Number(rate)));
+}
+
+/** Bytes per second of a plain copy of as many bytes from one buffer to another. */
+function copyRate(bytes: number): number {
+  const from = new Uint8Array(bytes).fill(1);
+  const to = new Uint8Array(bytes);
+  const rounds = Math.max(5, Math.floor(2e9 / bytes / 10));
+  const begin = performance.now();
+  for (let i = 0; i < rounds; i += 1) to.set(from);
+  return (rounds * bytes * 1000) / (performance.now() - begin);
+}
+
+const rounded = (value: number): number => Math.round(value * 100) / 100;
+
+async function places(
+  context: BenchContext, site: string, until: string, use: (place: Place, link: Link, lines: readonly Line[]) => void,
+): Promise<void> {
+  for (const link of ['shared', 'port'] as const) {
+    use('Node.js', link, inNode(context, site, link, until));
+    use('Chromium', link, await inChromium(site, link, until));
+  }
+}
+
+export async function benchLink(context: BenchContext): Promise<void> {
+  if (spawnSync('ddsperf', ['help']).error !== undefined) throw new Error('ddsperf is missing: install cyclonedds-tools');
+  const folder = mkdtempSync(join(tmpdir(), 'ros2wasm-bench-'));
+  try {
+    const ping = pack(context, folder, 'ping', ['{package: link_bench, executable: ponger}', '{package: link_bench, executable: pinger}']);
+    const peerTrips = new Map<number, number>();
+    for (const bytes of [8, 1000, 64000, 1000000]) peerTrips.set(bytes, await peerRoundTrip(bytes));
+    await places(context, ping, 'pinger: done', (place, link, lines) => {
+      for (const { bytes, round_trips, p50_us, p99_us } of lines) {
+        context.emit({
+          bench: 'link', what: 'round trip', place, link, bytes, round_trips, p50_us, p99_us, copies: COPIES,
+          peer: 'ddsperf ping, loopback', peer_p50_us: rounded(peerTrips.get(bytes ?? 0) ?? Number.NaN),
+        });
+      }
+    });
+    const sinks = (count: number): string[] => [
+      `{package: link_bench, executable: flooder, parameters: {sinks: ${count}}}`,
+      ...Array.from({ length: count }, (_, i) => `{package: link_bench, executable: sink, name: sink_${i}}`),
+    ];
+    const peerRates = new Map<number, number>();
+    for (const bytes of [8, 1000, 64000, 6000000]) peerRates.set(bytes, await peerThroughput(bytes));
+    const emitRate = (to: number) => (place: Place, link: Link, lines: readonly Line[]): void => {
+      for (const bytes of [8, 1000, 64000, 6000000]) {
+        const of = lines.filter((line) => line['bytes'] === bytes);
+        if (of.length === 0) continue;
+        const each = middle(of.map((line) => line['per_second'] ?? 0));
+        context.emit({
+          bench: 'link', what: `throughput, 1 to ${to}`, place, link, bytes, qos: 'reliable, keep_all',
+          lost: of.reduce((sum, line) => sum + (line['lost'] ?? 0), 0), per_second_each: each, sinks_counted: of.length,
+          mb_per_second: rounded((each * bytes * of.length) / 1e6), plain_copy_mb_per_second: rounded(copyRate(bytes) / 1e6),
+          copies: COPIES, ...(to === 1 ? { peer: 'ddsperf pub/sub, loopback', peer_per_second: rounded(peerRates.get(bytes) ?? Number.NaN) } : {}),
+        });
+      }
+    };
+    await places(context, pack(context, folder, 'flood', sinks(1)), 'sink: done', emitRate(1));
+    const ten = pack(context, folder, 'flood_ten', sinks(10));
+    emitRate(10)('Node.js', 'shared', inNode(context, ten, 'shared', 'sink: done'));
+  } finally {
+    rmSync(folder, { recursive: true, force: true });
+  }
+}

@@ -92,6 +92,24 @@ struct Question {
   std::vector<RequestedSpec> specs;       ///< what is asked of them
 };
 
+/// What the manifest says of channels' addresses. The environment's alias is the manifest's
+/// default.
+Outcome<Done> use_manifest(const Manifest& manifest, ChannelNetwork& network) {
+  if (manifest.channel_alias) network.alias = manifest.channel_alias->value;
+  for (const MirrorEntry& mirror : manifest.mirrors) {
+    auto base = channel_address(mirror.channel.value, network);
+    if (!base) return std::move(base).errors();
+    ChannelMirrors mirrors{.base = std::move(*base), .urls = {}};
+    for (const auto& url : mirror.urls) {
+      auto address = channel_address(url.value, network);
+      if (!address) return std::move(address).errors();
+      mirrors.urls.push_back(std::move(*address));
+    }
+    network.mirrors.push_back(std::move(mirrors));
+  }
+  return Done{};
+}
+
 /// Steps 1 to 3, up to the request to the channels.
 Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellation,
                       const ProgressSink& progress) {
@@ -116,7 +134,9 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
   ChannelRoots roots{.working_directory = workspace.folder,
                      .embedded = {},
                      .cache = default_cache_directory(variable(request.variables, "XDG_CACHE_HOME"),
-                                                      variable(request.variables, "HOME"))};
+                                                      variable(request.variables, "HOME")),
+                     .network = network_of(request.variables)};
+  roots.network.offline = request.offline;
   auto embedded = embedded_channel(request.executable);
   if (embedded) {
     roots.embedded = std::move(embedded).value();
@@ -126,7 +146,10 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
   std::vector<ChannelSource> channels;
   for (const auto& channel : manifest.channels) channels.push_back({channel.value, channel.span});
   if (channels.empty()) channels.push_back({"embedded", std::nullopt});
-  const auto open = open_channels(channels, roots, cancellation, progress);
+  if (auto told = use_manifest(manifest, roots.network); !told) return std::move(told).errors();
+  const auto addresses = channel_addresses(channels, roots);
+  if (!addresses) return addresses.errors();
+  const auto open = open_channels(*addresses, roots, cancellation, progress);
   if (!open) return open.errors();
   const std::vector<std::string>& names = open->names();
   auto wanted = channel_request(manifest, *packages, *order, names, compiler->version);

@@ -21,6 +21,7 @@ struct PackRequest {
       input;  ///< workspace.yaml, or a folder with or without one; empty: the current folder
   std::filesystem::path output;      ///< folder to write
   bool locked = false;               ///< fail rather than change ros2wasm.lock
+  bool offline = false;              ///< nothing comes over the network
   bool plan_only = false;            ///< write nothing but the build cache
   std::filesystem::path executable;  ///< of this program
   EnvironmentVariables variables;
@@ -54,6 +55,7 @@ struct LockRequest {
   std::string input;        ///< as in PackRequest
   bool check_only = false;  ///< write nothing: does the lock still fulfil what is asked for?
   LockUpdate update;        ///< what is chosen anew although the lock has it
+  bool offline = false;     ///< as in PackRequest
   std::filesystem::path executable;
   EnvironmentVariables variables;
 };

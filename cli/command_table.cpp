@@ -7,6 +7,7 @@
 namespace ros2wasm {
 
 CommandBody build_command(Arguments& arguments);
+CommandBody cache_command(Arguments& arguments);
 CommandBody channel_command(Arguments& arguments);
 CommandBody check_command(Arguments& arguments);
 CommandBody explain_command(Arguments& arguments);
@@ -44,6 +45,9 @@ constexpr auto kCommands = std::to_array<CommandRow>({
      .declare = why_command},
     {.name = "tree", .help = "Show who needs whom in the lock", .declare = tree_command},
     {.name = "lock", .help = "Write or check ros2wasm.lock", .declare = lock_command},
+    {.name = "cache",
+     .help = "Look after downloaded packages: info, verify, prune, fetch",
+     .declare = cache_command},
     {.name = "channel", .help = "Make a channel of packages", .declare = channel_command},
     {.name = "schema",
      .help = "Print the JSON Schema of workspace.yaml",

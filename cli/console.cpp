@@ -5,6 +5,7 @@
 #include <ostream>
 
 #include "workspace_schema/json_writer.hpp"
+#include "workspace_schema/secret_text.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -13,6 +14,16 @@ ProgressForm progress_form(const ConsoleOptions& options) {
   if (options.quiet) return ProgressForm::kNone;
   if (options.json) return ProgressForm::kJson;
   return options.live_progress ? ProgressForm::kBar : ProgressForm::kLines;
+}
+
+/// The last door: whatever a step put into its words, no credential of an address is shown.
+Diagnostic without_credentials(Diagnostic diagnostic) {
+  diagnostic.message = with_masked_secrets(diagnostic.message);
+  diagnostic.detail = with_masked_secrets(diagnostic.detail);
+  for (std::string& line : diagnostic.why) line = with_masked_secrets(line);
+  for (std::string& line : diagnostic.fix) line = with_masked_secrets(line);
+  if (diagnostic.span) diagnostic.span->line_text = with_masked_secrets(diagnostic.span->line_text);
+  return diagnostic;
 }
 
 }  // namespace
@@ -57,11 +68,12 @@ void Console::remark(std::string_view line) {
 }
 
 void Console::report(const Diagnostic& diagnostic) {
+  const Diagnostic shown = without_credentials(diagnostic);
   const std::scoped_lock lock(mutex_);
   if (options_.json) {
-    write_error_stream(diagnostic_json(diagnostic) + "\n");
+    write_error_stream(diagnostic_json(shown) + "\n");
   } else {
-    write_error_stream(diagnostic_text(diagnostic, options_.style) + "\n");
+    write_error_stream(diagnostic_text(shown, options_.style) + "\n");
   }
 }
 

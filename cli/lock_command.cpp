@@ -12,6 +12,7 @@ namespace {
 struct LockOptions {
   std::string input;
   bool check = false;
+  bool offline = false;
   bool update_all = false;
   std::vector<std::string> update;
 };
@@ -20,6 +21,7 @@ int run(Context& context, const LockOptions& options) {
   const auto report = lock({.input = options.input,
                             .check_only = options.check,
                             .update = {.everything = options.update_all, .names = options.update},
+                            .offline = options.offline,
                             .executable = context.executable,
                             .variables = context.environment},
                            context.cancellation, context.progress);
@@ -52,6 +54,7 @@ CommandBody lock_command(Arguments& arguments) {
       "a workspace.yaml, or a folder with ROS 2 packages (default: the current folder)");
   arguments.flag("--check", options->check,
                  "write nothing; fail when the lock does not fulfil what is asked for");
+  arguments.flag("--offline", options->offline, "use only what is on this machine");
   arguments.values("--update", options->update, "NAME",
                    "choose this package anew, as in the channels");
   arguments.flag("--update-all", options->update_all, "choose every package anew");

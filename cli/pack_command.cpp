@@ -13,6 +13,7 @@ struct Options {
   std::string input;
   std::string output = "site";
   bool locked = false;
+  bool offline = false;
   bool plan = false;
   int jobs = 0;
 };
@@ -48,6 +49,7 @@ int run(Context& context, const Options& options) {
   const auto report = pack({.input = options.input,
                             .output = options.output,
                             .locked = options.locked,
+                            .offline = options.offline,
                             .plan_only = options.plan,
                             .executable = context.executable,
                             .variables = context.environment,
@@ -82,6 +84,7 @@ CommandBody pack_command(Arguments& arguments) {
   arguments.value("-o,--output", options->output, "FOLDER",
                   "where to write the site (default: site)");
   arguments.flag("--locked", options->locked, "fail rather than change ros2wasm.lock");
+  arguments.flag("--offline", options->offline, "use only what is on this machine");
   arguments.flag("--plan", options->plan,
                  "print every file with size, hash and reason; write no site");
   arguments.number("-j,--jobs", options->jobs, "N", 1, 256,

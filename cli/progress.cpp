@@ -24,6 +24,14 @@ std::string count_text(const ProgressEvent& event) {
   return text;
 }
 
+/// " 3.4 MB/s" since the step began; empty when that is no telling yet.
+std::string speed_text(std::uint64_t bytes, std::int64_t elapsed_ms) {
+  constexpr std::int64_t kTooShortMs = 200;
+  if (bytes == 0 || elapsed_ms < kTooShortMs) return {};
+  const std::uint64_t tenths = bytes / 100 / static_cast<std::uint64_t>(elapsed_ms);  // of MB/s
+  return " " + std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " MB/s";
+}
+
 std::string json_line(const ProgressEvent& event) {
   JsonWriter json;
   json.begin_object();
@@ -39,7 +47,14 @@ std::string json_line(const ProgressEvent& event) {
 
 }  // namespace
 
-std::string Progress::bar(const ProgressEvent& event) const {
+std::string Progress::speed(const ProgressEvent& event) {
+  if (event.unit != "bytes") return {};
+  const auto [begin, fresh] = begun_.try_emplace(event.step, Begin{clock_(), event.done});
+  if (fresh || event.done < begin->second.done) return {};
+  return speed_text(event.done - begin->second.done, clock_() - begin->second.at_ms);
+}
+
+std::string Progress::bar(const ProgressEvent& event, const std::string& speed) const {
   std::string line = event.step;
   line.resize(std::max<std::size_t>(line.size(), 8), ' ');
   if (event.total > 0) {
@@ -49,7 +64,7 @@ std::string Progress::bar(const ProgressEvent& event) const {
                                  static_cast<double>(kBarCells));
     line += " [" + std::string(filled, '#') + std::string(kBarCells - filled, '.') + "]";
   }
-  line += " " + count_text(event);
+  line += " " + count_text(event) + speed;
   if (!event.item.empty()) line += "  " + valid_utf8(event.item);
   std::size_t width = 0;
   std::size_t end = 0;
@@ -69,8 +84,8 @@ std::string Progress::show(const ProgressEvent& event) {
   if (form_ == ProgressForm::kNone) return {};
   const bool finished = event.total > 0 && event.done >= event.total;
   if (form_ == ProgressForm::kLines) {
-    if (!finished) return {};
-    return event.step + ": " + count_text(event) + "\n";
+    const std::string fast = speed(event);
+    return finished ? event.step + ": " + count_text(event) + fast + "\n" : std::string();
   }
   const std::int64_t now = clock_();
   const auto last = last_shown_ms_.find(event.step);
@@ -80,7 +95,7 @@ std::string Progress::show(const ProgressEvent& event) {
   if (form_ == ProgressForm::kJson) return json_line(event);
   if (finished) return wipe();
   drawn_ = true;
-  return "\r\x1b[2K" + bar(event);
+  return "\r\x1b[2K" + bar(event, speed(event));
 }
 
 std::string Progress::wipe() {

@@ -28,12 +28,20 @@ class Progress {
   [[nodiscard]] std::string wipe();
 
  private:
-  [[nodiscard]] std::string bar(const ProgressEvent& event) const;
+  struct Begin {
+    std::int64_t at_ms = 0;
+    std::uint64_t done = 0;
+  };
+
+  [[nodiscard]] std::string bar(const ProgressEvent& event, const std::string& speed) const;
+  /// Of a step in bytes, since its first event.
+  [[nodiscard]] std::string speed(const ProgressEvent& event);
 
   ProgressForm form_;
   std::size_t width_;
   ClockMs clock_;
   bool drawn_ = false;
+  std::map<std::string, Begin> begun_;                 ///< by step
   std::map<std::string, std::int64_t> last_shown_ms_;  ///< by step
 };
 

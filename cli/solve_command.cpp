@@ -15,6 +15,8 @@ struct SolveOptions {
   std::vector<std::string> channels;
   std::vector<std::string> specs;
   std::string priority = "strict";
+  std::string platform = kSitePlatform;
+  bool offline = false;
 };
 
 std::string variable(const Context& context, const std::string& name) {
@@ -27,7 +29,8 @@ ChannelRoots roots_of(const Context& context) {
   ChannelRoots roots{.working_directory = std::filesystem::current_path(error),
                      .embedded = {},
                      .cache = default_cache_directory(variable(context, "XDG_CACHE_HOME"),
-                                                      variable(context, "HOME"))};
+                                                      variable(context, "HOME")),
+                     .network = network_of(context.environment)};
   if (auto embedded = embedded_channel(context.executable)) roots.embedded = std::move(*embedded);
   return roots;
 }
@@ -78,8 +81,12 @@ int run(const SolveOptions& options, Context& context) {
   std::vector<ChannelSource> channels;
   for (const std::string& name : options.channels) channels.push_back({.name = name, .span = {}});
   if (channels.empty()) channels.push_back({.name = "embedded", .span = {}});
-  const auto open =
-      open_channels(channels, roots_of(context), context.cancellation, context.progress);
+  ChannelRoots roots = roots_of(context);
+  roots.network.offline = options.offline;
+  roots.platform = options.platform;
+  const auto addresses = channel_addresses(channels, roots);
+  if (!addresses) return context.console.fail(addresses.errors());
+  const auto open = open_channels(*addresses, roots, context.cancellation, context.progress);
   if (!open) return context.console.fail(open.errors());
   ResolveRequest request{.specs = {}, .locked = {}, .priority = priority_of(options.priority)};
   const auto index = open->reachable(options.specs, request.priority, context.cancellation);
@@ -96,8 +103,12 @@ int run(const SolveOptions& options, Context& context) {
 
 CommandBody solve_command(Arguments& arguments) {
   const auto options = std::make_shared<SolveOptions>();
-  arguments.values("-c,--channel", options->channels, "CHANNEL",
-                   "A folder or file:// address; the embedded channel if none");
+  arguments.values(
+      "-c,--channel", options->channels, "CHANNEL",
+      "A folder, an address, or a name such as conda-forge; the embedded channel if none");
+  arguments.value("--platform", options->platform, "SUBDIR",
+                  "read this folder of the channels beside noarch (default: emscripten-wasm32)");
+  arguments.flag("--offline", options->offline, "use only what is on this machine");
   arguments.choice("--priority", options->priority, {"strict", "flexible", "disabled"},
                    "What the order of channels means");
   arguments.rest("SPEC", options->specs, "conda match specs: \"ros-jazzy-rclcpp >=28\"");

@@ -32,6 +32,12 @@ struct Author {
   std::string affiliation;  ///< may be empty
 };
 
+/// Other places of a channel, asked before it.
+struct MirrorEntry {
+  Spanned<std::string> channel;
+  std::vector<Spanned<std::string>> urls;
+};
+
 enum class NodeOutput { kScreen, kLog, kBoth };
 
 struct ParameterEntry {
@@ -65,7 +71,9 @@ struct Manifest {
   std::vector<Author> authors;
   std::string license;
   std::string distro = "jazzy";
-  std::vector<Spanned<std::string>> channels;      ///< empty: the embedded channel
+  std::vector<Spanned<std::string>> channels;         ///< empty: the embedded channel
+  std::optional<Spanned<std::string>> channel_alias;  ///< address that bare channel names are below
+  std::vector<MirrorEntry> mirrors;
   std::vector<Spanned<std::string>> dependencies;  ///< conda match specs or ROS package names
   std::vector<Spanned<std::string>> packages;      ///< paths or globs, relative to the manifest
   std::optional<Spanned<std::string>> launch_file;

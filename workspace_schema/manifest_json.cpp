@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "workspace_schema/json_writer.hpp"
+#include "workspace_schema/secret_text.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -128,7 +129,20 @@ std::string manifest_json(const Manifest& manifest) {
   }
   json.end_array();
   json.field("license", manifest.license).field("distro", manifest.distro);
-  texts(json, "channels", manifest.channels);
+  json.key("channels").begin_array();
+  for (const auto& channel : manifest.channels) json.string(with_masked_secrets(channel.value));
+  json.end_array();
+  if (manifest.channel_alias)
+    json.field("channel_alias", with_masked_secrets(manifest.channel_alias->value));
+  if (!manifest.mirrors.empty()) {
+    json.key("mirrors").begin_object();
+    for (const MirrorEntry& mirror : manifest.mirrors) {
+      json.key(with_masked_secrets(mirror.channel.value)).begin_array();
+      for (const auto& url : mirror.urls) json.string(with_masked_secrets(url.value));
+      json.end_array();
+    }
+    json.end_object();
+  }
   texts(json, "dependencies", manifest.dependencies);
   texts(json, "packages", manifest.packages);
   json.key("launch");

@@ -52,6 +52,8 @@ const std::vector<KeyRow>& manifest_keys() {
       {"license", {"licence", "licenses"}},
       {"distro", {"ros_distro", "ros", "distribution"}},
       {"channels", {"channel", "repositories"}},
+      {"channel_alias", {}},
+      {"mirrors", {"mirrored_channels"}},
       {"dependencies", {"depends", "depend", "deps", "requirements"}},
       {"packages", {"package", "sources", "src"}},
       {"launch", {"nodes", "node", "run"}},
@@ -245,6 +247,9 @@ class Reader {
     if (const YamlNode* node = given("channels")) {
       manifest_.channels = binder_.texts(*node, "channels", line_of("channels"));
     }
+    if (const YamlNode* node = given("channel_alias"))
+      manifest_.channel_alias = binder_.line(*node, "channel_alias");
+    if (const YamlNode* node = given("mirrors")) read_mirrors(*node);
     if (const YamlNode* node = given("dependencies")) {
       manifest_.dependencies = binder_.texts(
           *node, "dependencies", [this](const YamlNode& item) { return read_dependency(item); });
@@ -253,6 +258,21 @@ class Reader {
       manifest_.packages = binder_.texts(*node, "packages", [this](const YamlNode& item) {
         return binder_.path(item, "an item of `packages`");
       });
+    }
+  }
+
+  /// Each key is a channel as `channels` names it.
+  void read_mirrors(const YamlNode& node) {
+    if (node.kind != YamlKind::kMap) {
+      binder_.wrong_type(node, "mirrors", "a mapping from channels to lists of addresses");
+      return;
+    }
+    for (const YamlEntry& entry : node.entries) {
+      manifest_.mirrors.push_back(
+          {.channel = {.value = entry.key, .span = binder_.span(entry.key_range)},
+           .urls = binder_.texts(entry.value, "mirrors", [this](const YamlNode& item) {
+             return binder_.line(item, "an item of `mirrors`");
+           })});
     }
   }
 

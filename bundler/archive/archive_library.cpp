@@ -148,4 +148,34 @@ Outcome<Done> visit_tar(const ByteSource& packed, const std::string& name,
   return visited;
 }
 
+Outcome<std::string> bzip2_decompressed(std::string_view bytes, std::uint64_t limit_bytes,
+                                        const std::string& name) {
+  const auto damaged = [&name](const std::string& why) {
+    return Diagnostic{.code = "R2W0202",
+                      .kind = FailureKind::kEnvironment,
+                      .message = "`" + name + "` cannot be decompressed",
+                      .why = {why}};
+  };
+  const Reader reader(archive_read_new(), archive_read_free);
+  archive_read_support_format_raw(reader.get());
+  archive_read_support_filter_bzip2(reader.get());
+  archive_entry* entry = nullptr;
+  if (archive_read_open_memory(reader.get(), bytes.data(), bytes.size()) != ARCHIVE_OK ||
+      archive_read_next_header(reader.get(), &entry) != ARCHIVE_OK) {
+    return damaged(reason(reader.get()));
+  }
+  if (archive_filter_code(reader.get(), 0) != ARCHIVE_FILTER_BZIP2)
+    return damaged("it is not compressed with bzip2");
+  std::string out;
+  std::string piece(kPiece, '\0');
+  for (;;) {
+    const auto got = archive_read_data(reader.get(), piece.data(), piece.size());
+    if (got < 0) return damaged(reason(reader.get()));
+    if (got == 0) return out;
+    out.append(piece.data(), static_cast<std::size_t>(got));
+    if (out.size() > limit_bytes)
+      return damaged("it holds more than " + std::to_string(limit_bytes) + " bytes");
+  }
+}
+
 }  // namespace ros2wasm

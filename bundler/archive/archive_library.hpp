@@ -41,6 +41,11 @@ using MemberVisitor =
 [[nodiscard]] Outcome<Done> visit_tar(const ByteSource& packed, const std::string& name,
                                       const MemberVisitor& visitor);
 
+/// The bytes of one bzip2 stream. R2W0202 when it is damaged or holds more than `limit_bytes`.
+[[nodiscard]] Outcome<std::string> bzip2_decompressed(std::string_view bytes,
+                                                      std::uint64_t limit_bytes,
+                                                      const std::string& name);
+
 /// What a visitor of a whole archive returns for a damaged one.
 [[nodiscard]] Diagnostic damaged_archive(const std::string& name, const std::string& why);
 

@@ -7,34 +7,50 @@
 #include <unordered_set>
 #include <utility>
 
+#include "bundler/channel/index_files.hpp"
 #include "bundler/channel/repodata_index.hpp"
+#include "bundler/channel/shard_index.hpp"
 #include "bundler/channel/subdir_index.hpp"
 #include "bundler/channel/transport.hpp"
 
 namespace ros2wasm {
 namespace {
 
-constexpr std::array<std::string_view, 2> kSubdirs{"emscripten-wasm32", "noarch"};
-/// The index of a subdirectory, or nothing when the channel has none.
-Outcome<std::unique_ptr<SubdirIndex>> open_subdir(const std::string& channel,
-                                                  const std::string& subdir,
-                                                  const ChannelRoots& roots,
-                                                  const Cancellation& cancellation) {
-  const std::string folder_url = channel_base_url(channel) + "/" + subdir;
-  for (const char* file_name : {"repodata.json.zst", "repodata.json"}) {
-    const std::string url = folder_url + "/" + file_name;
-    auto file = bring(url, roots, cancellation);
-    if (!file) return std::move(file).errors();
-    if (!*file) continue;
-    return open_repodata({.file = std::move(**file),
-                          .url = url,
-                          .place = {.channel = channel, .subdir = subdir, .base_url = folder_url}},
-                         roots.cache, cancellation);
-  }
-  return std::unique_ptr<SubdirIndex>();
+constexpr std::size_t kSubdirs = 2;
+std::array<std::string, kSubdirs> subdirs_of(const ChannelRoots& roots) {
+  return {roots.platform, "noarch"};
 }
 
-Diagnostic no_channel(const ChannelSource& source) {
+/// The index of one folder of a channel.
+Outcome<std::unique_ptr<SubdirIndex>> open_subdir(IndexFile file, RecordPlace place,
+                                                  const ChannelRoots& roots,
+                                                  const Cancellation& cancellation) {
+  RepodataSource source{
+      .file = std::move(file.file), .url = std::move(file.url), .place = std::move(place)};
+  switch (file.format) {
+    case IndexFormat::kShards:
+      return open_shards(std::move(source), roots);
+    case IndexFormat::kBzip2: {
+      const auto text = bzip2_text(source.file, source.url);
+      if (!text) return text.errors();
+      return index_repodata(*text, std::move(source));
+    }
+    case IndexFormat::kZstd:
+    case IndexFormat::kPlain:
+      break;
+  }
+  return open_repodata(std::move(source), roots.cache, cancellation);
+}
+
+Diagnostic no_channel(const ChannelSource& source, const ChannelRoots& roots) {
+  if (roots.network.offline && is_network_url(source.name)) {
+    return Diagnostic{.code = "R2W0232",
+                      .kind = FailureKind::kEnvironment,
+                      .message = "the index of `" + source.name + "` is not on this machine",
+                      .span = source.span,
+                      .label = "not brought yet",
+                      .why = {"--offline uses only what was downloaded before"}};
+  }
   return Diagnostic{
       .code = "R2W0201",
       .kind = FailureKind::kEnvironment,
@@ -42,22 +58,38 @@ Diagnostic no_channel(const ChannelSource& source) {
       .span = source.span,
       .label = "no channel here",
       .why = {"it has neither `noarch/repodata.json` nor `emscripten-wasm32/repodata.json` "
-              "(nor `.json.zst` of either)"}};
+              "(nor a packed form of either)"}};
 }
 
 using SubdirIndexes = std::vector<std::unique_ptr<SubdirIndex>>;
 
-Outcome<SubdirIndexes> open_channel(const ChannelSource& source, const ChannelRoots& roots,
-                                    const Cancellation& cancellation) {
+/// `files`: what was found in the folders of this channel.
+Outcome<SubdirIndexes> open_channel(const ChannelSource& source,
+                                    std::span<Outcome<std::optional<IndexFile>>> files,
+                                    const ChannelRoots& roots, const Cancellation& cancellation) {
   SubdirIndexes subdirs;
-  for (const std::string_view subdir : kSubdirs) {
+  for (std::size_t i = 0; i < kSubdirs; ++i) {
     if (cancellation.requested()) return interrupted();
-    auto index = open_subdir(source.name, std::string(subdir), roots, cancellation);
+    if (!files[i]) return std::move(files[i]).errors();
+    if (!*files[i]) continue;
+    const std::string subdir = subdirs_of(roots)[i];
+    auto index = open_subdir(std::move(**files[i]),
+                             {.channel = source.name,
+                              .subdir = subdir,
+                              .base_url = channel_base_url(source.name) + "/" + subdir},
+                             roots, cancellation);
     if (!index) return std::move(index).errors();
-    if (*index) subdirs.push_back(std::move(*index));
+    subdirs.push_back(std::move(*index));
   }
-  if (subdirs.empty()) return no_channel(source);
+  if (subdirs.empty()) return no_channel(source, roots);
   return subdirs;
+}
+
+void append(Diagnostics& errors, Diagnostics&& more, const ChannelSource& source) {
+  for (Diagnostic& error : more) {
+    if (!error.span) error.span = source.span;
+    errors.push_back(std::move(error));
+  }
 }
 
 }  // namespace
@@ -196,6 +228,28 @@ Outcome<RepoIndex> OpenChannels::everything(const Cancellation& cancellation) co
   return index;
 }
 
+Outcome<std::vector<ChannelSource>> channel_addresses(std::span<const ChannelSource> channels,
+                                                      ChannelRoots& roots) {
+  std::vector<ChannelSource> addresses;
+  Diagnostics errors;
+  for (const ChannelSource& source : channels) {
+    std::error_code error;
+    const bool folder = is_bare_channel_name(source.name) &&
+                        std::filesystem::is_directory(roots.working_directory / source.name, error);
+    auto name =
+        folder ? Outcome<std::string>(source.name) : channel_address(source.name, roots.network);
+    if (!name) {
+      append(errors, std::move(name).errors(), source);
+      continue;
+    }
+    if (std::none_of(addresses.begin(), addresses.end(),
+                     [&](const ChannelSource& other) { return other.name == *name; }))
+      addresses.push_back({.name = std::move(*name), .span = source.span});
+  }
+  if (!errors.empty()) return errors;
+  return addresses;
+}
+
 Outcome<OpenChannels> open_channels(std::span<const ChannelSource> channels,
                                     const ChannelRoots& roots, const Cancellation& cancellation,
                                     const ProgressSink& progress) {
@@ -211,17 +265,25 @@ Outcome<OpenChannels> open_channels(std::span<const ChannelSource> channels,
   };
   Diagnostics errors;
   std::set<std::string> seen;
+  std::vector<const ChannelSource*> distinct;
+  std::vector<std::string> folders;
   for (const ChannelSource& source : channels) {
     if (!seen.insert(source.name).second) continue;
-    report(source.name, seen.size() - 1);
-    auto subdirs = open_channel(source, roots, cancellation);
+    distinct.push_back(&source);
+    for (const std::string& subdir : subdirs_of(roots))
+      folders.push_back(channel_base_url(source.name) + "/" + subdir);
+  }
+  if (!distinct.empty()) report(distinct.front()->name, 0);
+  auto files = bring_index_files(folders, roots, cancellation);
+  for (std::size_t i = 0; i < distinct.size(); ++i) {
+    const ChannelSource& source = *distinct[i];
+    report(source.name, i);
+    auto subdirs =
+        open_channel(source, std::span(files).subspan(i * kSubdirs, kSubdirs), roots, cancellation);
     if (subdirs) {
       open.state_->channels.push_back({.name = source.name, .subdirs = std::move(*subdirs)});
-      continue;
-    }
-    for (Diagnostic& error : std::move(subdirs).errors()) {
-      if (!error.span) error.span = source.span;
-      errors.push_back(std::move(error));
+    } else {
+      append(errors, std::move(subdirs).errors(), source);
     }
   }
   if (!errors.empty()) return errors;

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "bundler/channel/channel_network.hpp"
 #include "workspace_schema/cancellation.hpp"
 #include "workspace_schema/diagnostic.hpp"
 #include "workspace_schema/outcome.hpp"
@@ -17,15 +18,20 @@
 
 namespace ros2wasm {
 
+/// The folder of a channel that has what runs in sites.
+inline constexpr const char* kSitePlatform = "emscripten-wasm32";
+
 /// Where relative and embedded channels lie, and where downloads may be kept.
 struct ChannelRoots {
   std::filesystem::path working_directory;  ///< of the manifest: base of relative folders
   std::filesystem::path embedded;           ///< the embedded channel; see embedded_channel()
   std::filesystem::path cache;              ///< Store's cache directory
+  ChannelNetwork network{};                 ///< credentials come from channel_addresses()
+  std::string platform = kSitePlatform;     ///< read beside noarch
 };
 
 /// One channel as the manifest or the command line names it: "embedded", "./dir", "/dir",
-/// "file:///dir".
+/// "file:///dir", "https://host/name", "conda-forge", "conda-forge/label/dev".
 struct ChannelSource {
   std::string name;
   std::optional<SourceSpan> span;  ///< for messages
@@ -78,9 +84,16 @@ class OpenChannels {
   std::shared_ptr<State> state_;
 };
 
-/// Opens `emscripten-wasm32` and `noarch` of every channel (repodata.json.zst, else repodata.json).
-/// R2W0201 the channel is not there, R2W0202 its index cannot be read, R2W0203 nobody speaks its
-/// scheme.
+/// The channels by the names that go into records and locks: each once, without credentials, which
+/// go into `roots.network`. A bare name is a folder beside the manifest when there is one, else an
+/// address below the alias. R2W0237.
+[[nodiscard]] Outcome<std::vector<ChannelSource>> channel_addresses(
+    std::span<const ChannelSource> channels, ChannelRoots& roots);
+
+/// Opens the folders of the platform and `noarch` of every channel, named as channel_addresses()
+/// says, in the best form that it has: shards, repodata.json.zst, .bz2, repodata.json. R2W0201 the
+/// channel is not there, R2W0202 its index cannot be read, R2W0203 nobody speaks its scheme,
+/// R2W0232 not on this machine and offline, R2W0233..R2W0237 the network.
 [[nodiscard]] Outcome<OpenChannels> open_channels(std::span<const ChannelSource> channels,
                                                   const ChannelRoots& roots,
                                                   const Cancellation& cancellation = {},

@@ -10,8 +10,10 @@
 #include "bundler/channel/kept_index.hpp"
 #include "bundler/channel/record_json.hpp"
 #include "bundler/channel/record_rules.hpp"
+#include "bundler/channel/transport.hpp"
 #include "bundler/io/replaced_file.hpp"
 #include "bundler/io/sha256.hpp"
+#include "workspace_schema/secret_text.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -196,7 +198,8 @@ class RepodataIndex : public SubdirIndex {
     if (!index_.info().empty()) {
       const auto info = parse_json(index_.info(), source_.url, "R2W0202");
       if (!info) return info.errors();
-      place_.base_url = archive_base_url(info->text_of("base_url"), source_.place.base_url);
+      place_.base_url =
+          with_base_url(without_secrets(info->text_of("base_url")), source_.place.base_url);
     }
     if (!index_.removed().empty()) {
       const auto removed = parse_json(index_.removed(), source_.url, "R2W0202");
@@ -206,15 +209,6 @@ class RepodataIndex : public SubdirIndex {
       }
     }
     return Done{};
-  }
-
-  /// What a file name is put behind: the folder of the index itself, or `info.base_url` (CEP 15),
-  /// which may be relative to that folder.
-  static std::string archive_base_url(std::string base, const std::string& here) {
-    while (base.ends_with('/')) base.pop_back();
-    if (base.empty() || base == ".") return here;
-    const bool absolute = base.find("://") != std::string::npos || base.starts_with('/');
-    return absolute ? base : here + "/" + base;
   }
 
   void leave_out(std::string file_name, std::string reason, RepoIndex& into) const {

@@ -1,9 +1,10 @@
-// See transport.hpp. The transports that need no network.
+// See transport.hpp. The transports that need no network, and the way to the one that does.
 #include "bundler/channel/transport.hpp"
 
 #include <array>
 #include <charconv>
 
+#include "bundler/channel/index_cache.hpp"
 #include "workspace_schema/suggestion.hpp"
 
 namespace ros2wasm {
@@ -34,13 +35,11 @@ std::string percent_decoded(std::string_view text) {
   return out;
 }
 
-Outcome<LocalFile> bring_plain(const std::string& url, const ChannelRoots& roots,
-                               const Cancellation&) {
+Outcome<LocalFile> plain(const std::string& url, const ChannelRoots& roots) {
   return existing(roots.working_directory / url);
 }
 
-Outcome<LocalFile> bring_file_url(const std::string& url, const ChannelRoots&,
-                                  const Cancellation&) {
+Outcome<LocalFile> file_url(const std::string& url, const ChannelRoots&) {
   std::string_view rest = std::string_view(url).substr(std::string_view("file:").size());
   if (rest.starts_with("//localhost/")) {
     rest.remove_prefix(std::string_view("//localhost").size());
@@ -50,17 +49,28 @@ Outcome<LocalFile> bring_file_url(const std::string& url, const ChannelRoots&,
   return existing(percent_decoded(rest));
 }
 
-Outcome<LocalFile> bring_embedded(const std::string& url, const ChannelRoots& roots,
-                                  const Cancellation&) {
+Outcome<LocalFile> embedded(const std::string& url, const ChannelRoots& roots) {
   std::string_view rest = std::string_view(url).substr(std::string_view("embedded:").size());
   while (rest.starts_with('/')) rest.remove_prefix(1);
   return existing(roots.embedded / rest);
 }
 
+/// The same for each address.
+template <Outcome<LocalFile> (*find)(const std::string&, const ChannelRoots&)>
+std::vector<Outcome<LocalFile>> each(std::span<const std::string> urls, const ChannelRoots& roots,
+                                     const Cancellation&) {
+  std::vector<Outcome<LocalFile>> files;
+  files.reserve(urls.size());
+  for (const std::string& url : urls) files.push_back(find(url, roots));
+  return files;
+}
+
 constexpr auto kTransports = std::to_array<Transport>({
-    {.scheme = "", .bring = bring_plain},
-    {.scheme = "embedded", .bring = bring_embedded},
-    {.scheme = "file", .bring = bring_file_url},
+    {.scheme = "", .bring = each<plain>},
+    {.scheme = "embedded", .bring = each<embedded>},
+    {.scheme = "file", .bring = each<file_url>},
+    {.scheme = "http", .bring = bring_indexes},
+    {.scheme = "https", .bring = bring_indexes},
 });
 
 /// "file" of "file:///x"; empty for paths.
@@ -71,32 +81,62 @@ std::string_view scheme_of(std::string_view url) {
   return url.substr(0, colon);
 }
 
+Diagnostic unknown_scheme(const std::string& url) {
+  std::vector<std::string> known;
+  for (const Transport& transport : transports()) {
+    if (!transport.scheme.empty()) known.push_back("`" + std::string(transport.scheme) + ":`");
+  }
+  return Diagnostic{
+      .code = "R2W0203",
+      .message = "channels at `" + std::string(scheme_of(url)) + ":` addresses cannot be read",
+      .why = {"`" + url +
+              "` was asked for; a channel is a folder, or an address that begins with " +
+              name_list(known)}};
+}
+
 }  // namespace
 
 std::span<const Transport> transports() {
   return kTransports;
 }
 
+std::vector<Outcome<LocalFile>> bring_all(std::span<const std::string> urls,
+                                          const ChannelRoots& roots,
+                                          const Cancellation& cancellation) {
+  std::vector<Outcome<LocalFile>> files;
+  files.reserve(urls.size());
+  for (const std::string& url : urls) files.emplace_back(unknown_scheme(url));
+  for (const Transport& transport : transports()) {
+    std::vector<std::string> mine;
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < urls.size(); ++i) {
+      if (scheme_of(urls[i]) != transport.scheme) continue;
+      mine.push_back(urls[i]);
+      places.push_back(i);
+    }
+    if (mine.empty()) continue;
+    auto found = transport.bring(mine, roots, cancellation);
+    for (std::size_t k = 0; k < places.size(); ++k) files[places[k]] = std::move(found[k]);
+  }
+  return files;
+}
+
 Outcome<LocalFile> bring(const std::string& url, const ChannelRoots& roots,
                          const Cancellation& cancellation) {
-  const std::string_view scheme = scheme_of(url);
-  std::vector<std::string> known;
-  for (const Transport& transport : transports()) {
-    if (transport.scheme == scheme) return transport.bring(url, roots, cancellation);
-    if (!transport.scheme.empty()) known.push_back("`" + std::string(transport.scheme) + ":`");
-  }
-  return Diagnostic{
-      .code = "R2W0203",
-      .message = "channels at `" + std::string(scheme) + ":` addresses cannot be read",
-      .why = {"`" + url +
-              "` was asked for; a channel is a folder, or an address that begins with " +
-              name_list(known)}};
+  return bring_all({&url, 1}, roots, cancellation).front();
 }
 
 std::string channel_base_url(std::string_view channel_name) {
   if (channel_name == "embedded") return "embedded:";
   while (channel_name.size() > 1 && channel_name.ends_with('/')) channel_name.remove_suffix(1);
   return std::string(channel_name);
+}
+
+std::string with_base_url(std::string base, const std::string& here) {
+  while (base.ends_with('/')) base.pop_back();
+  if (base.empty() || base == ".") return here;
+  const bool absolute = base.find("://") != std::string::npos || base.starts_with('/');
+  return absolute ? base : here + "/" + base;
 }
 
 }  // namespace ros2wasm

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "bundler/channel/channel_index.hpp"
 #include "workspace_schema/cancellation.hpp"
@@ -18,20 +19,31 @@ namespace ros2wasm {
 using LocalFile = std::optional<std::filesystem::path>;
 
 struct Transport {
-  std::string_view scheme;  ///< "file"; "" for a plain path; "embedded"
-  /// Brings the file of `url` to this machine and says where it is. A local one is not copied.
-  Outcome<LocalFile> (*bring)(const std::string& url, const ChannelRoots& roots,
-                              const Cancellation& cancellation);
+  std::string_view scheme;  ///< "file"; "" for a plain path; "embedded"; "https"
+  /// Brings the files of these addresses to this machine and says where they are. Local ones are
+  /// not copied. One outcome for each address, in their order.
+  std::vector<Outcome<LocalFile>> (*bring)(std::span<const std::string> urls,
+                                           const ChannelRoots& roots,
+                                           const Cancellation& cancellation);
 };
 
 [[nodiscard]] std::span<const Transport> transports();
 
-/// Through the row of the URL's scheme. R2W0203 when there is none.
+/// Each through the row of its scheme, those of one scheme at once. R2W0203 when there is none.
+[[nodiscard]] std::vector<Outcome<LocalFile>> bring_all(std::span<const std::string> urls,
+                                                        const ChannelRoots& roots,
+                                                        const Cancellation& cancellation = {});
+
+/// One of them. For index files: archives come through the store.
 [[nodiscard]] Outcome<LocalFile> bring(const std::string& url, const ChannelRoots& roots,
                                        const Cancellation& cancellation = {});
 
 /// "embedded" -> "embedded:", "./dir/" -> "./dir", the base that "/noarch/repodata.json" is put
 /// behind.
 [[nodiscard]] std::string channel_base_url(std::string_view channel_name);
+
+/// `base` as an index names it (CEP 15), which may be empty or relative to `here`, the folder of
+/// the index. Without a slash at its end.
+[[nodiscard]] std::string with_base_url(std::string base, const std::string& here);
 
 }  // namespace ros2wasm

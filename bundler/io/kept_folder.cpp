@@ -5,21 +5,16 @@
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
-namespace {
-
-constexpr const char* kStamp = ".ros2wasm-complete";
-
-}  // namespace
 
 bool is_kept(const fs::path& folder, std::string_view key) {
   std::error_code error;
-  if (!fs::is_regular_file(folder / kStamp, error)) return false;
-  const auto stamp = read_file(folder / kStamp);
+  if (!fs::is_regular_file(folder / kKeptStamp, error)) return false;
+  const auto stamp = read_file(folder / kKeptStamp);
   return stamp && *stamp == key;
 }
 
 Outcome<Done> keep_folder(const fs::path& made, const fs::path& folder, std::string_view key) {
-  if (auto stamped = write_file(made / kStamp, key); !stamped) return stamped;
+  if (auto stamped = write_file(made / kKeptStamp, key); !stamped) return stamped;
   std::error_code error;
   if (fs::exists(folder, error) && !is_kept(folder, key)) {
     if (auto removed = remove_tree(folder); !removed) return removed;

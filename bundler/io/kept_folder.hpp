@@ -10,6 +10,9 @@
 
 namespace ros2wasm {
 
+/// The stamp, directly in the folder.
+inline constexpr const char* kKeptStamp = ".ros2wasm-complete";
+
 /// Is `folder` whole, and made for `key`?
 [[nodiscard]] bool is_kept(const std::filesystem::path& folder, std::string_view key);
 

@@ -12,6 +12,7 @@
 #include "bundler/io/kept_folder.hpp"
 #include "bundler/io/sha256.hpp"
 #include "bundler/store/prefix_text.hpp"
+#include "bundler/store/tree_seal.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -109,25 +110,14 @@ class Installer {
 Outcome<Environment> build(const fs::path& staging, const fs::path& prefix, const Store& store,
                            const std::vector<PackageRecord>& records,
                            const Cancellation& cancellation, const ProgressSink& progress) {
+  const auto packages = store.unpacked_all(records, cancellation, progress);
+  if (!packages) return packages.errors();
   Installer installer(staging, prefix);
-  std::uint64_t done = 0;
-  for (const PackageRecord& record : records) {
+  for (std::size_t i = 0; i < records.size(); ++i) {
     if (cancellation.requested()) return interrupted();
-    if (progress) {
-      progress({.step = "fetch",
-                .item = record.name,
-                .done = done,
-                .total = records.size(),
-                .unit = "packages"});
-    }
-    const auto package = store.unpacked(record, cancellation);
-    if (!package) return package.errors();
-    if (auto installed = installer.install(record, *package); !installed)
+    if (auto installed = installer.install(records[i], (*packages)[i]); !installed)
       return std::move(installed).errors();
-    ++done;
   }
-  if (progress)
-    progress({.step = "fetch", .item = {}, .done = done, .total = done, .unit = "packages"});
   return Environment{.prefix = prefix,
                      .key = environment_key(records),
                      .overwritten = installer.take_overwritten()};
@@ -150,14 +140,24 @@ Outcome<Environment> make_environment(const Store& store, const std::vector<Pack
   const std::string key = environment_key(records);
   const fs::path folder = store.roots().cache / "environments";
   const fs::path prefix = folder / key.substr(0, 32);
-  if (is_kept(prefix, key))
-    return Environment{.prefix = prefix, .key = key, .overwritten = {}, .cached = true};
+  const fs::path seal_file = prefix.string() + ".seal";
+  if (is_kept(prefix, key)) {
+    const auto is = tree_seal(prefix, kKeptStamp, cancellation);
+    if (!is && cancellation.requested()) return is.errors();
+    const auto was = read_file(seal_file);
+    if (is && was && *is == *was)
+      return Environment{.prefix = prefix, .key = key, .overwritten = {}, .cached = true};
+    if (auto removed = remove_tree(prefix); !removed) return std::move(removed).errors();
+  }
   auto beside = TemporaryDirectory::make(folder / "unfinished", key.substr(0, 8) + ".");
   if (!beside) return std::move(beside).errors();
   const fs::path staging = beside->path() / "prefix";
   if (auto made = make_directories(staging); !made) return std::move(made).errors();
   auto environment = build(staging, prefix, store, records, cancellation, progress);
   if (!environment) return environment;
+  const auto seal = tree_seal(staging, kKeptStamp, cancellation);
+  if (!seal) return seal.errors();
+  if (auto kept = write_file(seal_file, *seal); !kept) return std::move(kept).errors();
   if (auto kept = keep_folder(staging, prefix, key); !kept) return std::move(kept).errors();
   return environment;
 }

@@ -29,7 +29,8 @@ struct Environment {
   bool cached = false;
 };
 
-/// Makes (or finds) the environment in the store's cache: `<cache>/environments/<key>`. Read-only:
+/// Makes (or finds) the environment in the store's cache: `<cache>/environments/<key>`. A found one
+/// is read whole and made anew when a file is not what it was. Read-only:
 /// install your own files elsewhere. `records` in install order. Placeholders in text files become
 /// the prefix.
 [[nodiscard]] Outcome<Environment> make_environment(const Store& store,

@@ -3,10 +3,14 @@
 // twice, and one result is kept.
 #include "bundler/store/store.hpp"
 
+#include <atomic>
+
 #include "bundler/archive/paths_json.hpp"
 #include "bundler/channel/transport.hpp"
+#include "bundler/channel/verified_files.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/sha256.hpp"
+#include "bundler/io/worker_pool.hpp"
 #include "workspace_schema/text_pattern.hpp"
 
 namespace ros2wasm {
@@ -14,54 +18,27 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Diagnostic wrong_archive(const PackageRecord& record, const std::string& why) {
-  return Diagnostic{.code = "R2W0220",
+constexpr std::size_t kMostErrors = 10;
+constexpr int kTickMs = 80;
+
+Diagnostic no_archive(const PackageRecord& record) {
+  return Diagnostic{.code = "R2W0228",
                     .kind = FailureKind::kEnvironment,
-                    .message = "the archive of `" + distribution_name(record) +
-                               "` is not the one that was asked for",
-                    .why = {why, "it is at " + record.url}};
+                    .message = "the archive of `" + distribution_name(record) + "` is not there",
+                    .why = {"the channel lists it at " + record.url}};
 }
 
-/// sha256, or md5 in old channels, or an error when neither is known.
-Outcome<std::string> verified_sha256(const PackageRecord& record, const fs::path& archive) {
-  if (record.sha256.empty() && record.md5.empty()) {
-    return wrong_archive(record, "its channel gives no hash, so that nobody can tell");
-  }
-  auto hashes = hash_file(archive, record.sha256.empty());
-  if (!hashes) return std::move(hashes).errors();
-  if (record.size != 0 && hashes->size != record.size) {
-    return wrong_archive(record, "it has " + std::to_string(hashes->size) + " bytes instead of " +
-                                     std::to_string(record.size));
-  }
-  if (!record.sha256.empty() && hashes->sha256 != record.sha256) {
-    return wrong_archive(record,
-                         "its sha256 is " + hashes->sha256 + " instead of " + record.sha256);
-  }
-  if (record.sha256.empty() && hashes->md5 != record.md5) {
-    return wrong_archive(record, "its md5 is " + hashes->md5 + " instead of " + record.md5);
-  }
-  return std::move(hashes->sha256);
+WantedFile wanted_file(const PackageRecord& record, fs::path place) {
+  return {.what = "the archive of `" + distribution_name(record) + "`",
+          .url = record.url,
+          .place = std::move(place),
+          .size = record.size,
+          .sha256 = record.sha256,
+          .md5 = record.md5};
 }
 
-/// Every file of a package in the store has the bytes that its paths.json lists. False when one has
-/// not, whatever the reason: then the package is unpacked again.
-bool still_intact(const fs::path& folder, const std::string& name) {
-  const auto text = read_file(folder / "info/paths.json");
-  if (!text) return false;
-  const auto entries = parse_paths_json(*text, name);
-  if (!entries) return false;
-  for (const auto& [path, entry] : *entries) {
-    std::error_code error;
-    const auto status = fs::symlink_status(folder / path, error);
-    if (entry.kind == PathKind::kDirectory || fs::is_symlink(status)) {
-      if (!fs::exists(status)) return false;
-      continue;
-    }
-    const auto hashes = hash_file(folder / path);
-    if (!hashes || (entry.size_known && hashes->size != entry.size)) return false;
-    if (!entry.sha256.empty() && hashes->sha256 != ascii_lower(entry.sha256)) return false;
-  }
-  return true;
+fs::path folder_of(const fs::path& cache, const std::string& sha256) {
+  return cache / "packages" / sha256.substr(0, 2) / sha256;
 }
 
 }  // namespace
@@ -73,49 +50,175 @@ fs::path default_cache_directory(const std::string& xdg_cache_home, const std::s
   return fs::path(home.empty() ? "/tmp" : home) / ".cache" / "ros2wasm";
 }
 
+std::string package_fault(const fs::path& folder) {
+  const auto text = read_file(folder / "info/paths.json");
+  if (!text) return "info/paths.json cannot be read";
+  const auto entries = parse_paths_json(*text, folder.filename().string());
+  if (!entries) return "info/paths.json is damaged";
+  for (const auto& [path, entry] : *entries) {
+    std::error_code error;
+    const auto status = fs::symlink_status(folder / path, error);
+    if (entry.kind == PathKind::kDirectory || fs::is_symlink(status)) {
+      if (!fs::exists(status)) return path + " is missing";
+      continue;
+    }
+    const auto hashes = hash_file(folder / path);
+    if (!hashes) return path + " is missing";
+    if (entry.size_known && hashes->size != entry.size) return path + " has another size";
+    if (!entry.sha256.empty() && hashes->sha256 != ascii_lower(entry.sha256))
+      return path + " has another sha256";
+  }
+  return {};
+}
+
 Store::Store(ChannelRoots roots, ExtractLimits limits)
     : roots_(std::move(roots)), limits_(limits) {}
 
-Outcome<fs::path> Store::unpacked(const PackageRecord& record,
-                                  const Cancellation& cancellation) const {
-  const fs::path packages = roots_.cache / "packages";
-  const std::string name = distribution_name(record);
-  const auto folder_of = [&](const std::string& sha256) {
-    return packages / sha256.substr(0, 2) / sha256;
-  };
+fs::path Store::archive_place(const PackageRecord& record) const {
+  const std::string key = record.sha256.empty() ? "md5-" + record.md5 : record.sha256;
+  const char* name = record.file_name.ends_with(".conda") ? "package.conda" : "package.tar.bz2";
+  return roots_.cache / "archives" / key.substr(0, 2) / key / name;
+}
+
+Outcome<std::optional<fs::path>> Store::cached(const PackageRecord& record) const {
+  if (record.sha256.empty()) return std::optional<fs::path>();
+  const fs::path folder = folder_of(roots_.cache, record.sha256);
   std::error_code error;
-  if (!record.sha256.empty()) {
-    const fs::path folder = folder_of(record.sha256);
-    if (fs::is_directory(folder, error)) {
-      if (still_intact(folder, name)) return folder;
-      if (auto removed = remove_tree(folder); !removed) return std::move(removed).errors();
-    }
-  }
+  if (!fs::is_directory(folder, error)) return std::optional<fs::path>();
+  if (package_fault(folder).empty()) return std::optional(folder);
+  if (auto removed = remove_tree(folder); !removed) return std::move(removed).errors();
+  return std::optional<fs::path>();
+}
 
-  const auto archive = bring(record.url, roots_, cancellation);
-  if (!archive) return archive.errors();
-  if (!*archive) {
-    return Diagnostic{.code = "R2W0228",
-                      .kind = FailureKind::kEnvironment,
-                      .message = "the archive of `" + name + "` is not there",
-                      .why = {"the channel lists it at " + record.url}};
+Outcome<fs::path> Store::unpack(const PackageRecord& record, const fs::path& archive,
+                                const Cancellation& cancellation) const {
+  const std::string name = distribution_name(record);
+  std::string sha256 = record.sha256;
+  if (sha256.empty()) {
+    auto hashes = hash_file(archive);
+    if (!hashes) return std::move(hashes).errors();
+    sha256 = std::move(hashes->sha256);
   }
-  const auto sha256 = verified_sha256(record, **archive);
-  if (!sha256) return sha256.errors();
-
-  auto beside = TemporaryDirectory::make(packages / "unfinished", name + ".");
+  auto beside = TemporaryDirectory::make(roots_.cache / "packages" / "unfinished",
+                                         sha256.substr(0, 16) + ".");
   if (!beside) return std::move(beside).errors();
   const fs::path unfinished = beside->path() / "package";
   if (auto made = make_directories(unfinished); !made) return std::move(made).errors();
-  auto unpacked = unpack_package(**archive, unfinished, name, limits_, cancellation);
+  auto unpacked = unpack_package(archive, unfinished, name, limits_, cancellation);
   if (!unpacked) return std::move(unpacked).errors();
 
-  fs::path folder = folder_of(*sha256);
+  fs::path folder = folder_of(roots_.cache, sha256);
   if (auto made = make_directories(folder.parent_path()); !made) return std::move(made).errors();
+  std::error_code error;
   fs::rename(unfinished, folder, error);
   // Somebody else was faster: the same bytes are there.
   if (error && !fs::is_directory(folder)) return cannot_write(folder, error.value());
   return folder;
+}
+
+Outcome<fs::path> Store::unpack_local(const PackageRecord& record,
+                                      const Cancellation& cancellation) const {
+  const auto archive = bring(record.url, roots_, cancellation);
+  if (!archive) return archive.errors();
+  if (!*archive) return no_archive(record);
+  if (auto fault = file_fault(wanted_file(record, **archive), **archive)) return *fault;
+  return unpack(record, **archive, cancellation);
+}
+
+Outcome<std::vector<fs::path>> Store::unpacked_all(const std::vector<PackageRecord>& records,
+                                                   const Cancellation& cancellation,
+                                                   const ProgressSink& progress) const {
+  std::vector<Outcome<fs::path>> results(records.size(), Outcome<fs::path>(fs::path()));
+  std::vector<char> missing(records.size(), 0);  // each worker writes its own places only
+  std::atomic<std::uint64_t> ready = 0;
+  const auto report = [&] {
+    if (progress) {
+      progress({.step = "fetch",
+                .item = {},
+                .done = ready.load(),
+                .total = records.size(),
+                .unit = "packages"});
+    }
+  };
+  WorkerPool pool;
+  const auto wait_for_workers = [&] {
+    while (!pool.wait(kTickMs)) report();
+  };
+
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    pool.add([&, i] {
+      auto found = cancellation.requested() ? Outcome<std::optional<fs::path>>(interrupted())
+                                            : cached(records[i]);
+      if (!found) {
+        results[i] = std::move(found).errors();
+      } else if (*found) {
+        results[i] = std::move(**found);
+        ++ready;
+      } else {
+        missing[i] = 1;
+      }
+    });
+  }
+  wait_for_workers();
+
+  std::vector<WantedFile> wanted;
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    if (missing[i] == 0) continue;
+    if (is_network_url(records[i].url)) {
+      wanted.push_back(wanted_file(records[i], archive_place(records[i])));
+      places.push_back(i);
+      continue;
+    }
+    pool.add([&, i] {
+      results[i] = cancellation.requested() ? Outcome<fs::path>(interrupted())
+                                            : unpack_local(records[i], cancellation);
+      ++ready;
+    });
+  }
+  const auto arrived = [&](std::size_t k, Outcome<Done> outcome) {
+    const std::size_t i = places[k];
+    if (!outcome) {
+      results[i] = std::move(outcome).errors();
+      return;
+    }
+    pool.add([&, i, k] {
+      results[i] = unpack(records[i], wanted[k].place, cancellation);
+      ++ready;
+    });
+  };
+  bring_verified(wanted, roots_.network, cancellation, arrived, [&](const DownloadProgress& now) {
+    if (!progress) return;
+    progress({.step = "download",
+              .item = std::to_string(now.files) + " of " + std::to_string(wanted.size()),
+              .done = now.bytes,
+              .total = now.total,
+              .unit = "bytes"});
+  });
+  wait_for_workers();
+  report();
+
+  std::vector<fs::path> folders;
+  Diagnostics errors;
+  for (Outcome<fs::path>& result : results) {
+    if (result) {
+      folders.push_back(std::move(*result));
+      continue;
+    }
+    if (cancellation.requested()) return interrupted();
+    for (Diagnostic& error : std::move(result).errors()) {
+      if (errors.size() < kMostErrors) errors.push_back(std::move(error));
+    }
+  }
+  if (!errors.empty()) return errors;
+  return folders;
+}
+
+Outcome<fs::path> Store::unpacked(const PackageRecord& record,
+                                  const Cancellation& cancellation) const {
+  auto folders = unpacked_all({record}, cancellation);
+  if (!folders) return std::move(folders).errors();
+  return std::move(folders->front());
 }
 
 }  // namespace ros2wasm

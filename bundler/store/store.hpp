@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,21 +21,45 @@ namespace ros2wasm {
 [[nodiscard]] std::filesystem::path default_cache_directory(const std::string& xdg_cache_home,
                                                             const std::string& home);
 
+/// What is wrong with an unpacked package: the first file that is not what its info/paths.json
+/// lists. Empty when all are right.
+[[nodiscard]] std::string package_fault(const std::filesystem::path& folder);
+
 class Store {
  public:
   /// `roots.cache` is made when first needed.
   explicit Store(ChannelRoots roots, ExtractLimits limits = {});
 
-  /// The directory with the package's files and its info/ (read-only; never write there). Brings
-  /// the archive, checks its sha256 and every file's, unpacks beside and renames. Cached the second
-  /// time, with a check. R2W0220 wrong sha256 or size, R2W0221..R2W0227 see package_reader.hpp,
-  /// R2W0228 the archive is not there.
+  /// The directories with the packages' files and their info/ (read-only; never write there), in
+  /// the order of `records`. What is cached is checked file by file; the rest is downloaded and
+  /// unpacked, many at once, each archive's sha256 and every file's being checked. R2W0220 wrong
+  /// sha256 or size, R2W0221..R2W0227 see package_reader.hpp, R2W0228 an archive is not there,
+  /// R2W0232..R2W0236 the network.
+  [[nodiscard]] Outcome<std::vector<std::filesystem::path>> unpacked_all(
+      const std::vector<PackageRecord>& records, const Cancellation& cancellation = {},
+      const ProgressSink& progress = {}) const;
+
+  /// One of them.
   [[nodiscard]] Outcome<std::filesystem::path> unpacked(
       const PackageRecord& record, const Cancellation& cancellation = {}) const;
+
+  /// Where the archive of a package from the network is kept after it was unpacked.
+  [[nodiscard]] std::filesystem::path archive_place(const PackageRecord& record) const;
 
   [[nodiscard]] const ChannelRoots& roots() const { return roots_; }
 
  private:
+  /// The directory when it is there and every file of it is right.
+  [[nodiscard]] Outcome<std::optional<std::filesystem::path>> cached(
+      const PackageRecord& record) const;
+  /// From an archive whose bytes were checked.
+  [[nodiscard]] Outcome<std::filesystem::path> unpack(const PackageRecord& record,
+                                                      const std::filesystem::path& archive,
+                                                      const Cancellation& cancellation) const;
+  /// From a channel on this machine.
+  [[nodiscard]] Outcome<std::filesystem::path> unpack_local(const PackageRecord& record,
+                                                            const Cancellation& cancellation) const;
+
   ChannelRoots roots_;
   ExtractLimits limits_;
 };

@@ -2,6 +2,7 @@
 // names its peer, measured in the same run on the same machine. Nothing here judges.
 //   node tests/bench/run.ts --build BUILD_DIR [NAME ...]
 import { resolve } from 'node:path';
+import { benchFetch } from './fetch.ts';
 import { benchLink } from './link.ts';
 import { benchPack } from './pack.ts';
 import { benchSolve } from './solve.ts';
@@ -19,6 +20,7 @@ export interface BenchContext {
 
 const BENCHES: Readonly<Record<string, (context: BenchContext) => Promise<void> | void>> = {
   bytes: benchBytes,
+  fetch: benchFetch,
   link: benchLink,
   pack: benchPack,
   solve: benchSolve,

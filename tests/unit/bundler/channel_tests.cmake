@@ -3,8 +3,10 @@ add_executable(bundler_channel_test
   archive/conda_writer_test.cpp
   archive/hostile_archive_test.cpp
   channel/channel_index_test.cpp
+  channel/channel_network_test.cpp
   channel/channel_writer_test.cpp
   channel/repodata_index_test.cpp
+  channel/shard_index_test.cpp
   io/files_test.cpp
   io/kept_folder_test.cpp
   resolve/check_solution_test.cpp

@@ -1,0 +1,164 @@
+// See channel_network.hpp.
+#include "bundler/channel/channel_network.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+#include "workspace_schema/secret_text.hpp"
+
+namespace ros2wasm {
+namespace {
+
+std::string variable(const std::map<std::string, std::string>& variables, const std::string& name) {
+  const auto found = variables.find(name);
+  return found == variables.end() ? std::string() : found->second;
+}
+
+void read_number(const std::string& text, int least, int most, int& target) {
+  int number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error == std::errc() && end == text.data() + text.size() && number >= least && number <= most)
+    target = number;
+}
+
+/// `${NAME}` -> its value.
+Outcome<std::string> with_variables(std::string_view text, const ChannelNetwork& network) {
+  std::string out;
+  while (!text.empty()) {
+    const std::size_t begin = text.find("${");
+    const std::size_t end = begin == std::string_view::npos ? begin : text.find('}', begin);
+    if (end == std::string_view::npos) return out.append(text);
+    const std::string name(text.substr(begin + 2, end - begin - 2));
+    const std::string value = variable(network.variables, name);
+    if (value.empty()) {
+      return Diagnostic{.code = "R2W0237",
+                        .message = "a channel asks for the variable `" + name +
+                                   "`, which the environment does not have",
+                        .why = {"`${" + name + "}` in a channel stands for its value"}};
+    }
+    out.append(text.substr(0, begin)).append(value);
+    text.remove_prefix(end + 1);
+  }
+  return out;
+}
+
+/// The address with `/t/TOKEN` behind the host.
+std::string with_token(const std::string& url, const std::string& token) {
+  if (token.empty()) return url;
+  const std::size_t host = url.find("://") + 3;
+  const std::size_t path = std::min(url.find('/', host), url.size());
+  return url.substr(0, path) + "/t/" + token + url.substr(path);
+}
+
+bool is_below(std::string_view url, std::string_view base) {
+  return url.starts_with(base) &&
+         (url.size() == base.size() || base.ends_with('/') || url[base.size()] == '/');
+}
+
+/// "https://a.b-c.org:8080/x" -> "A_B_C_ORG": variables' names have no dots.
+std::string host_variable(std::string_view url) {
+  std::string_view host = url.substr(url.find("://") + 3);
+  host = host.substr(0, host.find_first_of("/:?#"));
+  std::string name;
+  for (const char c : host) {
+    const bool lower = c >= 'a' && c <= 'z';
+    const bool kept = (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    name += lower ? static_cast<char>(c - 'a' + 'A') : kept ? c : '_';
+  }
+  return "ROS2WASM_AUTH_" + name;
+}
+
+/// What a ROS2WASM_AUTH_HOST says: "token X" for the path, "user:password", or a bearer token.
+void add_host_credentials(DownloadSource& source, const ChannelNetwork& network) {
+  const std::string value = variable(network.variables, host_variable(source.shown_url));
+  constexpr std::string_view kToken = "token ";
+  constexpr std::string_view kBearer = "bearer ";
+  if (value.empty()) return;
+  if (value.starts_with(kToken)) {
+    source.url = with_token(source.url, value.substr(kToken.size()));
+  } else if (value.starts_with(kBearer)) {
+    source.bearer = value.substr(kBearer.size());
+  } else if (value.find(':') != std::string::npos) {
+    source.user_info = value;
+  } else {
+    source.bearer = value;
+  }
+}
+
+DownloadSource source_of(const std::string& url, const ChannelNetwork& network) {
+  DownloadSource source{.url = url, .shown_url = url, .user_info = {}, .bearer = {}};
+  const ChannelSecret* best = nullptr;
+  for (const ChannelSecret& secret : network.secrets) {
+    if (is_below(url, secret.base) && (best == nullptr || best->base.size() < secret.base.size()))
+      best = &secret;
+  }
+  if (best == nullptr) {
+    add_host_credentials(source, network);
+  } else {
+    source.url = with_token(url, best->token);
+    source.user_info = best->user_info;
+  }
+  return source;
+}
+
+/// Takes the credentials out of an address and remembers them.
+std::string remembered(const std::string& url, ChannelNetwork& network) {
+  const AddressSecrets secrets = secrets_of(url);
+  std::string shown = without_secrets(url);
+  if (secrets.user_info.empty() && secrets.token.empty()) return shown;
+  network.secrets.push_back(
+      {.base = shown, .user_info = secrets.user_info, .token = secrets.token});
+  return shown;
+}
+
+}  // namespace
+
+ChannelNetwork network_of(std::map<std::string, std::string> variables) {
+  ChannelNetwork network;
+  network.variables = std::move(variables);
+  if (const std::string alias = variable(network.variables, "ROS2WASM_CHANNEL_ALIAS");
+      !alias.empty())
+    network.alias = alias;
+  network.download.http.netrc_file = variable(network.variables, "NETRC");
+  network.download.http.certificates = variable(network.variables, "SSL_CERT_FILE");
+  read_number(variable(network.variables, "ROS2WASM_RETRIES"), 0, 100, network.download.retries);
+  read_number(variable(network.variables, "ROS2WASM_STALL_SECONDS"), 1, 3600,
+              network.download.http.stall_seconds);
+  return network;
+}
+
+bool is_bare_channel_name(std::string_view text) {
+  return !text.empty() && text != "embedded" && text != "." && text != ".." &&
+         !text.starts_with('/') && !text.starts_with("./") && !text.starts_with("../") &&
+         text.find(':') == std::string_view::npos;
+}
+
+bool is_network_url(std::string_view url) {
+  return url.starts_with("https://") || url.starts_with("http://");
+}
+
+Outcome<std::string> channel_address(std::string_view text, ChannelNetwork& network) {
+  auto name = with_variables(text, network);
+  if (!name || *name == "embedded") return name;
+  if (is_bare_channel_name(*name)) {
+    auto alias = with_variables(network.alias, network);
+    if (!alias) return alias;
+    while (alias->ends_with('/')) alias->pop_back();
+    *name = *alias + "/" + *name;
+  }
+  while (name->size() > 1 && name->ends_with('/')) name->pop_back();
+  return remembered(*name, network);
+}
+
+std::vector<DownloadSource> sources_of(const std::string& url, const ChannelNetwork& network) {
+  std::vector<DownloadSource> sources;
+  for (const ChannelMirrors& mirrors : network.mirrors) {
+    if (!is_below(url, mirrors.base)) continue;
+    for (const std::string& mirror : mirrors.urls)
+      sources.push_back(source_of(mirror + url.substr(mirrors.base.size()), network));
+  }
+  sources.push_back(source_of(url, network));
+  return sources;
+}
+
+}  // namespace ros2wasm

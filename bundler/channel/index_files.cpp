@@ -1,0 +1,63 @@
+// See index_files.hpp.
+#include "bundler/channel/index_files.hpp"
+
+#include <array>
+
+#include "bundler/archive/archive_library.hpp"
+#include "bundler/io/files.hpp"
+
+namespace ros2wasm {
+namespace {
+
+constexpr std::uint64_t kLargestIndex = 4ULL << 30U;
+
+struct FormatRow {
+  IndexFormat format;
+  std::string_view file_name;
+};
+
+/// In the order in which they are asked for.
+constexpr auto kFormats = std::to_array<FormatRow>({
+    {.format = IndexFormat::kShards, .file_name = "repodata_shards.msgpack.zst"},
+    {.format = IndexFormat::kZstd, .file_name = "repodata.json.zst"},
+    {.format = IndexFormat::kBzip2, .file_name = "repodata.json.bz2"},
+    {.format = IndexFormat::kPlain, .file_name = "repodata.json"},
+});
+
+}  // namespace
+
+std::vector<Outcome<std::optional<IndexFile>>> bring_index_files(
+    std::span<const std::string> folder_urls, const ChannelRoots& roots,
+    const Cancellation& cancellation) {
+  std::vector<Outcome<std::optional<IndexFile>>> found(
+      folder_urls.size(), Outcome<std::optional<IndexFile>>(std::optional<IndexFile>()));
+  std::vector<std::size_t> open(folder_urls.size());
+  for (std::size_t i = 0; i < open.size(); ++i) open[i] = i;
+  for (const FormatRow& row : kFormats) {
+    std::vector<std::string> urls;
+    for (const std::size_t i : open)
+      urls.push_back(folder_urls[i] + "/" + std::string(row.file_name));
+    auto files = bring_all(urls, roots, cancellation);
+    std::vector<std::size_t> still_open;
+    for (std::size_t k = 0; k < open.size(); ++k) {
+      if (!files[k]) {
+        found[open[k]] = std::move(files[k]).errors();
+      } else if (*files[k]) {
+        found[open[k]] =
+            std::optional(IndexFile{.url = urls[k], .file = **files[k], .format = row.format});
+      } else {
+        still_open.push_back(open[k]);
+      }
+    }
+    open = std::move(still_open);
+  }
+  return found;
+}
+
+Outcome<std::string> bzip2_text(const std::filesystem::path& file, const std::string& url) {
+  const auto bytes = read_file(file);
+  if (!bytes) return bytes;
+  return bzip2_decompressed(*bytes, kLargestIndex, url);
+}
+
+}  // namespace ros2wasm

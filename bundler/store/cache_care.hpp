@@ -1,0 +1,55 @@
+// Looks after the cache directory: how large it is, whether what lies there is still right, and
+// what can go. An edge to the disk.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "workspace_schema/cancellation.hpp"
+#include "workspace_schema/outcome.hpp"
+
+namespace ros2wasm {
+
+/// One folder of the cache: "packages", "archives", "index", "shards", "environments", "build" ...
+struct CacheArea {
+  std::string name;
+  std::uint64_t files = 0;
+  std::uint64_t bytes = 0;  ///< hard links are counted in each place
+};
+
+struct CacheFault {
+  std::string path;  ///< relative to the cache directory
+  std::string reason;
+};
+
+struct CacheCheck {
+  std::uint64_t checked = 0;  ///< packages, archives, shards and indexes
+  std::vector<CacheFault> faults;
+};
+
+struct PruneRequest {
+  bool everything = false;  ///< the whole cache, also what is good
+};
+
+struct Pruned {
+  std::uint64_t entries = 0;
+  std::uint64_t bytes = 0;
+};
+
+/// Sorted by name. R2W0210.
+[[nodiscard]] Outcome<std::vector<CacheArea>> measure_cache(const std::filesystem::path& cache);
+
+/// Reads everything that has a hash: every file of every package against its paths.json, archives
+/// and shards against the sha256 in their names, indexes against their state. R2W0210, R2W0903.
+[[nodiscard]] Outcome<CacheCheck> check_cache(const std::filesystem::path& cache,
+                                              const Cancellation& cancellation);
+
+/// Removes what nobody needs: leftovers of runs that were ended (older than an hour), archives that
+/// are unpacked, old copies of indexes, and whatever is damaged. R2W0211.
+[[nodiscard]] Outcome<Pruned> prune_cache(const std::filesystem::path& cache,
+                                          const PruneRequest& request,
+                                          const Cancellation& cancellation);
+
+}  // namespace ros2wasm

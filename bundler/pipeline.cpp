@@ -152,6 +152,14 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
   const auto open = open_channels(*addresses, roots, cancellation, progress);
   if (!open) return open.errors();
   const std::vector<std::string>& names = open->names();
+  const std::string compiler_package(kCompilerPackage);
+  const auto compilers =
+      open->reachable({&compiler_package, 1}, ChannelPriority::kStrict, cancellation);
+  if (!compilers) return compilers.errors();
+  std::set<std::string> packaged;
+  for (const PackageRecord& record : compilers->records) packaged.insert(record.version);
+  if (auto none = no_packages_for(*compiler, {packaged.begin(), packaged.end()}, request.variables))
+    return std::move(*none);
   auto wanted = channel_request(manifest, *packages, *order, names, compiler->version);
   if (!wanted) return std::move(wanted).errors();
   std::vector<std::string> texts;

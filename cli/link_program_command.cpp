@@ -6,6 +6,7 @@
 #include "bundler/build/diagnostic_json.hpp"
 #include "bundler/build/link_driver.hpp"
 #include "bundler/io/files.hpp"
+#include "bundler/io/installation.hpp"
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
 
@@ -34,9 +35,13 @@ int link(Context& context, const Options& options) {
                    .message = "there is no link command",
                    .fix = {"ros2wasm link-program -- em++ main.o -o main.wasm"}});
   }
+  const auto support = find_own_data(context.executable, "templates/toolchain/src/thread_stack.cpp",
+                                     "what programs with threads need");
+  if (!support) return context.console.fail(support.errors());
   const auto linked = link_program({.package = options.package,
                                     .command = options.command,
-                                    .environment = compiler_environment(context.environment)},
+                                    .environment = compiler_environment(context.environment),
+                                    .thread_support = support->string()},
                                    context.cancellation);
   if (linked) return 0;
   hand_up(context, parse_link_line(options.command).output, linked.errors());

@@ -3,9 +3,11 @@
 
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "bundler/io/process.hpp"
+#include "workspace_schema/suggestion.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
@@ -48,6 +50,29 @@ Outcome<Compiler> find_compiler(const EnvironmentVariables& variables) {
   compiler.identity = compiler.version + " " + real.string() + " " + std::to_string(info.st_size) +
                       " " + std::to_string(info.st_mtim.tv_sec);
   return compiler;
+}
+
+std::optional<Diagnostic> no_packages_for(const Compiler& compiler,
+                                          const std::vector<std::string>& packaged,
+                                          const EnvironmentVariables& variables) {
+  const auto has = [&](const std::string& version) {
+    return std::find(packaged.begin(), packaged.end(), version) != packaged.end();
+  };
+  if (packaged.empty() || compiler.version.empty() || has(compiler.version)) return std::nullopt;
+  Diagnostic result{
+      .code = "R2W0530",
+      .kind = FailureKind::kEnvironment,
+      .message = "the channels have no packages for Emscripten " + compiler.version,
+      .why = {"the compiler is " + compiler.cxx.string(),
+              "programs and the libraries in them must come of one compiler; those of the channels "
+              "come of Emscripten " +
+                  name_list(packaged)}};
+  EnvironmentVariables without = variables;
+  if (without.erase("EMSDK") > 0) {
+    const auto other = find_compiler(without);
+    if (other && has(other->version)) result.fix.emplace_back("unset EMSDK");
+  }
+  return result;
 }
 
 EnvironmentVariables compiler_environment(const EnvironmentVariables& variables) {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "workspace_schema/outcome.hpp"
@@ -21,6 +22,12 @@ struct Compiler {
 
 /// EMSDK's compiler when that variable is set, else the one on PATH. R2W0501 when there is none.
 [[nodiscard]] Outcome<Compiler> find_compiler(const EnvironmentVariables& variables);
+
+/// R2W0530 when none of the channels' packages was compiled by this compiler's version. `packaged`:
+/// versions of the package emscripten-abi that the channels have; none means that they do not say.
+[[nodiscard]] std::optional<Diagnostic> no_packages_for(const Compiler& compiler,
+                                                        const std::vector<std::string>& packaged,
+                                                        const EnvironmentVariables& variables);
 
 /// What Emscripten's tools need in their environment here: Debian's emcc finds its JavaScript
 /// libraries through NODE_PATH, whichever Node.js runs it.

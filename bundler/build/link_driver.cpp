@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "bundler/build/compile_errors.hpp"
-#include "bundler/build/thread_marker.hpp"
+#include "bundler/build/single_link_object.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/process.hpp"
 
@@ -32,6 +32,16 @@ std::vector<std::string> expanded(const std::vector<std::string>& command) {
 
 std::string target_of(const LinkLine& line) {
   return fs::path(line.output).stem().string();
+}
+
+/// The compiler stands in the objects that it wrote; they come from one compiler.
+TlsBase tls_base_of(const LinkLine& line) {
+  for (const std::string& argument : line.arguments) {
+    const bool is_object = argument.ends_with(".o") || argument.ends_with(".obj");
+    const auto object = is_object ? read_file(argument) : Outcome<std::string>(std::string());
+    if (is_object && object) return tls_base_for(*object);
+  }
+  return TlsBase::kZero;
 }
 
 std::string described(const LinkRequest& request, const LinkLine& line) {
@@ -95,7 +105,8 @@ Diagnostics undefined_symbols(const LinkRequest& request, const LinkLine& line,
 }  // namespace
 
 Outcome<LinkReport> link_program(const LinkRequest& request, const Cancellation& cancellation) {
-  const LinkLine line = parse_link_line(expanded(request.command));
+  LinkLine line = parse_link_line(expanded(request.command));
+  line.thread_support = request.thread_support;
   const fs::path output = fs::absolute(line.output);
   const auto folder =
       TemporaryDirectory::make(output.parent_path(), output.stem().string() + ".link-");
@@ -107,8 +118,9 @@ Outcome<LinkReport> link_program(const LinkRequest& request, const Cancellation&
         cancellation);
   };
 
-  const auto marker = write_file(stem + kThreadMarkerSuffix, thread_marker_object());
-  if (!marker) return marker.errors();
+  const auto object =
+      write_file(stem + kSingleLinkObjectSuffix, single_link_object(tls_base_of(line)));
+  if (!object) return object.errors();
   auto linked = link(LinkKind::kSingle);
   if (!linked) return std::move(linked).errors();
   if (linked->exit_code != 0) return link_failed(request, line, linked->output);

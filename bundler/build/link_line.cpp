@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <memory>
 
-#include "bundler/build/thread_marker.hpp"
+#include "bundler/build/single_link_object.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -112,14 +112,14 @@ std::vector<std::string> link_command(const LinkLine& line, LinkKind kind,
     case LinkKind::kSingle:
       command.insert(command.end(), {"-sSTANDALONE_WASM", "-sERROR_ON_UNDEFINED_SYMBOLS=0",
                                      "-sWARN_ON_UNDEFINED_SYMBOLS=0", "-Wl,--wrap=pthread_create",
-                                     stem + kThreadMarkerSuffix});
+                                     stem + kSingleLinkObjectSuffix});
       break;
     case LinkKind::kThreads:
       command.insert(
           command.end(),
           {"-pthread", "-sMAXIMUM_MEMORY=1GB", "-sWASM_BIGINT", "-Wno-pthreads-mem-growth",
            // What the programs import from "ros2wasm" is not known to the glue writer.
-           "-sERROR_ON_UNDEFINED_SYMBOLS=0", "-sWARN_ON_UNDEFINED_SYMBOLS=0"});
+           "-sERROR_ON_UNDEFINED_SYMBOLS=0", "-sWARN_ON_UNDEFINED_SYMBOLS=0", line.thread_support});
       break;
   }
   command.insert(command.end(), line.arguments.begin(), line.arguments.end());

@@ -18,6 +18,7 @@ struct LinkLine {
   std::string output;    ///< what follows -o
   std::vector<std::string>
       arguments;  ///< objects, libraries and options, without what a site has no use for
+  std::string thread_support;  ///< source of what the loader asks of programs with threads
 };
 
 /// `command` is the compiler and its arguments, response files already expanded.
@@ -26,8 +27,8 @@ struct LinkLine {
 /// The arguments of one response file (quotes and backslashes as GNU tools have them).
 [[nodiscard]] std::vector<std::string> split_response_file(std::string_view text);
 
-/// Where the thread marker's object must lie for kSingle: `<stem>` with this added.
-inline constexpr const char* kThreadMarkerSuffix = ".thread_marker.o";
+/// Where single_link_object() must lie for kSingle: `<stem>` with this added.
+inline constexpr const char* kSingleLinkObjectSuffix = ".single_link.o";
 
 /// The compiler's whole command for one kind. kSingle writes `<stem>.wasm`, kThreads also
 /// JavaScript, which nobody needs.

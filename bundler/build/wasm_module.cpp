@@ -144,6 +144,24 @@ bool imports_shared_memory(const WasmModule& module) {
                      [](const WasmImport& import) { return import.shared_memory; });
 }
 
+std::string producer_version(std::string_view bytes, std::string_view tool) {
+  const auto module = read_wasm_module(bytes);
+  if (!module) return {};
+  for (const WasmSection& section : module->sections) {
+    if (section.id != kCustomSection || section.name != "producers") continue;
+    Cursor cursor(bytes, section.contents, section.end);
+    for (std::uint64_t fields = cursor.leb(); fields > 0 && cursor.ok(); --fields) {
+      cursor.text();  // "language", "processed-by" or "sdk"
+      for (std::uint64_t values = cursor.leb(); values > 0 && cursor.ok(); --values) {
+        const std::string name = cursor.text();
+        std::string version = cursor.text();
+        if (name.ends_with(tool) && cursor.ok()) return version;
+      }
+    }
+  }
+  return {};
+}
+
 std::optional<SplitProgram> split_names(std::string_view bytes) {
   const auto module = read_wasm_module(bytes);
   if (!module) return std::nullopt;

@@ -38,6 +38,10 @@ struct WasmModule {
 /// True when the program was linked for threads: it imports a shared memory.
 [[nodiscard]] bool imports_shared_memory(const WasmModule& module);
 
+/// What the section "producers" says of the version of one tool: "clang" is also "Debian clang".
+/// Empty when it names none.
+[[nodiscard]] std::string producer_version(std::string_view bytes, std::string_view tool);
+
 /// A program and, kept apart, the names of its functions for crash reports.
 struct SplitProgram {
   std::string program;  ///< the module without custom sections that nothing needs at run time

@@ -85,13 +85,13 @@ Outcome<std::vector<LaunchNode>> launch_nodes(const std::vector<NodeEntry>& entr
       errors.push_back(not_a_program(entry, *program));
       continue;
     }
-    std::vector<ParameterRule> rules;
+    std::vector<FileRules> files;
     for (const Spanned<std::string>& file : entry.parameter_files) {
       const auto text = parameter_files.find(file.value);
       auto read =
           read_parameter_file(text == parameter_files.end() ? "" : text->second, file.value);
       if (read) {
-        rules.insert(rules.end(), read->begin(), read->end());
+        files.push_back(std::move(read).value());
       } else {
         errors.insert(errors.end(), read.errors().begin(), read.errors().end());
       }
@@ -101,7 +101,7 @@ Outcome<std::vector<LaunchNode>> launch_nodes(const std::vector<NodeEntry>& entr
                      .executable = entry.executable.value,
                      .label = node_label(entry),
                      .program = program->file,
-                     .arguments = node_arguments(entry, rules),
+                     .arguments = node_arguments(entry, files),
                      .output = entry.output,
                      .respawn = entry.respawn,
                      .source = entry.executable.span});

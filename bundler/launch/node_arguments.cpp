@@ -72,7 +72,7 @@ std::string parameter_text(const ParameterValue& value) {
 }
 
 std::vector<std::string> node_arguments(const NodeEntry& entry,
-                                        const std::vector<ParameterRule>& from_files) {
+                                        const std::vector<FileRules>& files) {
   std::vector<std::string> result = entry.arguments;
   std::vector<std::string> ros;
   const auto add = [&ros](const char* option, std::string value) {
@@ -81,12 +81,19 @@ std::vector<std::string> node_arguments(const NodeEntry& entry,
   };
   if (entry.name) add("-r", "__node:=" + entry.name->value);
   if (entry.name_space) add("-r", "__ns:=" + entry.name_space->value);
-  for (const ParameterRule& rule : from_files) {
-    add("-p", (rule.pattern.empty() ? "" : rule.pattern + ":") + rule.name + ":=" + rule.value);
-  }
+  std::size_t files_done = 0;
+  const auto add_files_up_to = [&](std::size_t count) {
+    for (; files_done < count && files_done < files.size(); ++files_done) {
+      for (const ParameterRule& rule : files[files_done]) {
+        add("-p", (rule.pattern.empty() ? "" : rule.pattern + ":") + rule.name + ":=" + rule.value);
+      }
+    }
+  };
   for (const ParameterEntry& parameter : entry.parameters) {
+    add_files_up_to(parameter.files_before);
     add("-p", parameter.name + ":=" + parameter_text(parameter.value));
   }
+  add_files_up_to(files.size());
   for (const auto& [from, to] : entry.remappings) add("-r", from + ":=" + to);
   if (!ros.empty()) {
     result.emplace_back("--ros-args");

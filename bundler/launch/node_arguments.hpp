@@ -20,10 +20,13 @@ struct ParameterRule {
   std::string value;  ///< YAML on one line
 };
 
-/// Everything after argv[0]. Later rules win over earlier ones, so files come before single
-/// parameters.
+/// What one parameter file says, in its order.
+using FileRules = std::vector<ParameterRule>;
+
+/// Everything after argv[0]. `files` belong to the entry's parameter_files, one each. Files and
+/// single parameters come in the entry's order: later rules win over earlier ones.
 [[nodiscard]] std::vector<std::string> node_arguments(const NodeEntry& entry,
-                                                      const std::vector<ParameterRule>& from_files);
+                                                      const std::vector<FileRules>& files);
 
 /// `/namespace/name`, or the executable's name when the entry does not name the node.
 [[nodiscard]] std::string node_label(const NodeEntry& entry);

@@ -9,10 +9,6 @@
 namespace ros2wasm {
 namespace {
 
-/// A package that says which Emscripten built the libraries of a channel; programs must come of the
-/// same one.
-constexpr std::string_view kCompilerPackage = "emscripten-abi";
-
 bool has(const std::vector<std::string>& sorted, std::string_view name) {
   return std::binary_search(sorted.begin(), sorted.end(), name, std::less<>());
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bundler/resolve/solve.hpp"
@@ -9,6 +10,10 @@
 #include "workspace_schema/manifest.hpp"
 
 namespace ros2wasm {
+
+/// A package that says which Emscripten built the libraries of a channel; programs must come of the
+/// same one.
+inline constexpr std::string_view kCompilerPackage = "emscripten-abi";
 
 struct ChannelRequest {
   std::vector<RequestedSpec> specs;  ///< sorted by text, each once

@@ -5,7 +5,7 @@ import { timeImports } from './env_time.ts';
 import type { Exports } from './program.ts';
 import { unwound } from './program.ts';
 import type { ProgramMemory } from './program_memory.ts';
-import { ProgramExit } from './wasi.ts';
+import { type Leave, ProgramExit } from './wasi.ts';
 
 /** What the page must know to start a thread of a program. */
 export interface ThreadRequest {
@@ -22,6 +22,7 @@ export interface EnvHost {
   readonly memory: () => ProgramMemory;
   readonly exports: () => Exports;
   readonly startThread: (request: ThreadRequest) => void;
+  readonly leave: Leave;
   readonly threaded: boolean;
   /** The calling thread has ended and nobody will join it. */
   readonly detach: () => void;
@@ -42,12 +43,8 @@ export function envImports(host: EnvHost): Record<string, EnvFunction> {
       return 0;
     },
     system: (): number => -1,
-    abort: (): never => {
-      throw new WebAssembly.RuntimeError('abort() was called');
-    },
-    exit: (code: number): never => {
-      throw new ProgramExit(code);
-    },
+    abort: (): never => host.leave(new WebAssembly.RuntimeError('abort() was called (SIGABRT, exit code 134)')),
+    exit: (code: number): never => host.leave(new ProgramExit(code)),
     emscripten_memcpy_big: (to: number, from: number, length: number): number => {
       memory().u8.copyWithin(to >>> 0, from >>> 0, (from >>> 0) + (length >>> 0));
       return to;
@@ -60,7 +57,7 @@ export function envImports(host: EnvHost): Record<string, EnvFunction> {
     getTempRet0: (): number => 0,
     __assert_fail: (condition: number, file: number, line: number, name: number): never => {
       const text = `${memory().cString(file)}:${line}: ${name === 0 ? '' : `${memory().cString(name)}: `}`;
-      throw new WebAssembly.RuntimeError(`${text}Assertion \`${memory().cString(condition)}' failed.`);
+      return host.leave(new WebAssembly.RuntimeError(`${text}Assertion \`${memory().cString(condition)}' failed.`));
     },
   };
   const threads: Record<string, EnvFunction> = {

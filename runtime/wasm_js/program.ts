@@ -7,7 +7,8 @@ import { hostImports, suspendingHost } from './host_imports.ts';
 import { LineWriter } from './line_writer.ts';
 import type { Link } from './link.ts';
 import { ProgramMemory } from './program_memory.ts';
-import { ProgramExit, type ReadInput, suspendingWasi, wasiImports } from './wasi.ts';
+import { trap } from './trap.ts';
+import { type Leave, ProgramExit, type ReadInput, suspendingWasi, wasiImports } from './wasi.ts';
 
 export type ProgramEnd =
   /** A thread that came to its end; the program goes on. */
@@ -136,7 +137,13 @@ export async function runProgram(
     return instance.exports as unknown as ProgramExports;
   };
 
+  let left: ProgramExit | Error | undefined;
+  const leave: Leave = (reason) => {
+    left = reason;
+    return trap();
+  };
   const wasi = wasiImports({
+    leave,
     memory: getMemory,
     arguments: host.arguments,
     environment: host.environment,
@@ -155,6 +162,7 @@ export async function runProgram(
       [name, suspend !== undefined && names.has(name) ? new suspend.suspending(f) : f])) as WebAssembly.ModuleImports;
   let detached = false;
   const env = envImports({
+    leave,
     memory: getMemory,
     exports,
     startThread: (request) => host.startThread(request, getMemory().memory),
@@ -191,7 +199,7 @@ export async function runProgram(
     else runMain(exports(), getMemory(), host.arguments);
     end = thread === undefined ? { kind: 'exit', code: 0 } : { kind: 'thread' };
   } catch (error) {
-    end = explain(error, instance === undefined ? undefined : exports(), memory);
+    end = explain(left ?? error, instance === undefined ? undefined : exports(), memory);
   }
   out.stdout.flush();
   out.stderr.flush();

@@ -11,7 +11,7 @@ const intr = 27;
 const spipe = 70;
 const nosys = 52;
 
-/** Thrown through the program by proc_exit and exit(). */
+/** What a program leaves with when it calls proc_exit or exit(). */
 export class ProgramExit {
   readonly code: number;
 
@@ -19,6 +19,12 @@ export class ProgramExit {
     this.code = code;
   }
 }
+
+/**
+ * Ends the program from inside one of its calls. A throw would not do: clean-up code and functions that promise not to
+ * throw catch whatever comes out of JavaScript.
+ */
+export type Leave = (reason: ProgramExit | Error) => never;
 
 /** Waits for input. `undefined`: a stop was requested; empty: there will be no more. */
 export type ReadInput = (capacity: number) => Uint8Array | undefined | Promise<Uint8Array | undefined>;
@@ -30,6 +36,7 @@ export interface WasiHost {
   readonly environment: Readonly<Record<string, string>>;
   readonly write: (stream: 'stdout' | 'stderr', bytes: Uint8Array) => void;
   readonly read: ReadInput;
+  readonly leave: Leave;
   /** Sleeps for poll_oneoff. */
   readonly sleep: (milliseconds: number) => unknown;
 }
@@ -171,8 +178,6 @@ export function wasiImports(host: WasiHost): Record<string, WasiFunction> {
       memory().u8.set(bytes, address);
       return success;
     },
-    proc_exit: (code: number): never => {
-      throw new ProgramExit(code);
-    },
+    proc_exit: (code: number): never => host.leave(new ProgramExit(code)),
   };
 }

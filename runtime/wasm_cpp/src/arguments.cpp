@@ -81,11 +81,19 @@ RemapRule parse_remap(const std::string& flag, const std::string& rule) {
 
 ParameterRule parse_parameter(const std::string& flag, const std::string& rule) {
   Split split = split_rule(flag, rule, "parameter override rule");
-  const size_t colon = split.left.rfind(':');
-  if (colon == std::string::npos) {
-    return {{}, split.left, split.right};
+  ParameterRule result{{}, split.left, split.right};
+  const size_t colon = split.left.find(':');
+  if (colon != std::string::npos) {
+    result.node = split.left.substr(0, colon);
+    result.name = split.left.substr(colon + 1);
   }
-  return {split.left.substr(0, colon), split.left.substr(colon + 1), split.right};
+  // No name has a colon, so a second one is a mistake, as is nothing on either side of the first.
+  const bool empty = result.name.empty() || colon == 0;
+  if (empty || result.name.find(':') != std::string::npos) {
+    throw std::invalid_argument("Couldn't parse parameter override rule: '" + flag + " " + rule +
+                                "'. Error: expected 'node:name:=value' or 'name:=value'");
+  }
+  return result;
 }
 
 int severity_from(const std::string& flag, const std::string& text) {

@@ -48,6 +48,9 @@ TEST(Arguments, RefusesRulesThatCannotBe) {
                                              {"--ros-args", "-r", "__ns:=relative"},
                                              {"--ros-args", "-r", "a b:=c"},
                                              {"--ros-args", "-p", "x"},
+                                             {"--ros-args", "-p", ":x:=1"},
+                                             {"--ros-args", "-p", "node::=1"},
+                                             {"--ros-args", "-p", "/ns/node:x:y:=1"},
                                              {"--ros-args", "--log-level", "loud"}}) {
     EXPECT_THROW(parse_arguments(arguments), std::invalid_argument) << arguments.back();
   }
@@ -81,14 +84,21 @@ TEST(Remap, MeansOneNodeWhenItSaysSo) {
 
 TEST(Parameters, KeepTheNodePatternApart) {
   const Arguments parsed =
-      parse({"--ros-args", "-p", "/**:a:='x:=y'", "-p", "n:b:=[1, 2]", "--params-file", "f.yaml"});
-  ASSERT_EQ(parsed.parameters.size(), 3u);
+      parse({"--ros-args", "-p", "/**:a:='x:=y'", "-p", "n:b:=[1, 2]", "--params-file", "f.yaml",
+             "-p", "url:=http://h:80/p", "-p", "/ns/*:qos_overrides./t.publisher.depth:=a:b"});
+  ASSERT_EQ(parsed.parameters.size(), 5u);
   EXPECT_EQ(parsed.parameters[0].rule.node, "/**");
   EXPECT_EQ(parsed.parameters[0].rule.name, "a");
   EXPECT_EQ(parsed.parameters[0].rule.value, "'x:=y'");
   EXPECT_EQ(parsed.parameters[1].rule.node, "n");
   EXPECT_TRUE(parsed.parameters[2].is_file);
   EXPECT_EQ(parsed.parameters[2].file, "f.yaml");
+  EXPECT_EQ(parsed.parameters[3].rule.node, "");
+  EXPECT_EQ(parsed.parameters[3].rule.name, "url");
+  EXPECT_EQ(parsed.parameters[3].rule.value, "http://h:80/p");
+  EXPECT_EQ(parsed.parameters[4].rule.node, "/ns/*");
+  EXPECT_EQ(parsed.parameters[4].rule.name, "qos_overrides./t.publisher.depth");
+  EXPECT_EQ(parsed.parameters[4].rule.value, "a:b");
 }
 
 }  // namespace

@@ -10,6 +10,7 @@ import { fileURLToPath } from 'node:url';
 const root = fileURLToPath(new URL('../../../', import.meta.url));
 const include = join(root, 'runtime/wasm_cpp/include');
 const core = join(root, 'runtime/wasm_cpp/src');
+const threadStack = join(root, 'templates/toolchain/src/thread_stack.cpp');
 const exceptionContext = join(root, 'templates/toolchain/include/ros2wasm/exception_context.h');
 
 const compile = ['-O2', '-fwasm-exceptions', '-pthread', `-I${include}`];
@@ -25,9 +26,9 @@ export interface ProgramKind {
 /** Path of the compiled program. */
 export function buildProgram(name: string, { threads = false }: ProgramKind = {}): string {
   const source = join(root, 'tests/unit/wasm_js/programs', name);
-  const extra = [join(core, 'exception_what.cpp'), ...(threads ? [join(core, 'thread_stack.c')] : [])];
+  const extra = [join(core, 'exception_what.cpp'), ...(threads ? [threadStack] : [])];
   const sources = name.endsWith('.cpp') ? [source, ...extra] : [source];
-  const hash = createHash('sha256').update(JSON.stringify([compile, link, threads]));
+  const hash = createHash('sha256').update(JSON.stringify([compile, link, threads, 'with last words']));
   for (const file of [...sources, join(include, 'ros2wasm/host.h')]) hash.update(readFileSync(file));
   const folder = join(tmpdir(), 'ros2wasm-test-programs', hash.digest('hex').slice(0, 16));
   const wasm = join(folder, 'program.wasm');
@@ -46,7 +47,7 @@ export function buildProgram(name: string, { threads = false }: ProgramKind = {}
   });
   const kind = threads ? ['-pthread', '-sMAXIMUM_MEMORY=1GB', '-o', join(work, 'program.js')]
     : ['-sSTANDALONE_WASM', '-o', join(work, 'program.wasm')];
-  run('em++', [...link, ...objects, ...kind]);
+  run('em++', [...link, ...(name.endsWith('.cpp') ? ['-Wl,--wrap=abort,--wrap=_Unwind_RaiseException'] : []), ...objects, ...kind]);
   if (existsSync(folder)) return wasm;
   renameSync(work, folder);
   return wasm;

@@ -69,6 +69,8 @@ for (const link of ['shared', 'port'] as const) {
       { program: 'throws.cpp' },
       { program: 'unknown.c' },
       { program: 'talker.c' },
+      { program: 'aborts.cpp' },
+      { program: 'aborts.cpp', arguments: ['at once'] },
     ], async (session) => {
       session.startAll();
       assert.deepEqual((await reaches(session, 'exits-1', 'exited')).state, { kind: 'exited', code: 3 });
@@ -88,6 +90,13 @@ for (const link of ['shared', 'port'] as const) {
       assert.match(unknown.kind === 'crashed' ? unknown.message : '', /ros2wasm\.teleport/);
       assert.deepEqual(session.nodes()[3]?.source, { file: 'workspace.yaml', line: 6, column: 5 });
       await prints(session, 'talker-5', /Publishing/);
+      for (const id of ['aborts-6', 'aborts-7']) {
+        const aborted = (await reaches(session, id, 'crashed')).state;
+        assert.equal(aborted.kind === 'crashed' && aborted.code, 'R2W0701');
+        assert.match(aborted.kind === 'crashed' ? aborted.message : '', /^abort\(\) was called \(SIGABRT, exit code 134\)\n {2}at /);
+      }
+      assert.deepEqual(session.console('aborts-6').lines().map(({ text }) => text), [
+        "terminate called after throwing an instance of 'std::runtime_error'", '  what():  the brake is stuck']);
     }, link));
 }
 

@@ -54,8 +54,8 @@ int main(int argc, char** argv) {
   rclcpp::SubscriptionOptions options;
   options.callback_group = free_group;
   auto subscription = node->create_subscription<String>(
-      "topic", 100, [&](const String&) { ++heard; }, options);
-  auto publisher = node->create_publisher<String>("topic", 100);
+      "crowd", 100, [&](const String&) { ++heard; }, options);
+  auto publisher = node->create_publisher<String>("crowd", 100);
   constexpr int kMessages = 20;
   std::thread feeder([&] {
     for (int i = 0; i < kMessages; ++i) {

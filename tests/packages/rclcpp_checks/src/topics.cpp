@@ -15,7 +15,9 @@ namespace {
 
 std::vector<std::string> heard;
 
-void free_function(const String& message) { heard.push_back("function " + message.data); }
+void free_function(const String& message) {
+  heard.push_back("function " + message.data);
+}
 
 class Member : public rclcpp::Node {
  public:
@@ -79,14 +81,14 @@ int main(int argc, char** argv) {
   executor.add_node(member);
   executor.spin_all(2s);
   CHECK(heard.size() == 7);
-  for (const char* line : {"function x", "member x", "info x 1", "shared x", "const x", "bytes x",
-                           "generic 10"}) {
+  for (const char* line :
+       {"function x", "member x", "info x 1", "shared x", "const x", "bytes x", "generic 10"}) {
     CHECK(has(line));
   }
 
   // By pointer: the listener gets the very object that was published.
-  auto local = std::make_shared<rclcpp::Node>(
-      "local", rclcpp::NodeOptions().use_intra_process_comms(true));
+  auto local =
+      std::make_shared<rclcpp::Node>("local", rclcpp::NodeOptions().use_intra_process_comms(true));
   const void* received = nullptr;
   auto owner = local->create_subscription<String>(
       "local", 10, [&received](String::UniquePtr one) { received = one.get(); });
@@ -112,9 +114,9 @@ int main(int argc, char** argv) {
   executor.spin_all(2s);
   CHECK((late == std::vector<std::string>{"2", "3"}));
 
-  CHECK_THROWS(rclcpp::exceptions::InvalidTopicNameError,
-               node->create_publisher<String>("a b", 1));
+  CHECK_THROWS(rclcpp::exceptions::InvalidTopicNameError, node->create_publisher<String>("a b", 1));
   CHECK_THROWS(std::runtime_error, executor.add_node(node));
+  CHECK_THROWS(rclcpp::exceptions::RCLError, publisher->get_network_flow_endpoints());
   CHECK_THROWS(rclcpp::exceptions::InvalidNodeNameError, rclcpp::Node("bad name"));
   return checks.finish();
 }

@@ -11,9 +11,8 @@ int main(int argc, char** argv) {
   rclcpp::init(argc, argv);
   Checks checks("waiting");
   auto node = std::make_shared<rclcpp::Node>("waiting_node");
-  auto subscription =
-      node->create_subscription<String>("topic", 10, [](const String&) {});
-  auto publisher = node->create_publisher<String>("topic", 10);
+  auto subscription = node->create_subscription<String>("bell", 10, [](const String&) {});
+  auto publisher = node->create_publisher<String>("bell", 10);
   auto guard = std::make_shared<rclcpp::GuardCondition>();
   rclcpp::WaitSet wait_set({{{subscription}}}, {guard});
   CHECK(wait_set.wait(5ms).kind() == rclcpp::WaitResultKind::Timeout);

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "bundler/build/link_line.hpp"
-#include "bundler/build/thread_marker.hpp"
+#include "bundler/build/single_link_object.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -91,14 +91,38 @@ TEST(WasmModule, NamesAreKeptApart) {
   EXPECT_FALSE(split_names("not a module"));
 }
 
-TEST(ThreadMarker, IsAnObjectWithTheImport) {
-  const auto object = read_wasm_module(thread_marker_object());
+TEST(SingleLinkObject, IsAnObjectWithTheImport) {
+  const auto object = read_wasm_module(single_link_object(TlsBase::kOfLinker));
   ASSERT_TRUE(object);
   const auto findings = classify_imports(*object);
   EXPECT_TRUE(findings.needs_threads);
   ASSERT_EQ(object->sections.size(), 6U);
   EXPECT_EQ(object->sections[4].name, "linking");
   EXPECT_EQ(object->sections[5].name, "reloc.CODE");
+}
+
+TEST(SingleLinkObject, HoldsTheBaseOfThreadLocalsForLinkersThatNeedIt) {
+  const auto object = read_wasm_module(single_link_object(TlsBase::kZero));
+  ASSERT_TRUE(object);
+  constexpr int kGlobalSection = 6;
+  ASSERT_EQ(object->sections.size(), 7U);
+  EXPECT_EQ(object->sections[3].id, kGlobalSection);
+  EXPECT_TRUE(classify_imports(*object).needs_threads);
+}
+
+TEST(SingleLinkObject, TheCompilerOfAnObjectTellsWhichLinkersThoseAre) {
+  const auto made_by = [](const std::string& name, const std::string& version) {
+    return kHeader + custom("producers", std::string("\2") + sized("language") + "\1" +
+                                             sized("C11") + sized("") + sized("processed-by") +
+                                             "\1" + sized(name) + sized(version));
+  };
+  EXPECT_EQ(producer_version(made_by("Debian clang", "14.0.6"), "clang"), "14.0.6");
+  EXPECT_EQ(tls_base_for(made_by("Debian clang", "14.0.6")), TlsBase::kZero);
+  EXPECT_EQ(tls_base_for(made_by("clang", "19.1.0 (https://example.org 0123)")), TlsBase::kZero);
+  EXPECT_EQ(tls_base_for(made_by("clang", "20.0.0git (https://example.org 0123)")),
+            TlsBase::kOfLinker);
+  EXPECT_EQ(tls_base_for(made_by("rustc", "99.0.0")), TlsBase::kZero);
+  EXPECT_EQ(tls_base_for(made_by("clang", "21.0").substr(0, 20)), TlsBase::kZero);
 }
 
 TEST(LinkLine, FindsWhatNobodyDefines) {

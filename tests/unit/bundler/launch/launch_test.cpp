@@ -43,15 +43,28 @@ TEST(NodeArguments, AreThoseOfRos2Launch) {
   entry.arguments = {"--fast"};
   entry.name = spanned("chatter");
   entry.name_space = spanned("/a");
-  entry.parameters = {{.name = "rate", .value = 2.0},
-                      {.name = "sub.label", .value = std::string("it's")}};
+  entry.parameters = {{.name = "rate", .value = 2.0, .files_before = 1},
+                      {.name = "sub.label", .value = std::string("it's"), .files_before = 1}};
   entry.remappings = {{"topic", "/b"}};
-  EXPECT_EQ(node_arguments(entry, {{.pattern = "/**", .name = "rate", .value = "1"}}),
+  EXPECT_EQ(node_arguments(entry, {{{.pattern = "/**", .name = "rate", .value = "1"}}}),
             (std::vector<std::string>{"--fast", "--ros-args", "-r", "__node:=chatter", "-r",
                                       "__ns:=/a", "-p", "/**:rate:=1", "-p", "rate:=2.0", "-p",
                                       "sub.label:='it''s'", "-r", "topic:=/b"}));
   EXPECT_EQ(node_label(entry), "/a/chatter");
   EXPECT_TRUE(node_arguments(node("demo", "talker"), {}).empty());
+}
+
+TEST(NodeArguments, WhatComesLaterWins) {
+  NodeEntry entry = node("demo", "talker");
+  entry.parameters = {{.name = "a", .value = std::int64_t{1}, .files_before = 0},
+                      {.name = "a", .value = std::int64_t{2}, .files_before = 2}};
+  entry.parameter_files = {spanned("1.yaml"), spanned("2.yaml"), spanned("3.yaml")};
+  const std::vector<FileRules> files = {{{.pattern = "/x", .name = "a", .value = "10"}},
+                                        {{.pattern = "/**", .name = "a", .value = "20"}},
+                                        {{.pattern = "/**", .name = "a", .value = "30"}}};
+  EXPECT_EQ(node_arguments(entry, files),
+            (std::vector<std::string>{"--ros-args", "-p", "a:=1", "-p", "/x:a:=10", "-p",
+                                      "/**:a:=20", "-p", "a:=2", "-p", "/**:a:=30"}));
 }
 
 TEST(NodeArguments, ValuesKeepTheirTypes) {

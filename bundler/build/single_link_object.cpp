@@ -1,7 +1,10 @@
-// See thread_marker.hpp. Written by hand so that a link needs no further run of the compiler.
-#include "bundler/build/thread_marker.hpp"
+// See single_link_object.hpp. Written by hand so that a link needs no further run of the compiler.
+#include "bundler/build/single_link_object.hpp"
 
 #include <cassert>
+#include <charconv>
+
+#include "bundler/build/wasm_module.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -28,7 +31,8 @@ std::string custom(std::string_view name, const std::string& contents) {
 
 }  // namespace
 
-std::string thread_marker_object() {
+std::string single_link_object(TlsBase tls_base) {
+  const bool zero = tls_base == TlsBase::kZero;
   constexpr int kI32 = 0x7f;
   const std::string type = bytes({1, 0x60, 4, kI32, kI32, kI32, kI32, 1, kI32});
   const std::string imports = bytes({2}) + sized("env") + sized("__linear_memory") +
@@ -39,20 +43,32 @@ std::string thread_marker_object() {
   const std::string body =
       bytes({0, 0x20, 0, 0x20, 1, 0x20, 2, 0x20, 3, 0x10, 0x80, 0x80, 0x80, 0x80, 0, 0x0b});
   const std::string code = bytes({1}) + sized(body);
+  const std::string global = bytes({1, kI32, 1, 0x41, 0, 0x0b});  // mutable, i32.const 0
   constexpr int kCallOperand = 12;  // offset of the five bytes in the code section
   constexpr int kWeak = 0x01;
+  constexpr int kGlobal = 2;
   constexpr int kUndefinedWithName = 0x50;
-  const std::string symbols = bytes({2}) + bytes({0, kUndefinedWithName, 0}) +
+  const std::string symbols = bytes({zero ? 3 : 2}) + bytes({0, kUndefinedWithName, 0}) +
                               sized("ros2wasm_thread_create_required") + bytes({0, kWeak, 1}) +
-                              sized("__wrap_pthread_create");
+                              sized("__wrap_pthread_create") +
+                              (zero ? bytes({kGlobal, 0, 0}) + sized("__tls_base") : "");
   constexpr int kSymbolTable = 8;
   const std::string linking = bytes({2}) + bytes({kSymbolTable}) + sized(symbols);
-  constexpr int kCodeSectionIndex = 3;
+  const int code_section_index = zero ? 4 : 3;
   constexpr int kFunctionIndexLeb = 0;
-  const std::string relocations = bytes({kCodeSectionIndex, 1, kFunctionIndexLeb, kCallOperand, 0});
+  const std::string relocations =
+      bytes({code_section_index, 1, kFunctionIndexLeb, kCallOperand, 0});
   return std::string("\0asm\1\0\0\0", 8) + section(1, type) + section(2, imports) +
-         section(3, functions) + section(10, code) + custom("linking", linking) +
-         custom("reloc.CODE", relocations);
+         section(3, functions) + (zero ? section(6, global) : "") + section(10, code) +
+         custom("linking", linking) + custom("reloc.CODE", relocations);
+}
+
+TlsBase tls_base_for(std::string_view object) {
+  constexpr int kFirstRight = 20;
+  const std::string version = producer_version(object, "clang");
+  int major = 0;
+  std::from_chars(version.data(), version.data() + version.size(), major);
+  return major < kFirstRight ? TlsBase::kZero : TlsBase::kOfLinker;
 }
 
 }  // namespace ros2wasm

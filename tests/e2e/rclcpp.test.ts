@@ -1,0 +1,53 @@
+// The C++ client library through pack and run: each program of tests/packages/rclcpp_checks logs one line
+// when all its checks hold. They run side by side, as the nodes of one site.
+import assert from 'node:assert/strict';
+import { cpSync } from 'node:fs';
+import { join, resolve } from 'node:path';
+import { after, before, test } from 'node:test';
+
+import { PackWorkspace } from './pack_workspace.ts';
+
+const PACKAGE = resolve(import.meta.dirname, '../packages/rclcpp_checks');
+const SINGLE = ['topics', 'services', 'parameters', 'actions', 'waiting', 'exceptions', 'component'];
+const THREADED = ['threads', 'plain_threads'];
+/** The port link has no memory for threads. */
+const PROGRAMS = { shared: [...SINGLE, ...THREADED], port: SINGLE };
+/** Values that the program `parameters` checks. */
+const PARAMETERS = '    parameters:\n      - from_arguments: 2.5\n        names: [a, b]\n';
+
+let workspace: PackWorkspace;
+before(() => {
+  workspace = new PackWorkspace();
+  cpSync(PACKAGE, join(workspace.root, 'src/rclcpp_checks'), { recursive: true });
+});
+after(() => workspace.close());
+
+function manifest(programs: readonly string[]): string {
+  const nodes = programs.map((program) => `  - package: rclcpp_checks
+    executable: ${program}
+${program === 'parameters' ? PARAMETERS : ''}`);
+  return `schema: 1
+name: checks
+title: Checks
+version: 1.0.0
+license: Apache-2.0
+distro: jazzy
+packages:
+  - src/*
+launch:
+${nodes.join('')}`;
+}
+
+for (const [link, programs] of Object.entries(PROGRAMS)) {
+  test(`every program's checks hold on the ${link} link`, { timeout: 500_000 }, async () => {
+    workspace.write(`${link}.yaml`, manifest(programs));
+    const packed = await workspace.run(['pack', `${link}.yaml`, '--output', `site_${link}`]);
+    assert.equal(packed.code, 0, packed.stderr);
+    const ran = await workspace.run(['run', `site_${link}`, '--link', link, '--for', '60s']);
+    const said = `${ran.stdout}${ran.stderr}`;
+    for (const program of programs) {
+      assert.match(said, new RegExp(`^\\[${program}-\\d+\\] .*all \\d+ checks hold$`, 'm'), said);
+    }
+    assert.equal(ran.code, 0, said);
+  });
+}

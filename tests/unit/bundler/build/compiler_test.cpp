@@ -1,0 +1,61 @@
+// Which Emscripten is taken, and whether the channels have packages for it.
+#include "bundler/build/compiler.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/bundler/support/temporary_tree.hpp"
+
+namespace ros2wasm {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder with an em++ that says it is of `version`.
+fs::path install(const testing::TemporaryTree& tree, const std::string& folder,
+                 const std::string& version) {
+  tree.write(folder + "/em++", "#!/bin/sh\n");
+  fs::permissions(tree.root() / folder / "em++", fs::perms::owner_all);
+  tree.write(folder + "/emscripten-version.txt", "\"" + version + "\"\n");
+  return tree.root() / folder;
+}
+
+TEST(Compiler, EmsdkComesBeforePath) {
+  const testing::TemporaryTree tree;
+  const fs::path on_path = install(tree, "bin", "3.1.6");
+  const fs::path of_sdk = install(tree, "sdk/upstream/emscripten", "3.1.64");
+  const EnvironmentVariables both = {{"PATH", on_path.string()},
+                                     {"EMSDK", (tree.root() / "sdk").string()}};
+  const auto sdk = find_compiler(both);
+  ASSERT_TRUE(sdk);
+  EXPECT_EQ(sdk->cxx, of_sdk / "em++");
+  EXPECT_EQ(sdk->c, of_sdk / "emcc");
+  EXPECT_EQ(sdk->version, "3.1.64");
+  const auto path = find_compiler({{"PATH", on_path.string()}});
+  ASSERT_TRUE(path);
+  EXPECT_EQ(path->version, "3.1.6");
+  EXPECT_NE(path->identity, sdk->identity);
+  EXPECT_EQ(find_compiler({{"PATH", tree.root().string()}}).errors().front().code, "R2W0501");
+}
+
+TEST(Compiler, PackagesMustComeOfTheSameOne) {
+  const testing::TemporaryTree tree;
+  const fs::path on_path = install(tree, "bin", "3.1.6");
+  install(tree, "sdk/upstream/emscripten", "3.1.64");
+  const EnvironmentVariables both = {{"PATH", on_path.string()},
+                                     {"EMSDK", (tree.root() / "sdk").string()}};
+  const auto sdk = find_compiler(both);
+  ASSERT_TRUE(sdk);
+  const auto refused = no_packages_for(*sdk, {"3.1.5", "3.1.6"}, both);
+  ASSERT_TRUE(refused);
+  EXPECT_EQ(refused->code, "R2W0530");
+  EXPECT_EQ(refused->message, "the channels have no packages for Emscripten 3.1.64");
+  EXPECT_NE(refused->why.back().find("Emscripten 3.1.5, 3.1.6"), std::string::npos);
+  EXPECT_EQ(refused->fix, (std::vector<std::string>{"unset EMSDK"}));
+  // Offered only when it helps.
+  EXPECT_TRUE(no_packages_for(*sdk, {"3.1.5"}, both)->fix.empty());
+  EXPECT_FALSE(no_packages_for(*sdk, {"3.1.6", "3.1.64"}, both));
+  EXPECT_FALSE(no_packages_for(*sdk, {}, both));
+}
+
+}  // namespace
+}  // namespace ros2wasm

@@ -173,7 +173,7 @@ Outcome<std::vector<fs::path>> Store::unpacked_all(const std::vector<PackageReco
     pool.add([&, i] {
       results[i] = cancellation.requested() ? Outcome<fs::path>(interrupted())
                                             : unpack_local(records[i], cancellation);
-      ++ready;
+      if (results[i]) ++ready;
     });
   }
   const auto arrived = [&](std::size_t k, Outcome<Done> outcome) {
@@ -184,7 +184,7 @@ Outcome<std::vector<fs::path>> Store::unpacked_all(const std::vector<PackageReco
     }
     pool.add([&, i, k] {
       results[i] = unpack(records[i], wanted[k].place, cancellation);
-      ++ready;
+      if (results[i]) ++ready;
     });
   };
   bring_verified(wanted, roots_.network, cancellation, arrived, [&](const DownloadProgress& now) {
@@ -196,7 +196,6 @@ Outcome<std::vector<fs::path>> Store::unpacked_all(const std::vector<PackageReco
               .unit = "bytes"});
   });
   wait_for_workers();
-  report();
 
   std::vector<fs::path> folders;
   Diagnostics errors;
@@ -211,6 +210,7 @@ Outcome<std::vector<fs::path>> Store::unpacked_all(const std::vector<PackageReco
     }
   }
   if (!errors.empty()) return errors;
+  report();
   return folders;
 }
 

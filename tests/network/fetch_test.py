@@ -18,7 +18,7 @@ from tests.network.fault_server import FOREVER, Fault, FaultServer
 
 WASM = b"\0asm\1\0\0\0"
 # How often a pack is killed; ROS2WASM_KILLS=200 for a long run.
-KILLS = int(os.environ.get("ROS2WASM_KILLS", "12"))
+KILLS = int(os.environ.get("ROS2WASM_KILLS", "30"))
 
 
 class FetchCase(ChannelCase):

@@ -1,8 +1,10 @@
-// `ros2wasm channel add DIR ...` and `ros2wasm channel index DIR`: make conda channels.
+// `ros2wasm channel add DIR ...`, `index DIR` and `check DIR`: make conda channels, and look
+// what is in them.
 #include <charconv>
 #include <memory>
 #include <optional>
 
+#include "bundler/channel/channel_index.hpp"
 #include "bundler/channel/channel_writer.hpp"
 #include "bundler/io/files.hpp"
 #include "cli/arguments.hpp"
@@ -162,12 +164,46 @@ int index(const ChannelOptions& options, Context& context) {
   return 0;
 }
 
+/// What a solve would pass over in a channel, and why.
+int check(const ChannelOptions& options, Context& context) {
+  if (options.words.size() != 1) {
+    return context.console.fail(
+        usage_error("`ros2wasm channel check` takes one channel folder or address",
+                    "`ros2wasm channel --help` has examples"));
+  }
+  std::error_code error;
+  const ChannelRoots roots{
+      .working_directory = std::filesystem::current_path(error), .embedded = {}, .cache = {}};
+  const std::vector<ChannelSource> sources{{.name = options.words[0], .span = {}}};
+  const auto channel = load_channels(sources, roots, context.cancellation, context.progress);
+  if (!channel) return context.console.fail(channel.errors());
+  if (context.json) {
+    JsonWriter json;
+    json.begin_object().key("records").unsigned_integer(channel->records.size());
+    json.key("left_out").begin_array();
+    for (const LeftOutRecord& record : channel->left_out) {
+      json.begin_object().field("subdir", record.subdir).field("file", record.file_name);
+      json.field("reason", record.reason).end_object();
+    }
+    json.end_array().end_object();
+    context.console.result(json.text());
+  } else {
+    for (const LeftOutRecord& record : channel->left_out)
+      context.console.result(record.subdir + "/" + record.file_name + ": " + record.reason);
+    context.console.remark(std::to_string(channel->records.size()) + " records can be used, " +
+                           std::to_string(channel->left_out.size()) + " are left out");
+  }
+  return channel->left_out.empty() ? 0 : 1;
+}
+
 }  // namespace
 
 CommandBody channel_command(Arguments& arguments) {
   const auto options = std::make_shared<ChannelOptions>();
-  arguments.required("ACTION", options->action,
-                     "`add` puts a package into a channel, `index` writes its index");
+  arguments.required(
+      "ACTION", options->action,
+      "`add` puts a package into a channel, `index` writes its index, `check` lists the "
+      "records that cannot be used");
   arguments.rest("DIR", options->words, "the channel's folder; behind it, for `add`, an archive");
   arguments.value("--prefix", options->prefix, "TREE", "Pack the files of this folder");
   arguments.value("--metadata", options->metadata, "FILE",
@@ -190,13 +226,14 @@ CommandBody channel_command(Arguments& arguments) {
   arguments.flag("--noarch", options->noarch, "The package is for every platform");
   arguments.examples({"ros2wasm channel add my-channel --prefix stage --metadata package.json",
                       "ros2wasm channel add my-channel demo-1.0-0.conda",
-                      "ros2wasm channel index my-channel"});
+                      "ros2wasm channel index my-channel", "ros2wasm channel check my-channel"});
   return [options](Context& context) {
     if (options->action == "add") return add(*options, context);
     if (options->action == "index") return index(*options, context);
+    if (options->action == "check") return check(*options, context);
     return context.console.fail(
         usage_error("`ros2wasm channel` has no action `" + options->action + "`",
-                    "the actions are: add, index"));
+                    "the actions are: add, index, check"));
   };
 }
 

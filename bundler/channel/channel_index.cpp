@@ -16,6 +16,7 @@
 namespace ros2wasm {
 namespace {
 
+constexpr const char* kElsewhere = "linux-64";  ///< looked at only to explain what is missing
 constexpr std::size_t kSubdirs = 2;
 std::array<std::string, kSubdirs> subdirs_of(const ChannelRoots& roots) {
   return {roots.platform, "noarch"};
@@ -101,6 +102,7 @@ struct OpenChannels::State {
   };
 
   std::vector<Channel> channels;
+  ChannelRoots roots;
   std::vector<std::string> names;
   SpecTable checked;
   SpecTable unchecked{false};
@@ -114,6 +116,35 @@ struct OpenChannels::State {
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end()), all.end());
     names.assign(all.begin(), all.end());
+  }
+
+  /// Names that are asked for and that no channel has: do they have them for people's own machines?
+  /// What cannot be read says nothing; the request fails anyway.
+  void look_elsewhere(std::span<const std::string> wanted, RepoIndex& index,
+                      const Cancellation& cancellation) {
+    std::vector<std::string> unknown;
+    for (const std::string& text : wanted) {
+      const auto name = unchecked.exact_name(text);
+      if (name && !name->starts_with("__") &&
+          !std::binary_search(names.begin(), names.end(), *name))
+        unknown.push_back(*name);
+    }
+    if (unknown.empty() || roots.platform == kElsewhere) return;
+    for (const Channel& channel : channels) {
+      if (is_network_url(channel.name)) continue;  // a long download, only to say more
+      const std::string folder = channel_base_url(channel.name) + "/" + kElsewhere;
+      auto files = bring_index_files(std::vector<std::string>{folder}, roots, cancellation);
+      if (!files.front() || !*files.front()) continue;
+      const auto other = open_subdir(
+          std::move(**files.front()),
+          {.channel = channel.name, .subdir = kElsewhere, .base_url = folder}, roots, cancellation);
+      if (!other) continue;
+      const auto there = (*other)->names();
+      for (const std::string& name : unknown) {
+        if (std::binary_search(there.begin(), there.end(), name))
+          index.elsewhere[name] = std::string(kElsewhere) + " in " + channel.name;
+      }
+    }
   }
 
   [[nodiscard]] RepoIndex nothing_yet() const {
@@ -193,6 +224,7 @@ Outcome<RepoIndex> OpenChannels::reachable(std::span<const std::string> specs,
                                            ChannelPriority priority,
                                            const Cancellation& cancellation) const {
   RepoIndex index = state_->nothing_yet();
+  state_->look_elsewhere(specs, index, cancellation);
   Reach reach(state_->unchecked, state_->names);
   for (const std::string& text : specs) reach.begin(text);
   for (std::vector<std::string> wave = reach.next(); !wave.empty(); wave = reach.next()) {
@@ -205,8 +237,10 @@ Outcome<RepoIndex> OpenChannels::reachable(std::span<const std::string> specs,
       }
       if (priority != ChannelPriority::kStrict) continue;
       std::set<std::string_view> found;  // hidden in the channels that follow
-      for (std::size_t i = first; i < index.records.size(); ++i)
-        found.insert(index.records[i].name);
+      for (std::size_t i = first; i < index.records.size(); ++i) {
+        if (i == first || index.records[i].name != index.records[i - 1].name)
+          found.insert(index.records[i].name);
+      }
       std::erase_if(wave, [&](const std::string& name) {
         return found.contains(name) && !reach.names_channel(name);
       });
@@ -255,6 +289,7 @@ Outcome<OpenChannels> open_channels(std::span<const ChannelSource> channels,
                                     const ProgressSink& progress) {
   OpenChannels open;
   open.state_ = std::make_shared<OpenChannels::State>();
+  open.state_->roots = roots;
   const auto report = [&](const std::string& item, std::size_t done) {
     if (!progress) return;
     progress({.step = "index",

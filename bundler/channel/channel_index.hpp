@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -51,6 +52,8 @@ struct RepoIndex {
   std::vector<LeftOutRecord> left_out;
   std::vector<std::string>
       names;  ///< of all packages of the channels, sorted; records may be fewer
+  /// Names that were asked for and that only another platform has: "linux-64 in CHANNEL".
+  std::map<std::string, std::string> elsewhere;
 };
 
 enum class ChannelPriority {

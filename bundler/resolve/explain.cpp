@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::size_t kMostLines = 24;
 constexpr int kDeepest = 8;
+constexpr const char* kCompilerPackage = "emscripten-abi";
 
 /// The rules of one conflict, by the candidate that they speak of.
 struct Facts {
@@ -49,9 +50,7 @@ class Tree {
     for (std::size_t i = 0; i < universe_.wanted.size(); ++i) {
       if (!facts_.wanted.contains(universe_.wanted[i])) continue;
       const RequestedSpec& spec = request_.specs[i];
-      std::string head = "`" + spec.text + "` is asked for";
-      if (!spec.origin.empty()) head += " by " + spec.origin;
-      requirement(universe_.wanted[i], head, 0);
+      requirement(universe_.wanted[i], "`" + spec.text + "` is asked for" + whence(spec), 0);
       facts_.wanted.erase(universe_.wanted[i]);
     }
     if (lines_.size() > kMostLines) {
@@ -59,12 +58,36 @@ class Tree {
       lines_.resize(kMostLines);
       lines_.push_back("... and " + std::to_string(more) + " more lines of this kind");
     }
+    if (about_compilers()) {
+      line(0, "what different versions of Emscripten built (" + std::string(kCompilerPackage) +
+                  ") cannot run in one program");
+    }
     return std::move(lines_);
   }
 
  private:
   void line(int depth, const std::string& text) {
     lines_.push_back(std::string(2 * static_cast<std::size_t>(depth), ' ') + text);
+  }
+
+  /// " at workspace.yaml:4:5 by ...".
+  static std::string whence(const RequestedSpec& spec) {
+    std::string text;
+    if (spec.span) {
+      text += " at " + spec.span->file + ":" + std::to_string(spec.span->line) + ":" +
+              std::to_string(spec.span->column);
+    }
+    const bool said = spec.span && spec.span->file == spec.origin;
+    if (!spec.origin.empty() && !said) text += " by " + spec.origin;
+    return text;
+  }
+
+  [[nodiscard]] bool about_compilers() const {
+    return std::any_of(facts_.needs.begin(), facts_.needs.end(), [this](const auto& fact) {
+      return std::any_of(fact.second.begin(), fact.second.end(), [this](RequirementId id) {
+        return universe_.requirement(id).name == kCompilerPackage;
+      });
+    });
   }
 
   [[nodiscard]] std::string nothing_fits(const Requirement& requirement) const {

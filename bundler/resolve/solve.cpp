@@ -49,6 +49,10 @@ Diagnostics unknown_names(const ResolveRequest& request, const std::vector<Match
                      .label = "not in any channel"};
     if (!requested.origin.empty()) error.why.push_back("it is asked for by " + requested.origin);
     error.why.push_back("the channels are: " + name_list(index.channels));
+    if (const auto other = index.elsewhere.find(*name); other != index.elsewhere.end()) {
+      error.why.push_back("it is there for " + other->second +
+                          ", but has not been built for emscripten-wasm32");
+    }
     for (const LeftOutRecord& record : index.left_out) {
       if (record.file_name.starts_with(*name + "-")) {
         error.why.push_back(record.file_name + " was left out: " + record.reason);

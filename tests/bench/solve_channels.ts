@@ -109,7 +109,7 @@ export function makeLargeChannel(channel: string, size: LargeChannel): void {
   for (let rank = 0; rank < size.names; rank += 1) {
     const name = largeName(rank);
     const count = releases[rank] ?? 1;
-    const leaned = rank < 4 ? [] : Array.from({ length: 2 + Math.floor(draw() * 7) }, () => Math.floor(rank * draw() ** 3));
+    const leaned = rank < 4 ? [] : Array.from({ length: 2 + Math.floor(draw() * 5) }, () => Math.floor(rank * draw() ** 4));
     const lines: string[] = [];
     for (let index = 0; index < count; index += 1) {
       const depends = ['emscripten-abi >=4,<5', ...[...new Set(leaned)].map((other) =>

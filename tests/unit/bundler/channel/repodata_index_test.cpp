@@ -199,5 +199,25 @@ TEST(OpenChannels, ReachesWhatTheRequestCanNeed) {
   EXPECT_EQ(urls({"absent"}, ChannelPriority::kStrict), "");
 }
 
+TEST(OpenChannels, SaysWhatOnlyAnotherPlatformHas) {
+  const TemporaryTree tree;
+  tree.write("c/noarch/repodata.json", "{}");
+  tree.write("c/linux-64/repodata.json",
+             R"({"packages":{"gpu-1-0.tar.bz2":{"name":"gpu","version":"1","build":"0"}}})");
+  const std::vector<ChannelSource> sources{{.name = "c", .span = {}}};
+  const auto open =
+      open_channels(sources, {.working_directory = tree.root(), .embedded = {}, .cache = {}});
+  ASSERT_TRUE(open.ok());
+  const auto index =
+      open->reachable(std::vector<std::string>{"gpu >=1", "nowhere"}, ChannelPriority::kStrict);
+  ASSERT_TRUE(index.ok());
+  const auto resolution = solve(testing::request_for({"gpu >=1", "nowhere"}), *index);
+  ASSERT_EQ(resolution.errors().size(), 2U);
+  EXPECT_EQ(resolution.errors()[0].code, "R2W0302");
+  EXPECT_EQ(resolution.errors()[0].why.back(),
+            "it is there for linux-64 in c, but has not been built for emscripten-wasm32");
+  EXPECT_EQ(resolution.errors()[1].why.back(), "the channels are: c");
+}
+
 }  // namespace
 }  // namespace ros2wasm

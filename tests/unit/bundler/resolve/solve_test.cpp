@@ -163,7 +163,7 @@ TEST(SolveErrors, ConflictIsExplainedAsATree) {
   EXPECT_EQ(joined(error.why), R"(`nav` is asked for by package.xml of demo
   nav 1.0, 0.9 needs `core >=2`
     core 2.0 cannot be there together with another version of core
-`arm` is asked for
+`arm` is asked for at workspace.yaml:4:5
   arm 3.0 needs `core <2`
     core 1.0 cannot be there together with another version of core
 )");
@@ -178,6 +178,29 @@ TEST(SolveErrors, WhatIsThereInstead) {
   EXPECT_EQ(joined(error.why), R"(`a` is asked for
   a 1 needs `b >=3`, but there is only b 2, 1
 )");
+}
+
+TEST(SolveErrors, AnAbiThatDisagreesIsNamed) {
+  const Diagnostic error = error_of(
+      request_for({"a", "b"}),
+      index_of({made_record("a", "1", {"emscripten-abi 3.1.6.*"}),
+                made_record("b", "1", {"emscripten-abi 4.0.9.*"}),
+                made_record("emscripten-abi", "3.1.6"), made_record("emscripten-abi", "4.0.9")}));
+  EXPECT_EQ(error.code, "R2W0301");
+  EXPECT_EQ(
+      error.why.back(),
+      "what different versions of Emscripten built (emscripten-abi) cannot run in one program");
+}
+
+TEST(SolveErrors, RecordsWithUnreadableSpecsAreNotTakenAndNamed) {
+  const PackageRecord bad = made_record("a", "2", {"ray[default"});
+  const auto resolution = solve(request_for({"a"}), index_of({bad, made_record("a", "1")}));
+  ASSERT_TRUE(resolution.ok());
+  EXPECT_EQ(resolution->packages.at(0).version, "1");
+  ASSERT_EQ(resolution->left_out.size(), 1U);
+  EXPECT_EQ(resolution->left_out[0].file_name, bad.file_name);
+  const Diagnostic error = error_of(request_for({"a"}), index_of({bad}));
+  EXPECT_NE(error.why.back().find("was left out"), std::string::npos);
 }
 
 TEST(SolveErrors, AFixIsOfferedOnlyWhenItSolves) {

@@ -172,10 +172,12 @@ int check(const ChannelOptions& options, Context& context) {
                     "`ros2wasm channel --help` has examples"));
   }
   std::error_code error;
-  const ChannelRoots roots{
-      .working_directory = std::filesystem::current_path(error), .embedded = {}, .cache = {}};
+  ChannelRoots roots;
+  roots.working_directory = std::filesystem::current_path(error);
   const std::vector<ChannelSource> sources{{.name = options.words[0], .span = {}}};
-  const auto channel = load_channels(sources, roots, context.cancellation, context.progress);
+  const auto addresses = channel_addresses(sources, roots);
+  if (!addresses) return context.console.fail(addresses.errors());
+  const auto channel = load_channels(*addresses, roots, context.cancellation, context.progress);
   if (!channel) return context.console.fail(channel.errors());
   if (context.json) {
     JsonWriter json;

@@ -3,6 +3,7 @@
 #include "bundler/pipeline.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <thread>
 
@@ -110,6 +111,19 @@ Outcome<Done> use_manifest(const Manifest& manifest, ChannelNetwork& network) {
   return Done{};
 }
 
+/// The packages of a lock in place of those of the channels, so that no channel is asked.
+Outcome<RepoIndex> locked_index(const fs::path& lock_file) {
+  const auto text = read_file(lock_file);
+  if (!text) return text.errors();
+  auto lock = read_lock(*text, lock_file.filename().string());
+  if (!lock) return std::move(lock).errors();
+  RepoIndex index{.channels = lock->channels, .records = {}, .left_out = {}, .names = {}};
+  for (const PackageRecord& record : lock->packages) index.names.push_back(record.name);
+  std::sort(index.names.begin(), index.names.end());
+  index.records = std::move(lock->packages);
+  return index;
+}
+
 /// Steps 1 to 3, up to the request to the channels.
 Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellation,
                       const ProgressSink& progress) {
@@ -149,23 +163,37 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
   if (auto told = use_manifest(manifest, roots.network); !told) return std::move(told).errors();
   const auto addresses = channel_addresses(channels, roots);
   if (!addresses) return addresses.errors();
-  const auto open = open_channels(*addresses, roots, cancellation, progress);
-  if (!open) return open.errors();
-  const std::vector<std::string>& names = open->names();
-  const std::string compiler_package(kCompilerPackage);
-  const auto compilers =
-      open->reachable({&compiler_package, 1}, ChannelPriority::kStrict, cancellation);
-  if (!compilers) return compilers.errors();
-  std::set<std::string> packaged;
-  for (const PackageRecord& record : compilers->records) packaged.insert(record.version);
+  std::vector<std::string> names;
+  std::set<std::string> packaged;  // versions of the compiler that there are packages for
+  std::optional<OpenChannels> open;
+  Outcome<RepoIndex> index = RepoIndex();
+  if (request.frozen) {
+    index = locked_index(workspace.folder / kLockFileName);
+    if (!index) return std::move(index).errors();
+    names = index->names;
+    for (const PackageRecord& record : index->records)
+      if (record.name == kCompilerPackage) packaged.insert(record.version);
+  } else {
+    auto opened = open_channels(*addresses, roots, cancellation, progress);
+    if (!opened) return std::move(opened).errors();
+    open = std::move(*opened);
+    names = open->names();
+    const std::string compiler_package(kCompilerPackage);
+    const auto compilers =
+        open->reachable({&compiler_package, 1}, ChannelPriority::kStrict, cancellation);
+    if (!compilers) return compilers.errors();
+    for (const PackageRecord& record : compilers->records) packaged.insert(record.version);
+  }
   if (auto none = no_packages_for(*compiler, {packaged.begin(), packaged.end()}, request.variables))
     return std::move(*none);
   auto wanted = channel_request(manifest, *packages, *order, names, compiler->version);
   if (!wanted) return std::move(wanted).errors();
-  std::vector<std::string> texts;
-  for (const RequestedSpec& spec : wanted->specs) texts.push_back(spec.text);
-  auto index = open->reachable(texts, ChannelPriority::kStrict, cancellation);
-  if (!index) return std::move(index).errors();
+  if (open) {
+    std::vector<std::string> texts;
+    for (const RequestedSpec& spec : wanted->specs) texts.push_back(spec.text);
+    index = open->reachable(texts, ChannelPriority::kStrict, cancellation);
+    if (!index) return std::move(index).errors();
+  }
   append(workspace.warnings, wanted->warnings);
   std::vector<std::string> all_packages = ros_names(names, manifest.distro);
   return Question{.workspace = std::move(workspace),
@@ -183,7 +211,7 @@ Outcome<std::vector<PackageRecord>> resolve(const PackRequest& request, Question
   const fs::path lock_file = question.workspace.folder / kLockFileName;
   auto solved = solve_with_lock(question.specs, question.index, lock_file, request.locked);
   if (!solved) return std::move(solved).errors();
-  if (!request.locked && !request.plan_only && solved->lock_changed) {
+  if (!request.locked && !request.frozen && !request.plan_only && solved->lock_changed) {
     if (auto written = write_file(lock_file, solved->lock_text); !written)
       return std::move(written).errors();
     question.workspace.remarks.push_back("wrote " + std::string(kLockFileName) + " (" +
@@ -353,9 +381,12 @@ Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& ca
 
 Outcome<LockReport> lock(const LockRequest& request, const Cancellation& cancellation,
                          const ProgressSink& progress) {
-  auto question = ask(
-      {.input = request.input, .executable = request.executable, .variables = request.variables},
-      cancellation, progress);
+  auto question = ask({.input = request.input,
+                       .frozen = request.check_only,
+                       .offline = request.offline,
+                       .executable = request.executable,
+                       .variables = request.variables},
+                      cancellation, progress);
   if (!question) return std::move(question).errors();
   LockReport report{.file = question->workspace.folder / kLockFileName,
                     .warnings = question->workspace.warnings};

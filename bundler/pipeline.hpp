@@ -21,6 +21,7 @@ struct PackRequest {
       input;  ///< workspace.yaml, or a folder with or without one; empty: the current folder
   std::filesystem::path output;      ///< folder to write
   bool locked = false;               ///< fail rather than change ros2wasm.lock
+  bool frozen = false;               ///< only the packages of ros2wasm.lock; no channel is asked
   bool offline = false;              ///< nothing comes over the network
   bool plan_only = false;            ///< write nothing but the build cache
   std::filesystem::path executable;  ///< of this program
@@ -53,7 +54,7 @@ struct PackReport {
 
 struct LockRequest {
   std::string input;        ///< as in PackRequest
-  bool check_only = false;  ///< write nothing: does the lock still fulfil what is asked for?
+  bool check_only = false;  ///< write nothing, ask no channel: does the lock fulfil what is asked?
   LockUpdate update;        ///< what is chosen anew although the lock has it
   bool offline = false;     ///< as in PackRequest
   std::filesystem::path executable;

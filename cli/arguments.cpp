@@ -167,6 +167,16 @@ void Arguments::values(const std::string& names, std::vector<std::string>& targe
       ->take_all();
 }
 
+void Arguments::values_if_any(const std::string& names, std::vector<std::string>& target,
+                              const std::string& placeholder, const std::string& help) {
+  app_.add_option_function<std::vector<std::string>>(
+          names, [&target](const std::vector<std::string>& given) { target = given; }, help)
+      ->option_text("[" + placeholder + "] ...")
+      ->expected(0, 1)
+      ->allow_extra_args(false)
+      ->take_all();
+}
+
 void Arguments::required(const std::string& name, std::string& target, const std::string& help) {
   app_.add_option(name, target, help)->option_text(" ")->required();
 }

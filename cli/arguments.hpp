@@ -41,6 +41,10 @@ class Arguments {
   void values(const std::string& names, std::vector<std::string>& target,
               const std::string& placeholder, const std::string& help);
 
+  /// The same; without a value, an empty text is added.
+  void values_if_any(const std::string& names, std::vector<std::string>& target,
+                     const std::string& placeholder, const std::string& help);
+
   void required(const std::string& name, std::string& target, const std::string& help);
   void optional(const std::string& name, std::string& target, const std::string& help);
   /// All remaining words; words after `--` are taken as they are, dashes and all.

@@ -18,6 +18,7 @@ CommandBody lock_command(Arguments& arguments);
 CommandBody pack_command(Arguments& arguments);
 CommandBody run_command(Arguments& arguments);
 CommandBody schema_command(Arguments& arguments);
+CommandBody search_command(Arguments& arguments);
 CommandBody serve_command(Arguments& arguments);
 CommandBody solve_command(Arguments& arguments);
 CommandBody tree_command(Arguments& arguments);
@@ -48,6 +49,7 @@ constexpr auto kCommands = std::to_array<CommandRow>({
     {.name = "cache",
      .help = "Look after downloaded packages: info, verify, prune, fetch",
      .declare = cache_command},
+    {.name = "search", .help = "Show what the channels have", .declare = search_command},
     {.name = "channel", .help = "Make a channel of packages", .declare = channel_command},
     {.name = "schema",
      .help = "Print the JSON Schema of workspace.yaml",

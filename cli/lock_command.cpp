@@ -1,4 +1,5 @@
 // `ros2wasm lock`: writes or checks ros2wasm.lock without building anything.
+#include <algorithm>
 #include <memory>
 
 #include "bundler/pipeline.hpp"
@@ -13,14 +14,20 @@ struct LockOptions {
   std::string input;
   bool check = false;
   bool offline = false;
-  bool update_all = false;
   std::vector<std::string> update;
 };
+
+/// `--update` without a name means every package.
+LockUpdate update_of(const LockOptions& options) {
+  const bool everything =
+      std::find(options.update.begin(), options.update.end(), "") != options.update.end();
+  return {.everything = everything, .names = options.update};
+}
 
 int run(Context& context, const LockOptions& options) {
   const auto report = lock({.input = options.input,
                             .check_only = options.check,
-                            .update = {.everything = options.update_all, .names = options.update},
+                            .update = update_of(options),
                             .offline = options.offline,
                             .executable = context.executable,
                             .variables = context.environment},
@@ -52,12 +59,12 @@ CommandBody lock_command(Arguments& arguments) {
   arguments.optional(
       "WORKSPACE", options->input,
       "a workspace.yaml, or a folder with ROS 2 packages (default: the current folder)");
-  arguments.flag("--check", options->check,
-                 "write nothing; fail when the lock does not fulfil what is asked for");
+  arguments.flag(
+      "--check", options->check,
+      "write nothing and ask no channel; fail when the lock does not fulfil what is asked");
   arguments.flag("--offline", options->offline, "use only what is on this machine");
-  arguments.values("--update", options->update, "NAME",
-                   "choose this package anew, as in the channels");
-  arguments.flag("--update-all", options->update_all, "choose every package anew");
+  arguments.values_if_any("--update", options->update, "NAME",
+                          "choose this package anew, as in the channels; without a name, all");
   arguments.examples({"ros2wasm lock", "ros2wasm lock --check examples/01_talker_listener"});
   return [options](Context& context) { return run(context, *options); };
 }

@@ -13,6 +13,7 @@ struct Options {
   std::string input;
   std::string output = "site";
   bool locked = false;
+  bool frozen = false;
   bool offline = false;
   bool plan = false;
   int jobs = 0;
@@ -49,6 +50,7 @@ int run(Context& context, const Options& options) {
   const auto report = pack({.input = options.input,
                             .output = options.output,
                             .locked = options.locked,
+                            .frozen = options.frozen,
                             .offline = options.offline,
                             .plan_only = options.plan,
                             .executable = context.executable,
@@ -84,6 +86,8 @@ CommandBody pack_command(Arguments& arguments) {
   arguments.value("-o,--output", options->output, "FOLDER",
                   "where to write the site (default: site)");
   arguments.flag("--locked", options->locked, "fail rather than change ros2wasm.lock");
+  arguments.flag("--frozen", options->frozen,
+                 "take packages from ros2wasm.lock only, ask no channel and leave the lock alone");
   arguments.flag("--offline", options->offline, "use only what is on this machine");
   arguments.flag("--plan", options->plan,
                  "print every file with size, hash and reason; write no site");

@@ -3,8 +3,8 @@
 
 #include "bundler/channel/channel_index.hpp"
 #include "bundler/resolve/solve.hpp"
-#include "bundler/store/store.hpp"
 #include "cli/arguments.hpp"
+#include "cli/channel_choice.hpp"
 #include "cli/console.hpp"
 #include "workspace_schema/json_writer.hpp"
 
@@ -12,28 +12,10 @@ namespace ros2wasm {
 namespace {
 
 struct SolveOptions {
-  std::vector<std::string> channels;
+  ChannelChoice choice;
   std::vector<std::string> specs;
   std::string priority = "strict";
-  std::string platform = kSitePlatform;
-  bool offline = false;
 };
-
-std::string variable(const Context& context, const std::string& name) {
-  const auto found = context.environment.find(name);
-  return found == context.environment.end() ? std::string() : found->second;
-}
-
-ChannelRoots roots_of(const Context& context) {
-  std::error_code error;
-  ChannelRoots roots{.working_directory = std::filesystem::current_path(error),
-                     .embedded = {},
-                     .cache = default_cache_directory(variable(context, "XDG_CACHE_HOME"),
-                                                      variable(context, "HOME")),
-                     .network = network_of(context.environment)};
-  if (auto embedded = embedded_channel(context.executable)) roots.embedded = std::move(*embedded);
-  return roots;
-}
 
 ChannelPriority priority_of(const std::string& word) {
   if (word == "flexible") return ChannelPriority::kFlexible;
@@ -78,15 +60,7 @@ void show(Context& context, const Resolution& resolution, const RepoIndex& index
 }
 
 int run(const SolveOptions& options, Context& context) {
-  std::vector<ChannelSource> channels;
-  for (const std::string& name : options.channels) channels.push_back({.name = name, .span = {}});
-  if (channels.empty()) channels.push_back({.name = "embedded", .span = {}});
-  ChannelRoots roots = roots_of(context);
-  roots.network.offline = options.offline;
-  roots.platform = options.platform;
-  const auto addresses = channel_addresses(channels, roots);
-  if (!addresses) return context.console.fail(addresses.errors());
-  const auto open = open_channels(*addresses, roots, context.cancellation, context.progress);
+  const auto open = open_chosen_channels(options.choice, context);
   if (!open) return context.console.fail(open.errors());
   ResolveRequest request{.specs = {}, .locked = {}, .priority = priority_of(options.priority)};
   const auto index = open->reachable(options.specs, request.priority, context.cancellation);
@@ -104,11 +78,11 @@ int run(const SolveOptions& options, Context& context) {
 CommandBody solve_command(Arguments& arguments) {
   const auto options = std::make_shared<SolveOptions>();
   arguments.values(
-      "-c,--channel", options->channels, "CHANNEL",
+      "-c,--channel", options->choice.channels, "CHANNEL",
       "A folder, an address, or a name such as conda-forge; the embedded channel if none");
-  arguments.value("--platform", options->platform, "SUBDIR",
+  arguments.value("--platform", options->choice.platform, "SUBDIR",
                   "read this folder of the channels beside noarch (default: emscripten-wasm32)");
-  arguments.flag("--offline", options->offline, "use only what is on this machine");
+  arguments.flag("--offline", options->choice.offline, "use only what is on this machine");
   arguments.choice("--priority", options->priority, {"strict", "flexible", "disabled"},
                    "What the order of channels means");
   arguments.rest("SPEC", options->specs, "conda match specs: \"ros-jazzy-rclcpp >=28\"");

@@ -18,6 +18,7 @@ struct Seen {
   bool force = false;
   std::string mode = "a";
   std::vector<std::string> defines;
+  std::vector<std::string> updates;
   std::vector<std::string> rest;
 };
 std::shared_ptr<Seen> last_seen;  // of the command that was declared last; only in this test
@@ -31,6 +32,7 @@ CommandBody demo_command(Arguments& arguments) {
   arguments.flag("--force", seen->force, "force");
   arguments.choice("--mode", seen->mode, {"a", "b"}, "mode");
   arguments.values("-D,--define", seen->defines, "NAME", "define");
+  arguments.values_if_any("--update", seen->updates, "NAME", "update");
   return [seen](Context&) { return 7; };
 }
 
@@ -79,6 +81,14 @@ TEST(Arguments, ValuesOfListsTakeOneWordEach) {
   ASSERT_TRUE(parsed.invocation.ok()) << parsed.invocation.errors()[0].message;
   EXPECT_EQ(last_seen->defines, std::vector<std::string>{"A"});
   EXPECT_EQ(last_seen->input, "x.yaml");
+}
+
+TEST(Arguments, AListsOptionMayStandAlone) {
+  ASSERT_TRUE(parse({"demo", "--update", "a", "x.yaml", "--update"}).invocation.ok());
+  EXPECT_EQ(last_seen->updates, (std::vector<std::string>{"a", ""}));
+  EXPECT_EQ(last_seen->input, "x.yaml");
+  ASSERT_TRUE(parse({"demo", "--update"}).invocation.ok());
+  EXPECT_EQ(last_seen->updates, std::vector<std::string>{""});
 }
 
 TEST(Arguments, DefaultsStay) {

@@ -1,0 +1,36 @@
+// See channel_choice.hpp.
+#include "cli/channel_choice.hpp"
+
+#include <filesystem>
+
+#include "bundler/store/store.hpp"
+
+namespace ros2wasm {
+namespace {
+
+std::string variable(const Context& context, const std::string& name) {
+  const auto found = context.environment.find(name);
+  return found == context.environment.end() ? std::string() : found->second;
+}
+
+}  // namespace
+
+Outcome<OpenChannels> open_chosen_channels(const ChannelChoice& choice, const Context& context) {
+  std::error_code error;
+  ChannelRoots roots{.working_directory = std::filesystem::current_path(error),
+                     .embedded = {},
+                     .cache = default_cache_directory(variable(context, "XDG_CACHE_HOME"),
+                                                      variable(context, "HOME")),
+                     .network = network_of(context.environment)};
+  roots.network.offline = choice.offline;
+  if (!choice.platform.empty()) roots.platform = choice.platform;
+  if (auto embedded = embedded_channel(context.executable)) roots.embedded = std::move(*embedded);
+  std::vector<ChannelSource> channels;
+  for (const std::string& name : choice.channels) channels.push_back({.name = name, .span = {}});
+  if (channels.empty()) channels.push_back({.name = "embedded", .span = {}});
+  const auto addresses = channel_addresses(channels, roots);
+  if (!addresses) return addresses.errors();
+  return open_channels(*addresses, roots, context.cancellation, context.progress);
+}
+
+}  // namespace ros2wasm

@@ -1,0 +1,115 @@
+// `ros2wasm search SPEC`: what the channels have that fits.
+#include <algorithm>
+#include <memory>
+
+#include "cli/arguments.hpp"
+#include "cli/channel_choice.hpp"
+#include "cli/console.hpp"
+#include "workspace_schema/json_writer.hpp"
+#include "workspace_schema/match_spec.hpp"
+#include "workspace_schema/suggestion.hpp"
+
+namespace ros2wasm {
+namespace {
+
+struct SearchOptions {
+  std::string spec;
+  ChannelChoice choice;
+};
+
+struct Found {
+  PackageRecord record;
+  Version version;
+};
+
+/// By name, newest first; the rest only so that the order is one.
+bool comes_before(const Found& a, const Found& b) {
+  if (a.record.name != b.record.name) return a.record.name < b.record.name;
+  if (const auto order = a.version <=> b.version; order != 0) return order > 0;
+  if (a.record.build_number != b.record.build_number)
+    return a.record.build_number > b.record.build_number;
+  return a.record.url < b.record.url;
+}
+
+Outcome<std::vector<Found>> search(const MatchSpec& spec, const OpenChannels& open,
+                                   const Cancellation& cancellation) {
+  const std::vector<std::string> wanted{spec.text()};
+  // A pattern may speak of any name.
+  auto index = spec.exact_name() ? open.reachable(wanted, ChannelPriority::kDisabled, cancellation)
+                                 : open.everything(cancellation);
+  if (!index) return std::move(index).errors();
+  std::vector<Found> found;
+  for (PackageRecord& record : index->records) {
+    if (!spec.name().matches(record.name)) continue;
+    auto version = Version::parse(record.version);
+    if (version && spec.matches(record, *version))
+      found.push_back({std::move(record), std::move(*version)});
+  }
+  std::sort(found.begin(), found.end(), comes_before);
+  return found;
+}
+
+Diagnostic nothing_fits(const MatchSpec& spec, const OpenChannels& open) {
+  Diagnostic made{.code = "R2W0332",
+                  .message = "no package of the channels fits `" + spec.text() + "`"};
+  const auto name = spec.exact_name();
+  const auto& names = open.names();
+  if (!name) return made;
+  if (std::binary_search(names.begin(), names.end(), *name)) {
+    made.why.push_back("there are other versions or builds: `ros2wasm search " + *name + "`");
+  } else if (const auto similar = nearest(*name, names)) {
+    made.why.push_back("there is `" + *similar + "`");
+  }
+  return made;
+}
+
+void show(Context& context, const std::vector<Found>& found) {
+  if (!context.json) {
+    for (const auto& [record, version] : found) {
+      context.console.result(record.name + " " + record.version + " " + record.build + "  " +
+                             record.subdir + "  " + record.channel);
+    }
+    return;
+  }
+  JsonWriter json;
+  json.begin_object().key("packages").begin_array();
+  for (const auto& [record, version] : found) {
+    json.begin_object().field("name", record.name).field("version", record.version);
+    json.field("build", record.build).field("subdir", record.subdir);
+    json.field("channel", record.channel).field("url", record.url).field("sha256", record.sha256);
+    json.key("size").unsigned_integer(record.size).field("license", record.license);
+    json.key("depends").begin_array();
+    for (const std::string& one : record.depends) json.string(one);
+    json.end_array().end_object();
+  }
+  json.end_array().end_object();
+  context.console.result(json.text());
+}
+
+int run(Context& context, const SearchOptions& options) {
+  const auto spec = MatchSpec::parse(options.spec);
+  if (!spec) return context.console.fail(spec.errors());
+  const auto open = open_chosen_channels(options.choice, context);
+  if (!open) return context.console.fail(open.errors());
+  const auto found = search(*spec, *open, context.cancellation);
+  if (!found) return context.console.fail(found.errors());
+  if (found->empty()) return context.console.fail(nothing_fits(*spec, *open));
+  show(context, *found);
+  return 0;
+}
+
+}  // namespace
+
+CommandBody search_command(Arguments& arguments) {
+  const auto options = std::make_shared<SearchOptions>();
+  arguments.required("SPEC", options->spec, "a conda match spec: ros-jazzy-*, \"python >=3.11\"");
+  arguments.values(
+      "-c,--channel", options->choice.channels, "CHANNEL",
+      "A folder, an address, or a name such as conda-forge; the embedded channel if none");
+  arguments.flag("--offline", options->choice.offline, "use only what is on this machine");
+  arguments.examples({"ros2wasm search \"ros-jazzy-*msgs\"",
+                      "ros2wasm search --channel conda-forge --json \"zlib >=1.3\""});
+  return [options](Context& context) { return run(context, *options); };
+}
+
+}  // namespace ros2wasm

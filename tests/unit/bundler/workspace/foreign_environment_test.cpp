@@ -126,8 +126,8 @@ run = { cmd = ["a", "b"], env = { X = "1" } }
   EXPECT_EQ(made.channels, (Texts{"https://host/forge", "other"}));
   EXPECT_EQ(made.specs, (Texts{"python >=3.11,<3.12", "forge::numpy 1.25.*[build='*_0']", "pkg.x",
                                "pyjs ==2.1"}));
-  EXPECT_EQ(made.left_out, (Texts{"own (from elsewhere than a channel)", "requests (of pypi-dependencies)",
-                                  "gcc (of target)"}));
+  EXPECT_EQ(made.left_out, (Texts{"own (from elsewhere than a channel)",
+                                  "requests (of pypi-dependencies)", "gcc (of target)"}));
   for (const char* text :
        {"", "[workspace]\nname = \"x\"", "[workspace", "[workspace]\nchannels = [",
         "[workspace]\nchannels = [\"x", "[dependencies]\na = \"><\"", "a.b"}) {

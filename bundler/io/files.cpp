@@ -10,6 +10,8 @@
 #include <cstdlib>
 #include <system_error>
 
+#include "bundler/io/replaced_file.hpp"
+
 namespace ros2wasm {
 namespace {
 
@@ -25,29 +27,10 @@ class Descriptor {
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
   [[nodiscard]] int get() const { return fd_; }
-  /// Closes now; false when the system reports that bytes were lost.
-  bool close() {
-    const int fd = fd_;
-    fd_ = -1;
-    return ::close(fd) == 0;
-  }
 
  private:
   int fd_;
 };
-
-/// 0 or the errno of the first failed write.
-int write_all(int fd, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(fd, bytes.data(), bytes.size());
-    if (written < 0) {
-      if (errno == EINTR) continue;
-      return errno;
-    }
-    bytes.remove_prefix(static_cast<std::size_t>(written));
-  }
-  return 0;
-}
 
 std::string system_reason(int errno_value) {
   return std::error_code(errno_value, std::generic_category()).message();
@@ -111,21 +94,10 @@ Outcome<Done> write_file(const fs::path& path, std::string_view bytes) {
     const auto old = read_file(path);
     if (old && *old == bytes) return Done{};
   }
-  if (path.has_parent_path()) {
-    if (auto made = make_directories(path.parent_path()); !made) return made;
-  }
-  std::string beside = path.string() + ".XXXXXX";
-  Descriptor file(::mkostemp(beside.data(), O_CLOEXEC));
-  if (file.get() < 0) return cannot_write(path, errno);
-  int failed = write_all(file.get(), bytes);
-  if (failed == 0 && ::fchmod(file.get(), 0644) != 0) failed = errno;
-  if (!file.close() && failed == 0) failed = errno;
-  if (failed == 0 && ::rename(beside.c_str(), path.c_str()) != 0) failed = errno;
-  if (failed != 0) {
-    ::unlink(beside.c_str());
-    return cannot_write(path, failed);
-  }
-  return Done{};
+  auto file = ReplacedFile::begin(path);
+  if (!file) return std::move(file).errors();
+  if (auto written = file->append(bytes); !written) return written;
+  return file->finish();
 }
 
 Outcome<Done> make_directories(const fs::path& path) {

@@ -2,6 +2,7 @@
 #include "bundler/io/replaced_file.hpp"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -14,12 +15,15 @@
 namespace ros2wasm {
 
 Outcome<ReplacedFile> ReplacedFile::begin(const std::filesystem::path& path) {
-  if (auto made = make_directories(path.parent_path()); !made) return std::move(made).errors();
+  if (path.has_parent_path()) {
+    if (auto made = make_directories(path.parent_path()); !made) return std::move(made).errors();
+  }
   ReplacedFile writer(path);
   std::string pattern = path.string() + ".XXXXXX";
   writer.file_ = ::mkostemp(pattern.data(), O_CLOEXEC);
   if (writer.file_ < 0) return cannot_write(path, errno);
   writer.beside_ = pattern;
+  if (::fchmod(writer.file_, 0644) != 0) return cannot_write(path, errno);
   return writer;
 }
 

@@ -107,12 +107,12 @@ Diagnostic cycle_error(const std::vector<LocalPackage>& packages, const Indices&
 /// Everything reachable over `direct`, in the order of `order`.
 Indices closure(std::size_t index, const std::vector<Indices>& direct, const Indices& order) {
   std::set<std::size_t> reached;
-  Indices todo = direct[index];
-  while (!todo.empty()) {
-    const std::size_t next = todo.back();
-    todo.pop_back();
+  Indices pending = direct[index];
+  while (!pending.empty()) {
+    const std::size_t next = pending.back();
+    pending.pop_back();
     if (reached.insert(next).second)
-      todo.insert(todo.end(), direct[next].begin(), direct[next].end());
+      pending.insert(pending.end(), direct[next].begin(), direct[next].end());
   }
   Indices result;
   for (const std::size_t one : order) {

@@ -137,7 +137,7 @@ export const texts = {
     sizeOf: (files: string, bytes: string): string => `${files} files, ${bytes}`,
     offline: 'Offline',
     offlineYes: 'kept in this browser: opens again without a network',
-    offlineNo: 'not kept: this browser allows no service worker here',
+    offlineNo: 'not kept: a file did not come, or this browser allows no service worker here',
     generator: 'Made with',
     copyReport: 'Copy a report',
     reportHint: 'for a bug report: versions, states and problems, no console text.',

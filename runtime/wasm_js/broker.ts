@@ -3,12 +3,12 @@
 
 import { BusEndpoint, BusHeader, BusNode, BusParticipant, BusParticipantState, BusPhase } from '../protocol/generated/constants.ts';
 import { type Bus, createBus, type BusOptions } from './bus.ts';
-import { departEndpoint, logChange, nodeBit, readEndpoint, releaseEndpoint } from './bus_tables.ts';
+import { bumpGeneration, departEndpoint, logChange, nodeBit, readEndpoint, releaseEndpoint } from './bus_tables.ts';
 import { relate } from './graph.ts';
 import type { LinkTicket } from './open_link.ts';
 import { PortLink } from './port_link.ts';
 import type { PeerPort } from './port_messages.ts';
-import { endpointKey, findCursor } from './shared_ring.ts';
+import { endpointKey, findCursor, previousGeneration } from './shared_ring.ts';
 import { SharedLink } from './shared_link.ts';
 
 export interface Admission {
@@ -70,8 +70,8 @@ export class SharedBroker implements Broker {
       if ((state & 255) === BusPhase.claimed) {
         // It died while it made or freed this one: nobody else has seen it.
         bus.freeAll(key);
-        bus.freeAll(endpointKey(index, (key >>> 13) - 1));
-        Atomics.add(i32, word + BusEndpoint.generation, 1);
+        bus.freeAll(endpointKey(index, previousGeneration(key >>> 13)));
+        bumpGeneration(i32, word);
         Atomics.store(i32, word, BusPhase.free);
         logChange(bus, index);
       } else {
@@ -160,12 +160,15 @@ export class SharedBroker implements Broker {
   }
 }
 
+/** Beside the page itself; more do not fit into the keys of endpoints. */
+const mostParticipants = 0x7ff;
+
 export class PortBroker implements Broker {
   readonly kind = 'port';
   readonly link: PortLink;
   private readonly session: readonly [number, number];
   private readonly controls = new Map<number, MessagePort>();
-  private next = 1;
+  private last = 0;
 
   constructor() {
     const random = crypto.getRandomValues(new Int32Array(2));
@@ -176,9 +179,8 @@ export class PortBroker implements Broker {
   }
 
   admit(): Admission | undefined {
-    const participant = this.next;
-    if (participant > 0x7ff) return undefined;
-    this.next += 1;
+    const participant = this.freeNumber();
+    if (participant === undefined) return undefined;
     const control = new MessageChannel();
     const peers: PeerPort[] = [];
     for (const [other, port] of this.controls) {
@@ -191,6 +193,13 @@ export class PortBroker implements Broker {
     this.controls.set(participant, control.port1);
     const ticket: LinkTicket = { kind: 'port', participant, session: this.session, control: control.port2, peers };
     return { participant, ticket, transfer: [control.port2, ...peers.map((peer) => peer.port)] };
+  }
+
+  /** In turn, so that a number rests as long as may be before it comes again. */
+  private freeNumber(): number | undefined {
+    if (this.controls.size > mostParticipants) return undefined;
+    do this.last = this.last % mostParticipants + 1; while (this.controls.has(this.last));
+    return this.last;
   }
 
   stop(participant: number): void {

@@ -3,7 +3,7 @@
 // worker that is terminated at any instruction leaves nothing locked. Layout: protocol/SPEC.md section 4.
 
 import {
-  BusEndpoint, BusHeader, BusNode, BusParticipant, BusParticipantState, BusSizes, ErrorCode, protocolVersion,
+  BusHeader, BusParticipant, BusParticipantState, BusSizes, ErrorCode, protocolVersion,
 } from '../protocol/generated/constants.ts';
 
 const magic = 0x52325742;
@@ -258,11 +258,3 @@ export function createBus(options: BusOptions = {}): Bus {
 export function readText(bus: Bus, offset: number, length: number): string {
   return new TextDecoder().decode(bus.u8.slice(offset, offset + length));
 }
-
-export const endpointStrings = {
-  name: BusEndpoint.nameBytes,
-  type: BusEndpoint.typeBytes,
-  hash: BusEndpoint.hashBytes,
-} as const;
-
-export const nodeStrings = { namespace: BusNode.namespaceBytes, name: BusNode.nameBytes } as const;

@@ -3,7 +3,7 @@
 import { BusEndpoint, BusHeader, BusPhase } from '../protocol/generated/constants.ts';
 import { type Bus, readText } from './bus.ts';
 import type { EndpointRecord } from './graph.ts';
-import { endpointKey, keyIndex } from './shared_ring.ts';
+import { endpointKey, keyIndex, nextGeneration } from './shared_ring.ts';
 
 const encoder = new TextEncoder();
 
@@ -120,6 +120,11 @@ export function readEndpoint(bus: Bus, index: number): { record: EndpointRecord;
   return { record, departed: phase === BusPhase.departed };
 }
 
+/** A claimed slot's next generation, within the bits that a key has for it. */
+export function bumpGeneration(i32: Int32Array, word: number): void {
+  Atomics.store(i32, word + BusEndpoint.generation, nextGeneration(Atomics.load(i32, word + BusEndpoint.generation)));
+}
+
 /** Frees the slot and the pages of an endpoint that departed. */
 export function releaseEndpoint(bus: Bus, key: number, participant: number): void {
   const word = bus.endpointWord(keyIndex(key));
@@ -129,7 +134,7 @@ export function releaseEndpoint(bus: Bus, key: number, participant: number): voi
   const claimed = (departed & ~255) | BusPhase.claimed;
   if (Atomics.compareExchange(i32, word, departed, claimed) !== departed) return;
   const pages = Atomics.load(i32, word + BusEndpoint.ring) !== 0 || Atomics.load(i32, word + BusEndpoint.table) !== 0;
-  Atomics.add(i32, word + BusEndpoint.generation, 1);
+  bumpGeneration(i32, word);
   Atomics.store(i32, word + BusEndpoint.ring, 0);
   Atomics.store(i32, word + BusEndpoint.hazard, 0);
   if (pages) bus.freeAll(key);

@@ -1,7 +1,7 @@
 // Module "ros2wasm": the link, as a program calls it. protocol/SPEC.md section 3.
 
 import {
-  abiVersion, EndpointDescLayout, EndpointStatusLayout, ErrorCode, SampleInfoLayout, type StatusKind,
+  abiVersion, EndpointDescLayout, EndpointStatusLayout, ErrorCode, type StatusKind,
 } from '../protocol/generated/constants.ts';
 import { encodeGraph } from './graph_snapshot.ts';
 import type { Link } from './link.ts';
@@ -109,5 +109,3 @@ export function hostImports(link: Link, memory: () => ProgramMemory, idle: () =>
     thread_create_required: (): number => ErrorCode.unsupported,
   };
 }
-
-export const sampleInfoSize = SampleInfoLayout.size;

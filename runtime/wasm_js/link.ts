@@ -74,8 +74,6 @@ export interface Link {
   wakeToken(): number;
   /** Blocks (shared) or suspends (port). A negative timeout means none. */
   wait(token: number, timeoutMs: number): WaitResult | Promise<WaitResult>;
-  /** The same without blocking the thread, for a page or a test on its main thread. */
-  waitAsync(token: number, timeoutMs: number): Promise<WaitResult>;
   wake(): void;
   sleep(durationMs: number): WaitResult | Promise<WaitResult>;
   stopRequested(): boolean;

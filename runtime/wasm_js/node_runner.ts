@@ -101,8 +101,8 @@ export class NodeRunner {
       this.start();
       return;
     }
-    if (!this.stopping) this.stop();
     this.again = true;
+    if (!this.stopping) this.stop();
   }
 
   /** Ends the node wherever it is. */

@@ -46,6 +46,8 @@ interface Arrivals {
 const smallPayload = 64 << 10;
 /** A program that never waits long must still let messages in. */
 const longestRunMs = 4;
+/** A timer that is set for longer fires at once. */
+const longestTimerMs = 2 ** 31 - 1;
 const encoder = new TextEncoder();
 
 export class PortLink implements Link {
@@ -64,8 +66,8 @@ export class PortLink implements Link {
   private stops = 0;
   private stopsTold = 0;
   private lastYield = performance.now();
-  private waiters: (() => void)[] = [];
-  private sleepers: (() => void)[] = [];
+  private readonly waiters = new Set<() => void>();
+  private readonly sleepers = new Set<() => void>();
   private readonly turn = new MessageChannel();
   private turns: (() => void)[] = [];
   private closed = false;
@@ -83,9 +85,13 @@ export class PortLink implements Link {
     for (const peer of peers) this.addPeer(peer);
   }
 
+  /** Numbers of participants come again: what an earlier one left ends here, and its late words are not heard. */
   addPeer({ participant, port }: PeerPort): void {
+    if (this.peers.has(participant)) this.dropPeer(participant);
     this.peers.set(participant, port);
-    port.addEventListener('message', (event) => this.onPeer(participant, (event as MessageEvent<unknown>).data));
+    port.addEventListener('message', (event) => {
+      if (this.peers.get(participant) === port) this.onPeer(participant, (event as MessageEvent<unknown>).data);
+    });
     port.start();
     unref(port);
     for (const node of this.graphReplica.nodes.values()) {
@@ -237,6 +243,7 @@ export class PortLink implements Link {
       own.reader?.shut(key);
       own.expected.delete(key);
       own.matched.delete(key);
+      own.strangers.delete(key);
     }
     this.arrivals.delete(key);
     this.samples.delete(key);
@@ -316,30 +323,20 @@ export class PortLink implements Link {
     return this.token;
   }
 
-  wait(token: number, timeoutMs: number): Promise<WaitResult> {
-    return this.waitAsync(token, timeoutMs);
-  }
-
   private tellStop(): boolean {
     if (this.stops === this.stopsTold) return false;
     this.stopsTold = this.stops;
     return true;
   }
 
-  async waitAsync(token: number, timeoutMs: number): Promise<WaitResult> {
+  async wait(token: number, timeoutMs: number): Promise<WaitResult> {
     if (this.tellStop()) return WaitResult.stop;
     if (this.token !== token) {
       if (performance.now() - this.lastYield > longestRunMs) await this.yieldTurn();
     } else if (timeoutMs === 0) {
       await this.yieldTurn();
     } else {
-      await new Promise<void>((resolve) => {
-        const timer = timeoutMs > 0 ? setTimeout(resolve, timeoutMs) : undefined;
-        this.waiters.push(() => {
-          clearTimeout(timer);
-          resolve();
-        });
-      });
+      await rest(this.waiters, timeoutMs);
       this.lastYield = performance.now();
     }
     if (this.token === token) return WaitResult.timeout;
@@ -359,9 +356,7 @@ export class PortLink implements Link {
 
   wake(): void {
     this.token = (this.token + 1) | 0;
-    const { waiters } = this;
-    this.waiters = [];
-    for (const waiter of waiters) waiter();
+    for (const end of [...this.waiters]) end();
   }
 
   async sleep(durationMs: number): Promise<WaitResult> {
@@ -369,13 +364,7 @@ export class PortLink implements Link {
     if (durationMs <= 0) {
       await this.yieldTurn();
     } else {
-      await new Promise<void>((resolve) => {
-        const timer = setTimeout(resolve, durationMs);
-        this.sleepers.push(() => {
-          clearTimeout(timer);
-          resolve();
-        });
-      });
+      await rest(this.sleepers, durationMs);
     }
     this.lastYield = performance.now();
     return this.tellStop() ? WaitResult.stop : WaitResult.woken;
@@ -462,9 +451,7 @@ export class PortLink implements Link {
         return;
       case 'stop': {
         this.stops += 1;
-        const { sleepers } = this;
-        this.sleepers = [];
-        for (const sleeper of sleepers) sleeper();
+        for (const end of [...this.sleepers]) end();
         this.wake();
         return;
       }
@@ -586,6 +573,26 @@ export class PortLink implements Link {
   private post(participant: number, message: PeerMessage): void {
     this.peers.get(participant)?.postMessage(message);
   }
+}
+
+/** Until the time is over (negative: never) or somebody calls what stands in `ends` meanwhile. */
+function rest(ends: Set<() => void>, durationMs: number): Promise<void> {
+  return new Promise((resolve) => {
+    const deadline = performance.now() + durationMs;
+    let timer: ReturnType<typeof setTimeout> | undefined;
+    const end = (): void => {
+      clearTimeout(timer);
+      ends.delete(end);
+      resolve();
+    };
+    const check = (): void => {
+      const left = deadline - performance.now();
+      if (left <= 0) end();
+      else timer = setTimeout(check, Math.min(left, longestTimerMs));
+    };
+    ends.add(end);
+    if (durationMs >= 0) check();
+  });
 }
 
 function unref(port: MessagePort): void {

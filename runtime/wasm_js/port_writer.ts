@@ -6,7 +6,8 @@ import {
 } from '../protocol/generated/constants.ts';
 import type { EndpointRecord } from './graph.ts';
 
-/** Frames and bytes on the way to one peer; at least one frame may always go. */
+/** Frames and bytes on the way to one peer. A peer acknowledges from a quarter of either; below it another frame may
+ * always go, however large. */
 export const windowFrames = 64;
 export const windowBytes = 16 << 20;
 
@@ -108,8 +109,8 @@ export class PortWriter {
     while (peer.waiting.length > 0) {
       const next = peer.waiting[0]!;
       const bytes = next.buffer.byteLength;
-      const room = peer.flying.length < windowFrames && peer.flyingBytes + bytes <= windowBytes;
-      if (peer.flying.length > 0 && !room) return;
+      const fits = peer.flyingBytes < windowBytes / 4 || peer.flyingBytes + bytes <= windowBytes;
+      if (peer.flying.length >= windowFrames || !fits) return;
       peer.waiting.shift();
       if (participant !== this.record.participant) {
         peer.flying.push({ sequence: next.sequence | 0, bytes });

@@ -84,12 +84,13 @@ function keyOf(url: string, sha256: string): string {
   return `${url}?sha256=${sha256}`;
 }
 
-/** Stores a file under its hash, if it has it. */
-async function keep(url: string, sha256: string, response: Response): Promise<void> {
+/** Stores a file under its hash, if it has it; else false. */
+async function keep(url: string, sha256: string, response: Response): Promise<boolean> {
   const bytes = await response.arrayBuffer();
-  if (await digest(bytes) !== sha256) return;
+  if (await digest(bytes) !== sha256) return false;
   const cache = await caches.open(cacheName);
   await cache.put(keyOf(url, sha256), new Response(bytes, { headers: response.headers }));
+  return true;
 }
 
 async function answer(event: FetchEvent): Promise<Response> {
@@ -104,14 +105,15 @@ async function answer(event: FetchEvent): Promise<Response> {
   const cache = await caches.open(cacheName);
   const kept = sha256 === undefined ? undefined : await cache.match(keyOf(file, sha256));
   if (kept !== undefined) return withHeaders(kept);
-  const response = await fetch(request);
+  // The host may let the browser keep files for long: the site was packed anew since, so ask.
+  const response = sha256 === undefined ? await fetch(request) : await fetch(request, { cache: 'no-cache' });
   if (sha256 !== undefined && response.ok && response.type === 'basic') {
     event.waitUntil(keep(file, sha256, response.clone()).catch(() => undefined));
   }
   return withHeaders(response);
 }
 
-/** Fetches all files of the site that are not kept yet, and drops those of older versions. */
+/** Fetches all files of the site that are not kept yet, and then drops those of older versions. */
 async function keepAll(): Promise<void> {
   await freshSite();
   const cache = await caches.open(cacheName);
@@ -122,8 +124,8 @@ async function keepAll(): Promise<void> {
     // Names of functions are for crash reports: kept once they were asked for.
     if (url.endsWith('.names')) continue;
     if (await cache.match(key) !== undefined) continue;
-    const response = await fetch(url);
-    if (response.ok) await keep(url, sha256, response);
+    const response = await fetch(url, { cache: 'no-cache' });
+    if (!response.ok || !await keep(url, sha256, response)) throw new Error(`${url} did not come as site.json names it`);
   }
   for (const { url } of await cache.keys()) if (!wanted.has(url)) await cache.delete(url);
 }

@@ -265,18 +265,6 @@ export class SharedLink implements Link {
     return this.tellStop() ? WaitResult.stop : WaitResult.woken;
   }
 
-  async waitAsync(token: number, timeoutMs: number): Promise<WaitResult> {
-    const { bus, word } = this;
-    const sleepers = word + BusParticipant.sleepers;
-    Atomics.add(bus.i32, sleepers, 1);
-    const limit = timeoutMs < 0 ? Infinity : timeoutMs;
-    const result = Atomics.waitAsync(bus.i32, word + BusParticipant.wake, token, limit);
-    const value = result.async ? await result.value : result.value;
-    Atomics.sub(bus.i32, sleepers, 1);
-    if (value === 'timed-out') return WaitResult.timeout;
-    return this.tellStop() ? WaitResult.stop : WaitResult.woken;
-  }
-
   wake(): void {
     this.bus.bump(this.participant);
   }

@@ -113,11 +113,6 @@ export class SharedReader {
     }
   }
 
-  /** Samples that were overwritten before this reader came to them. */
-  lost(): number {
-    return Atomics.load(this.bus.i32, this.word + BusEndpoint.lostTotal);
-  }
-
   private expired(heap: Heap, info: number, lifespanNs: number): boolean {
     const stamp = (heap.i32[info + 4]! >>> 0) + heap.i32[info + 5]! * 2 ** 32;
     return systemNanoseconds() - stamp > lifespanNs;

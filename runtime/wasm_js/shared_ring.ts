@@ -40,6 +40,17 @@ export function ringFramesOffset(log2: number): number {
   return BusSizes.ringHeader + (BusSizes.slot << log2);
 }
 
+/** Generations go from 1 to this and from 1 again. */
+const mostGenerations = 2 ** 19 - 1;
+
+export function nextGeneration(generation: number): number {
+  return generation % mostGenerations + 1;
+}
+
+export function previousGeneration(generation: number): number {
+  return (generation + mostGenerations - 2) % mostGenerations + 1;
+}
+
 /** Key of an endpoint: its slot and how often the slot was used. Never 0. */
 export function endpointKey(index: number, generation: number): number {
   return (generation << 13) | index;

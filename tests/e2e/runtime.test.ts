@@ -1,7 +1,8 @@
 // The runtime in Chromium: both links, hosts with and without headers, offline, and what the policy forbids.
 
 import assert from 'node:assert/strict';
-import { rmSync } from 'node:fs';
+import { readdirSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { type Browser, type BrowserContext, chromium, type Page } from 'playwright-core';
 import { chromiumOptions } from './chromium.ts';
@@ -113,17 +114,33 @@ test('offline after the first visit', watchdog, async () => {
   assert.equal(await page.evaluate(() => crossOriginIsolated), true);
 });
 
-test('a new version of the site is what the next visit shows', watchdog, async () => {
+test('a site of which a file does not come is not said to be kept', watchdog, async () => {
+  const host = await serveSite(folder, false, { broken: /decoder\.js$/ });
+  try {
+    const page = await open();
+    await page.goto(host.url);
+    await page.waitForFunction(() => document.documentElement.dataset['offline'] !== undefined, null, { timeout: 30_000 });
+    assert.equal(await page.evaluate(() => document.documentElement.dataset['offline']), 'not_kept');
+  } finally {
+    await host.close();
+  }
+});
+
+test('a new version of the site is what the next visit shows, whatever the browser may keep', watchdog, async () => {
   const changing = makeSite([{ program: 'talker.c' }, { program: 'listener.c' }]);
-  const host = await serveSite(changing, false);
+  const host = await serveSite(changing, false, { maxAge: 3600 });
   try {
     const page = await open();
     await page.goto(host.url);
     await heard(page);
     await page.waitForFunction(() => document.documentElement.dataset['offline'] === 'kept', null, { timeout: 30_000 });
+    // Another program under the name of the old one.
     const next = makeSite([{ program: 'echo.c' }]);
+    const programs = join(next, 'programs');
+    for (const file of readdirSync(programs)) renameSync(join(programs, file), join(programs, file.replace('echo', 'talker')));
+    const manifest = join(next, 'site.json');
+    writeFileSync(manifest, readFileSync(manifest, 'utf8').replaceAll('programs/echo', 'programs/talker'));
     rmSync(changing, { recursive: true });
-    const { renameSync } = await import('node:fs');
     renameSync(next, changing);
     await page.reload();
     await page.waitForFunction(() => (document.body?.textContent ?? "").includes('COLOUR=red'), null, { timeout: 30_000 });

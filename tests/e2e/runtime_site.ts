@@ -75,20 +75,34 @@ export interface Host {
   close(): Promise<void>;
 }
 
+export interface HostRules {
+  /** Seconds for which browsers need not ask again, as many hosts have it. */
+  readonly maxAge?: number;
+  /** Paths that the host fails to give. */
+  readonly broken?: RegExp;
+}
+
 /** Serves a folder under /some/path/, with or without the headers for isolation. */
-export async function serveSite(folder: string, isolated: boolean): Promise<Host> {
+export async function serveSite(folder: string, isolated: boolean, { maxAge, broken }: HostRules = {}): Promise<Host> {
   const prefix = '/some/path/';
   const requests: string[] = [];
-  const headers = { 'cross-origin-opener-policy': 'same-origin', 'cross-origin-embedder-policy': 'require-corp' };
+  const headers = {
+    ...(isolated ? { 'cross-origin-opener-policy': 'same-origin', 'cross-origin-embedder-policy': 'require-corp' } : {}),
+    ...(maxAge === undefined ? {} : { 'cache-control': `max-age=${maxAge}` }),
+  };
   const server: Server = createServer((request, response) => {
     const path = normalize(decodeURIComponent(new URL(request.url ?? '/', 'http://host').pathname));
     requests.push(path);
+    if (broken?.test(path)) {
+      response.writeHead(503).end();
+      return;
+    }
     const file = join(folder, path.slice(prefix.length - 1), path.endsWith('/') ? 'index.html' : '');
     try {
       if (!path.startsWith(prefix)) throw new Error('outside');
       const bytes = readFileSync(file);
       const type = types[extname(file)] ?? 'application/octet-stream';
-      response.writeHead(200, { 'content-type': type, ...(isolated ? headers : {}) }).end(bytes);
+      response.writeHead(200, { 'content-type': type, ...headers }).end(bytes);
     } catch {
       response.writeHead(404).end();
     }

@@ -265,6 +265,18 @@ export const scenes: readonly Scene[] = [
     },
   },
   {
+    name: 'a very large message comes right after small ones',
+    async run(world) {
+      const { a, b, pub, sub } = await pair(world, '/mixed', { depth: 10 });
+      for (const size of [10, 15 << 20, 10, 16 << 20]) {
+        check(await a.call('write', pub, new Uint8Array(size)) > 0, 'written');
+      }
+      for (const size of [10, 15 << 20, 10, 16 << 20]) {
+        equal((await b.call('takeNext', sub)).bytes.length, size, 'length');
+      }
+    },
+  },
+  {
     name: 'messages larger than there can be room for are refused',
     async run(world) {
       if (world.kind !== 'shared') return;

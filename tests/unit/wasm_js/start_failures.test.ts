@@ -1,4 +1,5 @@
-// Nodes that cannot start: no place on the bus, a worker whose script breaks, an engine that cannot suspend.
+// Nodes that cannot start: no place on the bus, a worker whose script breaks, an engine that cannot suspend; and one
+// that is slow to start.
 
 import assert from 'node:assert/strict';
 import { rmSync, writeFileSync } from 'node:fs';
@@ -52,4 +53,31 @@ test('R2W0705: neither shared memory nor an engine that suspends', watchdog, asy
   assert.deepEqual(await endOf(new PortBroker(), 'delete WebAssembly.Suspending;'), {
     kind: 'crashed', code: 'R2W0705', message: 'this browser can neither share memory with this page nor suspend a program',
   });
+});
+
+test('a node that is restarted while it starts runs', watchdog, async () => {
+  const folder = makeFolder([{ program: 'talker.c' }]);
+  const real = nodePlatform(folder, headless);
+  const asked: (() => void)[] = [];
+  const platform = {
+    ...real,
+    compile: async (path: string): Promise<WebAssembly.Module> => {
+      await new Promise<void>((resolve) => asked.push(resolve));
+      return real.compile(path);
+    },
+  };
+  const session = new SiteSession({
+    site: readSite(await real.json('site.json')), platform, broker: new SharedBroker({ ceiling: 64 << 20 }),
+  });
+  try {
+    session.startAll();
+    session.restart('talker-1');
+    assert.equal(asked.length, 2, 'two starts wait for the program');
+    for (const go of asked) go();
+    await reaches(session, 'talker-1', 'running');
+  } finally {
+    session.close();
+    real.close();
+    rmSync(folder, { recursive: true });
+  }
 });

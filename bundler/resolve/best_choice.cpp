@@ -1,9 +1,11 @@
-// See best_choice.hpp. Most requests need no search: taking the best candidate that nothing taken
-// before contradicts leads to the end, and then there is nothing better. Where that gets stuck, the
-// SAT engine says of each candidate whether a solution can have it.
+// See best_choice.hpp. One walk over the requirements, from the wanted ones outwards, that always
+// decides for the best candidate which is not ruled out. What a dead end teaches holds before the
+// decisions that it takes back; so in the end each decision was for the best that any solution has
+// there.
 #include "bundler/resolve/best_choice.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <optional>
 
 #include "bundler/resolve/consequences.hpp"
@@ -12,107 +14,117 @@
 namespace ros2wasm {
 namespace {
 
-/// One walk over the requirements, from the wanted ones outwards.
 class Walk {
  public:
   explicit Walk(const Universe& universe)
       : universe_(universe), consequences_(universe), taken_(universe.candidates.size(), false) {}
 
-  /// With an engine, and a solution of its to begin with, the walk cannot get stuck.
-  Walk(const Universe& universe, SatEngine& engine, const Choice& solution) : Walk(universe) {
-    engine_ = &engine;
-    use(solution);
-  }
-
-  /// Nothing when it got stuck.
+  /// Nothing when there is no solution.
   std::optional<Choice> choice() {
+    if (!consequences_.begin()) return std::nullopt;
     for (CandidateId id = 0; id < universe_.candidates.size(); ++id) {
-      if (!is_virtual(*universe_.candidates[id].record)) continue;
-      if (!consequences_.choose(id)) return std::nullopt;
-      take(id);
+      if (is_virtual(*universe_.candidates[id].record)) take(id);
     }
-    std::vector<RequirementId> round = universe_.wanted;
-    while (!round.empty()) {
-      sort_by_text(round);
-      next_round_.clear();
-      for (const RequirementId requirement : round) {
-        if (!serve(requirement)) return std::nullopt;
+    begin_round(universe_.wanted);
+    while (!rounds_.back().requirements.empty()) {
+      Round& round = rounds_.back();
+      if (round.served == round.requirements.size()) {
+        begin_round(round.next);
+      } else if (!serve(round.requirements[round.served])) {
+        return std::nullopt;
       }
-      round = next_round_;
     }
     std::sort(choice_.begin(), choice_.end());
     return choice_;
   }
 
  private:
-  void sort_by_text(std::vector<RequirementId>& round) const {
-    std::sort(round.begin(), round.end(), [this](RequirementId a, RequirementId b) {
+  struct Round {
+    std::vector<RequirementId> requirements;  ///< sorted by text
+    std::size_t served = 0;
+    std::vector<RequirementId> next;  ///< of those that were taken in this round
+  };
+  /// How far the walk was.
+  struct Place {
+    std::size_t rounds = 0;
+    std::size_t served = 0;  ///< in the last round
+    std::size_t next = 0;    ///< in the last round
+    std::size_t taken = 0;
+  };
+
+  void begin_round(std::vector<RequirementId> requirements) {
+    std::sort(requirements.begin(), requirements.end(), [this](RequirementId a, RequirementId b) {
       return universe_.requirement(a).text < universe_.requirement(b).text;
     });
-    round.erase(std::unique(round.begin(), round.end()), round.end());
+    requirements.erase(std::unique(requirements.begin(), requirements.end()), requirements.end());
+    rounds_.push_back({.requirements = std::move(requirements)});
   }
 
-  /// Takes the best provider that is possible.
+  /// Takes the best provider that is not ruled out, or goes back to where that was a dead end.
+  /// False: there is no solution.
   bool serve(RequirementId requirement) {
     const auto& providers = universe_.matches(requirement).providers;
-    if (std::any_of(providers.begin(), providers.end(),
-                    [this](CandidateId id) { return taken_[id]; })) {
-      return true;
+    if (std::none_of(providers.begin(), providers.end(),
+                     [this](CandidateId id) { return taken_[id]; })) {
+      const auto best = std::find_if(providers.begin(), providers.end(), [this](CandidateId id) {
+        return !consequences_.is_ruled_out(id);
+      });
+      assert(best != providers.end());  // else it would have been a dead end
+      if (!consequences_.is_chosen(*best)) {
+        decisions_.push_back(here());
+        if (!consequences_.choose(*best)) return false;
+        if (consequences_.depth() < decisions_.size()) {
+          go_back(decisions_[consequences_.depth()]);
+          decisions_.resize(consequences_.depth());
+          return true;
+        }
+      }
+      take(*best);
     }
-    const auto best = std::find_if(providers.begin(), providers.end(),
-                                   [this](CandidateId id) { return is_possible(id); });
-    if (best == providers.end()) return false;
-    take(*best);
+    ++rounds_.back().served;
     return true;
-  }
-
-  /// As far as is known: with an engine that is certain. Afterwards its consequences are drawn.
-  bool is_possible(CandidateId candidate) {
-    if (engine_ == nullptr || in_solution_[candidate]) return consequences_.choose(candidate);
-    const std::size_t before = consequences_.depth();
-    if (!consequences_.choose(candidate)) return false;
-    Choice fixed = choice_;
-    fixed.push_back(candidate);
-    const auto answer = engine_->solve(fixed);
-    if (const auto* solution = std::get_if<Choice>(&answer)) {
-      use(*solution);
-      return true;
-    }
-    consequences_.take_back(before);
-    return false;
   }
 
   void take(CandidateId candidate) {
     choice_.push_back(candidate);
     taken_[candidate] = true;
+    if (rounds_.empty()) return;  // virtual packages need nothing
     const auto& needs = universe_.needs(candidate).depends;
-    next_round_.insert(next_round_.end(), needs.begin(), needs.end());
+    auto& next = rounds_.back().next;
+    next.insert(next.end(), needs.begin(), needs.end());
   }
 
-  void use(const Choice& solution) {
-    in_solution_.assign(universe_.candidates.size(), false);
-    for (const CandidateId id : solution) in_solution_[id] = true;
+  [[nodiscard]] Place here() const {
+    const Round& round = rounds_.back();
+    return {.rounds = rounds_.size(),
+            .served = round.served,
+            .next = round.next.size(),
+            .taken = choice_.size()};
+  }
+
+  void go_back(const Place& place) {
+    rounds_.resize(place.rounds);
+    rounds_.back().served = place.served;
+    rounds_.back().next.resize(place.next);
+    for (std::size_t i = place.taken; i < choice_.size(); ++i) taken_[choice_[i]] = false;
+    choice_.resize(place.taken);
   }
 
   const Universe& universe_;
-  SatEngine* engine_ = nullptr;
-  Consequences consequences_;      ///< of all that was taken
-  std::vector<bool> in_solution_;  ///< by candidate: of a solution that has all that was taken
-  std::vector<bool> taken_;        ///< by candidate
-  Choice choice_;                  ///< what was taken, in that order
-  std::vector<RequirementId> next_round_;
+  Consequences consequences_;     ///< of all that was taken
+  std::vector<Place> decisions_;  ///< where the walk was before each
+  std::vector<Round> rounds_;
+  std::vector<bool> taken_;  ///< by candidate
+  Choice choice_;            ///< what was taken, in that order
 };
 
 }  // namespace
 
 std::variant<Choice, Proof> best_choice(const Universe& universe) {
   if (auto choice = Walk(universe).choice()) return std::move(*choice);
-  SatEngine engine(universe);
-  auto answer = engine.solve({});
-  if (auto* solution = std::get_if<Choice>(&answer)) {
-    if (auto choice = Walk(universe, engine, *solution).choice()) return std::move(*choice);
-  }
-  return answer;
+  Proof proof = why_impossible(universe);
+  assert(!proof.empty());  // both engines say so
+  return proof;
 }
 
 }  // namespace ros2wasm

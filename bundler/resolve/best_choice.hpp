@@ -7,8 +7,10 @@
 
 namespace ros2wasm {
 
-/// The candidates that are needed and no others, in ascending order. The answer depends on the
-/// universe only, not on how the SAT engine searches.
+/// Candidates that are chosen, in ascending order.
+using Choice = std::vector<CandidateId>;
+
+/// The candidates that are needed and no others, in ascending order. Or, where nothing fits, why.
 [[nodiscard]] std::variant<Choice, Proof> best_choice(const Universe& universe);
 
 }  // namespace ros2wasm

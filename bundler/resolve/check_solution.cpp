@@ -21,8 +21,9 @@ class Checker {
     add(virtual_);
   }
 
-  /// `who` needs (or, where `if_there`, restricts) `text`.
-  void require(const std::string& who, const std::string& text, bool if_there) {
+  /// `who` needs (or, where `limiting` is given, that one limits others to) `text`.
+  void require(const std::string& who, const std::string& text,
+               const PackageRecord* limiting = nullptr) {
     const auto spec = MatchSpec::parse(text);
     if (!spec) {
       faults_.push_back(fault(who + " `" + text + "`: " + spec.errors().front().message));
@@ -32,7 +33,7 @@ class Checker {
     bool match_there = false;
     const PackageRecord* other = nullptr;
     const auto look_at = [&](const PackageRecord& record) {
-      if (!spec->name().matches(record.name)) return;
+      if (&record == limiting || !spec->name().matches(record.name)) return;
       name_there = true;
       if (spec->matches(record)) {
         match_there = true;
@@ -45,7 +46,7 @@ class Checker {
     } else {
       for (const auto& [name_of_record, record] : by_name_) look_at(*record);
     }
-    if (if_there ? other == nullptr : match_there) return;
+    if (limiting != nullptr ? other == nullptr : match_there) return;
     const std::string instead =
         other == nullptr ? "nothing like it is there"
                          : other->name + " " + other->version + " " + other->build + " is there";
@@ -74,14 +75,13 @@ Diagnostics check_solution(const std::vector<RequestedSpec>& specs,
                            const std::vector<PackageRecord>& packages) {
   Checker checker(packages);
   for (const RequestedSpec& spec : specs) {
-    checker.require((spec.origin.empty() ? "the workspace" : spec.origin) + " asks for", spec.text,
-                    false);
+    checker.require((spec.origin.empty() ? "the workspace" : spec.origin) + " asks for", spec.text);
   }
   for (const PackageRecord& record : packages) {
     const std::string who = record.name + " " + record.version;
-    for (const std::string& text : record.depends) checker.require(who + " needs", text, false);
+    for (const std::string& text : record.depends) checker.require(who + " needs", text);
     for (const std::string& text : record.constrains)
-      checker.require(who + " allows only", text, true);
+      checker.require(who + " allows only", text, &record);
   }
   return checker.take();
 }

@@ -2,6 +2,9 @@
 #include "bundler/resolve/locked_solve.hpp"
 
 #include <algorithm>
+#include <set>
+#include <string_view>
+#include <utility>
 
 #include "bundler/io/files.hpp"
 
@@ -19,13 +22,11 @@ Diagnostic lock_does_not_fit(const std::filesystem::path& file, std::vector<std:
 /// Records of the lock that are still in the index, exactly as they were.
 std::vector<PackageRecord> still_there(const std::vector<PackageRecord>& locked,
                                        const RepoIndex& index) {
+  std::set<std::pair<std::string_view, std::string_view>> there;  // url, sha256
+  for (const PackageRecord& record : index.records) there.emplace(record.url, record.sha256);
   std::vector<PackageRecord> result;
   for (const PackageRecord& one : locked) {
-    if (std::any_of(index.records.begin(), index.records.end(), [&](const PackageRecord& record) {
-          return record.url == one.url && record.sha256 == one.sha256;
-        })) {
-      result.push_back(one);
-    }
+    if (there.contains({one.url, one.sha256})) result.push_back(one);
   }
   return result;
 }

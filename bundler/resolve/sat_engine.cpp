@@ -38,10 +38,8 @@ class IdQueue {
   Queue queue_{};
 };
 
-}  // namespace
-
 /// A Universe as libsolv's pool, with the way back from its Ids.
-class SatEngine::SolvPool {
+class SolvPool {
  public:
   explicit SolvPool(const Universe& universe)
       : universe_(universe), pool_(pool_create(), pool_free) {
@@ -65,7 +63,7 @@ class SatEngine::SolvPool {
     pool_createwhatprovides(pool_.get());
   }
 
-  std::variant<Choice, Proof> solve(std::span<const CandidateId> fixed) {
+  Proof proof() {
     IdQueue job;
     const auto install = [&job](Id need) {
       queue_push2(job.get(), SOLVER_INSTALL | SOLVER_SOLVABLE_PROVIDES, need);
@@ -81,16 +79,10 @@ class SatEngine::SolvPool {
       return universe_.requirement(a).text < universe_.requirement(b).text;
     });
     for (const RequirementId id : wanted) install(needs_[id]);
-    for (const CandidateId id : fixed)
-      queue_push2(job.get(), SOLVER_INSTALL | SOLVER_SOLVABLE, solvables_[id]);
     const SolverPointer solver(solver_create(pool_.get()), solver_free);
     solver_set_flag(solver.get(), SOLVER_FLAG_IGNORE_RECOMMENDED, 1);
-    if (solver_solve(solver.get(), job.get()) != 0) return proof(solver.get());
-    Choice choice;
-    for (CandidateId id = 0; id < solvables_.size(); ++id) {
-      if (solver_get_decisionlevel(solver.get(), solvables_[id]) > 0) choice.push_back(id);
-    }
-    return choice;
+    if (solver_solve(solver.get(), job.get()) == 0) return {};
+    return problems(solver.get());
   }
 
  private:
@@ -126,7 +118,7 @@ class SatEngine::SolvPool {
     candidate_of_.emplace(solvable_id, id);
   }
 
-  Proof proof(Solver* solver) {
+  Proof problems(Solver* solver) {
     Proof conflicts;
     const auto count = static_cast<Id>(solver_problem_count(solver));
     for (Id problem = 1; problem <= count; ++problem) {
@@ -176,11 +168,10 @@ class SatEngine::SolvPool {
   std::unordered_map<Id, CandidateId> candidate_of_;
 };
 
-SatEngine::SatEngine(const Universe& universe) : pool_(std::make_unique<SolvPool>(universe)) {}
-SatEngine::~SatEngine() = default;
+}  // namespace
 
-std::variant<Choice, Proof> SatEngine::solve(std::span<const CandidateId> fixed) {
-  return pool_->solve(fixed);
+Proof why_impossible(const Universe& universe) {
+  return SolvPool(universe).proof();
 }
 
 }  // namespace ros2wasm

@@ -1,11 +1,6 @@
-// The SAT engine: which candidates are chosen, or the rules that cannot all hold. libsolv ends in
-// sat_engine.cpp.
+// The proof that nothing fits: the rules that cannot all hold. libsolv ends in sat_engine.cpp.
 #pragma once
 
-#include <memory>
-#include <optional>
-#include <span>
-#include <variant>
 #include <vector>
 
 #include "bundler/resolve/universe.hpp"
@@ -25,25 +20,10 @@ struct ProofRule {
   CandidateId other = 0;
 };
 
-/// Candidates that are chosen, in ascending order.
-using Choice = std::vector<CandidateId>;
 /// One list of rules per independent conflict.
 using Proof = std::vector<std::vector<ProofRule>>;
 
-/// Says whether there is a solution, and gives one; which of many is best_choice()'s business.
-class SatEngine {
- public:
-  explicit SatEngine(const Universe& universe);
-  ~SatEngine();
-  SatEngine(const SatEngine&) = delete;
-  SatEngine& operator=(const SatEngine&) = delete;
-
-  /// A solution of all that is wanted in which all of `fixed` are chosen.
-  [[nodiscard]] std::variant<Choice, Proof> solve(std::span<const CandidateId> fixed);
-
- private:
-  class SolvPool;
-  std::unique_ptr<SolvPool> pool_;
-};
+/// The rules that contradict each other when nothing fits; empty when something does.
+[[nodiscard]] Proof why_impossible(const Universe& universe);
 
 }  // namespace ros2wasm

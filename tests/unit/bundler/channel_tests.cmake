@@ -10,6 +10,7 @@ add_executable(bundler_channel_test
   io/files_test.cpp
   io/kept_folder_test.cpp
   resolve/check_solution_test.cpp
+  ${PROJECT_SOURCE_DIR}/tests/property/solve_against_libsolv_test.cpp
   ${PROJECT_SOURCE_DIR}/tests/property/solve_property_test.cpp
   resolve/solve_test.cpp
   store/environment_test.cpp

@@ -37,6 +37,16 @@ TEST(CheckSolution, EveryEdgeCounts) {
             Lines{"`b` is there twice"});
 }
 
+TEST(CheckSolution, NobodyIsInTheirOwnWay) {
+  PackageRecord a = made_record("ros-a", "1");
+  a.constrains = {"ros-* >=2"};
+  EXPECT_EQ(testing::answer({"ros-a"}, {a}), "ros-a 1");
+  EXPECT_EQ(faults({"ros-a"}, {a}), Lines{});
+  EXPECT_EQ(testing::answer({"ros-a", "ros-b"}, {a, made_record("ros-b", "1")}), "R2W0301");
+  EXPECT_EQ(faults({"ros-a"}, {a, made_record("ros-b", "1")}),
+            Lines{"ros-a 1 allows only `ros-* >=2`, but ros-b 1 h_0 is there"});
+}
+
 TEST(CheckSolution, EverySolutionIsOne) {
   const RepoIndex index =
       testing::index_of({made_record("a", "1", {"b", "c >=1"}), made_record("b", "1", {"c <3"}),

@@ -34,6 +34,8 @@ export function Page({ session, store, offline }: PageProps) {
   const [said, setSaid] = useState('');
   const announce = useCallback((text: string) => setSaid(text), []);
   useNodeNews(session, announce);
+  // Also while no panel shows them: a topic opened later has its last message.
+  useEffect(() => session.onTopics(() => undefined), [session]);
 
   const narrow = !middling;
   const focus = useMemo<NodeFocus>(

@@ -24,7 +24,7 @@ export const texts = {
     sharedLong:
       'This page is isolated by the browser, so the nodes share memory: a message is written once and wakes its readers directly.',
     portLong:
-      'This page could not be isolated by the browser, so the nodes pass messages through ports. Everything works; it is only slower.',
+      'This page could not be isolated by the browser, so the nodes pass messages through ports. Nodes that start threads cannot run here; all else works, slower.',
     portFix:
       'For the faster link, open the page by itself in a normal window: not inside a frame, not in a private window that forbids service workers. Or serve it with the headers \u201cCross-Origin-Opener-Policy: same-origin\u201d and \u201cCross-Origin-Embedder-Policy: require-corp\u201d, as \u201cros2wasm serve\u201d does.',
   },
@@ -105,6 +105,8 @@ export const texts = {
     lastMessage: 'Last message',
     lastOf: (name: string): string => `Last message of ${name}`,
     noMessage: 'No message has been published yet.',
+    fetching: 'Fetching the last message\u2026',
+    notKept: 'The last message was large and is gone with its publisher. Large ones are kept while their topic is open.',
     ago: (duration: string): string => `${duration} ago`,
     copy: (name: string): string => `Copy the last message of ${name} as YAML`,
     decoding: 'Loading the decoder\u2026',
@@ -117,7 +119,7 @@ export const texts = {
       best_effort: 'best effort',
       transient_local: 'transient local',
       volatile: 'volatile',
-      keep_last: (depth: number): string => `keep last ${depth}`,
+      keep_last: (depth: number): string => `keep\u00a0last\u00a0${depth}`,
       keep_all: 'keep all',
     },
   },

@@ -4,7 +4,7 @@ import { BusEndpoint, BusHeader, BusSizes, Durability, EndpointKind, History, Re
 import type { Broker } from './broker.ts';
 import type { EndpointRecord } from './graph.ts';
 import type { PortLink } from './port_link.ts';
-import { RateWindow } from './rate_window.ts';
+import { type Rate, RateWindow } from './rate_window.ts';
 import type { LastMessage, QosView, TopicView } from './session.ts';
 import type { SharedLink } from './shared_link.ts';
 import { keyIndex, slotWord, unit } from './shared_ring.ts';
@@ -14,14 +14,29 @@ interface WriterCount {
   readonly bytes: number;
 }
 
+/** What is known of a topic as long as the session lives, whoever of its publishers still does. */
+interface Known {
+  readonly type: string;
+  qos: readonly QosView[];
+  /** What each publisher had written when it was last looked at, by the key of its endpoint. */
+  readonly writers: Map<number, WriterCount>;
+  /** What those wrote that left. */
+  left: WriterCount;
+  last: LastMessage | undefined;
+}
+
 const wantedMs = 2000;
 /** A time further off than this is not of the clock that `now` is of. */
 const otherClockMs = 60_000;
+/** Larger messages are copied only while somebody looks at them, bytes. */
+const keptUnseen = 64 << 10;
+const nothing: WriterCount = { count: 0, bytes: 0 };
 
 export class Sampler {
   private readonly broker: Broker;
   private readonly rates = new Map<string, RateWindow>();
   private readonly wanted = new Map<string, number>();
+  private readonly known = new Map<string, Known>();
   private views: readonly TopicView[] = [];
 
   constructor(broker: Broker) {
@@ -35,11 +50,10 @@ export class Sampler {
   /** Looks at all topics now. `now` in ms. */
   sample(now: number): readonly TopicView[] {
     const { link } = this.broker;
-    if (link.kind === 'port') {
-      for (const [topic, until] of this.wanted) if (until < now) this.wanted.delete(topic);
-      link.requestSamples([...this.wanted.keys()]);
-    }
+    for (const [topic, until] of this.wanted) if (until < now) this.wanted.delete(topic);
+    if (link.kind === 'port') link.requestSamples([...this.wanted.keys()]);
     const topics = new Map<string, EndpointRecord[]>();
+    for (const name of this.known.keys()) topics.set(name, []);
     for (const record of link.records()) {
       if (record.kind !== EndpointKind.publisher && record.kind !== EndpointKind.subscription) continue;
       const list = topics.get(record.name);
@@ -47,44 +61,90 @@ export class Sampler {
       else list.push(record);
     }
     const views: TopicView[] = [];
-    for (const name of [...topics.keys()].sort()) views.push(this.view(name, topics.get(name) ?? [], now));
-    for (const name of this.rates.keys()) if (!topics.has(name)) this.rates.delete(name);
-    this.views = views;
-    return views;
+    for (const [name, records] of topics) {
+      const view = this.view(name, records, now);
+      if (records.length > 0 || view.count > 0) views.push(view);
+      else this.known.delete(name);
+    }
+    this.views = views.sort((a, b) => (a.name < b.name ? -1 : 1));
+    return this.views;
   }
 
   private view(name: string, records: readonly EndpointRecord[], now: number): TopicView {
     const publishers = records.filter((record) => record.kind === EndpointKind.publisher);
-    let count = 0;
-    let bytes = 0;
-    let newest = 0;
-    for (const publisher of publishers) {
-      newest = Math.max(newest, this.timeOf(publisher) ?? 0);
-      const of = this.countOf(publisher);
-      count += of.count;
-      bytes += of.bytes;
-    }
-    const window = this.rates.get(name) ?? new RateWindow();
-    this.rates.set(name, window);
-    window.add(count, bytes, Math.abs(now - newest) < otherClockMs ? newest : now);
-    const rate = window.rate(now);
+    const known = this.knownOf(name, (publishers[0] ?? records[0])?.type);
+    if (publishers.length > 0) known.qos = qosViews(publishers);
+    const { count, bytes } = this.tally(known, publishers);
+    if (known.last?.count !== count) this.keepNewest(known, publishers, count, this.wanted.has(name));
+    const rate = this.rateOf(name, publishers, { count, bytes }, now);
     return {
       name,
-      type: records[0]?.type ?? '',
+      type: known.type,
       publishers: publishers.length,
       subscriptions: records.length - publishers.length,
       rateHz: rate.hz,
       bytesPerSecond: rate.bytesPerSecond,
       count,
-      qos: qosViews(publishers),
+      qos: known.qos,
     };
+  }
+
+  /** A topic that comes again with another type is another topic: the kept message would not be of its type. */
+  private knownOf(name: string, type: string | undefined): Known {
+    const before = this.known.get(name);
+    if (before !== undefined && (type === undefined || type === before.type)) return before;
+    const known: Known = { type: type ?? '', qos: [], writers: new Map(), left: nothing, last: undefined };
+    this.known.set(name, known);
+    return known;
+  }
+
+  /** All that was published on a topic. */
+  private tally(known: Known, publishers: readonly EndpointRecord[]): WriterCount {
+    const now = new Map(publishers.map((publisher) => [publisher.key, this.countOf(publisher)]));
+    for (const [key, seen] of known.writers) {
+      // A key comes again, too, with a writer that begins at nothing.
+      if ((now.get(key)?.count ?? -1) >= seen.count) continue;
+      known.left = sum(known.left, seen);
+      known.writers.delete(key);
+    }
+    for (const [key, of] of now) known.writers.set(key, of);
+    return [...now.values()].reduce(sum, known.left);
+  }
+
+  /** Copies the newest message of the publishers; `count` is what is published in all. */
+  private keepNewest(known: Known, publishers: readonly EndpointRecord[], count: number, wanted: boolean): void {
+    const { link } = this.broker;
+    let newest: EndpointRecord | undefined;
+    let newestTime = -Infinity;
+    for (const publisher of publishers) {
+      const time = this.timeOf(publisher);
+      if (time === undefined || time < newestTime) continue;
+      newest = publisher;
+      newestTime = time;
+    }
+    if (newest === undefined) return;
+    const last = link.kind === 'port' ? portLast(link, newest) : sharedLast(link, newest, wanted ? Infinity : keptUnseen);
+    // Rather none than an older one that passes for the last.
+    known.last = last === undefined ? undefined : { ...last, count };
+  }
+
+  private rateOf(name: string, publishers: readonly EndpointRecord[], all: WriterCount, now: number): Rate {
+    const times = publishers.map((publisher) => this.timeOf(publisher)).filter((time) => time !== undefined);
+    if (times.length === 0) this.rates.delete(name);
+    const window = this.rates.get(name) ?? new RateWindow();
+    if (times.length === 0) return window.rate(now);
+    this.rates.set(name, window);
+    const newest = Math.max(...times);
+    window.add(all.count, all.bytes, Math.abs(now - newest) < otherClockMs ? newest : now);
+    return window.rate(now);
   }
 
   private countOf(record: EndpointRecord): WriterCount {
     const { link } = this.broker;
-    if (link.kind === 'port') return link.sampled().get(record.key) ?? { count: 0, bytes: 0 };
+    if (link.kind === 'port') return link.sampled().get(record.key) ?? nothing;
     const { i32 } = link.bus;
     const word = link.bus.endpointWord(keyIndex(record.key));
+    if (Atomics.load(i32, word + BusEndpoint.generation) !== record.key >>> 13) return nothing;
     const wide = (low: number, high: number): number =>
       (Atomics.load(i32, word + low) >>> 0) + Atomics.load(i32, word + high) * 2 ** 32;
     return {
@@ -101,32 +161,32 @@ export class Sampler {
 
   /** The newest message on a topic, whichever publisher it came from. */
   lastMessage(topic: string, now: number): LastMessage | undefined {
-    const { link } = this.broker;
-    let newest: LastMessage | undefined;
-    let count = 0;
-    if (link.kind === 'port') this.wanted.set(topic, now + wantedMs);
-    for (const record of link.records()) {
-      if (record.name !== topic || record.kind !== EndpointKind.publisher) continue;
-      const last = link.kind === 'port' ? portLast(link, record) : sharedLast(link, record);
-      count += this.countOf(record).count;
-      if (last !== undefined && (newest === undefined || last.receivedAt >= newest.receivedAt)) newest = last;
-    }
-    return newest === undefined ? undefined : { ...newest, count };
+    this.wanted.set(topic, now + wantedMs);
+    const known = this.known.get(topic);
+    if (known === undefined) return undefined;
+    const publishers = [...this.broker.link.records()].filter(
+      (record) => record.name === topic && record.kind === EndpointKind.publisher);
+    const { count } = this.tally(known, publishers);
+    if (known.last?.count !== count) this.keepNewest(known, publishers, count, true);
+    return known.last;
   }
 }
 
-function portLast(link: PortLink, record: EndpointRecord): LastMessage | undefined {
-  const sample = link.sampled().get(record.key);
-  if (sample?.payload === undefined) return undefined;
-  return { bytes: sample.payload.slice(), receivedAt: sample.time, count: sample.count };
+function sum(a: WriterCount, b: WriterCount): WriterCount {
+  return { count: a.count + b.count, bytes: a.bytes + b.bytes };
 }
 
-function sharedLast(link: SharedLink, record: EndpointRecord): LastMessage | undefined {
-  return readNewest(link, record, (offset, length, count) => ({
+function portLast(link: PortLink, record: EndpointRecord): Omit<LastMessage, 'count'> | undefined {
+  const sample = link.sampled().get(record.key);
+  if (sample?.payload === undefined) return undefined;
+  return { bytes: sample.payload.slice(), receivedAt: sample.time };
+}
+
+function sharedLast(link: SharedLink, record: EndpointRecord, most: number): Omit<LastMessage, 'count'> | undefined {
+  return readNewest(link, record, (offset, length) => length > most ? undefined : {
     bytes: link.bus.u8.slice(offset + BusSizes.align, offset + BusSizes.align + length),
     receivedAt: timeAt(link, offset),
-    count,
-  }));
+  });
 }
 
 function timeAt(link: SharedLink, offset: number): number {
@@ -136,7 +196,7 @@ function timeAt(link: SharedLink, offset: number): number {
 
 /** Looks at the newest frame of a writer in place, under an observer's hazard word. `offset` and `length` in bytes. */
 function readNewest<T>(
-  link: SharedLink, record: EndpointRecord, look: (offset: number, length: number, count: number) => T,
+  link: SharedLink, record: EndpointRecord, look: (offset: number, length: number) => T,
 ): T | undefined {
   const { bus } = link;
   const word = bus.endpointWord(keyIndex(record.key));
@@ -158,7 +218,7 @@ function readNewest<T>(
     if (held) {
       const offset = frame * unit;
       bus.reach(offset + BusSizes.align + length);
-      const seen = look(offset, length, head >>> 0);
+      const seen = look(offset, length);
       Atomics.store(bus.i32, hazard, 0);
       return seen;
     }

@@ -109,9 +109,9 @@ export interface TopicView {
   readonly subscriptions: number;
   readonly rateHz: number;
   readonly bytesPerSecond: number;
-  /** Messages of the living publishers since they began. */
+  /** Messages since the session began, also those of publishers that left. */
   readonly count: number;
-  /** Of the publishers, without repetition. */
+  /** Of the publishers, or of the last ones when none is left; without repetition. */
   readonly qos: readonly QosView[];
 }
 
@@ -120,6 +120,7 @@ export interface LastMessage {
   readonly bytes: Uint8Array;
   /** ms since 1970: when it was published. */
   readonly receivedAt: number;
+  /** As in TopicView: how many there were up to this one. */
   readonly count: number;
 }
 
@@ -136,9 +137,10 @@ export interface Session {
   /** At most once per animation frame. */
   onNodes(listener: (nodes: readonly NodeView[]) => void): Unsubscribe;
   console(id: string): ConsoleLog;
-  /** Sampled 4 times per second while someone listens. */
+  /** Sampled 4 times per second while someone listens. A topic stays when its publishers have left, with its last message. */
   topics(): readonly TopicView[];
   onTopics(listener: (topics: readonly TopicView[]) => void): Unsubscribe;
+  /** undefined before the first one, and for a large one that nobody looked at in time. */
   lastMessage(topic: string): LastMessage | undefined;
   /** Type name -> definition text; fetched at the first call. */
   interfaces(): Promise<ReadonlyMap<string, string>>;

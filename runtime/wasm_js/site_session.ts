@@ -73,10 +73,12 @@ export class SiteSession implements Session {
   }
 
   stop(id: string): void {
+    this.lookAtTopics();
     this.runner(id).stop();
   }
 
   restart(id: string): void {
+    this.lookAtTopics();
     this.runner(id).restart();
   }
 
@@ -85,6 +87,7 @@ export class SiteSession implements Session {
   }
 
   stopAll(): void {
+    this.lookAtTopics();
     for (const runner of this.runners.values()) runner.stop();
   }
 
@@ -121,6 +124,11 @@ export class SiteSession implements Session {
       this.topicListeners.delete(listener);
       if (this.topicListeners.size === 0) this.stopSampling();
     };
+  }
+
+  /** Before a node goes: what it published last stays with the topic. */
+  private lookAtTopics(): void {
+    if (this.sampling !== undefined) this.sampler.sample(Date.now());
   }
 
   private stopSampling(): void {

@@ -100,6 +100,26 @@ test('the topic has its type, its rate and its last message', () =>
       .waitFor();
   }));
 
+test('what was published stays when the publisher stops, and when all nodes do', () =>
+  onSite({}, async (page) => {
+    await page.getByRole('button', { name: /^\/topic/ }).click();
+    await page
+      .locator('.tree')
+      .getByText(/Hello, world! [3-9]/)
+      .waitFor();
+    await page.locator('.node').first().getByRole('button', { name: /^Stop/ }).click();
+    await page.getByText('0 pub \u2192 1 sub').waitFor();
+    const lines = await page.getByRole('log', { name: 'Console of talker' }).locator('.line').allInnerTexts();
+    const published = lines.filter((line) => line.includes('Publishing:'));
+    const inside = page.locator('.topic-inside');
+    assert.match(await inside.innerText(), new RegExp(`Messages\\s+${published.length}\\s`));
+    await inside.getByText(`Hello, world! ${published.length - 1}`, { exact: true }).waitFor();
+    await page.getByRole('button', { name: 'Stop all' }).click();
+    await page.getByText('0 pub \u2192 0 sub').waitFor();
+    await inside.getByText(`Hello, world! ${published.length - 1}`, { exact: true }).waitFor();
+    assert.equal(await page.getByText('No message has been published yet.').count(), 0);
+  }));
+
 test('stop, start, restart', () =>
   onSite({}, async (page) => {
     const talker = page.locator('.node').first();

@@ -256,8 +256,36 @@ test('messages are trees; long arrays are folded and cut', () =>
     assert.match(await tree.innerText(), /stamp:\s+sec: 1700000000\s+nanosec: 250000000/);
     await tree.getByText('360 \u00d7 float32').click();
     await tree.getByText('the first 128 of 360').waitFor();
-    await page.getByRole('button', { name: /^\/odom/ }).click();
+    await page.getByRole('button', { name: /^\/map/ }).click();
     await page.getByText('No message has been published yet.').waitFor();
+  }));
+
+test('age and size of the last message stand in one line, in two columns too', () =>
+  stage.on('talker', { viewport: { width: 800, height: 720 } }, async (page) => {
+    await page.getByRole('button', { name: /^\/topic/ }).click();
+    const facts = page.locator('.message-facts');
+    await facts.waitFor();
+    const lines = (): Promise<number> =>
+      facts.evaluate((element) => new Set([...Array(element.textContent.length).keys()].map((i) => {
+        const range = document.createRange();
+        range.setStart(element.firstChild!, i);
+        range.setEnd(element.firstChild!, i + 1);
+        return Math.round(range.getBoundingClientRect().top);
+      })).size);
+    assert.equal(await lines(), 1);
+  }));
+
+test('a message that was not kept is not said to be none', () =>
+  stage.on('quiet', {}, async (page) => {
+    await page.evaluate(() =>
+      fake.setTopics([{ name: '/map', type: 'nav_msgs/msg/OccupancyGrid', publishers: 0, count: 3 }]),
+    );
+    await page.getByRole('button', { name: /^\/map/ }).click();
+    await page.getByText('The last message was large').waitFor();
+    await page.evaluate(() =>
+      fake.setTopics([{ name: '/map', type: 'nav_msgs/msg/OccupancyGrid', count: 3 }]),
+    );
+    await page.getByText('Fetching the last message').waitFor();
   }));
 
 test('the link is told in plain words, with the way to a faster one', () =>
@@ -265,6 +293,7 @@ test('the link is told in plain words, with the way to a faster one', () =>
     await page.getByRole('button', { name: /^Link between the nodes: Message ports/ }).click();
     const dialog = page.getByRole('dialog');
     await dialog.getByText('Cross-Origin-Opener-Policy: same-origin').waitFor();
+    await dialog.getByText('Nodes that start threads cannot run here').waitFor();
     await dialog.getByText('opens again without a network').waitFor();
     await page.keyboard.press('Escape');
     await dialog.waitFor({ state: 'hidden' });

@@ -179,7 +179,7 @@ function LastMessageView({
     readonly result: Decoded;
   } | null>(null);
   const last = session.lastMessage(topic.name);
-  if (last === undefined) return <p class="hint">{texts.topics.noMessage}</p>;
+  if (last === undefined) return <p class="hint">{whyNoMessage(topic)}</p>;
   if (decoder === null) return <p class="hint">{texts.topics.decoding}</p>;
   if (typeof decoder === 'string') return <p class="hint">{texts.topics.undecodable(decoder)}</p>;
   if (decoded.current?.count !== last.count || decoded.current.decoder !== decoder) {
@@ -216,6 +216,11 @@ function LastMessageView({
       )}
     </div>
   );
+}
+
+function whyNoMessage(topic: TopicView): string {
+  if (topic.count === 0) return texts.topics.noMessage;
+  return topic.publishers === 0 ? texts.topics.notKept : texts.topics.fetching;
 }
 
 /** The decoder, fetched when the first topic is opened; null while it comes, a text when it failed. */

@@ -5,10 +5,22 @@ import { rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { mostConsoleLines } from '../../../runtime/wasm_js/console_log.ts';
-import type { TopicView } from '../../../runtime/wasm_js/session.ts';
+import type { Session, TopicView } from '../../../runtime/wasm_js/session.ts';
 import { prints, reaches, withSession } from './site_fixture.ts';
 
 const watchdog = { timeout: 60_000 };
+
+/** The topic `/chatter`, when it is as wanted. */
+function seesTopic(session: Session, wanted: (topic: TopicView) => boolean): Promise<TopicView> {
+  return new Promise((resolve) => {
+    const off = session.onTopics((topics) => {
+      const view = topics.find((topic) => topic.name === '/chatter' && wanted(topic));
+      if (view === undefined) return;
+      off();
+      resolve(view);
+    });
+  });
+}
 
 for (const link of ['shared', 'port'] as const) {
   test(`${link}: talker and listener; topics, rates and the last message; stop`, watchdog, () =>
@@ -17,14 +29,8 @@ for (const link of ['shared', 'port'] as const) {
       assert.deepEqual(session.nodes().map(({ state }) => state.kind), ['stopped', 'stopped']);
       session.startAll();
       await prints(session, 'listener-2', /I heard: \[Hello World: \d+\] after 1/);
-      const topic = await new Promise<TopicView>((resolve) => {
-        const off = session.onTopics((topics) => {
-          const view = topics.find(({ name, rateHz, count }) => name === '/chatter' && rateHz > 1 && count > 5);
-          if (view === undefined) return;
-          off();
-          resolve(view);
-        });
-      });
+      session.onTopics(() => undefined);
+      const topic = await seesTopic(session, ({ rateHz, count }) => rateHz > 1 && count > 5);
       assert.equal(topic.type, 'std_msgs/msg/String');
       assert.deepEqual([topic.publishers, topic.subscriptions], [1, 1]);
       assert.deepEqual(topic.qos, [{ reliability: 'reliable', durability: 'volatile', history: 'keep_last', depth: 10 }]);
@@ -38,10 +44,22 @@ for (const link of ['shared', 'port'] as const) {
       const talker = await reaches(session, 'talker-1', 'exited');
       assert.deepEqual(talker.state, { kind: 'exited', code: 0 });
       await prints(session, 'talker-1', /^talker stops$/);
+      const alone = await seesTopic(session, ({ publishers }) => publishers === 0);
+      assert.deepEqual([alone.subscriptions, alone.rateHz, alone.type, alone.qos], [1, 0, topic.type, topic.qos]);
+      assert.ok(alone.count >= topic.count);
+      const kept = session.lastMessage('/chatter');
+      assert.equal(kept?.count, alone.count);
+      assert.ok(new TextDecoder().decode(kept?.bytes).endsWith(`Hello World: ${alone.count}\0`));
       session.stopAll();
       await reaches(session, 'listener-2', 'exited');
+      const silent = await seesTopic(session, ({ subscriptions }) => subscriptions === 0);
+      assert.deepEqual(silent, { ...alone, subscriptions: 0 });
+      assert.deepEqual(session.lastMessage('/chatter'), kept);
       session.start('talker-1');
       await reaches(session, 'talker-1', 'running');
+      const again = await seesTopic(session, ({ count, rateHz }) => count > alone.count + 2 && rateHz > 1);
+      assert.ok(again.rateHz < 200, `${again.rateHz} Hz`);
+      assert.match(new TextDecoder().decode(session.lastMessage('/chatter')?.bytes), /Hello World: \d+\0$/);
     }, link));
 
   test(`${link}: arguments, environment and standard input; the exit code`, watchdog, () =>

@@ -1,0 +1,131 @@
+// What stays of a topic when its publishers leave, seen through a link that a test directs.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { EndpointKind } from '../../../runtime/protocol/generated/constants.ts';
+import type { Broker } from '../../../runtime/wasm_js/broker.ts';
+import type { WriterSample } from '../../../runtime/wasm_js/port_messages.ts';
+import { Sampler } from '../../../runtime/wasm_js/sampler.ts';
+
+const qos = { reliability: 1, durability: 2, history: 1, depth: 10 };
+const lookMs = 250;
+
+class Scene {
+  readonly sampler: Sampler;
+  private readonly records = new Map<number, object>();
+  private readonly samples = new Map<number, WriterSample>();
+  asked: readonly string[] = [];
+  now = 1000;
+
+  constructor() {
+    const link = {
+      kind: 'port',
+      records: () => [...this.records.values()],
+      sampled: () => this.samples,
+      requestSamples: (topics: readonly string[]) => {
+        this.asked = topics;
+      },
+    };
+    this.sampler = new Sampler({ kind: 'port', link } as unknown as Broker);
+  }
+
+  join(key: number, type = 'a/msg/A', kind: EndpointKind = EndpointKind.publisher): void {
+    this.records.set(key, { key, kind, name: '/topic', type, qos });
+  }
+
+  wrote(key: number, count: number, copied = true): void {
+    const payload = copied ? Uint8Array.of(key, count) : undefined;
+    this.samples.set(key, { key, count, bytes: 2 * count, time: this.now, payload });
+  }
+
+  leave(key: number): void {
+    this.records.delete(key);
+    this.samples.delete(key);
+  }
+
+  look() {
+    this.now += lookMs;
+    return this.sampler.sample(this.now)[0];
+  }
+
+  last(): readonly number[] | undefined {
+    const message = this.sampler.lastMessage('/topic', this.now);
+    return message === undefined ? undefined : [...message.bytes, message.count];
+  }
+}
+
+test('the count goes on when one of two publishers leaves, and the rate does not jump', () => {
+  const scene = new Scene();
+  scene.join(1);
+  scene.join(2);
+  for (let n = 1; n <= 10; n += 1) {
+    scene.wrote(1, n);
+    scene.wrote(2, n);
+    scene.look();
+  }
+  scene.leave(1);
+  for (let n = 11; n <= 20; n += 1) {
+    scene.wrote(2, n);
+    const topic = scene.look();
+    assert.deepEqual([topic?.publishers, topic?.count], [1, 10 + n]);
+    assert.ok((topic?.rateHz ?? 0) <= 8 && (topic?.rateHz ?? 0) >= 4, `${topic?.rateHz} Hz`);
+  }
+  assert.deepEqual(scene.last(), [2, 20, 30]);
+});
+
+test('without a publisher there is no rate, but what was; a new one goes on from there', () => {
+  const scene = new Scene();
+  scene.join(1);
+  for (let n = 1; n <= 8; n += 1) {
+    scene.wrote(1, n);
+    scene.look();
+  }
+  scene.leave(1);
+  const alone = scene.look();
+  assert.deepEqual([alone?.publishers, alone?.count, alone?.rateHz, alone?.qos.length], [0, 8, 0, 1]);
+  assert.deepEqual(scene.last(), [1, 8, 8]);
+  scene.now += 60_000;
+  scene.join(1);
+  assert.deepEqual([scene.look()?.count, scene.last()], [8, [1, 8, 8]]);
+  for (let n = 1; n <= 3; n += 1) {
+    scene.wrote(1, n);
+    scene.look();
+  }
+  const again = scene.look();
+  assert.equal(again?.count, 11);
+  assert.equal(Math.round(again?.rateHz ?? 0), 4);
+  assert.deepEqual(scene.last(), [1, 3, 11]);
+});
+
+test('a topic on which nothing was published goes; one that comes again with another type begins anew', () => {
+  const scene = new Scene();
+  scene.join(1, 'a/msg/A', EndpointKind.subscription);
+  assert.equal(scene.look()?.subscriptions, 1);
+  scene.leave(1);
+  assert.equal(scene.look(), undefined);
+  scene.join(2);
+  scene.wrote(2, 5);
+  scene.look();
+  scene.leave(2);
+  assert.equal(scene.look()?.count, 5);
+  scene.join(3, 'b/msg/B');
+  const other = scene.look();
+  assert.deepEqual([other?.type, other?.count, scene.last()], ['b/msg/B', 0, undefined]);
+});
+
+test('a message that nobody copied is not replaced by an older one', () => {
+  const scene = new Scene();
+  scene.join(1);
+  scene.wrote(1, 1);
+  scene.look();
+  scene.wrote(1, 2, false);
+  assert.equal(scene.look()?.count, 2);
+  assert.equal(scene.last(), undefined);
+  scene.look();
+  assert.deepEqual(scene.asked, ['/topic']);
+  scene.wrote(1, 2);
+  assert.deepEqual(scene.last(), [1, 2, 2]);
+  scene.leave(1);
+  assert.equal(scene.look()?.count, 2);
+  assert.deepEqual(scene.last(), [1, 2, 2]);
+});

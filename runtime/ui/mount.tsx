@@ -1,4 +1,4 @@
-// Puts the page into the document: first "starting", then the page of the session, or what went wrong.
+// Puts the page of the session into the document, or what went wrong. Until then index.html says "Starting".
 
 import { render } from 'preact';
 import { useEffect, useState } from 'preact/hooks';
@@ -15,36 +15,30 @@ import { ProblemView } from './parts/problem_view.tsx';
 import { texts } from './texts.ts';
 
 /** `kept` tells, some time later, whether the site is kept for visits without a network. */
-export function mountPage(root: Element, starting: Promise<Session>, kept: Promise<boolean>): void {
+export function mountPage(
+  root: Element,
+  started: PromiseSettledResult<Session>,
+  kept: Promise<boolean>,
+): void {
   root.replaceChildren();
-  render(<App starting={starting} kept={kept} store={browserStore()} />, root);
+  if (started.status === 'rejected') {
+    render(<FailurePage problem={problemOf(started.reason)} />, root);
+    return;
+  }
+  const { site } = started.value;
+  document.title = `${site.title === '' ? site.name : site.title} \u2013 ${texts.product}`;
+  render(<App session={started.value} kept={kept} store={browserStore()} />, root);
 }
 
-type Progress =
-  | { readonly kind: 'starting' }
-  | { readonly kind: 'running'; readonly session: Session }
-  | { readonly kind: 'failed'; readonly problem: Problem };
-
 interface AppProps {
-  readonly starting: Promise<Session>;
+  readonly session: Session;
   readonly kept: Promise<boolean>;
   readonly store: Store | null;
 }
 
-function App({ starting, kept, store }: AppProps) {
+function App({ session, kept, store }: AppProps) {
   const [offline, setOffline] = useState<boolean | null>(null);
-  const [progress, setProgress] = useState<Progress>({ kind: 'starting' });
   const [mistake, setMistake] = useState<Problem | null>(null);
-
-  useEffect(() => {
-    starting.then(
-      (session) => {
-        document.title = `${session.site.title === '' ? session.site.name : session.site.title} \u2013 ${texts.product}`;
-        setProgress({ kind: 'running', session });
-      },
-      (error: unknown) => setProgress({ kind: 'failed', problem: problemOf(error) }),
-    );
-  }, [starting]);
 
   useEffect(() => {
     void kept.then(setOffline);
@@ -62,21 +56,12 @@ function App({ starting, kept, store }: AppProps) {
     };
   }, []);
 
-  if (progress.kind === 'failed') return <FailurePage problem={progress.problem} />;
   return (
     <>
       {mistake === null ? null : <MistakeBar problem={mistake} onClose={() => setMistake(null)} />}
-      {progress.kind === 'starting' ? (
-        <main class="lone">
-          <Mark />
-          <p class="lone-title">{texts.starting}</p>
-          <p class="hint">{texts.startingHint}</p>
-        </main>
-      ) : (
-        <Boundary title={texts.product} announce={ignore}>
-          <Page session={progress.session} store={store} offline={offline} />
-        </Boundary>
-      )}
+      <Boundary title={texts.product} announce={ignore}>
+        <Page session={session} store={store} offline={offline} />
+      </Boundary>
     </>
   );
 }

@@ -16,11 +16,8 @@ function whenParsed(): Promise<void> {
   });
 }
 
-async function draw(): Promise<void> {
-  const [{ mountPage }] = await Promise.all([import('./mount.tsx'), whenParsed()]);
-  const root = document.getElementById('page');
-  if (root !== null) mountPage(root, session, kept);
-}
-
+const [started] = await Promise.allSettled([session]);
+const [{ mountPage }] = await Promise.all([import('./mount.tsx'), whenParsed()]);
+const root = document.getElementById('page');
 // The page shows a failure too.
-session.then(draw, draw);
+if (root !== null) mountPage(root, started, kept);

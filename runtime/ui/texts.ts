@@ -4,7 +4,6 @@ export const texts = {
   product: 'ros2wasm',
   skipToConsole: 'Skip to the consoles',
   starting: 'Starting\u2026',
-  startingHint: 'Fetching the programs and setting up the link between them.',
 
   startAll: 'Start all',
   stopAll: 'Stop all',

@@ -46,19 +46,16 @@ function chooseBroker(wanted: LinkKind | undefined): Broker {
 }
 
 /**
- * Resolves when every node runs or has failed to. Drawing the page holds up the thread that starts the workers, so it
- * waits for them, but not for long: on a slow network the page is there first.
+ * Resolves when every node has made what it makes and waits. Drawing the page holds up the thread that starts the
+ * workers and takes a core from them, so it comes after them, but not long after: a slow network or a node that
+ * computes does not keep the page away.
  */
-function underWay(session: Session): Promise<void> {
+function underWay(session: SiteSession): Promise<void> {
   return new Promise((resolve) => {
-    const done = (): void => {
+    const timer = setTimeout(resolve, longestWaitMs);
+    void session.settled.then(() => {
       clearTimeout(timer);
-      unsubscribe();
       resolve();
-    };
-    const timer = setTimeout(done, longestWaitMs);
-    const unsubscribe = session.onNodes((nodes) => {
-      if (nodes.every(({ state }) => state.kind !== 'starting')) done();
     });
   });
 }
@@ -77,7 +74,7 @@ export async function startSession(options: LaunchOptions = {}): Promise<Session
   const session = new SiteSession({ site, platform, broker: chooseBroker(options.link) });
   if (site.ui['autostart'] !== false) {
     session.startAll();
-    if (site.nodes.length > 0) await underWay(session);
+    await underWay(session);
   }
   // Styles and tests can tell by <html data-offline> whether the site is kept.
   const later = (): void => void keepOffline(serviceWorker).then((kept) => {

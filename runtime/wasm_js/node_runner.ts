@@ -22,6 +22,8 @@ export interface RunnerHost {
   readonly platform: Platform;
   readonly broker: Broker;
   readonly changed: () => void;
+  /** The node's program waits for the first time, or is over. */
+  readonly settled: (node: SiteNode) => void;
   readonly resetInput: (id: string) => void;
   /** A batch of lines was taken over from a worker of the participant. */
   readonly lines: (node: SiteNode, report: Extract<WorkerReport, { t: 'lines' }>) => void;
@@ -173,6 +175,9 @@ export class NodeRunner {
       case 'running':
         this.set({ kind: 'running' });
         return;
+      case 'waits':
+        this.host.settled(this.node);
+        return;
       case 'lines':
         this.host.lines(this.node, report);
         this.host.broker.consoleSeen(participant);
@@ -248,6 +253,7 @@ export class NodeRunner {
   private set(state: NodeState): void {
     this.state = state;
     this.host.changed();
+    if (!this.active()) this.host.settled(this.node);
   }
 }
 

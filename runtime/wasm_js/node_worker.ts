@@ -20,6 +20,8 @@ export interface WorkerStart {
 /** From a worker. */
 export type WorkerReport =
   | { readonly t: 'running' }
+  /** The program waits for the first time: it has made its nodes and spins, or sleeps. */
+  | { readonly t: 'waits' }
   | { readonly t: 'lines'; readonly lines: readonly SentLine[]; readonly dropped: number }
   | { readonly t: 'thread'; readonly request: ThreadRequest; readonly memory: WebAssembly.Memory }
   /** `closed`: the worker took leave of the graph. */
@@ -41,13 +43,19 @@ export function serveWorker(post: (report: WorkerReport) => void): (order: Worke
     }
     sender = new ConsoleSender(link, (lines, dropped) => post({ t: 'lines', lines, dropped }));
     const console = sender;
+    let waited = start.thread !== undefined;
     if (start.thread === undefined) post({ t: 'running' });
     const end = await runProgram(start.module, {
       link,
       arguments: start.arguments,
       environment: start.environment,
       line: (stream, text) => console.line(stream, text),
-      idle: () => console.flush(),
+      idle: () => {
+        console.flush();
+        if (waited) return;
+        waited = true;
+        post({ t: 'waits' });
+      },
       read: inputReader(link, start.id),
       startThread: (request, memory) => post({ t: 'thread', request, memory }),
     }, start.thread);

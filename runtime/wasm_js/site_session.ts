@@ -31,6 +31,8 @@ export class SiteSession implements Session {
   private readonly input: InputWriter;
   private readonly nodeListeners = new Set<(nodes: readonly NodeView[]) => void>();
   private readonly topicListeners = new Set<(topics: readonly TopicView[]) => void>();
+  /** Resolves when every node of the site has settled once. */
+  readonly settled: Promise<void>;
   private nodesTold = true;
   private sampling: ReturnType<typeof setInterval> | undefined;
   private definitions: Promise<ReadonlyMap<string, string>> | undefined;
@@ -43,12 +45,22 @@ export class SiteSession implements Session {
     this.link = broker.kind;
     this.sampler = new Sampler(broker);
     this.input = new InputWriter(broker.link);
+    const unsettled = new Set(site.nodes);
+    let allSettled: () => void = () => undefined;
+    this.settled = new Promise((resolve) => {
+      allSettled = resolve;
+    });
+    if (unsettled.size === 0) allSettled();
     for (const node of site.nodes) {
       const console = new NodeConsole(platform.frame);
       this.runners.set(node.id, new NodeRunner(node, console, {
         platform,
         broker,
         changed: () => this.nodesChanged(),
+        settled: (of) => {
+          unsettled.delete(of);
+          if (unsettled.size === 0) allSettled();
+        },
         resetInput: (id) => this.input.reset(id),
         lines: (of, { lines, dropped }) => {
           console.add(lines, dropped);

@@ -204,10 +204,7 @@ const kScenes: Readonly<Record<string, () => FakeSession | Promise<FakeSession>>
 const scene = kScenes[new URLSearchParams(location.search).get('scene') ?? 'talker'];
 const root = document.getElementById('page');
 if (root !== null && scene !== undefined) {
-  const starting = Promise.resolve().then(scene);
-  void starting.then(
-    (fake) => Object.assign(globalThis, { fake }),
-    () => undefined,
-  );
-  mountPage(root, starting, Promise.resolve(true));
+  const [started] = await Promise.allSettled([Promise.resolve().then(scene)]);
+  if (started.status === 'fulfilled') Object.assign(globalThis, { fake: started.value });
+  mountPage(root, started, Promise.resolve(true));
 }

@@ -73,10 +73,17 @@ test('a session that cannot start is explained', () =>
     );
   }));
 
-test('while the session starts the page says so', () =>
-  stage.on('never', {}, async (page) => {
-    await page.getByText('Starting\u2026').waitFor();
-  }));
+test('while the session starts the page says so, after a moment', () =>
+  stage.on(
+    'never',
+    {},
+    async (page) => {
+      await page.getByText('Starting\u2026').waitFor({ state: 'visible' });
+      assert.equal(await page.getByText('error[').filter({ visible: true }).count(), 0);
+    },
+    null,
+    'html[lang]',
+  ));
 
 test('an unforeseen error is told in a bar that can be closed', async () => {
   const context = await stage.browser.newContext();

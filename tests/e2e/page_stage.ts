@@ -57,12 +57,13 @@ export class PageStage {
     rmSync(this.folder, { recursive: true, force: true });
   }
 
-  /** Opens a scene, runs the body, and fails on any console error, exception or request outside the site. */
+  /** Opens a scene, waits for what is `shown`, runs the body, and fails on any console error, exception or request outside the site. */
   async on(
     scene: string,
     options: BrowserContextOptions,
     body: (page: Page) => Promise<void>,
     expected: RegExp | null = null,
+    shown = '.page, .lone-failure',
   ): Promise<void> {
     const context = await this.browser.newContext({
       viewport: { width: 1280, height: 800 },
@@ -80,7 +81,7 @@ export class PageStage {
     });
     try {
       await page.goto(`${this.served.url}?scene=${scene}`);
-      await page.waitForSelector('.page, .lone-failure, .lone .mark');
+      await page.waitForSelector(shown);
       await body(page);
       assert.deepEqual(
         troubles.filter((text) => expected?.test(text) !== true),

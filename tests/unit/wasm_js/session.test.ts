@@ -62,6 +62,23 @@ for (const link of ['shared', 'port'] as const) {
       assert.match(new TextDecoder().decode(session.lastMessage('/chatter')?.bytes), /Hello World: \d+\0$/);
     }, link));
 
+  test(`${link}: the session has settled when each node waits or is over`, watchdog, () =>
+    withSession([{ program: 'talker.c' }, { program: 'traps.c' }, { program: 'spins.c' }], async (session) => {
+      let settled = false;
+      void session.settled.then(() => {
+        settled = true;
+      });
+      session.startAll();
+      await prints(session, 'talker-1', /Hello World: 2/);
+      await prints(session, 'spins-3', /^spinning$/);
+      await reaches(session, 'traps-2', 'crashed');
+      assert.equal(settled, false);
+      session.stop('spins-3');
+      session.stop('spins-3');
+      await session.settled;
+      assert.deepEqual(session.nodes().map(({ state }) => state.kind), ['running', 'crashed', 'exited']);
+    }, link));
+
   test(`${link}: arguments, environment and standard input; the exit code`, watchdog, () =>
     withSession([{ program: 'echo.c', arguments: ['--ros-args', '-r', 'a:=b'] }], async (session) => {
       session.startAll();

@@ -71,7 +71,7 @@ export function makeFolder(nodes: readonly FixtureNode[]): string {
 
 /** Runs `use` with a session; everything is closed after it. */
 export async function withSession(
-  nodes: readonly FixtureNode[], use: (session: Session, folder: string) => Promise<void>, link: LinkKind = 'shared',
+  nodes: readonly FixtureNode[], use: (session: SiteSession, folder: string) => Promise<void>, link: LinkKind = 'shared',
 ): Promise<void> {
   const folder = makeFolder(nodes);
   const platform = nodePlatform(folder, entry);

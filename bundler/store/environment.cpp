@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "bundler/archive/paths_json.hpp"
 #include "bundler/io/files.hpp"
@@ -49,8 +50,8 @@ class Installer {
                       const PathEntry& entry) {
     const fs::path source = package / path;
     const fs::path target = staging_ / path;
-    if (entry.kind == PathKind::kDirectory) return make_directories(target);
-    if (auto made = make_directories(target.parent_path()); !made) return made;
+    if (entry.kind == PathKind::kDirectory) return make_folder(record, path);
+    if (auto made = make_folder(record, fs::path(path).parent_path()); !made) return made;
     if (auto cleared = clear(record, path, entry.sha256); !cleared) return cleared;
     owners_[path] = {distribution_name(record), entry.sha256};
     std::error_code error;
@@ -67,6 +68,38 @@ class Installer {
     }
     if (error) return cannot_write(target, error.value());
     return Done{};
+  }
+
+  /// Every part of `path` becomes a real folder. A link that stays inside its own package may lead
+  /// anywhere once another package's link stands on its way, so nothing is written through one.
+  Outcome<Done> make_folder(const PackageRecord& record, const fs::path& path) {
+    if (path.empty() || folders_.contains(path)) return Done{};
+    if (auto above = make_folder(record, path.parent_path()); !above) return above;
+    const fs::path target = staging_ / path;
+    std::error_code error;
+    switch (fs::symlink_status(target, error).type()) {
+      case fs::file_type::directory:
+        break;
+      case fs::file_type::not_found:
+        fs::create_directory(target, error);
+        if (error) return cannot_write(target, error.value());
+        break;
+      default:
+        return no_folder(record, path);
+    }
+    folders_.insert(path);
+    return Done{};
+  }
+
+  [[nodiscard]] Diagnostic no_folder(const PackageRecord& record, const fs::path& path) const {
+    const auto owner = owners_.find(path.string());
+    const std::string other = owner == owners_.end() ? "another package" : owner->second.name;
+    return Diagnostic{.code = "R2W0231",
+                      .kind = FailureKind::kEnvironment,
+                      .message = "`" + distribution_name(record) + "` and `" + other +
+                                 "` cannot be installed together",
+                      .why = {"`" + path.string() + "` is a folder in the first, but a file or a " +
+                              "link in the second"}};
   }
 
   /// Later packages win; a file with other bytes is remembered.
@@ -104,6 +137,7 @@ class Installer {
   fs::path staging_;
   fs::path prefix_;  ///< where it will be
   std::map<std::string, Owner> owners_;
+  std::set<fs::path> folders_;  ///< real ones; no file or link takes their place
   std::vector<OverwrittenFile> overwritten_;
 };
 
@@ -159,23 +193,6 @@ Outcome<Environment> make_environment(const Store& store, const std::vector<Pack
   if (!seal) return seal.errors();
   if (auto kept = write_file(seal_file, *seal); !kept) return std::move(kept).errors();
   if (auto kept = keep_folder(staging, prefix, key); !kept) return std::move(kept).errors();
-  return environment;
-}
-
-Outcome<Environment> make_environment_at(const fs::path& prefix, const Store& store,
-                                         const std::vector<PackageRecord>& records,
-                                         const Cancellation& cancellation,
-                                         const ProgressSink& progress) {
-  std::error_code error;
-  if (fs::exists(prefix, error)) {
-    return Diagnostic{.code = "R2W0231",
-                      .kind = FailureKind::kEnvironment,
-                      .message = "`" + prefix.string() + "` exists already",
-                      .why = {"an environment is made in a place of its own"}};
-  }
-  if (auto made = make_directories(prefix); !made) return std::move(made).errors();
-  auto environment = build(prefix, prefix, store, records, cancellation, progress);
-  if (!environment) (void)remove_tree(prefix);
   return environment;
 }
 

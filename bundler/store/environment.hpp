@@ -32,18 +32,11 @@ struct Environment {
 /// Makes (or finds) the environment in the store's cache: `<cache>/environments/<key>`. A found one
 /// is read whole and made anew when a file is not what it was. Read-only:
 /// install your own files elsewhere. `records` in install order. Placeholders in text files become
-/// the prefix.
+/// the prefix. R2W0231 when one package has a folder where another has a file or a link.
 [[nodiscard]] Outcome<Environment> make_environment(const Store& store,
                                                     const std::vector<PackageRecord>& records,
                                                     const Cancellation& cancellation = {},
                                                     const ProgressSink& progress = {});
-
-/// The same at a place of the caller's choice, which must not exist yet.
-[[nodiscard]] Outcome<Environment> make_environment_at(const std::filesystem::path& prefix,
-                                                       const Store& store,
-                                                       const std::vector<PackageRecord>& records,
-                                                       const Cancellation& cancellation = {},
-                                                       const ProgressSink& progress = {});
 
 /// The key that make_environment would use.
 [[nodiscard]] std::string environment_key(const std::vector<PackageRecord>& records);

@@ -92,12 +92,29 @@ TEST(Environment, AFailureLeavesNothing) {
   fs::remove(archive);
   EXPECT_FALSE(make_environment(channel.store(), {record}).ok());
   EXPECT_TRUE(fs::is_empty(channel.tree() / "cache/environments/unfinished"));
-  EXPECT_FALSE(make_environment_at(channel.tree() / "own", channel.store(), {record}).ok());
-  EXPECT_FALSE(fs::exists(channel.tree() / "own"));
-  fs::create_directories(channel.tree() / "there");
-  const auto there = make_environment_at(channel.tree() / "there", channel.store(), {});
-  ASSERT_FALSE(there.ok());
-  EXPECT_EQ(there.errors().front().code, "R2W0231");
+}
+
+TEST(Environment, NothingIsWrittenThroughAnotherPackagesLink) {
+  testing::SmallChannel channel;
+  // Each link stays inside its own package; together they would lead out of the prefix.
+  channel.add_links("a", {{"d/deep/e", "../.."}});
+  channel.add_links("b", {{"d/deep/e/f/g/l", "../../../../.."}});
+  channel.add("c", "1.0", {{"d/deep/e/f/g/l/ESCAPED", "c"}});
+  channel.add("d", "1.0", {{"d/deep/other", "d"}});
+  channel.write_index();
+  const PackageRecord a = channel.record("a");
+  const auto both = make_environment(channel.store(), {a, channel.record("b")});
+  ASSERT_FALSE(both.ok());
+  EXPECT_EQ(both.errors().front().code, "R2W0231");
+  EXPECT_EQ(both.errors().front().message,
+            "`b-1.0-h_0` and `a-1.0-h_0` cannot be installed together");
+  const auto all = make_environment(channel.store(), {a, channel.record("b"), channel.record("c")});
+  ASSERT_FALSE(all.ok());
+  EXPECT_FALSE(fs::exists(channel.tree() / "cache/environments/ESCAPED"));
+  const auto good = make_environment(channel.store(), {a, channel.record("d")});
+  ASSERT_TRUE(good.ok());
+  EXPECT_EQ(text_of(good->prefix / "d/deep/other"), "d");
+  EXPECT_EQ(fs::read_symlink(good->prefix / "d/deep/e"), "../..");
 }
 
 TEST(PrefixText, BinaryKeepsItsLength) {

@@ -76,7 +76,7 @@ class SmallChannel {
   std::filesystem::path add(const std::string& name, const std::string& version,
                             const std::vector<File>& files, std::vector<std::string> depends = {},
                             const std::string& placeholder = {}) {
-    const std::string stage = "stage-" + name + "-" + version;
+    const std::string stage = stage_of(name, version);
     std::filesystem::create_directories(tree_ / stage);
     for (const File& file : files) tree_.write(stage + "/" + file.path, file.text);
     const auto archive = add_to_channel(folder(),
@@ -91,6 +91,21 @@ class SmallChannel {
                                         tree_ / stage);
     EXPECT_TRUE(archive.ok());
     return archive.ok() ? *archive : std::filesystem::path();
+  }
+
+  struct Link {
+    std::string path;
+    std::string target;
+  };
+
+  /// Version 1.0 of a package of links.
+  void add_links(const std::string& name, const std::vector<Link>& links) {
+    for (const Link& link : links) {
+      const auto place = tree_ / (stage_of(name, "1.0") + "/" + link.path);
+      std::filesystem::create_directories(place.parent_path());
+      std::filesystem::create_symlink(link.target, place);
+    }
+    add(name, "1.0", {});
   }
 
   void write_index() { EXPECT_TRUE(index_channel(folder()).ok()); }
@@ -118,6 +133,10 @@ class SmallChannel {
   [[nodiscard]] const TemporaryTree& tree() const { return tree_; }
 
  private:
+  static std::string stage_of(const std::string& name, const std::string& version) {
+    return "stage-" + name + "-" + version;
+  }
+
   TemporaryTree tree_;
 };
 

@@ -2,6 +2,7 @@
 #include "bundler/build/source_hash.hpp"
 
 #include <algorithm>
+#include <map>
 #include <string_view>
 #include <vector>
 
@@ -21,38 +22,64 @@ bool counts(const fs::directory_entry& entry) {
          !fs::exists(entry.path() / "site.json", error);
 }
 
-void collect(const fs::path& folder, std::vector<fs::path>& files, int depth) {
+std::vector<fs::path> sorted_entries(const fs::path& folder) {
+  std::vector<fs::path> entries;
   std::error_code error;
-  std::vector<fs::path> folders;
   for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
-    std::error_code ignored;
-    if (!counts(*it)) continue;
-    if (it->is_directory(ignored)) {
-      folders.push_back(it->path());
-    } else if (it->is_regular_file(ignored)) {
-      files.push_back(it->path());
-    }
+    if (counts(*it)) entries.push_back(it->path());
   }
-  constexpr int kDepthLimit = 64;  // links that lead round in circles end here
-  if (depth >= kDepthLimit) return;
-  for (const fs::path& inner : folders) collect(inner, files, depth + 1);
+  std::sort(entries.begin(), entries.end());
+  return entries;
 }
 
-}  // namespace
+class TreeHash {
+ public:
+  explicit TreeHash(fs::path root) : root_(std::move(root)) {}
 
-std::string hash_of_tree(const fs::path& folder) {
-  std::vector<fs::path> files;
-  collect(folder, files, 0);
-  std::sort(files.begin(), files.end());
-  HashBuilder hash;
-  for (const fs::path& file : files) {
+  void add_folder(const fs::path& folder) {
+    std::error_code error;
+    const std::string name = name_of(folder);
+    // Links may lead round in circles: each folder is read once, and later only named.
+    const auto [first, fresh] = read_.emplace(fs::canonical(folder, error), name);
+    if (error) return;
+    if (!fresh) {
+      hash_.add(name, "as " + first->second);
+      return;
+    }
+    for (const fs::path& entry : sorted_entries(folder)) {
+      if (fs::is_directory(entry, error)) {
+        add_folder(entry);
+      } else if (fs::is_regular_file(entry, error)) {
+        add_file(entry);
+      }
+    }
+  }
+
+  [[nodiscard]] std::string finish() const { return hash_.finish(); }
+
+ private:
+  void add_file(const fs::path& file) {
     std::error_code error;
     const bool executable =
         (fs::status(file, error).permissions() & fs::perms::owner_exec) != fs::perms::none;
     const auto bytes = read_file(file);
-    hash.add(file.lexically_relative(folder).generic_string(),
-             (executable ? "x" : "-") + sha256_hex(bytes ? *bytes : std::string()));
+    hash_.add(name_of(file), (executable ? "x" : "-") + sha256_hex(bytes ? *bytes : std::string()));
   }
+
+  [[nodiscard]] std::string name_of(const fs::path& path) const {
+    return path.lexically_relative(root_).generic_string();
+  }
+
+  fs::path root_;
+  std::map<fs::path, std::string> read_;  ///< real path -> the name it was read under
+  HashBuilder hash_;
+};
+
+}  // namespace
+
+std::string hash_of_tree(const fs::path& folder) {
+  TreeHash hash(folder);
+  hash.add_folder(folder);
   return hash.finish();
 }
 

@@ -8,7 +8,7 @@
 namespace ros2wasm {
 
 /// Hidden files, Python caches, folders that hold COLCON_IGNORE and folders that are packed sites
-/// do not count.
+/// do not count. Links are followed; a folder that several names lead to is read once.
 [[nodiscard]] std::string hash_of_tree(const std::filesystem::path& folder);
 
 /// Collects named parts; the order in which they are added matters.

@@ -55,17 +55,35 @@ bool is_below(std::string_view url, std::string_view base) {
          (url.size() == base.size() || base.ends_with('/') || url[base.size()] == '/');
 }
 
-/// "https://a.b-c.org:8080/x" -> "A_B_C_ORG": variables' names have no dots.
-std::string host_variable(std::string_view url) {
+std::string_view host_of(std::string_view url) {
   std::string_view host = url.substr(url.find("://") + 3);
-  host = host.substr(0, host.find_first_of("/:?#"));
-  std::string name;
-  for (const char c : host) {
+  host = host.substr(0, host.find_first_of("/?#"));
+  return host.starts_with('[') ? host.substr(0, host.find(']') + 1)
+                               : host.substr(0, host.find(':'));
+}
+
+/// "https://a.b-c.org:8080/x" -> "A_B__C_ORG": variables' names have neither dots nor dashes, and
+/// no two hosts may have the same one.
+std::string host_variable(std::string_view url) {
+  std::string name = "ROS2WASM_AUTH_";
+  for (const char c : host_of(url)) {
     const bool lower = c >= 'a' && c <= 'z';
     const bool kept = (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-    name += lower ? static_cast<char>(c - 'a' + 'A') : kept ? c : '_';
+    if (lower || kept) {
+      name += lower ? static_cast<char>(c - 'a' + 'A') : c;
+    } else {
+      name += c == '-' ? "__" : "_";
+    }
   }
-  return "ROS2WASM_AUTH_" + name;
+  return name;
+}
+
+/// Nobody on the way reads what is sent.
+bool is_private_way(std::string_view url) {
+  if (url.starts_with("https://")) return true;
+  const std::string_view host = host_of(url);
+  const bool is_number = host.find_first_not_of("0123456789.") == std::string_view::npos;
+  return host == "localhost" || host == "[::1]" || (is_number && host.starts_with("127."));
 }
 
 /// What a ROS2WASM_AUTH_HOST says: "token X" for the path, "user:password", or a bearer token.
@@ -73,7 +91,7 @@ void add_host_credentials(DownloadSource& source, const ChannelNetwork& network)
   const std::string value = variable(network.variables, host_variable(source.shown_url));
   constexpr std::string_view kToken = "token ";
   constexpr std::string_view kBearer = "bearer ";
-  if (value.empty()) return;
+  if (value.empty() || !is_private_way(source.shown_url)) return;
   if (value.starts_with(kToken)) {
     source.url = with_token(source.url, value.substr(kToken.size()));
   } else if (value.starts_with(kBearer)) {

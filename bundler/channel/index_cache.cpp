@@ -30,7 +30,10 @@ struct Copy {
   [[nodiscard]] fs::path file_of(const std::string& sha256) const {
     return index_copy_place(folder, {.url = url, .sha256 = sha256});
   }
-  [[nodiscard]] bool absent() const { return state && state->sha256.empty(); }
+  /// The channel had no such file when it was asked, and that is not long ago.
+  [[nodiscard]] bool absent() const {
+    return state && state->sha256.empty() && now_s() - state->checked_s < kAbsentForSeconds;
+  }
   [[nodiscard]] bool present() const { return state && !state->sha256.empty(); }
 };
 
@@ -98,10 +101,8 @@ Outcome<LocalFile> settled(const Copy& copy, const fs::path& file, const Outcome
       return LocalFile(place);
     }
     case 404:
-    case 410: {
-      if (auto kept = keep_state(copy, {}, {}); !kept) return std::move(kept).errors();
+    case 410:
       return LocalFile();
-    }
     case 401:
     case 403:  // storage services say so of files that are not there
       if (!copy.url.ends_with("/repodata.json")) return LocalFile();
@@ -109,14 +110,15 @@ Outcome<LocalFile> settled(const Copy& copy, const fs::path& file, const Outcome
     default:
       break;
   }
-  return Diagnostic{
-      .code = "R2W0234",
-      .kind = FailureKind::kEnvironment,
-      .message =
-          "the server of `" + copy.url + "` answered with status " + std::to_string(end->status),
-      .why = {end->status == 401 || end->status == 403
-                  ? "it wants credentials: netrc, ROS2WASM_AUTH_<HOST>, or in the channel's address"
-                  : "that is no answer to what was asked"}};
+  return Diagnostic{.code = "R2W0234",
+                    .kind = FailureKind::kEnvironment,
+                    .message = "the server of `" + copy.url + "` answered with status " +
+                               std::to_string(end->status),
+                    .why = {end->status == 401 || end->status == 403
+                                ? "it wants credentials: netrc, ROS2WASM_AUTH_<HOST> (for https), "
+                                  "or in the channel's "
+                                  "address"
+                                : "that is no answer to what was asked"}};
 }
 
 }  // namespace
@@ -164,9 +166,7 @@ std::vector<Outcome<LocalFile>> bring_indexes(std::span<const std::string> urls,
   }
   for (std::size_t i = 0; i < urls.size(); ++i) {
     Copy copy = copy_of(urls[i], roots);
-    const bool known = roots.network.offline ||
-                       (copy.absent() && now_s() - copy.state->checked_s < kAbsentForSeconds);
-    if (known) {
+    if (roots.network.offline || copy.absent()) {
       if (copy.present()) files[i] = LocalFile(copy.file_of(copy.state->sha256));
       continue;
     }
@@ -182,6 +182,12 @@ std::vector<Outcome<LocalFile>> bring_indexes(std::span<const std::string> urls,
   for (std::size_t k = 0; k < asked.size(); ++k)
     files[asked[k]] = settled(copies[k], downloads[k].file, ends[k]);
   return files;
+}
+
+void remember_absent(const std::string& url, const ChannelRoots& roots) {
+  const Copy copy = copy_of(url, roots);
+  // Without it the server is asked again, no more.
+  if (!copy.absent()) (void)keep_state(copy, {}, {});
 }
 
 }  // namespace ros2wasm

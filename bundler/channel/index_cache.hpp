@@ -1,5 +1,5 @@
 // Copies of channels' index files that came over the network. A copy is asked after by its ETag or
-// date, checked by its sha256 before use, and that a channel lacks a form is remembered for a week.
+// date, checked by its sha256 before use. That a channel lacks a form can be remembered for a week.
 // An edge: network, disk and clock.
 #pragma once
 
@@ -34,5 +34,8 @@ struct IndexCopyState {
 [[nodiscard]] std::vector<Outcome<LocalFile>> bring_indexes(std::span<const std::string> urls,
                                                             const ChannelRoots& roots,
                                                             const Cancellation& cancellation);
+
+/// The server of `url` is not asked for it within a week.
+void remember_absent(const std::string& url, const ChannelRoots& roots);
 
 }  // namespace ros2wasm

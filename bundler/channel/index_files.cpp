@@ -2,8 +2,11 @@
 #include "bundler/channel/index_files.hpp"
 
 #include <array>
+#include <set>
 
 #include "bundler/archive/archive_library.hpp"
+#include "bundler/channel/channel_network.hpp"
+#include "bundler/channel/index_cache.hpp"
 #include "bundler/io/files.hpp"
 
 namespace ros2wasm {
@@ -24,13 +27,39 @@ constexpr auto kFormats = std::to_array<FormatRow>({
     {.format = IndexFormat::kPlain, .file_name = "repodata.json"},
 });
 
+/// "https://host/channel" of "https://host/channel/noarch".
+std::string_view channel_of(std::string_view folder_url) {
+  return folder_url.substr(0, folder_url.rfind('/'));
+}
+
+using FoundIndex = Outcome<std::optional<IndexFile>>;
+
+/// What the channels lack is remembered of those that answered with some index only: an address may
+/// become a channel at any time. The plain form, which every channel has, is always asked for.
+void remember_missing_forms(std::span<const std::string> folder_urls,
+                            const std::vector<FoundIndex>& found, const ChannelRoots& roots) {
+  std::set<std::string_view> channels;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (found[i] && *found[i]) channels.insert(channel_of(folder_urls[i]));
+  }
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (!found[i] || !is_network_url(folder_urls[i]) ||
+        !channels.contains(channel_of(folder_urls[i])))
+      continue;
+    for (const FormatRow& row : kFormats) {
+      if (row.format == IndexFormat::kPlain || (*found[i] && (*found[i])->format == row.format))
+        break;
+      remember_absent(folder_urls[i] + "/" + std::string(row.file_name), roots);
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<Outcome<std::optional<IndexFile>>> bring_index_files(
     std::span<const std::string> folder_urls, const ChannelRoots& roots,
     const Cancellation& cancellation) {
-  std::vector<Outcome<std::optional<IndexFile>>> found(
-      folder_urls.size(), Outcome<std::optional<IndexFile>>(std::optional<IndexFile>()));
+  std::vector<FoundIndex> found(folder_urls.size(), FoundIndex(std::optional<IndexFile>()));
   std::vector<std::size_t> open(folder_urls.size());
   for (std::size_t i = 0; i < open.size(); ++i) open[i] = i;
   for (const FormatRow& row : kFormats) {
@@ -51,6 +80,7 @@ std::vector<Outcome<std::optional<IndexFile>>> bring_index_files(
     }
     open = std::move(still_open);
   }
+  if (!roots.network.offline) remember_missing_forms(folder_urls, found, roots);
   return found;
 }
 

@@ -127,6 +127,35 @@ class Copies(IndexCase):
         self.solution(self.url, "a")
         self.assertEqual(self.asked(), ["noarch/repodata.json 304"])
 
+    def test_an_address_may_become_a_channel(self) -> None:
+        shutil.move(self.channel, self.folder / "later")
+        self.fail_with("R2W0201", "solve", "-c", self.url, "a")
+        shutil.move(self.folder / "later", self.channel)
+        self.assertEqual(len(self.solution(self.url, "a")), 2)
+
+    def test_a_subdir_may_come_later(self) -> None:
+        shutil.move(self.channel / "noarch", self.folder / "later")
+        (self.channel / "emscripten-wasm32").mkdir(exist_ok=True)
+        shutil.copy(self.folder / "later/repodata.json", self.channel / "emscripten-wasm32")
+        (self.channel / "emscripten-wasm32/repodata.json").write_text('{"packages": {}}')
+        self.fail_with("R2W0302", "solve", "-c", self.url, "a")
+        self.server.forget()
+        self.fail_with("R2W0302", "solve", "-c", self.url, "a")
+        self.assertEqual(self.asked(), ["noarch/repodata.json 404"])
+        shutil.move(self.folder / "later", self.channel / "noarch")
+        self.keep_forms("repodata.json", "repodata.json.zst")
+        self.assertEqual(len(self.solution(self.url, "a")), 2)
+
+    def test_a_channel_that_is_gone_for_a_moment(self) -> None:
+        first = self.solution(self.url, "a")
+        shutil.move(self.channel, self.folder / "away")
+        self.fail_with("R2W0201", "solve", "-c", self.url, "a")
+        self.assertEqual(self.solution(self.url, "a", words=("--offline",)), first)
+        shutil.move(self.folder / "away", self.channel)
+        self.server.forget()
+        self.assertEqual(self.solution(self.url, "a"), first)
+        self.assertEqual(self.asked(), ["noarch/repodata.json.zst 304"])
+
     def test_a_damaged_copy_is_brought_again(self) -> None:
         first = self.solution(self.url, "a")
         for file in (self.folder / "cache").rglob("*repodata.json.zst"):
@@ -134,6 +163,13 @@ class Copies(IndexCase):
         self.server.forget()
         self.assertEqual(self.solution(self.url, "a"), first)
         self.assertEqual(self.asked(), ["noarch/repodata.json.zst 200"])
+
+    def test_channel_check_keeps_its_copies_in_the_cache(self) -> None:
+        before = sorted(self.folder.iterdir())
+        self.succeed("channel", "check", self.server.url + "/${NAME}", NAME="channel",
+                     ROS2WASM_AUTH_127_0_0_1="bearer abc")
+        self.assertEqual(self.server.behaviour.seen[0].headers["authorization"], "Bearer abc")
+        self.assertEqual(sorted(self.folder.iterdir()), sorted([*before, self.folder / "cache"]))
 
     def test_offline(self) -> None:
         self.fail_with("R2W0232", "solve", "--offline", "-c", self.url, "a")

@@ -43,6 +43,19 @@ TEST(ChannelAddress, CredentialsGoToTheRequestsBelowOnly) {
             "https://other.host/t/xyz/c/x");
 }
 
+TEST(ChannelAddress, AHostsCredentialsAreForItAloneAndOverPrivateWays) {
+  const auto bearer = [](const std::string& variable, const std::string& url) {
+    return sources_of(url, network_of({{"ROS2WASM_AUTH_" + variable, "xyz"}})).front().bearer;
+  };
+  EXPECT_EQ(bearer("CONDA_CORP_COM", "https://conda.corp.com/a"), "xyz");
+  EXPECT_EQ(bearer("CONDA_CORP_COM", "https://conda-corp.com/a"), "");
+  EXPECT_EQ(bearer("CONDA__CORP_COM", "https://conda-corp.com:8443/a"), "xyz");
+  EXPECT_EQ(bearer("CONDA_CORP_COM", "http://conda.corp.com/a"), "");
+  EXPECT_EQ(bearer("127_0_0_1", "http://127.0.0.1:80/a"), "xyz");
+  EXPECT_EQ(bearer("LOCALHOST", "http://localhost/a"), "xyz");
+  EXPECT_EQ(bearer("127_EVIL_COM", "http://127.evil.com/a"), "");
+}
+
 TEST(ChannelAddress, MirrorsComeFirst) {
   ChannelNetwork network;
   network.mirrors = {{.base = "https://host/a", .urls = {"https://m1/x", "https://m2/y"}}};

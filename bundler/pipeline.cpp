@@ -30,11 +30,6 @@ namespace {
 
 constexpr const char* kManifestName = "workspace.yaml";
 
-std::string variable(const EnvironmentVariables& variables, const std::string& name) {
-  const auto found = variables.find(name);
-  return found == variables.end() ? std::string() : found->second;
-}
-
 void append(Diagnostics& to, const Diagnostics& more) {
   to.insert(to.end(), more.begin(), more.end());
 }
@@ -113,9 +108,7 @@ Outcome<Done> use_manifest(const Manifest& manifest, ChannelNetwork& network) {
 
 /// The packages of a lock in place of those of the channels, so that no channel is asked.
 Outcome<RepoIndex> locked_index(const fs::path& lock_file) {
-  const auto text = read_file(lock_file);
-  if (!text) return text.errors();
-  auto lock = read_lock(*text, lock_file.filename().string());
+  auto lock = read_lock_file(lock_file);
   if (!lock) return std::move(lock).errors();
   RepoIndex index{.channels = lock->channels, .records = {}, .left_out = {}, .names = {}};
   for (const PackageRecord& record : lock->packages) index.names.push_back(record.name);
@@ -124,7 +117,7 @@ Outcome<RepoIndex> locked_index(const fs::path& lock_file) {
   return index;
 }
 
-/// Steps 1 to 3, up to the request to the channels.
+/// Steps 1 to 3, up to the request to the channels, which a frozen lock fulfils (R2W0311).
 Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellation,
                       const ProgressSink& progress) {
   // 1. the manifest
@@ -147,8 +140,7 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
   begin_step(progress, "solve");
   ChannelRoots roots{.working_directory = workspace.folder,
                      .embedded = {},
-                     .cache = default_cache_directory(variable(request.variables, "XDG_CACHE_HOME"),
-                                                      variable(request.variables, "HOME")),
+                     .cache = default_cache_directory(request.variables),
                      .network = network_of(request.variables)};
   roots.network.offline = request.offline;
   auto embedded = embedded_channel(request.executable);
@@ -163,21 +155,21 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
   if (auto told = use_manifest(manifest, roots.network); !told) return std::move(told).errors();
   const auto addresses = channel_addresses(channels, roots);
   if (!addresses) return addresses.errors();
-  std::vector<std::string> names;
+  KnownNames known{.names = {}, .of_lock = request.frozen};
   std::set<std::string> packaged;  // versions of the compiler that there are packages for
   std::optional<OpenChannels> open;
   Outcome<RepoIndex> index = RepoIndex();
   if (request.frozen) {
-    index = locked_index(workspace.folder / kLockFileName);
+    index = locked_index((workspace.shown_folder / kLockFileName).lexically_normal());
     if (!index) return std::move(index).errors();
-    names = index->names;
+    known.names = index->names;
     for (const PackageRecord& record : index->records)
       if (record.name == kCompilerPackage) packaged.insert(record.version);
   } else {
     auto opened = open_channels(*addresses, roots, cancellation, progress);
     if (!opened) return std::move(opened).errors();
     open = std::move(*opened);
-    names = open->names();
+    known.names = open->names();
     const std::string compiler_package(kCompilerPackage);
     const auto compilers =
         open->reachable({&compiler_package, 1}, ChannelPriority::kStrict, cancellation);
@@ -186,16 +178,18 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
   }
   if (auto none = no_packages_for(*compiler, {packaged.begin(), packaged.end()}, request.variables))
     return std::move(*none);
-  auto wanted = channel_request(manifest, *packages, *order, names, compiler->version);
+  auto wanted = channel_request(manifest, *packages, *order, known, compiler->version);
   if (!wanted) return std::move(wanted).errors();
   if (open) {
     std::vector<std::string> texts;
     for (const RequestedSpec& spec : wanted->specs) texts.push_back(spec.text);
     index = open->reachable(texts, ChannelPriority::kStrict, cancellation);
     if (!index) return std::move(index).errors();
+  } else if (auto faults = check_solution(wanted->specs, index->records); !faults.empty()) {
+    return faults;
   }
   append(workspace.warnings, wanted->warnings);
-  std::vector<std::string> all_packages = ros_names(names, manifest.distro);
+  std::vector<std::string> all_packages = ros_names(known.names, manifest.distro);
   return Question{.workspace = std::move(workspace),
                   .packages = std::move(*packages),
                   .order = std::move(*order),
@@ -391,13 +385,7 @@ Outcome<LockReport> lock(const LockRequest& request, const Cancellation& cancell
   LockReport report{.file = question->workspace.folder / kLockFileName,
                     .warnings = question->workspace.warnings};
   if (request.check_only) {
-    const auto text = read_file(report.file);
-    if (!text) return text.errors();
-    auto old = read_lock(*text, report.file.filename().string());
-    if (!old) return std::move(old).errors();
-    if (Diagnostics faults = check_solution(question->specs, old->packages); !faults.empty())
-      return faults;
-    report.packages = std::move(old->packages);
+    report.packages = std::move(question->index.records);
     return report;
   }
   auto solved =

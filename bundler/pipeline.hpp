@@ -19,11 +19,12 @@ namespace ros2wasm {
 struct PackRequest {
   std::string
       input;  ///< workspace.yaml, or a folder with or without one; empty: the current folder
-  std::filesystem::path output;      ///< folder to write
-  bool locked = false;               ///< fail rather than change ros2wasm.lock
-  bool frozen = false;               ///< only the packages of ros2wasm.lock; no channel is asked
-  bool offline = false;              ///< nothing comes over the network
-  bool plan_only = false;            ///< write nothing but the build cache
+  std::filesystem::path output;  ///< folder to write
+  bool locked = false;           ///< fail rather than change ros2wasm.lock
+  bool frozen = false;     ///< only the packages of ros2wasm.lock, which must fulfil what is asked
+                           ///< (R2W0311); no channel is asked
+  bool offline = false;    ///< nothing comes over the network
+  bool plan_only = false;  ///< write nothing but the build cache
   std::filesystem::path executable;  ///< of this program
   EnvironmentVariables variables;
   unsigned jobs = 0;  ///< compilers at once; 0: one per processor

@@ -19,11 +19,6 @@ struct CacheOptions {
   bool everything = false;
 };
 
-std::string variable(const Context& context, const std::string& name) {
-  const auto found = context.environment.find(name);
-  return found == context.environment.end() ? std::string() : found->second;
-}
-
 std::string size_text(std::uint64_t bytes) {
   std::string text = std::to_string((bytes + 999) / 1000) + " kB";
   if (text.size() < 14) text.insert(0, 14 - text.size(), ' ');
@@ -119,8 +114,7 @@ int fetch(Context& context, const std::filesystem::path& cache, const std::strin
 }
 
 int run(Context& context, const CacheOptions& options) {
-  const auto cache =
-      default_cache_directory(variable(context, "XDG_CACHE_HOME"), variable(context, "HOME"));
+  const auto cache = default_cache_directory(context.environment);
   if (options.action == "verify") return verify(context, cache);
   if (options.action == "fetch") return fetch(context, cache, options.lock);
   if (options.action == "prune") return prune(context, cache, options.everything);

@@ -6,21 +6,11 @@
 #include "bundler/store/store.hpp"
 
 namespace ros2wasm {
-namespace {
-
-std::string variable(const Context& context, const std::string& name) {
-  const auto found = context.environment.find(name);
-  return found == context.environment.end() ? std::string() : found->second;
-}
-
-}  // namespace
-
 Outcome<OpenChannels> open_chosen_channels(const ChannelChoice& choice, const Context& context) {
   std::error_code error;
   ChannelRoots roots{.working_directory = std::filesystem::current_path(error),
                      .embedded = {},
-                     .cache = default_cache_directory(variable(context, "XDG_CACHE_HOME"),
-                                                      variable(context, "HOME")),
+                     .cache = default_cache_directory(context.environment),
                      .network = network_of(context.environment)};
   roots.network.offline = choice.offline;
   if (!choice.platform.empty()) roots.platform = choice.platform;

@@ -2,12 +2,11 @@
 // what is in them.
 #include <charconv>
 #include <memory>
-#include <optional>
 
-#include "bundler/channel/channel_index.hpp"
 #include "bundler/channel/channel_writer.hpp"
 #include "bundler/io/files.hpp"
 #include "cli/arguments.hpp"
+#include "cli/channel_choice.hpp"
 #include "cli/console.hpp"
 #include "workspace_schema/json_reader.hpp"
 #include "workspace_schema/json_writer.hpp"
@@ -171,13 +170,9 @@ int check(const ChannelOptions& options, Context& context) {
         usage_error("`ros2wasm channel check` takes one channel folder or address",
                     "`ros2wasm channel --help` has examples"));
   }
-  std::error_code error;
-  ChannelRoots roots;
-  roots.working_directory = std::filesystem::current_path(error);
-  const std::vector<ChannelSource> sources{{.name = options.words[0], .span = {}}};
-  const auto addresses = channel_addresses(sources, roots);
-  if (!addresses) return context.console.fail(addresses.errors());
-  const auto channel = load_channels(*addresses, roots, context.cancellation, context.progress);
+  const auto open = open_chosen_channels({.channels = options.words}, context);
+  if (!open) return context.console.fail(open.errors());
+  const auto channel = open->everything(context.cancellation);
   if (!channel) return context.console.fail(channel.errors());
   if (context.json) {
     JsonWriter json;

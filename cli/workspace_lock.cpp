@@ -3,7 +3,6 @@
 
 #include <filesystem>
 
-#include "bundler/io/files.hpp"
 #include "bundler/resolve/locked_solve.hpp"
 #include "workspace_schema/suggestion.hpp"
 
@@ -14,16 +13,7 @@ Outcome<Lock> read_workspace_lock(const std::string& workspace) {
   std::error_code error;
   fs::path folder = workspace.empty() ? fs::path(".") : fs::path(workspace);
   if (fs::is_regular_file(folder, error)) folder = folder.parent_path();
-  const fs::path file = (folder / kLockFileName).lexically_normal();
-  if (!fs::exists(file, error)) {
-    return Diagnostic{.code = "R2W0330",
-                      .message = "there is no `" + file.string() + "`",
-                      .why = {"`ros2wasm lock` and `ros2wasm pack` write it"},
-                      .fix = {"ros2wasm lock"}};
-  }
-  const auto text = read_file(file);
-  if (!text) return text.errors();
-  return read_lock(*text, file.string());
+  return read_lock_file((folder / kLockFileName).lexically_normal());
 }
 
 Diagnostic not_in_lock(const std::string& name, const Lock& lock) {

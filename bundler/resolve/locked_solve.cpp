@@ -33,6 +33,19 @@ std::vector<PackageRecord> still_there(const std::vector<PackageRecord>& locked,
 
 }  // namespace
 
+Outcome<Lock> read_lock_file(const std::filesystem::path& file) {
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) {
+    return Diagnostic{.code = "R2W0330",
+                      .message = "there is no `" + file.string() + "`",
+                      .why = {"`ros2wasm lock` and `ros2wasm pack` write it"},
+                      .fix = {"ros2wasm lock"}};
+  }
+  const auto text = read_file(file);
+  if (!text) return text.errors();
+  return read_lock(*text, file.string());
+}
+
 Outcome<LockedSolution> solve_with_lock(const std::vector<RequestedSpec>& specs,
                                         const RepoIndex& index,
                                         const std::filesystem::path& lock_file, bool must_fit,

@@ -19,6 +19,9 @@ struct LockUpdate {
   std::vector<std::string> names;
 };
 
+/// R2W0330 there is none, R2W0310 it is damaged, R2W0210.
+[[nodiscard]] Outcome<Lock> read_lock_file(const std::filesystem::path& file);
+
 struct LockedSolution {
   std::vector<PackageRecord> packages;  ///< in install order
   std::string lock_text;                ///< the lock that says so

@@ -43,11 +43,13 @@ fs::path folder_of(const fs::path& cache, const std::string& sha256) {
 
 }  // namespace
 
-fs::path default_cache_directory(const std::string& xdg_cache_home, const std::string& home) {
-  if (!xdg_cache_home.empty() && fs::path(xdg_cache_home).is_absolute()) {
-    return fs::path(xdg_cache_home) / "ros2wasm";
-  }
-  return fs::path(home.empty() ? "/tmp" : home) / ".cache" / "ros2wasm";
+fs::path default_cache_directory(const std::map<std::string, std::string>& variables) {
+  const auto xdg = variables.find("XDG_CACHE_HOME");
+  if (xdg != variables.end() && fs::path(xdg->second).is_absolute())
+    return fs::path(xdg->second) / "ros2wasm";
+  const auto home = variables.find("HOME");
+  const bool homeless = home == variables.end() || home->second.empty();
+  return fs::path(homeless ? "/tmp" : home->second) / ".cache" / "ros2wasm";
 }
 
 std::string package_fault(const fs::path& folder) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,10 +17,9 @@
 
 namespace ros2wasm {
 
-/// $XDG_CACHE_HOME/ros2wasm, else $HOME/.cache/ros2wasm. `home` and `xdg_cache_home` are the
-/// variables' values.
-[[nodiscard]] std::filesystem::path default_cache_directory(const std::string& xdg_cache_home,
-                                                            const std::string& home);
+/// $XDG_CACHE_HOME/ros2wasm, else $HOME/.cache/ros2wasm. `variables` are those of the environment.
+[[nodiscard]] std::filesystem::path default_cache_directory(
+    const std::map<std::string, std::string>& variables);
 
 /// What is wrong with an unpacked package: the first file that is not what its info/paths.json
 /// lists. Empty when all are right.

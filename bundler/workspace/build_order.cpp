@@ -49,16 +49,23 @@ Diagnostics duplicate_names(const std::vector<LocalPackage>& packages) {
   return errors;
 }
 
-std::string version_part(const PackageDependency& dependency) {
+/// Adds the limits that are not there yet.
+void add_limits(const PackageDependency& dependency, std::vector<std::string>& limits) {
   static const std::map<std::string, std::string> kOperators = {
       {"lt", "<"}, {"lte", "<="}, {"eq", "=="}, {"gte", ">="}, {"gt", ">"}};
-  std::string result;
-  for (const auto& [key, limit] : dependency.version_limits) {
+  for (const auto& [key, version] : dependency.version_limits) {
     const auto found = kOperators.find(key);
     if (found == kOperators.end()) continue;
-    result += (result.empty() ? "" : ",") + found->second + limit;
+    std::string limit = found->second + version;
+    if (std::find(limits.begin(), limits.end(), limit) == limits.end())
+      limits.push_back(std::move(limit));
   }
-  return result;
+}
+
+std::string match_spec(const std::string& name, const std::vector<std::string>& limits) {
+  std::string spec = name;
+  for (const std::string& limit : limits) spec += (&limit == &limits.front() ? " " : ",") + limit;
+  return spec;
 }
 
 /// Depth first; `state` 1 is "being visited". Returns a cycle's members when there is one.
@@ -151,6 +158,7 @@ Outcome<BuildOrder> order_packages(const std::vector<LocalPackage>& packages,
 
   std::vector<Indices> direct(packages.size());
   std::map<std::string, ExternalDependency> external;
+  std::map<std::string, std::vector<std::string>> limits;  // of the external ones
   for (std::size_t i = 0; i < packages.size(); ++i) {
     for (const PackageDependency& dependency : packages[i].xml.dependencies) {
       const bool building = matters_for_building(dependency.kind);
@@ -166,12 +174,8 @@ Outcome<BuildOrder> order_packages(const std::vector<LocalPackage>& packages,
       }
       if (!host_package_reason(name).empty()) continue;
       ExternalDependency& entry = external[name];
-      const std::string version = version_part(dependency);
       entry.name = name;
-      if (entry.match_spec.empty()) entry.match_spec = conda_name(name, distro);
-      if (!version.empty() && entry.match_spec.find(version) == std::string::npos) {
-        entry.match_spec += (entry.match_spec.find(' ') == std::string::npos ? " " : ",") + version;
-      }
+      add_limits(dependency, limits[name]);
       entry.needed_to_build = entry.needed_to_build || building;
       // One <depend> is three dependencies with one place.
       if (entry.places.empty() || !(entry.places.back() == dependency.name.span)) {
@@ -190,21 +194,25 @@ Outcome<BuildOrder> order_packages(const std::vector<LocalPackage>& packages,
   for (std::size_t i = 0; i < packages.size(); ++i) {
     result.needs.push_back(closure(i, direct, result.order));
   }
-  for (auto& [name, entry] : external) result.external.push_back(std::move(entry));
+  for (auto& [name, entry] : external) {
+    entry.match_spec = match_spec(conda_name(name, distro), limits[name]);
+    result.external.push_back(std::move(entry));
+  }
   return result;
 }
 
 Diagnostics missing_dependencies(const std::vector<ExternalDependency>& external,
-                                 const std::vector<std::string>& channel_names,
-                                 std::string_view distro) {
+                                 const KnownNames& known, std::string_view distro) {
   Diagnostics result;
   for (const ExternalDependency& dependency : external) {
     const std::string wanted = conda_name(dependency.name, distro);
-    if (std::binary_search(channel_names.begin(), channel_names.end(), wanted)) continue;
+    if (std::binary_search(known.names.begin(), known.names.end(), wanted)) continue;
+    if (known.of_lock && dependency.needed_to_build) continue;
     Diagnostic diagnostic{
         .code = "R2W0513",
         .severity = dependency.needed_to_build ? Severity::kError : Severity::kWarning,
-        .message = "no channel has `" + dependency.name + "`, and the workspace has not either",
+        .message = (known.of_lock ? "the lock has no `" : "no channel has `") + dependency.name +
+                   "`, and the workspace has not either",
         .span = dependency.places.front(),
         .label = "asked for here",
         .why = {"in a channel it would be called `" + wanted + "`"}};
@@ -212,7 +220,9 @@ Diagnostics missing_dependencies(const std::vector<ExternalDependency>& external
       diagnostic.why.push_back("it is asked for in " + std::to_string(dependency.places.size()) +
                                " places");
     }
-    if (const auto similar = nearest(wanted, channel_names)) {
+    if (known.of_lock) {
+      diagnostic.why.emplace_back("only when the lock is written are the channels asked");
+    } else if (const auto similar = nearest(wanted, known.names)) {
       diagnostic.why.push_back("a channel has `" + *similar + "`");
     }
     result.push_back(std::move(diagnostic));

@@ -38,11 +38,16 @@ struct BuildOrder {
 [[nodiscard]] Outcome<BuildOrder> order_packages(const std::vector<LocalPackage>& packages,
                                                  std::string_view distro);
 
+/// Names of packages, sorted, and whose they are.
+struct KnownNames {
+  std::vector<std::string> names;
+  bool of_lock = false;  ///< those of a lock, which says nothing of what else the channels have
+};
+
 /// What no channel has, each with the line that asks for it: R2W0513. Dependencies that only matter
-/// when nodes run become warnings of the same code. `channel_names` are the names of the channels'
-/// records, sorted.
+/// when nodes run become warnings of the same code; against a lock they are all that is told here,
+/// as check_solution() tells of the others.
 [[nodiscard]] Diagnostics missing_dependencies(const std::vector<ExternalDependency>& external,
-                                               const std::vector<std::string>& channel_names,
-                                               std::string_view distro);
+                                               const KnownNames& known, std::string_view distro);
 
 }  // namespace ros2wasm

@@ -28,18 +28,19 @@ std::string dependency_spec(const std::string& text, std::string_view distro,
 
 Outcome<ChannelRequest> channel_request(const Manifest& manifest,
                                         const std::vector<LocalPackage>& packages,
-                                        const BuildOrder& order,
-                                        const std::vector<std::string>& channel_names,
+                                        const BuildOrder& order, const KnownNames& known,
                                         const std::string& compiler_version) {
   ChannelRequest request;
   Diagnostics errors;
-  for (Diagnostic& one : missing_dependencies(order.external, channel_names, manifest.distro)) {
+  for (Diagnostic& one : missing_dependencies(order.external, known, manifest.distro)) {
     (one.severity == Severity::kError ? errors : request.warnings).push_back(std::move(one));
   }
   if (!errors.empty()) return errors;
 
   for (const ExternalDependency& dependency : order.external) {
-    if (!has(channel_names, conda_name(dependency.name, manifest.distro))) continue;
+    if (!has(known.names, conda_name(dependency.name, manifest.distro)) &&
+        !(known.of_lock && dependency.needed_to_build))
+      continue;
     request.specs.push_back({.text = dependency.match_spec,
                              .origin = dependency.places.front().file,
                              .span = dependency.places.front()});
@@ -47,7 +48,7 @@ Outcome<ChannelRequest> channel_request(const Manifest& manifest,
   for (const Spanned<std::string>& dependency : manifest.dependencies) {
     if (!host_package_reason(dependency.value).empty()) continue;
     request.specs.push_back(
-        {.text = dependency_spec(dependency.value, manifest.distro, channel_names),
+        {.text = dependency_spec(dependency.value, manifest.distro, known.names),
          .origin = manifest.file,
          .span = dependency.span});
   }
@@ -57,10 +58,10 @@ Outcome<ChannelRequest> channel_request(const Manifest& manifest,
   };
   for (const NodeEntry& node : manifest.nodes) {
     const std::string name = conda_name(node.package.value, manifest.distro);
-    if (is_local(node.package.value) || !has(channel_names, name)) continue;
+    if (is_local(node.package.value) || !has(known.names, name)) continue;
     request.specs.push_back({.text = name, .origin = manifest.file, .span = node.package.span});
   }
-  if (!compiler_version.empty() && has(channel_names, kCompilerPackage)) {
+  if (!compiler_version.empty() && has(known.names, kCompilerPackage)) {
     request.specs.push_back({.text = std::string(kCompilerPackage) + " " + compiler_version + ".*",
                              .origin = "Emscripten " + compiler_version + " of this machine",
                              .span = std::nullopt});

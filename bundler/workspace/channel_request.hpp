@@ -20,12 +20,13 @@ struct ChannelRequest {
   Diagnostics warnings;              ///< wished for at run time, but in no channel
 };
 
-/// `channel_names`: names of all records, sorted. Dependencies of the manifest may be ROS package
-/// names; nodes may name packages that nobody lists. R2W0513 for everything that no channel has.
+/// Dependencies of the manifest may be ROS package names; nodes may name packages that nobody
+/// lists. R2W0513 for everything that no channel has; against a lock, what it lacks is asked for
+/// all the same.
 [[nodiscard]] Outcome<ChannelRequest> channel_request(const Manifest& manifest,
                                                       const std::vector<LocalPackage>& packages,
                                                       const BuildOrder& order,
-                                                      const std::vector<std::string>& channel_names,
+                                                      const KnownNames& known,
                                                       const std::string& compiler_version);
 
 /// A manifest's dependency as a match spec: conda names stay, ROS names get `ros-<distro>-`.

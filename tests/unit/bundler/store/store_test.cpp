@@ -115,9 +115,11 @@ TEST_F(StoreTest, ManyAtOnceGetTheSameFolder) {
 }
 
 TEST(StorePlace, FollowsXdg) {
-  EXPECT_EQ(default_cache_directory("/x", "/home/me"), "/x/ros2wasm");
-  EXPECT_EQ(default_cache_directory("", "/home/me"), "/home/me/.cache/ros2wasm");
-  EXPECT_EQ(default_cache_directory("relative", "/home/me"), "/home/me/.cache/ros2wasm");
+  EXPECT_EQ(default_cache_directory({{"XDG_CACHE_HOME", "/x"}, {"HOME", "/home/me"}}),
+            "/x/ros2wasm");
+  EXPECT_EQ(default_cache_directory({{"HOME", "/home/me"}}), "/home/me/.cache/ros2wasm");
+  EXPECT_EQ(default_cache_directory({{"XDG_CACHE_HOME", "relative"}, {"HOME", "/home/me"}}),
+            "/home/me/.cache/ros2wasm");
 }
 
 }  // namespace

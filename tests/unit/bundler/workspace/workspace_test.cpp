@@ -118,7 +118,7 @@ TEST(ChannelRequest, EverythingMissingAtOnceWithItsLine) {
   const auto order = order_packages(packages, "jazzy");
   ASSERT_TRUE(order);
   const auto request =
-      channel_request(Manifest{}, packages, *order, {"ros-jazzy-std-msgs"}, "3.1.6");
+      channel_request(Manifest{}, packages, *order, {.names = {"ros-jazzy-std-msgs"}}, "3.1.6");
   ASSERT_FALSE(request);
   ASSERT_EQ(request.errors().size(), 2U);  // rviz2 is a warning only
   EXPECT_EQ(request.errors()[0].code, "R2W0513");
@@ -139,10 +139,11 @@ TEST(ChannelRequest, HasPackagesNodesAndTheCompiler) {
   NodeEntry node;
   node.package.value = "demo_nodes";
   manifest.nodes.push_back(node);
-  const auto request = channel_request(manifest, packages, *order,
-                                       {"emscripten-abi", "ros-jazzy-demo-nodes",
-                                        "ros-jazzy-nav-msgs", "ros-jazzy-std-msgs", "zlib"},
-                                       "3.1.6");
+  const auto request =
+      channel_request(manifest, packages, *order,
+                      {.names = {"emscripten-abi", "ros-jazzy-demo-nodes", "ros-jazzy-nav-msgs",
+                                 "ros-jazzy-std-msgs", "zlib"}},
+                      "3.1.6");
   ASSERT_TRUE(request);
   std::vector<std::string> texts;
   for (const RequestedSpec& spec : request->specs) texts.push_back(spec.text);
@@ -151,6 +152,37 @@ TEST(ChannelRequest, HasPackagesNodesAndTheCompiler) {
                                       "ros-jazzy-nav-msgs >=5", "ros-jazzy-std-msgs", "zlib"}));
   ASSERT_EQ(request->warnings.size(), 1U);
   EXPECT_EQ(request->warnings[0].severity, Severity::kWarning);
+}
+
+TEST(ChannelRequest, WhatALockLacksIsAskedForAllTheSame) {
+  const TemporaryTree tree;
+  tree.write("src/a/package.xml",
+             package_xml("a", "<depend>other</depend>\n<exec_depend>rviz2</exec_depend>\n"));
+  const auto packages = discovered(tree, "src");
+  const auto order = order_packages(packages, "jazzy");
+  ASSERT_TRUE(order);
+  const auto request =
+      channel_request(Manifest{}, packages, *order, {.names = {}, .of_lock = true}, "3.1.6");
+  ASSERT_TRUE(request);
+  ASSERT_EQ(request->specs.size(), 1U);
+  EXPECT_EQ(request->specs[0].text, "ros-jazzy-other");
+  ASSERT_EQ(request->warnings.size(), 1U);
+  EXPECT_EQ(request->warnings[0].message,
+            "the lock has no `rviz2`, and the workspace has not either");
+}
+
+TEST(BuildOrder, EveryVersionLimitCountsOnce) {
+  const TemporaryTree tree;
+  const auto limited = [](const std::string& limits) {
+    return "<depend " + limits + ">other</depend>\n";
+  };
+  tree.write("src/a/package.xml", package_xml("a", limited("version_lt=\"1.5\"")));
+  tree.write("src/b/package.xml", package_xml("b", limited("version_lt=\"1\"")));
+  tree.write("src/c/package.xml", package_xml("c", limited("version_lt=\"1.5\"")));
+  const auto order = order_packages(discovered(tree, "src"), "jazzy");
+  ASSERT_TRUE(order);
+  ASSERT_EQ(order->external.size(), 1U);
+  EXPECT_EQ(order->external[0].match_spec, "ros-jazzy-other <1.5,<1");
 }
 
 TEST(HostPackages, ToolsOfTheMachineNeedNoChannel) {

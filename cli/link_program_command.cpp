@@ -7,6 +7,7 @@
 #include "bundler/build/link_driver.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/installation.hpp"
+#include "bundler/io/sha256.hpp"
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
 
@@ -22,7 +23,9 @@ struct Options {
 void hand_up(const Context& context, const std::string& output, const Diagnostics& errors) {
   const auto folder = context.environment.find("ROS2WASM_LINK_DIAGNOSTICS");
   if (folder == context.environment.end() || folder->second.empty()) return;
-  const auto name = std::filesystem::path(output).stem().string() + ".json";
+  // Programs in two folders may have one name.
+  const auto name = std::filesystem::path(output).stem().string() + "-" +
+                    sha256_hex(output).substr(0, 16) + ".json";
   // When this fails the findings are still in what the linker printed.
   (void)write_file(std::filesystem::path(folder->second) / name, diagnostics_to_json(errors));
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -71,11 +72,12 @@ class WorkspaceBuilder {
         progress_(progress),
         built_(packages.size()),
         state_(packages.size(), State::kWaiting),
+        free_jobs_(std::max(1U, tools.jobs)),
         toolchain_hash_(hash_of_tree(tools.toolchain.parent_path())) {}
 
   [[nodiscard]] Outcome<WorkspaceBuild> run() {
     const unsigned workers =
-        std::max(1U, std::min<unsigned>(tools_.jobs, static_cast<unsigned>(packages_.size())));
+        std::min<unsigned>(free_jobs_, static_cast<unsigned>(packages_.size()));
     std::vector<std::thread> threads;
     for (unsigned i = 1; i < workers; ++i) threads.emplace_back([this] { work(); });
     work();
@@ -86,44 +88,50 @@ class WorkspaceBuilder {
  private:
   enum class State { kWaiting, kRunning, kBuilt, kNotBuilt };
 
-  /// Takes packages whose needs are built until none is left.
+  /// Takes packages whose needs are built until none is left. Packages that can be built now share
+  /// the jobs that nobody has.
   void work() {
     std::unique_lock lock(mutex_);
     while (true) {
-      const auto next = ready();
-      if (!next) {
+      const std::vector<std::size_t> ready = ready_packages();
+      if (ready.empty() || free_jobs_ == 0) {
         if (std::none_of(state_.begin(), state_.end(),
                          [](State s) { return s == State::kRunning; }))
           break;
         changed_.wait(lock);
         continue;
       }
-      state_[*next] = State::kRunning;
+      const std::size_t next = ready.front();
+      const unsigned jobs = std::max(1U, free_jobs_ / static_cast<unsigned>(ready.size()));
+      state_[next] = State::kRunning;
+      free_jobs_ -= jobs;
       lock.unlock();
-      auto outcome = build(*next);
+      auto outcome = build(next, jobs);
       lock.lock();
-      finish(*next, std::move(outcome));
+      free_jobs_ += jobs;
+      finish(next, std::move(outcome));
       changed_.notify_all();
     }
     changed_.notify_all();
   }
 
-  [[nodiscard]] std::optional<std::size_t> ready() {
-    if (cancellation_.requested()) return std::nullopt;
+  [[nodiscard]] std::vector<std::size_t> ready_packages() {
+    std::vector<std::size_t> result;
+    if (cancellation_.requested()) return result;
     for (const std::size_t index : order_.order) {
       if (state_[index] != State::kWaiting) continue;
       const auto& needs = order_.needs[index];
-      if (std::any_of(needs.begin(), needs.end(),
-                      [&](std::size_t n) { return state_[n] == State::kNotBuilt; })) {
+      const auto lacking = std::find_if(
+          needs.begin(), needs.end(), [&](std::size_t n) { return state_[n] == State::kNotBuilt; });
+      if (lacking != needs.end()) {
         state_[index] = State::kNotBuilt;
-        continue;
-      }
-      if (std::all_of(needs.begin(), needs.end(),
-                      [&](std::size_t n) { return state_[n] == State::kBuilt; })) {
-        return index;
+        left_out_.emplace(index, *lacking);
+      } else if (std::all_of(needs.begin(), needs.end(),
+                             [&](std::size_t n) { return state_[n] == State::kBuilt; })) {
+        result.push_back(index);
       }
     }
-    return std::nullopt;
+    return result;
   }
 
   void finish(std::size_t index, Outcome<std::optional<BuiltPackage>> outcome) {
@@ -134,12 +142,12 @@ class WorkspaceBuilder {
       built_[index] = std::move(**outcome);
       state_[index] = State::kBuilt;
     } else {
-      left_out_.push_back(index);
+      left_out_.emplace(index, index);
     }
   }
 
   /// Nothing when the package's build type has no row.
-  [[nodiscard]] Outcome<std::optional<BuiltPackage>> build(std::size_t index) {
+  [[nodiscard]] Outcome<std::optional<BuiltPackage>> build(std::size_t index, unsigned jobs) {
     const LocalPackage& package = packages_[index];
     const Language* language = find_language(package.xml.build_type);
     if (language == nullptr) return std::optional<BuiltPackage>();
@@ -154,21 +162,21 @@ class WorkspaceBuilder {
                         .from_cache = true};
     if (is_kept(result.prefix, hash)) return std::optional(std::move(result));
     result.from_cache = false;
-    if (auto done = build_anew(*language, package, needs, result); !done)
+    if (auto done = build_anew(*language, package, needs, result, jobs); !done)
       return std::move(done).errors();
     return std::optional(std::move(result));
   }
 
   [[nodiscard]] Outcome<Done> build_anew(const Language& language, const LocalPackage& package,
                                          const std::vector<const BuiltPackage*>& needs,
-                                         const BuiltPackage& result) {
+                                         const BuiltPackage& result, unsigned jobs) {
     const std::string& name = result.name;
     const fs::path& prefix = result.prefix;
     const fs::path work = settings_.cache / "work" /
                           (name + "-" + sha256_hex(package.directory.string()).substr(0, 16));
     if (auto made = make_directories(work); !made) return made;
-    const FileLock lock(work.string() + ".lock");
-    if (cancellation_.requested()) return interrupted();
+    const auto lock = FileLock::take(work.string() + ".lock", cancellation_);
+    if (!lock) return lock.errors();
     if (is_kept(prefix, result.hash)) return Done{};  // another process was faster
     if (progress_) progress_({.step = "build", .item = name, .done = 0, .total = 0, .unit = {}});
     auto staging = TemporaryDirectory::make(settings_.cache / "built", "." + name + "-");
@@ -183,7 +191,8 @@ class WorkspaceBuilder {
         .prefixes = {},
         .work = work,
         .install = staging->path(),
-        .final_prefix = prefix};
+        .final_prefix = prefix,
+        .jobs = jobs};
     for (auto need = needs.rbegin(); need != needs.rend(); ++need)
       request.prefixes.push_back((*need)->prefix);
     if (!settings_.environment_prefix.empty())
@@ -222,13 +231,22 @@ class WorkspaceBuilder {
     for (const std::size_t index : order_.order) {
       if (built_[index]) result.packages.push_back(std::move(*built_[index]));
     }
-    std::sort(left_out_.begin(), left_out_.end());
-    for (const std::size_t index : left_out_)
-      result.warnings.push_back(left_out_warning(packages_[index]));
+    for (const auto& [index, cause] : left_out_)
+      result.warnings.push_back(left_out_warning(packages_[index], packages_[cause]));
     return result;
   }
 
-  [[nodiscard]] static Diagnostic left_out_warning(const LocalPackage& package) {
+  /// `cause`: the package itself, or one that it needs.
+  [[nodiscard]] static Diagnostic left_out_warning(const LocalPackage& package,
+                                                   const LocalPackage& cause) {
+    if (&package != &cause) {
+      return Diagnostic{.code = "R2W0514",
+                        .severity = Severity::kWarning,
+                        .message = "package `" + package.xml.name.value +
+                                   "` is left out: it needs `" + cause.xml.name.value +
+                                   "`, which is left out",
+                        .span = package.xml.name.span};
+    }
     return Diagnostic{.code = "R2W0514",
                       .severity = Severity::kWarning,
                       .message = "package `" + package.xml.name.value +
@@ -248,7 +266,8 @@ class WorkspaceBuilder {
   std::vector<State> state_;
   std::string toolchain_hash_;
   std::vector<std::pair<std::size_t, Diagnostics>> errors_;
-  std::vector<std::size_t> left_out_;
+  unsigned free_jobs_;                           ///< that no running package has
+  std::map<std::size_t, std::size_t> left_out_;  ///< and why: itself, or one that it needs
   std::mutex mutex_;
   std::condition_variable changed_;
 };

@@ -45,8 +45,8 @@ struct WorkspaceBuild {
 
 /// Tools are asked for only when something must be built, so a warm pack works without a compiler's
 /// start. R2W0501 to R2W0508 as the steps say; R2W0514 (warning) a build type without a row: that
-/// package is left out. R2W0640 before the others when the disk is full. A package that fails does
-/// not stop those that do not need it: all mistakes come at once.
+/// package is left out, and those that need it. R2W0640 before the others when the disk is full. A
+/// package that fails does not stop those that do not need it: all mistakes come at once.
 [[nodiscard]] Outcome<WorkspaceBuild> build_workspace(
     const std::vector<LocalPackage>& packages, const BuildOrder& order, const BuildTools& tools,
     const BuildSettings& settings, const Cancellation& cancellation, const ProgressSink& progress);

@@ -2,21 +2,38 @@
 #include "bundler/io/file_lock.hpp"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <utility>
+
+#include "bundler/io/files.hpp"
+
 namespace ros2wasm {
 
-FileLock::FileLock(const std::filesystem::path& file) {
-  std::error_code ignored;
-  std::filesystem::create_directories(file.parent_path(), ignored);
+Outcome<FileLock> FileLock::take(const std::filesystem::path& file,
+                                 const Cancellation& cancellation) {
+  if (auto made = make_directories(file.parent_path()); !made) return std::move(made).errors();
   const int fd = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-  if (fd < 0) return;
-  if (::flock(fd, LOCK_EX) == 0) {
-    fd_ = fd;
-  } else {
-    ::close(fd);
+  if (fd < 0) return cannot_write(file, errno);
+  FileLock lock(fd);
+  while (::flock(fd, LOCK_EX | LOCK_NB) != 0) {
+    if (errno != EWOULDBLOCK && errno != EINTR) return cannot_write(file, errno);
+    if (cancellation.requested()) return interrupted();
+    constexpr int kPatienceMs = 50;
+    pollfd wake{.fd = cancellation.wake_fd(), .events = POLLIN, .revents = 0};
+    ::poll(&wake, 1, kPatienceMs);
   }
+  return lock;
+}
+
+FileLock::FileLock(FileLock&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
+
+FileLock& FileLock::operator=(FileLock&& other) noexcept {
+  std::swap(fd_, other.fd_);
+  return *this;
 }
 
 FileLock::~FileLock() {

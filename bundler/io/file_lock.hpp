@@ -3,19 +3,23 @@
 
 #include <filesystem>
 
+#include "workspace_schema/cancellation.hpp"
+#include "workspace_schema/outcome.hpp"
+
 namespace ros2wasm {
 
-/// Held until it goes out of scope; waits for other processes.
+/// Held until it goes out of scope.
 class FileLock {
  public:
-  explicit FileLock(const std::filesystem::path& file);
-  FileLock(const FileLock&) = delete;
-  FileLock& operator=(const FileLock&) = delete;
+  /// Waits for other processes. R2W0211 the file cannot be made or locked.
+  [[nodiscard]] static Outcome<FileLock> take(const std::filesystem::path& file,
+                                              const Cancellation& cancellation);
+  FileLock(FileLock&& other) noexcept;
+  FileLock& operator=(FileLock&& other) noexcept;
   ~FileLock();
-  /// False when the lock could not be had: no permission, or a signal came.
-  [[nodiscard]] bool held() const { return fd_ >= 0; }
 
  private:
+  explicit FileLock(int fd) : fd_(fd) {}
   int fd_ = -1;
 };
 

@@ -132,7 +132,7 @@ void drain(Descriptor& from, std::string& into, const ProcessRequest& request) {
     const int null_fd = ::open("/dev/null", O_RDONLY);
     if (null_fd >= 0) ::dup2(null_fd, STDIN_FILENO);
   }
-  const std::string directory = request.directory.native();
+  const std::string& directory = request.directory.native();
   if (directory.empty() || ::chdir(directory.c_str()) == 0) {
     ::execve(program.c_str(), arguments, environment);
   }

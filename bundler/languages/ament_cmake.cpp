@@ -145,7 +145,7 @@ Outcome<Done> compile(const PackageBuild& request, const BuildTools& tools,
                       const Cancellation& cancellation, const ProgressSink& progress) {
   if (auto cleared = remove_tree(request.work / kLinkDiagnostics); !cleared) return cleared;
   const auto result = run_process({.arguments = {"ninja", "-C", request.work.string(), "-k", "0",
-                                                 "-j", std::to_string(tools.jobs)},
+                                                 "-j", std::to_string(request.jobs)},
                                    .environment = child_environment(request, tools),
                                    .on_output = NinjaProgress(request.place.package, progress)},
                                   cancellation);

@@ -21,7 +21,7 @@ struct BuildTools {
   EnvironmentVariables compiler_environment;
   std::filesystem::path toolchain;  ///< ros2wasm-toolchain.cmake
   std::filesystem::path cli;        ///< this program, for link-program
-  unsigned jobs = 1;                ///< compilers at once
+  unsigned jobs = 1;                ///< compilers at once, of all packages
 };
 
 /// One package to build.
@@ -33,6 +33,7 @@ struct PackageBuild {
       work;  ///< kept from run to run, so that only what changed is compiled again
   std::filesystem::path install;       ///< empty folder to install into
   std::filesystem::path final_prefix;  ///< what `install` will be called later
+  unsigned jobs = 1;                   ///< compilers at once, of this package
 };
 
 struct Language {

@@ -131,5 +131,22 @@ TEST(SourceHash, ContentsCountTimesAndHiddenFilesDoNot) {
   EXPECT_NE(HashBuilder().add("ab", "c").finish(), HashBuilder().add("a", "bc").finish());
 }
 
+TEST(SourceHash, LinksThatLeadRoundEndAndCount) {
+  const testing::TemporaryTree tree;
+  tree.write("a/x.cpp", "one");
+  tree.write("a/sub/y.cpp", "two");
+  std::filesystem::create_directory_symlink(".", tree / "a/one");
+  const std::string one = hash_of_tree(tree / "a");
+  // Followed at every level, two such links would be as many names as there are binary numbers.
+  std::filesystem::create_directory_symlink(".", tree / "a/two");
+  const std::string two = hash_of_tree(tree / "a");
+  EXPECT_NE(two, one);
+  std::filesystem::remove(tree / "a/two");
+  std::filesystem::create_directory_symlink("sub", tree / "a/two");
+  EXPECT_NE(hash_of_tree(tree / "a"), two);
+  tree.write("a/sub/y.cpp", "2");
+  EXPECT_NE(hash_of_tree(tree / "a"), two);
+}
+
 }  // namespace
 }  // namespace ros2wasm

@@ -1,6 +1,7 @@
 // `ros2wasm tree [NAME]`: who needs whom, as ros2wasm.lock says.
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "bundler/io/files.hpp"
@@ -56,12 +57,21 @@ class TreePrinter {
   std::vector<bool> shown_;
 };
 
-void print_json(Context& context, const LockGraph& graph) {
+/// Marks a package and all that it needs.
+void reach(const LockGraph& graph, std::size_t i, std::vector<bool>& reached) {
+  if (reached[i]) return;
+  reached[i] = true;
+  for (const LockEdge& edge : graph.needs(i)) reach(graph, edge.package, reached);
+}
+
+void print_json(Context& context, const LockGraph& graph, const std::vector<std::string>& asked_for,
+                const std::vector<bool>& shown) {
   JsonWriter json;
   json.begin_object().key("asked_for").begin_array();
-  for (const LockEdge& root : graph.roots()) json.string(root.spec);
+  for (const std::string& spec : asked_for) json.string(spec);
   json.end_array().key("packages").begin_array();
   for (std::size_t i = 0; i < graph.size(); ++i) {
+    if (!shown[i]) continue;
     const PackageRecord& record = graph.package(i);
     json.begin_object().field("name", record.name).field("version", record.version);
     json.field("build", record.build).key("needs").begin_array();
@@ -84,14 +94,18 @@ int run(Context& context, const TreeOptions& options) {
     const auto package = graph.find(options.name);
     if (!package) return context.console.fail(not_in_lock(options.name, *lock));
     if (context.json) {
-      print_json(context, graph);
+      std::vector<bool> reached(graph.size(), false);
+      reach(graph, *package, reached);
+      print_json(context, graph, {options.name}, reached);
     } else {
       printer.root(*package);
     }
     return 0;
   }
   if (context.json) {
-    print_json(context, graph);
+    std::vector<std::string> asked_for;
+    for (const LockEdge& root : graph.roots()) asked_for.push_back(root.spec);
+    print_json(context, graph, asked_for, std::vector<bool>(graph.size(), true));
     return 0;
   }
   for (const LockEdge& root : graph.roots()) printer.root(root.package);

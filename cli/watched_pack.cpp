@@ -59,6 +59,7 @@ int WatchedPack::pack_now() {
   if (report) {
     for (const Diagnostic& warning : report->warnings) context_.console.report(warning);
     for (const std::string& remark : report->remarks) context_.console.remark(remark);
+    accept_new_roots(report->watched);
     watched_ = std::move(report->watched);
   } else {
     state.problems = problem_text(report.errors());
@@ -67,6 +68,16 @@ int WatchedPack::pack_now() {
   watch_.accept(workspace_marks({folder_ / kLockFileName}, {}));
   pages_.set(std::move(state));
   return exit_code;
+}
+
+void WatchedPack::accept_new_roots(const std::vector<fs::path>& roots) {
+  std::vector<fs::path> fresh;
+  for (const fs::path& root : roots) {
+    const bool below = *root.lexically_relative(folder_).begin() != "..";
+    if (!below && std::find(watched_.begin(), watched_.end(), root) == watched_.end())
+      fresh.push_back(root);
+  }
+  watch_.accept(workspace_marks(fresh, {site_}));
 }
 
 void WatchedPack::look() {

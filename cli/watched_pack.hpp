@@ -32,6 +32,8 @@ class WatchedPack {
 
  private:
   [[nodiscard]] WorkspaceMarks marks();
+  /// Places outside of the folder that only the pack told of: they were not looked at before it.
+  void accept_new_roots(const std::vector<std::filesystem::path>& roots);
 
   Context& context_;
   std::string workspace_;

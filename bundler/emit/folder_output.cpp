@@ -72,10 +72,13 @@ std::optional<Diagnostic> refuse_size(const fs::path& folder, std::uint64_t need
 Outcome<Done> emit_folder(const SitePlan& plan, const fs::path& folder,
                           const Cancellation& cancellation) {
   if (auto refusal = refuse_folder(folder)) return *refusal;
-  const fs::path place = fs::absolute(folder).lexically_normal();
+  std::error_code error;
+  // A link to the folder stays a link: what it leads to is replaced.
+  const fs::path place = fs::exists(folder, error) ? fs::canonical(folder, error)
+                                                   : fs::absolute(folder).lexically_normal();
+  if (error) return cannot_write(folder, error.value());
   const fs::path clean = place.has_filename() ? place : place.parent_path();
   if (auto made = make_directories(clean.parent_path()); !made) return made;
-  std::error_code error;
   const fs::space_info space = fs::space(clean.parent_path(), error);
   if (!error) {
     if (auto refusal = refuse_size(folder, total_size(plan), space.available)) return *refusal;

@@ -35,6 +35,13 @@ std::uint64_t size_of(const fs::path& file) {
   return error ? 0 : size;
 }
 
+/// Empties the file. Removed, it would be another file under the name that somebody holds the lock
+/// of.
+void start_over(const fs::path& file) {
+  std::error_code ignored;
+  fs::resize_file(file, 0, ignored);
+}
+
 /// Where one download stands.
 struct Task {
   Download download;
@@ -64,15 +71,11 @@ struct Downloader::State {
 
   void start(std::size_t id, Task& task) {
     const DownloadSource& source = task.download.sources[task.source];
-    if (!task.download.resume) {
-      std::error_code ignored;
-      fs::remove(task.download.file, ignored);
-    }
+    if (!task.download.resume) start_over(task.download.file);
     task.size_before = size_of(task.download.file);
     // More bytes than there should be cannot be the beginning of the file.
     if (task.download.size != 0 && task.size_before >= task.download.size) {
-      std::error_code ignored;
-      fs::remove(task.download.file, ignored);
+      start_over(task.download.file);
       task.size_before = 0;
     }
     task.running = true;
@@ -177,8 +180,7 @@ struct Downloader::State {
         return Downloaded{
             .status = 200, .etag = answer.etag, .last_modified = answer.last_modified};
       }
-      std::error_code ignored;
-      fs::remove(task.download.file, ignored);
+      start_over(task.download.file);
       // Once more from the beginning: what was there before may have been of another file.
       if (!std::exchange(task.wrong_before, true) || next_source(task)) return std::nullopt;
       return Outcome<Downloaded>(std::move(*fault));
@@ -186,8 +188,7 @@ struct Downloader::State {
     if (whole && answer.status == 304)
       return Downloaded{.status = 304, .etag = answer.etag, .last_modified = answer.last_modified};
     if (whole && answer.status == 416 && task.size_before != 0) {
-      std::error_code ignored;
-      fs::remove(task.download.file, ignored);
+      start_over(task.download.file);
       if (again(task, answer)) return std::nullopt;
     }
     if (answer.failure == HttpFailure::kTransient || (whole && try_later(answer.status))) {

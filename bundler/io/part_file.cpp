@@ -40,9 +40,11 @@ Outcome<PartFile> PartFile::open(const std::filesystem::path& place) {
 }
 
 PartFile::~PartFile() {
-  if (fd_ >= 0) ::close(fd_);
   std::error_code ignored;
-  if (fd_ < 0 && !path_.empty()) std::filesystem::remove(path_, ignored);
+  const bool of_use = fd_ >= 0 && std::filesystem::file_size(path_, ignored) != 0;
+  // While the lock is held: who opens the file meanwhile sees that its name has gone.
+  if (!path_.empty() && !of_use) std::filesystem::remove(path_, ignored);
+  if (fd_ >= 0) ::close(fd_);
 }
 
 PartFile::PartFile(PartFile&& other) noexcept

@@ -4,10 +4,10 @@
 #include <fnmatch.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <set>
+
+#include "bundler/io/files.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
@@ -76,11 +76,6 @@ void expand(const fs::path& base, const std::vector<std::string>& parts, std::si
   }
 }
 
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return std::string(std::istreambuf_iterator<char>(stream), {});
-}
-
 }  // namespace
 
 std::vector<fs::path> find_package_folders(const fs::path& root) {
@@ -132,7 +127,9 @@ Outcome<std::vector<LocalPackage>> discover_packages(
   std::vector<LocalPackage> packages;
   for (const auto& [real, folder] : folders) {
     const fs::path file = folder / "package.xml";
-    auto xml = parse_package_xml(text_of(file), shown_path(file, base, shown_base), variables);
+    const auto text = read_file(file);
+    auto xml = text ? parse_package_xml(*text, shown_path(file, base, shown_base), variables)
+                    : text.errors();
     if (xml) {
       packages.push_back({.xml = std::move(xml).value(), .directory = folder});
     } else {

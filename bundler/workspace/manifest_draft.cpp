@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "workspace_schema/json_writer.hpp"
+#include "workspace_schema/text_pattern.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -19,13 +20,6 @@ struct CMakeCommand {
   std::string name;  ///< lower case
   std::vector<std::string> words;
 };
-
-std::string lower_case(std::string text) {
-  for (char& c : text) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return text;
-}
 
 /// Reads commands one after the other: name, then words up to the closing parenthesis.
 class CMakeScanner {
@@ -40,7 +34,7 @@ class CMakeScanner {
         skip_comment();
       } else if (c == '(') {
         ++at_;
-        return CMakeCommand{.name = lower_case(name), .words = words()};
+        return CMakeCommand{.name = ascii_lower(name), .words = words()};
       } else {
         ++at_;
         if (c == '\n') name.clear();
@@ -130,7 +124,7 @@ std::string yaml_text(const std::string& text) {
   constexpr std::string_view kWords[] = {"true", "false", "yes", "no", "on",
                                          "off",  "null",  "y",   "n"};
   const bool word =
-      std::find(std::begin(kWords), std::end(kWords), lower_case(text)) != std::end(kWords);
+      std::find(std::begin(kWords), std::end(kWords), ascii_lower(text)) != std::end(kWords);
   return plain && !word ? text : json_quoted(text);
 }
 

@@ -110,6 +110,19 @@ describe('serve --watch', WATCHDOG, () => {
     assert.equal(await (await fetch(server.url)).text(), page);
   });
 
+  test('packages outside of the workspace are watched from the first pack on', async () => {
+    using scratch = new Scratch();
+    const { source, site } = makeWorkspace(scratch);
+    const outside = MANIFEST.replace('src/mini', '../ws/src/mini');
+    const manifest = scratch.file('other/workspace.yaml', outside);
+    await using server = await startWatching(scratch, site, manifest);
+    scratch.file(source, program('two'));
+    await server.until(() => server.errors.includes('pages reload'), 'the pack');
+    assert.deepEqual(server.errors.match(/.*packing again/g), [
+      '../ws/src/mini/src/hello.cpp changed; packing again',
+    ]);
+  });
+
   test('a workspace that does not pack is an error when there is no site yet', async () => {
     using scratch = new Scratch();
     const { manifest, source, site } = makeWorkspace(scratch);

@@ -155,6 +155,17 @@ TEST(EmitFolder, WritesAndReplaces) {
   EXPECT_EQ(entries, 1U) << "nothing is left beside the site";
 }
 
+TEST(EmitFolder, WritesThroughALink) {
+  const TemporaryTree tree;
+  std::filesystem::create_directories(tree / "www");
+  std::filesystem::create_directory_symlink("www", tree / "out");
+  for (const char* page : {"<p>one", "<p>two"}) {
+    ASSERT_TRUE(emit_folder(plan_of(page), tree / "out", {}));
+    EXPECT_EQ(tree.read("www/index.html"), page);
+    EXPECT_TRUE(std::filesystem::is_symlink(tree / "out"));
+  }
+}
+
 TEST(EmitFolder, RefusesWhatIsNotASite) {
   const TemporaryTree tree;
   tree.write("home/letters.txt", "dear");

@@ -66,16 +66,19 @@ export class SharedBroker implements Broker {
       const state = Atomics.load(i32, word);
       if (state === 0 && index >= endpoints) break;
       if ((state & ~255) !== mine) continue;
-      const key = endpointKey(index, Atomics.load(i32, word + BusEndpoint.generation));
+      const generation = Atomics.load(i32, word + BusEndpoint.generation);
       if ((state & 255) === BusPhase.claimed) {
         // It died while it made or freed this one: nobody else has seen it.
-        bus.freeAll(key);
-        bus.freeAll(endpointKey(index, previousGeneration(key >>> 13)));
-        bumpGeneration(i32, word);
+        if (generation !== 0) {
+          bus.freeAll(endpointKey(index, generation));
+          bus.freeAll(endpointKey(index, previousGeneration(generation)));
+          bumpGeneration(i32, word);
+        }
         Atomics.store(i32, word, BusPhase.free);
         logChange(bus, index);
-      } else {
-        departEndpoint(bus, key, participant);
+      } else if (!departEndpoint(bus, endpointKey(index, generation), participant)) {
+        // It may have died before it could log the departure.
+        logChange(bus, index);
       }
     }
     const nodes = Atomics.load(i32, BusHeader.nodeHigh);

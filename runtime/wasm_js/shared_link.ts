@@ -112,8 +112,11 @@ export class SharedLink implements Link {
     const { bus } = this;
     if (node < 0 || node >= bus.nodeCount) return;
     const live = ((this.participant + 1) << 8) | BusPhase.live;
-    if (Atomics.compareExchange(bus.i32, bus.nodeWord(node), live, BusPhase.free) !== live) return;
+    // Free only when it is logged: until then the broker can tell whose it was.
+    const departed = (live & ~255) | BusPhase.departed;
+    if (Atomics.compareExchange(bus.i32, bus.nodeWord(node), live, departed) !== live) return;
     logChange(bus, nodeBit | node);
+    Atomics.store(bus.i32, bus.nodeWord(node), BusPhase.free);
     this.wakeInterested([]);
   }
 
@@ -183,8 +186,9 @@ export class SharedLink implements Link {
 
   private departOwn(own: Own): void {
     if (!departEndpoint(this.bus, own.record.key, this.participant)) return;
-    this.wakeInterested(this.relatives(own.record));
+    // Who came since the last look counts on the event too.
     this.sync();
+    this.wakeInterested(this.relatives(own.record));
     this.releaseDeparted();
   }
 
@@ -195,7 +199,7 @@ export class SharedLink implements Link {
   write(endpoint: number, heap: Heap, address: number, length: number, info: number): number {
     const writer = this.find(endpoint)?.writer;
     if (writer === undefined) return ErrorCode.badHandle;
-    return writer.write(heap, address, length, info, this.syncNow, this.pause);
+    return writer.write(heap, address, length, info);
   }
 
   take(endpoint: number, heap: Heap, address: number, capacity: number, info: number): number {
@@ -456,7 +460,7 @@ export class SharedLink implements Link {
     const own: Own = {
       record,
       word: this.bus.endpointWord(keyIndex(record.key)),
-      writer: writes(record.kind) ? new SharedWriter(this.bus, record) : undefined,
+      writer: writes(record.kind) ? new SharedWriter(this.bus, record, this.syncNow, this.pause) : undefined,
       reader: reads(record.kind) ? new SharedReader(this.bus, record) : undefined,
       matched: new Set(),
       incompatible: new Set(),
@@ -482,7 +486,7 @@ export class SharedLink implements Link {
         return;
       case 'match':
         if (departed && !this.knewEachOther(own, other)) return;
-        own.reader?.match(other, departed);
+        own.reader?.match(other);
         if (!departed) {
           own.writer?.match(other);
           own.matched.add(other.key);
@@ -522,7 +526,6 @@ export class SharedLink implements Link {
     const record = this.graphReplica.remove(key);
     if (record === undefined) return;
     for (const own of this.ownRelatives(record)) {
-      own.reader?.unmatch(key);
       own.writer?.unmatch(key);
       if (own.matched.delete(key)) this.publishMatched(own, 0);
     }

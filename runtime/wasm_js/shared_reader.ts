@@ -16,7 +16,6 @@ interface WriterRef {
   readonly lifespanNs: number;
   /** Word of the pair in the cursor table as last seen, or -1. */
   pair: number;
-  departed: boolean;
 }
 
 /** Samples of a service are never thinned out; a subscription with keep_last sees its depth newest. */
@@ -46,8 +45,8 @@ export class SharedReader {
     this.filter = record.kind === EndpointKind.client;
   }
 
-  /** A writer that fits. Called by each thread for itself. */
-  match(writer: EndpointRecord, departed: boolean): void {
+  /** A writer that fits, be it there or just gone: it is read until its entry is freed. Called by each thread for itself. */
+  match(writer: EndpointRecord): void {
     if (this.writers.some((known) => known.key === writer.key)) return;
     this.writers.push({
       key: writer.key,
@@ -56,13 +55,7 @@ export class SharedReader {
       participant: writer.participant,
       lifespanNs: Number(writer.qos.lifespan),
       pair: -1,
-      departed,
     });
-  }
-
-  /** The writer is gone from the graph; what it left behind is still read. */
-  unmatch(key: number): void {
-    for (const writer of this.writers) if (writer.key === key) writer.departed = true;
   }
 
   /** Before this endpoint is visible: where to begin with a writer that is there already. */
@@ -144,10 +137,8 @@ export class SharedReader {
           continue;
         }
         const cursor = this.cursor(writer);
-        if (head === cursor) {
-          if (writer.departed && move) i = this.forget(i);
-          continue;
-        }
+        // The place of a writer that left stays here: whoever frees its entry looks whether all is read.
+        if (head === cursor) continue;
         const sequence = this.firstValid(writer, cursor, head, move);
         if (sequence === undefined) continue;
         total += (head - sequence + 1) | 0;
@@ -257,7 +248,7 @@ export class SharedReader {
     return true;
   }
 
-  /** Drops a writer that has nothing more to give; returns the index to go on after. */
+  /** Drops a writer whose entry is freed; returns the index to go on after. */
   private forget(index: number): number {
     const [writer] = this.writers.splice(index, 1);
     if (writer !== undefined) {

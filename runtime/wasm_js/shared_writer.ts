@@ -52,10 +52,15 @@ export class SharedWriter {
   private readers: ReaderRef[] = [];
   private participants: number[] = [];
   private retired: RetiredRun[] = [];
+  /** Brings the reader list up to date; cheap when the graph's version has not moved. */
+  private readonly sync: () => void;
+  private readonly pause: Pause;
 
-  constructor(bus: Bus, record: EndpointRecord) {
+  constructor(bus: Bus, record: EndpointRecord, sync: () => void, pause: Pause) {
     this.bus = bus;
     this.record = record;
+    this.sync = sync;
+    this.pause = pause;
     this.word = bus.endpointWord(keyIndex(record.key));
     this.service = record.kind !== EndpointKind.publisher;
     const { qos } = record;
@@ -91,19 +96,18 @@ export class SharedWriter {
     this.participants = [...new Set(this.readers.map((reader) => reader.participant))];
   }
 
-  /** `sync` brings the reader list up to date; it is called whenever the graph's version has moved. */
-  write(heap: Heap, address: number, length: number, info: number, sync: () => void, pause: Pause): number {
+  write(heap: Heap, address: number, length: number, info: number): number {
     const { bus, word } = this;
     if (length > maxSampleLength) return ErrorCode.tooLarge;
-    sync();
+    this.sync();
     if (this.retired.length > 0) this.releaseRetired();
     const head = Atomics.load(bus.i32, word + BusEndpoint.head);
     const sequence = (head + 1) | 0;
-    let frame = this.claimFrame(sequence, length, sync, pause);
+    let frame = this.claimFrame(sequence, length);
     while (frame === ErrorCode.outOfMemory) {
-      const outcome = this.reclaim(sequence) ? 0 : this.awaitSlowest(sync, pause);
+      const outcome = this.reclaim(sequence) ? 0 : this.awaitSlowest();
       if (outcome < 0) return outcome;
-      frame = this.claimFrame(sequence, length, sync, pause);
+      frame = this.claimFrame(sequence, length);
     }
     if (frame < 0) return frame;
     const slot = slotWord(bus, Atomics.load(bus.i32, word + BusEndpoint.ring), sequence);
@@ -117,22 +121,22 @@ export class SharedWriter {
     this.count(length);
     Atomics.store(i32, word + BusEndpoint.head, sequence);
     // A reader that became visible meanwhile has either seen this head or is seen by this look.
-    sync();
+    this.sync();
     this.signal(target);
     return 0;
   }
 
   /** A frame for the sample, in a slot that holds none. Or an ErrorCode. */
-  private claimFrame(sequence: number, length: number, sync: () => void, pause: Pause): number {
+  private claimFrame(sequence: number, length: number): number {
     const { bus, word } = this;
-    const room = this.makeRoom(sequence, length, sync, pause);
+    const room = this.makeRoom(sequence, length);
     if (room < 0) return room;
     const ring = Atomics.load(bus.i32, word + BusEndpoint.ring);
     const slot = slotWord(bus, ring, sequence);
     // Nobody expects sequence + 1 in this slot: from here on the old sample is not there. Readers that came since
     // the last look might have it in their hands, so look again.
     Atomics.store(bus.i32, slot, (sequence + 1) | 0);
-    sync();
+    this.sync();
     return this.frameFor(ring, slot, sequence, length);
   }
 
@@ -156,7 +160,7 @@ export class SharedWriter {
   }
 
   /** At the ceiling, a writer that may wait does so until the slowest reader has come one sample further. */
-  private awaitSlowest(sync: () => void, pause: Pause): number {
+  private awaitSlowest(): number {
     if (!this.mayBlock) return ErrorCode.outOfMemory;
     const head = Atomics.load(this.bus.i32, this.word + BusEndpoint.head);
     let furthest = 0;
@@ -164,7 +168,7 @@ export class SharedWriter {
       if (!reader.reliable || reader.local || reader.depth !== Infinity) continue;
       furthest = Math.max(furthest, (head - this.cursor(reader)) | 0);
     }
-    return furthest === 0 ? ErrorCode.outOfMemory : this.blockFor((head - furthest + 1) | 0, sync, pause);
+    return furthest === 0 ? ErrorCode.outOfMemory : this.blockFor((head - furthest + 1) | 0);
   }
 
   /** True when no matched reader has anything left to read. */
@@ -230,7 +234,7 @@ export class SharedWriter {
   }
 
   /** Sees to it that the slot of `sequence` may be written: a ring, grown as readers lag. 0 or an ErrorCode. */
-  private makeRoom(sequence: number, length: number, sync: () => void, pause: Pause): number {
+  private makeRoom(sequence: number, length: number): number {
     const { bus, word } = this;
     const stride = Math.min(Math.max(minStride, (BusSizes.align + length + unit - 1) & -unit), maxStride);
     let ring = Atomics.load(bus.i32, word + BusEndpoint.ring);
@@ -264,7 +268,7 @@ export class SharedWriter {
       }
       if (!this.mayBlock) return 0;
       if (!this.keepAllWants(old, false)) return this.keepAllWants(old, true) ? ErrorCode.outOfMemory : 0;
-      const outcome = this.blockFor(old, sync, pause);
+      const outcome = this.blockFor(old);
       if (outcome < 0) return outcome;
       ring = Atomics.load(bus.i32, word + BusEndpoint.ring);
     }
@@ -302,15 +306,15 @@ export class SharedWriter {
       && ((old - this.cursor(reader)) | 0) > 0);
   }
 
-  private blockFor(old: number, sync: () => void, pause: Pause): number {
+  private blockFor(old: number): number {
     const { bus, word } = this;
     const wake = bus.participantWord(this.record.participant) + BusParticipant.wake;
     Atomics.store(bus.i32, word + BusEndpoint.blocked, 1);
     for (;;) {
       const token = Atomics.load(bus.i32, wake);
-      sync();
+      this.sync();
       if (!this.keepAllWants(old, false)) break;
-      const outcome = pause(token);
+      const outcome = this.pause(token);
       if (outcome === 'again') continue;
       Atomics.store(bus.i32, word + BusEndpoint.blocked, 0);
       return outcome === 'stop' ? ErrorCode.stopped : ErrorCode.wouldBlock;
@@ -442,7 +446,10 @@ export class SharedWriter {
       const other = slotWord(this.bus, ring, s);
       const held = Atomics.load(i32, other) === s;
       if (i32[other + 5] === 0 || (held && this.wanted(s, age, Atomics.load(i32, other + 4)))) continue;
-      if (held) Atomics.store(i32, other, (s + 1) | 0);
+      if (held) {
+        Atomics.store(i32, other, (s + 1) | 0);
+        this.sync();
+      }
       if (!this.extentFits(other, pages)) continue;
       const frame = i32[slot + 5]!;
       const count = i32[slot + 6]!;
@@ -464,8 +471,10 @@ export class SharedWriter {
     this.retire(bus.pageOf(frame * unit), pages);
   }
 
+  /** What no slot points to any more; a reader that came since the last look may have it in its hands. */
   private retire(page: number, pages: number): void {
     this.retired.push({ page, pages });
+    this.sync();
     this.releaseRetired();
   }
 

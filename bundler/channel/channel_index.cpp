@@ -107,13 +107,18 @@ struct OpenChannels::State {
   SpecTable checked;
   SpecTable unchecked{false};
 
+  static void add_sorted(std::vector<std::string_view>& all,
+                         std::span<const std::string_view> more) {
+    const auto before = static_cast<std::ptrdiff_t>(all.size());
+    all.insert(all.end(), more.begin(), more.end());
+    std::inplace_merge(all.begin(), all.begin() + before, all.end());
+  }
+
   void collect_names() {
     std::vector<std::string_view> all;
     for (const Channel& channel : channels) {
-      for (const auto& subdir : channel.subdirs)
-        all.insert(all.end(), subdir->names().begin(), subdir->names().end());
+      for (const auto& subdir : channel.subdirs) add_sorted(all, subdir->names());
     }
-    std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end()), all.end());
     names.assign(all.begin(), all.end());
   }

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "bundler/channel/record_rules.hpp"
-#include "workspace_schema/version.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -130,8 +129,7 @@ std::variant<PackageRecord, std::string> parse_record(const JsonValue& json,
                        .license = json.text_of("license")};
   if (const std::string own = json.text_of("subdir"); is_subdir(own)) record.subdir = own;
   if (auto fault = record_fault(record, Strictness::kReading)) return *fault;
-  if (const auto version = Version::parse(record.version); !version)
-    return version.errors().front().message;
+  if (const auto& fault = specs.version_fault(record.version)) return *fault;
   if (auto fault = read_hashes(json, record)) return *fault;
   if (auto fault = read_numbers(json, record)) return *fault;
   if (auto fault = read_noarch(json.find("noarch"), record.noarch)) return *fault;

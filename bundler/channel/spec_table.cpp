@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "workspace_schema/version.hpp"
+
 namespace ros2wasm {
 namespace {
 
@@ -26,6 +28,15 @@ std::optional<std::string> SpecTable::exact_name(const std::string& text) {
     return std::string(text.begin(), end);
   const auto& spec = parsed(text);
   return spec ? spec->exact_name() : std::nullopt;
+}
+
+const std::optional<std::string>& SpecTable::version_fault(const std::string& text) {
+  const auto [known, fresh] = version_faults_.try_emplace(text);
+  if (fresh) {
+    const auto version = Version::parse(text);
+    if (!version) known->second = version.errors().front().message;
+  }
+  return known->second;
 }
 
 }  // namespace ros2wasm

@@ -1,5 +1,5 @@
-// Match specs that were parsed already. Channels repeat the same few thousand texts a million
-// times. Pure.
+// Match specs and versions that were parsed already. Channels repeat the same few thousand texts a
+// million times. Pure.
 #pragma once
 
 #include <optional>
@@ -27,9 +27,13 @@ class SpecTable {
   /// there.
   std::optional<std::string> exact_name(const std::string& text);
 
+  /// What is wrong with the text as a version; nothing when it is one. Valid as long as this table.
+  const std::optional<std::string>& version_fault(const std::string& text);
+
  private:
   bool checks_ = true;
   std::unordered_map<std::string, Outcome<MatchSpec>> parsed_;
+  std::unordered_map<std::string, std::optional<std::string>> version_faults_;
 };
 
 }  // namespace ros2wasm

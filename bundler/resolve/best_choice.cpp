@@ -53,10 +53,11 @@ class Walk {
   };
 
   void begin_round(std::vector<RequirementId> requirements) {
+    std::sort(requirements.begin(), requirements.end());
+    requirements.erase(std::unique(requirements.begin(), requirements.end()), requirements.end());
     std::sort(requirements.begin(), requirements.end(), [this](RequirementId a, RequirementId b) {
       return universe_.requirement(a).text < universe_.requirement(b).text;
     });
-    requirements.erase(std::unique(requirements.begin(), requirements.end()), requirements.end());
     rounds_.push_back({.requirements = std::move(requirements)});
   }
 

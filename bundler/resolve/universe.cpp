@@ -29,10 +29,7 @@ class Builder {
   Universe build(const std::vector<MatchSpec>& specs) {
     for (const MatchSpec& spec : specs)
       universe_.wanted.push_back(universe_.add_requirement(spec.text(), spec));
-    for (const auto& [name, list] : records_) {
-      for (const PackageRecord* record : list) add_candidate(*record);
-    }
-    renumber();
+    for (const auto& [name, list] : records_) add_candidates(name, list);
     return std::move(universe_);
   }
 
@@ -58,9 +55,19 @@ class Builder {
     return &universe_.versions.emplace(record.version, std::move(*version)).first->second;
   }
 
-  void add_candidate(const PackageRecord& record) {
-    const Version* version = version_of(record);
-    if (version != nullptr) universe_.candidates.push_back({.record = &record, .version = version});
+  /// Those of one name, the best first.
+  void add_candidates(const std::string& name, const RecordList& list) {
+    auto& all = universe_.candidates;
+    const std::size_t first = all.size();
+    for (const PackageRecord* record : list) {
+      if (const Version* version = version_of(*record))
+        all.push_back({.record = record, .version = version});
+    }
+    std::sort(all.begin() + static_cast<std::ptrdiff_t>(first), all.end(),
+              [this](const Candidate& a, const Candidate& b) { return better(a, b); });
+    if (all.size() == first) return;
+    auto& ids = universe_.by_name[name];
+    for (CandidateId id = first; id < all.size(); ++id) ids.push_back(id);
   }
 
   [[nodiscard]] bool is_locked(const PackageRecord& record) const {
@@ -68,11 +75,11 @@ class Builder {
     return found != locked_.end() && found->second == record.sha256;
   }
 
-  /// The order of preference. Total: two records never compare equal unless they are the same file.
+  /// The order of preference within a name. Total: two records never compare equal unless they are
+  /// the same file.
   [[nodiscard]] bool better(const Candidate& a, const Candidate& b) const {
     const PackageRecord& left = *a.record;
     const PackageRecord& right = *b.record;
-    if (left.name != right.name) return left.name < right.name;
     if (is_locked(left) != is_locked(right)) return is_locked(left);
     if (left.track_features.size() != right.track_features.size()) {
       return left.track_features.size() < right.track_features.size();
@@ -89,14 +96,6 @@ class Builder {
           rank_of(record), record.subdir == "noarch", record.file_name, record.sha256);
     };
     return last(left) < last(right);
-  }
-
-  void renumber() {
-    std::sort(universe_.candidates.begin(), universe_.candidates.end(),
-              [this](const Candidate& a, const Candidate& b) { return better(a, b); });
-    for (CandidateId id = 0; id < universe_.candidates.size(); ++id) {
-      universe_.by_name[universe_.candidates[id].record->name].push_back(id);
-    }
   }
 
   const ResolveRequest& request_;

@@ -1,9 +1,11 @@
 // Channels to solve in: a real index of 4,211 records, and a made one of any size whose names, versions
 // and dependencies are spread as in large public channels. The same numbers give the same bytes.
 import { execFileSync } from 'node:child_process';
-import { closeSync, mkdirSync, openSync, writeFileSync, writeSync } from 'node:fs';
+import { closeSync, mkdirSync, openSync, readFileSync, writeFileSync, writeSync } from 'node:fs';
 import { join } from 'node:path';
 import { zstdCompressSync } from 'node:zlib';
+import { writeShards } from './shards.ts';
+import type { Shard, ShardedRecord } from './shards.ts';
 
 interface IndexRecord {
   readonly name: string;
@@ -31,7 +33,8 @@ function fittingVersion(spec: string): readonly [version: string, build: string]
  * another channel: those become empty noarch packages, one for each version that is asked for.
  */
 export function makeRealChannel(channel: string, source: string): number {
-  const text = execFileSync('xz', ['-dc', source], { encoding: 'utf8', maxBuffer: 1 << 28 });
+  const program = 'import lzma, sys; sys.stdout.buffer.write(lzma.open(sys.argv[1]).read())';
+  const text = execFileSync('python3', ['-c', program, source], { encoding: 'utf8', maxBuffer: 1 << 28 });
   writeIndex(channel, 'emscripten-wasm32', text.replaceAll('"linux-64"', '"emscripten-wasm32"'));
   const { packages } = JSON.parse(text) as { packages: Readonly<Record<string, IndexRecord>> };
   const names = new Set(Object.values(packages).map((record) => record.name));
@@ -85,11 +88,8 @@ function specFor(rank: number, newest: number, draw: () => number): string {
   return `${name} >=${versionAt(rank, lowest)},<${major + 1}.0a0`;
 }
 
-/** Writes `emscripten-wasm32/repodata.json(.zst)`; noarch is empty. */
-export function makeLargeChannel(channel: string, size: LargeChannel): void {
-  writeIndex(channel, 'noarch', JSON.stringify({ info: { subdir: 'noarch' }, packages: {} }));
-  mkdirSync(join(channel, 'emscripten-wasm32'), { recursive: true });
-  const path = join(channel, 'emscripten-wasm32/repodata.json');
+/** The records of one name after the other. */
+function* largeShards(size: LargeChannel): Generator<Shard> {
   const draw = numbers(20260101);
   const hex = (digits: number): string => {
     let text = '';
@@ -103,29 +103,47 @@ export function makeLargeChannel(channel: string, size: LargeChannel): void {
     releases[rank] = (releases[rank] ?? 0) + 1;
     rank = (rank + 1) % size.names;
   }
-  const file = openSync(path, 'w');
-  writeSync(file, '{"info":{"subdir":"emscripten-wasm32"},"packages":{},"packages.conda":{');
-  let comma = '';
   for (let rank = 0; rank < size.names; rank += 1) {
     const name = largeName(rank);
     const count = releases[rank] ?? 1;
     const leaned = rank < 4 ? [] : Array.from({ length: 2 + Math.floor(draw() * 5) }, () => Math.floor(rank * draw() ** 4));
-    const lines: string[] = [];
+    const records: Record<string, ShardedRecord> = {};
     for (let index = 0; index < count; index += 1) {
       const depends = ['emscripten-abi >=4,<5', ...[...new Set(leaned)].map((other) =>
         specFor(other, Math.floor(((releases[other] ?? 1) - 1) * ((index + 1) / count)), draw))];
       const build = `h${hex(7)}_0`;
-      lines.push(`"${name}-${versionAt(rank, index)}-${build}.conda":${JSON.stringify({
+      records[`${name}-${versionAt(rank, index)}-${build}.conda`] = {
         build, build_number: 0, depends: rank === 0 ? [] : depends, license: 'BSD-3-Clause', license_family: 'BSD', md5: hex(32),
         name, sha256: hex(64), size: 1000 + Math.floor(draw() * 1e6), subdir: 'emscripten-wasm32',
         timestamp: 1700000000000 + index * 1000, version: versionAt(rank, index),
-      })}`);
+      };
     }
+    yield { name, records };
+  }
+  const abi = { build: '0', build_number: 0, depends: [], name: 'emscripten-abi', version: '4.0.9', subdir: 'emscripten-wasm32', size: 1, md5: hex(32), sha256: hex(64) };
+  yield { name: abi.name, records: { 'emscripten-abi-4.0.9-0.conda': abi } };
+}
+
+/** Writes `emscripten-wasm32/repodata.json(.zst)`, or the same as shards; noarch is empty. */
+export function makeLargeChannel(channel: string, size: LargeChannel, form: 'zst' | 'shards'): void {
+  const subdir = 'emscripten-wasm32';
+  if (form === 'shards') {
+    writeShards(join(channel, subdir), subdir, largeShards(size));
+    writeShards(join(channel, 'noarch'), 'noarch', []);
+    return;
+  }
+  writeIndex(channel, 'noarch', JSON.stringify({ info: { subdir: 'noarch' }, packages: {} }));
+  mkdirSync(join(channel, subdir), { recursive: true });
+  const path = join(channel, subdir, 'repodata.json');
+  const file = openSync(path, 'w');
+  writeSync(file, `{"info":{"subdir":"${subdir}"},"packages":{},"packages.conda":{`);
+  let comma = '';
+  for (const { records } of largeShards(size)) {
+    const lines = Object.entries(records).map(([name, record]) => `${JSON.stringify(name)}:${JSON.stringify(record)}`);
     writeSync(file, comma + lines.join(',\n'));
     comma = ',\n';
   }
-  const abi = { build: '0', build_number: 0, depends: [], name: 'emscripten-abi', version: '4.0.9', subdir: 'emscripten-wasm32', size: 1, sha256: hex(64) };
-  writeSync(file, `,\n"emscripten-abi-4.0.9-0.conda":${JSON.stringify(abi)}},"repodata_version":1}\n`);
+  writeSync(file, '},"repodata_version":1}\n');
   closeSync(file);
-  execFileSync('zstd', ['-q', '-f', path]);
+  writeFileSync(`${path}.zst`, zstdCompressSync(readFileSync(path)));
 }

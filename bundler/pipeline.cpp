@@ -14,6 +14,7 @@
 #include "bundler/io/installation.hpp"
 #include "bundler/launch/installed_tree.hpp"
 #include "bundler/launch/launch_graph.hpp"
+#include "bundler/launch/parameter_sources.hpp"
 #include "bundler/plan/runtime_assets.hpp"
 #include "bundler/resolve/locked_solve.hpp"
 #include "bundler/store/environment.hpp"
@@ -61,12 +62,7 @@ Outcome<BuiltWorkspace> read_workspace(const PackRequest& request) {
   if (!text) return text.errors();
   auto manifest = read_manifest(*text, file.string());
   if (!manifest) return std::move(manifest).errors();
-  if (manifest->launch_file) {
-    return Diagnostic{.code = "R2W0404",
-                      .message = "launch files are not read by this version",
-                      .span = manifest->launch_file->span,
-                      .why = {"the nodes can be listed under `launch:`"}};
-  }
+  if (auto refusal = refuse_launch_file(*manifest)) return std::move(*refusal);
   BuiltWorkspace workspace;
   workspace.manifest = std::move(manifest).value();
   workspace.folder = fs::canonical(file, error).parent_path();
@@ -260,22 +256,10 @@ Outcome<std::vector<LaunchNode>> launch(BuiltWorkspace& workspace) {
     workspace.remarks.push_back("every program runs once: " + name_list(names, 12));
   }
   ParameterFiles files;
-  Diagnostics errors;
+  Diagnostics errors = read_parameter_files(manifest.nodes, workspace.folder, files);
   for (const NodeEntry& node : manifest.nodes) {
-    for (const auto& file : node.parameter_files) {
-      const fs::path path = workspace.folder / file.value;
-      workspace.watched.push_back(path);
-      auto text = read_file(path);
-      if (text) {
-        files[file.value] = std::move(text).value();
-      } else {
-        errors.push_back(
-            Diagnostic{.code = "R2W0403",
-                       .message = "the parameter file `" + file.value + "` cannot be read",
-                       .span = file.span,
-                       .why = text.errors().front().why});
-      }
-    }
+    for (const auto& file : node.parameter_files)
+      workspace.watched.push_back(workspace.folder / file.value);
   }
   auto nodes = launch_nodes(manifest.nodes, workspace.installed, files);
   if (!nodes) append(errors, nodes.errors());

@@ -1,14 +1,12 @@
-// `ros2wasm check [MANIFEST]`: reads a manifest and says all that is wrong with it; with --json
-// prints it as data.
+// `ros2wasm check [MANIFEST]`: says all that a pack would refuse, as far as it shows without a
+// compiler; with --json prints the manifest as data.
+#include <filesystem>
 #include <memory>
 
-#include "bundler/io/files.hpp"
-#include "bundler/workspace/discovery.hpp"
+#include "bundler/workspace_check.hpp"
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
-#include "workspace_schema/json_writer.hpp"
 #include "workspace_schema/manifest_json.hpp"
-#include "workspace_schema/manifest_reader.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -31,25 +29,20 @@ int check(Context& context, const Options& options) {
                    .message = "there is no manifest `" + path.generic_string() + "`",
                    .why = {"`ros2wasm check` reads a workspace.yaml, here or where it is told"}});
   }
-  const Outcome<std::string> text = read_file(path);
-  if (!text) return context.console.fail(text.errors());
-  const Outcome<Manifest> manifest = read_manifest(*text, path.generic_string());
-  if (!manifest) return context.console.fail(manifest.errors());
-  for (const Diagnostic& doubt : manifest->warnings) context.console.report(doubt);
-  const std::filesystem::path shown_folder = path.parent_path();
-  const auto packages =
-      discover_packages(std::filesystem::absolute(path).parent_path(), shown_folder,
-                        manifest->packages, ros_condition_variables(manifest->distro));
-  if (!packages) return context.console.fail(packages.errors());
+  const auto report = check_workspace(
+      {.manifest = path, .executable = context.executable, .variables = context.environment},
+      context.cancellation);
+  if (!report) return context.console.fail(report.errors());
+  for (const Diagnostic& doubt : report->warnings) context.console.report(doubt);
+  const Manifest& manifest = report->manifest;
   if (context.json) {
-    context.console.result(manifest_json(*manifest));
+    context.console.result(manifest_json(manifest));
     return 0;
   }
-  const std::string runs = manifest->launch_file ? "launch file " + manifest->launch_file->value
-                                                 : counted(manifest->nodes.size(), "node");
   context.console.result(path.generic_string() + ": good (schema " +
-                         std::to_string(manifest->schema) + ", " + manifest->distro + ", " +
-                         counted(packages->size(), "local package") + ", " + runs + ")");
+                         std::to_string(manifest.schema) + ", " + manifest.distro + ", " +
+                         counted(report->packages.size(), "local package") + ", " +
+                         counted(manifest.nodes.size(), "node") + ")");
   return 0;
 }
 

@@ -236,26 +236,6 @@ class WorkspaceBuilder {
     return result;
   }
 
-  /// `cause`: the package itself, or one that it needs.
-  [[nodiscard]] static Diagnostic left_out_warning(const LocalPackage& package,
-                                                   const LocalPackage& cause) {
-    if (&package != &cause) {
-      return Diagnostic{.code = "R2W0514",
-                        .severity = Severity::kWarning,
-                        .message = "package `" + package.xml.name.value +
-                                   "` is left out: it needs `" + cause.xml.name.value +
-                                   "`, which is left out",
-                        .span = package.xml.name.span};
-    }
-    return Diagnostic{.code = "R2W0514",
-                      .severity = Severity::kWarning,
-                      .message = "package `" + package.xml.name.value +
-                                 "` is left out: packages of build type `" +
-                                 package.xml.build_type + "` are not built for sites",
-                      .span = package.xml.name.span,
-                      .why = {"build types that are: " + name_list(known_build_types())}};
-  }
-
   const std::vector<LocalPackage>& packages_;
   const BuildOrder& order_;
   const BuildTools& tools_;

@@ -9,6 +9,7 @@
 
 #include "bundler/build/compile_errors.hpp"
 #include "bundler/build/compiler.hpp"
+#include "bundler/workspace/discovery.hpp"
 #include "workspace_schema/cancellation.hpp"
 #include "workspace_schema/outcome.hpp"
 #include "workspace_schema/progress_event.hpp"
@@ -47,6 +48,10 @@ struct Language {
 
 /// All build types that have a row, for messages.
 [[nodiscard]] std::vector<std::string> known_build_types();
+
+/// Says that a package is not built, for its own build type without a row or for that of a package
+/// that it needs: R2W0514.
+[[nodiscard]] Diagnostic left_out_warning(const LocalPackage& package, const LocalPackage& cause);
 
 Outcome<Done> build_with_cmake(const PackageBuild& request, const BuildTools& tools,
                                const Cancellation& cancellation, const ProgressSink& progress);

@@ -17,15 +17,19 @@ const InstalledPackage* find_package(const std::vector<InstalledPackage>& instal
   return found == installed.end() ? nullptr : &*found;
 }
 
+Diagnostic no_such_package(const NodeEntry& entry) {
+  return Diagnostic{.code = "R2W0401",
+                    .message = "there is no package `" + entry.package.value + "`",
+                    .span = entry.package.span,
+                    .label = "neither in the workspace nor in its channels' packages"};
+}
+
 Diagnostic no_such_package(const NodeEntry& entry, const std::vector<InstalledPackage>& installed) {
   std::vector<std::string> with_programs;
   for (const InstalledPackage& package : installed) {
     if (!package.programs.empty()) with_programs.push_back(package.name);
   }
-  Diagnostic result{.code = "R2W0401",
-                    .message = "there is no package `" + entry.package.value + "`",
-                    .span = entry.package.span,
-                    .label = "neither in the workspace nor in its channels' packages"};
+  Diagnostic result = no_such_package(entry);
   result.why.push_back(with_programs.empty()
                            ? "no package here has executables"
                            : "packages with executables are: " + name_list(with_programs));
@@ -62,6 +66,28 @@ Diagnostic not_a_program(const NodeEntry& entry, const InstalledProgram& program
 }
 
 }  // namespace
+
+std::optional<Diagnostic> refuse_launch_file(const Manifest& manifest) {
+  if (!manifest.launch_file) return std::nullopt;
+  return Diagnostic{.code = "R2W0404",
+                    .message = "launch files are not read by this version",
+                    .span = manifest.launch_file->span,
+                    .why = {"the nodes can be listed under `launch:`"}};
+}
+
+Diagnostics missing_packages(const std::vector<NodeEntry>& entries,
+                             const std::vector<std::string>& packages) {
+  Diagnostics errors;
+  for (const NodeEntry& entry : entries) {
+    if (std::find(packages.begin(), packages.end(), entry.package.value) != packages.end())
+      continue;
+    Diagnostic error = no_such_package(entry);
+    if (const auto similar = nearest(entry.package.value, packages))
+      error.why.push_back("there is `" + *similar + "`");
+    errors.push_back(std::move(error));
+  }
+  return errors;
+}
 
 Outcome<std::vector<LaunchNode>> launch_nodes(const std::vector<NodeEntry>& entries,
                                               const std::vector<InstalledPackage>& installed,

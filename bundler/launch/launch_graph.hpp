@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,13 @@ struct LaunchNode {
 
 /// A parameter file that was read, by the path the manifest gives.
 using ParameterFiles = std::map<std::string, std::string>;
+
+/// R2W0404 for a manifest that names a launch file instead of nodes.
+[[nodiscard]] std::optional<Diagnostic> refuse_launch_file(const Manifest& manifest);
+
+/// R2W0401 for each node of a package that is not among these.
+[[nodiscard]] Diagnostics missing_packages(const std::vector<NodeEntry>& entries,
+                                           const std::vector<std::string>& packages);
 
 /// Checks the manifest's nodes against what is installed. R2W0401 no such package, R2W0402 no such
 /// executable, R2W0405 it is not a program for the site; errors of parameter files. All at once.

@@ -1,0 +1,34 @@
+// What a pack would refuse, as far as it shows without a compiler and without other channels than
+// the one inside the program.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "bundler/build/compiler.hpp"
+#include "bundler/workspace/discovery.hpp"
+#include "workspace_schema/cancellation.hpp"
+#include "workspace_schema/manifest.hpp"
+#include "workspace_schema/outcome.hpp"
+
+namespace ros2wasm {
+
+struct CheckRequest {
+  std::filesystem::path manifest;    ///< a file, named as messages shall name it
+  std::filesystem::path executable;  ///< of this program
+  EnvironmentVariables variables;
+};
+
+struct CheckReport {
+  Manifest manifest;
+  std::vector<LocalPackage> packages;
+  Diagnostics warnings;
+};
+
+/// Mistakes of the manifest first; then, all at once: launch files (R2W0404), packages (R2W0510 to
+/// R2W0512, package.xml), parameter files (R2W0403), channels' names (R2W0237, R2W0240), and when
+/// all packages come from the workspace and the program, those that nobody has (R2W0401, R2W0513).
+[[nodiscard]] Outcome<CheckReport> check_workspace(const CheckRequest& request,
+                                                   const Cancellation& cancellation);
+
+}  // namespace ros2wasm

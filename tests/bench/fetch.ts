@@ -87,8 +87,8 @@ interface ChildServer {
 
 /** A file server in a process of its own: measuring blocks this one. */
 function childServer(folder: string): Promise<ChildServer> {
-  const program = `import { staticServer } from ${JSON.stringify(join(import.meta.dirname, 'static_server.ts'))};
-    console.log((await staticServer(process.argv[1], false)).url);`;
+  const program = `import { serveFolder } from ${JSON.stringify(join(import.meta.dirname, '../support/static_server.ts'))};
+    console.log((await serveFolder(process.argv[1])).url);`;
   const child = spawn(process.execPath, ['--input-type=module', '-e', program, folder], { stdio: ['ignore', 'pipe', 'inherit'] });
   return new Promise((resolve, reject) => {
     child.once('error', reject);

@@ -8,7 +8,7 @@ import { join } from 'node:path';
 import { chromium } from 'playwright-core';
 import { chromiumOptions } from '../e2e/chromium.ts';
 import type { BenchContext } from './run.ts';
-import { staticServer } from './static_server.ts';
+import { serveFolder } from '../support/static_server.ts';
 
 const WATCHDOG_MS = 180_000;
 const PEER_SECONDS = 4;
@@ -45,7 +45,7 @@ function inNode(context: BenchContext, site: string, link: Link, until: string):
 }
 
 async function inChromium(site: string, link: Link, until: string): Promise<Line[]> {
-  const server = await staticServer(site, link === 'shared');
+  const server = await serveFolder(site, { isolated: link === 'shared' });
   // Without service workers the page cannot become isolated, and takes the port link.
   const browser = await chromium.launch(chromiumOptions());
   try {

@@ -9,7 +9,7 @@ import { chromiumOptions } from '../e2e/chromium.ts';
 import { treeMemoryKb } from './process_memory.ts';
 import type { BenchContext } from './run.ts';
 import { packedExample } from './site_bytes.ts';
-import { staticServer } from './static_server.ts';
+import { serveFolder } from '../support/static_server.ts';
 import { summary } from './statistics.ts';
 
 const TALKER_PERIOD_MS = 500;
@@ -83,7 +83,7 @@ export async function benchStart(context: BenchContext): Promise<void> {
     for (const [name, text] of Object.entries(PEER_FILES)) writeFileSync(join(peer, name), text);
     const site = packedExample(context, folder);
     for (const isolated of [true, false]) {
-      const servers = { site: await staticServer(site, isolated), peer: await staticServer(peer, isolated) };
+      const servers = { site: await serveFolder(site, { isolated }), peer: await serveFolder(peer, { isolated }) };
       const ours = await startTimes(servers.site.url);
       const theirs = await startTimes(servers.peer.url);
       await Promise.all([servers.site.close(), servers.peer.close()]);

@@ -11,7 +11,7 @@ import { after, before, describe, test } from 'node:test';
 import { type Browser, type BrowserContextOptions, type Page, chromium } from 'playwright-core';
 import { chromiumOptions } from './chromium.ts';
 import { packExample } from './example_site.ts';
-import { type Host, serveSite } from './runtime_site.ts';
+import { type StaticServer, serveFolder } from '../support/static_server.ts';
 import { Scratch, ServedSite } from './served_site.ts';
 
 const WATCHDOG = { timeout: 600_000 };
@@ -21,7 +21,7 @@ const CHANNEL = 'ros2wasm-probe';
 const scratch = new Scratch();
 let browser: Browser;
 let gate: Gate;
-let foreign: Host;
+let foreign: StaticServer;
 let site: string;
 let probed: string;
 
@@ -92,7 +92,7 @@ async function closedGate(): Promise<Gate> {
 }
 
 before(async () => {
-  foreign = await serveSite('/nowhere', false);
+  foreign = await serveFolder('/nowhere');
   site = await packExample(scratch);
   probed = probedCopy(site, foreign.url);
   gate = await closedGate();
@@ -187,7 +187,7 @@ describe('a message is heard and nothing leaves the site', WATCHDOG, () => {
   });
 
   test('below a path of a host without headers', async () => {
-    const host = await serveSite(site, false);
+    const host = await serveFolder(site);
     try {
       await using visitor = await visit();
       await visitor.page.goto(host.url);

@@ -2,49 +2,36 @@
 // ROS2WASM_SITE names a packed site; without it the example is packed with ROS2WASM_CLI.
 // The picture for the README is taken here: tests/output/page.png, and with ROS2WASM_BLESS=1 docs/images/page.png.
 import assert from 'node:assert/strict';
-import { spawnSync } from 'node:child_process';
-import { mkdirSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { mkdirSync, readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
-import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
 import { chromiumOptions } from './chromium.ts';
-import { serveFolder } from './page_site.ts';
-import type { Served } from './page_site.ts';
+import { packExample } from './example_site.ts';
+import { Scratch } from './served_site.ts';
+import { type StaticServer, serveFolder } from '../support/static_server.ts';
 
 const kRoot = fileURLToPath(new URL('../..', import.meta.url));
 const kAxe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 const kWatchdogMs = 30_000;
 
-let work = '';
-let served: Served;
+const scratch = new Scratch();
+let served: StaticServer;
 let browser: Browser;
 
 before(async () => {
-  work = mkdtempSync(join(tmpdir(), 'ros2wasm-site-'));
-  served = await serveFolder(process.env['ROS2WASM_SITE'] ?? packExample(join(work, 'site')));
+  served = await serveFolder(process.env['ROS2WASM_SITE'] ?? (await packExample(scratch)));
   browser = await chromium.launch(chromiumOptions());
 });
 
 after(async () => {
   await browser?.close();
   await served?.close();
-  rmSync(work, { recursive: true, force: true });
+  scratch[Symbol.dispose]();
 });
-
-function packExample(site: string): string {
-  const cli = process.env['ROS2WASM_CLI'] ?? join(kRoot, 'build/ros2wasm');
-  const run = spawnSync(
-    cli,
-    ['pack', join(kRoot, 'examples/01_talker_listener/workspace.yaml'), '-o', site],
-    { encoding: 'utf8' },
-  );
-  assert.equal(run.status, 0, `${run.stdout}${run.stderr}`);
-  return site;
-}
 
 async function onSite(
   options: BrowserContextOptions,

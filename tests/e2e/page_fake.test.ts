@@ -84,13 +84,13 @@ test('states are words: starting, exited with code, crashed with code, message a
     const nodes = (await page.textContent('.panel-nodes')) ?? '';
     assert.match(
       nodes,
-      /\/planner.*Crashed.*error\[R2W0720\].*vector::_M_range_check.*--> workspace\.yaml:17:5/s,
+      /\/planner.*Crashed.*error\[R2W0702\].*vector::_M_range_check.*--> workspace\.yaml:17:5/s,
     );
     assert.match(nodes, /\/safety.*Exited with code 1.*\/logger.*Starting/s);
     await page.evaluate(() =>
       fake.setState('laser-2', {
         kind: 'crashed',
-        code: 'R2W0720',
+        code: 'R2W0701',
         message: 'unreachable\n  at scan(int) (0x1f)\n  at main (0x2)',
       }),
     );

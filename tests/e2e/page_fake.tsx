@@ -83,9 +83,9 @@ function crowd(): FakeSession {
   );
   fake.setState('planner-3', {
     kind: 'crashed',
-    code: 'R2W0720',
+    code: 'R2W0702',
     message:
-      'std::out_of_range: vector::_M_range_check: __n (which is 7) >= this->size() (which is 7)',
+      "terminate called after throwing an instance of 'std::out_of_range'\n  what():  vector::_M_range_check: __n (which is 7) >= this->size() (which is 7)",
   });
   fake.setState('safety-4', { kind: 'exited', code: 1 });
   fake.setState('logger-5', { kind: 'starting' });
@@ -190,7 +190,7 @@ const kScenes: Readonly<Record<string, () => FakeSession | Promise<FakeSession>>
       Object.assign(
         new Error('this browser can neither isolate the page nor suspend WebAssembly'),
         {
-          code: 'R2W0703',
+          code: 'R2W0705',
           why: [
             'the page is inside a frame that is not isolated, and JavaScript Promise Integration is missing',
           ],

@@ -69,7 +69,7 @@ test('a session that cannot start is explained', () =>
     const told = (await page.textContent('main')) ?? '';
     assert.match(
       told,
-      /could not start.*error\[R2W0703\]: this browser can neither.*why.*Promise Integration.*fix.*open the page by itself/s,
+      /could not start.*error\[R2W0705\]: this browser can neither.*why.*Promise Integration.*fix.*open the page by itself/s,
     );
   }));
 

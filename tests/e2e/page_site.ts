@@ -1,28 +1,11 @@
-// Builds the page with the fake session into a folder and serves it on localhost with the headers of a
-// plain static host. Opens Chromium for tests of the page.
+// Builds the page with the fake session into a folder.
 
 import { copyFileSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
-import { createServer } from 'node:http';
-import type { AddressInfo } from 'node:net';
-import { extname, join, normalize } from 'node:path';
+import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build } from 'esbuild';
 
 const kRoot = fileURLToPath(new URL('../..', import.meta.url));
-const kTypes: Readonly<Record<string, string>> = {
-  '.html': 'text/html; charset=utf-8',
-  '.js': 'text/javascript',
-  '.css': 'text/css',
-  '.svg': 'image/svg+xml',
-  '.json': 'application/json',
-  '.wasm': 'application/wasm',
-};
-
-export interface Served {
-  readonly url: string;
-  close(): Promise<void>;
-}
-
 /** The built page: everything as in a site, but the session. Returns the folder. */
 export async function buildFakePage(folder: string): Promise<string> {
   const ui = join(kRoot, 'runtime/ui');
@@ -52,31 +35,4 @@ export async function buildFakePage(folder: string): Promise<string> {
   );
   writeFileSync(join(folder, 'index.html'), page);
   return folder;
-}
-
-export async function serveFolder(folder: string): Promise<Served> {
-  const server = createServer((request, response) => {
-    const path = normalize(
-      decodeURIComponent(new URL(request.url ?? '/', 'http://localhost').pathname),
-    );
-    const file = join(folder, path.endsWith('/') ? `${path}index.html` : path);
-    try {
-      const body = readFileSync(file);
-      response
-        .writeHead(200, { 'content-type': kTypes[extname(file)] ?? 'application/octet-stream' })
-        .end(body);
-    } catch {
-      response.writeHead(404).end();
-    }
-  });
-  await new Promise<void>((resolve) => server.listen(0, '127.0.0.1', resolve));
-  const { port } = server.address() as AddressInfo;
-  return {
-    url: `http://127.0.0.1:${port}/`,
-    close: () =>
-      new Promise((resolve) => {
-        server.close(() => resolve());
-        server.closeAllConnections();
-      }),
-  };
 }

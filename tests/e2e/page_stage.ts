@@ -9,8 +9,8 @@ import { chromium } from 'playwright-core';
 import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
 import type { FakeSession } from '../unit/ui/fake_session.ts';
 import { chromiumOptions } from './chromium.ts';
-import { buildFakePage, serveFolder } from './page_site.ts';
-import type { Served } from './page_site.ts';
+import { buildFakePage } from './page_site.ts';
+import { type StaticServer, serveFolder } from '../support/static_server.ts';
 
 declare global {
   // Set by page_fake.tsx in the browser.
@@ -33,10 +33,10 @@ export const phone: BrowserContextOptions = { viewport: { width: 360, height: 74
 /** The built page, served, and a browser. Opened in before(), closed in after(). */
 export class PageStage {
   readonly folder: string;
-  readonly served: Served;
+  readonly served: StaticServer;
   readonly browser: Browser;
 
-  private constructor(folder: string, served: Served, browser: Browser) {
+  private constructor(folder: string, served: StaticServer, browser: Browser) {
     this.folder = folder;
     this.served = served;
     this.browser = browser;

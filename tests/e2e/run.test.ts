@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
-import { packExample } from './example_site.ts';
+import { expectedLines, packExample } from './example_site.ts';
 import { CLI, Scratch, runCli } from './served_site.ts';
 
 const WATCHDOG = { timeout: 600_000 };
@@ -27,6 +27,12 @@ describe('run', WATCHDOG, () => {
       assert.equal(ended.code, 0, ended.errors);
       const lines = ended.output.trimEnd().split('\n');
       for (const line of lines) assert.match(line, LOG_LINE);
+      let from = 0;
+      for (const expected of expectedLines()) {
+        const found = lines.findIndex((line, at) => at >= from && expected.test(line));
+        assert.ok(found >= from, `${expected} is not among the lines from ${from}:\n${ended.output}`);
+        from = found + 1;
+      }
       assert.match(lines.at(-1) ?? '', /^\[listener-2\].*I heard: 'Hello, world! 2'$/);
     });
   }

@@ -6,7 +6,8 @@ import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { type Browser, type BrowserContext, chromium, type Page } from 'playwright-core';
 import { chromiumOptions } from './chromium.ts';
-import { type Host, makeSite, serveSite } from './runtime_site.ts';
+import { makeSite } from './runtime_site.ts';
+import { type StaticServer, serveFolder } from '../support/static_server.ts';
 
 const watchdog = { timeout: 60_000 };
 
@@ -22,12 +23,12 @@ const probe = `
 `;
 
 let browser: Browser | undefined;
-let foreign: Host;
+let foreign: StaticServer;
 let folder = '';
 const contexts: BrowserContext[] = [];
 
 before(async () => {
-  foreign = await serveSite('/nowhere', false);
+  foreign = await serveFolder('/nowhere');
   folder = makeSite([{ program: 'talker.c' }, { program: 'listener.c' }],
     { 'probe.js': probe.replace('FOREIGN', foreign.url) });
   browser = await chromium.launch(chromiumOptions());
@@ -66,7 +67,7 @@ function probeWorker(page: Page, way: 'url' | 'blob'): Promise<unknown> {
 const refused = { eval: 'EvalError', fetch: 'TypeError' };
 
 test('a host with the headers: shared memory, and nothing from elsewhere', watchdog, async () => {
-  const host = await serveSite(folder, true);
+  const host = await serveFolder(folder, { isolated: true });
   try {
     const page = await open();
     const outside: string[] = [];
@@ -87,7 +88,7 @@ test('a host with the headers: shared memory, and nothing from elsewhere', watch
 });
 
 test('a host without headers: the service worker adds them, and the policy to worker scripts too', watchdog, async () => {
-  const host = await serveSite(folder, false);
+  const host = await serveFolder(folder);
   try {
     const page = await open();
     await page.goto(host.url);
@@ -102,7 +103,7 @@ test('a host without headers: the service worker adds them, and the policy to wo
 });
 
 test('offline after the first visit', watchdog, async () => {
-  const host = await serveSite(folder, false);
+  const host = await serveFolder(folder);
   const page = await open();
   await page.goto(host.url);
   await heard(page);
@@ -115,7 +116,7 @@ test('offline after the first visit', watchdog, async () => {
 });
 
 test('a site of which a file does not come is not said to be kept', watchdog, async () => {
-  const host = await serveSite(folder, false, { broken: /decoder\.js$/ });
+  const host = await serveFolder(folder, { broken: /decoder\.js$/ });
   try {
     const page = await open();
     await page.goto(host.url);
@@ -128,7 +129,7 @@ test('a site of which a file does not come is not said to be kept', watchdog, as
 
 test('a new version of the site is what the next visit shows, whatever the browser may keep', watchdog, async () => {
   const changing = makeSite([{ program: 'talker.c' }, { program: 'listener.c' }]);
-  const host = await serveSite(changing, false, { maxAge: 3600 });
+  const host = await serveFolder(changing, { maxAge: 3600 });
   try {
     const page = await open();
     await page.goto(host.url);
@@ -151,7 +152,7 @@ test('a new version of the site is what the next visit shows, whatever the brows
 });
 
 test('where no service worker can run: ports, and the policy holds in workers all the same', watchdog, async () => {
-  const host = await serveSite(folder, false);
+  const host = await serveFolder(folder);
   try {
     const page = await open({ serviceWorkers: 'block' });
     await page.goto(host.url);
@@ -183,7 +184,7 @@ test('where no service worker can run: ports, and the policy holds in workers al
 
 test('a crash report names the functions, whose names come only then', watchdog, async () => {
   const crashing = makeSite([{ program: 'talker.c' }, { program: 'traps.c' }]);
-  const host = await serveSite(crashing, true);
+  const host = await serveFolder(crashing, { isolated: true });
   try {
     const page = await open();
     await page.goto(host.url);
@@ -200,7 +201,7 @@ test("the author's theme is shown, and the visitor's choice wins over it", watch
   const seen: Record<string, string> = {};
   for (const [theme, colorScheme] of [['dark', 'light'], ['light', 'dark'], ['auto', 'dark'], ['auto', 'light']] as const) {
     const site = makeSite([{ program: 'talker.c' }], {}, { theme });
-    const host = await serveSite(site, true);
+    const host = await serveFolder(site, { isolated: true });
     try {
       const page = await open({ colorScheme });
       await page.goto(host.url);
@@ -225,7 +226,7 @@ test("the author's theme is shown, and the visitor's choice wins over it", watch
 });
 
 test('a browser that can neither share memory nor suspend is told so', watchdog, async () => {
-  const host = await serveSite(folder, true);
+  const host = await serveFolder(folder, { isolated: true });
   try {
     const page = await open();
     await page.addInitScript(() => {
@@ -241,7 +242,7 @@ test('a browser that can neither share memory nor suspend is told so', watchdog,
 });
 
 test('in a frame of a foreign page the port link runs', watchdog, async () => {
-  const host = await serveSite(folder, false);
+  const host = await serveFolder(folder);
   try {
     const page = await open();
     await page.setContent(`<iframe src="${host.url}" width="900" height="700"></iframe>`);

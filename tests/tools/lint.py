@@ -14,6 +14,8 @@ PYTHON = "/usr/bin/python3"  # Debian's: the one that its flake8 and mypy are in
 REGISTRY_OR_MACHINE = re.compile(
     "://[^/ ]*(" + "|".join(("debian", "npmjs")) + r")\.|(^|[^A-Za-z0-9_.])/wor[k]/[A-Za-z.]"
 )
+CODE = re.compile(r"R2W\d{4}")
+NO_CODE = "R2W9999"  # stands for one that does not exist
 
 
 def tracked(*suffixes: str) -> list[str]:
@@ -49,6 +51,9 @@ def house_rules() -> str | None:
         if path.stem in {"util", "utils", "helper", "helpers", "common", "misc"}:
             errors.append(f"{name}: a name that says nothing")
         for number, line in enumerate(text.splitlines(), 1):
+            for code in CODE.findall(line):
+                if code != NO_CODE and not (ROOT / "cli/explain" / f"{code}.md").is_file():
+                    errors.append(f"{name}:{number}: there is no code {code}")
             if REGISTRY_OR_MACHINE.search(line):
                 errors.append(f"{name}:{number}: names a package registry's host or a path of a machine")
     return "\n".join(errors) or None

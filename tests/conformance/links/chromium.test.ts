@@ -9,13 +9,13 @@ import { fileURLToPath } from 'node:url';
 import { build } from 'esbuild';
 import { type Browser, chromium, type Page } from 'playwright-core';
 import { chromiumOptions } from '../../e2e/chromium.ts';
-import { type Host, serveSite } from '../../e2e/runtime_site.ts';
+import { type StaticServer, serveFolder } from '../../support/static_server.ts';
 import { scenes } from './scenes.ts';
 
 const watchdogMs = 60_000;
 
 let folder: string;
-let host: Host;
+let host: StaticServer;
 let browser: Browser;
 let page: Page;
 
@@ -25,7 +25,7 @@ before(async () => {
   const entryPoints = [join(here, 'browser_page.ts'), join(here, 'browser_peer.ts')];
   await build({ entryPoints, bundle: true, format: 'iife', outdir: folder, target: 'es2022', logLevel: 'warning' });
   writeFileSync(join(folder, 'index.html'), '<!doctype html><title>links</title><script src="browser_page.js"></script>');
-  host = await serveSite(folder, true);
+  host = await serveFolder(folder, { isolated: true });
   browser = await chromium.launch(chromiumOptions());
   page = await browser.newPage();
   await page.goto(host.url);

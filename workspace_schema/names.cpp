@@ -29,8 +29,6 @@ constexpr std::string_view kExecutableRule =
 constexpr std::string_view kWorkspaceRule =
     "a workspace name has letters, digits, `_`, `-` and `.`, and begins with a letter or digit; it "
     "names the site's folder";
-constexpr std::string_view kPathRule =
-    "paths are relative, with `/` between the parts, and stay inside the workspace";
 constexpr std::string_view kParameterRule =
     "a parameter name has letters, digits, `_`, `-` and `/`, with single dots between its parts";
 
@@ -289,31 +287,6 @@ std::optional<NameFault> workspace_name_fault(std::string_view text) {
   auto fault = workspace_fault_bare(text);
   if (!fault) return std::nullopt;
   return with_better(*std::move(fault), text, as_workspace_name(text), workspace_fault_bare);
-}
-
-std::optional<NameFault> site_path_fault(std::string_view text) {
-  const std::string rule(kPathRule);
-  if (text.empty()) return empty_name(kPathRule);
-  if (text.front() == '/') return NameFault{.why = "it begins with `/`", .length = 1, .rule = rule};
-  if (text.front() == '~') return NameFault{.why = "it begins with `~`", .length = 1, .rule = rule};
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto c = static_cast<unsigned char>(text[i]);
-    if (c == '\\')
-      return NameFault{.why = "it has a backslash", .offset = i, .length = 1, .rule = rule};
-    if (c == ':' && i == 1) return NameFault{.why = "it names a drive", .length = 2, .rule = rule};
-    if (c < 0x20 || c == 0x7F) {
-      return NameFault{.why = "it has a control character", .offset = i, .length = 1, .rule = rule};
-    }
-  }
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find('/', begin), text.size());
-    if (text.substr(begin, end - begin) == "..") {
-      return NameFault{
-          .why = "`..` leads out of the workspace", .offset = begin, .length = 2, .rule = rule};
-    }
-    begin = end + 1;
-  }
-  return std::nullopt;
 }
 
 std::optional<NameFault> parameter_name_fault(std::string_view text) {

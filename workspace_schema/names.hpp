@@ -21,7 +21,7 @@ struct NameFault {
 };
 
 // Nothing when the name is good. The rules are those of rmw and rcl (node, namespace, topic), REP
-// 144 as catkin_pkg applies it (package), and of file systems and URLs (workspace name, site path).
+// 144 as catkin_pkg applies it (package), and of file systems and URLs (workspace name).
 [[nodiscard]] std::optional<NameFault> node_name_fault(std::string_view text);
 [[nodiscard]] std::optional<NameFault> namespace_fault(std::string_view text);
 /// A topic or service name as users write it: absolute, relative, `~/private`, with `{node}`
@@ -31,8 +31,6 @@ struct NameFault {
 /// The file name of a program or component library in lib/<package>.
 [[nodiscard]] std::optional<NameFault> executable_name_fault(std::string_view text);
 [[nodiscard]] std::optional<NameFault> workspace_name_fault(std::string_view text);
-/// A relative path inside the site or the workspace: no `..`, no backslash, no drive, not absolute.
-[[nodiscard]] std::optional<NameFault> site_path_fault(std::string_view text);
 /// One parameter's name, dots between the parts.
 [[nodiscard]] std::optional<NameFault> parameter_name_fault(std::string_view text);
 
@@ -63,6 +61,5 @@ using PackageName = CheckedName<package_name_fault>;
 using NodeName = CheckedName<node_name_fault>;
 using NodeNamespace = CheckedName<namespace_fault>;
 using TopicName = CheckedName<topic_name_fault>;
-using SitePath = CheckedName<site_path_fault>;
 
 }  // namespace ros2wasm

@@ -25,7 +25,6 @@ class SourceText {
   /// The line without its newline (and without a carriage return before it).
   [[nodiscard]] std::string_view line_text(std::size_t line) const;
 
-  [[nodiscard]] std::size_t line_count() const { return starts_.size(); }
   [[nodiscard]] std::string_view text() const { return text_; }
   [[nodiscard]] const std::string& file() const { return file_; }
 

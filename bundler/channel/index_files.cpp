@@ -84,6 +84,13 @@ std::vector<Outcome<std::optional<IndexFile>>> bring_index_files(
   return found;
 }
 
+Diagnostic no_index(const std::string& url, std::string why) {
+  return Diagnostic{.code = "R2W0202",
+                    .kind = FailureKind::kEnvironment,
+                    .message = "`" + url + "` is no index of a channel",
+                    .why = {std::move(why)}};
+}
+
 Outcome<std::string> bzip2_text(const std::filesystem::path& file, const std::string& url) {
   const auto bytes = read_file(file);
   if (!bytes) return bytes;

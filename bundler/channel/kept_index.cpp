@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstring>
 
+#include "workspace_schema/text_pattern.hpp"
+
 namespace ros2wasm {
 namespace {
 
@@ -81,14 +83,6 @@ T value_at(std::string_view bytes, std::size_t index) {
   return value;
 }
 
-std::string lower_case(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return lower;
-}
-
 /// The next `size` bytes of `bytes`, which are taken off; false when there are fewer.
 bool take(std::string_view& bytes, std::uint64_t size, std::string_view& part) {
   if (size > bytes.size()) return false;
@@ -100,10 +94,11 @@ bool take(std::string_view& bytes, std::uint64_t size, std::string_view& part) {
 }  // namespace
 
 void KeptTable::add(const FoundRecord& found) {
-  spans_[lower_case(found.name)].push_back({.offset = found.offset,
-                                            .length = static_cast<std::uint32_t>(found.text.size()),
-                                            .conda = found.conda ? 1U : 0U,
-                                            .hash = hash_of(found.text)});
+  spans_[ascii_lower(found.name)].push_back(
+      {.offset = found.offset,
+       .length = static_cast<std::uint32_t>(found.text.size()),
+       .conda = found.conda ? 1U : 0U,
+       .hash = hash_of(found.text)});
 }
 
 std::string KeptTable::bytes(std::string_view info, std::string_view removed) const {

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "bundler/archive/zstd.hpp"
+#include "bundler/channel/index_files.hpp"
 #include "bundler/channel/kept_index.hpp"
 #include "bundler/channel/record_json.hpp"
 #include "bundler/channel/record_rules.hpp"
@@ -36,13 +37,6 @@ struct Bytes {
     return made.empty() ? mapped.bytes() : std::string_view(made);
   }
 };
-
-Diagnostic no_index(const std::string& url, std::string why) {
-  return Diagnostic{.code = "R2W0202",
-                    .kind = FailureKind::kEnvironment,
-                    .message = "`" + url + "` is no index of a channel",
-                    .why = {std::move(why)}};
-}
 
 /// The decompressed text of an index file, piece by piece.
 Outcome<Done> for_each_piece(const RepodataSource& source, std::string_view bytes,

@@ -6,16 +6,10 @@
 #include <utility>
 
 #include "bundler/channel/record_rules.hpp"
+#include "workspace_schema/text_pattern.hpp"
 
 namespace ros2wasm {
 namespace {
-
-std::string lower_case(std::string text) {
-  for (char& c : text) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return text;
-}
 
 /// "a b", "a,b", " a " or a list.
 std::vector<std::string> feature_list(const JsonValue* value) {
@@ -87,8 +81,8 @@ std::int64_t timestamp_ms(std::int64_t value) {
 }
 
 std::optional<std::string> read_hashes(const JsonValue& json, PackageRecord& record) {
-  record.sha256 = lower_case(json.text_of("sha256"));
-  record.md5 = lower_case(json.text_of("md5"));
+  record.sha256 = ascii_lower(json.text_of("sha256"));
+  record.md5 = ascii_lower(json.text_of("md5"));
   if (!record.sha256.empty() && !is_hex(record.sha256, 64))
     return "`sha256` is not 64 hexadecimal digits";
   if (!record.md5.empty() && !is_hex(record.md5, 32)) return "`md5` is not 32 hexadecimal digits";
@@ -119,7 +113,7 @@ std::variant<PackageRecord, std::string> parse_record(const JsonValue& json,
                                                       const std::string& file_name,
                                                       const RecordPlace& place, SpecTable& specs) {
   if (!json.is_object()) return "it is not a JSON object";
-  PackageRecord record{.name = lower_case(json.text_of("name")),
+  PackageRecord record{.name = ascii_lower(json.text_of("name")),
                        .version = json.text_of("version"),
                        .build = json.text_of("build"),
                        .subdir = place.subdir,

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "bundler/archive/zstd.hpp"
+#include "bundler/channel/index_files.hpp"
 #include "bundler/channel/record_rules.hpp"
 #include "bundler/channel/transport.hpp"
 #include "bundler/channel/verified_files.hpp"
@@ -18,13 +19,6 @@ namespace {
 
 constexpr std::uint64_t kLargestList = 512ULL << 20U;
 constexpr std::uint64_t kLargestShard = 256ULL << 20U;
-
-Diagnostic no_index(const std::string& url, std::string why) {
-  return Diagnostic{.code = "R2W0202",
-                    .kind = FailureKind::kEnvironment,
-                    .message = "`" + url + "` is no index of a channel",
-                    .why = {std::move(why)}};
-}
 
 bool is_sha256(const std::string& text) {
   return text.size() == 64 && std::all_of(text.begin(), text.end(), [](char c) {

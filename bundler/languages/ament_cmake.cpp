@@ -8,6 +8,7 @@
 #include "bundler/io/files.hpp"
 #include "bundler/io/process.hpp"
 #include "bundler/languages/language.hpp"
+#include "workspace_schema/replaced_text.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
@@ -44,10 +45,8 @@ EnvironmentVariables child_environment(const PackageBuild& request, const BuildT
 
 /// Tool output for people: the folder where it was built is of no use to them, and differs from run
 /// to run.
-std::string for_people(std::string text, const PackageBuild& request) {
-  const std::string work = request.work.string();
-  for (std::size_t at = 0; (at = text.find(work, at)) != std::string::npos;)
-    text.replace(at, work.size(), "<build>");
+std::string for_people(std::string_view output, const PackageBuild& request) {
+  std::string text = with_replaced(output, request.work.string(), "<build>");
   constexpr std::string_view kNoise =
       "Not searching for unused variables given on the command line.\n";
   const std::size_t noise = text.find(kNoise);

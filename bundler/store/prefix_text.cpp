@@ -3,19 +3,13 @@
 
 #include <algorithm>
 
+#include "workspace_schema/replaced_text.hpp"
+
 namespace ros2wasm {
 
 std::string with_prefix_in_text(std::string_view text, std::string_view placeholder,
                                 std::string_view prefix) {
-  std::string out;
-  while (!text.empty()) {
-    const std::size_t at = placeholder.empty() ? std::string_view::npos : text.find(placeholder);
-    out.append(text.substr(0, at));
-    if (at == std::string_view::npos) break;
-    out.append(prefix);
-    text.remove_prefix(at + placeholder.size());
-  }
-  return out;
+  return with_replaced(text, placeholder, prefix);
 }
 
 Outcome<std::string> with_prefix_in_binary(std::string_view bytes, std::string_view placeholder,

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "workspace_schema/json_writer.hpp"
+#include "workspace_schema/replaced_text.hpp"
 #include "workspace_schema/text_pattern.hpp"
 
 namespace ros2wasm {
@@ -90,12 +91,6 @@ class CMakeScanner {
   std::string_view text_;
   std::size_t at_ = 0;
 };
-
-void replace_all(std::string& text, std::string_view from, const std::string& to) {
-  for (std::size_t at = text.find(from); at != std::string::npos;
-       at = text.find(from, at + to.size()))
-    text.replace(at, from.size(), to);
-}
 
 /// The targets of `install(TARGETS a b ... DESTINATION lib/x)`; none when they do not go below
 /// lib/.
@@ -188,7 +183,7 @@ std::vector<std::string> installed_program_names(std::string_view cmake_lists) {
   CMakeScanner scanner(cmake_lists);
   while (auto command = scanner.next()) {
     for (std::string& word : command->words) {
-      if (!project.empty()) replace_all(word, "${PROJECT_NAME}", project);
+      if (!project.empty()) word = with_replaced(word, "${PROJECT_NAME}", project);
     }
     const auto& words = command->words;
     if (words.empty()) continue;

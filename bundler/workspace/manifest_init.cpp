@@ -12,6 +12,7 @@
 #include "bundler/workspace/manifest_draft.hpp"
 #include "workspace_schema/lock.hpp"
 #include "workspace_schema/manifest_reader.hpp"
+#include "workspace_schema/replaced_text.hpp"
 #include "workspace_schema/suggestion.hpp"
 
 namespace ros2wasm {
@@ -101,12 +102,6 @@ std::vector<std::string> draft_remarks(const DraftInput& input) {
                     " under `launch:`, one for each program");
   if (!left_out.empty()) remarks.push_back("programs not looked for in " + name_list(left_out));
   return remarks;
-}
-
-void replace_all(std::string& text, std::string_view from, const std::string& to) {
-  for (std::size_t at = text.find(from); at != std::string::npos;
-       at = text.find(from, at + to.size()))
-    text.replace(at, from.size(), to);
 }
 
 /// `talker_listener` -> `Talker listener`.
@@ -216,12 +211,11 @@ Outcome<InitReport> init_from_template(const fs::path& template_folder, const fs
   for (const TreeEntry& entry : *tree) {
     auto text = read_file(template_folder / entry.path);
     if (!text) return std::move(text).errors();
-    replace_all(*text, "@NAME@", name);
-    replace_all(*text, "@TITLE@", title_of(name));
+    const std::string named = with_replaced(*text, "@NAME@", name);
     const fs::path path = entry.path;
     const bool hidden = path.filename() == "gitignore";  // under its real name it would act here
     files.push_back({.path = target / (hidden ? path.parent_path() / ".gitignore" : path),
-                     .bytes = std::move(*text)});
+                     .bytes = with_replaced(named, "@TITLE@", title_of(name))});
   }
   auto written = write_new(files);
   if (!written) return std::move(written).errors();

@@ -76,19 +76,6 @@ TEST(Names, PackageAndWorkspace) {
              {{"", ""}, {"My Lab!", "My_Lab"}, {"../up", "up"}, {".", ""}, {".git", "git"}});
 }
 
-TEST(Names, SitePath) {
-  expect_good(site_path_fault, {"src/*", "a/b.yaml", ".", "a..b/c", "./src"});
-  expect_bad(site_path_fault, {{"", ""},
-                               {"/etc", ""},
-                               {"../a", ""},
-                               {"a/../../b", ""},
-                               {"a\\b", ""},
-                               {"C:/a", ""},
-                               {"~/ws", ""},
-                               {"a\nb", ""},
-                               {"..", ""}});
-}
-
 TEST(Names, ExecutableAndParameter) {
   expect_good(executable_name_fault, {"talker", "talker.py", "my-node", "t\xC3\xA4lker"});
   expect_bad(executable_name_fault, {{"", ""}, {"a/b", ""}, {"..", ""}, {"a b", ""}});

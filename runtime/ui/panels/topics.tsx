@@ -195,8 +195,10 @@ function LastMessageView({
   return (
     <div class="message">
       <div class="message-head">
-        <h3 class="message-title">{texts.topics.lastMessage}</h3>
-        <span class="message-facts">{`${ago}, ${size}`}</span>
+        <div class="message-words">
+          <h3 class="message-title">{texts.topics.lastMessage}</h3>
+          <span class="message-facts">{`${ago}, ${size}`}</span>
+        </div>
         {result.kind === 'value' ? (
           <CopyButton
             label={texts.topics.copy(topic.name)}

@@ -16,7 +16,7 @@ import { type StaticServer, serveFolder } from '../support/static_server.ts';
 
 const kRoot = fileURLToPath(new URL('../..', import.meta.url));
 const kAxe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
-const kWatchdogMs = 30_000;
+const kWatchdogMs = 120_000;
 
 const scratch = new Scratch();
 let served: StaticServer;

@@ -9,7 +9,7 @@ import { chromiumOptions } from './chromium.ts';
 import { makeSite } from './runtime_site.ts';
 import { type StaticServer, serveFolder } from '../support/static_server.ts';
 
-const watchdog = { timeout: 60_000 };
+const watchdog = { timeout: 240_000 };
 
 // A worker that tells what it may not do.
 const probe = `
@@ -49,7 +49,7 @@ async function open(options: Parameters<Browser['newContext']>[0] = {}): Promise
 }
 
 async function heard(page: Page): Promise<void> {
-  await page.waitForFunction(() => (document.body?.textContent ?? "").includes('I heard: [Hello World'), null, { timeout: 30_000 });
+  await page.waitForFunction(() => (document.body?.textContent ?? "").includes('I heard: [Hello World'), null, { timeout: 120_000 });
 }
 
 /** Runs the probe as a worker from the site's URL, or from a blob: URL as nodes are started. */
@@ -107,7 +107,7 @@ test('offline after the first visit', watchdog, async () => {
   const page = await open();
   await page.goto(host.url);
   await heard(page);
-  await page.waitForFunction(() => document.documentElement.dataset['offline'] === 'kept', null, { timeout: 30_000 });
+  await page.waitForFunction(() => document.documentElement.dataset['offline'] === 'kept', null, { timeout: 120_000 });
   assert.ok(!host.requests.some((path) => path.endsWith('.names')), 'nor are names kept before they are needed');
   await host.close();
   await page.goto(host.url);
@@ -120,7 +120,7 @@ test('a site of which a file does not come is not said to be kept', watchdog, as
   try {
     const page = await open();
     await page.goto(host.url);
-    await page.waitForFunction(() => document.documentElement.dataset['offline'] !== undefined, null, { timeout: 30_000 });
+    await page.waitForFunction(() => document.documentElement.dataset['offline'] !== undefined, null, { timeout: 120_000 });
     assert.equal(await page.evaluate(() => document.documentElement.dataset['offline']), 'not_kept');
   } finally {
     await host.close();
@@ -134,7 +134,7 @@ test('a new version of the site is what the next visit shows, whatever the brows
     const page = await open();
     await page.goto(host.url);
     await heard(page);
-    await page.waitForFunction(() => document.documentElement.dataset['offline'] === 'kept', null, { timeout: 30_000 });
+    await page.waitForFunction(() => document.documentElement.dataset['offline'] === 'kept', null, { timeout: 120_000 });
     // Another program under the name of the old one.
     const next = makeSite([{ program: 'echo.c' }]);
     const programs = join(next, 'programs');
@@ -144,7 +144,7 @@ test('a new version of the site is what the next visit shows, whatever the brows
     rmSync(changing, { recursive: true });
     renameSync(next, changing);
     await page.reload();
-    await page.waitForFunction(() => (document.body?.textContent ?? "").includes('COLOUR=red'), null, { timeout: 30_000 });
+    await page.waitForFunction(() => (document.body?.textContent ?? "").includes('COLOUR=red'), null, { timeout: 120_000 });
   } finally {
     await host.close();
     rmSync(changing, { recursive: true });
@@ -247,7 +247,7 @@ test('in a frame of a foreign page the port link runs', watchdog, async () => {
     const page = await open();
     await page.setContent(`<iframe src="${host.url}" width="900" height="700"></iframe>`);
     const frame = page.frameLocator('iframe');
-    await frame.getByText('I heard: [Hello World').first().waitFor({ timeout: 30_000 });
+    await frame.getByText('I heard: [Hello World').first().waitFor({ timeout: 120_000 });
   } finally {
     await host.close();
   }

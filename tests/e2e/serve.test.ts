@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import { describe, test } from 'node:test';
 import { Scratch, ServedSite, makeSite, runCli } from './served_site.ts';
 
-const WATCHDOG = { timeout: 60_000 };
+const WATCHDOG = { timeout: 240_000 };
 const BYTES = new Uint8Array(100_000).map((_, i) => (i * 7919) % 251);
 
 interface Answer {

@@ -36,6 +36,7 @@ class Seen:
     path: str
     status: int
     headers: dict[str, str]
+    at: float  # seconds of time.monotonic()
 
 
 @dataclass
@@ -65,9 +66,9 @@ class Handler(http.server.BaseHTTPRequestHandler):
         pass
 
     def note(self, status: int) -> None:
+        headers = {name.lower(): value for name, value in self.headers.items()}
         with self.behaviour.lock:
-            self.behaviour.seen.append(
-                Seen(self.path, status, {name.lower(): value for name, value in self.headers.items()}))
+            self.behaviour.seen.append(Seen(self.path, status, headers, time.monotonic()))
 
     def do_GET(self) -> None:
         path = self.path.split("?")[0]
@@ -275,12 +276,3 @@ def self_signed_certificate(folder: Path) -> Path:
         check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     pem.write_bytes((folder / "key.pem").read_bytes() + (folder / "cert.pem").read_bytes())
     return pem
-
-
-def wait_until(condition: Any, seconds: float, what: str) -> None:
-    """Waits for a condition with a watchdog."""
-    deadline = time.monotonic() + seconds
-    while not condition():
-        if time.monotonic() > deadline:
-            raise TimeoutError(f"waited {seconds} s for {what}")
-        time.sleep(0.01)

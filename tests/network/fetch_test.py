@@ -48,8 +48,8 @@ class FetchCase(ChannelCase):
             hasher.update(f"{file.relative_to(self.folder)} ".encode() + file.read_bytes())
         return hasher.hexdigest()
 
-    def packed(self, *words: str) -> str:
-        self.succeed("pack", *words)
+    def packed(self, *words: str, **variables: str) -> str:
+        self.succeed("pack", *words, **variables)
         return self.site()
 
     def check_cache(self) -> None:
@@ -67,7 +67,7 @@ class Fetching(FetchCase):
         for faults in (
             [Fault("truncate", 90_000)], [Fault("truncate", 70_000), Fault("truncate", 70_000)],
             [Fault("reset", 50_000)], [Fault("status", 503)], [Fault("retry_after", (429, "1"))],
-            [Fault("drip")], [Fault("shorter_than_real", 10)], [Fault("other_bytes")],
+            [Fault("shorter_than_real", 10)], [Fault("other_bytes")],
             [Fault("truncate_without_ranges", 90_000), Fault("truncate_without_ranges", 200_000)],
             [Fault("truncate", 90_000), Fault("wrong_range")],
             [Fault("truncate", 90_000), Fault("whole_despite_range")],
@@ -79,6 +79,20 @@ class Fetching(FetchCase):
                 self.assertEqual(self.packed(), wanted)
                 self.assertEqual(self.server.behaviour.plan[self.archive], [])
                 self.check_cache()
+
+    def test_a_drip_is_given_up(self) -> None:
+        wanted = self.packed()
+        self.forget_everything()
+        self.server.plan(self.archive, Fault("drip"))
+        self.assertEqual(self.packed(ROS2WASM_STALL_SECONDS="1"), wanted)
+        self.assertGreater(len(self.server.seen(self.archive)), 1)
+        self.check_cache()
+
+    def test_a_server_that_asks_for_a_pause_has_it(self) -> None:
+        self.server.plan(self.archive, Fault("retry_after", (429, "2")))
+        self.packed()
+        first, second = self.server.seen(self.archive)
+        self.assertGreater(second.at - first.at, 2)
 
     def test_a_broken_transfer_goes_on_where_it_ended(self) -> None:
         self.server.plan(self.archive, Fault("truncate", 90_000))

@@ -240,13 +240,18 @@ class Addresses(IndexCase):
 class Faults(IndexCase):
     def test_what_passes_is_tried_again(self) -> None:
         for fault in (Fault("status", 503), Fault("retry_after", (429, "1")), Fault("truncate", 40),
-                      Fault("reset", 40), Fault("drip")):
+                      Fault("reset", 40)):
             with self.subTest(fault=fault.kind):
                 shutil.rmtree(self.folder / "cache", ignore_errors=True)
                 self.server.forget()
                 self.server.plan(ZST, fault)
                 self.assertEqual(len(self.solution(self.url, "a")), 2)
                 self.assertEqual(len(self.server.seen(ZST)), 2)
+
+    def test_a_drip_is_given_up(self) -> None:
+        self.server.plan(ZST, Fault("drip"))
+        self.assertEqual(len(self.solution(self.url, "a", ROS2WASM_STALL_SECONDS="1")), 2)
+        self.assertGreater(len(self.server.seen(ZST)), 1)
 
     def test_what_stays_is_one_error(self) -> None:
         for code, fault in (("R2W0234", Fault("status", 500)), ("R2W0234", Fault("retry_after", (503, "9999"))),

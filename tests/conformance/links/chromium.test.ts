@@ -12,7 +12,7 @@ import { chromiumOptions } from '../../e2e/chromium.ts';
 import { type StaticServer, serveFolder } from '../../support/static_server.ts';
 import { scenes } from './scenes.ts';
 
-const watchdogMs = 60_000;
+const watchdogMs = 120_000;
 
 let folder: string;
 let host: StaticServer;

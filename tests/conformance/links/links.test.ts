@@ -6,7 +6,7 @@ import { startNodeWorker } from './node_start.ts';
 import { scenes } from './scenes.ts';
 import { World } from './world.ts';
 
-const watchdogMs = 30_000;
+const watchdogMs = 120_000;
 
 for (const kind of ['shared', 'port'] as const satisfies readonly LinkKind[]) {
   for (const scene of scenes) {

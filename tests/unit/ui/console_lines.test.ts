@@ -77,9 +77,9 @@ test('every other sequence and control character disappears', () => {
 });
 
 test('a megabyte of escapes is parsed in linear time', () => {
-  const started = performance.now();
+  const started = process.cpuUsage();
   assert.equal(stripAnsi('\x1b[\x1b]'.repeat(250_000)).length <= 1_000_000, true);
-  assert.ok(performance.now() - started < 2000);
+  assert.ok(process.cpuUsage(started).user < 2_000_000, 'microseconds of the processor, not of the clock');
 });
 
 test('the default log format is taken apart and only that', () => {

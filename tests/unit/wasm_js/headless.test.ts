@@ -9,7 +9,7 @@ import { parseOptions } from '../../../runtime/wasm_js/headless.ts';
 import { makeFolder } from './site_fixture.ts';
 
 const script = fileURLToPath(new URL('../../../runtime/wasm_js/headless.ts', import.meta.url));
-const watchdog = { timeout: 60_000 };
+const watchdog = { timeout: 240_000 };
 const folders: string[] = [];
 
 after(() => {

@@ -6,7 +6,7 @@ import { WaitResult } from '../../../runtime/protocol/generated/constants.ts';
 import { PortBroker } from '../../../runtime/wasm_js/broker.ts';
 import { PortLink } from '../../../runtime/wasm_js/port_link.ts';
 
-const watchdog = { timeout: 60_000 };
+const watchdog = { timeout: 240_000 };
 const thirtyDaysMs = 30 * 86_400_000;
 
 function join(broker: PortBroker): { link: PortLink; participant: number } {

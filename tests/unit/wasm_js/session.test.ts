@@ -8,7 +8,7 @@ import { mostConsoleLines } from '../../../runtime/wasm_js/console_log.ts';
 import type { Session, TopicView } from '../../../runtime/wasm_js/session.ts';
 import { prints, reaches, withSession } from './site_fixture.ts';
 
-const watchdog = { timeout: 60_000 };
+const watchdog = { timeout: 240_000 };
 
 /** The topic `/chatter`, when it is as wanted. */
 function seesTopic(session: Session, wanted: (topic: TopicView) => boolean): Promise<TopicView> {

@@ -13,7 +13,7 @@ import { readSite } from '../../../runtime/wasm_js/site_reader.ts';
 import { SiteSession } from '../../../runtime/wasm_js/site_session.ts';
 import { makeFolder, reaches } from './site_fixture.ts';
 
-const watchdog = { timeout: 60_000 };
+const watchdog = { timeout: 240_000 };
 const headless = new URL('../../../runtime/wasm_js/headless.ts', import.meta.url);
 
 /** How the only node of a site ends; `script` is what its worker begins with. */

@@ -1,10 +1,12 @@
 // Gives workers their place on the bus (or in the mesh of ports) and clears up after them. Lives on the page's main
 // thread and is never in the path of a message.
 
-import { BusEndpoint, BusHeader, BusNode, BusParticipant, BusParticipantState, BusPhase } from '../protocol/generated/constants.ts';
+import {
+  BusEndpoint, BusHeader, BusNode, BusParticipant, BusParticipantState, BusPhase, EndpointKind,
+} from '../protocol/generated/constants.ts';
 import { type Bus, createBus, type BusOptions } from './bus.ts';
 import { bumpGeneration, departEndpoint, logChange, nodeBit, readEndpoint, releaseEndpoint } from './bus_tables.ts';
-import { relate } from './graph.ts';
+import { type EndpointRecord, relate } from './graph.ts';
 import type { LinkTicket } from './open_link.ts';
 import { PortLink } from './port_link.ts';
 import type { PeerPort } from './port_messages.ts';
@@ -76,9 +78,14 @@ export class SharedBroker implements Broker {
         }
         Atomics.store(i32, word, BusPhase.free);
         logChange(bus, index);
-      } else if (!departEndpoint(bus, endpointKey(index, generation), participant)) {
-        // It may have died before it could log the departure.
-        logChange(bus, index);
+      } else {
+        const record = readEndpoint(bus, index)?.record;
+        if (!departEndpoint(bus, endpointKey(index, generation), participant)) {
+          // It may have died before it could log the departure.
+          logChange(bus, index);
+        } else if (record?.kind === EndpointKind.publisher) {
+          this.tellDeath(record);
+        }
       }
     }
     const nodes = Atomics.load(i32, BusHeader.nodeHigh);
@@ -96,6 +103,20 @@ export class SharedBroker implements Broker {
     }
     this.lingering.add(participant);
     this.reap();
+  }
+
+  /** Its readers count a writer that ended without taking leave as not alive. */
+  private tellDeath(writer: EndpointRecord): void {
+    const { bus } = this;
+    for (let index = 0; index < Atomics.load(bus.i32, BusHeader.endpointHigh); index += 1) {
+      const word = bus.endpointWord(index);
+      if ((Atomics.load(bus.i32, word) & 255) !== BusPhase.live) continue;
+      if (bus.i32[word + BusEndpoint.kind] !== EndpointKind.subscription) continue;
+      const reader = readEndpoint(bus, index)?.record;
+      if (reader === undefined || relate(reader, writer).kind !== 'match') continue;
+      Atomics.add(bus.i32, word + BusEndpoint.died, 1);
+      bus.noteStatus(reader.participant);
+    }
   }
 
   /** Frees what the ended have left behind once it is read. */
@@ -214,7 +235,7 @@ export class PortBroker implements Broker {
     this.controls.delete(participant);
     if (closed) return;
     for (const [other, port] of this.controls) {
-      if (other === 0) this.link.dropPeer(participant);
+      if (other === 0) this.link.dropPeer(participant, true);
       else port.postMessage({ t: 'gone', participant });
     }
   }

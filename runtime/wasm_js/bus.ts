@@ -28,6 +28,8 @@ export class Bus {
   readonly sab: SharedArrayBuffer;
   i32: Int32Array;
   u8: Uint8Array;
+  /** The tables only; they never move. */
+  readonly i64: BigInt64Array;
   readonly participantCount: number;
   readonly nodeCount: number;
   readonly endpointCount: number;
@@ -44,6 +46,7 @@ export class Bus {
     this.sab = sab;
     this.i32 = new Int32Array(sab, 0, sab.byteLength >> 2);
     this.u8 = new Uint8Array(sab, 0, sab.byteLength);
+    this.i64 = new BigInt64Array(sab, 0, sab.byteLength >> 3);
     const header = (word: number): number => Atomics.load(this.i32, word);
     if (header(BusHeader.magic) !== magic || header(BusHeader.version) !== protocolVersion) {
       throw new RangeError('not a bus of this protocol version');
@@ -178,6 +181,11 @@ export class Bus {
     return { used, total };
   }
 
+  /** A status of one of the participant's endpoints changed; the event is the caller's. */
+  noteStatus(participant: number): void {
+    Atomics.add(this.i32, this.participantWord(participant) + BusParticipant.status, 1);
+  }
+
   /** An event for a participant: whoever sleeps there wakes. */
   bump(participant: number): void {
     const word = this.participantWord(participant);
@@ -205,6 +213,7 @@ export class Bus {
       Atomics.store(this.i32, word + BusParticipant.stop, 0);
       Atomics.store(this.i32, word + BusParticipant.graphInterest, 0);
       Atomics.store(this.i32, word + BusParticipant.sleepers, 0);
+      Atomics.store(this.i32, word + BusParticipant.status, 0);
       Atomics.store(this.i32, word + BusParticipant.consolePosted, 0);
       Atomics.store(this.i32, word + BusParticipant.consoleSeen, 0);
       return index;

@@ -19,10 +19,12 @@ export function claimSlot(bus: Bus, participant: number, count: number, wordOf: 
   return -1;
 }
 
-export function raise(bus: Bus, word: number, value: number): void {
+/** Makes a counter at least `value`; true when it was less. */
+export function raise(bus: Bus, word: number, value: number): boolean {
   for (let now = Atomics.load(bus.i32, word); now < value; now = Atomics.load(bus.i32, word)) {
-    if (Atomics.compareExchange(bus.i32, word, now, value) === now) return;
+    if (Atomics.compareExchange(bus.i32, word, now, value) === now) return true;
   }
+  return false;
 }
 
 /** Writes an entry of the graph log; the change itself must be in the table before. Returns the version. */

@@ -1,7 +1,10 @@
 // Counts of an endpoint's events on the port link: ever, now, and since they were last read.
 
-import { StatusKind } from '../protocol/generated/constants.ts';
+import { type EndpointKind, StatusKind } from '../protocol/generated/constants.ts';
+import { steadyNanoseconds } from './clock.ts';
 import type { EndpointStatus } from './link.ts';
+import { hasStatus } from './statuses.ts';
+import type { Timing } from './timing.ts';
 
 class EventCounter {
   total = 0;
@@ -21,6 +24,11 @@ class EventCounter {
     this.currentRead = currentCount;
     return status;
   }
+
+  readTotal(total: number): EndpointStatus {
+    this.total = total;
+    return this.read(0);
+  }
 }
 
 export class EventCounters {
@@ -28,9 +36,20 @@ export class EventCounters {
   readonly incompatible = new EventCounter();
   readonly type = new EventCounter();
   readonly lost = new EventCounter();
+  /** Matched writers that ended without taking leave, since this was last read. */
+  died = 0;
+  private readonly deadline = new EventCounter();
+  private readonly liveliness = new EventCounter();
+  private readonly timing: Timing;
 
-  /** undefined for a status that is not counted. */
-  read(kind: StatusKind, matchedNow: number): EndpointStatus | undefined {
+  constructor(timing: Timing) {
+    this.timing = timing;
+  }
+
+  /** undefined for a status that the endpoint has not. */
+  read(endpoint: EndpointKind, kind: StatusKind, matchedNow: number): EndpointStatus | undefined {
+    if (!hasStatus(endpoint, kind)) return undefined;
+    this.timing.watch(kind);
     switch (kind) {
       case StatusKind.publicationMatched:
       case StatusKind.subscriptionMatched:
@@ -43,8 +62,20 @@ export class EventCounters {
         return this.type.read(0);
       case StatusKind.messageLost:
         return this.lost.read(0);
-      default:
-        return undefined;
+      case StatusKind.offeredDeadlineMissed:
+      case StatusKind.requestedDeadlineMissed:
+        return this.deadline.readTotal(this.timing.deadlinesMissed(steadyNanoseconds()));
+      case StatusKind.livelinessLost:
+        return this.liveliness.readTotal(this.timing.livelinessLost(steadyNanoseconds()));
+      case StatusKind.livelinessChanged: {
+        const lapsed = this.timing.lapsedWriters(steadyNanoseconds());
+        this.liveliness.total = lapsed;
+        const status = this.liveliness.read(matchedNow - lapsed);
+        // Those who died are told once: then nobody counts them any more.
+        const { died } = this;
+        this.died = 0;
+        return { ...status, totalCount: lapsed + died, totalChange: status.totalChange + died };
+      }
     }
   }
 }

@@ -47,6 +47,14 @@ const counterpart: Readonly<Record<number, number>> = {
   [EndpointKind.server]: EndpointKind.client,
 };
 
+export function writes(kind: number): boolean {
+  return kind !== EndpointKind.subscription;
+}
+
+export function reads(kind: number): boolean {
+  return kind !== EndpointKind.publisher;
+}
+
 /** How two endpoints stand to each other. The same answer whoever asks. */
 export function relate(a: EndpointRecord, b: EndpointRecord): Relation {
   if (counterpart[a.kind] !== b.kind || a.name !== b.name) return none;

@@ -100,6 +100,8 @@ export function hostImports(link: Link, memory: () => ProgramMemory, idle: () =>
     stop_requested: () => (link.stopRequested() ? 1 : 0),
     matched: (endpoint: number) => link.matched(endpoint),
     endpoint_status: status,
+    status_version: () => link.statusVersion(),
+    assert_liveliness: (endpoint: number) => link.assertLiveliness(endpoint),
     graph_version: () => link.graphVersion(),
     graph_snapshot: (buffer: number, capacity: number): number => {
       const bytes = encodeGraph(link.graph());

@@ -81,6 +81,10 @@ export interface Link {
   matched(endpoint: number): number;
   /** undefined for a bad handle or a status that this endpoint has not. */
   status(endpoint: number, kind: StatusKind): EndpointStatus | undefined;
+  /** Changes when a status of an own endpoint does; the wait ends when one that was ever read does by time alone. */
+  statusVersion(): number;
+  /** A sign of life of a writer with manual liveliness. 0, or a negative ErrorCode. */
+  assertLiveliness(endpoint: number): number;
   graphVersion(): number;
   graph(): GraphSnapshot;
   /** Counts the batches of console lines that the page has not dealt with. */

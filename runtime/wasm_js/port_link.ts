@@ -3,17 +3,21 @@
 // loop run. Used within one thread.
 
 import {
-  EndpointKind, ErrorCode, flagHidden, frameHeaderSize, maxHashLength, maxNameLength, maxSampleLength, type StatusKind,
+  EndpointKind, ErrorCode, flagHidden, frameHeaderSize, maxNameLength, maxSampleLength, type StatusKind,
   WaitResult,
 } from '../protocol/generated/constants.ts';
-import { putNanoseconds, systemNanoseconds } from './clock.ts';
+import { putNanoseconds, steadyNanoseconds, systemNanoseconds } from './clock.ts';
 import { type ConsoleCredit, LocalCredit } from './console_sender.ts';
-import { type EndpointRecord, Graph, relate } from './graph.ts';
+import { checkDescription } from './description_check.ts';
+import { type EndpointRecord, Graph, reads, relate, writes } from './graph.ts';
 import type { EndpointDescription, EndpointStatus, GraphSnapshot, Heap, Link } from './link.ts';
 import { EventCounters } from './event_counters.ts';
 import type { ControlMessage, PeerMessage, PeerPort, WriterSample } from './port_messages.ts';
 import { PortReader } from './port_reader.ts';
+import { PortWaits, unref } from './port_waits.ts';
 import { type Frame, PortWriter, windowBytes, windowFrames } from './port_writer.ts';
+import { Ticker } from './ticker.ts';
+import { LocalCells, manualLease, Timing } from './timing.ts';
 
 export interface PortTicket {
   readonly participant: number;
@@ -31,6 +35,7 @@ interface Own {
   /** They fit, but have not said yet that they know this one. */
   readonly expected: Set<number>;
   readonly strangers: Set<number>;
+  readonly timing: Timing;
   readonly counters: EventCounters;
 }
 
@@ -43,11 +48,6 @@ interface Arrivals {
   acknowledged: number;
 }
 
-const smallPayload = 64 << 10;
-/** A program that never waits long must still let messages in. */
-const longestRunMs = 4;
-/** A timer that is set for longer fires at once. */
-const longestTimerMs = 2 ** 31 - 1;
 const encoder = new TextEncoder();
 
 export class PortLink implements Link {
@@ -60,16 +60,14 @@ export class PortLink implements Link {
   private readonly own = new Map<number, Own>();
   private readonly arrivals = new Map<number, Arrivals>();
   private readonly samples = new Map<number, WriterSample>();
+  /** Signs of life of the writers here and elsewhere that have to give them. */
+  private readonly lives = new Map<number, LocalCells>();
+  private readonly ticker = new Ticker();
+  private statuses = 0;
   private nextKey = 1;
   private version = 0;
-  private token = 0;
-  private stops = 0;
-  private stopsTold = 0;
-  private lastYield = performance.now();
-  private readonly waiters = new Set<() => void>();
-  private readonly sleepers = new Set<() => void>();
-  private readonly turn = new MessageChannel();
-  private turns: (() => void)[] = [];
+  private readonly waits = new PortWaits();
+  private readonly taken = (writer: number): void => this.acknowledge(writer, true);
   private closed = false;
 
   constructor({ participant, session, control, peers }: PortTicket) {
@@ -78,16 +76,13 @@ export class PortLink implements Link {
     this.control = control;
     control.addEventListener('message', (event) => this.onControl((event as MessageEvent<ControlMessage>).data));
     control.start();
-    this.turn.port1.addEventListener('message', () => this.turns.shift()?.());
-    this.turn.port1.start();
-    // Under Node.js an idle port must not hold the process.
-    for (const port of [control, this.turn.port1]) unref(port);
+    unref(control);
     for (const peer of peers) this.addPeer(peer);
   }
 
   /** Numbers of participants come again: what an earlier one left ends here, and its late words are not heard. */
   addPeer({ participant, port }: PeerPort): void {
-    if (this.peers.has(participant)) this.dropPeer(participant);
+    if (this.peers.has(participant)) this.dropPeer(participant, true);
     this.peers.set(participant, port);
     port.addEventListener('message', (event) => {
       if (this.peers.get(participant) === port) this.onPeer(participant, (event as MessageEvent<unknown>).data);
@@ -100,12 +95,12 @@ export class PortLink implements Link {
     for (const { record } of this.own.values()) this.post(participant, { t: 'ep+', record });
   }
 
-  /** A peer that ended without taking leave. */
-  dropPeer(participant: number): void {
+  /** A peer that ended; `died`: without taking leave. */
+  dropPeer(participant: number, died: boolean): void {
     this.peers.get(participant)?.close();
     this.peers.delete(participant);
     for (const record of [...this.graphReplica.endpoints.values()]) {
-      if (record.participant === participant) this.removeRemote(record.key);
+      if (record.participant === participant) this.removeRemote(record.key, died);
     }
     for (const node of [...this.graphReplica.nodes.values()]) {
       if (node.participant === participant) this.graphReplica.nodes.delete(node.key);
@@ -144,28 +139,27 @@ export class PortLink implements Link {
 
   endpointCreate(description: EndpointDescription): number {
     const { node, ...rest } = description;
-    const length = (text: string): number => encoder.encode(text).length;
-    const name = length(description.name);
-    if (name === 0 || name > maxNameLength || length(description.type) > maxNameLength) return ErrorCode.invalidName;
-    if (length(description.hash) > maxHashLength) return ErrorCode.invalidArgument;
-    if (rest.kind < EndpointKind.publisher || rest.kind > EndpointKind.server) return ErrorCode.invalidArgument;
+    const wrong = checkDescription(description);
+    if (wrong < 0) return wrong;
     if (!this.graphReplica.nodes.has(this.keyOf(node))) return ErrorCode.badHandle;
     if (this.nextKey > 0xfffff) return ErrorCode.tableFull;
     const handle = this.newHandle();
     const key = this.keyOf(handle);
     const gid = new Int32Array([...this.session, key, this.participant + 1]);
     const record: EndpointRecord = { ...rest, key, gid, participant: this.participant, nodeKey: this.keyOf(node) };
-    const writes = record.kind !== EndpointKind.subscription;
+    const timing = new Timing(record, this.lifeOf(record));
     const own: Own = {
       record,
-      writer: writes ? new PortWriter(record, (to, frame) => this.send(to, record.key, frame)) : undefined,
-      reader: record.kind !== EndpointKind.publisher ? new PortReader(record) : undefined,
+      writer: writes(record.kind) ? new PortWriter(record, (to, frame) => this.send(to, record.key, frame)) : undefined,
+      reader: reads(record.kind) ? new PortReader(record, this.taken) : undefined,
       matched: new Set(),
       expected: new Set(),
       strangers: new Set(),
-      counters: new EventCounters(),
+      timing,
+      counters: new EventCounters(timing),
     };
     this.own.set(handle, own);
+    if (timing.ticks) this.ticker.follow(this.own.values());
     this.graphReplica.add(record);
     this.broadcast({ t: 'ep+', record });
     for (const other of [...this.graphReplica.named(record.name)]) {
@@ -188,10 +182,10 @@ export class PortLink implements Link {
         const late = own.writer?.match(other) ?? [];
         if (other.participant === this.participant) {
           own.reader?.open(other);
-          this.addMatch(own, other.key);
-          const local = this.ownOf(other.key)?.reader;
-          if (late.length > 0) local?.open(own.record);
-          for (const frame of late) local?.accept(own.record.key, frame);
+          this.addMatch(own, other);
+          const local = this.ownOf(other.key);
+          if (late.length > 0) local?.reader?.open(own.record);
+          for (const frame of late) if (local !== undefined) this.receive(local, own.record.key, frame);
           return;
         }
         own.expected.add(other.key);
@@ -204,19 +198,35 @@ export class PortLink implements Link {
         own.strangers.add(other.key);
         own.counters.incompatible.total += 1;
         own.counters.incompatible.policy = relation.policy;
+        this.noteStatus();
         return;
       case 'wrong_type':
         if (own.strangers.has(other.key)) return;
         own.strangers.add(other.key);
         own.counters.type.total = 1;
+        this.noteStatus();
         return;
     }
   }
 
-  private addMatch(own: Own, key: number): void {
-    if (own.matched.has(key)) return;
-    own.matched.add(key);
+  private addMatch(own: Own, other: EndpointRecord): void {
+    if (own.matched.has(other.key)) return;
+    own.matched.add(other.key);
     own.counters.matched.total += 1;
+    this.noteStatus();
+    if (own.reader === undefined || manualLease(other) === 0) return;
+    own.timing.match(other, this.lifeOf(other));
+    this.ticker.follow(this.own.values());
+  }
+
+  /** Where the times of an endpoint are kept; a writer counts as alive from when it was first heard of. */
+  private lifeOf(record: EndpointRecord): LocalCells {
+    let cells = this.lives.get(record.key);
+    if (cells === undefined) {
+      cells = new LocalCells(steadyNanoseconds());
+      if (manualLease(record) !== 0) this.lives.set(record.key, cells);
+    }
+    return cells;
   }
 
   private ownOf(key: number): Own | undefined {
@@ -228,12 +238,13 @@ export class PortLink implements Link {
     if (own === undefined) return;
     this.own.delete(endpoint);
     this.broadcast({ t: 'ep-', key: own.record.key });
-    this.removeRemote(own.record.key);
+    this.removeRemote(own.record.key, false);
+    if (own.timing.ticks) this.ticker.follow(this.own.values());
     this.changed();
   }
 
   /** Takes an endpoint, also an own one, out of the replica and of all lists. */
-  private removeRemote(key: number): void {
+  private removeRemote(key: number, died: boolean): void {
     const record = this.graphReplica.remove(key);
     if (record === undefined) return;
     for (const other of this.graphReplica.named(record.name)) {
@@ -242,9 +253,13 @@ export class PortLink implements Link {
       own.writer?.unmatch(record);
       own.reader?.shut(key);
       own.expected.delete(key);
-      own.matched.delete(key);
       own.strangers.delete(key);
+      if (!own.matched.delete(key)) continue;
+      if (own.reader !== undefined) own.timing.unmatch(key, own.matched.size, steadyNanoseconds());
+      if (died) own.counters.died += 1;
+      this.noteStatus();
     }
+    this.lives.delete(key);
     this.arrivals.delete(key);
     this.samples.delete(key);
   }
@@ -268,15 +283,17 @@ export class PortLink implements Link {
     const sequence = writer.sequence + 1;
     const target = this.fillHeader(own.record, new Int32Array(buffer, 0, 16), heap.i32, info >> 2, sequence, length);
     const frame: Frame = { buffer, sequence, target };
-    if (writer.full()) return this.writeLater(writer, frame);
+    if (writer.full()) return this.writeLater(own, writer, frame);
+    if (own.timing.ticks) own.timing.wrote(steadyNanoseconds());
     writer.push(frame);
     return 0;
   }
 
-  private async writeLater(writer: PortWriter, frame: Frame): Promise<number> {
+  private async writeLater(own: Own, writer: PortWriter, frame: Frame): Promise<number> {
     while (writer.full()) {
-      if (this.closed || (await this.wait(this.token, -1)) === WaitResult.stop) return ErrorCode.stopped;
+      if (this.closed || (await this.wait(this.waits.token, -1)) === WaitResult.stop) return ErrorCode.stopped;
     }
+    if (own.timing.ticks) own.timing.wrote(steadyNanoseconds());
     writer.push(frame);
     return 0;
   }
@@ -308,9 +325,7 @@ export class PortLink implements Link {
   take(endpoint: number, heap: Heap, address: number, capacity: number, info: number): number {
     const reader = this.own.get(endpoint)?.reader;
     if (reader === undefined) return ErrorCode.badHandle;
-    const { result, writer } = reader.take(heap, address, capacity, info);
-    if (writer !== 0 && reader.all) this.acknowledge(writer, true);
-    return result;
+    return reader.take(heap, address, capacity, info);
   }
 
   ready(): readonly number[] {
@@ -320,58 +335,32 @@ export class PortLink implements Link {
   }
 
   wakeToken(): number {
-    return this.token;
-  }
-
-  private tellStop(): boolean {
-    if (this.stops === this.stopsTold) return false;
-    this.stopsTold = this.stops;
-    return true;
+    return this.waits.token;
   }
 
   async wait(token: number, timeoutMs: number): Promise<WaitResult> {
-    if (this.tellStop()) return WaitResult.stop;
-    if (this.token !== token) {
-      if (performance.now() - this.lastYield > longestRunMs) await this.yieldTurn();
-    } else if (timeoutMs === 0) {
-      await this.yieldTurn();
-    } else {
-      await rest(this.waiters, timeoutMs);
-      this.lastYield = performance.now();
+    if (this.ticker.idle) return await this.waits.wait(token, timeoutMs);
+    const end = timeoutMs < 0 ? Infinity : performance.now() + timeoutMs;
+    for (;;) {
+      if (this.tick()) return WaitResult.woken;
+      const left = Math.max(0, end - performance.now());
+      const due = this.ticker.due();
+      const limit = Math.min(left, due);
+      const result = await this.waits.wait(token, limit === Infinity ? -1 : limit);
+      if (result !== WaitResult.timeout || left <= due) return result;
     }
-    if (this.token === token) return WaitResult.timeout;
-    return this.tellStop() ? WaitResult.stop : WaitResult.woken;
-  }
-
-  /** One turn of the event loop, without the clamping of timers. */
-  private yieldTurn(): Promise<void> {
-    return new Promise((resolve) => {
-      this.turns.push(() => {
-        this.lastYield = performance.now();
-        resolve();
-      });
-      this.turn.port2.postMessage(0);
-    });
   }
 
   wake(): void {
-    this.token = (this.token + 1) | 0;
-    for (const end of [...this.waiters]) end();
+    this.waits.wake();
   }
 
-  async sleep(durationMs: number): Promise<WaitResult> {
-    if (this.tellStop()) return WaitResult.stop;
-    if (durationMs <= 0) {
-      await this.yieldTurn();
-    } else {
-      await rest(this.sleepers, durationMs);
-    }
-    this.lastYield = performance.now();
-    return this.tellStop() ? WaitResult.stop : WaitResult.woken;
+  sleep(durationMs: number): Promise<WaitResult> {
+    return this.waits.sleep(durationMs);
   }
 
   stopRequested(): boolean {
-    return this.stops > 0;
+    return this.waits.stops > 0;
   }
 
   matched(endpoint: number): number {
@@ -382,7 +371,33 @@ export class PortLink implements Link {
     const own = this.own.get(endpoint);
     if (own === undefined) return undefined;
     own.counters.lost.total = own.reader?.lost ?? 0;
-    return own.counters.read(kind, own.matched.size);
+    return own.counters.read(own.record.kind as EndpointKind, kind, own.matched.size);
+  }
+
+  statusVersion(): number {
+    this.tick();
+    return this.statuses;
+  }
+
+  assertLiveliness(endpoint: number): number {
+    const own = this.own.get(endpoint);
+    if (own?.writer === undefined) return ErrorCode.badHandle;
+    const { record } = own;
+    if (manualLease(record) === 0) return 0;
+    if (own.timing.assert(steadyNanoseconds())) this.wake();
+    this.broadcast({ t: 'alive', writer: record.key });
+    return 0;
+  }
+
+  private noteStatus(): void {
+    this.statuses = (this.statuses + 1) | 0;
+  }
+
+  /** True when time has changed a status that somebody reads. */
+  private tick(): boolean {
+    const changed = this.ticker.tick();
+    if (changed) this.noteStatus();
+    return changed;
   }
 
   graphVersion(): number {
@@ -405,8 +420,7 @@ export class PortLink implements Link {
     for (const port of this.peers.values()) port.close();
     this.peers.clear();
     this.control.close();
-    this.turn.port1.close();
-    this.wake();
+    this.waits.close();
   }
 
   /** Asks all peers for what their writers did; the answers are in `sampled` later. */
@@ -426,17 +440,9 @@ export class PortLink implements Link {
   private samplesOf(topics: readonly string[]): WriterSample[] {
     const out: WriterSample[] = [];
     for (const { record, writer } of this.own.values()) {
-      if (writer === undefined || record.kind !== EndpointKind.publisher || writer.last === undefined) continue;
-      const { buffer } = writer.last;
-      const words = new Int32Array(buffer, 0, 16);
-      const show = buffer.byteLength <= smallPayload || topics.includes(record.name);
-      out.push({
-        key: record.key,
-        count: writer.sequence,
-        bytes: writer.bytes,
-        time: ((words[4]! >>> 0) + words[5]! * 2 ** 32) / 1e6,
-        payload: show ? new Uint8Array(buffer, frameHeaderSize) : undefined,
-      });
+      if (writer === undefined || record.kind !== EndpointKind.publisher) continue;
+      const sample = writer.sample(topics.includes(record.name));
+      if (sample !== undefined) out.push(sample);
     }
     return out;
   }
@@ -447,14 +453,11 @@ export class PortLink implements Link {
         this.addPeer(message.peer);
         return;
       case 'gone':
-        this.dropPeer(message.participant);
+        this.dropPeer(message.participant, true);
         return;
-      case 'stop': {
-        this.stops += 1;
-        for (const end of [...this.sleepers]) end();
-        this.wake();
+      case 'stop':
+        this.waits.stop();
         return;
-      }
     }
   }
 
@@ -482,7 +485,7 @@ export class PortLink implements Link {
         this.changed();
         return;
       case 'ep-':
-        this.removeRemote(message.key);
+        this.removeRemote(message.key, false);
         this.changed();
         return;
       case 'match': {
@@ -491,13 +494,14 @@ export class PortLink implements Link {
         if (own === undefined || other === undefined) return;
         own.expected.delete(message.mine);
         own.reader?.open(other);
-        this.addMatch(own, message.mine);
+        this.addMatch(own, other);
         this.changed();
         return;
       }
       case 'late': {
-        const reader = this.ownOf(message.reader)?.reader;
-        for (const frame of message.frames) reader?.accept(new Int32Array(frame, 0, 16)[14]!, frame);
+        const reader = this.ownOf(message.reader);
+        if (reader === undefined) return;
+        for (const frame of message.frames) this.receive(reader, new Int32Array(frame, 0, 16)[14]!, frame);
         this.wake();
         return;
       }
@@ -512,9 +516,23 @@ export class PortLink implements Link {
         for (const sample of message.writers) this.samples.set(sample.key, sample);
         return;
       case 'bye':
-        this.dropPeer(participant);
+        this.dropPeer(participant, false);
+        return;
+      case 'alive':
+        this.lives.get(message.writer)?.exchangeAsserted(steadyNanoseconds());
+        this.wake();
         return;
     }
+  }
+
+  /** True when the frame is for the endpoint. */
+  private receive({ reader, timing }: Own, writer: number, buffer: ArrayBuffer): boolean {
+    if (reader === undefined) return false;
+    const { lost } = reader;
+    const accepted = reader.accept(writer, buffer);
+    if (reader.lost !== lost) this.noteStatus();
+    if (accepted && timing.ticks) timing.received(steadyNanoseconds());
+    return accepted;
   }
 
   private deliver(participant: number, writer: number, buffer: ArrayBuffer): void {
@@ -522,8 +540,10 @@ export class PortLink implements Link {
     if (record === undefined) return;
     let came = false;
     for (const other of this.graphReplica.named(record.name)) {
-      if (this.ownOf(other.key)?.reader?.accept(writer, buffer) === true) came = true;
+      const own = this.ownOf(other.key);
+      if (own !== undefined && this.receive(own, writer, buffer)) came = true;
     }
+    this.lives.get(writer)?.exchangeAsserted(steadyNanoseconds());
     if (participant !== this.participant) {
       let arrivals = this.arrivals.get(writer);
       if (arrivals === undefined) {
@@ -573,28 +593,4 @@ export class PortLink implements Link {
   private post(participant: number, message: PeerMessage): void {
     this.peers.get(participant)?.postMessage(message);
   }
-}
-
-/** Until the time is over (negative: never) or somebody calls what stands in `ends` meanwhile. */
-function rest(ends: Set<() => void>, durationMs: number): Promise<void> {
-  return new Promise((resolve) => {
-    const deadline = performance.now() + durationMs;
-    let timer: ReturnType<typeof setTimeout> | undefined;
-    const end = (): void => {
-      clearTimeout(timer);
-      ends.delete(end);
-      resolve();
-    };
-    const check = (): void => {
-      const left = deadline - performance.now();
-      if (left <= 0) end();
-      else timer = setTimeout(check, Math.min(left, longestTimerMs));
-    };
-    ends.add(end);
-    if (durationMs >= 0) check();
-  });
-}
-
-function unref(port: MessagePort): void {
-  if ('unref' in port && typeof port.unref === 'function') port.unref();
 }

@@ -29,6 +29,8 @@ export type PeerMessage =
   | { readonly t: 'late'; readonly reader: number; readonly frames: readonly ArrayBuffer[] }
   /** All readers here are done with the samples of this writer up to `sequence` (low word). */
   | { readonly t: 'ack'; readonly writer: number; readonly sequence: number }
+  /** A writer with manual liveliness gives a sign of life. */
+  | { readonly t: 'alive'; readonly writer: number }
   | { readonly t: 'sample'; readonly topics: readonly string[] }
   | { readonly t: 'samples'; readonly writers: readonly WriterSample[] }
   | { readonly t: 'bye' };

@@ -9,6 +9,8 @@ interface Queued {
   readonly writer: number;
   readonly sequence: number;
   readonly buffer: ArrayBuffer;
+  /** ns since 1970; Infinity without a lifespan. */
+  readonly expires: number;
 }
 
 interface Source {
@@ -24,10 +26,13 @@ export class PortReader {
   private readonly depth: number;
   private readonly queue: Queued[] = [];
   private readonly sources = new Map<number, Source>();
+  private readonly taken: (writer: number) => void;
   lost = 0;
 
-  constructor(record: EndpointRecord) {
+  /** `taken` is called when a sample of that writer has left the queue, if the reader wants all. */
+  constructor(record: EndpointRecord, taken: (writer: number) => void) {
     this.record = record;
+    this.taken = taken;
     const service = record.kind !== EndpointKind.subscription;
     this.all = service || record.qos.history === History.keepAll;
     this.depth = this.all ? Infinity : Math.max(1, record.qos.depth);
@@ -57,11 +62,10 @@ export class PortReader {
     }
     source.newest = sequence;
     if (this.record.kind === EndpointKind.client && words[10] !== this.record.key) return false;
-    if (source.lifespanNs > 0) {
-      const stamp = (words[4]! >>> 0) + words[5]! * 2 ** 32;
-      if (systemNanoseconds() - stamp > source.lifespanNs) return false;
-    }
-    this.queue.push({ writer, sequence, buffer });
+    const { lifespanNs } = source;
+    const expires = lifespanNs === 0 ? Infinity : (words[4]! >>> 0) + words[5]! * 2 ** 32 + lifespanNs;
+    if (expires !== Infinity && expires < systemNanoseconds()) return false;
+    this.queue.push({ writer, sequence, buffer, expires });
     if (this.queue.length > this.depth) this.queue.shift();
     return true;
   }
@@ -75,14 +79,19 @@ export class PortReader {
     return this.queue.find((entry) => entry.writer === writer)?.sequence;
   }
 
-  take(heap: Heap, address: number, capacity: number, info: number): { result: number; writer: number } {
-    const next = this.queue[0];
-    if (next === undefined) return { result: ErrorCode.nothing, writer: 0 };
-    const length = next.buffer.byteLength - frameHeaderSize;
-    if (length > capacity) return { result: length, writer: 0 };
-    this.queue.shift();
-    heap.i32.set(new Int32Array(next.buffer, 0, 16), info >> 2);
-    heap.u8.set(new Uint8Array(next.buffer, frameHeaderSize), address);
-    return { result: length, writer: next.writer };
+  take(heap: Heap, address: number, capacity: number, info: number): number {
+    for (;;) {
+      const next = this.queue[0];
+      if (next === undefined) return ErrorCode.nothing;
+      const expired = next.expires !== Infinity && next.expires < systemNanoseconds();
+      const length = next.buffer.byteLength - frameHeaderSize;
+      if (!expired && length > capacity) return length;
+      this.queue.shift();
+      if (this.all) this.taken(next.writer);
+      if (expired) continue;
+      heap.i32.set(new Int32Array(next.buffer, 0, 16), info >> 2);
+      heap.u8.set(new Uint8Array(next.buffer, frameHeaderSize), address);
+      return length;
+    }
   }
 }

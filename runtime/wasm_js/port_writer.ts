@@ -5,11 +5,14 @@ import {
   Durability, EndpointKind, frameHeaderSize, History, keepAllLimit, Reliability, serviceLimit,
 } from '../protocol/generated/constants.ts';
 import type { EndpointRecord } from './graph.ts';
+import type { WriterSample } from './port_messages.ts';
 
 /** Frames and bytes on the way to one peer. A peer acknowledges from a quarter of either; below it another frame may
  * always go, however large. */
 export const windowFrames = 64;
 export const windowBytes = 16 << 20;
+
+const smallPayload = 64 << 10;
 
 export interface Frame {
   readonly buffer: ArrayBuffer;
@@ -30,8 +33,8 @@ interface PeerQueue {
 export class PortWriter {
   readonly record: EndpointRecord;
   sequence = 0;
-  bytes = 0;
-  last: Frame | undefined;
+  private bytes = 0;
+  private last: Frame | undefined;
   private readonly kept: Frame[] = [];
   private readonly keep: number;
   private readonly service: boolean;
@@ -118,6 +121,20 @@ export class PortWriter {
       }
       this.send(participant, next);
     }
+  }
+
+  /** What it did so far; the last payload when it is `wanted` or small. */
+  sample(wanted: boolean): WriterSample | undefined {
+    if (this.last === undefined) return undefined;
+    const { buffer } = this.last;
+    const words = new Int32Array(buffer, 0, 16);
+    return {
+      key: this.record.key,
+      count: this.sequence,
+      bytes: this.bytes,
+      time: ((words[4]! >>> 0) + words[5]! * 2 ** 32) / 1e6,
+      payload: wanted || buffer.byteLength <= smallPayload ? new Uint8Array(buffer, frameHeaderSize) : undefined,
+    };
   }
 
   private wantsAll(peer: PeerQueue): boolean {

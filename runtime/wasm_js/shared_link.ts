@@ -3,24 +3,30 @@
 
 import {
   BusEndpoint, BusHeader, BusNode, BusParticipant, BusPhase, EndpointKind, ErrorCode, flagHidden,
-  maxHashLength, maxNameLength, StatusKind, WaitResult, Durability, History, keepAllLimit,
+  maxNameLength, type StatusKind, WaitResult, Durability, History, keepAllLimit,
 } from '../protocol/generated/constants.ts';
 import { type Bus, readText } from './bus.ts';
+import { BusCells } from './bus_cells.ts';
 import {
   claimSlot, departEndpoint, fillEndpoint, logChange, nodeBit, raise, readEndpoint, releaseEndpoint,
 } from './bus_tables.ts';
+import { steadyNanoseconds } from './clock.ts';
 import type { ConsoleCredit } from './console_sender.ts';
-import { type EndpointRecord, Graph, relate } from './graph.ts';
+import { checkDescription } from './description_check.ts';
+import { type EndpointRecord, Graph, reads, relate, writes } from './graph.ts';
 import type { EndpointDescription, EndpointStatus, GraphSnapshot, Heap, Link } from './link.ts';
 import { endpointKey, keyIndex } from './shared_ring.ts';
 import { SharedReader } from './shared_reader.ts';
 import { type Pause, SharedWriter } from './shared_writer.ts';
+import { SharedStatuses } from './shared_statuses.ts';
+import { manualLease, Timing } from './timing.ts';
 
 interface Own {
   readonly record: EndpointRecord;
   readonly word: number;
   readonly writer: SharedWriter | undefined;
   readonly reader: SharedReader | undefined;
+  readonly timing: Timing;
   readonly matched: Set<number>;
   readonly incompatible: Set<number>;
 }
@@ -41,14 +47,6 @@ export interface SharedLinkOptions {
   readonly mayBlock: boolean;
 }
 
-export function writes(kind: number): boolean {
-  return kind !== EndpointKind.subscription;
-}
-
-export function reads(kind: number): boolean {
-  return kind !== EndpointKind.publisher;
-}
-
 export class SharedLink implements Link {
   readonly kind = 'shared';
   readonly bus: Bus;
@@ -61,6 +59,7 @@ export class SharedLink implements Link {
   private readonly seenNodes: Int32Array;
   private readonly own = new Map<number, Own>();
   private readonly readers: Own[] = [];
+  private readonly statuses: SharedStatuses;
   private readonly departed = new Map<number, Own>();
   /** How often each own endpoint was matched so far, as this thread saw it. */
   private readonly totals = new Map<number, number>();
@@ -76,6 +75,7 @@ export class SharedLink implements Link {
     this.participant = participant;
     this.mayBlock = mayBlock;
     this.word = bus.participantWord(participant);
+    this.statuses = new SharedStatuses(bus, participant);
     this.seen = new Int32Array(bus.endpointCount);
     this.seenNodes = new Int32Array(bus.nodeCount);
     this.pause = (token) => {
@@ -122,13 +122,8 @@ export class SharedLink implements Link {
 
   endpointCreate(description: EndpointDescription): number {
     const { bus } = this;
-    const length = (text: string): number => encoder.encode(text).length;
-    const name = length(description.name);
-    if (name === 0 || name > maxNameLength || length(description.type) > maxNameLength) return ErrorCode.invalidName;
-    if (length(description.hash) > maxHashLength) return ErrorCode.invalidArgument;
-    if (description.kind < EndpointKind.publisher || description.kind > EndpointKind.server) {
-      return ErrorCode.invalidArgument;
-    }
+    const wrong = checkDescription(description);
+    if (wrong < 0) return wrong;
     if (!this.ownsNode(description.node)) return ErrorCode.badHandle;
     const index = claimSlot(bus, this.participant, bus.endpointCount, (i) => bus.endpointWord(i));
     if (index < 0) return ErrorCode.tableFull;
@@ -141,6 +136,7 @@ export class SharedLink implements Link {
     const gid = new Int32Array([...session, key, this.participant + 1]);
     const record = { ...rest, key, gid, participant: this.participant, nodeKey: node };
     fillEndpoint(bus, record);
+    if (manualLease(record) !== 0) new BusCells(bus, word).exchangeAsserted(steadyNanoseconds());
     if (reads(record.kind)) this.placeCursors(record);
     raise(bus, BusHeader.endpointHigh, index + 1);
     Atomics.store(i32, word, ((this.participant + 1) << 8) | BusPhase.live);
@@ -251,6 +247,19 @@ export class SharedLink implements Link {
   }
 
   private block(token: number, timeoutMs: number): WaitResult {
+    if (this.statuses.ticker.idle) return this.blockOnce(token, timeoutMs);
+    const end = performance.now() + timeoutMs;
+    for (;;) {
+      this.sync();
+      if (this.statuses.tick()) return WaitResult.woken;
+      const left = Math.max(0, end - performance.now());
+      const due = this.statuses.ticker.due();
+      const result = this.blockOnce(token, Math.min(left, due));
+      if (result !== WaitResult.timeout || left <= due) return result;
+    }
+  }
+
+  private blockOnce(token: number, timeoutMs: number): WaitResult {
     const { bus, word } = this;
     if (this.tellStop()) return WaitResult.stop;
     const sleepers = word + BusParticipant.sleepers;
@@ -294,38 +303,19 @@ export class SharedLink implements Link {
   status(endpoint: number, kind: StatusKind): EndpointStatus | undefined {
     this.sync();
     const own = this.own.get(endpoint);
-    if (own === undefined) return undefined;
-    const { i32 } = this.bus;
-    /** The counter now, and what it gained since it was last read. */
-    const reading = (counter: number, mark: number): [number, number] => {
-      const now = Atomics.load(i32, own.word + counter);
-      return [now, (now - Atomics.exchange(i32, own.word + mark, now)) | 0];
-    };
-    switch (kind) {
-      case StatusKind.publicationMatched:
-      case StatusKind.subscriptionMatched: {
-        const [totalCount, totalChange] = reading(BusEndpoint.matchedTotal, BusEndpoint.matchedTotalRead);
-        const [currentCount, currentChange] = reading(BusEndpoint.matchedCurrent, BusEndpoint.matchedCurrentRead);
-        return { totalCount, totalChange, currentCount, currentChange, lastPolicy: 0 };
-      }
-      case StatusKind.offeredQosIncompatible:
-      case StatusKind.requestedQosIncompatible: {
-        const [totalCount, totalChange] = reading(BusEndpoint.incompatibleTotal, BusEndpoint.incompatibleRead);
-        const lastPolicy = Atomics.load(i32, own.word + BusEndpoint.incompatiblePolicy);
-        return { totalCount, totalChange, currentCount: 0, currentChange: 0, lastPolicy };
-      }
-      case StatusKind.publisherIncompatibleType:
-      case StatusKind.subscriptionIncompatibleType: {
-        const [totalCount, totalChange] = reading(BusEndpoint.wrongTypeTotal, BusEndpoint.wrongTypeRead);
-        return { totalCount, totalChange, currentCount: 0, currentChange: 0, lastPolicy: 0 };
-      }
-      case StatusKind.messageLost: {
-        const [totalCount, totalChange] = reading(BusEndpoint.lostTotal, BusEndpoint.lostRead);
-        return { totalCount, totalChange, currentCount: 0, currentChange: 0, lastPolicy: 0 };
-      }
-      default:
-        return undefined;
-    }
+    return own === undefined ? undefined : this.statuses.read(own, kind);
+  }
+
+  statusVersion(): number {
+    this.sync();
+    return this.statuses.version();
+  }
+
+  assertLiveliness(endpoint: number): number {
+    const writer = this.find(endpoint)?.writer;
+    if (writer === undefined) return ErrorCode.badHandle;
+    writer.assert();
+    return 0;
   }
 
   graphVersion(): number {
@@ -457,16 +447,20 @@ export class SharedLink implements Link {
 
   /** An endpoint of this participant: made here, or by another thread. */
   private adopt(record: EndpointRecord): void {
+    const word = this.bus.endpointWord(keyIndex(record.key));
+    const timing = new Timing(record, new BusCells(this.bus, word));
     const own: Own = {
       record,
-      word: this.bus.endpointWord(keyIndex(record.key)),
-      writer: writes(record.kind) ? new SharedWriter(this.bus, record, this.syncNow, this.pause) : undefined,
+      word,
+      writer: writes(record.kind) ? new SharedWriter(this.bus, record, timing, this.syncNow, this.pause) : undefined,
       reader: reads(record.kind) ? new SharedReader(this.bus, record) : undefined,
+      timing,
       matched: new Set(),
       incompatible: new Set(),
     };
     this.own.set(keyIndex(record.key), own);
     if (own.reader !== undefined) this.readers.push(own);
+    if (timing.ticks) this.statuses.ticker.follow(this.own.values());
     for (const other of this.graphReplica.named(record.name)) this.introduce(own, other, false);
   }
 
@@ -491,18 +485,22 @@ export class SharedLink implements Link {
           own.writer?.match(other);
           own.matched.add(other.key);
           this.publishMatched(own, 1);
+          if (own.reader !== undefined && manualLease(other) !== 0) {
+            own.timing.match(other, new BusCells(this.bus, this.bus.endpointWord(keyIndex(other.key))));
+            this.statuses.ticker.follow(this.own.values());
+          }
         }
         return;
       case 'incompatible':
         if (departed || own.incompatible.has(other.key)) return;
         own.incompatible.add(other.key);
         Atomics.store(this.bus.i32, own.word + BusEndpoint.incompatiblePolicy, relation.policy);
-        raise(this.bus, own.word + BusEndpoint.incompatibleTotal, own.incompatible.size);
+        if (raise(this.bus, own.word + BusEndpoint.incompatibleTotal, own.incompatible.size)) this.statuses.note();
         return;
       case 'wrong_type':
         if (departed || own.incompatible.has(-other.key)) return;
         own.incompatible.add(-other.key);
-        raise(this.bus, own.word + BusEndpoint.wrongTypeTotal, 1);
+        if (raise(this.bus, own.word + BusEndpoint.wrongTypeTotal, 1)) this.statuses.note();
         return;
     }
   }
@@ -518,8 +516,9 @@ export class SharedLink implements Link {
   private publishMatched(own: Own, gained: number): void {
     const total = (this.totals.get(own.record.key) ?? 0) + gained;
     this.totals.set(own.record.key, total);
-    raise(this.bus, own.word + BusEndpoint.matchedTotal, total);
-    Atomics.store(this.bus.i32, own.word + BusEndpoint.matchedCurrent, own.matched.size);
+    const grew = raise(this.bus, own.word + BusEndpoint.matchedTotal, total);
+    const before = Atomics.exchange(this.bus.i32, own.word + BusEndpoint.matchedCurrent, own.matched.size);
+    if (grew || before !== own.matched.size) this.statuses.note();
   }
 
   private forgetEndpoint(key: number): void {
@@ -527,7 +526,9 @@ export class SharedLink implements Link {
     if (record === undefined) return;
     for (const own of this.ownRelatives(record)) {
       own.writer?.unmatch(key);
-      if (own.matched.delete(key)) this.publishMatched(own, 0);
+      if (!own.matched.delete(key)) continue;
+      if (own.reader !== undefined) own.timing.unmatch(key, own.matched.size, steadyNanoseconds());
+      this.publishMatched(own, 0);
     }
     if (record.participant !== this.participant) return;
     const index = keyIndex(key);
@@ -536,6 +537,7 @@ export class SharedLink implements Link {
     this.own.delete(index);
     const place = this.readers.indexOf(own);
     if (place >= 0) this.readers.splice(place, 1);
+    if (own.timing.ticks) this.statuses.ticker.follow(this.own.values());
     this.departed.set(key, own);
   }
 

@@ -30,6 +30,8 @@ export class SharedReader {
   private readonly word: number;
   private readonly depth: number;
   private readonly filter: boolean;
+  /** A gap in what it reads is a loss. */
+  private readonly all: boolean;
   private writers: WriterRef[] = [];
   // The result of find(): the sample that comes next.
   private at: WriterRef | undefined;
@@ -43,6 +45,7 @@ export class SharedReader {
     this.word = bus.endpointWord(keyIndex(record.key));
     this.depth = depthOf(record);
     this.filter = record.kind === EndpointKind.client;
+    this.all = record.kind === EndpointKind.subscription && record.qos.history === History.keepAll;
   }
 
   /** A writer that fits, be it there or just gone: it is read until its entry is freed. Called by each thread for itself. */
@@ -98,7 +101,7 @@ export class SharedReader {
       const target = info >> 2;
       for (let i = 0; i < 16; i += 1) heap.i32[target + i] = from[header + i]!;
       copyBytes(bus.u8, from, offset + BusSizes.align, heap.u8, heap.i32, address, length);
-      this.setCursor(writer, sequence);
+      this.passTo(writer, sequence, 1);
       Atomics.store(from, word + BusEndpoint.hazard, 0);
       if (Atomics.load(from, writer.word + BusEndpoint.blocked) !== 0) bus.bump(writer.participant);
       if (writer.lifespanNs > 0 && this.expired(heap, target, writer.lifespanNs)) continue;
@@ -176,7 +179,6 @@ export class SharedReader {
       const size = 1 << ringLog2(ring);
       const oldest = (head - size + 1) | 0;
       if (((oldest - sequence) | 0) > 0) {
-        if (move && !this.filter) this.countLost((oldest - sequence) | 0);
         sequence = oldest;
       }
       const slot = slotWord(bus, ring, sequence);
@@ -194,12 +196,18 @@ export class SharedReader {
       }
       sequence = (sequence + 1) | 0;
     }
-    if (move) this.setCursor(writer, head);
+    if (move) this.passTo(writer, head, 0);
     return undefined;
   }
 
-  private countLost(count: number): void {
-    Atomics.add(this.bus.i32, this.word + BusEndpoint.lostTotal, count);
+  /** Moves the cursor; of the samples that it passes, all but the last `taken` were overwritten before they were read. */
+  private passTo(writer: WriterRef, sequence: number, taken: number): void {
+    const lost = this.all ? (sequence - this.cursor(writer) - taken) | 0 : 0;
+    this.setCursor(writer, sequence);
+    if (lost <= 0) return;
+    Atomics.add(this.bus.i32, this.word + BusEndpoint.lostTotal, lost);
+    this.bus.noteStatus(this.record.participant);
+    this.bus.bump(this.record.participant);
   }
 
   private cursor(writer: WriterRef): number {

@@ -7,13 +7,15 @@ import {
   keepAllLimit, maxSampleLength, Reliability, serviceLimit,
 } from '../protocol/generated/constants.ts';
 import type { Bus } from './bus.ts';
-import { putNanoseconds, systemNanoseconds } from './clock.ts';
+import { BusCells } from './bus_cells.ts';
+import { putNanoseconds, steadyNanoseconds, systemNanoseconds } from './clock.ts';
 import type { EndpointRecord } from './graph.ts';
 import type { Heap } from './link.ts';
 import {
   copyBytes, findCursor, keyIndex, observed, packRing, ringBytes, ringFramesOffset, ringGeneration, ringLog2, ringPage,
   slotWord, slotWords, unit,
 } from './shared_ring.ts';
+import { deadlineOf, noteSample, type Timing } from './timing.ts';
 
 interface ReaderRef {
   readonly key: number;
@@ -24,6 +26,8 @@ interface ReaderRef {
   /** Newest samples the reader may still want; Infinity when it wants all. */
   readonly depth: number;
   readonly reliable: boolean;
+  /** Of a reader that asks for a deadline, which only a writer that offers one can match. */
+  readonly deadline: { readonly ns: number; readonly cells: BusCells } | undefined;
   pair: number;
 }
 
@@ -49,6 +53,7 @@ export class SharedWriter {
   private readonly service: boolean;
   private readonly ownDepth: number;
   private readonly mayBlock: boolean;
+  private readonly timing: Timing;
   private readers: ReaderRef[] = [];
   private participants: number[] = [];
   private retired: RetiredRun[] = [];
@@ -56,9 +61,10 @@ export class SharedWriter {
   private readonly sync: () => void;
   private readonly pause: Pause;
 
-  constructor(bus: Bus, record: EndpointRecord, sync: () => void, pause: Pause) {
+  constructor(bus: Bus, record: EndpointRecord, timing: Timing, sync: () => void, pause: Pause) {
     this.bus = bus;
     this.record = record;
+    this.timing = timing;
     this.sync = sync;
     this.pause = pause;
     this.word = bus.endpointWord(keyIndex(record.key));
@@ -74,14 +80,17 @@ export class SharedWriter {
   match(reader: EndpointRecord): void {
     if (this.readers.some((known) => known.key === reader.key)) return;
     const all = this.service || reader.qos.history === History.keepAll;
+    const word = this.bus.endpointWord(keyIndex(reader.key));
+    const ns = deadlineOf(reader);
     this.readers.push({
       key: reader.key,
-      word: this.bus.endpointWord(keyIndex(reader.key)),
+      word,
       generation: reader.key >>> 13,
       participant: reader.participant,
       local: reader.participant === this.record.participant,
       depth: all ? Infinity : Math.max(1, reader.qos.depth),
       reliable: reader.qos.reliability === Reliability.reliable,
+      deadline: ns === 0 ? undefined : { ns, cells: new BusCells(this.bus, word) },
       pair: -1,
     });
     this.listParticipants();
@@ -122,8 +131,25 @@ export class SharedWriter {
     Atomics.store(i32, word + BusEndpoint.head, sequence);
     // A reader that became visible meanwhile has either seen this head or is seen by this look.
     this.sync();
+    if (this.timing.ticks) this.noteTime();
     this.signal(target);
     return 0;
+  }
+
+  private noteTime(): void {
+    const now = steadyNanoseconds();
+    this.timing.wrote(now);
+    for (const { deadline, word, generation } of this.readers) {
+      if (deadline === undefined) continue;
+      if (Atomics.load(this.bus.i32, word + BusEndpoint.generation) !== generation) continue;
+      noteSample(deadline.cells, deadline.ns, now);
+    }
+  }
+
+  /** Tells the readers that hold this writer for dead. */
+  assert(): void {
+    if (!this.timing.assert(steadyNanoseconds())) return;
+    for (const participant of this.participants) this.bus.bump(participant);
   }
 
   /** A frame for the sample, in a slot that holds none. Or an ErrorCode. */

@@ -6,8 +6,10 @@
 namespace rclcpp {
 
 EventHandlerBase::EventHandlerBase(std::shared_ptr<ros2wasm::Endpoint> endpoint, int32_t event_type)
-    : endpoint_(std::move(endpoint)), event_type_(event_type) {
-  if (!poll()) {
+    : endpoint_(std::move(endpoint)),
+      event_type_(event_type),
+      seen_status_(ros2wasm::status_version()) {
+  if (!read()) {
     rcutils_set_error_state("the bus does not know this event", __FILE__, __LINE__);
     const exceptions::RCLErrorBase error(RCL_RET_UNSUPPORTED, rcl_get_error_state());
     rcl_reset_error();
@@ -17,7 +19,7 @@ EventHandlerBase::EventHandlerBase(std::shared_ptr<ros2wasm::Endpoint> endpoint,
 
 EventHandlerBase::~EventHandlerBase() = default;
 
-bool EventHandlerBase::poll() {
+bool EventHandlerBase::read() {
   ros2wasm::EndpointStatus status{};
   if (!endpoint_->status(event_type_, status)) {
     return false;
@@ -32,7 +34,11 @@ bool EventHandlerBase::poll() {
 }
 
 bool EventHandlerBase::is_ready() {
-  poll();
+  const int32_t status = ros2wasm::status_version();
+  if (status != seen_status_) {
+    seen_status_ = status;
+    read();
+  }
   return pending_;
 }
 
@@ -53,7 +59,7 @@ void fill(rmw_requested_deadline_missed_status_t& info, const EventCounts& count
   info.total_count = counts.total_count;
   info.total_count_change = counts.total_change;
 }
-// The bus counts the living as current and all known writers as total.
+// The bus counts the living as current and those that are not alive as total.
 void fill(rmw_liveliness_changed_status_t& info, const EventCounts& counts) {
   info.alive_count = counts.current_count;
   info.alive_count_change = counts.current_change;

@@ -179,8 +179,8 @@ void Executor::add_entries_of(const rclcpp::CallbackGroup::SharedPtr& group) {
   const auto add = [&](bool is_timer) {
     return [this, &group, is_timer](const auto& entity) {
       const std::shared_ptr<detail::Executable> executable = entity;
-      entries_.push_back(
-          {executable, group, executable->ready_endpoint(), executable->polls(), is_timer});
+      entries_.push_back({executable, group, executable->ready_endpoint(), executable->polls(),
+                          executable->follows_status(), is_timer});
     };
   };
   group->collect_all_ptrs(add(false), add(false), add(false), add(true), add(false));
@@ -243,17 +243,22 @@ std::chrono::nanoseconds Executor::collect_ready() {
       ready_marks_[found->second] = 1;
     }
   }
+  const int32_t status = ros2wasm::status_version();
+  const bool status_changed = status != seen_status_;
+  seen_status_ = status;
   nanoseconds next_timer = nanoseconds::max();
   for (size_t i = 0; i < entries_.size(); ++i) {
-    if (!entries_[i].polls) {
+    Entry& entry = entries_[i];
+    if (!entry.polls || (entry.follows_status && !status_changed && !entry.was_ready)) {
       continue;
     }
-    const auto entity = entries_[i].entity.lock();
+    const auto entity = entry.entity.lock();
     if (!entity) {
       continue;
     }
-    if (!entries_[i].is_timer) {
-      ready_marks_[i] = ready_marks_[i] != 0 || entity->is_ready_now();
+    if (!entry.is_timer) {
+      entry.was_ready = entity->is_ready_now();
+      ready_marks_[i] = ready_marks_[i] != 0 || entry.was_ready;
       continue;
     }
     auto& timer = static_cast<TimerBase&>(*entity);

@@ -29,7 +29,7 @@ PublisherBase::PublisherBase(node_interfaces::NodeBaseInterface* node_base,
       topic_name_(node_base->resolve_topic_or_service_name(topic, false)),
       logger_name_(node_base->get_logger_name()),
       type_support_(type_support),
-      qos_(detail::resolve_qos(qos)),
+      qos_(detail::resolve_publisher_qos(qos, topic_name_)),
       object_functions_(object_functions),
       intra_process_(
           object_functions != nullptr &&
@@ -115,7 +115,7 @@ bool PublisherBase::is_durability_transient_local() const {
 }
 
 bool PublisherBase::assert_liveliness() const {
-  return context_->is_valid();
+  return endpoint_->assert_liveliness();
 }
 
 bool PublisherBase::operator==(const rmw_gid_t* gid) const {

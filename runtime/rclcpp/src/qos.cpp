@@ -207,6 +207,75 @@ bool period_fits(const rmw_time_t& publisher, const rmw_time_t& subscription) {
           rmw_time_total_nsec(publisher) <= rmw_time_total_nsec(subscription));
 }
 
+// A policy that an endpoint leaves to the middleware, in the words of ROS 2's warnings.
+struct OpenPolicy {
+  std::string publisher_value;
+  std::string subscription_value;
+  bool publisher_open;
+  bool subscription_open;
+  bool publisher_offers_least;
+  bool subscription_asks_most;
+  const char* publisher_is;
+  const char* subscription_is;
+  const char* demanding;
+  const char* modest;
+};
+
+std::string word(const char* text) {
+  return text == nullptr ? "unknown" : text;
+}
+
+template <typename NoteT>
+void note_open_policies(const rmw_qos_profile_t& pub, const rmw_qos_profile_t& sub,
+                        const NoteT& note) {
+  const auto open = [](auto value, auto system_default, auto unknown) {
+    return value == system_default || value == unknown;
+  };
+  const auto reliability_open = [&open](const rmw_qos_profile_t& profile) {
+    return open(profile.reliability, RMW_QOS_POLICY_RELIABILITY_SYSTEM_DEFAULT,
+                RMW_QOS_POLICY_RELIABILITY_UNKNOWN);
+  };
+  const auto durability_open = [&open](const rmw_qos_profile_t& profile) {
+    return open(profile.durability, RMW_QOS_POLICY_DURABILITY_SYSTEM_DEFAULT,
+                RMW_QOS_POLICY_DURABILITY_UNKNOWN);
+  };
+  const auto liveliness_open = [&open](const rmw_qos_profile_t& profile) {
+    return open(profile.liveliness, RMW_QOS_POLICY_LIVELINESS_SYSTEM_DEFAULT,
+                RMW_QOS_POLICY_LIVELINESS_UNKNOWN);
+  };
+  const OpenPolicy policies[] = {
+      {word(rmw_qos_reliability_policy_to_str(pub.reliability)),
+       word(rmw_qos_reliability_policy_to_str(sub.reliability)), reliability_open(pub),
+       reliability_open(sub), pub.reliability == RMW_QOS_POLICY_RELIABILITY_BEST_EFFORT,
+       sub.reliability == RMW_QOS_POLICY_RELIABILITY_RELIABLE, "Publisher reliability is ",
+       " and subscription reliability is ", "Reliable subscription, but publisher is ",
+       "Best effort publisher, but subscription is "},
+      {word(rmw_qos_durability_policy_to_str(pub.durability)),
+       word(rmw_qos_durability_policy_to_str(sub.durability)), durability_open(pub),
+       durability_open(sub), pub.durability == RMW_QOS_POLICY_DURABILITY_VOLATILE,
+       sub.durability == RMW_QOS_POLICY_DURABILITY_TRANSIENT_LOCAL, "Publisher durabilty is ",
+       " and subscription durability is ", "Transient local subscription, but publisher is ",
+       "Volatile publisher, but subscription is "},
+      {word(rmw_qos_liveliness_policy_to_str(pub.liveliness)),
+       word(rmw_qos_liveliness_policy_to_str(sub.liveliness)), liveliness_open(pub),
+       liveliness_open(sub), pub.liveliness == RMW_QOS_POLICY_LIVELINESS_AUTOMATIC,
+       sub.liveliness == RMW_QOS_POLICY_LIVELINESS_MANUAL_BY_TOPIC, "Publisher liveliness is ",
+       " and subscription liveliness is ",
+       "Subscription's liveliness is manual by topic, but publisher's is ",
+       "Publisher's liveliness is automatic, but subscription's is "},
+  };
+  for (const OpenPolicy& policy : policies) {
+    if (policy.publisher_open && policy.subscription_open) {
+      note(policy.publisher_is + policy.publisher_value + policy.subscription_is +
+           policy.subscription_value);
+    } else if (policy.publisher_open && policy.subscription_asks_most) {
+      note(policy.demanding + policy.publisher_value);
+    } else if (policy.publisher_offers_least && policy.subscription_open) {
+      note(policy.modest + policy.subscription_value);
+    }
+  }
+}
+
 }  // namespace
 
 QoSCheckCompatibleResult qos_check_compatible(const QoS& publisher_qos,
@@ -214,7 +283,7 @@ QoSCheckCompatibleResult qos_check_compatible(const QoS& publisher_qos,
   const rmw_qos_profile_t& pub = publisher_qos.get_rmw_qos_profile();
   const rmw_qos_profile_t& sub = subscription_qos.get_rmw_qos_profile();
   QoSCheckCompatibleResult result{QoSCompatibility::Ok, {}};
-  const auto note = [&result](QoSCompatibility level, const char* text) {
+  const auto note = [&result](QoSCompatibility level, const std::string& text) {
     if (static_cast<int>(level) > static_cast<int>(result.compatibility)) {
       result.compatibility = level;
     }
@@ -245,12 +314,9 @@ QoSCheckCompatibleResult qos_check_compatible(const QoS& publisher_qos,
              ? "Subscription has a liveliness lease duration, but publisher does not"
              : "Subscription liveliness lease duration is less than publisher");
   }
-  const bool unknown = pub.reliability == RMW_QOS_POLICY_RELIABILITY_SYSTEM_DEFAULT ||
-                       sub.reliability == RMW_QOS_POLICY_RELIABILITY_SYSTEM_DEFAULT ||
-                       pub.durability == RMW_QOS_POLICY_DURABILITY_SYSTEM_DEFAULT ||
-                       sub.durability == RMW_QOS_POLICY_DURABILITY_SYSTEM_DEFAULT;
-  if (unknown) {
-    note(QoSCompatibility::Warning, "a policy is left to the system's default");
+  if (result.compatibility == QoSCompatibility::Ok) {
+    note_open_policies(pub, sub,
+                       [&note](const std::string& text) { note(QoSCompatibility::Warning, text); });
   }
   return result;
 }

@@ -32,7 +32,7 @@ SubscriptionBase::SubscriptionBase(node_interfaces::NodeBaseInterface* node_base
     : topic_name_(node_base->resolve_topic_or_service_name(topic_name, false)),
       logger_name_(node_base->get_logger_name()),
       type_support_(type_support),
-      qos_(detail::resolve_qos(qos)),
+      qos_(detail::resolve_subscription_qos(qos, topic_name_)),
       delivered_message_kind_(delivered_message_kind),
       intra_process_(delivered_message_kind == DeliveredMessageKind::ROS_MESSAGE &&
                      (options.use_intra_process_comm == IntraProcessSetting::NodeDefault

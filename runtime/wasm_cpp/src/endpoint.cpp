@@ -117,6 +117,15 @@ bool Endpoint::status(int32_t kind, EndpointStatus& out) {
   return ros2wasm_endpoint_status(id_, kind, &out) >= 0;
 }
 
+bool Endpoint::assert_liveliness() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return ros2wasm_assert_liveliness(id_) >= 0;
+}
+
+int32_t status_version() {
+  return ros2wasm_status_version();
+}
+
 int32_t wake_token() {
   return ros2wasm_wake_token();
 }

@@ -1,7 +1,7 @@
 // Runs scenes in a page; the test calls runScene.
 
 import type { LinkKind } from '../../../runtime/wasm_js/session.ts';
-import { scenes } from './scenes.ts';
+import { allScenes } from './all_scenes.ts';
 import { type RawWorker, World } from './world.ts';
 
 function start(): Promise<RawWorker> {
@@ -20,7 +20,7 @@ function start(): Promise<RawWorker> {
 
 /** Undefined when the link did what it must, else what it did instead. */
 async function runScene(kind: LinkKind, name: string): Promise<string | undefined> {
-  const scene = scenes.find((each) => each.name === name);
+  const scene = allScenes.find((each) => each.name === name);
   if (scene === undefined) return `no scene ${name}`;
   const world = new World(kind, start);
   try {

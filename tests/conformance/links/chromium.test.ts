@@ -10,7 +10,7 @@ import { build } from 'esbuild';
 import { type Browser, chromium, type Page } from 'playwright-core';
 import { chromiumOptions } from '../../e2e/chromium.ts';
 import { type StaticServer, serveFolder } from '../../support/static_server.ts';
-import { scenes } from './scenes.ts';
+import { allScenes } from './all_scenes.ts';
 
 const watchdogMs = 120_000;
 
@@ -38,7 +38,7 @@ after(async () => {
 });
 
 for (const kind of ['shared', 'port'] as const) {
-  for (const { name } of scenes) {
+  for (const { name } of allScenes) {
     test(`Chromium, ${kind}: ${name}`, { timeout: watchdogMs }, async () => {
       const outcome = await page.evaluate(([k, n]) => {
         const run = (globalThis as unknown as { runScene: (kind: string, name: string) => Promise<string | undefined> }).runScene;

@@ -1,7 +1,7 @@
 // The worker side of a conformance scene: carries out one command after another on a link of its own.
 // Runs in Node worker threads and in browser workers.
 
-import { EndpointKind, ErrorCode, SampleInfoLayout, type StatusKind } from '../../../runtime/protocol/generated/constants.ts';
+import { EndpointKind, ErrorCode, SampleInfoLayout, StatusKind } from '../../../runtime/protocol/generated/constants.ts';
 import type { EndpointStatus, GraphSnapshot, Heap, Link } from '../../../runtime/wasm_js/link.ts';
 import { type LinkTicket, openLink } from '../../../runtime/wasm_js/open_link.ts';
 import { defaultQos, type EndpointQos } from '../../../runtime/wasm_js/qos.ts';
@@ -241,6 +241,37 @@ export class Peer {
       if (status !== undefined && status.totalCount >= count) return { ...status, totalChange: change };
       await this.link.wait(token, -1);
     }
+  }
+
+  /** Waits until `count` of a subscription's writers are alive. */
+  async waitAlive(endpoint: number, count: number): Promise<EndpointStatus> {
+    let [alive, dead] = [0, 0];
+    for (;;) {
+      const token = this.link.wakeToken();
+      const status = this.link.status(endpoint, StatusKind.livelinessChanged);
+      alive += status?.currentChange ?? 0;
+      dead += status?.totalChange ?? 0;
+      if (status?.currentCount === count) return { ...status, currentChange: alive, totalChange: dead };
+      await this.link.wait(token, -1);
+    }
+  }
+
+  /** Waits until a status of any own endpoint has changed since `version`. */
+  async waitStatusVersion(version: number): Promise<number> {
+    for (;;) {
+      const token = this.link.wakeToken();
+      const now = this.link.statusVersion();
+      if (now !== version) return now;
+      await this.link.wait(token, -1);
+    }
+  }
+
+  statusVersion(): number {
+    return this.link.statusVersion();
+  }
+
+  assertLiveliness(endpoint: number): number {
+    return this.link.assertLiveliness(endpoint);
   }
 
   graph(): GraphSnapshot {

@@ -105,13 +105,15 @@ class EventHandlerBase : public Waitable {
 
   bool is_ready() override;
   std::shared_ptr<void> take_data() override;
+  bool follows_status() const override { return true; }
 
  private:
-  /// Adds what changed to counts_; false when the bus does not know the event.
-  bool poll();
+  /// Adds what changed to counts_; false when the endpoint has no such event.
+  bool read();
 
   std::shared_ptr<ros2wasm::Endpoint> endpoint_;
   const int32_t event_type_;
+  int32_t seen_status_ = 0;
   EventCounts counts_;
   bool pending_ = false;
 };

@@ -95,7 +95,10 @@ class Executor {
     std::weak_ptr<rclcpp::CallbackGroup> group;
     int32_t endpoint_id;
     bool polls;
+    bool follows_status;
     bool is_timer;
+    // When it was asked last; at first it must be asked.
+    bool was_ready = true;
   };
 
   FutureReturnCode spin_until_future_complete_impl(
@@ -132,6 +135,7 @@ class Executor {
   std::vector<NodeRecord> nodes_;
   std::vector<rclcpp::CallbackGroup::WeakPtr> manual_groups_;
   uint32_t seen_version_ = 0;
+  int32_t seen_status_ = 0;
   std::vector<Entry> entries_;
   std::unordered_map<int32_t, size_t> entry_of_endpoint_;
   std::vector<char> ready_marks_;

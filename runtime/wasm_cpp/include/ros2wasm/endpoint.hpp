@@ -90,8 +90,10 @@ class Endpoint {
   /// Throws away whatever waits to be taken.
   void drain();
   [[nodiscard]] int32_t matched() const;
-  /// False when this kind of status is unknown to the bus.
+  /// False when the endpoint has no such status.
   bool status(int32_t kind, EndpointStatus& out);
+  /// Tells the readers of a publisher with manual liveliness that it lives.
+  bool assert_liveliness();
 
  private:
   int32_t id_;
@@ -111,6 +113,8 @@ bool stop_requested();
 bool sleep_for(int64_t duration_ns);
 /// Ids of this participant's readers that have something to take.
 void ready_endpoints(std::vector<uint32_t>& out);
+/// Changes with every status of an own endpoint; waits end when one that was ever read changes.
+int32_t status_version();
 int64_t system_now_ns();
 int64_t steady_now_ns();
 

@@ -79,6 +79,10 @@ ROS2WASM_IMPORT("matched") int32_t ros2wasm_matched(int32_t endpoint);
 ROS2WASM_IMPORT("endpoint_status")
 int32_t ros2wasm_endpoint_status(int32_t endpoint, int32_t status_kind,
                                  struct ros2wasm_status* out);
+/** Changes with every status of an own endpoint. */
+ROS2WASM_IMPORT("status_version") int32_t ros2wasm_status_version(void);
+/** A sign of life of a publisher with manual liveliness. 0, or < 0. */
+ROS2WASM_IMPORT("assert_liveliness") int32_t ros2wasm_assert_liveliness(int32_t endpoint);
 /** Changes when nodes, endpoints or matches of the graph do. */
 ROS2WASM_IMPORT("graph_version") int32_t ros2wasm_graph_version(void);
 /** Size of the snapshot; larger than `capacity`: nothing was written. */

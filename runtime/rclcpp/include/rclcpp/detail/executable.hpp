@@ -15,6 +15,8 @@ class Executable {
   virtual int32_t ready_endpoint() const { return -1; }
   /// Whether is_ready_now must be asked at every turn.
   virtual bool polls() const { return false; }
+  /// Of one that polls: it must be asked only after the status version of the bus has changed.
+  virtual bool follows_status() const { return false; }
   /// Ready for a reason of its own.
   virtual bool is_ready_now() { return false; }
   /// Called under the executor's lock before it runs; false: nothing to do after all.

@@ -8,7 +8,7 @@ import { after, before, test } from 'node:test';
 import { PackWorkspace } from './pack_workspace.ts';
 
 const PACKAGE = resolve(import.meta.dirname, '../packages/rclcpp_checks');
-const SINGLE = ['topics', 'services', 'parameters', 'actions', 'waiting', 'quality', 'exceptions', 'component'];
+const SINGLE = ['topics', 'services', 'parameters', 'actions', 'waiting', 'quality', 'every_node', 'exceptions', 'component'];
 const THREADED = ['threads', 'plain_threads'];
 /** The port link has no memory for threads. */
 const PROGRAMS = { shared: [...SINGLE, ...THREADED], port: SINGLE };

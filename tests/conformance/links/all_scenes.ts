@@ -2,5 +2,6 @@
 
 import { qosScenes } from './qos_scenes.ts';
 import { type Scene, scenes } from './scenes.ts';
+import { serviceScenes } from './service_scenes.ts';
 
-export const allScenes: readonly Scene[] = [...scenes, ...qosScenes];
+export const allScenes: readonly Scene[] = [...scenes, ...qosScenes, ...serviceScenes];

@@ -216,6 +216,17 @@ export class Peer {
     }
   }
 
+  /** Takes `count` requests before it answers them as serve() does, the last first. Returns the results of the writes. */
+  async serveReversed(endpoint: number, count: number): Promise<number[]> {
+    const requests: Sample[] = [];
+    while (requests.length < count) requests.push(await this.takeNext(endpoint));
+    const results: number[] = [];
+    for (const { bytes, relatedSequence, relatedGid } of requests.reverse()) {
+      results.push(await this.write(endpoint, bytes.map((byte) => byte + 1), { relatedSequence, relatedGid }));
+    }
+    return results;
+  }
+
   matched(endpoint: number): number {
     return this.link.matched(endpoint);
   }

@@ -213,7 +213,10 @@ export const scenes: readonly Scene[] = [
       }
       const numbers = await c.call('takeUntil', sub, 12);
       if (world.kind === 'shared') equal(numbers, [9, 10, 11, 12], 'newest of both');
-      else check(numbers.every((n, i) => i < 2 || n > numbers[i - 2]!), 'order of each');
+      for (const rest of [0, 1]) {
+        const each = numbers.filter((n) => n % 2 === rest);
+        check(each.every((n, i) => i === 0 || n > each[i - 1]!), 'order of each');
+      }
     },
   },
   {

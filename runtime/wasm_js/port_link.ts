@@ -82,7 +82,7 @@ export class PortLink implements Link {
 
   /** Numbers of participants come again: what an earlier one left ends here, and its late words are not heard. */
   addPeer({ participant, port }: PeerPort): void {
-    if (this.peers.has(participant)) this.dropPeer(participant, true);
+    if (this.peers.has(participant)) this.dropPeer(participant, false);
     this.peers.set(participant, port);
     port.addEventListener('message', (event) => {
       if (this.peers.get(participant) === port) this.onPeer(participant, (event as MessageEvent<unknown>).data);

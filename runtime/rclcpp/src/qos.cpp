@@ -2,6 +2,7 @@
 #include "rclcpp/qos.hpp"
 
 #include "rclcpp/logging.hpp"
+#include "rmw/qos_string_conversions.h"
 
 namespace rclcpp {
 

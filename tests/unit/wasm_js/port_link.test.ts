@@ -5,6 +5,7 @@ import { test } from 'node:test';
 import { WaitResult } from '../../../runtime/protocol/generated/constants.ts';
 import { PortBroker } from '../../../runtime/wasm_js/broker.ts';
 import { PortLink } from '../../../runtime/wasm_js/port_link.ts';
+import { PortWaits } from '../../../runtime/wasm_js/port_waits.ts';
 
 const watchdog = { timeout: 240_000 };
 const thirtyDaysMs = 30 * 86_400_000;
@@ -36,16 +37,14 @@ test('a wait or sleep longer than a timer can be lasts until it is ended', watch
 });
 
 test('waits and sleeps that are over leave nothing behind', watchdog, async () => {
-  const broker = new PortBroker();
-  const { link } = join(broker);
+  const waits = new PortWaits();
   for (let round = 0; round < 20; round += 1) {
-    await link.sleep(1);
-    assert.equal(await link.wait(link.wakeToken(), 1), WaitResult.timeout);
+    await waits.sleep(1);
+    assert.equal(await waits.wait(waits.token, 1), WaitResult.timeout);
   }
-  const { waiters, sleepers } = link as unknown as Record<'waiters' | 'sleepers', Set<unknown>>;
+  const { waiters, sleepers } = waits as unknown as Record<'waiters' | 'sleepers', Set<unknown>>;
   assert.equal(waiters.size + sleepers.size, 0);
-  link.close();
-  broker.close();
+  waits.close();
 });
 
 test('a node may start more often than there are places', watchdog, () => {

@@ -10,7 +10,7 @@ import { type EndpointRecord, relate } from './graph.ts';
 import type { LinkTicket } from './open_link.ts';
 import { PortLink } from './port_link.ts';
 import type { PeerPort } from './port_messages.ts';
-import { endpointKey, findCursor, previousGeneration } from './shared_ring.ts';
+import { endpointKey, findCursor, keyIndex, previousGeneration } from './shared_ring.ts';
 import { SharedLink } from './shared_link.ts';
 
 export interface Admission {
@@ -108,10 +108,13 @@ export class SharedBroker implements Broker {
   /** Its readers count a writer that ended without taking leave as not alive. */
   private tellDeath(writer: EndpointRecord): void {
     const { bus } = this;
+    const length = bus.i32[bus.endpointWord(keyIndex(writer.key)) + BusEndpoint.nameLength];
     for (let index = 0; index < Atomics.load(bus.i32, BusHeader.endpointHigh); index += 1) {
       const word = bus.endpointWord(index);
       if ((Atomics.load(bus.i32, word) & 255) !== BusPhase.live) continue;
       if (bus.i32[word + BusEndpoint.kind] !== EndpointKind.subscription) continue;
+      // Saves reading the names of most.
+      if (bus.i32[word + BusEndpoint.nameLength] !== length) continue;
       const reader = readEndpoint(bus, index)?.record;
       if (reader === undefined || relate(reader, writer).kind !== 'match') continue;
       Atomics.add(bus.i32, word + BusEndpoint.died, 1);

@@ -1,6 +1,6 @@
 // Scenes of quality of service: the whole table of what fits, deadlines, liveliness, and what is lost.
 
-import { Liveliness, StatusKind } from '../../../runtime/protocol/generated/constants.ts';
+import { Liveliness, StatusKind, WaitResult } from '../../../runtime/protocol/generated/constants.ts';
 import { qosTable } from './qos_table.ts';
 import { bestEffort, check, equal, keepAll, pair, range, type Scene } from './scenes.ts';
 
@@ -63,6 +63,18 @@ export const qosScenes: readonly Scene[] = [
       await b.call('takeUntil', sub, 2);
       const requested = (await b.call('status', sub, StatusKind.requestedDeadlineMissed))?.totalCount ?? 0;
       check(requested >= 9, `${requested} requested`);
+    },
+  },
+  {
+    name: 'time wakes nobody who reads no status, and those who do only while they wait',
+    async run(world) {
+      const { a, b, pub, sub } = await pair(world, '/unread', { ...manual, deadline: 5n * ms, lease: 5n * ms });
+      await a.call('writeMany', pub, 1, 1);
+      await b.call('takeUntil', sub, 1);
+      for (const peer of [a, b]) equal(await peer.call('wait', 60), WaitResult.timeout, 'not woken');
+      await b.call('status', sub, StatusKind.requestedDeadlineMissed);
+      equal(await b.call('wait', -1), WaitResult.woken, 'woken by a missed deadline');
+      equal(await a.call('wait', 60), WaitResult.timeout, 'the other is not');
     },
   },
   {

@@ -41,11 +41,12 @@ int link(Context& context, const Options& options) {
   const auto support = find_own_data(context.executable, "templates/toolchain/src/thread_stack.cpp",
                                      "what programs with threads need");
   if (!support) return context.console.fail(support.errors());
-  const auto linked = link_program({.package = options.package,
-                                    .command = options.command,
-                                    .environment = compiler_environment(context.environment),
-                                    .thread_support = support->string()},
-                                   context.cancellation);
+  const auto linked =
+      link_program({.package = options.package,
+                    .command = options.command,
+                    .environment = link_environment(context.environment, options.command.front()),
+                    .thread_support = support->string()},
+                   context.cancellation);
   if (linked) return 0;
   hand_up(context, parse_link_line(options.command).output, linked.errors());
   return context.console.fail(linked.errors());

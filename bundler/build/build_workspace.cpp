@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Part of every hash: raise it when the same sources shall be built anew.
-constexpr std::string_view kBuildFormat = "2";
+constexpr std::string_view kBuildFormat = "3";
 
 std::string hash_of(const LocalPackage& package, const std::vector<const BuiltPackage*>& needs,
                     const std::string& toolchain_hash, const BuildTools& tools,
@@ -172,8 +172,10 @@ class WorkspaceBuilder {
                                          const BuiltPackage& result, unsigned jobs) {
     const std::string& name = result.name;
     const fs::path& prefix = result.prefix;
-    const fs::path work = settings_.cache / "work" /
-                          (name + "-" + sha256_hex(package.directory.string()).substr(0, 16));
+    // Ninja does not see that another ros2wasm links differently: such builds share no folder.
+    const std::string key =
+        package.directory.string() + "\n" + std::string(kBuildFormat) + "\n" + ROS2WASM_VERSION;
+    const fs::path work = settings_.cache / "work" / (name + "-" + sha256_hex(key).substr(0, 16));
     if (auto made = make_directories(work); !made) return made;
     const auto lock = FileLock::take(work.string() + ".lock", cancellation_);
     if (!lock) return lock.errors();

@@ -84,4 +84,14 @@ EnvironmentVariables compiler_environment(const EnvironmentVariables& variables)
   return result;
 }
 
+EnvironmentVariables link_environment(const EnvironmentVariables& variables,
+                                      const fs::path& compiler) {
+  EnvironmentVariables result = compiler_environment(variables);
+  const auto path = variables.find("PATH");
+  if (path != variables.end() && compiler.is_absolute()) {
+    result["PATH"] = compiler.parent_path().string() + ":" + path->second;
+  }
+  return result;
+}
+
 }  // namespace ros2wasm

@@ -36,7 +36,9 @@ export function buildProgram(name: string, { threads = false }: ProgramKind = {}
   const work = `${folder}.${process.pid}`;
   mkdirSync(work, { recursive: true });
   const run = (command: string, args: readonly string[]): void => {
-    execFileSync(command, args, { env: { ...process.env, NODE_PATH: '/usr/share/nodejs' }, stdio: ['ignore', 'ignore', 'inherit'] });
+    // The compiler's own wasm-opt, as in pack's links, not the one that npm brings.
+    const env = { ...process.env, NODE_PATH: '/usr/share/nodejs', PATH: `/usr/bin:${process.env['PATH'] ?? ''}` };
+    execFileSync(command, args, { env, stdio: ['ignore', 'ignore', 'inherit'] });
   };
   const objects = sources.map((file, i) => {
     const object = join(work, `${i}.o`);

@@ -57,5 +57,15 @@ TEST(Compiler, PackagesMustComeOfTheSameOne) {
   EXPECT_FALSE(no_packages_for(*sdk, {}, both));
 }
 
+TEST(Compiler, ToolsBesideItComeFirstInALink) {
+  const EnvironmentVariables variables = {{"PATH", "/home/me/bin:/usr/bin"}};
+  EXPECT_EQ(link_environment(variables, "/opt/sdk/em++").at("PATH"),
+            "/opt/sdk:/home/me/bin:/usr/bin");
+  EXPECT_FALSE(link_environment(variables, "em++").contains("PATH"));
+  EXPECT_FALSE(link_environment({}, "/opt/sdk/em++").contains("PATH"));
+  // Only links are told: cmake and ninja are those that the user has chosen.
+  EXPECT_FALSE(compiler_environment(variables).contains("PATH"));
+}
+
 }  // namespace
 }  // namespace ros2wasm

@@ -3,6 +3,7 @@
 
 #include <zstd.h>
 
+#include <algorithm>
 #include <memory>
 
 namespace ros2wasm {
@@ -32,12 +33,15 @@ Outcome<Done> zstd_decompress(std::string_view bytes, std::uint64_t limit_bytes,
                               const std::function<Outcome<Done>(std::string_view)>& take) {
   const std::unique_ptr<ZSTD_DCtx, decltype(&ZSTD_freeDCtx)> context(ZSTD_createDCtx(),
                                                                      ZSTD_freeDCtx);
-  std::string piece(8 * ZSTD_DStreamOutSize(), '\0');
+  // No more than what is in it, as far as that is known: small files come in thousands.
+  const std::size_t piece_size = std::clamp<std::size_t>(
+      ZSTD_getFrameContentSize(bytes.data(), bytes.size()), 1024, 8 * ZSTD_DStreamOutSize());
+  const auto piece = std::make_unique_for_overwrite<char[]>(piece_size);
   ZSTD_inBuffer input{bytes.data(), bytes.size(), 0};
   std::size_t state = 0;
   std::uint64_t total = 0;
   while (input.pos < input.size || state != 0) {
-    ZSTD_outBuffer output{piece.data(), piece.size(), 0};
+    ZSTD_outBuffer output{piece.get(), piece_size, 0};
     const std::size_t read_before = input.pos;
     state = ZSTD_decompressStream(context.get(), &output, &input);
     if (ZSTD_isError(state) != 0) return damaged(name, ZSTD_getErrorName(state));
@@ -45,7 +49,7 @@ Outcome<Done> zstd_decompress(std::string_view bytes, std::uint64_t limit_bytes,
     if (total > limit_bytes)
       return damaged(name, "it holds more than " + std::to_string(limit_bytes) + " bytes");
     if (output.pos == 0 && input.pos == read_before) return damaged(name, "it ends too early");
-    if (auto taken = take({piece.data(), output.pos}); !taken) return taken;
+    if (auto taken = take({piece.get(), output.pos}); !taken) return taken;
   }
   return Done{};
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "bundler/archive/zstd.hpp"
 #include "bundler/channel/index_files.hpp"
@@ -62,8 +63,9 @@ class ShardIndex : public SubdirIndex {
       const std::string* hex = sha256.string();
       if (hex == nullptr || !is_sha256(*hex))
         return no_index(source_.url, "the shard of `" + name + "` has no sha256");
-      shards_.insert_or_assign(name, *hex);
+      shards_.emplace_back(name, *hex);
     }
+    std::sort(shards_.begin(), shards_.end());
     for (const auto& [name, sha256] : shards_) names_.emplace_back(name);
     return Done{};
   }
@@ -74,11 +76,11 @@ class ShardIndex : public SubdirIndex {
                                    RepoIndex& into, const Cancellation& cancellation) override {
     std::vector<Shard> wanted;
     for (const std::string& name : names) {
-      const auto found = shards_.find(name);
-      if (found == shards_.end()) continue;
-      wanted.push_back({.name = name,
-                        .url = shards_base_ + "/" + found->second + ".msgpack.zst",
-                        .sha256 = found->second});
+      const auto found = std::lower_bound(names_.begin(), names_.end(), name);
+      if (found == names_.end() || *found != name) continue;
+      const std::string& sha256 = shards_[static_cast<std::size_t>(found - names_.begin())].second;
+      wanted.push_back(
+          {.name = name, .url = shards_base_ + "/" + sha256 + ".msgpack.zst", .sha256 = sha256});
     }
     auto bytes = bring(wanted, cancellation);
     if (!bytes) return std::move(bytes).errors();
@@ -181,8 +183,8 @@ class ShardIndex : public SubdirIndex {
   RepodataSource source_;
   ChannelRoots roots_;
   std::string shards_base_;
-  std::map<std::string, std::string, std::less<>> shards_;  ///< name -> sha256
-  std::vector<std::string_view> names_;                     ///< into shards_
+  std::vector<std::pair<std::string, std::string>> shards_;  ///< name and sha256, by name
+  std::vector<std::string_view> names_;                      ///< into shards_, at the same places
 };
 
 }  // namespace

@@ -30,7 +30,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 HEADER = re.compile(r"^--- (file|bytes|exit|stdout|stderr|file-after)(?: (.+))?$")
 ESCAPE = re.compile(r"\\(x[0-9a-fA-F]{2}|[trn\\])")
-WATCHDOG_SECONDS = 60
+WATCHDOG_SECONDS = 300
 
 
 @dataclass

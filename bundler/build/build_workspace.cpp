@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <condition_variable>
 #include <map>
@@ -57,6 +58,20 @@ Outcome<Done> split_programs(const fs::path& prefix, const std::string& package)
   return Done{};
 }
 
+/// How much there is to compile, roughly: sources, and interfaces, which become sources.
+std::size_t source_count(const fs::path& folder) {
+  constexpr auto kSources = std::to_array<std::string_view>(
+      {".action", ".c", ".cc", ".cpp", ".cxx", ".idl", ".msg", ".srv"});
+  std::size_t count = 0;
+  std::error_code error;
+  for (fs::recursive_directory_iterator it(folder, error), end; !error && it != end;
+       it.increment(error)) {
+    const std::string ending = it->path().extension().string();
+    if (std::find(kSources.begin(), kSources.end(), ending) != kSources.end()) ++count;
+  }
+  return count;
+}
+
 /// All that the packages' builds share; packages that do not need each other are built at the same
 /// time.
 class WorkspaceBuilder {
@@ -73,7 +88,10 @@ class WorkspaceBuilder {
         built_(packages.size()),
         state_(packages.size(), State::kWaiting),
         free_jobs_(std::max(1U, tools.jobs)),
-        toolchain_hash_(hash_of_tree(tools.toolchain.parent_path())) {}
+        toolchain_hash_(hash_of_tree(tools.toolchain.parent_path())) {
+    for (const LocalPackage& package : packages)
+      sizes_.push_back(1 + source_count(package.directory));
+  }
 
   [[nodiscard]] Outcome<WorkspaceBuild> run() {
     const unsigned workers =
@@ -88,8 +106,7 @@ class WorkspaceBuilder {
  private:
   enum class State { kWaiting, kRunning, kBuilt, kNotBuilt };
 
-  /// Takes packages whose needs are built until none is left. Packages that can be built now share
-  /// the jobs that nobody has.
+  /// Takes packages whose needs are built until none is left.
   void work() {
     std::unique_lock lock(mutex_);
     while (true) {
@@ -102,7 +119,7 @@ class WorkspaceBuilder {
         continue;
       }
       const std::size_t next = ready.front();
-      const unsigned jobs = std::max(1U, free_jobs_ / static_cast<unsigned>(ready.size()));
+      const unsigned jobs = share_of(next, ready);
       state_[next] = State::kRunning;
       free_jobs_ -= jobs;
       lock.unlock();
@@ -113,6 +130,14 @@ class WorkspaceBuilder {
       changed_.notify_all();
     }
     changed_.notify_all();
+  }
+
+  /// Packages that can be built now share the jobs that nobody has by their sizes, so that a big
+  /// one is not left alone with one job at the end.
+  [[nodiscard]] unsigned share_of(std::size_t index, const std::vector<std::size_t>& ready) const {
+    std::size_t all = 0;
+    for (const std::size_t one : ready) all += sizes_[one];
+    return std::max(1U, static_cast<unsigned>(free_jobs_ * sizes_[index] / all));
   }
 
   [[nodiscard]] std::vector<std::size_t> ready_packages() {
@@ -247,6 +272,7 @@ class WorkspaceBuilder {
   std::vector<std::optional<BuiltPackage>> built_;
   std::vector<State> state_;
   std::string toolchain_hash_;
+  std::vector<std::size_t> sizes_;
   std::vector<std::pair<std::size_t, Diagnostics>> errors_;
   unsigned free_jobs_;                           ///< that no running package has
   std::map<std::size_t, std::size_t> left_out_;  ///< and why: itself, or one that it needs

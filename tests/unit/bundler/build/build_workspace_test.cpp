@@ -35,6 +35,12 @@ class WorkspaceBuildTest : public ::testing::Test {
   /// What every ninja does beside making a note.
   void every_ninja(const std::string& text) const { tree_.write("tools/more", text); }
 
+  [[nodiscard]] std::string until_both_run() const {
+    return "tries=0\nuntil [ \"$(wc -l <" + (tree_ / "log").string() +
+           ")\" -ge 2 ]; do\n"
+           "  tries=$((tries + 1)); [ $tries -lt 3000 ] || exit 1; sleep 0.01\ndone\n";
+  }
+
   void package(const std::string& name, const std::string& needs,
                const std::string& build_type = "ament_cmake") const {
     const std::string depend = needs.empty() ? "" : "<depend>" + needs + "</depend>";
@@ -87,17 +93,25 @@ TEST_F(WorkspaceBuildTest, WhatIsNeededComesFirstWithAllJobs) {
 TEST_F(WorkspaceBuildTest, PackagesAtOnceShareTheJobs) {
   package("a", "");
   package("b", "");
-  every_ninja(
-      "tries=0\n"
-      "until [ \"$(wc -l <" +
-      (tree_ / "log").string() +
-      ")\" -ge 2 ]; do\n"
-      "  tries=$((tries + 1)); [ $tries -lt 3000 ] || exit 1; sleep 0.01\ndone\n");
+  every_ninja(until_both_run());
   const auto built = build(4);
   ASSERT_TRUE(built);
   const std::string log = tree_.read("log");
   EXPECT_NE(log.find("a -j2\n"), std::string::npos) << log;
   EXPECT_NE(log.find("b -j2\n"), std::string::npos) << log;
+}
+
+TEST_F(WorkspaceBuildTest, TheBiggerOneGetsMoreJobs) {
+  package("a", "");
+  package("b", "");
+  for (const char* source : {"1.cpp", "2.cpp", "3.c", "4.msg", "5.cc"})
+    tree_.write(std::string("src/b/src/") + source, "");
+  every_ninja(until_both_run());
+  const auto built = build(8);
+  ASSERT_TRUE(built);
+  const std::string log = tree_.read("log");
+  EXPECT_NE(log.find("a -j1\n"), std::string::npos) << log;
+  EXPECT_NE(log.find("b -j7\n"), std::string::npos) << log;
 }
 
 TEST_F(WorkspaceBuildTest, WhatNeedsALeftOutPackageIsLeftOutToo) {

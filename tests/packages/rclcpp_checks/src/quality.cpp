@@ -1,6 +1,9 @@
 // Quality of service: what fits what, best available and system defaults, and the events of both
 // sides.
+#include <set>
+
 #include "checks.hpp"
+#include "rcl_interfaces/msg/log.hpp"
 #include "std_msgs/msg/string.hpp"
 
 using std_msgs::msg::String;
@@ -68,6 +71,28 @@ void check_profiles(Checks& checks, const rclcpp::Node::SharedPtr& node) {
         "system_default;");
 }
 
+// The warnings that both sides log by themselves, word for word as people look for them.
+void check_warnings(Checks& checks, const rclcpp::Node::SharedPtr& node) {
+  std::set<std::string> said;
+  auto rosout = node->create_subscription<rcl_interfaces::msg::Log>(
+      "/rosout", rclcpp::RosoutQoS(),
+      [&said](const rcl_interfaces::msg::Log& one) { said.insert(one.msg); });
+  auto publisher = node->create_publisher<String>("strict", rclcpp::QoS(1).best_effort());
+  auto subscription = node->create_subscription<String>("strict", 1, [](const String&) {});
+  const std::string offered =
+      "New subscription discovered on topic '/strict', requesting incompatible QoS. No messages "
+      "will be sent to it. Last incompatible policy: RELIABILITY_QOS_POLICY";
+  const std::string requested =
+      "New publisher discovered on topic '/strict', offering incompatible QoS. No messages will be "
+      "received from it. Last incompatible policy: RELIABILITY_QOS_POLICY";
+  rclcpp::executors::SingleThreadedExecutor executor;
+  executor.add_node(node);
+  while (said.count(offered) + said.count(requested) < 2) {
+    executor.spin_once();
+  }
+  CHECK(publisher->get_subscription_count() == 0);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -75,6 +100,7 @@ int main(int argc, char** argv) {
   Checks checks("quality");
   auto node = std::make_shared<rclcpp::Node>("quality_node");
   check_profiles(checks, node);
+  check_warnings(checks, node);
 
   Seen seen;
   const auto timely = rclcpp::QoS(1)

@@ -18,6 +18,7 @@
 #include "bundler/plan/runtime_assets.hpp"
 #include "bundler/resolve/locked_solve.hpp"
 #include "bundler/store/environment.hpp"
+#include "bundler/store/link_scripts.hpp"
 #include "bundler/workspace/build_order.hpp"
 #include "bundler/workspace/channel_request.hpp"
 #include "bundler/workspace/default_manifest.hpp"
@@ -210,6 +211,19 @@ Outcome<std::vector<PackageRecord>> resolve(const PackRequest& request, Question
   return std::move(solved->packages);
 }
 
+/// No script of a package is run. Whose must not be missed is refused, the others are named.
+Diagnostics leave_link_scripts(BuiltWorkspace& workspace, const fs::path& environment) {
+  const auto scripts = link_scripts_in(environment);
+  if (!scripts) return scripts.errors();
+  std::vector<std::string> ignored;
+  for (const auto& name : workspace.manifest.ignore_link_scripts) ignored.push_back(name.value);
+  Diagnostics refused = refused_link_scripts(environment, *scripts, ignored);
+  if (!refused.empty()) return refused;
+  for (const LinkScript& script : *scripts)
+    workspace.remarks.push_back("did not run " + script.path + " of " + script.package);
+  return {};
+}
+
 /// What the prefixes hold, packages of the workspace before those of the channels.
 std::vector<InstalledPackage> all_installed(const std::vector<BuiltPackage>& built,
                                             const fs::path& environment) {
@@ -326,6 +340,8 @@ Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& ca
     return std::move(marked).errors();
   const auto environment = make_environment(Store(roots), *records, cancellation, progress);
   if (!environment) return environment.errors();
+  if (Diagnostics refused = leave_link_scripts(*workspace, environment->prefix); !refused.empty())
+    return refused;
 
   // 4. build, through the toolchain file
   const auto toolchain = find_own_data(

@@ -172,6 +172,8 @@ int inspect_archive(Context& context, const std::string& file) {
   for (const ListingFault& fault : listing->faults) {
     json.begin_object().field("path", fault.path).field("reason", fault.reason).end_object();
   }
+  json.end_array().key("link_scripts").begin_array();
+  for (const std::string& path : listing->link_scripts) json.string(path);
   json.end_array().end_object();
   context.console.result(json.text());
   return listing->faults.empty() ? 0 : 1;

@@ -74,6 +74,7 @@ struct Manifest {
   std::vector<Spanned<std::string>> channels;         ///< empty: the embedded channel
   std::optional<Spanned<std::string>> channel_alias;  ///< address that bare channel names are below
   std::vector<MirrorEntry> mirrors;
+  std::vector<Spanned<std::string>> ignore_link_scripts;  ///< packages that need not run theirs
   std::vector<Spanned<std::string>> dependencies;  ///< conda match specs or ROS package names
   std::vector<Spanned<std::string>> packages;      ///< paths or globs, relative to the manifest
   std::optional<Spanned<std::string>> launch_file;

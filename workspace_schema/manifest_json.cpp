@@ -143,6 +143,7 @@ std::string manifest_json(const Manifest& manifest) {
     }
     json.end_object();
   }
+  texts(json, "ignore_link_scripts", manifest.ignore_link_scripts);
   texts(json, "dependencies", manifest.dependencies);
   texts(json, "packages", manifest.packages);
   json.key("launch");

@@ -54,6 +54,7 @@ const std::vector<KeyRow>& manifest_keys() {
       {"channels", {"channel", "repositories"}},
       {"channel_alias", {}},
       {"mirrors", {"mirrored_channels"}},
+      {"ignore_link_scripts", {"allow_link_scripts", "link_scripts", "run-post-link-scripts"}},
       {"dependencies", {"depends", "depend", "deps", "requirements"}},
       {"packages", {"package", "sources", "src"}},
       {"launch", {"nodes", "node", "run"}},
@@ -250,6 +251,13 @@ class Reader {
     if (const YamlNode* node = given("channel_alias"))
       manifest_.channel_alias = binder_.line(*node, "channel_alias");
     if (const YamlNode* node = given("mirrors")) read_mirrors(*node);
+    if (const YamlNode* node = given("ignore_link_scripts")) {
+      manifest_.ignore_link_scripts =
+          binder_.texts(*node, "ignore_link_scripts", [this](const YamlNode& item) {
+            return binder_.name(item, "an item of `ignore_link_scripts`",
+                                channel_package_name_fault);
+          });
+    }
     if (const YamlNode* node = given("dependencies")) {
       manifest_.dependencies = binder_.texts(
           *node, "dependencies", [this](const YamlNode& item) { return read_dependency(item); });

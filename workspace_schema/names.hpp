@@ -28,6 +28,8 @@ struct NameFault {
 /// substitutions.
 [[nodiscard]] std::optional<NameFault> topic_name_fault(std::string_view text);
 [[nodiscard]] std::optional<NameFault> package_name_fault(std::string_view text);
+/// A package of a conda channel, as CEP 26 has it.
+[[nodiscard]] std::optional<NameFault> channel_package_name_fault(std::string_view text);
 /// The file name of a program or component library in lib/<package>.
 [[nodiscard]] std::optional<NameFault> executable_name_fault(std::string_view text);
 [[nodiscard]] std::optional<NameFault> workspace_name_fault(std::string_view text);

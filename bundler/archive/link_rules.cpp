@@ -28,6 +28,26 @@ bool has_control_character(std::string_view text) {
 
 }  // namespace
 
+std::optional<std::string> link_script_package(std::string_view path) {
+  const std::size_t slash = path.rfind('/');
+  if (slash == std::string_view::npos) return std::nullopt;
+  const std::string_view folder = path.substr(0, slash);
+  std::string_view file = path.substr(slash + 1);
+  const bool programs = folder == "bin" || folder == "python-scripts" || folder == "Scripts";
+  if (!programs || !file.starts_with('.')) return std::nullopt;
+  file.remove_prefix(1);
+  for (const std::string_view ending : {".sh", ".bat"}) {
+    if (!file.ends_with(ending)) continue;
+    file.remove_suffix(ending.size());
+    for (const std::string_view action : {"-pre-link", "-post-link", "-pre-unlink"}) {
+      if (file.ends_with(action) && file.size() > action.size())
+        return std::string(file.substr(0, file.size() - action.size()));
+    }
+    break;
+  }
+  return std::nullopt;
+}
+
 std::optional<std::string> safe_member_path(std::string_view name) {
   if (name.empty() || name.front() == '/' || has_control_character(name)) return std::nullopt;
   std::string clean;

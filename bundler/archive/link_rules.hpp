@@ -1,4 +1,5 @@
-// Which member names and link targets may be written below a folder. Pure: names only, no disk.
+// What the names in archives mean: which of them and which link targets may be written below a
+// folder, which are programs that conda would run. Pure: names only, no disk.
 #pragma once
 
 #include <optional>
@@ -15,5 +16,9 @@ namespace ros2wasm {
 /// Whether a symbolic link at `path` (clean, relative) to `target` ends inside the root, by names
 /// alone.
 [[nodiscard]] bool link_stays_inside(std::string_view path, std::string_view target);
+
+/// The package whose installation conda would run this file at: "x" for `bin/.x-post-link.sh`.
+/// Nothing for other files.
+[[nodiscard]] std::optional<std::string> link_script_package(std::string_view path);
 
 }  // namespace ros2wasm

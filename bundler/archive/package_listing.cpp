@@ -77,6 +77,7 @@ void compare(Gathered& gathered, const std::string& name) {
     }
   }
   for (const auto& [path, member] : there) {
+    if (link_script_package(path)) gathered.listing.link_scripts.push_back(path);
     if (member->kind != MemberKind::kDirectory && !path.starts_with("info/") &&
         !entries->contains(path)) {
       faults.push_back({path, "is not listed"});

@@ -26,8 +26,9 @@ struct ListingFault {
 };
 
 struct PackageListing {
-  std::vector<ListedMember> members;  ///< in the order of the archive
-  std::vector<ListingFault> faults;   ///< what does not agree with info/paths.json, by path
+  std::vector<ListedMember> members;      ///< in the order of the archive
+  std::vector<ListingFault> faults;       ///< what does not agree with info/paths.json, by path
+  std::vector<std::string> link_scripts;  ///< paths of programs that conda would run, sorted
 };
 
 /// R2W0221 when the archive cannot be read to its end, R2W0210.

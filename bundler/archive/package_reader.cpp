@@ -37,22 +37,6 @@ Diagnostic refused(std::string code, const std::string& name, const std::string&
                     .why = {why, "nothing of it was kept"}};
 }
 
-/// `bin/.<package>-post-link.sh` and its like: programs of the package that conda would run.
-bool is_link_script(std::string_view path) {
-  const std::size_t slash = path.rfind('/');
-  const std::string_view folder =
-      slash == std::string_view::npos ? std::string_view() : path.substr(0, slash);
-  const std::string_view file = slash == std::string_view::npos ? path : path.substr(slash + 1);
-  if ((folder != "bin" && folder != "Scripts") || !file.starts_with('.')) return false;
-  for (const std::string_view ending :
-       {std::string_view("-pre-link"), std::string_view("-post-link"),
-        std::string_view("-pre-unlink")}) {
-    if (file.ends_with(std::string(ending) + ".sh") || file.ends_with(std::string(ending) + ".bat"))
-      return true;
-  }
-  return false;
-}
-
 class Unpacker {
  public:
   Unpacker(const fs::path& directory, const std::string& name, const ExtractLimits& limits,
@@ -115,10 +99,6 @@ class Unpacker {
   /// Claims a name for one file or link. The same name, or one that differs in letter case only,
   /// may not come twice.
   Outcome<Done> claim(const std::string& path) {
-    if (is_link_script(path)) {
-      return refused("R2W0227", name_,
-                     "it has a link script, `" + path + "`, which ros2wasm does not run");
-    }
     const auto [found, fresh] = claimed_.emplace(ascii_lower(path), path);
     if (fresh) return Done{};
     return refused("R2W0224", name_,

@@ -28,7 +28,7 @@ struct UnpackedPackage {
 /// is for messages. R2W0221 damaged or not a conda archive, R2W0222 a name that leads outside
 /// (absolute, `..`), R2W0223 a link that leads outside, R2W0224 two members with one name or names
 /// that differ in letter case only, R2W0225 over a limit, R2W0226 files that differ from
-/// paths.json, R2W0227 a link script.
+/// paths.json. Link scripts are files like others.
 [[nodiscard]] Outcome<UnpackedPackage> unpack_package(const std::filesystem::path& archive,
                                                       const std::filesystem::path& directory,
                                                       const std::string& name,

@@ -33,7 +33,7 @@ class Store {
   /// The directories with the packages' files and their info/ (read-only; never write there), in
   /// the order of `records`. What is cached is checked file by file; the rest is downloaded and
   /// unpacked, many at once, each archive's sha256 and every file's being checked. R2W0220 wrong
-  /// sha256 or size, R2W0221..R2W0227 see package_reader.hpp, R2W0228 an archive is not there,
+  /// sha256 or size, R2W0221..R2W0226 see package_reader.hpp, R2W0228 an archive is not there,
   /// R2W0232..R2W0236 the network.
   [[nodiscard]] Outcome<std::vector<std::filesystem::path>> unpacked_all(
       const std::vector<PackageRecord>& records, const Cancellation& cancellation = {},

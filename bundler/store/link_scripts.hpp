@@ -1,0 +1,30 @@
+// Link scripts of packages: programs that conda runs when it installs or removes a package. They
+// are never run here; they are found and shown.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "workspace_schema/diagnostic.hpp"
+#include "workspace_schema/outcome.hpp"
+
+namespace ros2wasm {
+
+struct LinkScript {
+  std::string package;  ///< whose installation would run it
+  std::string path;     ///< relative to the prefix
+};
+
+/// Those in a prefix that packages were installed into, or in one package's folder; sorted by path.
+/// R2W0210.
+[[nodiscard]] Outcome<std::vector<LinkScript>> link_scripts_in(const std::filesystem::path& prefix);
+
+/// R2W0227 for each script of a package that is not in `ignored`, with the script's text. Pure but
+/// for reading it.
+[[nodiscard]] Diagnostics refused_link_scripts(const std::filesystem::path& prefix,
+                                               const std::vector<LinkScript>& scripts,
+                                               const std::vector<std::string>& ignored);
+
+}  // namespace ros2wasm

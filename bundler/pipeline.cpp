@@ -169,7 +169,7 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
     known.names = open->names();
     const std::string compiler_package(kCompilerPackage);
     const auto compilers =
-        open->reachable({&compiler_package, 1}, ChannelPriority::kStrict, cancellation);
+        open->reachable({&compiler_package, 1}, manifest.channel_priority, cancellation);
     if (!compilers) return compilers.errors();
     for (const PackageRecord& record : compilers->records) packaged.insert(record.version);
   }
@@ -180,7 +180,7 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
   if (open) {
     std::vector<std::string> texts;
     for (const RequestedSpec& spec : wanted->specs) texts.push_back(spec.text);
-    index = open->reachable(texts, ChannelPriority::kStrict, cancellation);
+    index = open->reachable(texts, manifest.channel_priority, cancellation);
     if (!index) return std::move(index).errors();
   } else if (auto faults = check_solution(wanted->specs, index->records); !faults.empty()) {
     return faults;
@@ -200,7 +200,8 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
 /// The rest of step 3: the records that the workspace needs, as the lock has them or chosen anew.
 Outcome<std::vector<PackageRecord>> resolve(const PackRequest& request, Question& question) {
   const fs::path lock_file = question.workspace.folder / kLockFileName;
-  auto solved = solve_with_lock(question.specs, question.index, lock_file, request.locked);
+  auto solved = solve_with_lock(question.specs, question.index, lock_file,
+                                question.workspace.manifest.channel_priority, request.locked);
   if (!solved) return std::move(solved).errors();
   if (!request.locked && !request.frozen && !request.plan_only && solved->lock_changed) {
     if (auto written = write_file(lock_file, solved->lock_text); !written)
@@ -389,7 +390,8 @@ Outcome<LockReport> lock(const LockRequest& request, const Cancellation& cancell
     return report;
   }
   auto solved =
-      solve_with_lock(question->specs, question->index, report.file, false, request.update);
+      solve_with_lock(question->specs, question->index, report.file,
+                      question->workspace.manifest.channel_priority, false, request.update);
   if (!solved) return std::move(solved).errors();
   if (auto written = write_file(report.file, solved->lock_text); !written)
     return std::move(written).errors();

@@ -17,11 +17,6 @@ struct SolveOptions {
   std::string priority = "strict";
 };
 
-ChannelPriority priority_of(const std::string& word) {
-  if (word == "flexible") return ChannelPriority::kFlexible;
-  return word == "disabled" ? ChannelPriority::kDisabled : ChannelPriority::kStrict;
-}
-
 void put_record(JsonWriter& json, const PackageRecord& record) {
   json.begin_object()
       .field("name", record.name)
@@ -62,7 +57,8 @@ void show(Context& context, const Resolution& resolution, const RepoIndex& index
 int run(const SolveOptions& options, Context& context) {
   const auto open = open_chosen_channels(options.choice, context);
   if (!open) return context.console.fail(open.errors());
-  ResolveRequest request{.specs = {}, .locked = {}, .priority = priority_of(options.priority)};
+  ResolveRequest request{
+      .specs = {}, .locked = {}, .priority = channel_priority_of(options.priority)};
   const auto index = open->reachable(options.specs, request.priority, context.cancellation);
   if (!index) return context.console.fail(index.errors());
   for (const std::string& text : options.specs)
@@ -83,7 +79,8 @@ CommandBody solve_command(Arguments& arguments) {
   arguments.value("--platform", options->choice.platform, "SUBDIR",
                   "read this folder of the channels beside noarch (default: emscripten-wasm32)");
   arguments.flag("--offline", options->choice.offline, "use only what is on this machine");
-  arguments.choice("--priority", options->priority, {"strict", "flexible", "disabled"},
+  arguments.choice("--priority", options->priority,
+                   {kChannelPriorityWords.begin(), kChannelPriorityWords.end()},
                    "What the order of channels means");
   arguments.rest("SPEC", options->specs, "conda match specs: \"ros-jazzy-rclcpp >=28\"");
   arguments.examples({"ros2wasm solve ros-jazzy-std-msgs",

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "workspace_schema/channel_priority.hpp"
 #include "workspace_schema/diagnostic.hpp"
 
 namespace ros2wasm {
@@ -71,7 +72,8 @@ struct Manifest {
   std::vector<Author> authors;
   std::string license;
   std::string distro = "jazzy";
-  std::vector<Spanned<std::string>> channels;         ///< empty: the embedded channel
+  std::vector<Spanned<std::string>> channels;  ///< empty: the embedded channel
+  ChannelPriority channel_priority = ChannelPriority::kStrict;
   std::optional<Spanned<std::string>> channel_alias;  ///< address that bare channel names are below
   std::vector<MirrorEntry> mirrors;
   std::vector<Spanned<std::string>> ignore_link_scripts;  ///< packages that need not run theirs

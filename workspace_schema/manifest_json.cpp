@@ -132,6 +132,7 @@ std::string manifest_json(const Manifest& manifest) {
   json.key("channels").begin_array();
   for (const auto& channel : manifest.channels) json.string(with_masked_secrets(channel.value));
   json.end_array();
+  json.field("channel_priority", word_of(manifest.channel_priority));
   if (manifest.channel_alias)
     json.field("channel_alias", with_masked_secrets(manifest.channel_alias->value));
   if (!manifest.mirrors.empty()) {

@@ -52,6 +52,7 @@ const std::vector<KeyRow>& manifest_keys() {
       {"license", {"licence", "licenses"}},
       {"distro", {"ros_distro", "ros", "distribution"}},
       {"channels", {"channel", "repositories"}},
+      {"channel_priority", {"priority", "channel-priority"}},
       {"channel_alias", {}},
       {"mirrors", {"mirrored_channels"}},
       {"ignore_link_scripts", {"allow_link_scripts", "link_scripts", "run-post-link-scripts"}},
@@ -247,6 +248,12 @@ class Reader {
     };
     if (const YamlNode* node = given("channels")) {
       manifest_.channels = binder_.texts(*node, "channels", line_of("channels"));
+    }
+    if (const YamlNode* node = given("channel_priority")) {
+      const std::vector<std::string> words(kChannelPriorityWords.begin(),
+                                           kChannelPriorityWords.end());
+      if (const auto word = binder_.word(*node, "channel_priority", words))
+        manifest_.channel_priority = channel_priority_of(word->value);
     }
     if (const YamlNode* node = given("channel_alias"))
       manifest_.channel_alias = binder_.line(*node, "channel_alias");

@@ -12,6 +12,7 @@
 
 #include "bundler/channel/channel_network.hpp"
 #include "workspace_schema/cancellation.hpp"
+#include "workspace_schema/channel_priority.hpp"
 #include "workspace_schema/diagnostic.hpp"
 #include "workspace_schema/outcome.hpp"
 #include "workspace_schema/package_record.hpp"
@@ -54,12 +55,6 @@ struct RepoIndex {
       names;  ///< of all packages of the channels, sorted; records may be fewer
   /// Names that were asked for and that only another platform has: "linux-64 in CHANNEL".
   std::map<std::string, std::string> elsewhere;
-};
-
-enum class ChannelPriority {
-  kStrict,    ///< a name found in one channel hides it in all later ones
-  kFlexible,  ///< earlier channels are preferred, later ones allowed
-  kDisabled,  ///< only versions count
 };
 
 /// Channels whose lists of names are known; records are read when they are asked for.

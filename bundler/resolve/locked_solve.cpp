@@ -48,7 +48,8 @@ Outcome<Lock> read_lock_file(const std::filesystem::path& file) {
 
 Outcome<LockedSolution> solve_with_lock(const std::vector<RequestedSpec>& specs,
                                         const RepoIndex& index,
-                                        const std::filesystem::path& lock_file, bool must_fit,
+                                        const std::filesystem::path& lock_file,
+                                        ChannelPriority priority, bool must_fit,
                                         const LockUpdate& update) {
   std::error_code error;
   std::string old_text;
@@ -76,7 +77,9 @@ Outcome<LockedSolution> solve_with_lock(const std::vector<RequestedSpec>& specs,
     }
   }
 
-  ResolveRequest request{.specs = specs, .locked = must_fit ? locked : still_there(locked, index)};
+  const ResolveRequest request{.specs = specs,
+                               .locked = must_fit ? locked : still_there(locked, index),
+                               .priority = priority};
   auto resolution = solve(request, index);
   if (!resolution) return std::move(resolution).errors();
   Lock lock{.channels = index.channels, .packages = resolution->packages};

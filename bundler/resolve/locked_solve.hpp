@@ -34,6 +34,7 @@ struct LockedSolution {
 [[nodiscard]] Outcome<LockedSolution> solve_with_lock(const std::vector<RequestedSpec>& specs,
                                                       const RepoIndex& index,
                                                       const std::filesystem::path& lock_file,
-                                                      bool must_fit, const LockUpdate& update = {});
+                                                      ChannelPriority priority, bool must_fit,
+                                                      const LockUpdate& update = {});
 
 }  // namespace ros2wasm

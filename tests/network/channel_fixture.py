@@ -44,19 +44,25 @@ class ChannelCase(unittest.TestCase):
         self.assertIn(f"error[{code}]", done.stderr)
         return done.stderr
 
-    def add_package(self, name: str, files: dict[str, bytes], depends: list[str] | None = None) -> Path:
-        stage = self.folder / f"stage-{name}"
+    def add_package(self, name: str, files: dict[str, bytes], depends: list[str] | None = None,
+                    version: str = "1.0", channel: Path | None = None) -> Path:
+        stage = self.folder / f"stage-{name}-{version}"
         for path, content in files.items():
             (stage / path).parent.mkdir(parents=True, exist_ok=True)
             (stage / path).write_bytes(content)
-        words = ["channel", "add", str(self.channel), "--prefix", str(stage), "--name", name,
-                 "--version", "1.0", "--build", "h_0", "--noarch", "--license", "MIT"]
+        words = ["channel", "add", str(channel or self.channel), "--prefix", str(stage), "--name", name,
+                 "--version", version, "--build", "h_0", "--noarch", "--license", "MIT"]
         for spec in depends or []:
             words += ["--depends", spec]
         return Path(self.succeed(*words).strip())
 
-    def write_index(self) -> None:
-        self.succeed("channel", "index", str(self.channel))
+    def write_index(self, channel: Path | None = None) -> None:
+        self.succeed("channel", "index", str(channel or self.channel))
+
+    def locked(self, name: str) -> str:
+        """What ros2wasm.lock says of a package, one line each key."""
+        text = (self.folder / "ros2wasm.lock").read_text()
+        return next(part for part in text.split("\n  - ") if part.startswith(f"name: {name}\n"))
 
     def keep_forms(self, *names: str) -> None:
         """Leaves only these forms of the index; makes the .bz2, which is old."""

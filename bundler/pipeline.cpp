@@ -80,6 +80,7 @@ struct Question {
   BuildOrder order;
   Compiler compiler;
   ChannelRoots roots;
+  ExtractLimits limits;                   ///< of archives
   RepoIndex index;                        ///< what the channels have
   std::vector<std::string> all_packages;  ///< ROS names of all of it, sorted
   std::vector<RequestedSpec> specs;       ///< what is asked of them
@@ -117,6 +118,12 @@ Outcome<RepoIndex> locked_index(const fs::path& lock_file) {
 /// Steps 1 to 3, up to the request to the channels, which a frozen lock fulfils (R2W0311).
 Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellation,
                       const ProgressSink& progress) {
+  const auto said = request.variables.find(kExtractLimitsVariable);
+  const auto limits = read_extract_limits(
+      request.archive_limits.empty() && said != request.variables.end() ? said->second
+                                                                        : request.archive_limits);
+  if (!limits) return limits.errors();
+
   // 1. the manifest
   auto read = read_workspace(request);
   if (!read) return std::move(read).errors();
@@ -192,6 +199,7 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
                   .order = std::move(*order),
                   .compiler = std::move(*compiler),
                   .roots = std::move(roots),
+                  .limits = *limits,
                   .index = std::move(*index),
                   .all_packages = std::move(all_packages),
                   .specs = std::move(wanted->specs)};
@@ -339,7 +347,8 @@ Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& ca
   // A cache may lie inside a workspace; its packages are none of the workspace's.
   if (auto marked = write_file(roots.cache / "COLCON_IGNORE", ""); !marked)
     return std::move(marked).errors();
-  const auto environment = make_environment(Store(roots), *records, cancellation, progress);
+  const auto environment =
+      make_environment(Store(roots, question->limits), *records, cancellation, progress);
   if (!environment) return environment.errors();
   if (Diagnostics refused = leave_link_scripts(*workspace, environment->prefix); !refused.empty())
     return refused;

@@ -27,7 +27,8 @@ struct PackRequest {
   bool plan_only = false;  ///< write nothing but the build cache
   std::filesystem::path executable;  ///< of this program
   EnvironmentVariables variables;
-  unsigned jobs = 0;  ///< compilers at once; 0: one per processor
+  unsigned jobs = 0;           ///< compilers at once; 0: one per processor
+  std::string archive_limits;  ///< see extract_limits.hpp; empty: as the environment says
 };
 
 /// A workspace with all its packages built.

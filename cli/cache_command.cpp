@@ -94,6 +94,9 @@ int fetch(Context& context, const std::filesystem::path& cache, const std::strin
   if (!text) return context.console.fail(text.errors());
   const auto lock = read_lock(*text, file.string());
   if (!lock) return context.console.fail(lock.errors());
+  const auto said = context.environment.find(kExtractLimitsVariable);
+  const auto limits = read_extract_limits(said == context.environment.end() ? "" : said->second);
+  if (!limits) return context.console.fail(limits.errors());
   std::error_code error;
   ChannelRoots roots{.working_directory = std::filesystem::absolute(file, error).parent_path(),
                      .embedded = {},
@@ -101,7 +104,7 @@ int fetch(Context& context, const std::filesystem::path& cache, const std::strin
                      .network = network_of(context.environment)};
   if (auto embedded = embedded_channel(context.executable)) roots.embedded = std::move(*embedded);
   const auto folders =
-      Store(roots).unpacked_all(lock->packages, context.cancellation, context.progress);
+      Store(roots, *limits).unpacked_all(lock->packages, context.cancellation, context.progress);
   if (!folders) return context.console.fail(folders.errors());
   if (context.json) {
     JsonWriter json;

@@ -30,6 +30,7 @@ struct InspectOptions {
   std::string what;
   std::string file;
   std::string environment;
+  std::string archive_limits;
 };
 
 Diagnostic usage_error(std::string message) {
@@ -152,10 +153,17 @@ std::string_view kind_word(MemberKind kind) {
   return "other";
 }
 
-int inspect_archive(Context& context, const std::string& file) {
+int inspect_archive(Context& context, const InspectOptions& options) {
+  const std::string& file = options.file;
+  const auto variable = context.environment.find(kExtractLimitsVariable);
+  const auto limits =
+      read_extract_limits(options.archive_limits.empty() && variable != context.environment.end()
+                              ? variable->second
+                              : options.archive_limits);
+  if (!limits) return context.console.fail(limits.errors());
   const auto hashes = hash_file(file);
   if (!hashes) return context.console.fail(hashes.errors());
-  const auto listing = list_package(file);
+  const auto listing = list_package(file, *limits);
   if (!listing) return context.console.fail(listing.errors());
   JsonWriter json;
   json.begin_object().field("archive", file).field("sha256", hashes->sha256);
@@ -216,7 +224,7 @@ int run(const InspectOptions& options, Context& context) {
   if (options.what == "archive") {
     if (options.file.empty())
       return context.console.fail(usage_error("`ros2wasm inspect archive` takes a file"));
-    return inspect_archive(context, options.file);
+    return inspect_archive(context, options);
   }
   if (options.what == "version") return each_line(context, version_line);
   if (options.what == "spec") return each_line(context, spec_line);
@@ -239,6 +247,8 @@ CommandBody inspect_command(Arguments& arguments) {
                      "pixi.lock or conda-lock file");
   arguments.value("--environment", options->environment, "NAME",
                   "for `lock`: which environment of a pixi.lock");
+  arguments.value("--archive-limits", options->archive_limits, "LIMITS",
+                  "for `archive`: what it may unpack to: size=8G,members=500000,ratio=250");
   arguments.examples({"echo 1.0rc1 | ros2wasm inspect version",
                       "ros2wasm inspect archive demo-1.0-0.conda",
                       "ros2wasm inspect lock pixi.lock --environment wasm"});

@@ -17,6 +17,7 @@ struct Options {
   bool offline = false;
   bool plan = false;
   int jobs = 0;
+  std::string archive_limits;
 };
 
 void print_plan(Console& console, const SitePlan& plan) {
@@ -55,7 +56,8 @@ int run(Context& context, const Options& options) {
                             .plan_only = options.plan,
                             .executable = context.executable,
                             .variables = context.environment,
-                            .jobs = static_cast<unsigned>(options.jobs)},
+                            .jobs = static_cast<unsigned>(options.jobs),
+                            .archive_limits = options.archive_limits},
                            context.cancellation, context.progress);
   if (!report) return context.console.fail(report.errors());
   for (const Diagnostic& warning : report->warnings) context.console.report(warning);
@@ -93,6 +95,8 @@ CommandBody pack_command(Arguments& arguments) {
                  "print every file with size, hash and reason; write no site");
   arguments.number("-j,--jobs", options->jobs, "N", 1, 256,
                    "compilers at once (default: one per processor)");
+  arguments.value("--archive-limits", options->archive_limits, "LIMITS",
+                  "what archives may unpack to: size=8G,members=500000,ratio=250");
   arguments.examples({"ros2wasm pack examples/01_talker_listener/workspace.yaml -o site",
                       "ros2wasm pack ~/ros2_ws --plan"});
   return [options](Context& context) { return run(context, *options); };

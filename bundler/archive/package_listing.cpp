@@ -6,6 +6,7 @@
 
 #include "bundler/archive/link_rules.hpp"
 #include "bundler/archive/paths_json.hpp"
+#include "bundler/io/files.hpp"
 #include "bundler/io/sha256.hpp"
 #include "workspace_schema/text_pattern.hpp"
 
@@ -15,11 +16,13 @@ namespace {
 constexpr std::size_t kLargestPathsJson = 256U << 20U;
 
 struct Gathered {
-  PackageListing listing;
-  std::string paths_json;
+  ExtractMeter meter;
+  PackageListing listing{};
+  std::string paths_json{};
 };
 
 Outcome<Done> gather(Gathered& gathered, const ArchiveMember& member, const ByteSource& bytes) {
+  if (auto counted = gathered.meter.member(); !counted) return counted;
   ListedMember listed{
       .path = member.path, .kind = member.kind, .sha256 = {}, .target = member.target};
   if (member.kind == MemberKind::kFile) {
@@ -29,6 +32,7 @@ Outcome<Done> gather(Gathered& gathered, const ArchiveMember& member, const Byte
       auto piece = bytes();
       if (!piece) return std::move(piece).errors();
       if (piece->empty()) break;
+      if (auto counted = gathered.meter.bytes(piece->size()); !counted) return counted;
       hasher.add(*piece);
       listed.size += piece->size();
       if (is_paths && gathered.paths_json.size() < kLargestPathsJson) gathered.paths_json += *piece;
@@ -89,9 +93,13 @@ void compare(Gathered& gathered, const std::string& name) {
 
 }  // namespace
 
-Outcome<PackageListing> list_package(const std::filesystem::path& archive) {
+Outcome<PackageListing> list_package(const std::filesystem::path& archive,
+                                     const ExtractLimits& limits) {
   const std::string name = archive.filename().string();
-  Gathered gathered;
+  std::error_code error;
+  const std::uint64_t packed_bytes = std::filesystem::file_size(archive, error);
+  if (error) return cannot_read(archive, error.value());
+  Gathered gathered{.meter = ExtractMeter(limits, name, packed_bytes)};
   const MemberVisitor in_tar = [&](const ArchiveMember& member, const ByteSource& bytes) {
     return gather(gathered, member, bytes);
   };

@@ -1,5 +1,6 @@
 // What is in a conda archive and how it compares with its own info/paths.json. Writes nothing and
-// refuses nothing: for looking at archives, damaged ones too. Unpacking is in package_reader.hpp.
+// refuses only bombs: for looking at archives, damaged ones too. Unpacking is in
+// package_reader.hpp.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "bundler/archive/archive_library.hpp"
+#include "bundler/archive/extract_limits.hpp"
 #include "workspace_schema/outcome.hpp"
 
 namespace ros2wasm {
@@ -31,7 +33,9 @@ struct PackageListing {
   std::vector<std::string> link_scripts;  ///< paths of programs that conda would run, sorted
 };
 
-/// R2W0221 when the archive cannot be read to its end, R2W0210.
-[[nodiscard]] Outcome<PackageListing> list_package(const std::filesystem::path& archive);
+/// R2W0221 when the archive cannot be read to its end, R2W0225 when it holds more than `limits`,
+/// R2W0210.
+[[nodiscard]] Outcome<PackageListing> list_package(const std::filesystem::path& archive,
+                                                   const ExtractLimits& limits = {});
 
 }  // namespace ros2wasm

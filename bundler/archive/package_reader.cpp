@@ -43,16 +43,12 @@ class Unpacker {
            std::uint64_t packed_bytes, const Cancellation& cancellation)
       : directory_(directory),
         name_(name),
-        limits_(limits),
-        packed_bytes_(packed_bytes),
+        meter_(limits, name, packed_bytes),
         cancellation_(cancellation) {}
 
   Outcome<Done> member(const ArchiveMember& member, const ByteSource& bytes) {
     if (cancellation_.requested()) return interrupted();
-    if (++members_ > limits_.files) {
-      return refused("R2W0225", name_,
-                     "it has more than " + std::to_string(limits_.files) + " members");
-    }
+    if (auto counted = meter_.member(); !counted) return counted;
     const auto path = safe_member_path(member.path);
     if (!path) {
       // Some tars begin with a member for the folder itself.
@@ -86,7 +82,7 @@ class Unpacker {
     if (!entries) return entries.errors();
     if (auto done = restore_empty_links(*entries); !done) return std::move(done).errors();
     if (auto done = check_paths(*entries); !done) return std::move(done).errors();
-    return UnpackedPackage{.files = files_.size() + links_.size(), .bytes = total_bytes_};
+    return UnpackedPackage{.files = files_.size() + links_.size(), .bytes = meter_.total_bytes()};
   }
 
  private:
@@ -123,20 +119,6 @@ class Unpacker {
     return slash == std::string::npos ? Outcome<Done>(Done{}) : make_folder(path.substr(0, slash));
   }
 
-  Outcome<Done> count(std::uint64_t bytes) {
-    total_bytes_ += bytes;
-    if (total_bytes_ > limits_.total_bytes) {
-      return refused("R2W0225", name_,
-                     "it unpacks to more than " + std::to_string(limits_.total_bytes) + " bytes");
-    }
-    if (total_bytes_ > limits_.ratio_from_bytes && total_bytes_ / limits_.ratio > packed_bytes_) {
-      return refused(
-          "R2W0225", name_,
-          "it unpacks to more than " + std::to_string(limits_.ratio) + " times its own size");
-    }
-    return Done{};
-  }
-
   Outcome<Done> file(const std::string& path, bool executable, const ByteSource& bytes) {
     if (auto claimed = claim(path); !claimed) return claimed;
     if (auto made = make_folder_of(path); !made) return made;
@@ -166,7 +148,7 @@ class Unpacker {
       auto piece = bytes();
       if (!piece) return std::move(piece).errors();
       if (piece->empty()) break;
-      if (auto counted = count(piece->size()); !counted) return std::move(counted).errors();
+      if (auto counted = meter_.bytes(piece->size()); !counted) return std::move(counted).errors();
       if (cancellation_.requested()) return interrupted();
       hasher.add(*piece);
       written.size += piece->size();
@@ -324,11 +306,8 @@ class Unpacker {
 
   const fs::path& directory_;
   const std::string& name_;
-  const ExtractLimits& limits_;
-  std::uint64_t packed_bytes_;
+  ExtractMeter meter_;
   const Cancellation& cancellation_;
-  std::uint64_t members_ = 0;
-  std::uint64_t total_bytes_ = 0;
   std::map<std::string, std::string> claimed_;  ///< lower case -> as it came
   std::map<std::string, WrittenFile> files_;
   std::map<std::string, std::string> links_;

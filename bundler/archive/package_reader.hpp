@@ -6,17 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "bundler/archive/extract_limits.hpp"
 #include "workspace_schema/cancellation.hpp"
 #include "workspace_schema/outcome.hpp"
 
 namespace ros2wasm {
-
-struct ExtractLimits {
-  std::uint64_t total_bytes = 8ULL << 30U;  ///< of all files together
-  std::uint64_t files = 500'000;
-  std::uint64_t ratio = 250;                      ///< unpacked to packed bytes ...
-  std::uint64_t ratio_from_bytes = 64ULL << 20U;  ///< ... once this much was unpacked
-};
 
 struct UnpackedPackage {
   std::uint64_t files = 0;

@@ -36,8 +36,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const fs::path target = own_folder() / "target";
   fs::create_directories(target);
   const ExtractLimits limits{
-      .total_bytes = 1U << 20U, .files = 64, .ratio = 50, .ratio_from_bytes = 1U << 16U};
-  (void)list_package(archive);
+      .total_bytes = 1U << 20U, .members = 64, .ratio = 50, .ratio_from_bytes = 1U << 16U};
+  (void)list_package(archive, limits);
   (void)unpack_package(archive, target, "demo", limits);
   fs::remove_all(target);
   fs::remove(archive);

@@ -1,6 +1,7 @@
 # Tests of what comes from channels: archives, channels, resolving, the store.
 add_executable(bundler_channel_test
   archive/conda_writer_test.cpp
+  archive/extract_limits_test.cpp
   archive/hostile_archive_test.cpp
   channel/channel_index_test.cpp
   channel/channel_network_test.cpp

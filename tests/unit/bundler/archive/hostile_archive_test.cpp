@@ -157,7 +157,7 @@ TEST_F(HostileArchive, Bombs) {
   EXPECT_EQ(code(bomb), "unpacked");
   EXPECT_EQ(code(bomb, {.total_bytes = 1U << 20U}), "R2W0225");
   EXPECT_EQ(code(bomb, {.ratio = 10, .ratio_from_bytes = 1U << 20U}), "R2W0225");
-  EXPECT_EQ(code(bomb, {.files = 1}), "R2W0225");
+  EXPECT_EQ(code(bomb, {.members = 1}), "R2W0225");
 }
 
 TEST_F(HostileArchive, FilesThatAreNotListedOrDiffer) {

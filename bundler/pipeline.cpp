@@ -9,6 +9,7 @@
 
 #include "bundler/build/exception_encoding.hpp"
 #include "bundler/channel/channel_index.hpp"
+#include "bundler/channel/transport.hpp"
 #include "bundler/emit/folder_output.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/installation.hpp"
@@ -16,6 +17,7 @@
 #include "bundler/launch/launch_graph.hpp"
 #include "bundler/launch/parameter_sources.hpp"
 #include "bundler/plan/runtime_assets.hpp"
+#include "bundler/plan/shipped_channel.hpp"
 #include "bundler/resolve/locked_solve.hpp"
 #include "bundler/store/environment.hpp"
 #include "bundler/store/link_scripts.hpp"
@@ -104,6 +106,31 @@ Outcome<Done> use_manifest(const Manifest& manifest, ChannelNetwork& network) {
   return Done{};
 }
 
+/// A new site takes the place of the old one, with all that lies in it.
+std::optional<Diagnostic> refuse_own_channel(const PackRequest& request,
+                                             const std::vector<ChannelSource>& channels,
+                                             const fs::path& working_directory) {
+  if (request.output.empty() || request.with_channel || request.plan_only) return std::nullopt;
+  std::error_code error;
+  const fs::path site = fs::weakly_canonical(fs::absolute(request.output, error), error);
+  for (const ChannelSource& channel : channels) {
+    const auto folder = local_channel_folder(channel.name, working_directory);
+    if (!folder) continue;
+    const fs::path from_site = fs::weakly_canonical(*folder, error).lexically_relative(site);
+    if (from_site.empty() || *from_site.begin() == "..") continue;
+    return Diagnostic{
+        .code = "R2W0603",
+        .message = "the site at `" + request.output.string() +
+                   "` holds the channel that the workspace is packed from",
+        .span = channel.span,
+        .label = "inside the site",
+        .why = {"the new site takes the place of the old one, so the channel would be gone"},
+        .fix = {"add --with-channel, which puts the packages into the new site too",
+                "choose another place with -o"}};
+  }
+  return std::nullopt;
+}
+
 /// The packages of a lock in place of those of the channels, so that no channel is asked.
 Outcome<RepoIndex> locked_index(const fs::path& lock_file) {
   auto lock = read_lock_file(lock_file);
@@ -159,6 +186,7 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
   if (auto told = use_manifest(manifest, roots.network); !told) return std::move(told).errors();
   const auto addresses = channel_addresses(channels, roots);
   if (!addresses) return addresses.errors();
+  if (auto refusal = refuse_own_channel(request, *addresses, workspace.folder)) return *refusal;
   KnownNames known{.names = {}, .of_lock = request.frozen};
   std::set<std::string> packaged;  // versions of the compiler that there are packages for
   std::optional<OpenChannels> open;
@@ -347,9 +375,14 @@ Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& ca
   // A cache may lie inside a workspace; its packages are none of the workspace's.
   if (auto marked = write_file(roots.cache / "COLCON_IGNORE", ""); !marked)
     return std::move(marked).errors();
-  const auto environment =
-      make_environment(Store(roots, question->limits), *records, cancellation, progress);
+  const Store store(roots, question->limits);
+  const auto environment = make_environment(store, *records, cancellation, progress);
   if (!environment) return environment.errors();
+  if (request.with_channel) {
+    const auto archives = store.archives(*records, cancellation);
+    if (!archives) return archives.errors();
+    workspace->channel = shipped_channel(*records, *archives);
+  }
   if (Diagnostics refused = leave_link_scripts(*workspace, environment->prefix); !refused.empty())
     return refused;
 
@@ -430,6 +463,7 @@ Outcome<PackReport> pack(const PackRequest& request, const Cancellation& cancell
   begin_step(progress, "plan");
   auto planned = plan(request, *workspace, std::move(nodes).value(), cancellation);
   if (!planned) return std::move(planned).errors();
+  planned->channel = std::move(workspace->channel);
 
   // 8. write it
   if (!request.plan_only) {

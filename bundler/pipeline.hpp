@@ -21,10 +21,11 @@ struct PackRequest {
       input;  ///< workspace.yaml, or a folder with or without one; empty: the current folder
   std::filesystem::path output;  ///< folder to write
   bool locked = false;           ///< fail rather than change ros2wasm.lock
-  bool frozen = false;     ///< only the packages of ros2wasm.lock, which must fulfil what is asked
-                           ///< (R2W0311); no channel is asked
-  bool offline = false;    ///< nothing comes over the network
-  bool plan_only = false;  ///< write nothing but the build cache
+  bool frozen = false;   ///< only the packages of ros2wasm.lock, which must fulfil what is asked
+                         ///< (R2W0311); no channel is asked
+  bool offline = false;  ///< nothing comes over the network
+  bool with_channel = false;         ///< the packages of the channels lie beside the site
+  bool plan_only = false;            ///< write nothing but the build cache
   std::filesystem::path executable;  ///< of this program
   EnvironmentVariables variables;
   unsigned jobs = 0;           ///< compilers at once; 0: one per processor
@@ -39,7 +40,8 @@ struct BuiltWorkspace {
   std::filesystem::path shown_folder;  ///< the same as the person named it
   std::vector<BuiltPackage> packages;  ///< of the workspace, in build order
   std::vector<InstalledPackage>
-      installed;  ///< of workspace and channels; the workspace comes first
+      installed;                     ///< of workspace and channels; the workspace comes first
+  std::vector<ChannelFile> channel;  ///< what lies beside the site, if it was asked for
   std::vector<std::filesystem::path> watched;  ///< files and folders that a rebuild depends on
   std::filesystem::path cache;
   Diagnostics warnings;

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "bundler/pipeline.hpp"
+#include "bundler/plan/shipped_channel.hpp"
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
 #include "workspace_schema/json_writer.hpp"
@@ -15,17 +16,25 @@ struct Options {
   bool locked = false;
   bool frozen = false;
   bool offline = false;
+  bool with_channel = false;
   bool plan = false;
   int jobs = 0;
   std::string archive_limits;
 };
 
+std::string column(std::uint64_t size) {
+  std::string text = std::to_string(size);
+  if (text.size() < 9) text.insert(0, 9 - text.size(), ' ');
+  return text;
+}
+
 void print_plan(Console& console, const SitePlan& plan) {
   for (const PlannedFile& file : plan.files) {
-    std::string size = std::to_string(file.bytes.size());
-    if (size.size() < 9) size.insert(0, 9 - size.size(), ' ');
-    console.result(size + "  " + file.sha256.substr(0, 12) + "  " + file.path + "  (" +
-                   file.reason + ")");
+    console.result(column(file.bytes.size()) + "  " + file.sha256.substr(0, 12) + "  " + file.path +
+                   "  (" + file.reason + ")");
+  }
+  for (const ChannelFile& file : plan.channel) {
+    console.result(column(file.size) + "  beside site   " + file.path + "  (" + file.reason + ")");
   }
 }
 
@@ -39,7 +48,17 @@ void print_json(Console& console, const PackReport& report, bool written) {
     json.key("size").unsigned_integer(file.bytes.size());
     json.field("sha256", file.sha256).field("reason", file.reason).end_object();
   }
-  json.end_array().end_object();
+  json.end_array();
+  if (!report.plan.channel.empty()) {
+    json.key("channel").begin_array();
+    for (const ChannelFile& file : report.plan.channel) {
+      json.begin_object().field("path", file.path);
+      json.key("size").unsigned_integer(file.size);
+      json.field("reason", file.reason).end_object();
+    }
+    json.end_array();
+  }
+  json.end_object();
   console.result(json.text());
 }
 
@@ -53,6 +72,7 @@ int run(Context& context, const Options& options) {
                             .locked = options.locked,
                             .frozen = options.frozen,
                             .offline = options.offline,
+                            .with_channel = options.with_channel,
                             .plan_only = options.plan,
                             .executable = context.executable,
                             .variables = context.environment,
@@ -73,6 +93,10 @@ int run(Context& context, const Options& options) {
         std::to_string(report->plan.files.size()) + " files, " +
         kilobytes(total_size(report->plan) - names) +
         (names == 0 ? "" : ", and " + kilobytes(names) + " of names for crash reports"));
+    if (const std::uint64_t channel = channel_size(report->plan); channel != 0) {
+      context.console.remark("the packages are in " + (report->output / kShippedChannel).string() +
+                             ", " + kilobytes(channel));
+    }
     context.console.result(report->output.string());
   }
   return 0;
@@ -91,6 +115,8 @@ CommandBody pack_command(Arguments& arguments) {
   arguments.flag("--frozen", options->frozen,
                  "take packages from ros2wasm.lock only, ask no channel and leave the lock alone");
   arguments.flag("--offline", options->offline, "use only what is on this machine");
+  arguments.flag("--with-channel", options->with_channel,
+                 "put the packages into SITE/channel, a channel to pack from again");
   arguments.flag("--plan", options->plan,
                  "print every file with size, hash and reason; write no site");
   arguments.number("-j,--jobs", options->jobs, "N", 1, 256,

@@ -7,7 +7,6 @@
 #include "bundler/archive/zstd.hpp"
 #include "bundler/channel/record_rules.hpp"
 #include "bundler/channel/repodata_record.hpp"
-#include "bundler/channel/shard_writer.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/sha256.hpp"
 #include "workspace_schema/json_reader.hpp"
@@ -40,11 +39,14 @@ std::string record_json(const PackageRecord& record) {
   json.key("build_number").unsigned_integer(record.build_number);
   field_strings(json, "constrains", record.constrains);
   field_strings(json, "depends", record.depends);
-  json.field("license", record.license).field("md5", record.md5).field("name", record.name);
+  json.field("license", record.license);
+  if (!record.md5.empty()) json.field("md5", record.md5);
+  json.field("name", record.name);
   if (record.noarch != NoarchKind::kNo) {
     json.field("noarch", record.noarch == NoarchKind::kPython ? "python" : "generic");
   }
-  json.field("sha256", record.sha256).key("size").unsigned_integer(record.size);
+  if (!record.sha256.empty()) json.field("sha256", record.sha256);
+  json.key("size").unsigned_integer(record.size);
   json.field("subdir", record.subdir);
   if (record.timestamp_ms != 0) json.field_integer("timestamp", record.timestamp_ms);
   if (!record.track_features.empty()) {
@@ -114,17 +116,25 @@ Outcome<std::size_t> index_subdir(const fs::path& folder, const std::string& sub
     }
   }
   if (!errors.empty()) return errors;
-  const std::string text = repodata_text(subdir, records);
-  if (auto done = write_file(folder / "repodata.json", text); !done)
-    return std::move(done).errors();
-  auto done = write_file(folder / "repodata.json.zst", zstd_compressed(text, kCompressionLevel));
-  if (!done) return std::move(done).errors();
-  if (auto shards = write_shards(folder, subdir, records); !shards)
-    return std::move(shards).errors();
+  const std::vector<IndexPart> parts = index_parts(subdir, records);
+  for (const IndexPart& part : parts) {
+    if (auto done = write_file(folder / part.path, part.bytes); !done)
+      return std::move(done).errors();
+  }
+  remove_stale_shards(folder, parts);
   return records.size();
 }
 
 }  // namespace
+
+std::vector<IndexPart> index_parts(const std::string& subdir,
+                                   const std::vector<PackageRecord>& records) {
+  std::string text = repodata_text(subdir, records);
+  std::vector<IndexPart> parts = shard_parts(subdir, records);
+  parts.push_back({.path = "repodata.json.zst", .bytes = zstd_compressed(text, kCompressionLevel)});
+  parts.push_back({.path = "repodata.json", .bytes = std::move(text)});
+  return parts;
+}
 
 Outcome<fs::path> add_to_channel(const fs::path& channel, const CondaPackage& package,
                                  const fs::path& staged_prefix) {

@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "bundler/archive/conda_writer.hpp"
+#include "bundler/channel/shard_writer.hpp"
 #include "workspace_schema/outcome.hpp"
+#include "workspace_schema/package_record.hpp"
 
 namespace ros2wasm {
 
@@ -20,6 +22,12 @@ namespace ros2wasm {
 /// R2W0205, R2W0221.
 [[nodiscard]] Outcome<std::filesystem::path> copy_to_channel(const std::filesystem::path& channel,
                                                              const std::filesystem::path& archive);
+
+/// The whole index of a subdirectory: shards, repodata.json.zst, repodata.json, in the order in
+/// which they are written so that a reader at any moment finds all that its index names. The same
+/// records in the same order give the same bytes. Pure.
+[[nodiscard]] std::vector<IndexPart> index_parts(const std::string& subdir,
+                                                 const std::vector<PackageRecord>& records);
 
 struct ChannelSummary {
   std::size_t packages = 0;

@@ -8,7 +8,6 @@
 
 #include "bundler/archive/zstd.hpp"
 #include "bundler/channel/msgpack_writer.hpp"
-#include "bundler/io/files.hpp"
 #include "bundler/io/sha256.hpp"
 
 namespace ros2wasm {
@@ -38,14 +37,17 @@ void put_record(MsgpackWriter& out, const PackageRecord& record) {
     features += (features.empty() ? "" : " ") + feature;
   const bool noarch = record.noarch != NoarchKind::kNo;
   const bool dated = record.timestamp_ms > 0;
-  out.map(11U + (noarch ? 1U : 0U) + (dated ? 1U : 0U) + (features.empty() ? 0U : 1U));
+  out.map(9U + (record.md5.empty() ? 0U : 1U) + (record.sha256.empty() ? 0U : 1U) +
+          (noarch ? 1U : 0U) + (dated ? 1U : 0U) + (features.empty() ? 0U : 1U));
   out.text("build").text(record.build).text("build_number").number(record.build_number);
   put_texts(out.text("constrains"), record.constrains);
   put_texts(out.text("depends"), record.depends);
-  out.text("license").text(record.license).text("md5").bytes(from_hex(record.md5));
+  out.text("license").text(record.license);
+  if (!record.md5.empty()) out.text("md5").bytes(from_hex(record.md5));
   out.text("name").text(record.name);
   if (noarch) out.text("noarch").text(record.noarch == NoarchKind::kPython ? "python" : "generic");
-  out.text("sha256").bytes(from_hex(record.sha256)).text("size").number(record.size);
+  if (!record.sha256.empty()) out.text("sha256").bytes(from_hex(record.sha256));
+  out.text("size").number(record.size);
   out.text("subdir").text(record.subdir);
   if (dated) out.text("timestamp").number(static_cast<std::uint64_t>(record.timestamp_ms));
   if (!features.empty()) out.text("track_features").text(features);
@@ -78,35 +80,37 @@ bool is_shard_name(const std::string& name) {
 
 }  // namespace
 
-Outcome<Done> write_shards(const fs::path& folder, const std::string& subdir,
-                           const std::vector<PackageRecord>& records) {
+std::vector<IndexPart> shard_parts(const std::string& subdir,
+                                   const std::vector<PackageRecord>& records) {
   std::map<std::string, Records> by_name;
   for (const PackageRecord& record : records) by_name[record.name].push_back(&record);
   MsgpackWriter index;
   index.map(3).text("info").map(3).text("base_url").text("").text("shards_base_url");
   index.text("shards/").text("subdir").text(subdir).text("shards").map(by_name.size());
-  std::set<std::string> kept;
+  std::vector<IndexPart> parts;
   for (const auto& [name, of_name] : by_name) {
-    const std::string shard = shard_of(of_name);
+    std::string shard = shard_of(of_name);
     const std::string hash = sha256_hex(shard);
-    const std::string file = hash + std::string(kEnding);
     index.text(name).bytes(from_hex(hash));
-    kept.insert(file);
-    if (auto done = write_file(folder / "shards" / file, shard); !done) return done;
+    parts.push_back({.path = "shards/" + hash + std::string(kEnding), .bytes = std::move(shard)});
   }
   index.text("version").number(1);
-  auto done = write_file(folder / "repodata_shards.msgpack.zst",
-                         zstd_compressed(index.data(), kCompressionLevel));
-  if (!done) return done;
+  parts.push_back({.path = "repodata_shards.msgpack.zst",
+                   .bytes = zstd_compressed(index.data(), kCompressionLevel)});
+  return parts;
+}
+
+void remove_stale_shards(const fs::path& folder, const std::vector<IndexPart>& parts) {
+  std::set<std::string> kept;
+  for (const IndexPart& part : parts) kept.insert(part.path);
   std::error_code error;
   std::vector<fs::path> stale;
   for (fs::directory_iterator it(folder / "shards", error), end; !error && it != end;
        it.increment(error)) {
     const std::string name = it->path().filename().string();
-    if (is_shard_name(name) && !kept.contains(name)) stale.push_back(it->path());
+    if (is_shard_name(name) && !kept.contains("shards/" + name)) stale.push_back(it->path());
   }
   for (const fs::path& one : stale) fs::remove(one, error);
-  return Done{};
 }
 
 }  // namespace ros2wasm

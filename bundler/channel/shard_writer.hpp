@@ -1,4 +1,4 @@
-// Writes the sharded form of a subdirectory's index (CEP 16): one file for each package name, named
+// The sharded form of a subdirectory's index (CEP 16): one file for each package name, named
 // by its own sha256, and one small file that says which there are.
 #pragma once
 
@@ -6,16 +6,22 @@
 #include <string>
 #include <vector>
 
-#include "workspace_schema/outcome.hpp"
 #include "workspace_schema/package_record.hpp"
 
 namespace ros2wasm {
 
-/// Writes `<folder>/shards/<sha256>.msgpack.zst` and `<folder>/repodata_shards.msgpack.zst`, and
-/// takes away shards that nothing names any more. The same records give the same bytes: the time of
-/// writing is left out. R2W0210.
-[[nodiscard]] Outcome<Done> write_shards(const std::filesystem::path& folder,
-                                         const std::string& subdir,
-                                         const std::vector<PackageRecord>& records);
+/// One file of a subdirectory's index.
+struct IndexPart {
+  std::string path;  ///< relative to the subdirectory
+  std::string bytes;
+};
+
+/// `shards/<sha256>.msgpack.zst` of each name, then `repodata_shards.msgpack.zst`, to be written in
+/// this order. The same records give the same bytes: the time of writing is left out. Pure.
+[[nodiscard]] std::vector<IndexPart> shard_parts(const std::string& subdir,
+                                                 const std::vector<PackageRecord>& records);
+
+/// Takes away shards in `folder` that are none of `parts`.
+void remove_stale_shards(const std::filesystem::path& folder, const std::vector<IndexPart>& parts);
 
 }  // namespace ros2wasm

@@ -39,14 +39,18 @@ Outcome<LocalFile> plain(const std::string& url, const ChannelRoots& roots) {
   return existing(roots.working_directory / url);
 }
 
-Outcome<LocalFile> file_url(const std::string& url, const ChannelRoots&) {
-  std::string_view rest = std::string_view(url).substr(std::string_view("file:").size());
+fs::path path_of_file_url(std::string_view url) {
+  std::string_view rest = url.substr(std::string_view("file:").size());
   if (rest.starts_with("//localhost/")) {
     rest.remove_prefix(std::string_view("//localhost").size());
   } else if (rest.starts_with("//")) {
     rest.remove_prefix(2);
   }
-  return existing(percent_decoded(rest));
+  return percent_decoded(rest);
+}
+
+Outcome<LocalFile> file_url(const std::string& url, const ChannelRoots&) {
+  return existing(path_of_file_url(url));
 }
 
 Outcome<LocalFile> embedded(const std::string& url, const ChannelRoots& roots) {
@@ -124,6 +128,14 @@ std::vector<Outcome<LocalFile>> bring_all(std::span<const std::string> urls,
 Outcome<LocalFile> bring(const std::string& url, const ChannelRoots& roots,
                          const Cancellation& cancellation) {
   return bring_all({&url, 1}, roots, cancellation).front();
+}
+
+LocalFile local_channel_folder(const std::string& channel_name, const fs::path& working_directory) {
+  if (channel_name == "embedded") return std::nullopt;
+  const std::string_view scheme = scheme_of(channel_name);
+  if (scheme == "file") return path_of_file_url(channel_name);
+  if (!scheme.empty()) return std::nullopt;
+  return working_directory / channel_name;
 }
 
 std::string channel_base_url(std::string_view channel_name) {

@@ -38,6 +38,10 @@ struct Transport {
 [[nodiscard]] Outcome<LocalFile> bring(const std::string& url, const ChannelRoots& roots,
                                        const Cancellation& cancellation = {});
 
+/// Where a channel lies that is a folder of somebody's: nothing for addresses and "embedded".
+[[nodiscard]] LocalFile local_channel_folder(const std::string& channel_name,
+                                             const std::filesystem::path& working_directory);
+
 /// "embedded" -> "embedded:", "./dir/" -> "./dir", the base that "/noarch/repodata.json" is put
 /// behind.
 [[nodiscard]] std::string channel_base_url(std::string_view channel_name);

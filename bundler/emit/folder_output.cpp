@@ -15,6 +15,19 @@ namespace ros2wasm {
 namespace fs = std::filesystem;
 namespace {
 
+/// A copy that whoever may read the site may read.
+Outcome<Done> copy_to(const fs::path& place, const fs::path& source) {
+  if (auto made = make_directories(place.parent_path()); !made) return made;
+  std::error_code error;
+  fs::copy_file(source, place, error);
+  if (!error) {
+    using enum fs::perms;
+    fs::permissions(place, owner_read | owner_write | group_read | others_read, error);
+  }
+  if (error) return cannot_write(place, error.value());
+  return Done{};
+}
+
 bool is_site_of_ours(const fs::path& folder) {
   const auto text = read_file(folder / "site.json");
   if (!text) return false;
@@ -81,7 +94,8 @@ Outcome<Done> emit_folder(const SitePlan& plan, const fs::path& folder,
   if (auto made = make_directories(clean.parent_path()); !made) return made;
   const fs::space_info space = fs::space(clean.parent_path(), error);
   if (!error) {
-    if (auto refusal = refuse_size(folder, total_size(plan), space.available)) return *refusal;
+    if (auto refusal = refuse_size(folder, total_size(plan) + channel_size(plan), space.available))
+      return *refusal;
   }
   auto beside =
       TemporaryDirectory::make(clean.parent_path(), "." + clean.filename().string() + "-new-");
@@ -89,6 +103,13 @@ Outcome<Done> emit_folder(const SitePlan& plan, const fs::path& folder,
   for (const PlannedFile& file : plan.files) {
     if (cancellation.requested()) return interrupted();
     if (auto written = write_file(beside->path() / file.path, file.bytes); !written) return written;
+  }
+  for (const ChannelFile& file : plan.channel) {
+    if (cancellation.requested()) return interrupted();
+    const fs::path place_of_file = beside->path() / file.path;
+    auto written = file.copy_of.empty() ? write_file(place_of_file, file.bytes)
+                                        : copy_to(place_of_file, file.copy_of);
+    if (!written) return written;
   }
   ::chmod(beside->path().c_str(), 0755);  // temporary folders are private, sites are not
   const bool replaces = fs::exists(clean, error);

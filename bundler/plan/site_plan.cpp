@@ -107,6 +107,12 @@ std::uint64_t total_size(const SitePlan& plan) {
   return sum;
 }
 
+std::uint64_t channel_size(const SitePlan& plan) {
+  std::uint64_t sum = 0;
+  for (const ChannelFile& file : plan.channel) sum += file.size;
+  return sum;
+}
+
 std::uint64_t names_size(const SitePlan& plan) {
   std::uint64_t sum = 0;
   for (const PlannedFile& file : plan.files) {

@@ -22,6 +22,15 @@ struct PlannedFile {
   std::string sha256;
 };
 
+/// A file of the channel that lies beside the site. It is in no site.json: a visit never loads it.
+struct ChannelFile {
+  std::string path;  ///< relative to the site, with `/`
+  std::string reason;
+  std::string bytes;              ///< empty when it is a copy
+  std::filesystem::path copy_of;  ///< an archive; empty when `bytes` has it
+  std::uint64_t size = 0;
+};
+
 /// A node's program as the site has it.
 struct PlannedNode {
   LaunchNode node;
@@ -31,8 +40,9 @@ struct PlannedNode {
 };
 
 struct SitePlan {
-  std::vector<PlannedFile> files;  ///< sorted by path; the last step adds site.json
-  std::vector<PlannedNode> nodes;  ///< in launch order
+  std::vector<PlannedFile> files;    ///< sorted by path; the last step adds site.json
+  std::vector<PlannedNode> nodes;    ///< in launch order
+  std::vector<ChannelFile> channel;  ///< sorted by path; empty unless it was asked for
 };
 
 /// A file that the built runtime brings to every site.
@@ -58,8 +68,11 @@ struct PlanInput {
 /// R2W0606 a program is not WebAssembly.
 [[nodiscard]] Outcome<SitePlan> plan_site(PlanInput input);
 
-/// Total size of all files in bytes.
+/// Total size of all files of the site in bytes.
 [[nodiscard]] std::uint64_t total_size(const SitePlan& plan);
+
+/// And of the channel beside it.
+[[nodiscard]] std::uint64_t channel_size(const SitePlan& plan);
 
 /// The part of it that a visit does not load: names of functions, for crash reports.
 [[nodiscard]] std::uint64_t names_size(const SitePlan& plan);

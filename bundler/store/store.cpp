@@ -120,11 +120,45 @@ Outcome<fs::path> Store::unpack(const PackageRecord& record, const fs::path& arc
 
 Outcome<fs::path> Store::unpack_local(const PackageRecord& record,
                                       const Cancellation& cancellation) const {
-  const auto archive = bring(record.url, roots_, cancellation);
+  const auto archive = local_archive(record, cancellation);
   if (!archive) return archive.errors();
+  return unpack(record, *archive, cancellation);
+}
+
+Outcome<fs::path> Store::local_archive(const PackageRecord& record,
+                                       const Cancellation& cancellation) const {
+  auto archive = bring(record.url, roots_, cancellation);
+  if (!archive) return std::move(archive).errors();
   if (!*archive) return no_archive(record);
   if (auto fault = file_fault(wanted_file(record, **archive), **archive)) return *fault;
-  return unpack(record, **archive, cancellation);
+  return std::move(**archive);
+}
+
+Outcome<std::vector<fs::path>> Store::archives(const std::vector<PackageRecord>& records,
+                                               const Cancellation& cancellation) const {
+  std::vector<fs::path> places;
+  std::vector<WantedFile> wanted;
+  for (const PackageRecord& record : records) {
+    if (cancellation.requested()) return interrupted();
+    if (is_network_url(record.url)) {
+      places.push_back(archive_place(record));
+      wanted.push_back(wanted_file(record, places.back()));
+      continue;
+    }
+    auto archive = local_archive(record, cancellation);
+    if (!archive) return std::move(archive).errors();
+    places.push_back(std::move(*archive));
+  }
+  Diagnostics errors;
+  bring_verified(wanted, roots_.network, cancellation, [&](std::size_t, Outcome<Done> outcome) {
+    if (outcome) return;
+    for (Diagnostic& error : std::move(outcome).errors()) {
+      if (errors.size() < kMostErrors) errors.push_back(std::move(error));
+    }
+  });
+  if (cancellation.requested()) return interrupted();
+  if (!errors.empty()) return errors;
+  return places;
 }
 
 Outcome<std::vector<fs::path>> Store::unpacked_all(const std::vector<PackageRecord>& records,

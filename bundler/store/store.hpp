@@ -43,6 +43,12 @@ class Store {
   [[nodiscard]] Outcome<std::filesystem::path> unpacked(
       const PackageRecord& record, const Cancellation& cancellation = {}) const;
 
+  /// The archives themselves, in the order of `records`: those of channels on this machine where
+  /// they are, the others in the cache, downloaded when they are not there. Size and hash are
+  /// checked. R2W0220, R2W0228, R2W0232..R2W0236.
+  [[nodiscard]] Outcome<std::vector<std::filesystem::path>> archives(
+      const std::vector<PackageRecord>& records, const Cancellation& cancellation = {}) const;
+
   /// Where the archive of a package from the network is kept after it was unpacked.
   [[nodiscard]] std::filesystem::path archive_place(const PackageRecord& record) const;
 
@@ -56,6 +62,9 @@ class Store {
   [[nodiscard]] Outcome<std::filesystem::path> unpack(const PackageRecord& record,
                                                       const std::filesystem::path& archive,
                                                       const Cancellation& cancellation) const;
+  /// The archive in a channel on this machine, checked.
+  [[nodiscard]] Outcome<std::filesystem::path> local_archive(
+      const PackageRecord& record, const Cancellation& cancellation) const;
   /// From a channel on this machine.
   [[nodiscard]] Outcome<std::filesystem::path> unpack_local(const PackageRecord& record,
                                                             const Cancellation& cancellation) const;

@@ -62,6 +62,7 @@ Outcome<CondaPackage> read_metadata(const std::string& file) {
                        .subdir = json->text_of("subdir"),
                        .depends = text_list(*json, "depends"),
                        .constrains = text_list(*json, "constrains"),
+                       .entry_points = text_list(*json, "entry_points"),
                        .license = json->text_of("license"),
                        .summary = json->text_of("summary"),
                        .home = json->text_of("home")};
@@ -204,7 +205,7 @@ CommandBody channel_command(Arguments& arguments) {
   arguments.rest("DIR", options->words, "the channel's folder; behind it, for `add`, an archive");
   arguments.value("--prefix", options->prefix, "TREE", "Pack the files of this folder");
   arguments.value("--metadata", options->metadata, "FILE",
-                  "JSON with name, version, build, build_number, subdir, depends ...");
+                  "JSON with name, version, build, build_number, subdir, depends, noarch ...");
   arguments.value("--name", options->name, "NAME", "Package name");
   arguments.value("--version", options->version, "VERSION", "Package version");
   arguments.value("--build", options->build, "STRING", "Build string");

@@ -180,6 +180,11 @@ int inspect_archive(Context& context, const InspectOptions& options) {
   for (const ListingFault& fault : listing->faults) {
     json.begin_object().field("path", fault.path).field("reason", fault.reason).end_object();
   }
+  json.end_array().key("entry_points").begin_array();
+  for (const EntryPoint& one : listing->entry_points) {
+    json.begin_object().field("command", one.command).field("module", one.module);
+    json.field("function", one.function).end_object();
+  }
   json.end_array().key("link_scripts").begin_array();
   for (const std::string& path : listing->link_scripts) json.string(path);
   json.end_array().end_object();

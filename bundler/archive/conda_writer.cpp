@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 
+#include "bundler/archive/link_json.hpp"
 #include "bundler/archive/link_rules.hpp"
 #include "bundler/archive/tar_writer.hpp"
 #include "bundler/archive/zip_writer.hpp"
@@ -36,6 +37,19 @@ Diagnostic bad_prefix(const fs::path& prefix, const std::string& why) {
       .code = "R2W0206", .message = "`" + prefix.string() + "` cannot be packed", .why = {why}};
 }
 
+std::string link_json(const CondaPackage& package) {
+  JsonWriter json;
+  json.begin_object().key("noarch").begin_object();
+  if (!package.entry_points.empty()) {
+    json.key("entry_points").begin_array();
+    for (const std::string& one : package.entry_points) json.string(one);
+    json.end_array();
+  }
+  json.field("type", "python").end_object();
+  json.field_integer("package_metadata_version", 1).end_object();
+  return json.text() + "\n";
+}
+
 Diagnostics metadata_faults(const CondaPackage& package) {
   Diagnostics faults;
   const PackageRecord record{.name = package.name,
@@ -59,6 +73,10 @@ Diagnostics metadata_faults(const CondaPackage& package) {
       }
     }
   }
+  if (package.noarch != NoarchKind::kPython && !package.entry_points.empty())
+    faults.push_back(bad_metadata(package, "only packages for every Python have entry points"));
+  if (const auto read = parse_entry_points(link_json(package), package.name); !read)
+    faults.push_back(bad_metadata(package, read.errors().front().why.front()));
   return faults;
 }
 
@@ -212,8 +230,7 @@ Outcome<std::map<std::string, std::string>> info_files(const CondaPackage& packa
                                              {"info/index.json", index_json(package)},
                                              {"info/paths.json", payload.take_paths_json()}};
   if (package.noarch == NoarchKind::kPython) {
-    members["info/link.json"] =
-        "{\"noarch\":{\"type\":\"python\"},\"package_metadata_version\":1}\n";
+    members["info/link.json"] = link_json(package);
   }
   for (const fs::path& license : package.license_files) {
     auto bytes = read_file(license);

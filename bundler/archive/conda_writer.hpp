@@ -19,9 +19,10 @@ struct CondaPackage {
   std::uint64_t build_number = 0;
   std::string subdir;  ///< "emscripten-wasm32" or "noarch"
   NoarchKind noarch = NoarchKind::kNo;
-  std::vector<std::string> depends;                  ///< match specs
-  std::vector<std::string> constrains;               ///< match specs
-  std::string license;                               ///< SPDX expression
+  std::vector<std::string> depends;       ///< match specs
+  std::vector<std::string> constrains;    ///< match specs
+  std::vector<std::string> entry_points;  ///< of noarch python: "command = module:function"
+  std::string license;                    ///< SPDX expression
   std::vector<std::filesystem::path> license_files;  ///< copied to info/licenses/
   std::string summary;                               ///< one line
   std::string home;                                  ///< URL, may be empty

@@ -13,12 +13,13 @@
 namespace ros2wasm {
 namespace {
 
-constexpr std::size_t kLargestPathsJson = 256U << 20U;
+constexpr std::size_t kLargestJson = 256U << 20U;
 
 struct Gathered {
   ExtractMeter meter;
   PackageListing listing{};
   std::string paths_json{};
+  std::string link_json{};
 };
 
 Outcome<Done> gather(Gathered& gathered, const ArchiveMember& member, const ByteSource& bytes) {
@@ -26,7 +27,10 @@ Outcome<Done> gather(Gathered& gathered, const ArchiveMember& member, const Byte
   ListedMember listed{
       .path = member.path, .kind = member.kind, .sha256 = {}, .target = member.target};
   if (member.kind == MemberKind::kFile) {
-    const bool is_paths = safe_member_path(member.path) == "info/paths.json";
+    const auto path = safe_member_path(member.path);
+    std::string* kept = path == "info/paths.json"  ? &gathered.paths_json
+                        : path == "info/link.json" ? &gathered.link_json
+                                                   : nullptr;
     Hasher hasher;
     for (;;) {
       auto piece = bytes();
@@ -35,7 +39,7 @@ Outcome<Done> gather(Gathered& gathered, const ArchiveMember& member, const Byte
       if (auto counted = gathered.meter.bytes(piece->size()); !counted) return counted;
       hasher.add(*piece);
       listed.size += piece->size();
-      if (is_paths && gathered.paths_json.size() < kLargestPathsJson) gathered.paths_json += *piece;
+      if (kept != nullptr && kept->size() < kLargestJson) *kept += *piece;
     }
     listed.sha256 = hasher.hex();
   }
@@ -110,6 +114,17 @@ Outcome<PackageListing> list_package(const std::filesystem::path& archive,
   auto visited = archive.extension() == ".conda" ? visit_zip(archive, name, in_zip)
                                                  : visit_tar_file(archive, name, in_tar);
   if (!visited) return std::move(visited).errors();
+  if (!gathered.link_json.empty()) {
+    auto entry_points = parse_entry_points(gathered.link_json, name);
+    if (entry_points) {
+      gathered.listing.entry_points = std::move(*entry_points);
+    } else {
+      gathered.listing.faults.push_back(
+          {"info/link.json", entry_points.errors().front().why.empty()
+                                 ? "it is no JSON"
+                                 : entry_points.errors().front().why.front()});
+    }
+  }
   compare(gathered, name);
   return std::move(gathered.listing);
 }

@@ -10,6 +10,7 @@
 
 #include "bundler/archive/archive_library.hpp"
 #include "bundler/archive/extract_limits.hpp"
+#include "bundler/archive/link_json.hpp"
 #include "workspace_schema/outcome.hpp"
 
 namespace ros2wasm {
@@ -30,6 +31,7 @@ struct ListingFault {
 struct PackageListing {
   std::vector<ListedMember> members;      ///< in the order of the archive
   std::vector<ListingFault> faults;       ///< what does not agree with info/paths.json, by path
+  std::vector<EntryPoint> entry_points;   ///< commands that its info/link.json asks for
   std::vector<std::string> link_scripts;  ///< paths of programs that conda would run, sorted
 };
 

@@ -13,6 +13,7 @@
 #include "bundler/io/kept_folder.hpp"
 #include "bundler/io/sha256.hpp"
 #include "bundler/store/prefix_text.hpp"
+#include "bundler/store/python_packages.hpp"
 #include "bundler/store/tree_seal.hpp"
 
 namespace ros2wasm {
@@ -20,13 +21,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kLayout = "1";  // changes when the layout of environments changes
+constexpr std::string_view kLayout = "2";  // changes when the layout of environments changes
 
 /// Puts package after package into one prefix.
 class Installer {
  public:
-  explicit Installer(fs::path staging, fs::path prefix)
-      : staging_(std::move(staging)), prefix_(std::move(prefix)) {}
+  /// `site_packages`: see python_packages.hpp.
+  Installer(fs::path staging, fs::path prefix, std::string site_packages)
+      : staging_(std::move(staging)),
+        prefix_(std::move(prefix)),
+        site_packages_(std::move(site_packages)) {}
 
   Outcome<Done> install(const PackageRecord& record, const fs::path& package) {
     const auto text = read_file(package / "info/paths.json");
@@ -46,9 +50,12 @@ class Installer {
   }
 
  private:
-  Outcome<Done> place(const PackageRecord& record, const fs::path& package, const std::string& path,
-                      const PathEntry& entry) {
-    const fs::path source = package / path;
+  Outcome<Done> place(const PackageRecord& record, const fs::path& package,
+                      const std::string& packed_path, const PathEntry& entry) {
+    const fs::path source = package / packed_path;
+    const std::string path = record.noarch == NoarchKind::kPython
+                                 ? path_in_prefix(packed_path, site_packages_)
+                                 : packed_path;
     const fs::path target = staging_ / path;
     if (entry.kind == PathKind::kDirectory) return make_folder(record, path);
     if (auto made = make_folder(record, fs::path(path).parent_path()); !made) return made;
@@ -136,6 +143,7 @@ class Installer {
   };
   fs::path staging_;
   fs::path prefix_;  ///< where it will be
+  std::string site_packages_;
   std::map<std::string, Owner> owners_;
   std::set<fs::path> folders_;  ///< real ones; no file or link takes their place
   std::vector<OverwrittenFile> overwritten_;
@@ -146,7 +154,9 @@ Outcome<Environment> build(const fs::path& staging, const fs::path& prefix, cons
                            const Cancellation& cancellation, const ProgressSink& progress) {
   const auto packages = store.unpacked_all(records, cancellation, progress);
   if (!packages) return packages.errors();
-  Installer installer(staging, prefix);
+  auto site_packages = site_packages_of(records, *packages);
+  if (!site_packages) return std::move(site_packages).errors();
+  Installer installer(staging, prefix, std::move(*site_packages));
   for (std::size_t i = 0; i < records.size(); ++i) {
     if (cancellation.requested()) return interrupted();
     if (auto installed = installer.install(records[i], (*packages)[i]); !installed)

@@ -31,8 +31,9 @@ struct Environment {
 
 /// Makes (or finds) the environment in the store's cache: `<cache>/environments/<key>`. A found one
 /// is read whole and made anew when a file is not what it was. Read-only:
-/// install your own files elsewhere. `records` in install order. Placeholders in text files become
-/// the prefix. R2W0231 when one package has a folder where another has a file or a link.
+/// install your own files elsewhere. `records` in install order. Placeholders become the prefix;
+/// files of `noarch: python` go where python_packages.hpp says (R2W0242). R2W0231 when one package
+/// has a folder where another has a file or a link.
 [[nodiscard]] Outcome<Environment> make_environment(const Store& store,
                                                     const std::vector<PackageRecord>& records,
                                                     const Cancellation& cancellation = {},

@@ -88,6 +88,21 @@ TEST(CondaWriter, RoundTrip) {
   EXPECT_EQ(found, "share/text.cmaketext");
 }
 
+TEST(CondaWriter, EntryPointsOfPython) {
+  const testing::TemporaryTree tree;
+  tree.write("p/site-packages/demo.py", "def main(): pass");
+  CondaPackage python = package();
+  python.noarch = NoarchKind::kPython;
+  python.entry_points = {"demo = demo:main", "demo-2=a.b_c : D.e"};
+  const auto bytes = write_conda(python, tree / "p");
+  ASSERT_TRUE(bytes.ok());
+  const auto listing = list_package(tree.write("demo-1.0-h_0.conda", *bytes));
+  ASSERT_TRUE(listing.ok());
+  EXPECT_TRUE(listing->faults.empty());
+  EXPECT_EQ(listing->entry_points,
+            (std::vector<EntryPoint>{{"demo", "demo", "main"}, {"demo-2", "a.b_c", "D.e"}}));
+}
+
 std::string refusal(const CondaPackage& bad, const fs::path& prefix) {
   const auto written = write_conda(bad, prefix);
   return written.ok() ? "written" : written.errors().front().code;
@@ -108,6 +123,17 @@ TEST(CondaWriter, RefusesBadMetadata) {
   EXPECT_EQ(refusal(with([](auto& p) { p.depends = {"a >="}; }), tree.root()), "R2W0205");
   EXPECT_EQ(refusal(with([](auto& p) { p.subdir = "emscripten-wasm32"; }), tree.root()), "R2W0205");
   EXPECT_EQ(refusal(package(), tree / "absent"), "R2W0210");
+  EXPECT_EQ(refusal(with([](auto& p) { p.entry_points = {"a = b:c"}; }), tree.root()), "R2W0205");
+  for (const char* bad : {"", "a", "a = b", "= b:c", "../a = b:c", "a/b = b:c", ".a = b:c",
+                          "-a = b:c", "a = b.:c", "a = b:", "a = 1b:c", "a = b;x:c", "a = b:c()"}) {
+    EXPECT_EQ(refusal(with([&](auto& p) {
+                        p.noarch = NoarchKind::kPython;
+                        p.entry_points = {bad};
+                      }),
+                      tree.root()),
+              "R2W0205")
+        << bad;
+  }
 }
 
 TEST(CondaWriter, RefusesWhatCannotBePacked) {

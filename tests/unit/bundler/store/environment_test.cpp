@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "bundler/store/prefix_text.hpp"
+#include "bundler/store/python_packages.hpp"
 #include "unit/bundler/support/small_channel.hpp"
 
 namespace ros2wasm {
@@ -115,6 +116,60 @@ TEST(Environment, NothingIsWrittenThroughAnotherPackagesLink) {
   ASSERT_TRUE(good.ok());
   EXPECT_EQ(text_of(good->prefix / "d/deep/other"), "d");
   EXPECT_EQ(fs::read_symlink(good->prefix / "d/deep/e"), "../..");
+}
+
+TEST(PythonPackages, PathsInThePrefix) {
+  EXPECT_EQ(path_in_prefix("site-packages/a/b.py", "lib/python3.13/site-packages"),
+            "lib/python3.13/site-packages/a/b.py");
+  EXPECT_EQ(path_in_prefix("python-scripts/tool", "x"), "bin/tool");
+  for (const char* other : {"share/site-packages/a", "site-packages", "etc/a", "site-packages2/a"})
+    EXPECT_EQ(path_in_prefix(other, "x"), other);
+}
+
+TEST(PythonPackages, EntryPointsAreListedInTheOrderOfThePackages) {
+  testing::SmallChannel channel;
+  for (const std::string name : {"b", "a"}) {
+    channel.tree().write("stage-" + name + "/site-packages/" + name + ".py", "");
+    ASSERT_TRUE(add_to_channel(channel.folder(),
+                               {.name = name,
+                                .version = "1.0",
+                                .build = "h_0",
+                                .subdir = "noarch",
+                                .noarch = NoarchKind::kPython,
+                                .entry_points = {name + " = " + name + ":main"}},
+                               channel.tree() / ("stage-" + name))
+                    .ok());
+  }
+  channel.add("c", "1.0", {{"share/c", ""}});
+  channel.write_index();
+  const auto listed = entry_points_of(
+      channel.store(), {channel.record("b"), channel.record("c"), channel.record("a")});
+  ASSERT_TRUE(listed.ok());
+  ASSERT_EQ(listed->size(), 2U);
+  EXPECT_EQ(listed->front().package, "b");
+  EXPECT_EQ(listed->front().entry_point,
+            (EntryPoint{.command = "b", .module = "b", .function = "main"}));
+  EXPECT_EQ(listed->back().package, "a");
+}
+
+TEST(PythonPackages, WithoutAPythonThereIsNoPlaceForThem) {
+  const PackageRecord generic = testing::made_record("a", "1.0");
+  EXPECT_EQ(*site_packages_of({generic}, {"/none"}), "");
+  PackageRecord module = testing::made_record("b", "1.0");
+  module.noarch = NoarchKind::kPython;
+  EXPECT_EQ(site_packages_of({generic, module}, {"/none", "/none"}).errors().front().code,
+            "R2W0242");
+  const testing::TemporaryTree tree;
+  tree.write("info/index.json", "{}");
+  for (const auto& [version, place] :
+       std::vector<std::pair<std::string, std::string>>{{"3.13.1", "lib/python3.13/site-packages"},
+                                                        {"3.9", "lib/python3.9/site-packages"},
+                                                        {"3", "R2W0242"},
+                                                        {"3.x", "R2W0242"}}) {
+    const auto found =
+        site_packages_of({module, testing::made_record("python", version)}, {"/none", tree.root()});
+    EXPECT_EQ(found.ok() ? *found : found.errors().front().code, place) << version;
+  }
 }
 
 TEST(PrefixText, BinaryKeepsItsLength) {

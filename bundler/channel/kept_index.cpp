@@ -149,15 +149,22 @@ std::string kept_header(const FileIdentity& source, std::uint64_t text_size,
   return bytes;
 }
 
-std::optional<KeptIndex> KeptIndex::open(std::string_view bytes, const FileIdentity& source) {
-  std::string_view front;
-  if (!take(bytes, kKeptHeaderSize, front)) return std::nullopt;
-  const auto header = value_at<Header>(front, 0);
-  const FileIdentity made_from{header.source_size, header.source_modified_ns, header.source_inode};
-  if (header.magic != kMagic || made_from != source ||
-      header.header_hash != hash_of(front.substr(0, offsetof(Header, header_hash)))) {
+std::optional<FileIdentity> kept_source(std::string_view bytes) {
+  if (bytes.size() < kKeptHeaderSize) return std::nullopt;
+  const auto header = value_at<Header>(bytes, 0);
+  if (header.magic != kMagic ||
+      header.header_hash != hash_of(bytes.substr(0, offsetof(Header, header_hash)))) {
     return std::nullopt;
   }
+  return FileIdentity{header.source_size, header.source_modified_ns, header.source_inode};
+}
+
+std::optional<KeptIndex> KeptIndex::open(std::string_view bytes, const FileIdentity& source) {
+  std::string_view front;
+  const auto made_from = kept_source(bytes);
+  if (!made_from || *made_from != source || !take(bytes, kKeptHeaderSize, front))
+    return std::nullopt;
+  const auto header = value_at<Header>(front, 0);
   KeptIndex index;
   std::string_view table;
   if (!take(bytes, header.text_size, index.text_) || !take(bytes, header.table_size, table) ||

@@ -40,6 +40,9 @@ class KeptTable {
 [[nodiscard]] std::string kept_header(const FileIdentity& source, std::uint64_t text_size,
                                       std::string_view table);
 
+/// The state of the file that a kept index was made from; nothing when its header is damaged.
+[[nodiscard]] std::optional<FileIdentity> kept_source(std::string_view bytes);
+
 class KeptIndex {
  public:
   /// Nothing when the bytes are damaged, of another form or made from another state of the source.

@@ -274,15 +274,19 @@ class RepodataIndex : public SubdirIndex {
 
 }  // namespace
 
+fs::path kept_index_place(const fs::path& cache, const fs::path& source) {
+  std::error_code error;
+  const std::string key = fs::absolute(source, error).string();
+  return cache / "index" / (sha256_hex(key).substr(0, 32) + ".index");
+}
+
 Outcome<std::unique_ptr<SubdirIndex>> open_repodata(RepodataSource source, const fs::path& cache,
                                                     const Cancellation& cancellation) {
   auto identity = identity_of(source.file);
   if (!identity) return std::move(identity).errors();
   fs::path kept;
   if (!cache.empty() && identity->size >= kSmallestKept) {
-    std::error_code error;
-    const std::string key = fs::absolute(source.file, error).string();
-    kept = cache / "index" / (sha256_hex(key).substr(0, 32) + ".index");
+    kept = kept_index_place(cache, source.file);
   }
   auto index = std::make_unique<RepodataIndex>(std::move(source), std::move(kept), *identity);
   if (auto opened = index->open(cancellation); !opened) return std::move(opened).errors();

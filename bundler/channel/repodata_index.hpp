@@ -19,6 +19,10 @@ struct RepodataSource {
   RecordPlace place;           ///< base_url: of the folder; `info.base_url` is put on top
 };
 
+/// Where the kept index of a file lies: `<cache>/index/<hash of its path>.index`.
+[[nodiscard]] std::filesystem::path kept_index_place(const std::filesystem::path& cache,
+                                                     const std::filesystem::path& source);
+
 /// `cache`: where kept indexes lie; empty to keep none. A kept index counts only while size, time
 /// and inode of `source.file` are those that it was made from, and only where its checksums hold;
 /// otherwise it is made anew. R2W0202 the index cannot be read, R2W0210.

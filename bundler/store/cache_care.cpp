@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <chrono>
 #include <mutex>
+#include <set>
 
 #include "bundler/channel/index_cache.hpp"
+#include "bundler/channel/kept_index.hpp"
+#include "bundler/channel/repodata_index.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/sha256.hpp"
 #include "bundler/io/worker_pool.hpp"
@@ -90,6 +93,38 @@ std::string fault_of_index(const fs::path& folder) {
   return hashes && hashes->sha256 == state->sha256 ? "" : "the copy has another sha256";
 }
 
+bool is_kept_index(const fs::path& path) {
+  return path.extension() == ".index";
+}
+
+std::string fault_of_kept_index(const fs::path& file) {
+  const auto mapped = MappedFile::open(file);
+  if (!mapped) return "it cannot be read";
+  const auto source = kept_source(mapped->bytes());
+  const auto index = source ? KeptIndex::open(mapped->bytes(), *source) : std::nullopt;
+  if (!index) return "it is damaged, or another ros2wasm kept it";
+  for (std::size_t name = 0; name < index->names().size(); ++name) {
+    if (!index->records(name)) return "it is damaged";
+  }
+  return {};
+}
+
+/// Kept indexes of copies that are still used. Those of channels on this machine are not known;
+/// they are made again in a moment.
+std::set<fs::path> used_kept_indexes(const fs::path& cache) {
+  std::set<fs::path> used;
+  for (const fs::path& folder : entries_of(cache / "index")) {
+    const auto state = state_at(folder / "state.json");
+    if (!state) continue;
+    const fs::path copy = index_copy_place(folder, *state);
+    const fs::path kept = kept_index_place(cache, copy);
+    const auto mapped = MappedFile::open(kept);
+    const auto is = identity_of(copy);
+    if (mapped && is && kept_source(mapped->bytes()) == *is) used.insert(kept);
+  }
+  return used;
+}
+
 std::vector<Item> items_of(const fs::path& cache) {
   std::vector<Item> items;
   for (const fs::path& folder : in_buckets(cache / "packages"))
@@ -104,6 +139,7 @@ std::vector<Item> items_of(const fs::path& cache) {
   }
   for (const fs::path& folder : entries_of(cache / "index")) {
     std::error_code error;
+    if (is_kept_index(folder)) items.push_back({folder, fault_of_kept_index});
     if (fs::exists(folder / "state.json", error)) items.push_back({folder, fault_of_index});
   }
   return items;
@@ -216,7 +252,13 @@ Outcome<Pruned> prune_cache(const fs::path& cache, const PruneRequest& request,
       }
     }
   }
+  const std::set<fs::path> used = used_kept_indexes(cache);
   for (const fs::path& folder : entries_of(cache / "index")) {
+    std::error_code error;
+    if (fs::is_regular_file(folder, error)) {  // a kept index, or what is left of writing one
+      if (!is_kept_index(folder)) pruner.remove_if_old(folder);
+      if (is_kept_index(folder) && !used.contains(folder)) pruner.remove(folder);
+    }
     const auto state = state_at(folder / "state.json");
     if (!state) continue;
     for (const fs::path& file : entries_of(folder)) {

@@ -25,7 +25,7 @@ struct CacheFault {
 };
 
 struct CacheCheck {
-  std::uint64_t checked = 0;  ///< packages, archives, shards and indexes
+  std::uint64_t checked = 0;  ///< packages, archives, shards, indexes and kept indexes
   std::vector<CacheFault> faults;
 };
 
@@ -42,12 +42,14 @@ struct Pruned {
 [[nodiscard]] Outcome<std::vector<CacheArea>> measure_cache(const std::filesystem::path& cache);
 
 /// Reads everything that has a hash: every file of every package against its paths.json, archives
-/// and shards against the sha256 in their names, indexes against their state. R2W0210, R2W0903.
+/// and shards against the sha256 in their names, indexes against their state, kept indexes
+/// (repodata_index.hpp) against their checksums. R2W0210, R2W0903.
 [[nodiscard]] Outcome<CacheCheck> check_cache(const std::filesystem::path& cache,
                                               const Cancellation& cancellation);
 
 /// Removes what nobody needs: leftovers of runs that were ended (older than an hour), archives that
-/// are unpacked, old copies of indexes, and whatever is damaged. R2W0211.
+/// are unpacked, old copies of indexes, kept indexes of anything but the copies in use, and
+/// whatever is damaged. R2W0211.
 [[nodiscard]] Outcome<Pruned> prune_cache(const std::filesystem::path& cache,
                                           const PruneRequest& request,
                                           const Cancellation& cancellation);

@@ -184,8 +184,14 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
   for (const auto& channel : manifest.channels) channels.push_back({channel.value, channel.span});
   if (channels.empty()) channels.push_back({"embedded", std::nullopt});
   if (auto told = use_manifest(manifest, roots.network); !told) return std::move(told).errors();
-  const auto addresses = channel_addresses(channels, roots);
-  if (!addresses) return addresses.errors();
+  auto addresses = channel_addresses(channels, roots);
+  if (!addresses) return std::move(addresses).errors();
+  Diagnostics unknown_channels;
+  for (auto& [spec, span] : workspace.manifest.dependencies) {
+    if (auto added = add_named_channel(spec, span, *addresses, roots); !added)
+      append(unknown_channels, added.errors());
+  }
+  if (!unknown_channels.empty()) return unknown_channels;
   if (auto refusal = refuse_own_channel(request, *addresses, workspace.folder)) return *refusal;
   KnownNames known{.names = {}, .of_lock = request.frozen};
   std::set<std::string> packaged;  // versions of the compiler that there are packages for

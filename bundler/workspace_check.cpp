@@ -114,7 +114,13 @@ Outcome<CheckReport> check_workspace(const CheckRequest& request,
   std::vector<ChannelSource> channels;
   for (const auto& channel : report.manifest.channels)
     channels.push_back({channel.value, channel.span});
-  if (const auto named = channel_addresses(channels, roots); !named) append(errors, named.errors());
+  auto addresses = channel_addresses(channels, roots);
+  if (!addresses) append(errors, addresses.errors());
+  for (auto [spec, span] : report.manifest.dependencies) {
+    if (!addresses) break;
+    if (const auto added = add_named_channel(spec, span, *addresses, roots); !added)
+      append(errors, added.errors());
+  }
 
   // A program without its channel says so when it packs; the manifest is not to blame.
   const auto embedded = embedded_channel(request.executable);

@@ -6,7 +6,8 @@
 #include "bundler/store/store.hpp"
 
 namespace ros2wasm {
-Outcome<OpenChannels> open_chosen_channels(const ChannelChoice& choice, const Context& context) {
+Outcome<OpenChannels> open_chosen_channels(const ChannelChoice& choice,
+                                           std::span<std::string> specs, const Context& context) {
   std::error_code error;
   ChannelRoots roots{.working_directory = std::filesystem::current_path(error),
                      .embedded = {},
@@ -18,8 +19,12 @@ Outcome<OpenChannels> open_chosen_channels(const ChannelChoice& choice, const Co
   std::vector<ChannelSource> channels;
   for (const std::string& name : choice.channels) channels.push_back({.name = name, .span = {}});
   if (channels.empty()) channels.push_back({.name = "embedded", .span = {}});
-  const auto addresses = channel_addresses(channels, roots);
-  if (!addresses) return addresses.errors();
+  auto addresses = channel_addresses(channels, roots);
+  if (!addresses) return std::move(addresses).errors();
+  for (std::string& spec : specs) {
+    if (auto added = add_named_channel(spec, std::nullopt, *addresses, roots); !added)
+      return std::move(added).errors();
+  }
   return open_channels(*addresses, roots, context.cancellation, context.progress);
 }
 

@@ -1,6 +1,7 @@
 // The channels that a command names, opened: for commands without a workspace.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,10 @@ struct ChannelChoice {
   std::string platform;  ///< beside noarch; empty: emscripten-wasm32
 };
 
-/// Errors of channel_addresses() and open_channels().
+/// And those that `specs` name, which lose credentials. Errors of channel_addresses(),
+/// add_named_channel() and open_channels().
 [[nodiscard]] Outcome<OpenChannels> open_chosen_channels(const ChannelChoice& choice,
+                                                         std::span<std::string> specs,
                                                          const Context& context);
 
 }  // namespace ros2wasm

@@ -171,7 +171,7 @@ int check(const ChannelOptions& options, Context& context) {
         usage_error("`ros2wasm channel check` takes one channel folder or address",
                     "`ros2wasm channel --help` has examples"));
   }
-  const auto open = open_chosen_channels({.channels = options.words}, context);
+  const auto open = open_chosen_channels({.channels = options.words}, {}, context);
   if (!open) return context.console.fail(open.errors());
   const auto channel = open->everything(context.cancellation);
   if (!channel) return context.console.fail(channel.errors());

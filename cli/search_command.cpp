@@ -87,10 +87,12 @@ void show(Context& context, const std::vector<Found>& found) {
 }
 
 int run(Context& context, const SearchOptions& options) {
-  const auto spec = MatchSpec::parse(options.spec);
-  if (!spec) return context.console.fail(spec.errors());
-  const auto open = open_chosen_channels(options.choice, context);
+  std::string text = options.spec;
+  if (const auto bad = MatchSpec::parse(text); !bad) return context.console.fail(bad.errors());
+  const auto open = open_chosen_channels(options.choice, {&text, 1}, context);
   if (!open) return context.console.fail(open.errors());
+  const auto spec = MatchSpec::parse(text);
+  if (!spec) return context.console.fail(spec.errors());
   const auto found = search(*spec, *open, context.cancellation);
   if (!found) return context.console.fail(found.errors());
   if (found->empty()) return context.console.fail(nothing_fits(*spec, *open));

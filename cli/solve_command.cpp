@@ -55,13 +55,14 @@ void show(Context& context, const Resolution& resolution, const RepoIndex& index
 }
 
 int run(const SolveOptions& options, Context& context) {
-  const auto open = open_chosen_channels(options.choice, context);
+  std::vector<std::string> specs = options.specs;
+  const auto open = open_chosen_channels(options.choice, specs, context);
   if (!open) return context.console.fail(open.errors());
   ResolveRequest request{
       .specs = {}, .locked = {}, .priority = channel_priority_of(options.priority)};
-  const auto index = open->reachable(options.specs, request.priority, context.cancellation);
+  const auto index = open->reachable(specs, request.priority, context.cancellation);
   if (!index) return context.console.fail(index.errors());
-  for (const std::string& text : options.specs)
+  for (const std::string& text : specs)
     request.specs.push_back({.text = text, .origin = {}, .span = {}});
   const auto resolution = solve(request, *index);
   if (!resolution) return context.console.fail(resolution.errors());

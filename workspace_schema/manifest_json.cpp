@@ -145,7 +145,9 @@ std::string manifest_json(const Manifest& manifest) {
     json.end_object();
   }
   texts(json, "ignore_link_scripts", manifest.ignore_link_scripts);
-  texts(json, "dependencies", manifest.dependencies);
+  json.key("dependencies").begin_array();
+  for (const auto& spec : manifest.dependencies) json.string(with_masked_secrets(spec.value));
+  json.end_array();
   texts(json, "packages", manifest.packages);
   json.key("launch");
   if (manifest.launch_file) {

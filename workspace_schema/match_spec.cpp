@@ -291,6 +291,10 @@ bool same_if_asked(const std::string& wanted, const std::string& value) {
 
 }  // namespace
 
+bool MatchSpec::accepts_channel(const std::string& address) const {
+  return !channel_ || channel_matches(*channel_, address);
+}
+
 std::vector<std::pair<std::string_view, std::string>> MatchSpec::fields() const {
   std::vector<std::pair<std::string_view, std::string>> fields{{"name", name_.text()}};
   const auto add = [&fields](std::string_view key, const std::string& value) {
@@ -329,7 +333,7 @@ bool MatchSpec::matches_build(const Version& version, std::string_view build,
 bool MatchSpec::matches(const PackageRecord& record, const Version& version) const {
   if (impossible_ || !name_.matches(record.name)) return false;
   if (!matches_build(version, record.build, record.build_number)) return false;
-  if (channel_ && !channel_matches(*channel_, record.channel)) return false;
+  if (!accepts_channel(record.channel)) return false;
   if (license_ && !license_->matches(record.license)) return false;
   if (track_features_ && *track_features_ != record.track_features) return false;
   return same_if_asked(subdir_, record.subdir) && same_if_asked(file_name_, record.file_name) &&

@@ -27,6 +27,8 @@ class MatchSpec {
   [[nodiscard]] std::optional<std::string> exact_name() const;
   [[nodiscard]] const TextPattern& name() const { return name_; }
   [[nodiscard]] const std::optional<TextPattern>& channel() const { return channel_; }
+  /// Whether a record of a channel of this address may match.
+  [[nodiscard]] bool accepts_channel(const std::string& address) const;
   [[nodiscard]] const VersionSpec& version() const { return version_; }
   [[nodiscard]] const std::optional<TextPattern>& build() const { return build_; }
   [[nodiscard]] const std::string& subdir() const { return subdir_; }  ///< empty: any

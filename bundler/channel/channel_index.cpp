@@ -12,6 +12,7 @@
 #include "bundler/channel/shard_index.hpp"
 #include "bundler/channel/subdir_index.hpp"
 #include "bundler/channel/transport.hpp"
+#include "workspace_schema/match_spec.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -287,6 +288,29 @@ Outcome<std::vector<ChannelSource>> channel_addresses(std::span<const ChannelSou
   }
   if (!errors.empty()) return errors;
   return addresses;
+}
+
+Outcome<Done> add_named_channel(std::string& spec, const std::optional<SourceSpan>& span,
+                                std::vector<ChannelSource>& addresses, ChannelRoots& roots) {
+  const auto parsed = MatchSpec::parse(spec);
+  if (!parsed || !parsed->channel() || !parsed->channel()->exact()) return Done{};
+  const std::string named = parsed->channel()->text();
+  const auto is_there = [&](const MatchSpec& wanted) {
+    return std::any_of(addresses.begin(), addresses.end(),
+                       [&](const ChannelSource& one) { return wanted.accepts_channel(one.name); });
+  };
+  const bool is_address = named.find("://") != std::string::npos;
+  if (!is_address && is_there(*parsed)) return Done{};
+  const ChannelSource source{.name = named, .span = span};
+  auto more = channel_addresses({&source, 1}, roots);
+  if (!more) return std::move(more).errors();
+  ChannelSource& found = more->front();
+  if (is_address) {
+    spec.replace(spec.find(named), named.size(), found.name);
+    if (const auto shown = MatchSpec::parse(spec); shown && is_there(*shown)) return Done{};
+  }
+  addresses.push_back(std::move(found));
+  return Done{};
 }
 
 Outcome<OpenChannels> open_channels(std::span<const ChannelSource> channels,

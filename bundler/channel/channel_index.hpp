@@ -88,6 +88,15 @@ class OpenChannels {
 [[nodiscard]] Outcome<std::vector<ChannelSource>> channel_addresses(
     std::span<const ChannelSource> channels, ChannelRoots& roots);
 
+/// Where a match spec names a channel (`channel::name`) that is none of `addresses`, it comes
+/// behind the others, as conda has it. An address in the spec loses its credentials, which go into
+/// `roots.network`, so that the spec can be shown and locked. Texts that are no match specs are
+/// passed over. R2W0237, R2W0240.
+[[nodiscard]] Outcome<Done> add_named_channel(std::string& spec,
+                                              const std::optional<SourceSpan>& span,
+                                              std::vector<ChannelSource>& addresses,
+                                              ChannelRoots& roots);
+
 /// Opens the folders of the platform and `noarch` of every channel, named as channel_addresses()
 /// says, in the best form that it has: shards, repodata.json.zst, .bz2, repodata.json. R2W0201 the
 /// channel is not there, R2W0202 its index cannot be read, R2W0203 nobody speaks its scheme,

@@ -186,7 +186,7 @@ class Addresses(IndexCase):
         self.environment["ROS2WASM_CHANNEL_ALIAS"] = self.server.url + "/moved/"
         self.assertEqual(len(self.solution("conda-forge", "a")), 2)
         self.assertEqual(len(self.solution("conda-forge", "conda-forge::a")), 2)
-        self.fail_with("R2W0301", "solve", "-c", "conda-forge", "other::a")
+        self.fail_with("R2W0201", "solve", "-c", "conda-forge", "other::a")
         shutil.copytree(self.folder / "moved/conda-forge", self.folder / "moved/conda-forge/label/dev")
         label = self.solution("conda-forge/label/dev", "a")
         self.assertIn("/moved/conda-forge/label/dev/noarch/", label[0])

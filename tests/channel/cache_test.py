@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Mapping
 from pathlib import Path
 
 from tests.network.channel_fixture import ChannelCase
@@ -16,7 +17,7 @@ class KeptIndexes(ChannelCase):
                                          "depends": [], "sha256": f"{i:064x}", "size": 1} for i in range(400)}
         self.write_repodata(records)
 
-    def write_repodata(self, records: dict[str, object]) -> None:
+    def write_repodata(self, records: Mapping[str, object]) -> None:
         (self.channel / "noarch").mkdir(parents=True, exist_ok=True)
         (self.channel / "noarch/repodata.json").write_text(json.dumps(
             {"info": {"subdir": "noarch"}, "packages": {}, "packages.conda": records}))

@@ -20,13 +20,13 @@ class Builder {
     for (std::size_t i = 0; i < index.channels.size(); ++i)
       channel_rank_.emplace(index.channels[i], i);
     for (const PackageRecord& record : index.records) records_[record.name].push_back(&record);
-    if (request.priority == ChannelPriority::kStrict) hide_lower_channels();
     for (const PackageRecord& locked : request.locked) locked_.emplace(locked.url, locked.sha256);
     universe_.virtual_records = virtual_packages();
     for (const PackageRecord& record : universe_.virtual_records) records_[record.name] = {&record};
   }
 
   Universe build(const std::vector<MatchSpec>& specs) {
+    if (request_.priority == ChannelPriority::kStrict) hide_lower_channels(specs);
     for (const MatchSpec& spec : specs)
       universe_.wanted.push_back(universe_.add_requirement(spec.text(), spec));
     for (const auto& [name, list] : records_) add_candidates(name, list);
@@ -34,10 +34,22 @@ class Builder {
   }
 
  private:
-  void hide_lower_channels() {
+  /// A request that names the channel of a package goes before the order of channels.
+  void hide_lower_channels(const std::vector<MatchSpec>& specs) {
     for (auto& [name, list] : records_) {
+      const auto is_named = [&, &name = name](const PackageRecord& record) {
+        return std::all_of(specs.begin(), specs.end(), [&](const MatchSpec& spec) {
+          return !spec.channel() || spec.exact_name() != name ||
+                 spec.accepts_channel(record.channel);
+        });
+      };
       std::size_t best = channel_rank_.size();
-      for (const PackageRecord* record : list) best = std::min(best, rank_of(*record));
+      std::size_t best_named = channel_rank_.size();
+      for (const PackageRecord* record : list) {
+        best = std::min(best, rank_of(*record));
+        if (is_named(*record)) best_named = std::min(best_named, rank_of(*record));
+      }
+      if (best_named < channel_rank_.size()) best = best_named;
       std::erase_if(list, [&](const PackageRecord* record) { return rank_of(*record) != best; });
     }
   }

@@ -39,10 +39,10 @@ class NamedChannel(ChannelCase):
     def test_the_named_channel_wins_for_that_package(self) -> None:
         self.write_manifest("./host/other::lib")
         self.succeed("lock")
-        self.assertIn("version: '2.0'\n", self.locked("lib"))
+        self.assertIn("version: 2.0\n", self.locked("lib"))
         self.write_manifest("lib[channel=./host/other]")
         self.succeed("lock")
-        self.assertIn("version: '2.0'\n", self.locked("lib"))
+        self.assertIn("version: 2.0\n", self.locked("lib"))
 
     def test_a_name_below_the_alias(self) -> None:
         with FaultServer(self.folder) as server:

@@ -32,7 +32,7 @@ class Priority(ChannelCase):
             with self.subTest(dependency=dependency, priority=priority):
                 self.write_manifest(dependency, priority)
                 self.succeed("pack")
-                self.assertIn(f"\n    version: '{version}'\n", self.locked("lib"))
+                self.assertIn(f"\n    version: {version}\n", self.locked("lib"))
                 before = (self.folder / "ros2wasm.lock").read_text()
                 self.succeed("pack", "--locked")
                 self.succeed("lock", "--check")

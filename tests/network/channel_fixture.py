@@ -60,8 +60,8 @@ class ChannelCase(unittest.TestCase):
         self.succeed("channel", "index", str(channel or self.channel))
 
     def locked(self, name: str) -> str:
-        """What ros2wasm.lock says of a package, one line each key."""
-        text = (self.folder / "ros2wasm.lock").read_text()
+        """What ros2wasm.lock says of a package, one line each key, without quotes."""
+        text = (self.folder / "ros2wasm.lock").read_text().replace('"', "")
         return next(part for part in text.split("\n  - ") if part.startswith(f"name: {name}\n"))
 
     def keep_forms(self, *names: str) -> None:

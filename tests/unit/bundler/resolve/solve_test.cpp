@@ -87,6 +87,11 @@ TEST(Solve, ChannelPriorities) {
   EXPECT_EQ(answer(request, index), "a 2");
   request.priority = ChannelPriority::kStrict;
   EXPECT_EQ(answer(request, index), "R2W0301");
+  // A request that names the channel goes before the order of channels.
+  request.specs[0].text = "second::a";
+  EXPECT_EQ(answer(request, index), "a 2");
+  request.specs[0].text = "third::a";
+  EXPECT_EQ(answer(request, index), "R2W0301");
 }
 
 TEST(Solve, LockedPackagesAreKeptWhileTheyFit) {

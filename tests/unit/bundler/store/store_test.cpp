@@ -88,7 +88,7 @@ TEST_F(StoreTest, OldChannelsWithMd5Only) {
 }
 
 TEST_F(StoreTest, RefusedArchivesLeaveNothing) {
-  const Store strict(channel_.roots(), {.files = 1});
+  const Store strict(channel_.roots(), {.members = 1});
   EXPECT_EQ(code_of(strict.unpacked(record_)), "R2W0225");
   EXPECT_EQ(left_behind(channel_), 0U);
 }

@@ -14,11 +14,12 @@ export interface Measured {
 
 const PROGRAM = `
 import json, resource, subprocess, sys, time
+before = resource.getrusage(resource.RUSAGE_CHILDREN)  # python3 may be a script that started others
 began = time.perf_counter()
 run = subprocess.run(sys.argv[1:], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
 wall = time.perf_counter() - began
 use = resource.getrusage(resource.RUSAGE_CHILDREN)
-print(json.dumps({"wallMs": wall * 1e3, "cpuMs": (use.ru_utime + use.ru_stime) * 1e3,
+print(json.dumps({"wallMs": wall * 1e3, "cpuMs": (use.ru_utime + use.ru_stime - before.ru_utime - before.ru_stime) * 1e3,
                   "peakKb": use.ru_maxrss, "exitCode": run.returncode, "stderr": run.stderr[-4000:]}))
 `;
 

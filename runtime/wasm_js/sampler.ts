@@ -215,14 +215,12 @@ function readNewest<T>(
     if (!holds()) continue;
     Atomics.store(bus.i32, hazard, frame);
     const held = holds();
-    if (held) {
-      const offset = frame * unit;
-      bus.reach(offset + BusSizes.align + length);
-      const seen = look(offset, length);
-      Atomics.store(bus.i32, hazard, 0);
-      return seen;
-    }
+    const offset = frame * unit;
+    if (held) bus.reach(offset + BusSizes.align + length);
+    const seen = held ? look(offset, length) : undefined;
     Atomics.store(bus.i32, hazard, 0);
+    if (Atomics.load(bus.i32, word + BusEndpoint.blocked) !== 0) bus.bump(record.participant);
+    if (held) return seen;
   }
   return undefined;
 }

@@ -109,12 +109,14 @@ export class SharedWriter {
     const { bus, word } = this;
     if (length > maxSampleLength) return ErrorCode.tooLarge;
     this.sync();
-    if (this.retired.length > 0) this.releaseRetired();
+    this.releaseRetired();
     const head = Atomics.load(bus.i32, word + BusEndpoint.head);
     const sequence = (head + 1) | 0;
     let frame = this.claimFrame(sequence, length);
     while (frame === ErrorCode.outOfMemory) {
-      const outcome = this.reclaim(sequence) ? 0 : this.awaitSlowest();
+      // As it is before the search: who comes further meanwhile makes room that the search has not seen.
+      const lag = this.lag();
+      const outcome = this.reclaim(sequence) ? 0 : this.awaitSlowest(lag);
       if (outcome < 0) return outcome;
       frame = this.claimFrame(sequence, length);
     }
@@ -185,16 +187,23 @@ export class SharedWriter {
     return freed;
   }
 
-  /** At the ceiling, a writer that may wait does so until the slowest reader has come one sample further. */
-  private awaitSlowest(): number {
-    if (!this.mayBlock) return ErrorCode.outOfMemory;
+  /** How many samples the slowest reliable keep_all reader elsewhere has not read. */
+  private lag(): number {
     const head = Atomics.load(this.bus.i32, this.word + BusEndpoint.head);
     let furthest = 0;
     for (const reader of this.readers) {
       if (!reader.reliable || reader.local || reader.depth !== Infinity) continue;
       furthest = Math.max(furthest, (head - this.cursor(reader)) | 0);
     }
-    return furthest === 0 ? ErrorCode.outOfMemory : this.blockFor((head - furthest + 1) | 0);
+    return furthest;
+  }
+
+  /** At the ceiling, a writer that may wait does so until the slowest reader, `lag` behind, has come one sample further. */
+  private awaitSlowest(lag: number): number {
+    if (!this.mayBlock) return ErrorCode.outOfMemory;
+    const head = Atomics.load(this.bus.i32, this.word + BusEndpoint.head);
+    if (lag > 0) return this.blockFor((head - lag + 1) | 0);
+    return this.retired.length === 0 ? ErrorCode.outOfMemory : this.blockWhile(() => this.retired.length > 0);
   }
 
   /** True when no matched reader has anything left to read. */
@@ -333,13 +342,18 @@ export class SharedWriter {
   }
 
   private blockFor(old: number): number {
+    return this.blockWhile(() => this.keepAllWants(old, false));
+  }
+
+  /** Sleeps while it is needed and no reader lets go of pages that were taken out of the slots. 0 or an ErrorCode. */
+  private blockWhile(needed: () => boolean): number {
     const { bus, word } = this;
     const wake = bus.participantWord(this.record.participant) + BusParticipant.wake;
     Atomics.store(bus.i32, word + BusEndpoint.blocked, 1);
     for (;;) {
       const token = Atomics.load(bus.i32, wake);
       this.sync();
-      if (!this.keepAllWants(old, false)) break;
+      if (this.releaseRetired() || !needed()) break;
       const outcome = this.pause(token);
       if (outcome === 'again') continue;
       Atomics.store(bus.i32, word + BusEndpoint.blocked, 0);
@@ -504,13 +518,17 @@ export class SharedWriter {
     this.releaseRetired();
   }
 
-  private releaseRetired(): void {
+  /** True when pages came free. */
+  private releaseRetired(): boolean {
     const { bus } = this;
+    const before = this.retired.length;
+    if (before === 0) return false;
     this.retired = this.retired.filter(({ page, pages }) => {
       if (this.inUse(bus.pageOffset(page) / unit, pages * (BusSizes.page / unit))) return true;
       bus.free(page, pages);
       return false;
     });
+    return this.retired.length < before;
   }
 
   /** Does a reader have a frame of this range in its hands? */

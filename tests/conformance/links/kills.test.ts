@@ -82,3 +82,54 @@ test('readers die while they read', watchdog, async () => {
     await world.close();
   }
 });
+
+test('a worker that spins for ever harms nobody, and vanishes when it is killed', watchdog, async () => {
+  const world = new World('shared', startNodeWorker);
+  const { broker } = world;
+  assert.ok(broker instanceof SharedBroker);
+  try {
+    const keepAll = { history: 2 };
+    const [spinner, a, b] = [await world.peer(), await world.peer(), await world.peer()];
+    const node = await spinner.call('node', 'spinner');
+    await spinner.call('publisher', { node, name: '/x', qos: keepAll });
+    await spinner.call('subscription', { node, name: '/x', qos: { depth: 4 } });
+    const pub = await a.call('publisher', { node: await a.call('node', 'a'), name: '/x', qos: keepAll });
+    const sub = await b.call('subscription', { node: await b.call('node', 'b'), name: '/x', qos: keepAll });
+    await b.call('waitMatched', sub, 2);
+    const spinning = await spinner.begin('spin');
+    spinning.result.catch(() => undefined);
+    const reading = await b.begin('takeUntil', sub, 5000);
+    assert.equal(await a.call('writeMany', pub, 1, 5000, 300), 5000);
+    assert.equal((await reading.result).length, 5000);
+    await spinner.terminate();
+    await b.call('waitMatched', sub, 1);
+    assert.deepEqual((await a.call('waitGraph', 2)).nodes.map(({ name }) => name), ['a', 'b']);
+    await a.terminate();
+    await b.terminate();
+    await until(() => broker.bus.usage().used === 0);
+  } finally {
+    await world.close();
+  }
+});
+
+test('a publisher in a tight loop starves no other topic', watchdog, async () => {
+  const world = new World('shared', startNodeWorker);
+  try {
+    const [flooder, a, b] = [await world.peer(), await world.peer(), await world.peer()];
+    const flood = await flooder.call('publisher', { node: await flooder.call('node', 'flooder'), name: '/flood', qos: { depth: 1 } });
+    const nb = await b.call('node', 'b');
+    const drowned = await b.call('subscription', { node: nb, name: '/flood', qos: { depth: 1 } });
+    const sub = await b.call('subscription', { node: nb, name: '/quiet' });
+    const pub = await a.call('publisher', { node: await a.call('node', 'a'), name: '/quiet' });
+    await a.call('waitMatched', pub, 1);
+    const flooding = await flooder.begin('flood', flood, 5000);
+    flooding.result.catch(() => undefined);
+    for (let i = 1; i <= 100; i += 1) {
+      await a.call('writeMany', pub, i, 1);
+      assert.deepEqual(await b.call('takeUntil', sub, i), [i]);
+    }
+    assert.equal(await b.call('verify', drowned, 50), 1);
+  } finally {
+    await world.close();
+  }
+});

@@ -134,6 +134,13 @@ export class Peer {
     }
   }
 
+  /** Computes for ever, and neither waits nor sleeps. */
+  spin(): never {
+    for (;;) {
+      // Only a terminate ends this.
+    }
+  }
+
   /** Takes `count` samples of floods; an error when one is torn, comes twice or out of order. */
   async verify(endpoint: number, count: number): Promise<number> {
     const newest = new Map<string, number>();

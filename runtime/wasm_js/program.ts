@@ -261,6 +261,9 @@ function explain(error: unknown, exports: ProgramExports | undefined, memory: Pr
   if (error instanceof WebAssembly.LinkError || error instanceof WebAssembly.CompileError) {
     return crash('R2W0703', error.message);
   }
+  if (error instanceof RangeError && exports === undefined) {
+    return crash('R2W0710', 'there is no memory for one more program');
+  }
   if (error instanceof RangeError && /stack/i.test(error.message)) {
     return crash('R2W0701', 'the stack is full: too deep a recursion?');
   }

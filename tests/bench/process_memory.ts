@@ -26,10 +26,15 @@ function proportionalKb(pid: number): number {
   }
 }
 
-/** Proportional set size of `root` and its descendants, in kB. */
-export function treeMemoryKb(root: number): number {
+/** `root` and its descendants. */
+export function processTree(root: number): number[] {
   const parentOf = parents();
   const belongs = (pid: number | undefined): boolean =>
     pid !== undefined && (pid === root || belongs(parentOf.get(pid)));
-  return [...parentOf.keys()].filter(belongs).reduce((sum, pid) => sum + proportionalKb(pid), 0);
+  return [...parentOf.keys()].filter(belongs);
+}
+
+/** Proportional set size of `root` and its descendants, in kB. */
+export function treeMemoryKb(root: number): number {
+  return processTree(root).reduce((sum, pid) => sum + proportionalKb(pid), 0);
 }

@@ -2,6 +2,7 @@
 // names its peer, measured in the same run on the same machine. Nothing here judges.
 //   node tests/bench/run.ts --build BUILD_DIR [NAME ...]
 import { resolve } from 'node:path';
+import { benchCrowd } from './crowd.ts';
 import { benchFetch } from './fetch.ts';
 import { benchLink } from './link.ts';
 import { benchPack } from './pack.ts';
@@ -20,6 +21,7 @@ export interface BenchContext {
 
 const BENCHES: Readonly<Record<string, (context: BenchContext) => Promise<void> | void>> = {
   bytes: benchBytes,
+  crowd: benchCrowd,
   fetch: benchFetch,
   link: benchLink,
   pack: benchPack,

@@ -81,3 +81,15 @@ test('a node that is restarted while it starts runs', watchdog, async () => {
     rmSync(folder, { recursive: true });
   }
 });
+
+test('R2W0710: a program for which there is no memory', watchdog, async () => {
+  // What Chromium and Node.js throw when a process has all the memories that it may have.
+  const full = `const { Instance } = WebAssembly;
+  WebAssembly.Instance = function (module, imports) {
+    if (imports?.ros2wasm === undefined) return new Instance(module, imports);
+    throw new RangeError('WebAssembly.Instance(): Out of memory: Cannot allocate Wasm memory for new instance');
+  };`;
+  assert.deepEqual(await endOf(new SharedBroker({ ceiling: 64 << 20 }), full), {
+    kind: 'crashed', code: 'R2W0710', message: 'there is no memory for one more program',
+  });
+});

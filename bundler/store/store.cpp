@@ -37,6 +37,27 @@ WantedFile wanted_file(const PackageRecord& record, fs::path place) {
           .md5 = record.md5};
 }
 
+/// No other file says what those of info/ are to hold: their sha256 stand here.
+constexpr const char* kSeal = "info/.sha256sums";
+
+/// What the seal of a package has to say.
+Outcome<std::string> seal_of(const fs::path& folder) {
+  std::map<std::string, std::string> sums;
+  std::error_code error;
+  for (fs::recursive_directory_iterator it(folder / "info", error), end; !error && it != end;
+       it.increment(error)) {
+    const std::string name = it->path().lexically_relative(folder).generic_string();
+    if (name == kSeal || !it->is_regular_file(error)) continue;
+    auto hashes = hash_file(it->path());
+    if (!hashes) return std::move(hashes).errors();
+    sums.emplace(name, std::move(hashes->sha256));
+  }
+  if (error) return cannot_read(folder / "info", error.value());
+  std::string text;
+  for (const auto& [name, sha256] : sums) text += sha256 + "  " + name + "\n";
+  return text;
+}
+
 fs::path folder_of(const fs::path& cache, const std::string& sha256) {
   return cache / "packages" / sha256.substr(0, 2) / sha256;
 }
@@ -57,6 +78,9 @@ std::string package_fault(const fs::path& folder) {
   if (!text) return "info/paths.json cannot be read";
   const auto entries = parse_paths_json(*text, folder.filename().string());
   if (!entries) return "info/paths.json is damaged";
+  const auto kept = read_file(folder / kSeal);
+  const auto seal = seal_of(folder);
+  if (!kept || !seal || *kept != *seal) return "info is not as it was unpacked";
   for (const auto& [path, entry] : *entries) {
     std::error_code error;
     const auto status = fs::symlink_status(folder / path, error);
@@ -108,6 +132,11 @@ Outcome<fs::path> Store::unpack(const PackageRecord& record, const fs::path& arc
   if (auto made = make_directories(unfinished); !made) return std::move(made).errors();
   auto unpacked = unpack_package(archive, unfinished, name, limits_, cancellation);
   if (!unpacked) return std::move(unpacked).errors();
+  const auto seal = seal_of(unfinished);
+  if (!seal) return seal.errors();
+  if (auto sealed = write_file(unfinished / kSeal, *seal); !sealed) {
+    return std::move(sealed).errors();
+  }
 
   fs::path folder = folder_of(roots_.cache, sha256);
   if (auto made = make_directories(folder.parent_path()); !made) return std::move(made).errors();

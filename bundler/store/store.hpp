@@ -22,7 +22,7 @@ namespace ros2wasm {
     const std::map<std::string, std::string>& variables);
 
 /// What is wrong with an unpacked package: the first file that is not what its info/paths.json
-/// lists. Empty when all are right.
+/// lists, or an info/ that is not as it came. Empty when all are right.
 [[nodiscard]] std::string package_fault(const std::filesystem::path& folder);
 
 class Store {

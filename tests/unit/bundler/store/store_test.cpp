@@ -67,6 +67,24 @@ TEST_F(StoreTest, ADamagedCopyIsMadeAgain) {
   EXPECT_EQ(std::string(std::istreambuf_iterator<char>(healed), {}), "int a;");
 }
 
+TEST_F(StoreTest, ADamagedInfoIsMadeAgain) {
+  const auto folder = channel_.store().unpacked(record_);
+  ASSERT_TRUE(folder.ok());
+  EXPECT_EQ(package_fault(*folder), "");
+  // A file and, to fit, the list of files.
+  const fs::path list = *folder / "info/paths.json";
+  for (const fs::path& path : {list, *folder / "include/a.h"})
+    fs::permissions(path, fs::perms::owner_write, fs::perm_options::add);
+  std::ofstream(*folder / "include/a.h") << "int b;";
+  std::ofstream(list) << R"({"paths_version": 1, "paths": []})";
+  EXPECT_EQ(package_fault(*folder), "info is not as it was unpacked");
+  const auto again = channel_.store().unpacked(record_);
+  ASSERT_TRUE(again.ok());
+  EXPECT_EQ(package_fault(*again), "");
+  std::ifstream healed(*again / "include/a.h");
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(healed), {}), "int a;");
+}
+
 TEST_F(StoreTest, WrongArchivesAreNotOpened) {
   std::ofstream(archive_, std::ios::app) << "x";
   EXPECT_EQ(code_of(channel_.store().unpacked(record_)), "R2W0220");

@@ -7,11 +7,12 @@
 #include <unordered_set>
 #include <utility>
 
+#include "bundler/channel/channel_address.hpp"
+#include "bundler/channel/channel_network.hpp"
 #include "bundler/channel/index_files.hpp"
 #include "bundler/channel/repodata_index.hpp"
 #include "bundler/channel/shard_index.hpp"
 #include "bundler/channel/subdir_index.hpp"
-#include "bundler/channel/transport.hpp"
 #include "workspace_schema/match_spec.hpp"
 
 namespace ros2wasm {
@@ -361,24 +362,6 @@ Outcome<RepoIndex> load_channels(std::span<const ChannelSource> channels, const 
   const auto open = open_channels(channels, roots, cancellation, progress);
   if (!open) return open.errors();
   return open->everything(cancellation);
-}
-
-Outcome<RepoIndex> parse_repodata(std::string_view text, const std::string& channel,
-                                  const std::string& subdir) {
-  const std::string folder_url = channel_base_url(channel) + "/" + subdir;
-  auto source = index_repodata(
-      text, {.file = {},
-             .url = folder_url + "/repodata.json",
-             .place = {.channel = channel, .subdir = subdir, .base_url = folder_url}});
-  if (!source) return std::move(source).errors();
-  const std::vector<std::string> names((*source)->names().begin(), (*source)->names().end());
-  RepoIndex index;
-  index.channels.push_back(channel);
-  index.names = names;
-  SpecTable specs;
-  auto read = (*source)->read(names, specs, index, {});
-  if (!read) return std::move(read).errors();
-  return index;
 }
 
 Outcome<std::filesystem::path> embedded_channel(const std::filesystem::path& executable) {

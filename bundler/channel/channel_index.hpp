@@ -112,10 +112,6 @@ class OpenChannels {
                                                const Cancellation& cancellation = {},
                                                const ProgressSink& progress = {});
 
-/// The same for one text of repodata.json: pure. `channel` and `subdir` go into the records.
-[[nodiscard]] Outcome<RepoIndex> parse_repodata(std::string_view json, const std::string& channel,
-                                                const std::string& subdir);
-
 /// The channel that ships with the program: `<exe dir>/channel`, then `<exe
 /// dir>/../share/ros2wasm/channel`. R2W0204 when neither is there.
 [[nodiscard]] Outcome<std::filesystem::path> embedded_channel(

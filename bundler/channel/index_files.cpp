@@ -7,6 +7,7 @@
 #include "bundler/archive/archive_library.hpp"
 #include "bundler/channel/channel_network.hpp"
 #include "bundler/channel/index_cache.hpp"
+#include "bundler/channel/repodata_index.hpp"
 #include "bundler/io/files.hpp"
 
 namespace ros2wasm {
@@ -82,13 +83,6 @@ std::vector<Outcome<std::optional<IndexFile>>> bring_index_files(
   }
   if (!roots.network.offline) remember_missing_forms(folder_urls, found, roots);
   return found;
-}
-
-Diagnostic no_index(const std::string& url, std::string why) {
-  return Diagnostic{.code = "R2W0202",
-                    .kind = FailureKind::kEnvironment,
-                    .message = "`" + url + "` is no index of a channel",
-                    .why = {std::move(why)}};
 }
 
 Outcome<std::string> bzip2_text(const std::filesystem::path& file, const std::string& url) {

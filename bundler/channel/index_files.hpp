@@ -25,9 +25,6 @@ struct IndexFile {
     std::span<const std::string> folder_urls, const ChannelRoots& roots,
     const Cancellation& cancellation);
 
-/// R2W0202: `why` says what the index of `url` should have.
-[[nodiscard]] Diagnostic no_index(const std::string& url, std::string why);
-
 /// The text of a repodata.json.bz2. R2W0202 when it cannot be decompressed, R2W0210.
 [[nodiscard]] Outcome<std::string> bzip2_text(const std::filesystem::path& file,
                                               const std::string& url);

@@ -7,11 +7,10 @@
 #include <set>
 
 #include "bundler/archive/zstd.hpp"
-#include "bundler/channel/index_files.hpp"
+#include "bundler/channel/channel_address.hpp"
 #include "bundler/channel/kept_index.hpp"
 #include "bundler/channel/record_json.hpp"
 #include "bundler/channel/record_rules.hpp"
-#include "bundler/channel/transport.hpp"
 #include "bundler/io/replaced_file.hpp"
 #include "bundler/io/sha256.hpp"
 #include "workspace_schema/secret_text.hpp"
@@ -280,6 +279,13 @@ fs::path kept_index_place(const fs::path& cache, const fs::path& source) {
   return cache / "index" / (sha256_hex(key).substr(0, 32) + ".index");
 }
 
+Diagnostic no_index(const std::string& url, std::string why) {
+  return Diagnostic{.code = "R2W0202",
+                    .kind = FailureKind::kEnvironment,
+                    .message = "`" + url + "` is no index of a channel",
+                    .why = {std::move(why)}};
+}
+
 Outcome<std::unique_ptr<SubdirIndex>> open_repodata(RepodataSource source, const fs::path& cache,
                                                     const Cancellation& cancellation) {
   auto identity = identity_of(source.file);
@@ -297,6 +303,24 @@ Outcome<std::unique_ptr<SubdirIndex>> index_repodata(std::string_view text, Repo
   auto index = std::make_unique<RepodataIndex>(std::move(source), fs::path(), FileIdentity{});
   if (auto opened = index->open_text(text); !opened) return std::move(opened).errors();
   return std::unique_ptr<SubdirIndex>(std::move(index));
+}
+
+Outcome<RepoIndex> parse_repodata(std::string_view text, const std::string& channel,
+                                  const std::string& subdir) {
+  const std::string folder_url = channel_base_url(channel) + "/" + subdir;
+  auto source = index_repodata(
+      text, {.file = {},
+             .url = folder_url + "/repodata.json",
+             .place = {.channel = channel, .subdir = subdir, .base_url = folder_url}});
+  if (!source) return std::move(source).errors();
+  const std::vector<std::string> names((*source)->names().begin(), (*source)->names().end());
+  RepoIndex index;
+  index.channels.push_back(channel);
+  index.names = names;
+  SpecTable specs;
+  auto read = (*source)->read(names, specs, index, {});
+  if (!read) return std::move(read).errors();
+  return index;
 }
 
 }  // namespace ros2wasm

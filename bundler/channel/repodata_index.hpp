@@ -33,4 +33,11 @@ struct RepodataSource {
 [[nodiscard]] Outcome<std::unique_ptr<SubdirIndex>> index_repodata(std::string_view text,
                                                                    RepodataSource source);
 
+/// R2W0202: `why` says what the index of `url` should have.
+[[nodiscard]] Diagnostic no_index(const std::string& url, std::string why);
+
+/// Every record of one text of repodata.json. `channel` and `subdir` go into the records.
+[[nodiscard]] Outcome<RepoIndex> parse_repodata(std::string_view text, const std::string& channel,
+                                                const std::string& subdir);
+
 }  // namespace ros2wasm

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "bundler/archive/zstd.hpp"
-#include "bundler/channel/index_files.hpp"
+#include "bundler/channel/channel_address.hpp"
 #include "bundler/channel/record_rules.hpp"
 #include "bundler/channel/transport.hpp"
 #include "bundler/channel/verified_files.hpp"

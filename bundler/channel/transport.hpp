@@ -42,12 +42,4 @@ struct Transport {
 [[nodiscard]] LocalFile local_channel_folder(const std::string& channel_name,
                                              const std::filesystem::path& working_directory);
 
-/// "embedded" -> "embedded:", "./dir/" -> "./dir", the base that "/noarch/repodata.json" is put
-/// behind.
-[[nodiscard]] std::string channel_base_url(std::string_view channel_name);
-
-/// `base` as an index names it (CEP 15), which may be empty or relative to `here`, the folder of
-/// the index. Without a slash at its end.
-[[nodiscard]] std::string with_base_url(std::string base, const std::string& here);
-
 }  // namespace ros2wasm

@@ -7,6 +7,7 @@
 
 #include "bundler/archive/zstd.hpp"
 #include "bundler/channel/msgpack_writer.hpp"
+#include "bundler/channel/repodata_index.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/sha256.hpp"
 #include "unit/bundler/support/small_channel.hpp"

@@ -74,6 +74,7 @@ def suites(build: Path, bless: bool) -> list[Suite]:
             [sys.executable, "tests/golden/run.py", "--cli", cli] + (["--bless"] if bless else []),
             "lines",
         ),
+        Suite("fuzz", [sys.executable, "tests/fuzz/run.py", "--seconds", "20"], "lines"),
         Suite("unit-js", ["node", "--test", *node("unit")], "node"),
         Suite(
             "unit-python",

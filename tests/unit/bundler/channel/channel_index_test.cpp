@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "bundler/archive/zstd.hpp"
+#include "bundler/channel/repodata_index.hpp"
 #include "bundler/channel/transport.hpp"
 #include "unit/bundler/support/small_channel.hpp"
 

@@ -158,8 +158,6 @@ struct Downloader::State {
       case HttpFailure::kTransient:
         return network_error("R2W0233", at + " could not be downloaded",
                              answer.reason + " (" + std::to_string(task.attempts) + " attempts)");
-      case HttpFailure::kUnable:
-        return network_error("R2W0233", at + " could not be downloaded", answer.reason);
       case HttpFailure::kNone:
         break;
     }

@@ -2,7 +2,6 @@
 #include "bundler/io/http_client.hpp"
 
 #include <curl/curl.h>
-#include <dlfcn.h>
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -10,78 +9,18 @@
 #include <array>
 #include <cerrno>
 #include <charconv>
-#include <cstring>
 #include <map>
 #include <string_view>
-#include <utility>
 
 namespace ros2wasm {
 namespace {
 
 constexpr long kSlowBytesPerSecond = 100;
 
-/// libcurl, loaded when it is used first: with all that it needs it takes a third of the time in
-/// which a command without network is done.
-struct Curl {
-  decltype(&::curl_global_init) global_init = nullptr;
-  decltype(&::curl_free) free = nullptr;
-  decltype(&::curl_slist_append) slist_append = nullptr;
-  decltype(&::curl_slist_free_all) slist_free_all = nullptr;
-  decltype(&::curl_easy_init) easy_init = nullptr;
-  decltype(&::curl_easy_cleanup) easy_cleanup = nullptr;
-  decltype(&::curl_easy_setopt) easy_setopt = nullptr;
-  decltype(&::curl_easy_getinfo) easy_getinfo = nullptr;
-  decltype(&::curl_easy_strerror) easy_strerror = nullptr;
-  decltype(&::curl_easy_unescape) easy_unescape = nullptr;
-  decltype(&::curl_multi_init) multi_init = nullptr;
-  decltype(&::curl_multi_cleanup) multi_cleanup = nullptr;
-  decltype(&::curl_multi_setopt) multi_setopt = nullptr;
-  decltype(&::curl_multi_add_handle) multi_add_handle = nullptr;
-  decltype(&::curl_multi_remove_handle) multi_remove_handle = nullptr;
-  decltype(&::curl_multi_perform) multi_perform = nullptr;
-  decltype(&::curl_multi_info_read) multi_info_read = nullptr;
-  decltype(&::curl_multi_poll) multi_poll = nullptr;
-  decltype(&::curl_multi_wakeup) multi_wakeup = nullptr;
-  std::string fault;  ///< empty: all is there and ready
-
-  Curl() {
-    void* library = dlopen("libcurl.so.4", RTLD_NOW | RTLD_LOCAL);
-    if (library == nullptr) {
-      fault = dlerror();
-      return;
-    }
-    const auto find = [&](auto& function, const char* name) {
-      void* const found = dlsym(library, name);
-      if (found == nullptr) fault = std::string("libcurl.so.4 has no ") + name;
-      std::memcpy(&function, &found, sizeof(found));
-    };
-    find(global_init, "curl_global_init");
-    find(free, "curl_free");
-    find(slist_append, "curl_slist_append");
-    find(slist_free_all, "curl_slist_free_all");
-    find(easy_init, "curl_easy_init");
-    find(easy_cleanup, "curl_easy_cleanup");
-    find(easy_setopt, "curl_easy_setopt");
-    find(easy_getinfo, "curl_easy_getinfo");
-    find(easy_strerror, "curl_easy_strerror");
-    find(easy_unescape, "curl_easy_unescape");
-    find(multi_init, "curl_multi_init");
-    find(multi_cleanup, "curl_multi_cleanup");
-    find(multi_setopt, "curl_multi_setopt");
-    find(multi_add_handle, "curl_multi_add_handle");
-    find(multi_remove_handle, "curl_multi_remove_handle");
-    find(multi_perform, "curl_multi_perform");
-    find(multi_info_read, "curl_multi_info_read");
-    find(multi_poll, "curl_multi_poll");
-    find(multi_wakeup, "curl_multi_wakeup");
-    if (fault.empty() && global_init(CURL_GLOBAL_DEFAULT) != CURLE_OK)
-      fault = "libcurl cannot begin";
-  }
-};
-
-const Curl& curl() {
-  static const Curl kCurl;
-  return kCurl;
+/// libcurl's own preparation, once per process.
+bool library_ready() {
+  static const bool kReady = curl_global_init(CURL_GLOBAL_DEFAULT) == CURLE_OK;
+  return kReady;
 }
 
 char lower(char c) {
@@ -123,16 +62,14 @@ struct Transfer {
   Transfer(const Transfer&) = delete;
   Transfer& operator=(const Transfer&) = delete;
   ~Transfer() {
-    if (easy != nullptr) {
-      curl().easy_cleanup(easy);
-      curl().slist_free_all(headers);
-    }
+    if (easy != nullptr) curl_easy_cleanup(easy);
+    curl_slist_free_all(headers);
     if (fd >= 0) ::close(fd);
   }
 
   long status() {
     long code = 0;
-    curl().easy_getinfo(easy, CURLINFO_RESPONSE_CODE, &code);
+    curl_easy_getinfo(easy, CURLINFO_RESPONSE_CODE, &code);
     return code;
   }
 
@@ -234,15 +171,14 @@ struct HttpClient::State {
   HttpSettings settings;
   CURLM* multi = nullptr;
   std::map<CURL*, std::unique_ptr<Transfer>> transfers;
-  std::vector<TransferAnswer> unable;  ///< of transfers that could not even begin
 
   State() = default;
   State(const State&) = delete;
   State& operator=(const State&) = delete;
   ~State() {
-    for (const auto& [easy, transfer] : transfers) curl().multi_remove_handle(multi, easy);
+    for (const auto& [easy, transfer] : transfers) curl_multi_remove_handle(multi, easy);
     transfers.clear();
-    if (multi != nullptr) curl().multi_cleanup(multi);
+    if (multi != nullptr) curl_multi_cleanup(multi);
   }
 
   void finish(Transfer& transfer, CURLcode code, std::vector<TransferAnswer>& answers) {
@@ -257,11 +193,10 @@ struct HttpClient::State {
     if (answer.failure != HttpFailure::kNone) {
       answer.reason = transfer.wrong_range ? "the server sent another part of the file than asked"
                       : transfer.error[0] != '\0' ? transfer.error.data()
-                                                  : curl().easy_strerror(code);
+                                                  : curl_easy_strerror(code);
     }
     curl_off_t seconds = 0;
-    if (curl().easy_getinfo(transfer.easy, CURLINFO_RETRY_AFTER, &seconds) == CURLE_OK &&
-        seconds > 0)
+    if (curl_easy_getinfo(transfer.easy, CURLINFO_RETRY_AFTER, &seconds) == CURLE_OK && seconds > 0)
       answer.retry_after_seconds = static_cast<int>(std::min<curl_off_t>(seconds, 1'000'000));
     answers.push_back(std::move(answer));
   }
@@ -269,83 +204,79 @@ struct HttpClient::State {
 
 HttpClient::HttpClient(HttpSettings settings) : state_(std::make_unique<State>()) {
   state_->settings = std::move(settings);
-  if (!curl().fault.empty()) return;
-  state_->multi = curl().multi_init();
-  curl().multi_setopt(state_->multi, CURLMOPT_PIPELINING, CURLPIPE_MULTIPLEX);
-  curl().multi_setopt(state_->multi, CURLMOPT_MAX_HOST_CONNECTIONS,
-                      static_cast<long>(state_->settings.per_host));
+  if (!library_ready()) return;
+  state_->multi = curl_multi_init();
+  curl_multi_setopt(state_->multi, CURLMOPT_PIPELINING, CURLPIPE_MULTIPLEX);
+  curl_multi_setopt(state_->multi, CURLMOPT_MAX_HOST_CONNECTIONS,
+                    static_cast<long>(state_->settings.per_host));
 }
 HttpClient::~HttpClient() = default;
 HttpClient::HttpClient(HttpClient&&) noexcept = default;
 HttpClient& HttpClient::operator=(HttpClient&&) noexcept = default;
 
 void HttpClient::start(std::size_t id, const TransferRequest& request) {
-  if (state_->multi == nullptr) {
-    state_->unable.push_back({.id = id, .failure = HttpFailure::kUnable, .reason = curl().fault});
-    return;
-  }
   auto transfer = std::make_unique<Transfer>();
   const HttpSettings& settings = state_->settings;
   transfer->id = id;
   transfer->file = request.file;
   transfer->resume_at = request.resume_at;
   transfer->limit_bytes = request.limit_bytes;
-  CURL* easy = curl().easy_init();
+  CURL* easy = curl_easy_init();
   transfer->easy = easy;
   for (const std::string& header : request.headers)
-    transfer->headers = curl().slist_append(transfer->headers, header.c_str());
+    transfer->headers = curl_slist_append(transfer->headers, header.c_str());
   const bool secure = request.url.starts_with("https:");
-  curl().easy_setopt(easy, CURLOPT_URL, request.url.c_str());
-  curl().easy_setopt(easy, CURLOPT_HTTPHEADER, transfer->headers);
-  curl().easy_setopt(easy, CURLOPT_USERAGENT, "ros2wasm/" ROS2WASM_VERSION);
-  curl().easy_setopt(easy, CURLOPT_PROTOCOLS_STR, "http,https");
-  curl().easy_setopt(easy, CURLOPT_REDIR_PROTOCOLS_STR, secure ? "https" : "http,https");
-  curl().easy_setopt(easy, CURLOPT_FOLLOWLOCATION, 1L);
-  curl().easy_setopt(easy, CURLOPT_MAXREDIRS, static_cast<long>(settings.redirects));
-  curl().easy_setopt(easy, CURLOPT_HTTP_VERSION, static_cast<long>(CURL_HTTP_VERSION_2TLS));
-  curl().easy_setopt(easy, CURLOPT_PIPEWAIT, secure ? 1L : 0L);
-  curl().easy_setopt(easy, CURLOPT_NOSIGNAL, 1L);
-  curl().easy_setopt(easy, CURLOPT_CONNECTTIMEOUT, static_cast<long>(settings.connect_seconds));
-  curl().easy_setopt(easy, CURLOPT_LOW_SPEED_LIMIT, kSlowBytesPerSecond);
-  curl().easy_setopt(easy, CURLOPT_LOW_SPEED_TIME, static_cast<long>(settings.stall_seconds));
-  curl().easy_setopt(easy, CURLOPT_NETRC, static_cast<long>(CURL_NETRC_OPTIONAL));
+  curl_easy_setopt(easy, CURLOPT_URL, request.url.c_str());
+  curl_easy_setopt(easy, CURLOPT_HTTPHEADER, transfer->headers);
+  curl_easy_setopt(easy, CURLOPT_USERAGENT, "ros2wasm/" ROS2WASM_VERSION);
+  curl_easy_setopt(easy, CURLOPT_PROTOCOLS_STR, "http,https");
+  curl_easy_setopt(easy, CURLOPT_REDIR_PROTOCOLS_STR, secure ? "https" : "http,https");
+  curl_easy_setopt(easy, CURLOPT_FOLLOWLOCATION, 1L);
+  curl_easy_setopt(easy, CURLOPT_MAXREDIRS, static_cast<long>(settings.redirects));
+  curl_easy_setopt(easy, CURLOPT_HTTP_VERSION, static_cast<long>(CURL_HTTP_VERSION_2TLS));
+  curl_easy_setopt(easy, CURLOPT_PIPEWAIT, secure ? 1L : 0L);
+  curl_easy_setopt(easy, CURLOPT_NOSIGNAL, 1L);
+  curl_easy_setopt(easy, CURLOPT_CONNECTTIMEOUT, static_cast<long>(settings.connect_seconds));
+  curl_easy_setopt(easy, CURLOPT_LOW_SPEED_LIMIT, kSlowBytesPerSecond);
+  curl_easy_setopt(easy, CURLOPT_LOW_SPEED_TIME, static_cast<long>(settings.stall_seconds));
+  curl_easy_setopt(easy, CURLOPT_NETRC, static_cast<long>(CURL_NETRC_OPTIONAL));
   if (!settings.netrc_file.empty())
-    curl().easy_setopt(easy, CURLOPT_NETRC_FILE, settings.netrc_file.c_str());
+    curl_easy_setopt(easy, CURLOPT_NETRC_FILE, settings.netrc_file.c_str());
   if (!settings.certificates.empty())
-    curl().easy_setopt(easy, CURLOPT_CAINFO, settings.certificates.c_str());
+    curl_easy_setopt(easy, CURLOPT_CAINFO, settings.certificates.c_str());
   if (!request.user_info.empty()) {
     const std::string& both = request.user_info;
     const std::size_t colon = std::min(both.find(':'), both.size());
     const auto decoded = [](const std::string& text) {
       int length = 0;
       char* bytes =
-          curl().easy_unescape(nullptr, text.c_str(), static_cast<int>(text.size()), &length);
+          curl_easy_unescape(nullptr, text.c_str(), static_cast<int>(text.size()), &length);
       std::string out(bytes == nullptr ? "" : bytes, static_cast<std::size_t>(length));
-      curl().free(bytes);
+      curl_free(bytes);
       return out;
     };
-    curl().easy_setopt(easy, CURLOPT_USERNAME, decoded(both.substr(0, colon)).c_str());
-    curl().easy_setopt(easy, CURLOPT_PASSWORD,
-                       decoded(colon < both.size() ? both.substr(colon + 1) : "").c_str());
+    curl_easy_setopt(easy, CURLOPT_USERNAME, decoded(both.substr(0, colon)).c_str());
+    curl_easy_setopt(easy, CURLOPT_PASSWORD,
+                     decoded(colon < both.size() ? both.substr(colon + 1) : "").c_str());
   } else if (!request.bearer.empty()) {
-    curl().easy_setopt(easy, CURLOPT_HTTPAUTH, static_cast<long>(CURLAUTH_BEARER));
-    curl().easy_setopt(easy, CURLOPT_XOAUTH2_BEARER, request.bearer.c_str());
+    curl_easy_setopt(easy, CURLOPT_HTTPAUTH, static_cast<long>(CURLAUTH_BEARER));
+    curl_easy_setopt(easy, CURLOPT_XOAUTH2_BEARER, request.bearer.c_str());
   }
   // Not CURLOPT_RESUME_FROM: that fails when a server sends the whole file, which is fine here.
   if (request.resume_at != 0)
-    curl().easy_setopt(easy, CURLOPT_RANGE, (std::to_string(request.resume_at) + "-").c_str());
-  curl().easy_setopt(easy, CURLOPT_WRITEFUNCTION, on_body);
-  curl().easy_setopt(easy, CURLOPT_WRITEDATA, transfer.get());
-  curl().easy_setopt(easy, CURLOPT_HEADERFUNCTION, on_header);
-  curl().easy_setopt(easy, CURLOPT_HEADERDATA, transfer.get());
-  curl().easy_setopt(easy, CURLOPT_ERRORBUFFER, transfer->error.data());
-  curl().easy_setopt(easy, CURLOPT_BUFFERSIZE, 256L * 1024L);
-  curl().multi_add_handle(state_->multi, easy);
+    curl_easy_setopt(easy, CURLOPT_RANGE, (std::to_string(request.resume_at) + "-").c_str());
+  curl_easy_setopt(easy, CURLOPT_WRITEFUNCTION, on_body);
+  curl_easy_setopt(easy, CURLOPT_WRITEDATA, transfer.get());
+  curl_easy_setopt(easy, CURLOPT_HEADERFUNCTION, on_header);
+  curl_easy_setopt(easy, CURLOPT_HEADERDATA, transfer.get());
+  curl_easy_setopt(easy, CURLOPT_ERRORBUFFER, transfer->error.data());
+  curl_easy_setopt(easy, CURLOPT_BUFFERSIZE, 256L * 1024L);
+  curl_multi_add_handle(state_->multi, easy);
   state_->transfers.emplace(easy, std::move(transfer));
 }
 
 std::size_t HttpClient::active() const {
-  return state_->transfers.size() + state_->unable.size();
+  return state_->transfers.size();
 }
 
 std::uint64_t HttpClient::arrived(std::size_t id) const {
@@ -356,31 +287,30 @@ std::uint64_t HttpClient::arrived(std::size_t id) const {
 }
 
 std::vector<TransferAnswer> HttpClient::wait(int timeout_ms, int wake_fd) {
-  if (state_->multi == nullptr) return std::exchange(state_->unable, {});
   std::vector<TransferAnswer> answers;
   const auto collect = [&] {
     int running = 0;
-    curl().multi_perform(state_->multi, &running);
+    curl_multi_perform(state_->multi, &running);
     int left = 0;
-    while (CURLMsg* message = curl().multi_info_read(state_->multi, &left)) {
+    while (CURLMsg* message = curl_multi_info_read(state_->multi, &left)) {
       if (message->msg != CURLMSG_DONE) continue;
       const auto found = state_->transfers.find(message->easy_handle);
       state_->finish(*found->second, message->data.result, answers);
-      curl().multi_remove_handle(state_->multi, found->first);
+      curl_multi_remove_handle(state_->multi, found->first);
       state_->transfers.erase(found);
     }
   };
   collect();
   if (!answers.empty()) return answers;
   curl_waitfd extra{.fd = wake_fd, .events = CURL_WAIT_POLLIN, .revents = 0};
-  curl().multi_poll(state_->multi, wake_fd < 0 ? nullptr : &extra, wake_fd < 0 ? 0U : 1U,
-                    timeout_ms, nullptr);
+  curl_multi_poll(state_->multi, wake_fd < 0 ? nullptr : &extra, wake_fd < 0 ? 0U : 1U, timeout_ms,
+                  nullptr);
   collect();
   return answers;
 }
 
 void HttpClient::wake() {
-  if (state_->multi != nullptr) curl().multi_wakeup(state_->multi);
+  curl_multi_wakeup(state_->multi);
 }
 
 }  // namespace ros2wasm

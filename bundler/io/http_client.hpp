@@ -38,7 +38,6 @@ enum class HttpFailure {
   kTooLarge,   ///< more than `limit_bytes`
   kDisk,       ///< the file cannot be written
   kAddress,    ///< the address makes no sense
-  kUnable,     ///< this machine has no libcurl
 };
 
 struct TransferAnswer {

@@ -101,7 +101,7 @@ class ParameterReader {
 
   /// A bool, integer, double or string; anything else is reported and comes back as monostate.
   YamlValue read_scalar(const YamlNode& node, const std::string& name) {
-    const YamlValue value = scalar_value(node);
+    YamlValue value = scalar_value(node);
     if (node.kind == YamlKind::kNull || std::holds_alternative<std::monostate>(value)) {
       Diagnostic& wrong = binder_.error("R2W0109", "the parameter `" + name + "` has no value",
                                         node.range, "expected a value");

@@ -95,7 +95,7 @@ std::vector<BracketPair> bracket_pairs(std::string_view text) {
 std::string normal_version(const std::string& version, bool has_build) {
   if (version == "==" || version == "=" || !version.starts_with('=')) return version;
   const std::size_t solid = version.find_first_not_of('=');
-  const std::string rest = solid == std::string::npos ? std::string() : version.substr(solid);
+  std::string rest = solid == std::string::npos ? std::string() : version.substr(solid);
   if (version.starts_with("==") && !has_build) return rest;
   if (rest.find_first_of("=,|") != std::string::npos) return version;
   if (has_build || rest.ends_with('*')) return rest;

@@ -121,7 +121,8 @@ class PosixForm {
   }
 
   static void add(Characters& set, char from, char to) {
-    for (int c = from; c <= to; ++c) set.set(static_cast<std::size_t>(c));
+    const unsigned last = static_cast<unsigned char>(to);
+    for (unsigned c = static_cast<unsigned char>(from); c <= last; ++c) set.set(c);
   }
 
   /// Adds what `\c` stands for; false when it is not supported.

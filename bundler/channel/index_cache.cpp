@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::int64_t kAbsentForSeconds = 7 * 24 * 3600;
+constexpr std::int64_t kAbsentForSeconds = std::int64_t{7} * 24 * 3600;
 
 std::int64_t now_s() {
   const auto now = std::chrono::system_clock::now().time_since_epoch();

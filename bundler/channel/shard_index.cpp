@@ -125,7 +125,7 @@ class ShardIndex : public SubdirIndex {
     };
     if (network) {
       bring_verified(
-          files, roots_.network, cancellation, [&](std::size_t i, Outcome<Done> outcome) {
+          files, roots_.network, cancellation, [&](std::size_t i, const Outcome<Done>& outcome) {
             if (outcome) return read(i, files[i].place);
             Diagnostic error = outcome.errors().front();
             errors.push_back(error.code == "R2W0220" ? wrong_shard(wanted[i]) : std::move(error));

@@ -18,7 +18,7 @@ using Clock = std::chrono::steady_clock;
 constexpr int kLongestPauseMs = 20'000;
 constexpr std::size_t kMostAtOnce = 32;
 
-Diagnostic network_error(std::string code, std::string message, std::string why) {
+Diagnostic network_error(std::string code, std::string message, const std::string& why) {
   return Diagnostic{.code = std::move(code),
                     .kind = FailureKind::kEnvironment,
                     .message = std::move(message),

@@ -2,7 +2,6 @@
 #include "bundler/workspace_check.hpp"
 
 #include <algorithm>
-#include <map>
 
 #include "bundler/channel/channel_index.hpp"
 #include "bundler/io/files.hpp"
@@ -42,23 +41,6 @@ Diagnostics check_parameters(const Manifest& manifest, const fs::path& folder) {
   return errors;
 }
 
-/// Which packages are not built, each with the one to blame: itself, or one that it needs.
-std::map<std::size_t, std::size_t> left_out(const std::vector<LocalPackage>& packages,
-                                            const BuildOrder& order) {
-  std::map<std::size_t, std::size_t> causes;
-  for (const std::size_t index : order.order) {
-    const auto& needs = order.needs[index];
-    const auto lacking = std::find_if(needs.begin(), needs.end(),
-                                      [&](std::size_t needed) { return causes.contains(needed); });
-    if (lacking != needs.end()) {
-      causes.emplace(index, *lacking);
-    } else if (find_language(packages[index].xml.build_type) == nullptr) {
-      causes.emplace(index, index);
-    }
-  }
-  return causes;
-}
-
 /// What nobody has. `names`: of all packages of the channels, sorted.
 Diagnostics check_names(CheckReport& report, const BuildOrder& order,
                         const std::vector<std::string>& names) {
@@ -67,7 +49,7 @@ Diagnostics check_names(CheckReport& report, const BuildOrder& order,
                                       {.names = names, .of_lock = false}, "");
   append(wanted ? report.warnings : errors, wanted ? wanted->warnings : wanted.errors());
   std::vector<std::string> packages = ros_names(names, report.manifest.distro);
-  const auto causes = left_out(report.packages, order);
+  const auto causes = left_out_packages(report.packages, order);
   for (std::size_t i = 0; i < report.packages.size(); ++i) {
     if (!causes.contains(i)) packages.push_back(report.packages[i].xml.name.value);
   }
@@ -99,7 +81,7 @@ Outcome<CheckReport> check_workspace(const CheckRequest& request,
   }
   const auto order = order_packages(report.packages, report.manifest.distro);
   if (order) {
-    for (const auto& [index, cause] : left_out(report.packages, *order))
+    for (const auto& [index, cause] : left_out_packages(report.packages, *order))
       report.warnings.push_back(left_out_warning(report.packages[index], report.packages[cause]));
   } else {
     append(errors, order.errors());

@@ -87,8 +87,10 @@ class WorkspaceBuilder {
         progress_(progress),
         built_(packages.size()),
         state_(packages.size(), State::kWaiting),
+        toolchain_hash_(hash_of_tree(tools.toolchain.parent_path())),
         free_jobs_(std::max(1U, tools.jobs)),
-        toolchain_hash_(hash_of_tree(tools.toolchain.parent_path())) {
+        left_out_(left_out_packages(packages, order)) {
+    for (const auto& [index, cause] : left_out_) state_[index] = State::kNotBuilt;
     for (const LocalPackage& package : packages)
       sizes_.push_back(1 + source_count(package.directory));
   }
@@ -146,11 +148,9 @@ class WorkspaceBuilder {
     for (const std::size_t index : order_.order) {
       if (state_[index] != State::kWaiting) continue;
       const auto& needs = order_.needs[index];
-      const auto lacking = std::find_if(
-          needs.begin(), needs.end(), [&](std::size_t n) { return state_[n] == State::kNotBuilt; });
-      if (lacking != needs.end()) {
+      if (std::any_of(needs.begin(), needs.end(),
+                      [&](std::size_t n) { return state_[n] == State::kNotBuilt; })) {
         state_[index] = State::kNotBuilt;
-        left_out_.emplace(index, *lacking);
       } else if (std::all_of(needs.begin(), needs.end(),
                              [&](std::size_t n) { return state_[n] == State::kBuilt; })) {
         result.push_back(index);
@@ -159,23 +159,19 @@ class WorkspaceBuilder {
     return result;
   }
 
-  void finish(std::size_t index, Outcome<std::optional<BuiltPackage>> outcome) {
-    state_[index] = State::kNotBuilt;
-    if (!outcome) {
-      errors_.emplace_back(index, std::move(outcome).errors());
-    } else if (*outcome) {
-      built_[index] = std::move(**outcome);
+  void finish(std::size_t index, Outcome<BuiltPackage> outcome) {
+    if (outcome) {
+      built_[index] = std::move(*outcome);
       state_[index] = State::kBuilt;
     } else {
-      left_out_.emplace(index, index);
+      errors_.emplace_back(index, std::move(outcome).errors());
+      state_[index] = State::kNotBuilt;
     }
   }
 
-  /// Nothing when the package's build type has no row.
-  [[nodiscard]] Outcome<std::optional<BuiltPackage>> build(std::size_t index, unsigned jobs) {
+  [[nodiscard]] Outcome<BuiltPackage> build(std::size_t index, unsigned jobs) {
     const LocalPackage& package = packages_[index];
-    const Language* language = find_language(package.xml.build_type);
-    if (language == nullptr) return std::optional<BuiltPackage>();
+    const Language& language = *find_language(package.xml.build_type);
     std::vector<const BuiltPackage*> needs;
     for (const std::size_t need : order_.needs[index]) needs.push_back(&*built_[need]);
     const std::string hash = hash_of(package, needs, toolchain_hash_, tools_, settings_);
@@ -185,11 +181,11 @@ class WorkspaceBuilder {
                         .prefix = settings_.cache / "built" / (name + "-" + hash.substr(0, 20)),
                         .hash = hash,
                         .from_cache = true};
-    if (is_kept(result.prefix, hash)) return std::optional(std::move(result));
+    if (is_kept(result.prefix, hash)) return result;
     result.from_cache = false;
-    if (auto done = build_anew(*language, package, needs, result, jobs); !done)
+    if (auto done = build_anew(language, package, needs, result, jobs); !done)
       return std::move(done).errors();
-    return std::optional(std::move(result));
+    return result;
   }
 
   [[nodiscard]] Outcome<Done> build_anew(const Language& language, const LocalPackage& package,
@@ -274,8 +270,8 @@ class WorkspaceBuilder {
   std::string toolchain_hash_;
   std::vector<std::size_t> sizes_;
   std::vector<std::pair<std::size_t, Diagnostics>> errors_;
-  unsigned free_jobs_;                           ///< that no running package has
-  std::map<std::size_t, std::size_t> left_out_;  ///< and why: itself, or one that it needs
+  unsigned free_jobs_;  ///< that no running package has
+  const std::map<std::size_t, std::size_t> left_out_;
   std::mutex mutex_;
   std::condition_variable changed_;
 };

@@ -29,6 +29,22 @@ std::vector<std::string> known_build_types() {
   return names;
 }
 
+std::map<std::size_t, std::size_t> left_out_packages(const std::vector<LocalPackage>& packages,
+                                                     const BuildOrder& order) {
+  std::map<std::size_t, std::size_t> causes;
+  for (const std::size_t index : order.order) {
+    const auto& needs = order.needs[index];
+    const auto lacking = std::find_if(needs.begin(), needs.end(),
+                                      [&](std::size_t needed) { return causes.contains(needed); });
+    if (lacking != needs.end()) {
+      causes.emplace(index, *lacking);
+    } else if (find_language(packages[index].xml.build_type) == nullptr) {
+      causes.emplace(index, index);
+    }
+  }
+  return causes;
+}
+
 Diagnostic left_out_warning(const LocalPackage& package, const LocalPackage& cause) {
   if (&package != &cause) {
     return Diagnostic{.code = "R2W0514",

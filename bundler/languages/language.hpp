@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -9,6 +10,7 @@
 
 #include "bundler/build/compile_errors.hpp"
 #include "bundler/build/compiler.hpp"
+#include "bundler/workspace/build_order.hpp"
 #include "bundler/workspace/discovery.hpp"
 #include "workspace_schema/cancellation.hpp"
 #include "workspace_schema/outcome.hpp"
@@ -48,6 +50,11 @@ struct Language {
 
 /// All build types that have a row, for messages.
 [[nodiscard]] std::vector<std::string> known_build_types();
+
+/// Indices of the packages that are not built, each with the one to blame: itself, when its build
+/// type has no row, or one that it needs.
+[[nodiscard]] std::map<std::size_t, std::size_t> left_out_packages(
+    const std::vector<LocalPackage>& packages, const BuildOrder& order);
 
 /// Says that a package is not built, for its own build type without a row or for that of a package
 /// that it needs: R2W0514.

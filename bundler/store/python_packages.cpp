@@ -73,26 +73,4 @@ std::string path_in_prefix(const std::string& path, std::string_view site_packag
   return path;
 }
 
-Outcome<std::vector<PackageEntryPoint>> entry_points_of(const Store& store,
-                                                        const std::vector<PackageRecord>& records,
-                                                        const Cancellation& cancellation) {
-  std::vector<PackageRecord> wanted;
-  std::copy_if(records.begin(), records.end(), std::back_inserter(wanted), is_python_package);
-  const auto folders = store.unpacked_all(wanted, cancellation);
-  if (!folders) return folders.errors();
-  std::vector<PackageEntryPoint> all;
-  for (std::size_t i = 0; i < wanted.size(); ++i) {
-    const fs::path file = (*folders)[i] / "info/link.json";
-    std::error_code error;
-    if (!fs::exists(file, error)) continue;
-    const auto text = read_file(file);
-    if (!text) return text.errors();
-    auto entry_points = parse_entry_points(*text, distribution_name(wanted[i]));
-    if (!entry_points) return std::move(entry_points).errors();
-    for (EntryPoint& one : *entry_points)
-      all.push_back({.package = wanted[i].name, .entry_point = std::move(one)});
-  }
-  return all;
-}
-
 }  // namespace ros2wasm

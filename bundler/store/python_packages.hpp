@@ -7,8 +7,6 @@
 #include <string_view>
 #include <vector>
 
-#include "bundler/archive/link_json.hpp"
-#include "bundler/store/store.hpp"
 #include "workspace_schema/outcome.hpp"
 #include "workspace_schema/package_record.hpp"
 
@@ -23,16 +21,5 @@ namespace ros2wasm {
 /// Where a file of such a package goes: "site-packages/x" below `site_packages`,
 /// "python-scripts/x" to "bin/x"; other files stay where they are. Pure.
 [[nodiscard]] std::string path_in_prefix(const std::string& path, std::string_view site_packages);
-
-struct PackageEntryPoint {
-  std::string package;
-  EntryPoint entry_point;
-};
-
-/// The commands that the packages ask for, in the order of `records`. What is not in the store is
-/// fetched. R2W0221 and errors of Store::unpacked_all().
-[[nodiscard]] Outcome<std::vector<PackageEntryPoint>> entry_points_of(
-    const Store& store, const std::vector<PackageRecord>& records,
-    const Cancellation& cancellation = {});
 
 }  // namespace ros2wasm

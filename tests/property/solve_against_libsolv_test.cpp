@@ -4,11 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <iostream>
 #include <random>
 
 #include "bundler/resolve/sat_engine.hpp"
+#include "property/property_seed.hpp"
 #include "unit/bundler/support/small_channel.hpp"
 
 namespace ros2wasm {
@@ -118,10 +117,7 @@ std::vector<PackageRecord> confirmed(const Case& made, const std::vector<Package
 }
 
 TEST(SolveProperty, IsWhatLibsolvConfirms) {
-  const char* given_seed = std::getenv("R2W_PROPERTY_SEED");
-  const unsigned first_seed =
-      given_seed == nullptr ? 1U : static_cast<unsigned>(std::strtoul(given_seed, nullptr, 10));
-  std::cout << "R2W_PROPERTY_SEED=" << first_seed << "\n";
+  const unsigned first_seed = testing::first_seed();
   int solved = 0;
   int refused = 0;
   for (unsigned seed = first_seed; seed < first_seed + kCases; ++seed) {

@@ -5,13 +5,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
-#include <iostream>
 #include <optional>
 #include <random>
 #include <set>
 #include <tuple>
 
+#include "property/property_seed.hpp"
 #include "unit/bundler/support/small_channel.hpp"
 
 namespace ros2wasm {
@@ -292,10 +291,7 @@ Question question_of(const Case& given, std::mt19937& random) {
 }
 
 TEST(SolveProperty, IsWhatTheOraclePrefers) {
-  const char* given_seed = std::getenv("R2W_PROPERTY_SEED");
-  const unsigned first_seed =
-      given_seed == nullptr ? 1U : static_cast<unsigned>(std::strtoul(given_seed, nullptr, 10));
-  std::cout << "R2W_PROPERTY_SEED=" << first_seed << "\n";
+  const unsigned first_seed = testing::first_seed();
   int solved = 0;
   int refused = 0;
   for (unsigned seed = first_seed; seed < first_seed + kCases; ++seed) {

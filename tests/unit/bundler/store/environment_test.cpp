@@ -126,32 +126,6 @@ TEST(PythonPackages, PathsInThePrefix) {
     EXPECT_EQ(path_in_prefix(other, "x"), other);
 }
 
-TEST(PythonPackages, EntryPointsAreListedInTheOrderOfThePackages) {
-  testing::SmallChannel channel;
-  for (const std::string name : {"b", "a"}) {
-    channel.tree().write("stage-" + name + "/site-packages/" + name + ".py", "");
-    ASSERT_TRUE(add_to_channel(channel.folder(),
-                               {.name = name,
-                                .version = "1.0",
-                                .build = "h_0",
-                                .subdir = "noarch",
-                                .noarch = NoarchKind::kPython,
-                                .entry_points = {name + " = " + name + ":main"}},
-                               channel.tree() / ("stage-" + name))
-                    .ok());
-  }
-  channel.add("c", "1.0", {{"share/c", ""}});
-  channel.write_index();
-  const auto listed = entry_points_of(
-      channel.store(), {channel.record("b"), channel.record("c"), channel.record("a")});
-  ASSERT_TRUE(listed.ok());
-  ASSERT_EQ(listed->size(), 2U);
-  EXPECT_EQ(listed->front().package, "b");
-  EXPECT_EQ(listed->front().entry_point,
-            (EntryPoint{.command = "b", .module = "b", .function = "main"}));
-  EXPECT_EQ(listed->back().package, "a");
-}
-
 TEST(PythonPackages, WithoutAPythonThereIsNoPlaceForThem) {
   const PackageRecord generic = testing::made_record("a", "1.0");
   EXPECT_EQ(*site_packages_of({generic}, {"/none"}), "");

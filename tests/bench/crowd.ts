@@ -8,6 +8,7 @@ import { chromium } from 'playwright-core';
 import { chromiumOptions } from '../e2e/chromium.ts';
 import type { CrowdFigures } from './crowd_page.ts';
 import type { CrowdTask } from './crowd_worker.ts';
+import { machineLoad } from './machine_load.ts';
 import { processTree, treeMemoryKb } from './process_memory.ts';
 import type { BenchContext } from './run.ts';
 import { serveFolder } from '../support/static_server.ts';
@@ -43,11 +44,6 @@ function treeCpuMs(root: number): number {
 
 const rounded = (value: number): number => Math.round(value * 100) / 100;
 
-/** Processes that want a processor, those of others too: figures of a busy machine say little. */
-function load(): number {
-  return Number(readFileSync('/proc/loadavg', 'utf8').split(' ')[0]);
-}
-
 export async function benchCrowd(context: BenchContext): Promise<void> {
   const folder = mkdtempSync(join(tmpdir(), 'ros2wasm-crowd-'));
   const entryPoints = ['crowd_page.ts', 'crowd_worker.ts'].map((file) => join(import.meta.dirname, file));
@@ -72,7 +68,7 @@ export async function benchCrowd(context: BenchContext): Promise<void> {
     const durationMs = SECONDS * 1000;
     const frames = ({ frames: count, seconds, frameP50, frameP99, frameLongest }: CrowdFigures): Record<string, number> => ({
       frames_per_second: rounded(count / seconds), frame_p50_ms: rounded(frameP50), frame_p99_ms: rounded(frameP99),
-      frame_longest_ms: rounded(frameLongest), machine_load: load(),
+      frame_longest_ms: rounded(frameLongest), machine_load: machineLoad(),
     });
     // A waiting worker ends its wait once, when the time is over.
     const idle = await measured([{ hz: 0, durationMs }]);

@@ -2,11 +2,12 @@
 // Chromium. The peer is ddsperf of Eclipse Cyclone DDS on loopback, in the same run. Our payload is made, serialised
 // (one CDR copy), written to the bus (one), read out of it (one) and deserialised (one); ddsperf's stays in its stack.
 import { spawn, spawnSync } from 'node:child_process';
-import { cpSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { chromium } from 'playwright-core';
 import { chromiumOptions } from '../e2e/chromium.ts';
+import { packLaunch } from './packed_launch.ts';
 import type { BenchContext } from './run.ts';
 import { serveFolder } from '../support/static_server.ts';
 
@@ -23,18 +24,6 @@ type Link = 'shared' | 'port';
 /** The JSON lines that the nodes printed. */
 function jsonLines(text: string): Line[] {
   return [...text.matchAll(/\{"bytes".*?\}/g)].map(([json]) => JSON.parse(json) as Line);
-}
-
-function pack(context: BenchContext, folder: string, name: string, launch: readonly string[]): string {
-  const workspace = join(folder, name);
-  mkdirSync(workspace);
-  cpSync(join(context.root, 'tests/bench/packages/link_bench'), join(workspace, 'link_bench'), { recursive: true });
-  const manifest = ['schema: 1', `name: ${name}`, 'packages: [link_bench]', 'launch:', ...launch.map((node) => `  - ${node}`), ''];
-  writeFileSync(join(workspace, 'workspace.yaml'), manifest.join('\n'));
-  const site = join(workspace, 'site');
-  const run = spawnSync(join(context.build, 'ros2wasm'), ['pack', join(workspace, 'workspace.yaml'), '-o', site], { encoding: 'utf8' });
-  if (run.status !== 0) throw new Error(`pack failed: ${run.stderr}`);
-  return site;
 }
 
 function inNode(context: BenchContext, site: string, link: Link, until: string): Line[] {
@@ -115,7 +104,7 @@ export async function benchLink(context: BenchContext): Promise<void> {
   if (spawnSync('ddsperf', ['help']).error !== undefined) throw new Error('ddsperf is missing: install cyclonedds-tools');
   const folder = mkdtempSync(join(tmpdir(), 'ros2wasm-bench-'));
   try {
-    const ping = pack(context, folder, 'ping', ['{package: link_bench, executable: ponger}', '{package: link_bench, executable: pinger}']);
+    const ping = packLaunch(context, folder, 'link_bench', 'ping', ['{package: link_bench, executable: ponger}', '{package: link_bench, executable: pinger}']);
     const peerTrips = new Map<number, number>();
     for (const bytes of [8, 1000, 64000, 1000000]) peerTrips.set(bytes, await peerRoundTrip(bytes));
     await places(context, ping, 'pinger: done', (place, link, lines) => {
@@ -145,8 +134,8 @@ export async function benchLink(context: BenchContext): Promise<void> {
         });
       }
     };
-    await places(context, pack(context, folder, 'flood', sinks(1)), 'sink: done', emitRate(1));
-    const ten = pack(context, folder, 'flood_ten', sinks(10));
+    await places(context, packLaunch(context, folder, 'link_bench', 'flood', sinks(1)), 'sink: done', emitRate(1));
+    const ten = packLaunch(context, folder, 'link_bench', 'flood_ten', sinks(10));
     emitRate(10)('Node.js', 'shared', inNode(context, ten, 'shared', 'sink: done'));
   } finally {
     rmSync(folder, { recursive: true, force: true });

@@ -1,13 +1,15 @@
 // Runs the benchmarks and prints one JSON object a line. Figures are medians of several runs; each line
 // names its peer, measured in the same run on the same machine. Nothing here judges.
-//   node tests/bench/run.ts --build BUILD_DIR [NAME ...]
+//   node tests/bench/run.ts --build BUILD_DIR [--minutes N] [NAME ...]
 import { resolve } from 'node:path';
+import { parseArgs } from 'node:util';
 import { benchCrowd } from './crowd.ts';
 import { benchFetch } from './fetch.ts';
 import { benchLink } from './link.ts';
 import { benchPack } from './pack.ts';
 import { benchSolve } from './solve.ts';
 import { benchBytes } from './site_bytes.ts';
+import { benchSoak } from './soak.ts';
 import { benchStart } from './site_start.ts';
 
 export interface BenchContext {
@@ -15,6 +17,8 @@ export interface BenchContext {
   readonly build: string;
   /** Absolute path of the checkout. */
   readonly root: string;
+  /** How long a soak lasts, when that was said. */
+  readonly minutes: number | undefined;
   /** Prints one result line. */
   emit(line: Readonly<Record<string, unknown>>): void;
 }
@@ -25,24 +29,28 @@ const BENCHES: Readonly<Record<string, (context: BenchContext) => Promise<void> 
   fetch: benchFetch,
   link: benchLink,
   pack: benchPack,
+  soak: benchSoak,
   solve: benchSolve,
   start: benchStart,
 };
+/** Runs only when named: it takes an hour. */
+const WHEN_NAMED = 'soak';
 
-const words = process.argv.slice(2);
-const at = words.indexOf('--build');
-const build = resolve(at >= 0 ? (words[at + 1] ?? 'build') : 'build');
-const names = words.filter((_, index) => at < 0 || (index !== at && index !== at + 1));
+const { values, positionals: names } = parseArgs({
+  allowPositionals: true,
+  options: { build: { type: 'string', default: 'build' }, minutes: { type: 'string' } },
+});
 const unknown = names.filter((name) => !(name in BENCHES));
 if (unknown.length > 0) {
   console.error(`no such benchmark: ${unknown.join(', ')}; there are ${Object.keys(BENCHES).join(', ')}`);
   process.exit(2);
 }
 const context: BenchContext = {
-  build,
+  build: resolve(values.build),
+  minutes: values.minutes === undefined ? undefined : Number(values.minutes),
   root: resolve(import.meta.dirname, '../..'),
   emit: (line) => console.log(JSON.stringify(line)),
 };
 for (const [name, bench] of Object.entries(BENCHES)) {
-  if (names.length === 0 || names.includes(name)) await bench(context);
+  if (names.length === 0 ? name !== WHEN_NAMED : names.includes(name)) await bench(context);
 }

@@ -1,0 +1,211 @@
+// A site that runs for long in Chromium, page open: nodes publish at fixed rates (a large message among them), call a
+// service and log. Every minute one line: memory, delivered share, latencies, frames. The last line says what stayed flat.
+// A node's console keeps 50,000 lines: 17 minutes of the pulse that logs, so a short soak sees the page's heap grow.
+import { mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { chromium, type CDPSession, type Page } from 'playwright-core';
+import { BusHeader } from '../../runtime/protocol/generated/constants.ts';
+import { chromiumOptions } from '../e2e/chromium.ts';
+import { serveFolder } from '../support/static_server.ts';
+import { machineLoad } from './machine_load.ts';
+import { packLaunch } from './packed_launch.ts';
+import { treeMemoryKb } from './process_memory.ts';
+import type { BenchContext } from './run.ts';
+
+const PULSES = [
+  { topic: '/small', bytes: 100, hz: 200, log: false },
+  { topic: '/logged', bytes: 1000, hz: 50, log: true },
+  { topic: '/middle', bytes: 64_000, hz: 20, log: false },
+  { topic: '/large', bytes: 6_000_000, hz: 4, log: false },
+];
+const CALLS_HZ = 20;
+const DEFAULT_MINUTES = 60;
+/** Samples that a soak has at least. */
+const LEAST_SAMPLES = 12;
+/** Flat: over the second half a straight line through the samples rises by at most this share of their mean. */
+const MEMORY_RISE = 0.05;
+/** Flat: the median of the last quarter is at most this many times that of the quarter before, and this much more. */
+const LATENCY_RATIO = 1.5;
+const LATENCY_SLACK_US = 200;
+/** Flat: of what was sent in the second half this share came. */
+const DELIVERED = 0.999;
+
+interface StreamReport {
+  readonly soak: string;
+  readonly sent: number;
+  readonly came: number;
+  readonly p50_us: number;
+  readonly p99_us: number;
+}
+
+/** What the page notes for us; put there before its own scripts run. */
+interface Noted {
+  reports: StreamReport[];
+  frames: number[];
+  bus: SharedArrayBuffer | undefined;
+}
+
+interface SoakSample {
+  readonly minute: number;
+  readonly heap_kb: number;
+  readonly processes_kb: number;
+  readonly bus_used_kb: number;
+  readonly streams: readonly StreamReport[];
+}
+
+function note(): void {
+  const noted: Noted = { reports: [], frames: [], bus: undefined };
+  const OfPage = globalThis.Worker;
+  globalThis.Worker = class extends OfPage {
+    constructor(url: string | URL, options?: WorkerOptions) {
+      super(url, options);
+      this.addEventListener('message', ({ data }: MessageEvent<{ t: string; lines?: [number, number, string][] }>) => {
+        for (const [, , text] of data.lines ?? []) if (text.startsWith('{"soak"')) noted.reports.push(JSON.parse(text) as StreamReport);
+      });
+    }
+
+    override postMessage(message: unknown, transfer: StructuredSerializeOptions | Transferable[] = []): void {
+      noted.bus ??= (message as { start?: { ticket?: { sab?: SharedArrayBuffer } } }).start?.ticket?.sab;
+      super.postMessage(message, transfer as Transferable[]);
+    }
+  };
+  let last = performance.now();
+  const frame = (now: number): void => {
+    noted.frames.push(now - last);
+    last = now;
+    requestAnimationFrame(frame);
+  };
+  requestAnimationFrame(frame);
+  Object.assign(globalThis, { noted });
+}
+
+interface PageFigures {
+  readonly reports: readonly StreamReport[];
+  readonly frames: readonly number[];
+  readonly busPages: number;
+}
+
+/** Takes what was noted since the last time. */
+function drain([table, first]: readonly [number, number]): PageFigures {
+  const { noted } = globalThis as unknown as { noted: Noted };
+  const words = new Int32Array(noted.bus ?? new ArrayBuffer(0));
+  let busPages = 0;
+  const [from, pages] = [words[table] ?? 0, words[first] ?? 0];
+  const total = Math.floor((words.byteLength - pages) / 4096);
+  for (let page = 0; page < total; page += 1) if (words[from / 4 + page] !== 0) busPages += 1;
+  const { reports, frames } = noted;
+  noted.reports = [];
+  noted.frames = [];
+  return { reports, frames, busPages };
+}
+
+async function heapKb(devtools: CDPSession): Promise<number> {
+  await devtools.send('HeapProfiler.collectGarbage');
+  const { metrics } = await devtools.send('Performance.getMetrics');
+  return Math.round((metrics.find(({ name }) => name === 'JSHeapUsedSize')?.value ?? Number.NaN) / 1024);
+}
+
+const rounded = (value: number): number => Math.round(value * 1000) / 1000;
+
+function median(values: readonly number[]): number {
+  return values.toSorted((a, b) => a - b)[Math.floor(values.length / 2)] ?? Number.NaN;
+}
+
+/** By how much of their mean a straight line through values at equal distances rises from the first to the last. */
+function rise(values: readonly number[]): number {
+  const mean = values.reduce((a, b) => a + b, 0) / values.length;
+  const middle = (values.length - 1) / 2;
+  let [up, over] = [0, 0];
+  for (const [i, value] of values.entries()) {
+    up += (i - middle) * (value - mean);
+    over += (i - middle) ** 2;
+  }
+  return (up / over) * (values.length - 1) / mean;
+}
+
+function verdict(samples: readonly SoakSample[]): Record<string, unknown> {
+  const half = samples.slice(Math.floor(samples.length / 2));
+  const memory = Object.fromEntries((['heap_kb', 'processes_kb', 'bus_used_kb'] as const).map(
+    (what) => [what, rounded(rise(half.map((sample) => sample[what])))]));
+  const names = [...new Set(half.flatMap(({ streams }) => streams.map(({ soak }) => soak)))];
+  const streams = Object.fromEntries(names.map((name) => {
+    const of = half.map((sample) => sample.streams.find(({ soak }) => soak === name)).filter((report) => report !== undefined);
+    const quarter = Math.floor(of.length / 2);
+    const sum = (what: 'sent' | 'came'): number => of.reduce((all, report) => all + report[what], 0);
+    return [name, {
+      delivered: rounded(sum('came') / sum('sent')),
+      p50_us: [median(of.slice(0, quarter).map(({ p50_us }) => p50_us)), median(of.slice(quarter).map(({ p50_us }) => p50_us))],
+    }];
+  }));
+  const flat = Object.values(memory).every((share) => share <= MEMORY_RISE)
+    && names.length === PULSES.length + 1
+    && Object.values(streams).every(({ delivered, p50_us: [before = 0, after = 0] }) =>
+      delivered >= DELIVERED && after <= before * LATENCY_RATIO + LATENCY_SLACK_US);
+  return { flat, rise_in_second_half: memory, streams_in_second_half: streams };
+}
+
+async function soak(context: BenchContext, page: Page, pid: number, minutes: number, periodS: number): Promise<void> {
+  const devtools = await page.context().newCDPSession(page);
+  await devtools.send('Performance.enable');
+  const samples: SoakSample[] = [];
+  const count = Math.floor((minutes * 60) / periodS);
+  const constants = [BusHeader.pageTable, BusHeader.pages] as const;
+  for (let i = 1; i <= count; i += 1) {
+    // A sample is due when all streams have reported.
+    await page.waitForFunction((streams) => (globalThis as unknown as { noted: Noted }).noted.reports.length >= streams,
+      PULSES.length + 1, { timeout: 3 * periodS * 1000, polling: 500 });
+    const { reports, frames, busPages } = await page.evaluate(drain, constants);
+    const gaps = frames.toSorted((a, b) => a - b);
+    const at = (share: number): number => rounded(gaps[Math.floor(gaps.length * share)] ?? Number.NaN);
+    const sample: SoakSample = {
+      minute: rounded((i * periodS) / 60), heap_kb: await heapKb(devtools), processes_kb: treeMemoryKb(pid),
+      bus_used_kb: busPages * 4, streams: reports,
+    };
+    samples.push(sample);
+    context.emit({
+      bench: 'soak', what: 'sample', ...sample, frames: gaps.length, frame_p50_ms: at(0.5), frame_p99_ms: at(0.99),
+      frame_longest_ms: rounded(gaps.at(-1) ?? Number.NaN), machine_load: machineLoad(),
+    });
+    // What the sample itself held up is not counted.
+    await page.evaluate(() => {
+      (globalThis as unknown as { noted: Noted }).noted.frames = [];
+    });
+  }
+  context.emit({
+    bench: 'soak', what: 'verdict', minutes, samples: samples.length, ...verdict(samples),
+    rule: `flat: memory rises by at most ${MEMORY_RISE * 100} % of its mean in the second half (straight line), at least ${DELIVERED * 100} % came, `
+      + `the last quarter's median latency is at most ${LATENCY_RATIO} times that of the quarter before + ${LATENCY_SLACK_US} us`,
+  });
+}
+
+export async function benchSoak(context: BenchContext): Promise<void> {
+  const minutes = context.minutes ?? DEFAULT_MINUTES;
+  const periodS = Math.max(1, Math.min(60, Math.floor((minutes * 60) / LEAST_SAMPLES)));
+  const folder = mkdtempSync(join(tmpdir(), 'ros2wasm-bench-'));
+  try {
+    const topics = PULSES.map(({ topic }) => `"${topic}"`).join(', ');
+    const site = packLaunch(context, folder, 'soak_bench', 'soak', [
+      `{package: soak_bench, executable: gauge, parameters: {topics: [${topics}], report_s: ${periodS}}}`,
+      '{package: soak_bench, executable: adder}',
+      `{package: soak_bench, executable: caller, parameters: {hz: ${CALLS_HZ}, report_s: ${periodS}}}`,
+      ...PULSES.map(({ topic, bytes, hz, log }) =>
+        `{package: soak_bench, executable: pulse, name: pulse_${topic.slice(1)}, parameters: {topic: ${topic}, bytes: ${bytes}, hz: ${hz}, log: ${log}}}`),
+    ]);
+    const host = await serveFolder(site, { isolated: true });
+    const server = await chromium.launchServer(chromiumOptions());
+    const browser = await chromium.connect(server.wsEndpoint());
+    try {
+      const page = await browser.newPage();
+      await page.addInitScript(note);
+      await page.goto(host.url);
+      await soak(context, page, server.process().pid ?? 0, minutes, periodS);
+    } finally {
+      await browser.close();
+      await server.close();
+      await host.close();
+    }
+  } finally {
+    rmSync(folder, { recursive: true, force: true });
+  }
+}

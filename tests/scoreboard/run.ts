@@ -1,0 +1,138 @@
+// The score board: builds each package of a folder, plays each executable, says which do what is expected.
+//   node tests/scoreboard/run.ts --build BUILD_DIR DIR [--json FILE] [--only PACKAGE...] [--expect FILE...]
+// Exit code: 0 every row is green, 1 one is not, 2 command line.
+import { mkdtempSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join, resolve } from 'node:path';
+import { parseArgs } from 'node:util';
+import { isGreen, keptLines, ownEndpoints, type Row, rowText, summary } from './board.ts';
+import { BadExpectation, type Expectation, keyOf, readExpectations } from './expectation.ts';
+import { findPackages, type Package } from './packages.ts';
+import { play } from './play.ts';
+import { Workshop } from './site.ts';
+
+const USAGE = 'usage: ./dev scoreboard DIR [--json FILE] [--only PACKAGE[/EXECUTABLE]]... [--expect FILE]...';
+/** Programs mostly wait, so some are played at a time. */
+const PLAYED_AT_ONCE = 3;
+const root = resolve(import.meta.dirname, '../..');
+
+/** Of the command line; ends with the usage. */
+class Misused extends Error {}
+
+interface Board {
+  readonly workshop: Workshop;
+  readonly headless: string;
+  readonly expectations: ReadonlyMap<string, Expectation>;
+  readonly wanted: (key: string) => boolean;
+}
+
+async function rowsOf(board: Board, of: Package): Promise<Row[]> {
+  const { workshop, expectations } = board;
+  const built = await workshop.build(of.name);
+  const stated = [...expectations.values()].filter((one) => one.package === of.name).map((one) => one.executable);
+  const names = [...new Set([...stated, ...('executables' in built ? built.executables : [])])].sort();
+  const blank = { package: of.name, language: of.language, kind: 'executable', built: false, started: false, endpoints: [], log_lines: [], expected: null, error: null } as const;
+  if ('failure' in built) {
+    if (names.length === 0) return [{ ...blank, executable: '', kind: 'package', error: built.failure }];
+    return names.map((executable) => ({ ...blank, executable, error: built.failure }));
+  }
+  return inParallel(names.filter((name) => board.wanted(`${of.name}/${name}`)), PLAYED_AT_ONCE, async (executable) => {
+    const row: Row = { ...blank, executable };
+    if (!built.executables.includes(executable)) return { ...row, error: { code: 'absent', reason: 'the package installs no such executable' } };
+    const expected = expectations.get(keyOf({ package: of.name, executable }));
+    const packed = await workshop.pack({ package: of.name, executable }, expected);
+    if ('failure' in packed) return { ...row, built: true, error: packed.failure };
+    const { seen, verdict } = await play(packed.site, board.headless, expected);
+    const { node } = seen;
+    const missing = verdict?.missing[0];
+    return {
+      ...row, built: true, started: node.started, endpoints: ownEndpoints(seen.endpoints), log_lines: keptLines(node.lines),
+      expected: verdict === undefined ? null : missing === undefined,
+      error: node.crash !== undefined ? { code: node.crash.code, reason: node.crash.message }
+        : missing === undefined ? null : { code: 'unmet', reason: missing },
+    };
+  });
+}
+
+/** In the order of `items`. */
+async function inParallel<T, R>(items: readonly T[], atOnce: number, work: (item: T) => Promise<R>): Promise<R[]> {
+  const results: R[] = [];
+  let next = 0;
+  const worker = async (): Promise<void> => {
+    while (next < items.length) {
+      const index = next++;
+      results[index] = await work(items[index] as T);
+    }
+  };
+  await Promise.all(Array.from({ length: Math.min(atOnce, items.length) }, worker));
+  return results;
+}
+
+interface Options {
+  readonly folder: string;
+  readonly build: string;
+  readonly json: string | undefined;
+  readonly only: readonly string[] | undefined;
+  readonly expect: readonly string[];
+}
+
+function readOptions(): Options {
+  try {
+    const { values, positionals } = parseArgs({
+      allowPositionals: true,
+      options: {
+        build: { type: 'string', default: 'build' },
+        json: { type: 'string' },
+        only: { type: 'string', multiple: true },
+        expect: { type: 'string', multiple: true, default: [] },
+      },
+    });
+    const [folder] = positionals;
+    if (folder === undefined || positionals.length !== 1) throw new Misused('one DIR is wanted');
+    return { ...values, folder, json: values.json, only: values.only };
+  } catch (error) {
+    throw error instanceof TypeError ? new Misused(error.message) : error;
+  }
+}
+
+async function main(): Promise<number> {
+  const options = readOptions();
+  const build = resolve(options.build);
+  const shipped = join(import.meta.dirname, 'expectations');
+  const files = [...readdirSync(shipped).filter((name) => name.endsWith('.yaml')).sort().map((name) => join(shipped, name)), ...options.expect];
+  const chosen = findPackages([resolve(options.folder)]);
+  if (chosen.size === 0) throw new Misused(`there is no package.xml below ${options.folder}`);
+  // What runs beside an executable may be one of our own programs.
+  const packages = findPackages([resolve(options.folder), join(root, 'tests/packages')]);
+  const wanted = (key: string): boolean => options.only === undefined || options.only.some((one) => one === key || key.startsWith(`${one}/`) || one.startsWith(`${key}/`));
+  const work = mkdtempSync(join(tmpdir(), 'ros2wasm-scoreboard-'));
+  const board: Board = {
+    workshop: new Workshop(join(build, 'ros2wasm'), work, packages),
+    headless: join(build, 'runtime/headless.js'),
+    expectations: readExpectations(files),
+    wanted,
+  };
+  const rows: Row[] = [];
+  try {
+    for (const one of chosen.values()) {
+      if (!wanted(one.name)) continue;
+      for (const row of await rowsOf(board, one)) {
+        rows.push(row);
+        console.log(rowText(row));
+      }
+    }
+  } finally {
+    rmSync(work, { recursive: true, force: true });
+  }
+  console.log(summary(rows));
+  if (options.json !== undefined) writeFileSync(options.json, `${JSON.stringify(rows, undefined, 2)}\n`);
+  return rows.length > 0 && rows.every(isGreen) ? 0 : 1;
+}
+
+try {
+  process.exit(await main());
+} catch (error) {
+  if (!(error instanceof Misused || error instanceof BadExpectation)) throw error;
+  console.error(`${error.message}\n${USAGE}`);
+  process.exit(2);
+}

@@ -1,0 +1,99 @@
+// `ros2wasm build` and `pack`, for the packages of a board: a manifest beside nothing of theirs, and what the
+// program said when it failed.
+import { execFile } from 'node:child_process';
+import { mkdirSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { join, relative } from 'node:path';
+import type { Expectation } from './expectation.ts';
+import { closure, type Package } from './packages.ts';
+
+export interface Failure {
+  /** Of ros2wasm, or a word of the board's own: `unmet`, `absent`. */
+  readonly code: string;
+  readonly reason: string;
+}
+
+export type Built = { readonly executables: readonly string[] } | { readonly failure: Failure };
+
+/** As in a manifest, with further keys. */
+interface LaunchedNode {
+  readonly package: string;
+  readonly executable: string;
+}
+
+export class Workshop {
+  private readonly cli: string;
+  private readonly folder: string;
+  private readonly packages: ReadonlyMap<string, Package>;
+
+  /** `folder`: for manifests, locks and sites; what stands there already may be overwritten. */
+  constructor(cli: string, folder: string, packages: ReadonlyMap<string, Package>) {
+    this.cli = cli;
+    this.folder = folder;
+    this.packages = packages;
+  }
+
+  async build(name: string): Promise<Built> {
+    // `build` starts nothing, but a manifest must name something.
+    const manifest = this.manifest(join(this.folder, name), [{ package: name, executable: 'any' }]);
+    const { failure, output } = await this.run(['build', manifest]);
+    if (failure !== undefined) return { failure };
+    const built = JSON.parse(output) as readonly { readonly package: string; readonly prefix: string }[];
+    const prefix = built.find((one) => one.package === name)?.prefix;
+    if (prefix === undefined) return { failure: { code: 'R2W0514', reason: 'the package is left out' } };
+    return { executables: programs(join(prefix, 'lib', name)) };
+  }
+
+  /** The folder of a site with the executable and what runs beside it, the executable first. */
+  async pack(start: LaunchedNode, expected: Expectation | undefined): Promise<{ readonly site: string } | { readonly failure: Failure }> {
+    const folder = join(this.folder, start.package, start.executable);
+    const nodes = expected === undefined ? [{ ...start, options: {} }] : [expected, ...expected.beside];
+    const manifest = this.manifest(folder, nodes.map(({ package: of, executable, options }) => ({ package: of, executable, ...options })));
+    const site = join(folder, 'site');
+    rmSync(site, { recursive: true, force: true });
+    const { failure } = await this.run(['pack', manifest, '--output', site]);
+    return failure === undefined ? { site } : { failure };
+  }
+
+  private manifest(folder: string, launch: readonly LaunchedNode[]): string {
+    mkdirSync(folder, { recursive: true });
+    const names = launch.map((node) => node.package);
+    const local = closure(names, this.packages);
+    const file = join(folder, 'workspace.yaml');
+    writeFileSync(file, JSON.stringify({
+      schema: 1, name: 'scoreboard', distro: 'jazzy',
+      packages: local.map((one) => relative(folder, one.folder)),
+      dependencies: names.filter((name) => !this.packages.has(name)),
+      launch,
+    }));
+    return file;
+  }
+
+  private run(args: readonly string[]): Promise<{ readonly failure: Failure | undefined; readonly output: string }> {
+    return new Promise((resolve) => {
+      execFile(this.cli, [...args, '--json'], { maxBuffer: 1 << 28 }, (error, output, messages) => {
+        resolve({ output, failure: error === null ? undefined : firstError(messages) ?? { code: 'failed', reason: error.message } });
+      });
+    });
+  }
+}
+
+/** Names of the programs in a folder of the installed tree. */
+function programs(folder: string): string[] {
+  try {
+    return readdirSync(folder).filter((name) => name.endsWith('.wasm')).map((name) => name.slice(0, -'.wasm'.length)).sort();
+  } catch {
+    return [];
+  }
+}
+
+/** Of the events that `--json` writes to stderr. */
+export function firstError(messages: string): Failure | undefined {
+  for (const line of messages.split('\n')) {
+    if (!line.startsWith('{')) continue;
+    const event = JSON.parse(line) as { readonly event?: string; readonly severity?: string; readonly code?: string; readonly message?: string; readonly detail?: string };
+    if (event.code === undefined || event.severity === 'warning') continue;
+    const detail = event.detail?.split('\n').find((text) => text.includes('error'));
+    return { code: event.code, reason: [event.message ?? '', ...(detail === undefined ? [] : [detail])].join(': ') };
+  }
+  return undefined;
+}

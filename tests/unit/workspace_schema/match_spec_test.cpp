@@ -7,8 +7,6 @@
 #include <fstream>
 #include <sstream>
 
-#include "unit/support/conda_data.hpp"
-
 namespace ros2wasm {
 namespace {
 
@@ -180,26 +178,6 @@ TEST(MatchSpec, NamesAndPatterns) {
   EXPECT_TRUE(MatchSpec::parse("pkg *")->version().any());
   EXPECT_TRUE(MatchSpec::parse("_").ok());
   EXPECT_TRUE(MatchSpec::parse("_-x").ok());
-}
-
-std::vector<std::string> lines_of(const char* name) {
-  std::vector<std::string> lines;
-  const auto file = testing::conda_data(std::string("matchspec/") + name);
-  if (!file) return lines;  // the lists are not part of the repository
-  std::ifstream stream(*file);
-  for (std::string line; std::getline(stream, line);) {
-    if (!line.empty() && line[0] != '#') lines.push_back(line);
-  }
-  return lines;
-}
-
-TEST(MatchSpec, PublicListsAreAcceptedAndRejected) {
-  for (const std::string& line : lines_of("xpass.txt"))
-    EXPECT_TRUE(MatchSpec::parse(line).ok()) << line;
-  for (const std::string& line : lines_of("xfail.txt"))
-    EXPECT_FALSE(MatchSpec::parse(line).ok()) << line;
-  for (const std::string& line : lines_of("xfail-should-pass.txt"))
-    EXPECT_TRUE(MatchSpec::parse(line).ok()) << line;
 }
 
 }  // namespace

@@ -1,12 +1,7 @@
-// Versions: order, prefixes, and what is none. With the public list of parsed versions, where it
-// is.
+// Versions: order, prefixes, and what is none.
 #include "workspace_schema/version.hpp"
 
 #include <gtest/gtest.h>
-
-#include <fstream>
-
-#include "unit/support/conda_data.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -109,31 +104,6 @@ TEST(Version, JsonIsCondasNestedList) {
   EXPECT_EQ(version_json(version("1!2.0rc1_").segments()), R"([[1],[2],[0,"rc",1,"_"]])");
   EXPECT_EQ(version_json(version("1.dev.post2").segments()), R"([[0],[1],[0,"DEV"],[0,1e999,2]])");
   EXPECT_EQ(version_json(version("007").segments()), "[[0],[7]]");
-}
-
-/// Python's list in the form of version_json().
-std::string as_json(std::string text) {
-  std::erase(text, ' ');
-  for (char& c : text) {
-    if (c == '\'') c = '"';
-  }
-  for (std::size_t at = text.find(",inf"); at != std::string::npos; at = text.find(",inf", at))
-    text.replace(at, 4, ",1e999");
-  return text;
-}
-
-TEST(Version, PublicListParsesToTheSameForm) {
-  const auto file = testing::conda_data("parsed_versions.txt");
-  if (!file) return;  // the list is not part of the repository
-  std::ifstream stream(*file);
-  std::size_t count = 0;
-  for (std::string line; std::getline(stream, line); ++count) {
-    const std::size_t equals = line.find('=');
-    EXPECT_EQ(version_json(version(line.substr(0, equals)).segments()),
-              as_json(line.substr(equals + 1)))
-        << line;
-  }
-  EXPECT_GT(count, 10'000U);
 }
 
 }  // namespace

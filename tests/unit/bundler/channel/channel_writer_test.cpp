@@ -11,7 +11,6 @@
 #include "bundler/io/files.hpp"
 #include "bundler/io/sha256.hpp"
 #include "unit/bundler/support/small_channel.hpp"
-#include "unit/support/conda_data.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -156,36 +155,6 @@ TEST(ChannelWriter, FinishedArchivesGoToTheirSubdirectory) {
   ASSERT_TRUE(copied.ok());
   EXPECT_EQ(*copied, channel.tree() / "other/noarch/a-1.0-h_0.conda");
   EXPECT_TRUE(index_channel(channel.tree() / "other").ok());
-}
-
-TEST(ChannelWriter, PublicArchivesAreIndexedAsTheirOwnIndexSays) {
-  const auto folder = testing::conda_data("mini_channel/win-64");
-  if (!folder) return;  // the data is not part of the repository
-  const testing::TemporaryTree tree;
-  fs::create_directories(tree / "c/win-64");
-  for (const auto& entry : fs::directory_iterator(*folder)) {
-    if (entry.path().extension() == ".conda" || entry.path().extension() == ".bz2") {
-      fs::copy_file(entry.path(), tree / "c/win-64" / entry.path().filename());
-    }
-  }
-  ASSERT_TRUE(index_channel(tree / "c").ok());
-  const auto ours = parse_repodata(tree.read("c/win-64/repodata.json"), "c", "win-64");
-  const auto file = testing::conda_data("mini_channel/win-64/repodata.json");
-  std::ifstream stream(*file, std::ios::binary);
-  const auto theirs =
-      parse_repodata(std::string(std::istreambuf_iterator<char>(stream), {}), "c", "win-64");
-  ASSERT_TRUE(ours.ok() && theirs.ok());
-  ASSERT_FALSE(ours->records.empty());
-  for (const PackageRecord& record : ours->records) {
-    const auto twin = std::find_if(
-        theirs->records.begin(), theirs->records.end(),
-        [&](const PackageRecord& other) { return other.file_name == record.file_name; });
-    ASSERT_NE(twin, theirs->records.end()) << record.file_name;
-    EXPECT_EQ(record.sha256, twin->sha256);
-    EXPECT_EQ(record.md5, twin->md5);
-    EXPECT_EQ(record.size, twin->size);
-    EXPECT_EQ(record.depends, twin->depends);
-  }
 }
 
 }  // namespace

@@ -1,47 +1,20 @@
-// The public mini channel has both forms of its index: they must give the same records.
+// Shards that are none, and MessagePack. That shards give what the flat form gives is shown in
+// tests/network and tests/conda_data.
 #include "bundler/channel/shard_index.hpp"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
-#include "unit/bundler/support/small_channel.hpp"
-#include "unit/support/conda_data.hpp"
+#include "bundler/channel/channel_index.hpp"
+#include "unit/bundler/support/temporary_tree.hpp"
 
 namespace ros2wasm {
 namespace {
 
-namespace fs = std::filesystem;
-
 Outcome<RepoIndex> read_channel(const testing::TemporaryTree& tree) {
-  const ChannelRoots roots{.working_directory = tree.root(),
-                           .embedded = {},
-                           .cache = tree / "cache",
-                           .network = {},
-                           .platform = "linux-64"};
+  const ChannelRoots roots{
+      .working_directory = tree.root(), .embedded = {}, .cache = tree / "cache", .network = {}};
   const std::vector<ChannelSource> sources{{.name = "./c", .span = {}}};
-  auto index = load_channels(sources, roots);
-  if (index) {
-    std::sort(index->records.begin(), index->records.end(),
-              [](const PackageRecord& a, const PackageRecord& b) { return a.url < b.url; });
-  }
-  return index;
-}
-
-TEST(ShardIndex, APublicChannelIsTheSameFlatAndSharded) {
-  const auto public_channel = testing::conda_data("mini_channel");
-  if (!public_channel) return;  // the data is not part of the repository
-  const testing::TemporaryTree tree;
-  fs::copy(*public_channel, tree / "c", fs::copy_options::recursive);
-  const auto sharded = read_channel(tree);
-  fs::remove(tree / "c/linux-64/repodata_shards.msgpack.zst");
-  const auto flat = read_channel(tree);
-  ASSERT_TRUE(sharded.ok() && flat.ok());
-  EXPECT_EQ(sharded->records, flat->records);
-  EXPECT_EQ(sharded->names, flat->names);
-  EXPECT_EQ(flat->names, (std::vector<std::string>{"libgcc-ng", "zlib"}));
-  const auto request = testing::request_for({"zlib"});
-  EXPECT_EQ(testing::answer(request, *sharded), testing::answer(request, *flat));
+  return load_channels(sources, roots);
 }
 
 TEST(ShardIndex, WhatIsNoListOfShardsIsSaid) {

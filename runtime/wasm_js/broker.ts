@@ -195,12 +195,15 @@ export class PortBroker implements Broker {
   readonly link: PortLink;
   private readonly session: readonly [number, number];
   private readonly controls = new Map<number, MessagePort>();
+  private readonly newChannel: () => MessageChannel;
   private last = 0;
 
-  constructor() {
+  /** `newChannel`: for tests that say themselves when a message arrives. */
+  constructor(newChannel = () => new MessageChannel()) {
+    this.newChannel = newChannel;
     const random = crypto.getRandomValues(new Int32Array(2));
     this.session = [random[0] ?? 0, random[1] ?? 0];
-    const { port1, port2 } = new MessageChannel();
+    const { port1, port2 } = newChannel();
     this.controls.set(0, port1);
     this.link = new PortLink({ participant: 0, session: this.session, control: port2, peers: [] });
   }
@@ -208,10 +211,10 @@ export class PortBroker implements Broker {
   admit(): Admission | undefined {
     const participant = this.freeNumber();
     if (participant === undefined) return undefined;
-    const control = new MessageChannel();
+    const control = this.newChannel();
     const peers: PeerPort[] = [];
     for (const [other, port] of this.controls) {
-      const channel = new MessageChannel();
+      const channel = this.newChannel();
       const message: PeerPort = { participant, port: channel.port1 };
       if (other === 0) this.link.addPeer(message);
       else port.postMessage({ t: 'peer', peer: message }, [channel.port1]);

@@ -179,17 +179,17 @@ export class PortLink implements Link {
       case 'none':
         return;
       case 'match': {
-        const late = own.writer?.match(other) ?? [];
+        const { late, after } = own.writer?.match(other) ?? { late: [], after: 0 };
         if (other.participant === this.participant) {
-          own.reader?.open(other);
+          own.reader?.open(other, undefined);
           this.addMatch(own, other);
           const local = this.ownOf(other.key);
-          if (late.length > 0) local?.reader?.open(own.record);
+          if (late.length > 0) local?.reader?.open(own.record, undefined);
           for (const frame of late) if (local !== undefined) this.receive(local, own.record.key, frame);
           return;
         }
         own.expected.add(other.key);
-        this.post(other.participant, { t: 'match', mine: own.record.key, yours: other.key });
+        this.post(other.participant, { t: 'match', mine: own.record.key, yours: other.key, after });
         if (late.length > 0) this.post(other.participant, { t: 'late', reader: other.key, frames: late });
         return;
       }
@@ -236,9 +236,12 @@ export class PortLink implements Link {
   endpointDestroy(endpoint: number): void {
     const own = this.own.get(endpoint);
     if (own === undefined) return;
+    own.writer?.farewell();
     this.own.delete(endpoint);
     this.broadcast({ t: 'ep-', key: own.record.key });
     this.removeRemote(own.record.key, false);
+    // A reader that wanted all may have held up its writers.
+    if (own.reader?.all === true) for (const { key } of this.graphReplica.named(own.record.name)) this.acknowledge(key, false);
     if (own.timing.ticks) this.ticker.follow(this.own.values());
     this.changed();
   }
@@ -493,7 +496,7 @@ export class PortLink implements Link {
         const other = this.graphReplica.endpoints.get(message.mine);
         if (own === undefined || other === undefined) return;
         own.expected.delete(message.mine);
-        own.reader?.open(other);
+        own.reader?.open(other, message.after | 0);
         this.addMatch(own, other);
         this.changed();
         return;

@@ -23,8 +23,8 @@ export type PeerMessage =
   | { readonly t: 'node-'; readonly key: number }
   | { readonly t: 'ep+'; readonly record: EndpointRecord }
   | { readonly t: 'ep-'; readonly key: number }
-  /** The sender's endpoint `mine` knows the receiver's `yours`; frames for it follow. */
-  | { readonly t: 'match'; readonly mine: number; readonly yours: number }
+  /** The sender's endpoint `mine` knows the receiver's `yours`; of its frames those with a sequence above `after` are for it. */
+  | { readonly t: 'match'; readonly mine: number; readonly yours: number; readonly after: number }
   /** What a transient_local writer kept, for one reader. */
   | { readonly t: 'late'; readonly reader: number; readonly frames: readonly ArrayBuffer[] }
   /** All readers here are done with the samples of this writer up to `sequence` (low word). */

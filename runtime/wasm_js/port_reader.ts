@@ -15,7 +15,7 @@ interface Queued {
 
 interface Source {
   readonly lifespanNs: number;
-  /** Sequence of the newest frame that came; undefined before the first. */
+  /** Sequence of the newest frame that came, or that this reader is too late for. */
   newest: number | undefined;
 }
 
@@ -38,10 +38,10 @@ export class PortReader {
     this.depth = this.all ? Infinity : Math.max(1, record.qos.depth);
   }
 
-  /** Frames of a writer count from here on. */
-  open(writer: EndpointRecord): void {
+  /** Frames of a writer count from here on; `after`: when their sequence is above it. */
+  open(writer: EndpointRecord, after: number | undefined): void {
     if (this.sources.has(writer.key)) return;
-    this.sources.set(writer.key, { lifespanNs: Number(writer.qos.lifespan), newest: undefined });
+    this.sources.set(writer.key, { lifespanNs: Number(writer.qos.lifespan), newest: after });
   }
 
   /** What has come stays. */

@@ -15,14 +15,8 @@ export class PortWaits {
   private lastYield = performance.now();
   private readonly waiters = new Set<() => void>();
   private readonly sleepers = new Set<() => void>();
-  private readonly turn = new MessageChannel();
+  private turn: MessageChannel | undefined;
   private readonly turns: (() => void)[] = [];
-
-  constructor() {
-    this.turn.port1.addEventListener('message', () => this.turns.shift()?.());
-    this.turn.port1.start();
-    unref(this.turn.port1);
-  }
 
   wake(): void {
     this.token = (this.token + 1) | 0;
@@ -57,7 +51,7 @@ export class PortWaits {
   }
 
   close(): void {
-    this.turn.port1.close();
+    this.turn?.port1.close();
     this.wake();
   }
 
@@ -96,8 +90,17 @@ export class PortWaits {
         this.lastYield = performance.now();
         resolve();
       });
+      this.turn ??= this.openTurn();
       this.turn.port2.postMessage(0);
     });
+  }
+
+  private openTurn(): MessageChannel {
+    const turn = new MessageChannel();
+    turn.port1.addEventListener('message', () => this.turns.shift()?.());
+    turn.port1.start();
+    unref(turn.port1);
+    return turn;
   }
 }
 

@@ -52,17 +52,18 @@ export class PortWriter {
     this.keep = !transient ? 0 : qos.history === History.keepAll ? keepAllLimit : Math.max(1, qos.depth);
   }
 
-  /** Returns what a late reader is to get first. */
-  match(reader: EndpointRecord): readonly ArrayBuffer[] {
+  /** `late` is what a reader is to get first; frames count for it when they come after `after`. */
+  match(reader: EndpointRecord): { readonly late: readonly ArrayBuffer[]; readonly after: number } {
     let peer = this.peers.get(reader.participant);
     if (peer === undefined) {
       peer = { readers: new Map(), waiting: [], flying: [], flyingBytes: 0 };
       this.peers.set(reader.participant, peer);
     }
     peer.readers.set(reader.key, reader);
-    if (reader.qos.durability !== Durability.transientLocal || reader.kind !== EndpointKind.subscription) return [];
+    const late = reader.qos.durability === Durability.transientLocal && reader.kind === EndpointKind.subscription;
     const count = reader.qos.history === History.keepAll ? keepAllLimit : Math.max(1, reader.qos.depth);
-    return this.kept.slice(-Math.min(count, this.keep || 1)).map((frame) => frame.buffer);
+    const frames = late ? this.kept.slice(-Math.min(count, this.keep || 1)) : [];
+    return { late: frames.map((frame) => frame.buffer), after: this.sequence - frames.length };
   }
 
   unmatch(reader: EndpointRecord): void {
@@ -106,6 +107,11 @@ export class PortWriter {
       peer.flyingBytes -= peer.flying.shift()!.bytes;
     }
     this.flush(participant, peer);
+  }
+
+  /** The writer ends: nobody would send later what waits, so it goes beyond the credit. */
+  farewell(): void {
+    for (const [participant, peer] of this.peers) for (const frame of peer.waiting.splice(0)) this.send(participant, frame);
   }
 
   private flush(participant: number, peer: PeerQueue): void {

@@ -64,7 +64,8 @@ export class Model {
     return endpoint;
   }
 
-  destroy(endpoint: ModelEndpoint): void {
+  /** `died`: with its participant, which took no leave. */
+  destroy(endpoint: ModelEndpoint, _died: boolean): void {
     this.endpoints.delete(endpoint);
   }
 

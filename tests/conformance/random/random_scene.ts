@@ -1,26 +1,24 @@
-// One random scene on the shared link: participants come, make endpoints, write, take, leave and die, call by call, and
-// each result is what the model says. Nothing may stay behind on the bus.
+// One random scene: participants come, make endpoints, write, take, leave and die, call by call. What each call must
+// bring is said by the link's own scene: shared_scene.ts, port_scene.ts.
 
 import {
   Durability, EndpointKind, ErrorCode, flagIgnoreLocal, History, Reliability, SampleInfoLayout,
 } from '../../../runtime/protocol/generated/constants.ts';
-import { SharedBroker } from '../../../runtime/wasm_js/broker.ts';
-import { Bus } from '../../../runtime/wasm_js/bus.ts';
+import type { Link } from '../../../runtime/wasm_js/link.ts';
 import { defaultQos, type EndpointQos } from '../../../runtime/wasm_js/qos.ts';
-import { SharedLink } from '../../../runtime/wasm_js/shared_link.ts';
 import { type Generator } from './generator.ts';
 import { Model, type ModelEndpoint, type ModelSample } from './model.ts';
 
-interface Held {
+export interface Held {
   readonly model: ModelEndpoint;
   readonly handle: number;
   /** Requests that a server has not answered yet. */
   readonly asked: ModelSample[];
 }
 
-interface Participant {
+export interface Participant {
   readonly index: number;
-  readonly link: SharedLink;
+  readonly link: Link;
   readonly node: number;
   readonly held: Held[];
 }
@@ -40,34 +38,45 @@ function randomQos(random: Generator): EndpointQos {
   };
 }
 
-export class RandomScene {
-  private readonly random: Generator;
-  private readonly broker = new SharedBroker({ participants: 16, nodes: 16, endpoints: 64, graphLog: 64, ceiling: 32 << 20 });
-  private readonly model = new Model();
-  private readonly people: Participant[] = [];
+export abstract class RandomScene {
+  protected readonly random: Generator;
+  protected readonly model: Model;
+  protected readonly people: Participant[] = [];
   /** Third words of the gids. */
-  private readonly keys = new Map<ModelEndpoint, number>();
+  protected readonly keys = new Map<ModelEndpoint, number>();
   private readonly heap: { u8: Uint8Array; i32: Int32Array };
   /** What was done, for the one who reads a failure. */
   readonly story: string[] = [];
 
-  constructor(random: Generator) {
+  constructor(random: Generator, model: Model) {
     this.random = random;
+    this.model = model;
     const buffer = new ArrayBuffer(1 << 16);
     this.heap = { u8: new Uint8Array(buffer), i32: new Int32Array(buffer) };
   }
+
+  /** A new participant's place in the graph. */
+  protected abstract admit(): { readonly index: number; readonly link: Link };
+  /** It ends by itself, or dies. */
+  protected abstract end(person: Participant, dies: boolean): void;
+  /** What a take must bring, when it brought `length` bytes with sequence `sequence` of the writer with key `writer`. */
+  protected abstract expected(reader: Held, length: number, writer: number, sequence: number): ModelSample | undefined;
+  /** Compares counts; `person`'s are wanted. */
+  protected abstract count(person: Participant): void;
+  /** Whatever else may happen between two calls. */
+  protected abstract meanwhile(): void;
+  /** Everyone has left: nothing may stay behind. */
+  protected abstract close(): void;
 
   run(steps: number): void {
     this.join();
     this.join();
     for (let step = 0; step < steps; step += 1) this.step();
     while (this.people.length > 0) this.leave(this.random.chance(50));
-    this.broker.end(this.broker.link.participant);
-    this.broker.close();
-    this.equal(this.broker.bus.usage().used, 0, 'pages left behind');
+    this.close();
   }
 
-  private equal(actual: unknown, expected: unknown, what: string): void {
+  protected equal(actual: unknown, expected: unknown, what: string): void {
     if (actual !== expected) throw new Error(`${what}: ${String(actual)} instead of ${String(expected)}`);
   }
 
@@ -82,27 +91,25 @@ export class RandomScene {
     else if (what < 65) this.write(person);
     else if (what < 95) this.take(person);
     else this.count(person);
+    this.meanwhile();
   }
 
-  private held(): Held[] {
+  protected held(): Held[] {
     return this.people.flatMap((person) => person.held);
   }
 
   private join(): void {
-    const index = this.broker.bus.claimParticipant();
-    const link = new SharedLink({ bus: new Bus(this.broker.bus.sab), participant: index, mayBlock: false });
+    const { index, link } = this.admit();
     this.people.push({ index, link, node: link.nodeCreate(`n${index}`, '/'), held: [] });
     this.story.push(`p${index} joins`);
   }
 
-  /** Ends by itself, or dies. */
   private leave(dies: boolean): void {
     const at = this.random.below(this.people.length);
     const [person] = this.people.splice(at, 1);
     this.story.push(`p${person!.index} ${dies ? 'dies' : 'leaves'}`);
-    if (!dies) person!.link.close();
-    this.broker.end(person!.index);
-    for (const { model } of person!.held) this.model.destroy(model);
+    this.end(person!, dies);
+    for (const { model } of person!.held) this.model.destroy(model, dies);
   }
 
   private create(person: Participant): void {
@@ -124,7 +131,7 @@ export class RandomScene {
     const [held] = person.held.splice(this.random.below(person.held.length), 1);
     this.story.push(`p${person.index} destroys ${held!.handle}`);
     person.link.endpointDestroy(held!.handle);
-    this.model.destroy(held!.model);
+    this.model.destroy(held!.model, false);
   }
 
   private write(person: Participant): void {
@@ -133,13 +140,13 @@ export class RandomScene {
       || model.kind === EndpointKind.client || (model.kind === EndpointKind.server && asked.length > 0));
     if (writers.length === 0) return;
     const { model, handle, asked } = random.pick(writers);
-    const times = model.kind === EndpointKind.publisher && random.chance(20) ? 12 : 1;
+    const times = model.kind === EndpointKind.publisher && random.chance(20) ? this.burst() : 1;
+    this.story.push(`p${person.index} writes ${times} to ${handle}`);
     for (let i = 0; i < times; i += 1) {
       const length = random.below(random.pick(largest));
       const bytes = new Uint8Array(length).fill(1 + random.below(255));
       const request = model.kind === EndpointKind.server ? asked.shift() : undefined;
       if (model.kind === EndpointKind.server && request === undefined) return;
-      this.story.push(`p${person.index} writes ${length} to ${handle}`);
       heap.i32.fill(0, 0, 16);
       if (request?.client !== undefined) {
         heap.i32[SampleInfoLayout.relatedSequence >> 2] = request.relatedSequence;
@@ -152,21 +159,32 @@ export class RandomScene {
     }
   }
 
+  /** How many samples a writer in a hurry writes at once. */
+  protected burst(): number {
+    return 12;
+  }
+
   private take(person: Participant): void {
-    const { random, heap } = this;
     const readers = person.held.filter(({ model }) => model.kind !== EndpointKind.publisher);
-    if (readers.length === 0) return;
-    const reader = random.pick(readers);
-    for (let left = random.pick([1, 2, 100]); left > 0; left -= 1) {
-      this.story.push(`p${person.index} takes from ${reader.handle}`);
+    if (readers.length > 0) this.takeFrom(person, this.random.pick(readers), this.random.pick([1, 2, 100]));
+  }
+
+  /** How many were taken. */
+  protected takeFrom(person: Participant, reader: Held, atMost: number): number {
+    const { heap } = this;
+    this.story.push(`p${person.index} takes from ${reader.handle}, ${atMost} at most`);
+    for (let taken = 0; ; taken += 1) {
+      if (taken === atMost) return taken;
       const ready = person.link.ready().includes(reader.handle);
       const length = person.link.take(reader.handle, heap, payloadAt, heap.u8.length - payloadAt, 0);
-      const expected = this.model.take(reader.model);
+      const sequence = heap.i32[SampleInfoLayout.sequence >> 2]!;
+      const writer = heap.i32[(SampleInfoLayout.writerGid >> 2) + 2]!;
+      const expected = this.expected(reader, length, writer, sequence);
       this.equal(length, expected?.bytes.length ?? ErrorCode.nothing, 'length');
-      if (expected === undefined) return;
-      this.equal(ready, true, 'ready');
-      this.equal(heap.i32[SampleInfoLayout.sequence >> 2], expected.sequence, 'sequence');
-      this.equal(heap.i32[(SampleInfoLayout.writerGid >> 2) + 2], this.keys.get(expected.writer), 'writer');
+      this.equal(ready, expected !== undefined, 'ready');
+      if (expected === undefined) return taken;
+      this.equal(sequence, expected.sequence, 'sequence');
+      this.equal(writer, this.keys.get(expected.writer), 'writer');
       this.equal(heap.i32[SampleInfoLayout.relatedSequence >> 2], expected.relatedSequence, 'related sequence');
       const bytes = heap.u8.subarray(payloadAt, payloadAt + length);
       if (Buffer.compare(bytes, expected.bytes) !== 0) throw new Error(`the payload of ${expected.sequence} is not what was written`);
@@ -174,7 +192,8 @@ export class RandomScene {
     }
   }
 
-  private count(person: Participant): void {
+  /** The counts of one participant are those of the model. */
+  protected compareCounts(person: Participant): void {
     for (const { model, handle } of person.held) {
       this.equal(person.link.matched(handle), this.model.matched(model).length, `matched of ${handle}`);
     }

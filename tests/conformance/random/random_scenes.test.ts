@@ -1,22 +1,26 @@
-// Ten thousand random scenes against the model. ROS2WASM_SEED repeats the scenes of a run, or with ROS2WASM_SCENES=1 one.
+// Ten thousand random scenes on each link against its model. ROS2WASM_SEED repeats the scenes of a run, or with
+// ROS2WASM_SCENES=1 one.
 
 import { test } from 'node:test';
 import { Generator } from './generator.ts';
-import { RandomScene } from './random_scene.ts';
+import { PortScene } from './port_scene.ts';
+import { SharedScene } from './shared_scene.ts';
 
 const first = Number(process.env['ROS2WASM_SEED'] ?? crypto.getRandomValues(new Uint32Array(1))[0]);
 const count = Number(process.env['ROS2WASM_SCENES'] ?? 10_000);
 
-test('random scenes end as the model says', { timeout: 600_000 }, (context) => {
-  context.diagnostic(`${count} scenes from seed ${first}`);
-  for (let seed = first; seed < first + count; seed += 1) {
-    const random = new Generator(seed);
-    const scene = new RandomScene(random);
-    try {
-      scene.run(20 + random.below(80));
-    } catch (error) {
-      const last = scene.story.slice(-40).join('\n  ');
-      throw new Error(`seed ${seed}: ${error instanceof Error ? error.message : String(error)}\n  ${last}`, { cause: error });
+for (const [link, Scene] of [['shared', SharedScene], ['port', PortScene]] as const) {
+  test(`random scenes on the ${link} link end as the model says`, { timeout: 600_000 }, (context) => {
+    context.diagnostic(`${count} scenes from seed ${first}`);
+    for (let seed = first; seed < first + count; seed += 1) {
+      const random = new Generator(seed);
+      const scene = new Scene(random);
+      try {
+        scene.run(20 + random.below(80));
+      } catch (error) {
+        const last = scene.story.slice(-40).join('\n  ');
+        throw new Error(`seed ${seed}: ${error instanceof Error ? error.message : String(error)}\n  ${last}`, { cause: error });
+      }
     }
-  }
-});
+  });
+}

@@ -1,5 +1,6 @@
 // Runs the benchmarks and prints one JSON object a line. Figures are medians of several runs; each line
-// names its peer, measured in the same run on the same machine. Nothing here judges.
+// names its peer, measured in the same run on the same machine. A bench that misses an aim it states
+// ends with exit code 1.
 //   node tests/bench/run.ts --build BUILD_DIR [--minutes N] [NAME ...]
 import { resolve } from 'node:path';
 import { parseArgs } from 'node:util';
@@ -21,6 +22,8 @@ export interface BenchContext {
   readonly minutes: number | undefined;
   /** Prints one result line. */
   emit(line: Readonly<Record<string, unknown>>): void;
+  /** Says that an aim was missed. */
+  fail(why: string): void;
 }
 
 const BENCHES: Readonly<Record<string, (context: BenchContext) => Promise<void> | void>> = {
@@ -50,6 +53,10 @@ const context: BenchContext = {
   minutes: values.minutes === undefined ? undefined : Number(values.minutes),
   root: resolve(import.meta.dirname, '../..'),
   emit: (line) => console.log(JSON.stringify(line)),
+  fail: (why) => {
+    console.error(why);
+    process.exitCode = 1;
+  },
 };
 for (const [name, bench] of Object.entries(BENCHES)) {
   if (names.length === 0 ? name !== WHEN_NAMED : names.includes(name)) await bench(context);

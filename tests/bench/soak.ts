@@ -124,7 +124,7 @@ function rise(values: readonly number[]): number {
   return (up / over) * (values.length - 1) / mean;
 }
 
-function verdict(samples: readonly SoakSample[]): Record<string, unknown> {
+function verdict(samples: readonly SoakSample[]): Readonly<Record<string, unknown>> & { readonly flat: boolean } {
   const half = samples.slice(Math.floor(samples.length / 2));
   const memory = Object.fromEntries((['heap_kb', 'processes_kb', 'bus_used_kb'] as const).map(
     (what) => [what, rounded(rise(half.map((sample) => sample[what])))]));
@@ -172,8 +172,10 @@ async function soak(context: BenchContext, page: Page, pid: number, minutes: num
       (globalThis as unknown as { noted: Noted }).noted.frames = [];
     });
   }
+  const judged = verdict(samples);
+  if (!judged.flat) context.fail('soak: not flat');
   context.emit({
-    bench: 'soak', what: 'verdict', minutes, samples: samples.length, ...verdict(samples),
+    bench: 'soak', what: 'verdict', minutes, samples: samples.length, ...judged,
     rule: `flat: memory rises by at most ${MEMORY_RISE * 100} % of its mean in the second half (straight line), at least ${DELIVERED * 100} % came, `
       + `the last quarter's median latency is at most ${LATENCY_RATIO} times that of the quarter before + ${LATENCY_SLACK_US} us`,
   });

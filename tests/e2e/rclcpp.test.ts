@@ -7,8 +7,8 @@ import { after, before, test } from 'node:test';
 
 import { PackWorkspace } from './pack_workspace.ts';
 
-const PACKAGE = resolve(import.meta.dirname, '../packages/rclcpp_checks');
-const SINGLE = ['topics', 'services', 'parameters', 'actions', 'waiting', 'quality', 'every_node', 'exceptions', 'component'];
+const PACKAGES = resolve(import.meta.dirname, '../packages');
+const SINGLE = ['topics', 'services', 'parameters', 'actions', 'waiting', 'quality', 'every_node', 'exceptions', 'component', 'lifecycle'];
 const THREADED = ['threads', 'plain_threads'];
 /** The port link has no memory for threads. */
 const PROGRAMS = { shared: [...SINGLE, ...THREADED], port: SINGLE };
@@ -18,12 +18,14 @@ const PARAMETERS = '    parameters:\n      - from_arguments: 2.5\n        names:
 let workspace: PackWorkspace;
 before(() => {
   workspace = new PackWorkspace();
-  cpSync(PACKAGE, join(workspace.root, 'src/rclcpp_checks'), { recursive: true });
+  for (const name of ['rclcpp_checks', 'lifecycle_sensor']) {
+    cpSync(join(PACKAGES, name), join(workspace.root, 'src', name), { recursive: true });
+  }
 });
 after(() => workspace.close());
 
-function manifest(programs: readonly string[]): string {
-  const nodes = programs.map((program) => `  - package: rclcpp_checks
+function manifest(name: string, programs: readonly string[]): string {
+  const nodes = programs.map((program) => `  - package: ${name}
     executable: ${program}
 ${program === 'parameters' ? PARAMETERS : ''}`);
   return `schema: 1
@@ -33,14 +35,14 @@ version: 1.0.0
 license: Apache-2.0
 distro: jazzy
 packages:
-  - src/*
+  - src/${name}
 launch:
 ${nodes.join('')}`;
 }
 
 for (const [link, programs] of Object.entries(PROGRAMS)) {
   test(`every program's checks hold on the ${link} link`, { timeout: 500_000 }, async () => {
-    workspace.write(`${link}.yaml`, manifest(programs));
+    workspace.write(`${link}.yaml`, manifest('rclcpp_checks', programs));
     const packed = await workspace.run(['pack', `${link}.yaml`, '--output', `site_${link}`]);
     assert.equal(packed.code, 0, packed.stderr);
     const ran = await workspace.run(['run', `site_${link}`, '--link', link, '--for', '60s']);
@@ -51,3 +53,14 @@ for (const [link, programs] of Object.entries(PROGRAMS)) {
     assert.equal(ran.code, 0, said);
   });
 }
+
+test('a managed node is led through its life on both links', { timeout: 500_000 }, async () => {
+  workspace.write('lifecycle.yaml', manifest('lifecycle_sensor', ['sensor', 'manager']));
+  const packed = await workspace.run(['pack', 'lifecycle.yaml', '--output', 'site_lifecycle']);
+  assert.equal(packed.code, 0, packed.stderr);
+  for (const link of Object.keys(PROGRAMS)) {
+    const ran = await workspace.run(['run', 'site_lifecycle', '--link', link,
+      '--until', 'led the sensor through its whole life', '--for', '60s']);
+    assert.equal(ran.code, 0, `${ran.stdout}${ran.stderr}`);
+  }
+});

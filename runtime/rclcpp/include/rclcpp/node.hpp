@@ -43,16 +43,11 @@
 #include "rclcpp/timer.hpp"
 
 namespace rclcpp {
+namespace detail {
 
-class Node : public std::enable_shared_from_this<Node> {
+/// What nodes of every kind offer; made and owned as Node or rclcpp_lifecycle::LifecycleNode.
+class CommonNode {
  public:
-  RCLCPP_SMART_PTR_DEFINITIONS(Node)
-
-  explicit Node(const std::string& node_name, const NodeOptions& options = NodeOptions());
-  explicit Node(const std::string& node_name, const std::string& namespace_,
-                const NodeOptions& options = NodeOptions());
-  virtual ~Node();
-
   const char* get_name() const;
   const char* get_namespace() const;
   const char* get_fully_qualified_name() const;
@@ -202,7 +197,8 @@ class Node : public std::enable_shared_from_this<Node> {
   void remove_post_set_parameters_callback(const PostSetParametersCallbackHandle* const handler);
 
   std::vector<std::string> get_node_names() const;
-  std::map<std::string, std::vector<std::string>> get_topic_names_and_types() const;
+  std::map<std::string, std::vector<std::string>> get_topic_names_and_types(
+      bool no_demangle = false) const;
   std::map<std::string, std::vector<std::string>> get_service_names_and_types() const;
   std::map<std::string, std::vector<std::string>> get_service_names_and_types_by_node(
       const std::string& node_name, const std::string& namespace_) const;
@@ -233,19 +229,20 @@ class Node : public std::enable_shared_from_this<Node> {
   node_interfaces::NodeTimeSourceInterface::SharedPtr get_node_time_source_interface();
   node_interfaces::NodeTypeDescriptionsInterface::SharedPtr get_node_type_descriptions_interface();
 
-  const std::string& get_sub_namespace() const;
-  const std::string& get_effective_namespace() const;
-  /// The same node, whose relative names get a further prefix. Throws NameValidationError.
-  rclcpp::Node::SharedPtr create_sub_node(const std::string& sub_namespace);
   const rclcpp::NodeOptions& get_node_options() const;
 
  protected:
-  Node(const Node& other, const std::string& sub_namespace);
+  CommonNode(const std::string& node_name, const std::string& namespace_,
+             const NodeOptions& options);
+  /// The same node, whose relative names get a prefix.
+  CommonNode(const CommonNode& other, std::string sub_namespace);
+  ~CommonNode();
+  CommonNode& operator=(const CommonNode&) = delete;
+  CommonNode(const CommonNode&) = delete;
+
+  const std::string sub_namespace_;
 
  private:
-  Node& operator=(const Node&) = delete;
-  Node(const Node&) = delete;
-
   node_interfaces::NodeBaseInterface::SharedPtr node_base_;
   node_interfaces::NodeGraphInterface::SharedPtr node_graph_;
   node_interfaces::NodeLoggingInterface::SharedPtr node_logging_;
@@ -258,7 +255,31 @@ class Node : public std::enable_shared_from_this<Node> {
   node_interfaces::NodeTypeDescriptionsInterface::SharedPtr node_type_descriptions_;
   node_interfaces::NodeWaitablesInterface::SharedPtr node_waitables_;
   const rclcpp::NodeOptions node_options_;
-  const std::string sub_namespace_;
+};
+
+}  // namespace detail
+
+class Node : public std::enable_shared_from_this<Node>, public detail::CommonNode {
+ public:
+  RCLCPP_SMART_PTR_DEFINITIONS(Node)
+
+  explicit Node(const std::string& node_name, const NodeOptions& options = NodeOptions());
+  explicit Node(const std::string& node_name, const std::string& namespace_,
+                const NodeOptions& options = NodeOptions());
+  virtual ~Node();
+
+  const std::string& get_sub_namespace() const;
+  const std::string& get_effective_namespace() const;
+  /// The same node, whose relative names get a further prefix. Throws NameValidationError.
+  rclcpp::Node::SharedPtr create_sub_node(const std::string& sub_namespace);
+
+ protected:
+  Node(const Node& other, const std::string& sub_namespace);
+
+ private:
+  Node& operator=(const Node&) = delete;
+  Node(const Node&) = delete;
+
   const std::string effective_namespace_;
 };
 

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "bundler/build/exception_encoding.hpp"
+#include "bundler/build/quick_link.hpp"
 #include "bundler/channel/channel_index.hpp"
 #include "bundler/channel/transport.hpp"
 #include "bundler/emit/folder_output.hpp"
@@ -402,7 +403,8 @@ Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& ca
       .compiler_environment = compiler_environment(request.variables),
       .toolchain = fs::canonical(*toolchain),
       .cli = request.executable,
-      .jobs = request.jobs != 0 ? request.jobs : std::max(1U, std::thread::hardware_concurrency())};
+      .jobs = request.jobs != 0 ? request.jobs : std::max(1U, std::thread::hardware_concurrency()),
+      .quick_links = request.quick ? quick_links_folder(workspace->cache, compiler) : fs::path()};
   begin_step(progress, "build");
   auto built = build_workspace(question->packages, question->order, tools,
                                {.cache = workspace->cache,

@@ -29,6 +29,7 @@ struct PackRequest {
   std::filesystem::path executable;  ///< of this program
   EnvironmentVariables variables;
   unsigned jobs = 0;           ///< compilers at once; 0: one per processor
+  bool quick = false;          ///< larger programs, linked in a fraction of the time
   std::string archive_limits;  ///< see extract_limits.hpp; empty: as the environment says
 };
 

@@ -13,6 +13,7 @@ struct Options {
   std::string input;
   bool locked = false;
   int jobs = 0;
+  bool quick = false;
 };
 
 int run(Context& context, const Options& options) {
@@ -21,7 +22,8 @@ int run(Context& context, const Options& options) {
                                 .locked = options.locked,
                                 .executable = context.executable,
                                 .variables = context.environment,
-                                .jobs = static_cast<unsigned>(options.jobs)},
+                                .jobs = static_cast<unsigned>(options.jobs),
+                                .quick = options.quick},
                                context.cancellation, context.progress);
   if (!workspace) return context.console.fail(workspace.errors());
   for (const Diagnostic& warning : workspace->warnings) context.console.report(warning);
@@ -46,6 +48,8 @@ CommandBody build_command(Arguments& arguments) {
       "WORKSPACE", options->input,
       "a workspace.yaml, or a folder with ROS 2 packages (default: the current folder)");
   arguments.flag("--locked", options->locked, "fail rather than change ros2wasm.lock");
+  arguments.flag("--quick", options->quick,
+                 "link in a fraction of the time, without wasm-opt: larger programs");
   arguments.number("-j,--jobs", options->jobs, "N", 1, 256,
                    "compilers at once (default: one per processor)");
   arguments.examples({"ros2wasm build ~/ros2_ws"});

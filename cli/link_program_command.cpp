@@ -41,11 +41,13 @@ int link(Context& context, const Options& options) {
   const auto support = find_own_data(context.executable, "templates/toolchain/src/thread_stack.cpp",
                                      "what programs with threads need");
   if (!support) return context.console.fail(support.errors());
+  const auto quick = context.environment.find(kQuickLinkVariable);
   const auto linked =
       link_program({.package = options.package,
                     .command = options.command,
                     .environment = link_environment(context.environment, options.command.front()),
-                    .thread_support = support->string()},
+                    .thread_support = support->string(),
+                    .quick_folder = quick == context.environment.end() ? "" : quick->second},
                    context.cancellation);
   if (linked) return 0;
   hand_up(context, parse_link_line(options.command).output, linked.errors());

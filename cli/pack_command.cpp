@@ -19,6 +19,7 @@ struct Options {
   bool with_channel = false;
   bool plan = false;
   int jobs = 0;
+  bool quick = false;
   std::string archive_limits;
 };
 
@@ -77,6 +78,7 @@ int run(Context& context, const Options& options) {
                             .executable = context.executable,
                             .variables = context.environment,
                             .jobs = static_cast<unsigned>(options.jobs),
+                            .quick = options.quick,
                             .archive_limits = options.archive_limits},
                            context.cancellation, context.progress);
   if (!report) return context.console.fail(report.errors());
@@ -119,6 +121,8 @@ CommandBody pack_command(Arguments& arguments) {
                  "put the packages into SITE/channel, a channel to pack from again");
   arguments.flag("--plan", options->plan,
                  "print every file with size, hash and reason; write no site");
+  arguments.flag("--quick", options->quick,
+                 "link in a fraction of the time, without wasm-opt: larger programs");
   arguments.number("-j,--jobs", options->jobs, "N", 1, 256,
                    "compilers at once (default: one per processor)");
   arguments.value("--archive-limits", options->archive_limits, "LIMITS",

@@ -52,7 +52,8 @@ int WatchedPack::pack_now() {
   auto report = ros2wasm::pack({.input = workspace_,
                                 .output = site_,
                                 .executable = context_.executable,
-                                .variables = context_.environment},
+                                .variables = context_.environment,
+                                .quick = true},
                                context_.cancellation, context_.progress);
   SiteState state{.version = site_version(site_), .problems = {}};
   int exit_code = 0;

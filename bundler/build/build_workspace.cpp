@@ -33,6 +33,7 @@ std::string hash_of(const LocalPackage& package, const std::vector<const BuiltPa
   HashBuilder hash;
   hash.add("format", kBuildFormat).add("ros2wasm", ROS2WASM_VERSION);
   hash.add("toolchain", toolchain_hash).add("compiler", tools.compiler.identity);
+  if (!tools.quick_links.empty()) hash.add("link", "quick");
   hash.add("environment", settings.environment_key);
   for (const BuiltPackage* need : needs) hash.add(need->name, need->hash);
   hash.add("sources", hash_of_tree(package.directory));
@@ -193,9 +194,9 @@ class WorkspaceBuilder {
                                          const BuiltPackage& result, unsigned jobs) {
     const std::string& name = result.name;
     const fs::path& prefix = result.prefix;
-    // Ninja does not see that another ros2wasm links differently: such builds share no folder.
-    const std::string key =
-        package.directory.string() + "\n" + std::string(kBuildFormat) + "\n" + ROS2WASM_VERSION;
+    // Ninja does not see that programs are linked differently: such builds share no folder.
+    const std::string key = package.directory.string() + "\n" + std::string(kBuildFormat) + "\n" +
+                            ROS2WASM_VERSION + (tools_.quick_links.empty() ? "" : "\nquick");
     const fs::path work = settings_.cache / "work" / (name + "-" + sha256_hex(key).substr(0, 16));
     if (auto made = make_directories(work); !made) return made;
     const auto lock = FileLock::take(work.string() + ".lock", cancellation_);

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "bundler/build/compile_errors.hpp"
+#include "bundler/build/quick_link.hpp"
 #include "bundler/build/single_link_object.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/process.hpp"
@@ -112,7 +113,15 @@ Outcome<LinkReport> link_program(const LinkRequest& request, const Cancellation&
       TemporaryDirectory::make(output.parent_path(), output.stem().string() + ".link-");
   if (!folder) return folder.errors();
   const std::string stem = (folder->path() / "program").string();
-  const auto link = [&](LinkKind kind) {
+  const auto link = [&](LinkKind kind) -> Outcome<ProcessResult> {
+    const bool done =
+        !request.quick_folder.empty() && link_quickly({.line = line,
+                                                       .kind = kind,
+                                                       .stem = stem,
+                                                       .kept = request.quick_folder,
+                                                       .environment = request.environment},
+                                                      cancellation);
+    if (done) return ProcessResult{};
     return run_process(
         {.arguments = link_command(line, kind, stem), .environment = request.environment},
         cancellation);

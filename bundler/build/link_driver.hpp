@@ -18,7 +18,12 @@ struct LinkRequest {
   std::map<std::string, std::string> environment;  ///< for the compiler, see link_environment()
   std::string thread_support;                      ///< source that programs with threads get:
                                                    ///< templates/toolchain/src/thread_stack.cpp
+  std::string quick_folder;  ///< links as quick_link.hpp says, which keeps its findings here; may
+                             ///< be empty
 };
+
+/// The variable with the quick_folder of `ros2wasm link-program`.
+inline constexpr const char* kQuickLinkVariable = "ROS2WASM_QUICK_LINK";
 
 struct LinkReport {
   std::string program;  ///< the file written

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "bundler/build/diagnostic_json.hpp"
+#include "bundler/build/link_driver.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/process.hpp"
 #include "bundler/languages/language.hpp"
@@ -34,6 +35,7 @@ EnvironmentVariables child_environment(const PackageBuild& request, const BuildT
   EnvironmentVariables result = tools.compiler_environment;
   result["NINJA_STATUS"] = "[%f/%t] ";
   result["ROS2WASM_LINK_DIAGNOSTICS"] = (request.work / kLinkDiagnostics).string();
+  result[kQuickLinkVariable] = tools.quick_links.string();
   // A native ROS installation that was sourced must not leak its packages in.
   for (const char* name : {"AMENT_PREFIX_PATH", "CMAKE_PREFIX_PATH", "COLCON_PREFIX_PATH", "CFLAGS",
                            "CXXFLAGS", "CPPFLAGS", "LDFLAGS", "CMAKE_GENERATOR", "DESTDIR"}) {

@@ -35,7 +35,7 @@ export class Workshop {
   async build(name: string): Promise<Built> {
     // `build` starts nothing, but a manifest must name something.
     const manifest = this.manifest(join(this.folder, name), [{ package: name, executable: 'any' }]);
-    const { failure, output } = await this.run(['build', manifest]);
+    const { failure, output } = await this.run(['build', '--quick', manifest]);
     if (failure !== undefined) return { failure };
     const built = JSON.parse(output) as readonly { readonly package: string; readonly prefix: string }[];
     const prefix = built.find((one) => one.package === name)?.prefix;
@@ -50,7 +50,7 @@ export class Workshop {
     const manifest = this.manifest(folder, nodes.map(({ package: of, executable, options }) => ({ package: of, executable, ...options })));
     const site = join(folder, 'site');
     rmSync(site, { recursive: true, force: true });
-    const { failure } = await this.run(['pack', manifest, '--output', site]);
+    const { failure } = await this.run(['pack', '--quick', manifest, '--output', site]);
     return failure === undefined ? { site } : { failure };
   }
 

@@ -1,5 +1,6 @@
-// set_parameters NODE NAME=VALUE...: sets one parameter of a node after the other, as `ros2 param set` does, and says of
-// each whether the node accepted it. An integer, a double or a string, by how VALUE reads.
+// set_parameters NODE NAME=VALUE...: sets one parameter of a node after the other, as `ros2 param
+// set` does, and says of each whether the node accepted it. An integer, a double or a string, by
+// how VALUE reads.
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -8,9 +9,9 @@
 
 namespace {
 
-rclcpp::Parameter parameter_of(const std::string & name, const std::string & value)
-{
-  const bool number = !value.empty() && value.find_first_not_of("+-.0123456789") == std::string::npos;
+rclcpp::Parameter parameter_of(const std::string& name, const std::string& value) {
+  const bool number =
+      !value.empty() && value.find_first_not_of("+-.0123456789") == std::string::npos;
   if (!number) return {name, value};
   if (value.find('.') == std::string::npos) return {name, std::stoi(value)};
   return {name, std::stod(value)};
@@ -18,8 +19,7 @@ rclcpp::Parameter parameter_of(const std::string & name, const std::string & val
 
 }  // namespace
 
-int main(int argc, char ** argv)
-{
+int main(int argc, char** argv) {
   const std::vector<std::string> words = rclcpp::init_and_remove_ros_arguments(argc, argv);
   if (words.size() < 3) return 2;
   const auto node = std::make_shared<rclcpp::Node>("set_parameters");

@@ -27,8 +27,10 @@ export interface Broker {
   admit(): Admission | undefined;
   /** As SIGINT. */
   stop(participant: number): void;
-  /** The worker is gone: its endpoints vanish. `closed`: it took its leave itself. */
+  /** The worker is terminated: its endpoints vanish. `closed`: it took its leave itself. */
   end(participant: number, closed: boolean): void;
+  /** After `end`: none of its workers runs any more, so what they had may be given to others. */
+  gone(participant: number): void;
   /** A batch of console lines of the participant was dealt with. */
   consoleSeen(participant: number): void;
   close(): void;
@@ -40,6 +42,7 @@ export class SharedBroker implements Broker {
   readonly link: SharedLink;
   private readonly lingering = new Set<number>();
   private timer: ReturnType<typeof setInterval> | undefined;
+  private closed = false;
 
   constructor(options: BusOptions = {}) {
     this.bus = createBus(options);
@@ -56,11 +59,27 @@ export class SharedBroker implements Broker {
     this.bus.requestStop(participant);
   }
 
+  /** Workers of the participant may run on for seconds: nothing of theirs is freed here. */
   end(participant: number): void {
     const { bus } = this;
     const { i32 } = bus;
     Atomics.store(i32, bus.participantWord(participant) + BusParticipant.state, BusParticipantState.ended);
     Atomics.store(i32, bus.participantWord(participant) + BusParticipant.graphInterest, 0);
+    this.depart(participant, false);
+  }
+
+  gone(participant: number): void {
+    if (this.closed) return;
+    // What its workers were making or freeing when they stopped.
+    this.depart(participant, true);
+    this.lingering.add(participant);
+    this.reap();
+  }
+
+  /** Takes what the participant has out of the graph; when it is `gone`, frees what it had in hand. */
+  private depart(participant: number, gone: boolean): void {
+    const { bus } = this;
+    const { i32 } = bus;
     const mine = (participant + 1) << 8;
     const endpoints = Atomics.load(i32, BusHeader.endpointHigh);
     for (let index = 0; index < bus.endpointCount; index += 1) {
@@ -70,6 +89,7 @@ export class SharedBroker implements Broker {
       if ((state & ~255) !== mine) continue;
       const generation = Atomics.load(i32, word + BusEndpoint.generation);
       if ((state & 255) === BusPhase.claimed) {
+        if (!gone) continue;
         // It died while it made or freed this one: nobody else has seen it.
         if (generation !== 0) {
           bus.freeAll(endpointKey(index, generation));
@@ -94,15 +114,14 @@ export class SharedBroker implements Broker {
       const state = Atomics.load(i32, word + BusNode.state);
       if (state === 0 && index >= nodes) break;
       if ((state & ~255) !== mine) continue;
-      Atomics.store(i32, word + BusNode.state, BusPhase.free);
+      if (gone) Atomics.store(i32, word + BusNode.state, BusPhase.free);
+      else if ((state & 255) === BusPhase.live) Atomics.compareExchange(i32, word + BusNode.state, state, mine | BusPhase.departed);
       logChange(bus, nodeBit | index);
     }
     for (let other = 0; other < bus.participantCount; other += 1) {
       const state = Atomics.load(i32, bus.participantWord(other) + BusParticipant.state);
       if (state === BusParticipantState.live) bus.bump(other);
     }
-    this.lingering.add(participant);
-    this.reap();
   }
 
   /** Its readers count a writer that ended without taking leave as not alive. */
@@ -181,6 +200,7 @@ export class SharedBroker implements Broker {
   }
 
   close(): void {
+    this.closed = true;
     if (this.timer !== undefined) clearInterval(this.timer);
     this.timer = undefined;
     this.lingering.clear();
@@ -245,6 +265,9 @@ export class PortBroker implements Broker {
       else port.postMessage({ t: 'gone', participant });
     }
   }
+
+  /** Nothing is shared that it could still write to. */
+  gone(): void {}
 
   /** The worker gets a message instead. */
   consoleSeen(): void {}

@@ -1,8 +1,9 @@
 // A browser page as the place where a site runs.
 
-import type { WorkerReport } from './node_worker.ts';
+import type { HoldOrder, WorkerReport } from './node_worker.ts';
 import type { Platform, WorkerEvents, WorkerHandle } from './platform.ts';
 import { SiteError } from './site_error.ts';
+import { lifeOver, newLife } from './worker_life.ts';
 
 async function get(url: URL): Promise<Response> {
   let response: Response;
@@ -89,6 +90,7 @@ export function browserPlatform(base: URL, script: string): BrowserPlatform {
 class BrowserWorker implements WorkerHandle {
   private worker: Worker | undefined;
   private ended = false;
+  private readonly life = newLife();
   private readonly early: (() => void)[] = [];
 
   constructor(url: Promise<string>, name: string, events: WorkerEvents) {
@@ -99,6 +101,7 @@ class BrowserWorker implements WorkerHandle {
       worker.onerror = (event) => events.failed(event.message === undefined || event.message === '' ? 'the worker did not start' : event.message);
       worker.onmessageerror = () => events.failed('the worker sent what cannot be read');
       this.worker = worker;
+      worker.postMessage({ t: 'hold', life: this.life } satisfies HoldOrder);
       for (const order of this.early) order();
     }).catch((error: unknown) => {
       if (!this.ended) events.failed(error instanceof Error ? error.message : String(error));
@@ -110,11 +113,12 @@ class BrowserWorker implements WorkerHandle {
     else this.worker.postMessage(order, [...transfer]);
   }
 
-  terminate(): void {
+  async terminate(): Promise<void> {
     this.ended = true;
     if (this.worker === undefined) return;
     this.worker.onmessage = null;
     this.worker.onerror = null;
     this.worker.terminate();
+    await lifeOver(this.life);
   }
 }

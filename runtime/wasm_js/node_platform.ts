@@ -66,10 +66,10 @@ export function nodePlatform(folder: string, entry: URL): Platform & { close(): 
       });
       return {
         post: (order, transfer) => worker.postMessage(order, transfer as never),
-        terminate: () => {
+        terminate: async () => {
           worker.removeAllListeners();
           workers.delete(worker);
-          void worker.terminate();
+          await worker.terminate();
         },
       };
     },

@@ -132,13 +132,11 @@ export class NodeRunner {
       try {
         module = await this.host.platform.compile(this.node.program);
       } catch (error) {
-        main.terminate();
-        this.host.broker.end(participant, false);
+        this.bury(participant, [main], false);
         throw error;
       }
       if (this.attempt !== attempt) {
-        main.terminate();
-        this.host.broker.end(participant, false);
+        this.bury(participant, [main], false);
         return;
       }
       const start: WorkerStart = {
@@ -194,7 +192,7 @@ export class NodeRunner {
       case 'end':
         if (report.end.kind === 'thread') {
           run?.threads.delete(handle);
-          handle.terminate();
+          void handle.terminate();
         } else {
           void this.onEnd(report.end, report.closed);
         }
@@ -227,9 +225,7 @@ export class NodeRunner {
     this.run = undefined;
     if (run !== undefined && !run.over) {
       run.over = true;
-      run.main.terminate();
-      for (const thread of run.threads) thread.terminate();
-      this.host.broker.end(run.participant, closed);
+      this.bury(run.participant, [run.main, ...run.threads], closed);
     }
     this.clearTimer();
     const asked = this.stopping;
@@ -243,6 +239,13 @@ export class NodeRunner {
       const delay = Math.max(leastRespawnMs, this.node.respawnDelay * 1000);
       this.timer = setTimeout(() => this.start(), delay);
     }
+  }
+
+  /** The graph loses the program at once; its place and its memory are free when none of its workers runs any more. */
+  private bury(participant: number, workers: readonly WorkerHandle[], closed: boolean): void {
+    const gone = workers.map((worker) => worker.terminate());
+    this.host.broker.end(participant, closed);
+    void Promise.all(gone).then(() => this.host.broker.gone(participant));
   }
 
   private clearTimer(): void {

@@ -27,6 +27,12 @@ export type WorkerReport =
   /** `closed`: the worker took leave of the graph. */
   | { readonly t: 'end'; readonly end: ProgramEnd; readonly closed: boolean };
 
+/** In a browser, before all orders: the lock to hold as long as the worker lives (worker_life.ts). */
+export interface HoldOrder {
+  readonly t: 'hold';
+  readonly life: string;
+}
+
 export type WorkerOrder = { readonly t: 'start'; readonly start: WorkerStart } | { readonly t: 'seen' };
 
 /** Connects the worker's messages with a program. Returns what to call with each message. */

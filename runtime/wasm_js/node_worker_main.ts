@@ -1,7 +1,12 @@
 // The script of a node worker in a browser.
 
-import { serveWorker, type WorkerOrder } from './node_worker.ts';
+import { type HoldOrder, serveWorker, type WorkerOrder } from './node_worker.ts';
+import { holdLife } from './worker_life.ts';
 
 const scope = self as unknown as DedicatedWorkerGlobalScope;
 const handle = serveWorker((report) => scope.postMessage(report));
-scope.onmessage = (event: MessageEvent<WorkerOrder>) => handle(event.data);
+let held = Promise.resolve();
+scope.onmessage = ({ data: order }: MessageEvent<HoldOrder | WorkerOrder>) => {
+  if (order.t === 'hold') held = holdLife(order.life);
+  else void held.then(() => handle(order));
+};

@@ -4,7 +4,8 @@ import type { WorkerOrder, WorkerReport } from './node_worker.ts';
 
 export interface WorkerHandle {
   post(order: WorkerOrder, transfer: readonly MessagePort[]): void;
-  terminate(): void;
+  /** Resolves when the worker runs no more: until then it may still change what it shares with others. */
+  terminate(): Promise<void>;
 }
 
 export interface WorkerEvents {

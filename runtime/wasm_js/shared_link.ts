@@ -2,7 +2,7 @@
 // Discovery is the endpoint table: whoever changes it bumps the graph version and wakes those concerned.
 
 import {
-  BusEndpoint, BusHeader, BusNode, BusParticipant, BusPhase, EndpointKind, ErrorCode, flagHidden,
+  BusEndpoint, BusHeader, BusNode, BusParticipant, BusParticipantState, BusPhase, EndpointKind, ErrorCode, flagHidden,
   maxNameLength, type StatusKind, WaitResult, Durability, History, keepAllLimit,
 } from '../protocol/generated/constants.ts';
 import { type Bus, readText } from './bus.ts';
@@ -104,6 +104,10 @@ export class SharedLink implements Link {
     raise(bus, BusHeader.nodeHigh, index + 1);
     Atomics.store(bus.i32, word, ((this.participant + 1) << 8) | BusPhase.live);
     logChange(bus, nodeBit | index);
+    if (this.ended()) {
+      this.nodeDestroy(index);
+      return ErrorCode.stopped;
+    }
     this.wakeInterested([]);
     return index;
   }
@@ -141,9 +145,18 @@ export class SharedLink implements Link {
     raise(bus, BusHeader.endpointHigh, index + 1);
     Atomics.store(i32, word, ((this.participant + 1) << 8) | BusPhase.live);
     logChange(bus, index);
+    if (this.ended()) {
+      departEndpoint(bus, key, this.participant);
+      return ErrorCode.stopped;
+    }
     this.sync();
     this.wakeConcerned(key);
     return index;
+  }
+
+  /** A browser lets a terminated worker run on for a while: the broker has ended it, and nobody may see more of it. */
+  private ended(): boolean {
+    return Atomics.load(this.bus.i32, this.word + BusParticipant.state) !== BusParticipantState.live;
   }
 
   /** Before a reader is visible: notes where the writers that are there already stand. */
@@ -193,7 +206,9 @@ export class SharedLink implements Link {
   }
 
   write(endpoint: number, heap: Heap, address: number, length: number, info: number): number {
-    const writer = this.find(endpoint)?.writer;
+    // The first look at the graph that a write takes.
+    this.sync();
+    const writer = this.own.get(endpoint)?.writer;
     if (writer === undefined) return ErrorCode.badHandle;
     return writer.write(heap, address, length, info);
   }
@@ -538,7 +553,8 @@ export class SharedLink implements Link {
     const place = this.readers.indexOf(own);
     if (place >= 0) this.readers.splice(place, 1);
     if (own.timing.ticks) this.statuses.ticker.follow(this.own.values());
-    this.departed.set(key, own);
+    // What the broker took from it this thread may be writing to right now: to free it is the broker's.
+    if (!this.ended()) this.departed.set(key, own);
   }
 
   private dropEndpoint(key: number): void {

@@ -105,10 +105,10 @@ export class SharedWriter {
     this.participants = [...new Set(this.readers.map((reader) => reader.participant))];
   }
 
+  /** The caller has just looked at the graph. */
   write(heap: Heap, address: number, length: number, info: number): number {
     const { bus, word } = this;
     if (length > maxSampleLength) return ErrorCode.tooLarge;
-    this.sync();
     this.releaseRetired();
     const head = Atomics.load(bus.i32, word + BusEndpoint.head);
     const sequence = (head + 1) | 0;

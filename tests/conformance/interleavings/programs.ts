@@ -30,6 +30,12 @@ export interface Received extends Message {
 
 const payloadAt = 64;
 
+/** The broker clears up after a participant that runs no more. */
+export function bury(broker: SharedBroker, participant: number): void {
+  broker.end(participant);
+  broker.gone(participant);
+}
+
 /** Takes its leave when all is written. */
 export function publishAndLeave(hands: Hands, endpoint: number, messages: readonly Message[], done: number[]): void {
   publish(hands, endpoint, messages, done);
@@ -50,6 +56,16 @@ export function publish(hands: Hands, endpoint: number, messages: readonly Messa
 /** Answers a request: the sequence and the client come from it. */
 export function reply(hands: Hands, endpoint: number, length: number): number {
   return hands.link.write(endpoint, hands.heap, payloadAt, length, 0) as number;
+}
+
+/** The broker ends a participant, and another one begins to publish at once. */
+export function succeed(
+  broker: SharedBroker, ended: number, hands: Hands, description: EndpointDescription, messages: readonly Message[],
+): void {
+  broker.end(ended);
+  const endpoint = hands.link.endpointCreate(description);
+  if (endpoint < 0) throw new Error(`endpointCreate: ${endpoint}`);
+  publish(hands, endpoint, messages, []);
 }
 
 /** The next sample, checked to be whole; undefined when there is none. */

@@ -191,6 +191,26 @@ export const scenes: readonly ExploredScene[] = [
     make: (laboratory) => dyingWriter(laboratory, { before: 1, length: 8, qos: { depth: 2 }, more: 1 }),
   },
   {
+    name: 'a terminated writer runs on while the next one begins',
+    make(laboratory) {
+      const { world, a, b, pub, sub, received } = pair(laboratory, { before: 1, length: 2200 });
+      const c = world.join();
+      const { publish, succeed, takeOne } = laboratory.code;
+      const results = world.log<number>();
+      const first = laboratory.now(takeOne(b, sub))!.writer;
+      world.process('writer', () => publish(a, pub, numbered(2, 3, 2200), results));
+      world.process('page and next', () => succeed(world.broker, a.participant, c, world.describe(c, EndpointKind.publisher), numbered(1, 2, 2200)));
+      world.finally(() => {
+        for (let sample = laboratory.now(takeOne(b, sub)); sample !== undefined; sample = laboratory.now(takeOne(b, sub))) received.push(sample);
+        ordered(received, 'received');
+        equal(sequences(received.filter(({ writer }) => writer !== first)), '1,2', 'of the next');
+        laboratory.now(world.broker.gone(a.participant));
+        world.closeAll([b, c]);
+      });
+      return world.run();
+    },
+  },
+  {
     name: 'a reader dies at every access and its writer, which waits for it, goes on',
     limits: { deaths: 1, interruptions: 0 },
     make(laboratory) {
@@ -223,7 +243,7 @@ export const scenes: readonly ExploredScene[] = [
         equal(graph.nodes.map(({ name }) => name), [`n${b.participant}`], 'nodes');
         equal(graph.endpoints.length, 1, 'endpoints');
         world.closeAll([b]);
-        if (!world.died(mortal)) laboratory.now(world.broker.end(link.participant));
+        if (!world.died(mortal)) laboratory.now(laboratory.code.bury(world.broker, link.participant));
       });
       return world.run();
     },

@@ -123,7 +123,7 @@ export class SceneWorld {
 
   /** The process may die anywhere; the broker then clears up after its participant. */
   mayDie(process: number, participant: number): void {
-    this.mortal.set(process, this.process('broker', () => this.broker.end(participant), true));
+    this.mortal.set(process, this.process('broker', () => this.laboratory.code.bury(this.broker, participant), true));
   }
 
   /** A list that processes write to; empty at the start of a run. */
@@ -164,7 +164,7 @@ export class SceneWorld {
   closeAll(hands: readonly programs.Hands[]): void {
     const { laboratory, broker } = this;
     for (const { link } of hands) laboratory.now(link.close());
-    for (const { link } of hands) laboratory.now(broker.end(link.participant));
+    for (const { link } of hands) laboratory.now(laboratory.code.bury(broker, link.participant));
     for (const act of [...laboratory.stepper.timers]) laboratory.now(act());
     const { used } = laboratory.now(broker.bus.usage());
     if (used !== 0) throw new Error(`${used} pages stay behind`);

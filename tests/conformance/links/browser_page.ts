@@ -1,11 +1,14 @@
 // Runs scenes in a page; the test calls runScene.
 
 import type { LinkKind } from '../../../runtime/wasm_js/session.ts';
+import { lifeOver, newLife } from '../../../runtime/wasm_js/worker_life.ts';
 import { allScenes } from './all_scenes.ts';
 import { type RawWorker, World } from './world.ts';
 
 function start(): Promise<RawWorker> {
   const worker = new Worker('browser_peer.js');
+  const life = newLife();
+  worker.postMessage({ life });
   return Promise.resolve({
     post: (message, transfer) => worker.postMessage(message, [...transfer]),
     onMessage: (listener) => {
@@ -13,7 +16,7 @@ function start(): Promise<RawWorker> {
     },
     terminate: () => {
       worker.terminate();
-      return Promise.resolve();
+      return lifeOver(life);
     },
   });
 }

@@ -1,7 +1,12 @@
 // Entry of a conformance worker in a browser.
 
+import { holdLife } from '../../../runtime/wasm_js/worker_life.ts';
 import { servePeer } from './peer.ts';
 
 const scope = self as unknown as DedicatedWorkerGlobalScope;
 const handle = servePeer((message) => scope.postMessage(message));
-scope.onmessage = (event) => void handle(event.data);
+let held = Promise.resolve();
+scope.onmessage = ({ data }: MessageEvent<{ life?: string }>) => {
+  if (data.life !== undefined) held = holdLife(data.life);
+  else void held.then(() => handle(data));
+};

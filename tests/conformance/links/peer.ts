@@ -134,6 +134,17 @@ export class Peer {
     }
   }
 
+  /** Makes a node with a publisher that writes, and destroys them, for ever. */
+  async makeForEver(name: string): Promise<never> {
+    for (;;) {
+      const node = this.node('maker');
+      const pub = this.publisher({ node, name });
+      if (pub >= 0) await this.write(pub, new Uint8Array(3000).fill(255));
+      this.destroy(pub);
+      this.destroyNode(node);
+    }
+  }
+
   /** Computes for ever, and neither waits nor sleeps. */
   spin(): never {
     for (;;) {

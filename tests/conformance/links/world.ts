@@ -7,6 +7,7 @@ import type { Peer, PeerCall } from './peer.ts';
 export interface RawWorker {
   post(message: unknown, transfer: readonly MessagePort[]): void;
   onMessage(listener: (message: unknown) => void): void;
+  /** Resolves when the worker runs no more. */
   terminate(): Promise<void>;
 }
 
@@ -18,7 +19,7 @@ export class RemotePeer {
   private readonly raw: RawWorker;
   private readonly broker: Broker;
   private readonly pending: { resolve: (value: unknown) => void; reject: (error: Error) => void; begun: () => void }[] = [];
-  private ended = false;
+  private burial: Promise<void> | undefined;
 
   constructor(raw: RawWorker, broker: Broker, participant: number) {
     this.raw = raw;
@@ -64,20 +65,26 @@ export class RemotePeer {
     this.broker.stop(this.participant);
   }
 
-  /** Kills the worker wherever it is. */
-  async terminate(): Promise<void> {
-    if (this.ended) return;
-    this.ended = true;
-    await this.raw.terminate();
-    this.broker.end(this.participant, false);
+  /** Kills the worker wherever it is. It is out of the graph at once; resolves when it runs no more. */
+  terminate(): Promise<void> {
+    return this.bury(false);
   }
 
   /** Lets the worker take its leave. */
   async leave(): Promise<void> {
     await this.call('close');
-    this.ended = true;
-    await this.raw.terminate();
-    this.broker.end(this.participant, true);
+    await this.bury(true);
+  }
+
+  /** As the page does it (node_runner.ts). */
+  private bury(closed: boolean): Promise<void> {
+    this.burial ??= (async () => {
+      const gone = this.raw.terminate();
+      this.broker.end(this.participant, closed);
+      await gone;
+      this.broker.gone(this.participant);
+    })();
+    return this.burial;
   }
 }
 
@@ -105,7 +112,7 @@ export class World {
   }
 
   async close(): Promise<void> {
-    for (const worker of this.workers) await worker.terminate();
+    await Promise.all(this.workers.map((worker) => worker.terminate()));
     this.broker.close();
   }
 }

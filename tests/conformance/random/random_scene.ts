@@ -44,7 +44,7 @@ export abstract class RandomScene {
   protected readonly people: Participant[] = [];
   /** Third words of the gids. */
   protected readonly keys = new Map<ModelEndpoint, number>();
-  private readonly heap: { u8: Uint8Array; i32: Int32Array };
+  protected readonly heap: { u8: Uint8Array; i32: Int32Array };
   /** What was done, for the one who reads a failure. */
   readonly story: string[] = [];
 

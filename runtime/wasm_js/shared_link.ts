@@ -67,7 +67,7 @@ export class SharedLink implements Link {
   private stopsTold = 0;
   /** The last wait was over so soon that it is worth a look or two before the thread sleeps. */
   private brisk = false;
-  private readonly syncNow = (): void => this.sync();
+  private readonly syncNow = (): boolean => this.sync();
   private readonly pause: Pause;
 
   constructor({ bus, participant, mayBlock }: SharedLinkOptions) {
@@ -162,7 +162,7 @@ export class SharedLink implements Link {
   /** Before a reader is visible: notes where the writers that are there already stand. */
   private placeCursors(record: EndpointRecord): void {
     this.sync();
-    const reader = new SharedReader(this.bus, record);
+    const reader = new SharedReader(this.bus, record, this.syncNow);
     for (const writer of this.graphReplica.named(record.name)) {
       if (relate(record, writer).kind !== 'match') continue;
       const word = this.bus.endpointWord(keyIndex(writer.key));
@@ -377,11 +377,11 @@ export class SharedLink implements Link {
     return this.own.get(endpoint);
   }
 
-  /** Brings the replica up to the table. One load when nothing changed. */
-  private sync(): void {
+  /** Brings the replica up to the table; false, and one load, when nothing changed. */
+  private sync(): boolean {
     const { i32 } = this.bus;
     const now = Atomics.load(i32, BusHeader.graphVersion);
-    if (now === this.version) return;
+    if (now === this.version) return false;
     const behind = (now - this.version) | 0;
     const known = this.version;
     this.version = now;
@@ -400,6 +400,7 @@ export class SharedLink implements Link {
       this.syncAll();
     }
     if (this.departed.size > 0) this.releaseDeparted();
+    return true;
   }
 
   private syncAll(): void {
@@ -468,7 +469,7 @@ export class SharedLink implements Link {
       record,
       word,
       writer: writes(record.kind) ? new SharedWriter(this.bus, record, timing, this.syncNow, this.pause) : undefined,
-      reader: reads(record.kind) ? new SharedReader(this.bus, record) : undefined,
+      reader: reads(record.kind) ? new SharedReader(this.bus, record, this.syncNow) : undefined,
       timing,
       matched: new Set(),
       incompatible: new Set(),

@@ -38,10 +38,13 @@ export class SharedReader {
   private sequence = 0;
   private slot = 0;
   private ring = 0;
+  /** Brings the list of writers up to date; true when the graph has changed. */
+  private readonly sync: () => boolean;
 
-  constructor(bus: Bus, record: EndpointRecord) {
+  constructor(bus: Bus, record: EndpointRecord, sync: () => boolean) {
     this.bus = bus;
     this.record = record;
+    this.sync = sync;
     this.word = bus.endpointWord(keyIndex(record.key));
     this.depth = depthOf(record);
     this.filter = record.kind === EndpointKind.client;
@@ -80,6 +83,8 @@ export class SharedReader {
       const found = signal !== Atomics.load(i32, word + BusEndpoint.drained) && this.find(true);
       const writer = this.at;
       if (!found || writer === undefined) {
+        // The signal that was noted may be of a writer that has come since the last look.
+        if (this.sync()) continue;
         Atomics.store(i32, word + BusEndpoint.drained, signal);
         return ErrorCode.nothing;
       }

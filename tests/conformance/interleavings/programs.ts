@@ -63,9 +63,7 @@ export function succeed(
   broker: SharedBroker, ended: number, hands: Hands, description: EndpointDescription, messages: readonly Message[],
 ): void {
   broker.end(ended);
-  const endpoint = hands.link.endpointCreate(description);
-  if (endpoint < 0) throw new Error(`endpointCreate: ${endpoint}`);
-  publish(hands, endpoint, messages, []);
+  joinAndPublish(hands, description, messages);
 }
 
 /** The next sample, checked to be whole; undefined when there is none. */
@@ -97,6 +95,26 @@ export function listen(hands: Hands, endpoint: number, received: Received[], eno
     if (matched === 0) return;
     link.wait(token, -1);
   }
+}
+
+/** Takes without looking first, and sleeps when there is nothing. */
+export function takeAsItComes(hands: Hands, endpoint: number, received: Received[]): void {
+  for (;;) {
+    const token = hands.link.wakeToken();
+    const sample = takeOne(hands, endpoint);
+    if (sample !== undefined) {
+      received.push(sample);
+      return;
+    }
+    hands.link.wait(token, -1);
+  }
+}
+
+/** A writer that comes and writes. */
+export function joinAndPublish(hands: Hands, description: EndpointDescription, messages: readonly Message[]): void {
+  const endpoint = hands.link.endpointCreate(description);
+  if (endpoint < 0) throw new Error(`endpointCreate: ${endpoint}`);
+  publish(hands, endpoint, messages, []);
 }
 
 /** Waits for as many peers. */

@@ -156,6 +156,23 @@ export const scenes: readonly ExploredScene[] = [
     limits: { interruptions: 2, focus: handovers },
   },
   {
+    name: 'a writer appears while its reader looks',
+    make(laboratory) {
+      const world = new SceneWorld(laboratory);
+      const [a, b] = [world.join(), world.join()];
+      const sub = world.subscription(b);
+      const received = world.log<Received>();
+      const { joinAndPublish, takeAsItComes } = laboratory.code;
+      world.process('reader', () => takeAsItComes(b, sub, received));
+      world.process('writer', () => joinAndPublish(a, world.describe(a, EndpointKind.publisher), numbered(1, 1)));
+      world.finally(() => {
+        equal(sequences(received), '1', 'received');
+        world.closeAll([a, b]);
+      });
+      return world.run();
+    },
+  },
+  {
     name: 'two writers, one reader',
     make(laboratory) {
       const world = new SceneWorld(laboratory);

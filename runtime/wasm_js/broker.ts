@@ -10,8 +10,9 @@ import { type EndpointRecord, relate } from './graph.ts';
 import type { LinkTicket } from './open_link.ts';
 import { PortLink } from './port_link.ts';
 import type { PeerPort } from './port_messages.ts';
-import { endpointKey, findCursor, keyIndex, previousGeneration } from './shared_ring.ts';
+import { endpointKey, keyIndex, previousGeneration } from './shared_ring.ts';
 import { SharedLink } from './shared_link.ts';
+import { unread } from './unread.ts';
 
 export interface Admission {
   readonly participant: number;
@@ -164,35 +165,12 @@ export class SharedBroker implements Broker {
       const word = bus.endpointWord(index);
       if (Atomics.load(i32, word) !== departed) continue;
       const key = endpointKey(index, Atomics.load(i32, word + BusEndpoint.generation));
-      if (this.unread(index, key)) left += 1;
+      if (unread(bus, key)) left += 1;
       else releaseEndpoint(bus, key, participant);
     }
     if (left > 0) return false;
     Atomics.store(i32, bus.participantWord(participant) + BusParticipant.state, BusParticipantState.free);
     return true;
-  }
-
-  /** Is there a reader that knew this writer and has not come to its end? */
-  private unread(index: number, key: number): boolean {
-    const { bus } = this;
-    const { i32 } = bus;
-    const word = bus.endpointWord(index);
-    const head = Atomics.load(i32, word + BusEndpoint.head);
-    const writer = readEndpoint(bus, index);
-    if (head === 0 || writer === undefined || Atomics.load(i32, word + BusEndpoint.ring) === 0) return false;
-    const gone = Atomics.load(i32, word + BusEndpoint.gone);
-    const endpoints = Atomics.load(i32, BusHeader.endpointHigh);
-    for (let other = 0; other < endpoints; other += 1) {
-      const reader = bus.endpointWord(other);
-      if ((Atomics.load(i32, reader) & 255) !== BusPhase.live) continue;
-      if (((gone - Atomics.load(i32, reader + BusEndpoint.born)) | 0) <= 0) continue;
-      if (Atomics.load(i32, reader + BusEndpoint.drained) === Atomics.load(i32, reader + BusEndpoint.signal)) continue;
-      const record = readEndpoint(bus, other)?.record;
-      if (record === undefined || relate(writer.record, record).kind !== 'match') continue;
-      const pair = findCursor(bus, reader, key);
-      if (pair < 0 || Atomics.load(bus.i32, pair + 1) !== head) return true;
-    }
-    return false;
   }
 
   consoleSeen(participant: number): void {

@@ -86,6 +86,11 @@ export function departEndpoint(bus: Bus, key: number, participant: number): bool
   return true;
 }
 
+/** Was a reader there before a writer left? If not, the writer has nothing for it. Words of their entries. */
+export function metBefore({ i32 }: Bus, reader: number, writer: number): boolean {
+  return ((Atomics.load(i32, writer + BusEndpoint.gone) - Atomics.load(i32, reader + BusEndpoint.born)) | 0) > 0;
+}
+
 /** Reads an endpoint slot; undefined when it is neither live nor departed, or changed meanwhile. */
 export function readEndpoint(bus: Bus, index: number): { record: EndpointRecord; departed: boolean } | undefined {
   const { i32 } = bus;

@@ -1,6 +1,8 @@
 // Sends console lines from a worker to the page: at once while the page keeps up, in batches when it does not, and
 // the newest only when a program prints without end.
 
+import { BusParticipant } from '../protocol/generated/constants.ts';
+import type { Bus } from './bus.ts';
 import type { Link } from './link.ts';
 
 /** Stream (1 or 2), ms since 1970, text. */
@@ -29,6 +31,29 @@ export class LocalCredit implements ConsoleCredit {
 
   ahead(): number {
     return this.count;
+  }
+}
+
+/** Counts on the bus, where the page adds what it has seen: a blocked worker gets no message. */
+export class SharedCredit implements ConsoleCredit {
+  private readonly bus: Bus;
+  private readonly word: number;
+
+  constructor(bus: Bus, participantWord: number) {
+    this.bus = bus;
+    this.word = participantWord;
+  }
+
+  posted(): void {
+    Atomics.add(this.bus.i32, this.word + BusParticipant.consolePosted, 1);
+  }
+
+  seen(): void {}
+
+  ahead(): number {
+    const { i32 } = this.bus;
+    const posted = Atomics.load(i32, this.word + BusParticipant.consolePosted);
+    return (posted - Atomics.load(i32, this.word + BusParticipant.consoleSeen)) | 0;
   }
 }
 

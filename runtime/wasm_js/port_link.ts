@@ -3,12 +3,12 @@
 // loop run. Used within one thread.
 
 import {
-  EndpointKind, ErrorCode, flagHidden, frameHeaderSize, maxNameLength, maxSampleLength, type StatusKind,
+  EndpointKind, ErrorCode, flagHidden, frameHeaderSize, maxSampleLength, type StatusKind,
   WaitResult,
 } from '../protocol/generated/constants.ts';
 import { putNanoseconds, steadyNanoseconds, systemNanoseconds } from './clock.ts';
 import { type ConsoleCredit, LocalCredit } from './console_sender.ts';
-import { checkDescription } from './description_check.ts';
+import { checkDescription, checkNode } from './description_check.ts';
 import { type EndpointRecord, Graph, reads, relate, writes } from './graph.ts';
 import type { EndpointDescription, EndpointStatus, GraphSnapshot, Heap, Link } from './link.ts';
 import { EventCounters } from './event_counters.ts';
@@ -47,8 +47,6 @@ interface Arrivals {
   bytes: number;
   acknowledged: number;
 }
-
-const encoder = new TextEncoder();
 
 export class PortLink implements Link {
   readonly kind = 'port';
@@ -109,10 +107,8 @@ export class PortLink implements Link {
   }
 
   nodeCreate(name: string, namespace: string): number {
-    const length = encoder.encode(name).length;
-    if (length === 0 || length > maxNameLength || encoder.encode(namespace).length > maxNameLength) {
-      return ErrorCode.invalidName;
-    }
+    const wrong = checkNode(name, namespace);
+    if (wrong < 0) return wrong;
     const handle = this.newHandle();
     const node = { key: this.keyOf(handle), participant: this.participant, namespace, name };
     this.graphReplica.nodes.set(node.key, node);
@@ -258,7 +254,10 @@ export class PortLink implements Link {
       own.expected.delete(key);
       own.strangers.delete(key);
       if (!own.matched.delete(key)) continue;
-      if (own.reader !== undefined) own.timing.unmatch(key, own.matched.size, steadyNanoseconds());
+      if (own.reader !== undefined) {
+        own.timing.unmatch(key);
+        if (own.matched.size === 0) own.timing.pause(steadyNanoseconds());
+      }
       if (died) own.counters.died += 1;
       this.noteStatus();
     }

@@ -2,17 +2,17 @@
 // Discovery is the endpoint table: whoever changes it bumps the graph version and wakes those concerned.
 
 import {
-  BusEndpoint, BusHeader, BusNode, BusParticipant, BusParticipantState, BusPhase, EndpointKind, ErrorCode, flagHidden,
-  maxNameLength, type StatusKind, WaitResult, Durability, History, keepAllLimit,
+  BusEndpoint, BusHeader, BusNode, BusParticipant, BusParticipantState, BusPhase, ErrorCode, flagHidden,
+  type StatusKind, WaitResult,
 } from '../protocol/generated/constants.ts';
 import { type Bus, readText } from './bus.ts';
 import { BusCells } from './bus_cells.ts';
 import {
-  claimSlot, departEndpoint, fillEndpoint, logChange, nodeBit, raise, readEndpoint, releaseEndpoint,
+  bumpGeneration, claimSlot, departEndpoint, fillEndpoint, logChange, metBefore, nodeBit, raise, readEndpoint, releaseEndpoint,
 } from './bus_tables.ts';
 import { steadyNanoseconds } from './clock.ts';
-import type { ConsoleCredit } from './console_sender.ts';
-import { checkDescription } from './description_check.ts';
+import { type ConsoleCredit, SharedCredit } from './console_sender.ts';
+import { checkDescription, checkNode } from './description_check.ts';
 import { type EndpointRecord, Graph, reads, relate, writes } from './graph.ts';
 import type { EndpointDescription, EndpointStatus, GraphSnapshot, Heap, Link } from './link.ts';
 import { endpointKey, keyIndex } from './shared_ring.ts';
@@ -20,6 +20,7 @@ import { SharedReader } from './shared_reader.ts';
 import { type Pause, SharedWriter } from './shared_writer.ts';
 import { SharedStatuses } from './shared_statuses.ts';
 import { manualLease, Timing } from './timing.ts';
+import { unread } from './unread.ts';
 
 interface Own {
   readonly record: EndpointRecord;
@@ -28,7 +29,10 @@ interface Own {
   readonly reader: SharedReader | undefined;
   readonly timing: Timing;
   readonly matched: Set<number>;
-  readonly incompatible: Set<number>;
+  /** Keys of endpoints with the name whose QoS or type does not fit. */
+  readonly strangers: Set<number>;
+  /** How many with another QoS there were so far, as this thread saw it. */
+  incompatible: number;
 }
 
 const encoder = new TextEncoder();
@@ -61,6 +65,8 @@ export class SharedLink implements Link {
   private readonly readers: Own[] = [];
   private readonly statuses: SharedStatuses;
   private readonly departed = new Map<number, Own>();
+  /** Readers that have lost their last writer, until that is settled. */
+  private readonly alone = new Set<Own>();
   /** How often each own endpoint was matched so far, as this thread saw it. */
   private readonly totals = new Map<number, number>();
   private version = -1;
@@ -87,11 +93,10 @@ export class SharedLink implements Link {
   }
 
   nodeCreate(name: string, namespace: string): number {
+    const wrong = checkNode(name, namespace);
+    if (wrong < 0) return wrong;
     const nameBytes = encoder.encode(name);
     const namespaceBytes = encoder.encode(namespace);
-    if (nameBytes.length === 0 || nameBytes.length > maxNameLength || namespaceBytes.length > maxNameLength) {
-      return ErrorCode.invalidName;
-    }
     const { bus } = this;
     const index = claimSlot(bus, this.participant, bus.nodeCount, (i) => bus.nodeWord(i));
     if (index < 0) return ErrorCode.tableFull;
@@ -141,7 +146,12 @@ export class SharedLink implements Link {
     const record = { ...rest, key, gid, participant: this.participant, nodeKey: node };
     fillEndpoint(bus, record);
     if (manualLease(record) !== 0) new BusCells(bus, word).exchangeAsserted(steadyNanoseconds());
-    if (reads(record.kind)) this.placeCursors(record);
+    if (reads(record.kind) && !this.placeCursors(record)) {
+      bus.freeAll(key);
+      bumpGeneration(i32, word);
+      Atomics.store(i32, word, BusPhase.free);
+      return ErrorCode.outOfMemory;
+    }
     raise(bus, BusHeader.endpointHigh, index + 1);
     Atomics.store(i32, word, ((this.participant + 1) << 8) | BusPhase.live);
     logChange(bus, index);
@@ -159,26 +169,14 @@ export class SharedLink implements Link {
     return Atomics.load(this.bus.i32, this.word + BusParticipant.state) !== BusParticipantState.live;
   }
 
-  /** Before a reader is visible: notes where the writers that are there already stand. */
-  private placeCursors(record: EndpointRecord): void {
+  /** Before a reader is visible: notes where the writers that are there already stand. False when there is no room. */
+  private placeCursors(record: EndpointRecord): boolean {
     this.sync();
     const reader = new SharedReader(this.bus, record, this.syncNow);
     for (const writer of this.graphReplica.named(record.name)) {
-      if (relate(record, writer).kind !== 'match') continue;
-      const word = this.bus.endpointWord(keyIndex(writer.key));
-      const head = Atomics.load(this.bus.i32, word + BusEndpoint.head);
-      reader.startAt(writer, (head - this.heritage(record, writer, head)) | 0);
+      if (relate(record, writer).kind === 'match' && !reader.startAt(writer)) return false;
     }
-  }
-
-  /** How many samples from before its time a new reader gets. */
-  private heritage(reader: EndpointRecord, writer: EndpointRecord, head: number): number {
-    const both = reader.qos.durability === Durability.transientLocal
-      && writer.qos.durability === Durability.transientLocal;
-    if (!both || reader.kind !== EndpointKind.subscription) return 0;
-    const depth = ({ qos }: EndpointRecord): number =>
-      qos.history === History.keepAll ? keepAllLimit : Math.max(1, qos.depth);
-    return Math.min(depth(reader), depth(writer), head >>> 0);
+    return true;
   }
 
   private ownsNode(node: number): boolean {
@@ -345,14 +343,7 @@ export class SharedLink implements Link {
   }
 
   consoleCredit(): ConsoleCredit {
-    const { bus, word } = this;
-    return {
-      posted: () => void Atomics.add(bus.i32, word + BusParticipant.consolePosted, 1),
-      // The page counts in the bus: a blocked worker gets no message.
-      seen: () => undefined,
-      ahead: () => (Atomics.load(bus.i32, word + BusParticipant.consolePosted)
-        - Atomics.load(bus.i32, word + BusParticipant.consoleSeen)) | 0,
-    };
+    return new SharedCredit(this.bus, this.word);
   }
 
   /** Departs whatever this participant still has. */
@@ -400,7 +391,16 @@ export class SharedLink implements Link {
       this.syncAll();
     }
     if (this.departed.size > 0) this.releaseDeparted();
+    if (this.alone.size > 0) this.endDeadlines();
     return true;
+  }
+
+  /** Without any writer no deadline runs; one that took the place of the last has perhaps written already. */
+  private endDeadlines(): void {
+    const now = steadyNanoseconds();
+    if (Atomics.load(this.bus.i32, BusHeader.graphVersion) !== this.version) return;
+    for (const own of this.alone) if (own.matched.size === 0) own.timing.pause(now);
+    this.alone.clear();
   }
 
   private syncAll(): void {
@@ -472,7 +472,8 @@ export class SharedLink implements Link {
       reader: reads(record.kind) ? new SharedReader(this.bus, record, this.syncNow) : undefined,
       timing,
       matched: new Set(),
-      incompatible: new Set(),
+      strangers: new Set(),
+      incompatible: 0,
     };
     this.own.set(keyIndex(record.key), own);
     if (own.reader !== undefined) this.readers.push(own);
@@ -495,7 +496,7 @@ export class SharedLink implements Link {
       case 'none':
         return;
       case 'match':
-        if (departed && !this.knewEachOther(own, other)) return;
+        if (departed && !metBefore(this.bus, own.word, this.bus.endpointWord(keyIndex(other.key)))) return;
         own.reader?.match(other);
         if (!departed) {
           own.writer?.match(other);
@@ -508,24 +509,18 @@ export class SharedLink implements Link {
         }
         return;
       case 'incompatible':
-        if (departed || own.incompatible.has(other.key)) return;
-        own.incompatible.add(other.key);
+        if (departed || own.strangers.has(other.key)) return;
+        own.strangers.add(other.key);
+        own.incompatible += 1;
         Atomics.store(this.bus.i32, own.word + BusEndpoint.incompatiblePolicy, relation.policy);
-        if (raise(this.bus, own.word + BusEndpoint.incompatibleTotal, own.incompatible.size)) this.statuses.note();
+        if (raise(this.bus, own.word + BusEndpoint.incompatibleTotal, own.incompatible)) this.statuses.note();
         return;
       case 'wrong_type':
-        if (departed || own.incompatible.has(-other.key)) return;
-        own.incompatible.add(-other.key);
+        if (departed || own.strangers.has(other.key)) return;
+        own.strangers.add(other.key);
         if (raise(this.bus, own.word + BusEndpoint.wrongTypeTotal, 1)) this.statuses.note();
         return;
     }
-  }
-
-  /** A writer that left before this reader came has nothing for it. */
-  private knewEachOther(own: Own, other: EndpointRecord): boolean {
-    const { i32 } = this.bus;
-    const gone = Atomics.load(i32, this.bus.endpointWord(keyIndex(other.key)) + BusEndpoint.gone);
-    return ((gone - Atomics.load(i32, own.word + BusEndpoint.born)) | 0) > 0;
   }
 
   /** Counters in the bus only grow to what the best-informed thread has seen. */
@@ -542,8 +537,12 @@ export class SharedLink implements Link {
     if (record === undefined) return;
     for (const own of this.ownRelatives(record)) {
       own.writer?.unmatch(key);
+      own.strangers.delete(key);
       if (!own.matched.delete(key)) continue;
-      if (own.reader !== undefined) own.timing.unmatch(key, own.matched.size, steadyNanoseconds());
+      if (own.reader !== undefined) {
+        own.timing.unmatch(key);
+        if (own.matched.size === 0) this.alone.add(own);
+      }
       this.publishMatched(own, 0);
     }
     if (record.participant !== this.participant) return;
@@ -567,7 +566,7 @@ export class SharedLink implements Link {
   /** Own endpoints that were destroyed stay until their readers have read what they left. */
   private releaseDeparted(): void {
     for (const [key, own] of this.departed) {
-      if (own.writer !== undefined && !own.writer.drained()) continue;
+      if (own.writer !== undefined && unread(this.bus, key)) continue;
       this.departed.delete(key);
       releaseEndpoint(this.bus, key, this.participant);
     }

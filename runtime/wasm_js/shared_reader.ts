@@ -1,7 +1,7 @@
 // The reading half of an endpoint on the shared bus: subscription, server (requests) or client (replies).
 // Keeps its place per writer in the bus, so that any thread of the participant may take.
 
-import { BusEndpoint, BusSizes, EndpointKind, ErrorCode, History } from '../protocol/generated/constants.ts';
+import { BusEndpoint, BusSizes, Durability, EndpointKind, ErrorCode, History, keepAllLimit } from '../protocol/generated/constants.ts';
 import type { Bus } from './bus.ts';
 import { systemNanoseconds } from './clock.ts';
 import type { EndpointRecord } from './graph.ts';
@@ -22,6 +22,16 @@ interface WriterRef {
 function depthOf(record: EndpointRecord): number {
   if (record.kind !== EndpointKind.subscription || record.qos.history === History.keepAll) return 0x7fffffff;
   return Math.max(1, record.qos.depth);
+}
+
+/** How many samples from before its time a new reader gets. */
+function heritage(reader: EndpointRecord, writer: EndpointRecord, head: number): number {
+  const both = reader.qos.durability === Durability.transientLocal
+    && writer.qos.durability === Durability.transientLocal;
+  if (!both || reader.kind !== EndpointKind.subscription) return 0;
+  const depth = ({ qos }: EndpointRecord): number =>
+    qos.history === History.keepAll ? keepAllLimit : Math.max(1, qos.depth);
+  return Math.min(depth(reader), depth(writer), head >>> 0);
 }
 
 export class SharedReader {
@@ -64,9 +74,10 @@ export class SharedReader {
     });
   }
 
-  /** Before this endpoint is visible: where to begin with a writer that is there already. */
-  startAt(writer: EndpointRecord, cursor: number): void {
-    this.addPair(writer.key, cursor);
+  /** Before this endpoint is visible: where to begin with a writer that is there already. False: no room for it. */
+  startAt(writer: EndpointRecord): boolean {
+    const head = Atomics.load(this.bus.i32, this.bus.endpointWord(keyIndex(writer.key)) + BusEndpoint.head);
+    return this.addPair(writer.key, (head - heritage(this.record, writer, head)) | 0) >= 0;
   }
 
   hasData(): boolean {
@@ -147,6 +158,8 @@ export class SharedReader {
         const cursor = this.cursor(writer);
         // The place of a writer that left stays here: whoever frees its entry looks whether all is read.
         if (head === cursor) continue;
+        // At the memory's end: without a place for it, what is read would come again and again.
+        if (move && writer.pair < 0 && !this.setCursor(writer, cursor)) continue;
         const sequence = this.firstValid(writer, cursor, head, move);
         if (sequence === undefined) continue;
         total += (head - sequence + 1) | 0;
@@ -223,14 +236,17 @@ export class SharedReader {
     return writer.pair < 0 ? 0 : Atomics.load(this.bus.i32, writer.pair + 1);
   }
 
-  private setCursor(writer: WriterRef, sequence: number): void {
+  /** False when the writer has no place yet, and there is no room for one. */
+  private setCursor(writer: WriterRef, sequence: number): boolean {
     if (writer.pair < 0 || Atomics.load(this.bus.i32, writer.pair) !== writer.key) {
       writer.pair = findCursor(this.bus, this.word, writer.key);
     }
     if (writer.pair < 0) writer.pair = this.addPair(writer.key, sequence);
     else Atomics.store(this.bus.i32, writer.pair + 1, sequence);
+    return writer.pair >= 0;
   }
 
+  /** Word of the new pair, or -1. */
   private addPair(key: number, cursor: number): number {
     const { bus } = this;
     for (;;) {
@@ -242,7 +258,7 @@ export class SharedReader {
         Atomics.store(bus.i32, pair, key);
         return pair;
       }
-      if (!this.growTable(word, entries)) throw new RangeError('the bus is full: no room for a cursor');
+      if (!this.growTable(word, entries)) return -1;
     }
   }
 

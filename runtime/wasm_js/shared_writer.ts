@@ -206,12 +206,6 @@ export class SharedWriter {
     return this.retired.length === 0 ? ErrorCode.outOfMemory : this.blockWhile(() => this.retired.length > 0);
   }
 
-  /** True when no matched reader has anything left to read. */
-  drained(): boolean {
-    const head = Atomics.load(this.bus.i32, this.word + BusEndpoint.head);
-    return this.readers.every((reader) => this.cursor(reader) === head);
-  }
-
   private signal(target: number): void {
     const { bus } = this;
     for (let i = 0; i < this.readers.length; i += 1) {
@@ -294,7 +288,7 @@ export class SharedWriter {
       const old = (sequence - size) | 0;
       const slot = slotWord(bus, ring, sequence);
       if (Atomics.load(bus.i32, slot) !== old || !this.wanted(old, size, Atomics.load(bus.i32, slot + 4))) return 0;
-      if (size < this.sizeLimit()) {
+      if (size < this.sizeLimit(old)) {
         const width = Atomics.load(bus.i32, (bus.pageOffset(ringPage(ring)) >> 2) + BusRing.stride);
         const made = this.newRing(ringLog2(ring) + 1, width, ring, sequence);
         if (made < 0) return made;
@@ -317,11 +311,10 @@ export class SharedWriter {
     bus.reach(offset + Atomics.load(bus.i32, (offset >> 2) + BusRing.pages) * BusSizes.page);
   }
 
-  private sizeLimit(): number {
+  /** Most slots, when `old` is the sample that gives way to the next. */
+  private sizeLimit(old: number): number {
     if (this.service) return serviceLimit;
-    return this.mayBlock && this.readers.some((reader) => !(reader.local && reader.depth === Infinity))
-      ? keepAllLimit
-      : 1 << maxLog2;
+    return this.mayBlock && this.keepAllWants(old, false) ? keepAllLimit : 1 << maxLog2;
   }
 
   /** Does anyone still have a right to the sample that is `age` behind the one to be written? */

@@ -101,11 +101,17 @@ export class Timing {
     if (leaseNs !== 0) this.leases.set(writer.key, { cells, leaseNs });
   }
 
-  /** `left` matched writers remain: without any, no deadline runs. */
-  unmatch(writer: number, left: number, now: number): void {
+  unmatch(writer: number): void {
     this.leases.delete(writer);
-    if (left > 0 || this.deadlineNs === 0) return;
-    const missed = periodsSince(this.cells.exchangeActive(0), now, this.deadlineNs);
+  }
+
+  /** At `now` the reader had no writer left: no deadline runs until the next sample. */
+  pause(now: number): void {
+    if (this.deadlineNs === 0) return;
+    const active = this.cells.exchangeActive(0);
+    // A writer that came after that has written already.
+    if (active > now) this.cells.exchangeActive(active);
+    const missed = periodsSince(active, now, this.deadlineNs);
     if (missed > 0) this.cells.addMissed(missed);
   }
 

@@ -38,12 +38,19 @@ test('a deadline is missed once for every whole period since the last sample', (
 test('a subscription without writers misses nothing until the next sample', () => {
   const timing = new Timing(record(EndpointKind.subscription, { deadline: 10n }), new LocalCells(100));
   timing.received(1000);
-  timing.unmatch(5, 1, 1015);
+  timing.unmatch(5);
   assert.equal(timing.deadlinesMissed(1020), 2);
-  timing.unmatch(6, 0, 1025);
+  timing.pause(1025);
   assert.equal(timing.deadlinesMissed(5000), 2);
   timing.received(6000);
   assert.equal(timing.deadlinesMissed(6010), 3);
+});
+
+test('a deadline runs on from the sample of a writer that came after the last one had gone', () => {
+  const timing = new Timing(record(EndpointKind.subscription, { deadline: 10n }), new LocalCells(100));
+  timing.received(1030);
+  timing.pause(1025);
+  assert.deepEqual([1039, 1040, 1055].map((now) => timing.deadlinesMissed(now)), [0, 1, 2]);
 });
 
 test('a writer loses its liveliness once until it asserts it', () => {
@@ -82,6 +89,6 @@ test('a subscription looks after the leases of its writers', () => {
   assert.equal(timing.nextChange(110), never);
   life.exchangeAsserted(200);
   assert.equal(timing.lapsedWriters(205), 0);
-  timing.unmatch(7, 1, 300);
+  timing.unmatch(7);
   assert.equal(timing.ticks, false);
 });

@@ -1,0 +1,47 @@
+// What the readers of a writer on the shared bus have not read. Whoever frees a writer that ended asks here first.
+
+import { BusEndpoint, BusHeader, BusPhase, BusSizes, EndpointKind } from '../protocol/generated/constants.ts';
+import type { Bus } from './bus.ts';
+import { metBefore, readEndpoint } from './bus_tables.ts';
+import { type EndpointRecord, relate } from './graph.ts';
+import { findCursor, keyIndex, ringLog2, slotWord } from './shared_ring.ts';
+
+/** Is there a living reader that was born before the writer left and has something of it to read? */
+export function unread(bus: Bus, key: number): boolean {
+  const { i32 } = bus;
+  const word = bus.endpointWord(keyIndex(key));
+  const head = Atomics.load(i32, word + BusEndpoint.head);
+  if (head === 0 || Atomics.load(i32, word + BusEndpoint.ring) === 0) return false;
+  const writer = readEndpoint(bus, keyIndex(key))?.record;
+  if (writer === undefined) return false;
+  const length = i32[word + BusEndpoint.nameLength];
+  const endpoints = Atomics.load(i32, BusHeader.endpointHigh);
+  for (let index = 0; index < endpoints; index += 1) {
+    const reader = bus.endpointWord(index);
+    if ((Atomics.load(i32, reader) & 255) !== BusPhase.live) continue;
+    if (!metBefore(bus, reader, word)) continue;
+    if (Atomics.load(i32, reader + BusEndpoint.drained) === Atomics.load(i32, reader + BusEndpoint.signal)) continue;
+    // Saves reading the names of most.
+    if (i32[reader + BusEndpoint.nameLength] !== length) continue;
+    const record = readEndpoint(bus, index)?.record;
+    if (record === undefined || relate(writer, record).kind !== 'match') continue;
+    const pair = findCursor(bus, reader, key);
+    const cursor = pair < 0 ? 0 : Atomics.load(bus.i32, pair + 1);
+    if (cursor === head) continue;
+    if (record.kind !== EndpointKind.client || hasReply(bus, writer, record.key, cursor, head)) return true;
+  }
+  return false;
+}
+
+/** Of a server's replies a client reads its own only. */
+function hasReply(bus: Bus, server: EndpointRecord, client: number, cursor: number, head: number): boolean {
+  const ring = Atomics.load(bus.i32, bus.endpointWord(keyIndex(server.key)) + BusEndpoint.ring);
+  const count = Math.min((head - cursor) >>> 0, 1 << ringLog2(ring));
+  for (let age = 0; age < count; age += 1) {
+    const sequence = (head - age) | 0;
+    const slot = slotWord(bus, ring, sequence);
+    bus.reach((slot << 2) + BusSizes.slot);
+    if (Atomics.load(bus.i32, slot) === sequence && Atomics.load(bus.i32, slot + 4) === client) return true;
+  }
+  return false;
+}

@@ -73,11 +73,11 @@ export class PortWriter {
     if (peer.readers.size === 0) this.peers.delete(reader.participant);
   }
 
-  /** True when a keep_all reader is so far behind that the writer must wait. */
+  /** True when a reliable keep_all reader is so far behind that the writer must wait. */
   full(): boolean {
     if (!this.keepAll) return false;
     for (const [participant, peer] of this.peers) {
-      if (participant !== this.record.participant && this.wantsAll(peer) && peer.waiting.length >= keepAllLimit) {
+      if (participant !== this.record.participant && this.waitsFor(peer) && peer.waiting.length >= keepAllLimit) {
         return true;
       }
     }
@@ -143,8 +143,10 @@ export class PortWriter {
     };
   }
 
-  private wantsAll(peer: PeerQueue): boolean {
-    for (const reader of peer.readers.values()) if (reader.qos.history === History.keepAll) return true;
+  private waitsFor(peer: PeerQueue): boolean {
+    for (const { qos } of peer.readers.values()) {
+      if (qos.history === History.keepAll && qos.reliability === Reliability.reliable) return true;
+    }
     return false;
   }
 
@@ -152,7 +154,7 @@ export class PortWriter {
     if (this.service) return serviceLimit;
     let depth = 1;
     for (const reader of peer.readers.values()) {
-      if (reader.qos.history === History.keepAll) return 2 * keepAllLimit;
+      if (reader.qos.history === History.keepAll) return keepAllLimit;
       depth = Math.max(depth, reader.qos.depth);
     }
     return depth;

@@ -2,9 +2,11 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { WaitResult } from '../../../runtime/protocol/generated/constants.ts';
+import { EndpointKind, History, keepAllLimit, Reliability, WaitResult } from '../../../runtime/protocol/generated/constants.ts';
 import { PortBroker } from '../../../runtime/wasm_js/broker.ts';
 import { PortLink } from '../../../runtime/wasm_js/port_link.ts';
+import { windowFrames } from '../../../runtime/wasm_js/port_writer.ts';
+import { defaultQos, type EndpointQos } from '../../../runtime/wasm_js/qos.ts';
 import { PortWaits } from '../../../runtime/wasm_js/port_waits.ts';
 
 const watchdog = { timeout: 240_000 };
@@ -45,6 +47,34 @@ test('waits and sleeps that are over leave nothing behind', watchdog, async () =
   const { waiters, sleepers } = waits as unknown as Record<'waiters' | 'sleepers', Set<unknown>>;
   assert.equal(waiters.size + sleepers.size, 0);
   waits.close();
+});
+
+test('a best_effort keep_all reader that takes nothing blocks no writer, and may miss what is beyond the limit', watchdog, async () => {
+  const broker = new PortBroker();
+  const [a, b] = [join(broker).link, join(broker).link];
+  const make = (link: PortLink, kind: number, qos: Partial<EndpointQos>): number => link.endpointCreate({
+    kind, node: link.nodeCreate('n', '/'), name: '/x', type: 't', hash: '', flags: 0, qos: { ...defaultQos, history: History.keepAll, ...qos },
+  });
+  const buffer = new ArrayBuffer(256);
+  const heap = { u8: new Uint8Array(buffer), i32: new Int32Array(buffer) };
+  const pub = make(a, EndpointKind.publisher, {});
+  const sub = make(b, EndpointKind.subscription, { reliability: Reliability.bestEffort });
+  while (a.matched(pub) === 0) await a.wait(a.wakeToken(), 1000);
+  while (b.matched(sub) === 0) await b.wait(b.wakeToken(), 1000);
+  const most = 3 * keepAllLimit;
+  for (let i = 1; i <= most; i += 1) {
+    heap.i32.fill(0, 0, 16);
+    assert.equal(a.write(pub, heap, 64, 8, 0), 0, `write ${i}`);
+  }
+  const taken: number[] = [];
+  while (taken.at(-1) !== most) {
+    if (b.take(sub, heap, 64, 100, 0) >= 0) taken.push(heap.i32[2]!);
+    else await b.wait(b.wakeToken(), 1000);
+  }
+  const kept = Array.from({ length: keepAllLimit }, (_, i) => most - keepAllLimit + 1 + i);
+  assert.deepEqual(taken.slice(windowFrames), kept);
+  for (const link of [a, b]) link.close();
+  broker.close();
 });
 
 test('a node may start more often than there are places', watchdog, () => {

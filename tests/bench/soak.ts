@@ -12,6 +12,7 @@ import { machineLoad } from './machine_load.ts';
 import { packLaunch } from './packed_launch.ts';
 import { treeMemoryKb } from './process_memory.ts';
 import type { BenchContext } from './run.ts';
+import { gather, judge, rounded, RULE, type SoakReport, type SoakSample } from './soak_verdict.ts';
 
 const PULSES = [
   { topic: '/small', bytes: 100, hz: 200, log: false },
@@ -23,35 +24,12 @@ const CALLS_HZ = 20;
 const DEFAULT_MINUTES = 60;
 /** Samples that a soak has at least. */
 const LEAST_SAMPLES = 12;
-/** Flat: over the second half a straight line through the samples rises by at most this share of their mean. */
-const MEMORY_RISE = 0.05;
-/** Flat: the median of the last quarter is at most this many times that of the quarter before, and this much more. */
-const LATENCY_RATIO = 1.5;
-const LATENCY_SLACK_US = 200;
-/** Flat: of what was sent in the second half this share came. */
-const DELIVERED = 0.999;
-
-interface StreamReport {
-  readonly soak: string;
-  readonly sent: number;
-  readonly came: number;
-  readonly p50_us: number;
-  readonly p99_us: number;
-}
 
 /** What the page notes for us; put there before its own scripts run. */
 interface Noted {
-  reports: StreamReport[];
+  reports: SoakReport[];
   frames: number[];
   bus: SharedArrayBuffer | undefined;
-}
-
-interface SoakSample {
-  readonly minute: number;
-  readonly heap_kb: number;
-  readonly processes_kb: number;
-  readonly bus_used_kb: number;
-  readonly streams: readonly StreamReport[];
 }
 
 function note(): void {
@@ -61,7 +39,7 @@ function note(): void {
     constructor(url: string | URL, options?: WorkerOptions) {
       super(url, options);
       this.addEventListener('message', ({ data }: MessageEvent<{ t: string; lines?: [number, number, string][] }>) => {
-        for (const [, , text] of data.lines ?? []) if (text.startsWith('{"soak"')) noted.reports.push(JSON.parse(text) as StreamReport);
+        for (const [, , text] of data.lines ?? []) if (text.startsWith('{"soak"')) noted.reports.push(JSON.parse(text) as SoakReport);
       });
     }
 
@@ -81,7 +59,7 @@ function note(): void {
 }
 
 interface PageFigures {
-  readonly reports: readonly StreamReport[];
+  readonly reports: readonly SoakReport[];
   readonly frames: readonly number[];
   readonly busPages: number;
 }
@@ -106,61 +84,25 @@ async function heapKb(devtools: CDPSession): Promise<number> {
   return Math.round((metrics.find(({ name }) => name === 'JSHeapUsedSize')?.value ?? Number.NaN) / 1024);
 }
 
-const rounded = (value: number): number => Math.round(value * 1000) / 1000;
-
-function median(values: readonly number[]): number {
-  return values.toSorted((a, b) => a - b)[Math.floor(values.length / 2)] ?? Number.NaN;
-}
-
-/** By how much of their mean a straight line through values at equal distances rises from the first to the last. */
-function rise(values: readonly number[]): number {
-  const mean = values.reduce((a, b) => a + b, 0) / values.length;
-  const middle = (values.length - 1) / 2;
-  let [up, over] = [0, 0];
-  for (const [i, value] of values.entries()) {
-    up += (i - middle) * (value - mean);
-    over += (i - middle) ** 2;
-  }
-  return (up / over) * (values.length - 1) / mean;
-}
-
-function verdict(samples: readonly SoakSample[]): Readonly<Record<string, unknown>> & { readonly flat: boolean } {
-  const half = samples.slice(Math.floor(samples.length / 2));
-  const memory = Object.fromEntries((['heap_kb', 'processes_kb', 'bus_used_kb'] as const).map(
-    (what) => [what, rounded(rise(half.map((sample) => sample[what])))]));
-  const names = [...new Set(half.flatMap(({ streams }) => streams.map(({ soak }) => soak)))];
-  const streams = Object.fromEntries(names.map((name) => {
-    const of = half.map((sample) => sample.streams.find(({ soak }) => soak === name)).filter((report) => report !== undefined);
-    const quarter = Math.floor(of.length / 2);
-    const sum = (what: 'sent' | 'came'): number => of.reduce((all, report) => all + report[what], 0);
-    return [name, {
-      delivered: rounded(sum('came') / sum('sent')),
-      p50_us: [median(of.slice(0, quarter).map(({ p50_us }) => p50_us)), median(of.slice(quarter).map(({ p50_us }) => p50_us))],
-    }];
-  }));
-  const flat = Object.values(memory).every((share) => share <= MEMORY_RISE)
-    && names.length === PULSES.length + 1
-    && Object.values(streams).every(({ delivered, p50_us: [before = 0, after = 0] }) =>
-      delivered >= DELIVERED && after <= before * LATENCY_RATIO + LATENCY_SLACK_US);
-  return { flat, rise_in_second_half: memory, streams_in_second_half: streams };
-}
-
 async function soak(context: BenchContext, page: Page, pid: number, minutes: number, periodS: number): Promise<void> {
   const devtools = await page.context().newCDPSession(page);
   await devtools.send('Performance.enable');
   const samples: SoakSample[] = [];
+  const streams = [...PULSES.map(({ topic, hz }) => ({ soak: topic, due: hz * periodS })), { soak: 'calls', due: CALLS_HZ * periodS }];
   const count = Math.floor((minutes * 60) / periodS);
   const constants = [BusHeader.pageTable, BusHeader.pages] as const;
   for (let i = 1; i <= count; i += 1) {
-    // A sample is due when all streams have reported.
-    await page.waitForFunction((streams) => (globalThis as unknown as { noted: Noted }).noted.reports.length >= streams,
-      PULSES.length + 1, { timeout: 3 * periodS * 1000, polling: 500 });
+    // A sample is due when all who send and all who take have reported.
+    await page.waitForFunction((reporters) => {
+      const { reports } = (globalThis as unknown as { noted: Noted }).noted;
+      return new Set(reports.map((report) => `${report.soak} ${'published' in report}`)).size >= reporters;
+    }, 2 * streams.length, { timeout: 3 * periodS * 1000, polling: 500 });
     const { reports, frames, busPages } = await page.evaluate(drain, constants);
     const gaps = frames.toSorted((a, b) => a - b);
     const at = (share: number): number => rounded(gaps[Math.floor(gaps.length * share)] ?? Number.NaN);
     const sample: SoakSample = {
       minute: rounded((i * periodS) / 60), heap_kb: await heapKb(devtools), processes_kb: treeMemoryKb(pid),
-      bus_used_kb: busPages * 4, streams: reports,
+      bus_used_kb: busPages * 4, streams: gather(reports, streams),
     };
     samples.push(sample);
     context.emit({
@@ -172,12 +114,11 @@ async function soak(context: BenchContext, page: Page, pid: number, minutes: num
       (globalThis as unknown as { noted: Noted }).noted.frames = [];
     });
   }
-  const judged = verdict(samples);
+  const judged = judge(samples, streams);
   if (!judged.flat) context.fail('soak: not flat');
   context.emit({
     bench: 'soak', what: 'verdict', minutes, samples: samples.length, ...judged,
-    rule: `flat: memory rises by at most ${MEMORY_RISE * 100} % of its mean in the second half (straight line), at least ${DELIVERED * 100} % came, `
-      + `the last quarter's median latency is at most ${LATENCY_RATIO} times that of the quarter before + ${LATENCY_SLACK_US} us`,
+    rule: RULE,
   });
 }
 
@@ -192,7 +133,7 @@ export async function benchSoak(context: BenchContext): Promise<void> {
       '{package: soak_bench, executable: adder}',
       `{package: soak_bench, executable: caller, parameters: {hz: ${CALLS_HZ}, report_s: ${periodS}}}`,
       ...PULSES.map(({ topic, bytes, hz, log }) =>
-        `{package: soak_bench, executable: pulse, name: pulse_${topic.slice(1)}, parameters: {topic: ${topic}, bytes: ${bytes}, hz: ${hz}, log: ${log}}}`),
+        `{package: soak_bench, executable: pulse, name: pulse_${topic.slice(1)}, parameters: {topic: ${topic}, bytes: ${bytes}, hz: ${hz}, log: ${log}, report_s: ${periodS}}}`),
     ]);
     const host = await serveFolder(site, { isolated: true });
     const server = await chromium.launchServer(chromiumOptions());

@@ -1,4 +1,4 @@
-// Calls the adder `hz` times a second. Every `report_s` seconds one JSON line; a wrong sum does not count as come.
+// Calls the adder `hz` times a second. Every `report_s` seconds two JSON lines; a wrong sum does not count as come.
 #include <chrono>
 
 #include "example_interfaces/srv/add_two_ints.hpp"
@@ -27,7 +27,10 @@ int main(int argc, char ** argv)
       if (future.get()->sum == sum) {latencies.add(time);}
     });
   });
-  auto reports = node->create_wall_timer(std::chrono::seconds(report_s), [&] {latencies.report("calls");});
+  auto reports = node->create_wall_timer(std::chrono::seconds(report_s), [&] {
+    report_published("calls", latencies.sent);
+    latencies.report("calls");
+  });
   rclcpp::spin(node);
   rclcpp::shutdown();
   return 0;

@@ -14,6 +14,13 @@ inline std::int64_t now_ns()
   return std::chrono::duration_cast<nanoseconds>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
+/// Prints one JSON line: how many the sender of a stream has published in a period.
+inline void report_published(const char * stream, std::uint64_t published)
+{
+  std::printf("{\"soak\": \"%s\", \"published\": %llu}\n", stream, static_cast<unsigned long long>(published));
+  std::fflush(stdout);
+}
+
 struct Latencies
 {
   std::vector<double> us;

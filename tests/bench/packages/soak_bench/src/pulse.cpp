@@ -1,4 +1,5 @@
 // Publishes `bytes` bytes `hz` times a second on `topic`: the time and a number in front. With `log` it says each number.
+// Every `report_s` seconds one JSON line: how many it was.
 #include <chrono>
 #include <cstring>
 
@@ -16,6 +17,7 @@ int main(int argc, char ** argv)
   const auto bytes = node->declare_parameter("bytes", 100);
   const auto hz = node->declare_parameter("hz", 10);
   const bool log = node->declare_parameter("log", false);
+  const auto report_s = node->declare_parameter("report_s", 60);
   auto publisher = node->create_publisher<Bytes>(topic, 50);
   Bytes message;
   message.data.resize(static_cast<std::size_t>(bytes));
@@ -29,6 +31,11 @@ int main(int argc, char ** argv)
     if (log) {
       RCLCPP_INFO(node->get_logger(), "number %llu", static_cast<unsigned long long>(number));
     }
+  });
+  std::uint64_t told = 0;
+  auto reports = node->create_wall_timer(std::chrono::seconds(report_s), [&] {
+    report_published(topic.c_str(), number - told);
+    told = number;
   });
   rclcpp::spin(node);
   rclcpp::shutdown();

@@ -113,21 +113,32 @@ async function answer(event: FetchEvent): Promise<Response> {
   return withHeaders(response);
 }
 
-/** Fetches all files of the site that are not kept yet, and then drops those of older versions. */
+/** Fetches and keeps a file, unless it does not come as site.json names it. */
+async function fetchAndKeep(url: string, sha256: string): Promise<boolean> {
+  try {
+    const response = await fetch(url, { cache: 'no-cache' });
+    return response.ok && await keep(url, sha256, response);
+  } catch {
+    return false;
+  }
+}
+
+/** Fetches all files of the site that are not kept yet, and drops those of older versions. Throws when one did not come. */
 async function keepAll(): Promise<void> {
   await freshSite();
   const cache = await caches.open(cacheName);
   const wanted = new Set([siteUrl()]);
+  const missing: string[] = [];
   for (const [url, sha256] of await currentManifest()) {
     const key = keyOf(url, sha256);
     wanted.add(key);
     // Names of functions are for crash reports: kept once they were asked for.
     if (url.endsWith('.names')) continue;
     if (await cache.match(key) !== undefined) continue;
-    const response = await fetch(url, { cache: 'no-cache' });
-    if (!response.ok || !await keep(url, sha256, response)) throw new Error(`${url} did not come as site.json names it`);
+    if (!await fetchAndKeep(url, sha256)) missing.push(url);
   }
   for (const { url } of await cache.keys()) if (!wanted.has(url)) await cache.delete(url);
+  if (missing.length > 0) throw new Error(`these did not come as site.json names them: ${missing.join(', ')}`);
 }
 
 scope.addEventListener('install', () => void scope.skipWaiting());

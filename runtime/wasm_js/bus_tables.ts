@@ -1,6 +1,6 @@
 // The node and endpoint tables of the bus: claiming, filling, reading and freeing slots, and the log of changes.
 
-import { BusEndpoint, BusHeader, BusPhase } from '../protocol/generated/constants.ts';
+import { BusEndpoint, BusHeader, BusPhase, EndpointKind, flagHidden } from '../protocol/generated/constants.ts';
 import { type Bus, readText } from './bus.ts';
 import type { EndpointRecord } from './graph.ts';
 import { endpointKey, keyIndex, nextGeneration } from './shared_ring.ts';
@@ -125,6 +125,20 @@ export function readEndpoint(bus: Bus, index: number): { record: EndpointRecord;
     return undefined;
   }
   return { record, departed: phase === BusPhase.departed };
+}
+
+/** Publishers that departed, and are not freed yet. */
+export function departedPublishers(bus: Bus): EndpointRecord[] {
+  const records: EndpointRecord[] = [];
+  const endpoints = Atomics.load(bus.i32, BusHeader.endpointHigh);
+  for (let index = 0; index < endpoints; index += 1) {
+    const word = bus.endpointWord(index);
+    if ((Atomics.load(bus.i32, word) & 255) !== BusPhase.departed) continue;
+    if (bus.i32[word + BusEndpoint.kind] !== EndpointKind.publisher) continue;
+    const record = readEndpoint(bus, index)?.record;
+    if (record !== undefined && (record.flags & flagHidden) === 0) records.push(record);
+  }
+  return records;
 }
 
 /** A claimed slot's next generation, within the bits that a key has for it. */

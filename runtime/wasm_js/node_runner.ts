@@ -24,6 +24,8 @@ export interface RunnerHost {
   readonly changed: () => void;
   /** The node's program waits for the first time, or is over. */
   readonly settled: (node: SiteNode) => void;
+  /** A program is out of the graph; what it published is not yet freed. */
+  readonly left: () => void;
   readonly resetInput: (id: string) => void;
   /** A batch of lines was taken over from a worker of the participant. */
   readonly lines: (node: SiteNode, report: Extract<WorkerReport, { t: 'lines' }>) => void;
@@ -245,6 +247,7 @@ export class NodeRunner {
   private bury(participant: number, workers: readonly WorkerHandle[], closed: boolean): void {
     const gone = workers.map((worker) => worker.terminate());
     this.host.broker.end(participant, closed);
+    this.host.left();
     void Promise.all(gone).then(() => this.host.broker.gone(participant));
   }
 

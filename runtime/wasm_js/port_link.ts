@@ -32,8 +32,6 @@ interface Own {
   readonly reader: PortReader | undefined;
   /** Peers' endpoints that know this one. */
   readonly matched: Set<number>;
-  /** They fit, but have not said yet that they know this one. */
-  readonly expected: Set<number>;
   readonly strangers: Set<number>;
   readonly timing: Timing;
   readonly counters: EventCounters;
@@ -149,7 +147,6 @@ export class PortLink implements Link {
       writer: writes(record.kind) ? new PortWriter(record, (to, frame) => this.send(to, record.key, frame)) : undefined,
       reader: reads(record.kind) ? new PortReader(record, this.taken) : undefined,
       matched: new Set(),
-      expected: new Set(),
       strangers: new Set(),
       timing,
       counters: new EventCounters(timing),
@@ -184,7 +181,6 @@ export class PortLink implements Link {
           for (const frame of late) if (local !== undefined) this.receive(local, own.record.key, frame);
           return;
         }
-        own.expected.add(other.key);
         this.post(other.participant, { t: 'match', mine: own.record.key, yours: other.key, after });
         if (late.length > 0) this.post(other.participant, { t: 'late', reader: other.key, frames: late });
         return;
@@ -251,7 +247,6 @@ export class PortLink implements Link {
       if (own === undefined) continue;
       own.writer?.unmatch(record);
       own.reader?.shut(key);
-      own.expected.delete(key);
       own.strangers.delete(key);
       if (!own.matched.delete(key)) continue;
       if (own.reader !== undefined) {
@@ -494,7 +489,6 @@ export class PortLink implements Link {
         const own = this.ownOf(message.yours);
         const other = this.graphReplica.endpoints.get(message.mine);
         if (own === undefined || other === undefined) return;
-        own.expected.delete(message.mine);
         own.reader?.open(other, message.after | 0);
         this.addMatch(own, other);
         this.changed();

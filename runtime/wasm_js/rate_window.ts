@@ -22,7 +22,7 @@ const patienceMs = 500;
 const silentPeriods = 5;
 const silentMs = 3000;
 
-const none: Rate = { hz: 0, bytesPerSecond: 0 };
+export const noRate: Rate = { hz: 0, bytesPerSecond: 0 };
 
 export class RateWindow {
   private marks: Mark[] = [];
@@ -31,7 +31,7 @@ export class RateWindow {
   add(count: number, bytes: number, time: number): void {
     const last = this.marks.at(-1);
     if (last?.count === count) return;
-    // A publisher that left takes its count along: begin again.
+    // Another type, and so another count; or a clock that was set back.
     if (last !== undefined && (count < last.count || time < last.time)) this.marks = [];
     if (count === 0) return;
     this.marks.push({ count, bytes, time });
@@ -41,12 +41,12 @@ export class RateWindow {
   rate(now: number): Rate {
     const first = this.marks[0];
     const last = this.marks.at(-1);
-    if (first === undefined || last === undefined || last.time <= first.time) return none;
+    if (first === undefined || last === undefined || last.time <= first.time) return noRate;
     const messages = last.count - first.count;
     const spanMs = last.time - first.time;
     const periodMs = spanMs / messages;
     const silence = now - last.time;
-    if (silence > Math.max(silentPeriods * periodMs, silentMs)) return none;
+    if (silence > Math.max(silentPeriods * periodMs, silentMs)) return noRate;
     const hz = silence > periodMs + patienceMs ? Math.min(messages / spanMs, 1 / silence) * 1000 : messages / spanMs * 1000;
     return { hz, bytesPerSecond: (last.bytes - first.bytes) / messages * hz };
   }

@@ -2,9 +2,10 @@
 
 import { BusEndpoint, BusHeader, BusSizes, Durability, EndpointKind, History, Reliability } from '../protocol/generated/constants.ts';
 import type { Broker } from './broker.ts';
+import { departedPublishers } from './bus_tables.ts';
 import type { EndpointRecord } from './graph.ts';
 import type { PortLink } from './port_link.ts';
-import { type Rate, RateWindow } from './rate_window.ts';
+import { noRate, type Rate, RateWindow } from './rate_window.ts';
 import type { LastMessage, QosView, TopicView } from './session.ts';
 import type { SharedLink } from './shared_link.ts';
 import { keyIndex, slotWord, unit } from './shared_ring.ts';
@@ -53,7 +54,8 @@ export class Sampler {
     for (const [topic, until] of this.wanted) if (until < now) this.wanted.delete(topic);
     if (link.kind === 'port') link.requestSamples([...this.wanted.keys()]);
     const topics = new Map<string, EndpointRecord[]>();
-    for (const name of this.known.keys()) topics.set(name, []);
+    const departed = this.departed();
+    for (const name of [...this.known.keys(), ...departed.map((record) => record.name)]) topics.set(name, []);
     for (const record of link.records()) {
       if (record.kind !== EndpointKind.publisher && record.kind !== EndpointKind.subscription) continue;
       const list = topics.get(record.name);
@@ -62,7 +64,7 @@ export class Sampler {
     }
     const views: TopicView[] = [];
     for (const [name, records] of topics) {
-      const view = this.view(name, records, now);
+      const view = this.view(name, records, departed.filter((record) => record.name === name), now);
       if (records.length > 0 || view.count > 0) views.push(view);
       else this.known.delete(name);
     }
@@ -70,12 +72,21 @@ export class Sampler {
     return this.views;
   }
 
-  private view(name: string, records: readonly EndpointRecord[], now: number): TopicView {
+  /** Publishers that left, whose messages can still be read. */
+  private departed(): readonly EndpointRecord[] {
+    const { link } = this.broker;
+    return link.kind === 'shared' ? departedPublishers(link.bus) : [];
+  }
+
+  private view(
+    name: string, records: readonly EndpointRecord[], departed: readonly EndpointRecord[], now: number,
+  ): TopicView {
     const publishers = records.filter((record) => record.kind === EndpointKind.publisher);
-    const known = this.knownOf(name, (publishers[0] ?? records[0])?.type);
+    const known = this.knownOf(name, (publishers[0] ?? records[0] ?? departed.at(-1))?.type);
     if (publishers.length > 0) known.qos = qosViews(publishers);
-    const { count, bytes } = this.tally(known, publishers);
-    if (known.last?.count !== count) this.keepNewest(known, publishers, count, this.wanted.has(name));
+    const writers = [...publishers, ...departed.filter((record) => record.type === known.type)];
+    const { count, bytes } = this.tally(known, writers);
+    if (known.last?.count !== count) this.keepNewest(known, writers, count, this.wanted.has(name));
     const rate = this.rateOf(name, publishers, { count, bytes }, now);
     return {
       name,
@@ -130,9 +141,11 @@ export class Sampler {
 
   private rateOf(name: string, publishers: readonly EndpointRecord[], all: WriterCount, now: number): Rate {
     const times = publishers.map((publisher) => this.timeOf(publisher)).filter((time) => time !== undefined);
-    if (times.length === 0) this.rates.delete(name);
+    if (times.length === 0) {
+      this.rates.delete(name);
+      return noRate;
+    }
     const window = this.rates.get(name) ?? new RateWindow();
-    if (times.length === 0) return window.rate(now);
     this.rates.set(name, window);
     const newest = Math.max(...times);
     window.add(all.count, all.bytes, Math.abs(now - newest) < otherClockMs ? newest : now);
@@ -164,10 +177,12 @@ export class Sampler {
     this.wanted.set(topic, now + wantedMs);
     const known = this.known.get(topic);
     if (known === undefined) return undefined;
-    const publishers = [...this.broker.link.records()].filter(
-      (record) => record.name === topic && record.kind === EndpointKind.publisher);
-    const { count } = this.tally(known, publishers);
-    if (known.last?.count !== count) this.keepNewest(known, publishers, count, true);
+    const writers = [
+      ...[...this.broker.link.records()].filter((record) => record.name === topic && record.kind === EndpointKind.publisher),
+      ...this.departed().filter((record) => record.name === topic && record.type === known.type),
+    ];
+    const { count } = this.tally(known, writers);
+    if (known.last?.count !== count) this.keepNewest(known, writers, count, true);
     return known.last;
   }
 }
@@ -220,7 +235,8 @@ function readNewest<T>(
     const seen = held ? look(offset, length) : undefined;
     Atomics.store(bus.i32, hazard, 0);
     if (Atomics.load(bus.i32, word + BusEndpoint.blocked) !== 0) bus.bump(record.participant);
-    if (held) return seen;
+    // The pages of a writer that departed may have been given to another one meanwhile.
+    if (held && Atomics.load(bus.i32, word + BusEndpoint.generation) === record.key >>> 13) return seen;
   }
   return undefined;
 }

@@ -8,7 +8,7 @@ import {
 import { type Bus, readText } from './bus.ts';
 import { BusCells } from './bus_cells.ts';
 import {
-  bumpGeneration, claimSlot, departEndpoint, fillEndpoint, logChange, metBefore, nodeBit, raise, readEndpoint, releaseEndpoint,
+  bumpGeneration, claimSlot, departEndpoint, fillEndpoint, logChange, metBefore, nodeBit, raise, readEndpoint,
 } from './bus_tables.ts';
 import { steadyNanoseconds } from './clock.ts';
 import { type ConsoleCredit, SharedCredit } from './console_sender.ts';
@@ -20,7 +20,7 @@ import { SharedReader } from './shared_reader.ts';
 import { type Pause, SharedWriter } from './shared_writer.ts';
 import { SharedStatuses } from './shared_statuses.ts';
 import { manualLease, Timing } from './timing.ts';
-import { unread } from './unread.ts';
+import { freeDeparted } from './unread.ts';
 
 interface Own {
   readonly record: EndpointRecord;
@@ -64,6 +64,7 @@ export class SharedLink implements Link {
   private readonly own = new Map<number, Own>();
   private readonly readers: Own[] = [];
   private readonly statuses: SharedStatuses;
+  /** Own endpoints that were destroyed and are not freed yet, oldest first. */
   private readonly departed = new Map<number, Own>();
   /** Readers that have lost their last writer, until that is settled. */
   private readonly alone = new Set<Own>();
@@ -196,7 +197,7 @@ export class SharedLink implements Link {
     // Who came since the last look counts on the event too.
     this.sync();
     this.wakeInterested(this.relatives(own.record));
-    this.releaseDeparted();
+    freeDeparted(this.bus, this.participant, this.departed);
   }
 
   gid(endpoint: number): Int32Array | undefined {
@@ -208,7 +209,9 @@ export class SharedLink implements Link {
     this.sync();
     const writer = this.own.get(endpoint)?.writer;
     if (writer === undefined) return ErrorCode.badHandle;
-    return writer.write(heap, address, length, info);
+    const result = writer.write(heap, address, length, info);
+    const room = result === ErrorCode.outOfMemory && freeDeparted(this.bus, this.participant, this.departed, 0);
+    return room ? writer.write(heap, address, length, info) : result;
   }
 
   take(endpoint: number, heap: Heap, address: number, capacity: number, info: number): number {
@@ -390,7 +393,7 @@ export class SharedLink implements Link {
     } else {
       this.syncAll();
     }
-    if (this.departed.size > 0) this.releaseDeparted();
+    if (this.departed.size > 0) freeDeparted(this.bus, this.participant, this.departed);
     if (this.alone.size > 0) this.endDeadlines();
     return true;
   }
@@ -561,15 +564,6 @@ export class SharedLink implements Link {
     this.forgetEndpoint(key);
     this.departed.delete(key);
     this.totals.delete(key);
-  }
-
-  /** Own endpoints that were destroyed stay until their readers have read what they left. */
-  private releaseDeparted(): void {
-    for (const [key, own] of this.departed) {
-      if (own.writer !== undefined && unread(this.bus, key)) continue;
-      this.departed.delete(key);
-      releaseEndpoint(this.bus, key, this.participant);
-    }
   }
 
   /** Participants that own an endpoint which this one matches, or fails to match. */

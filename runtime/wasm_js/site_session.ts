@@ -61,6 +61,7 @@ export class SiteSession implements Session {
           unsettled.delete(of);
           if (unsettled.size === 0) allSettled();
         },
+        left: () => this.lookAtTopics(),
         resetInput: (id) => this.input.reset(id),
         lines: (of, { lines, dropped }) => {
           console.add(lines, dropped);
@@ -138,7 +139,7 @@ export class SiteSession implements Session {
     };
   }
 
-  /** Before a node goes: what it published last stays with the topic. */
+  /** When a node goes: what it published last stays with the topic. */
   private lookAtTopics(): void {
     if (this.sampling !== undefined) this.sampler.sample(Date.now());
   }

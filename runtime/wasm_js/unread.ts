@@ -1,9 +1,9 @@
-// What the readers of a writer on the shared bus have not read. Whoever frees a writer that ended asks here first.
+// What the readers of a writer on the shared bus have not read, and when an endpoint that departed is freed.
 
-import { BusEndpoint, BusHeader, BusPhase, BusSizes, EndpointKind } from '../protocol/generated/constants.ts';
+import { BusEndpoint, BusHeader, BusPhase, BusSizes, EndpointKind, flagHidden } from '../protocol/generated/constants.ts';
 import type { Bus } from './bus.ts';
-import { metBefore, readEndpoint } from './bus_tables.ts';
-import { type EndpointRecord, relate } from './graph.ts';
+import { metBefore, readEndpoint, releaseEndpoint } from './bus_tables.ts';
+import { type EndpointRecord, relate, writes } from './graph.ts';
 import { findCursor, keyIndex, ringLog2, slotWord } from './shared_ring.ts';
 
 /** Is there a living reader that was born before the writer left and has something of it to read? */
@@ -31,6 +31,28 @@ export function unread(bus: Bus, key: number): boolean {
     if (record.kind !== EndpointKind.client || hasReply(bus, writer, record.key, cursor, head)) return true;
   }
   return false;
+}
+
+/** As many of a participant's publishers that departed wait for the page to look at them. */
+const keptForPage = 16;
+
+/** Frees the own endpoints of a participant that departed, oldest first in the list. True when there were some. */
+export function freeDeparted(
+  bus: Bus, participant: number, departed: Map<number, { readonly record: EndpointRecord }>, kept = keptForPage,
+): boolean {
+  let published = 0;
+  const before = departed.size;
+  for (const [key, { record }] of [...departed].reverse()) {
+    const ring = Atomics.load(bus.i32, bus.endpointWord(keyIndex(key)) + BusEndpoint.ring);
+    if (ring !== 0 && record.kind === EndpointKind.publisher && (record.flags & flagHidden) === 0) {
+      published += 1;
+      if (published <= kept) continue;
+    }
+    if (writes(record.kind) && unread(bus, key)) continue;
+    departed.delete(key);
+    releaseEndpoint(bus, key, participant);
+  }
+  return departed.size < before;
 }
 
 /** Of a server's replies a client reads its own only. */

@@ -3,9 +3,11 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { EndpointKind } from '../../../runtime/protocol/generated/constants.ts';
-import type { Broker } from '../../../runtime/wasm_js/broker.ts';
+import { type Broker, SharedBroker } from '../../../runtime/wasm_js/broker.ts';
 import type { WriterSample } from '../../../runtime/wasm_js/port_messages.ts';
+import { defaultQos } from '../../../runtime/wasm_js/qos.ts';
 import { Sampler } from '../../../runtime/wasm_js/sampler.ts';
+import { SharedLink } from '../../../runtime/wasm_js/shared_link.ts';
 
 const qos = { reliability: 1, durability: 2, history: 1, depth: 10 };
 const lookMs = 250;
@@ -128,4 +130,82 @@ test('a message that nobody copied is not replaced by an older one', () => {
   scene.leave(1);
   assert.equal(scene.look()?.count, 2);
   assert.deepEqual(scene.last(), [1, 2, 2]);
+});
+
+/** A program on the shared link that publishes and ends. */
+class Program {
+  readonly participant: number;
+  readonly link: SharedLink;
+  private readonly broker: SharedBroker;
+  private readonly node: number;
+  private readonly heap: { readonly u8: Uint8Array; readonly i32: Int32Array };
+
+  constructor(broker: SharedBroker) {
+    this.broker = broker;
+    this.participant = broker.bus.claimParticipant();
+    this.link = new SharedLink({ bus: broker.bus, participant: this.participant, mayBlock: false });
+    this.node = this.link.nodeCreate('n', '/');
+    const buffer = new ArrayBuffer(256);
+    this.heap = { u8: new Uint8Array(buffer), i32: new Int32Array(buffer) };
+  }
+
+  publisher(name: string): number {
+    return this.link.endpointCreate({ kind: EndpointKind.publisher, node: this.node, name, type: 't', hash: '', qos: defaultQos, flags: 0 });
+  }
+
+  write(publisher: number, ...bytes: number[]): void {
+    for (const byte of bytes) {
+      this.heap.i32.fill(0, 0, 16);
+      this.heap.u8[64] = byte;
+      assert.equal(this.link.write(publisher, this.heap, 64, 1, 0), 0);
+    }
+  }
+
+  /** As the page does it, which looks when the program is out of the graph. */
+  ends(sampler: Sampler, now: number): void {
+    this.broker.end(this.participant);
+    sampler.sample(now);
+    this.broker.gone(this.participant);
+  }
+}
+
+for (const how of ['exits', 'destroys its publisher and exits', 'is killed'] as const) {
+  test(`all that a program published between two looks counts when it ${how}`, () => {
+    const broker = new SharedBroker({ ceiling: 64 << 20 });
+    const sampler = new Sampler(broker);
+    const program = new Program(broker);
+    const publisher = program.publisher('/topic');
+    program.write(publisher, 1, 2, 3);
+    let now = Date.now();
+    assert.equal(sampler.sample(now)[0]?.count, 3);
+    program.write(publisher, 4, 5);
+    const brief = program.publisher('/brief');
+    program.write(brief, 9);
+    if (how.startsWith('destroys')) for (const each of [publisher, brief]) program.link.endpointDestroy(each);
+    if (how !== 'is killed') program.link.close();
+    program.ends(sampler, now += 1);
+    for (let looks = 0; looks < 3; looks += 1) {
+      const views = sampler.sample(now += lookMs);
+      assert.deepEqual(views.map(({ name, count, publishers }) => [name, count, publishers]), [['/brief', 1, 0], ['/topic', 5, 0]]);
+      assert.deepEqual(['/brief', '/topic'].map((name) => sampler.lastMessage(name, now)?.bytes[0]), [9, 5]);
+    }
+    assert.equal(broker.bus.usage().used, 0);
+    broker.close();
+  });
+}
+
+test('who makes and destroys publishers without end keeps no more than a few', () => {
+  const broker = new SharedBroker({ ceiling: 64 << 20 });
+  const program = new Program(broker);
+  for (let i = 0; i < 200; i += 1) {
+    const publisher = program.publisher('/topic');
+    program.write(publisher, 1);
+    program.link.endpointDestroy(publisher);
+    assert.ok(broker.bus.usage().used <= 17, `${broker.bus.usage().used} pages`);
+  }
+  const sampler = new Sampler(broker);
+  program.link.close();
+  program.ends(sampler, Date.now());
+  assert.equal(broker.bus.usage().used, 0);
+  broker.close();
 });

@@ -49,9 +49,11 @@ export const killScenes: readonly Scene[] = [
       const pub = await flooder.call('publisher', { node: await flooder.call('node', 'flooder'), name: '/flood', qos: { depth: 3 } });
       const hearer = await world.peer();
       const sub = await hearer.call('subscription', { node: await hearer.call('node', 'hearer'), name: '/flood', qos: { depth: 3 } });
+      await flooder.call('waitMatched', pub, 1);
+      await hearer.call('waitMatched', sub, 1);
       const flood = await flooder.begin('flood', pub, 20_000);
       flood.result.catch(() => undefined);
-      await hearer.call('verify', sub, 50);
+      await hearer.call('verify', sub, 1);
       await hearer.terminate();
       await killAndGoOn(world, flooder);
     },

@@ -35,15 +35,26 @@ endmacro()
 
 # Links whole libraries of components into a program, so that they register themselves.
 function(rclcpp_components_link_components program)
-  foreach(library IN LISTS ARGN)
-    target_link_libraries(${program}
-      "-Wl,--whole-archive" "$<TARGET_FILE:${library}>" "-Wl,--no-whole-archive" ${library})
-  endforeach()
-  target_link_libraries(${program} rclcpp_components::component)
+  target_link_libraries(${program} ${ARGN} rclcpp_components::component)
+endfunction()
+
+# A program that links a library of components has all of them, as one that loads a shared library.
+function(_rclcpp_components_keep_whole library)
+  get_target_property(_kept ${library} ROS2WASM_COMPONENTS)
+  if(_kept)
+    return()
+  endif()
+  set_target_properties(${library} PROPERTIES ROS2WASM_COMPONENTS TRUE)
+  set_property(TARGET ${library} APPEND PROPERTY COMPILE_DEFINITIONS
+    "CLASS_LOADER_LIBRARY=\"lib$<TARGET_FILE_BASE_NAME:${library}>.so\"")
+  set_property(TARGET ${library} APPEND PROPERTY INTERFACE_LINK_OPTIONS
+    "$<BUILD_INTERFACE:SHELL:-Wl,--whole-archive $<TARGET_FILE:${library}> -Wl,--no-whole-archive>")
 endfunction()
 
 macro(_rclcpp_components_note resource_index component target)
   _rclcpp_components_register_package_hook()
+  _rclcpp_components_keep_whole(${target})
+  list(APPEND _RCLCPP_COMPONENTS_LIBRARIES ${target})
   set(_RCLCPP_COMPONENTS_${resource_index}__NODES
     "${_RCLCPP_COMPONENTS_${resource_index}__NODES}${component};lib/$<TARGET_FILE_NAME:${target}>\n")
   list(APPEND _RCLCPP_COMPONENTS_PACKAGE_RESOURCE_INDICES ${resource_index})

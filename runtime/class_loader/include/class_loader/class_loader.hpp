@@ -1,5 +1,5 @@
 // Classes that register themselves and are made by name. A site links everything statically, so
-// "loading a library" finds what was linked into the program.
+// "loading a library" finds the classes of it that were linked into the program.
 #pragma once
 
 #include <cstddef>
@@ -37,19 +37,23 @@ namespace impl {
 struct RegisteredClass {
   std::string name;
   std::string base;
+  std::string library;  ///< file name, empty when the build did not say
   void* (*make)();
 };
 
 void register_class(RegisteredClass registered);
-std::vector<std::string> class_names(const std::string& base);
+/// Throws LibraryLoadException when the program has nothing of the library.
+void require_library(const std::string& path);
+/// Of one library (a path or a file name), or of all when it is empty.
+std::vector<std::string> class_names(const std::string& base, const std::string& library);
 /// Throws CreateClassException for an unknown name.
-void* make_object(const std::string& name, const std::string& base);
+void* make_object(const std::string& name, const std::string& base, const std::string& library);
 
 template <typename Derived, typename Base>
 struct Registrar {
-  explicit Registrar(const char* name) {
-    register_class(
-        {name, typeid(Base).name(), []() -> void* { return static_cast<Base*>(new Derived); }});
+  Registrar(const char* name, const char* library) {
+    register_class({name, typeid(Base).name(), library,
+                    []() -> void* { return static_cast<Base*>(new Derived); }});
   }
 };
 
@@ -63,12 +67,14 @@ class ClassLoader {
   using UniquePtr = std::unique_ptr<Base, DeleterType<Base>>;
 
   explicit ClassLoader(const std::string& library_path, bool ondemand_load_unload = false)
-      : library_path_(library_path), on_demand_(ondemand_load_unload) {}
+      : library_path_(library_path), on_demand_(ondemand_load_unload) {
+    impl::require_library(library_path_);
+  }
   virtual ~ClassLoader() = default;
 
   template <class Base>
   std::vector<std::string> getAvailableClasses() const {
-    return impl::class_names(typeid(Base).name());
+    return impl::class_names(typeid(Base).name(), library_path_);
   }
   template <class Base>
   std::shared_ptr<Base> createInstance(const std::string& derived_class_name) {
@@ -105,7 +111,7 @@ class ClassLoader {
  private:
   template <class Base>
   Base* make(const std::string& name) {
-    return static_cast<Base*>(impl::make_object(name, typeid(Base).name()));
+    return static_cast<Base*>(impl::make_object(name, typeid(Base).name(), library_path_));
   }
 
   std::string library_path_;

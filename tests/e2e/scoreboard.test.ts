@@ -1,0 +1,51 @@
+// `./dev scoreboard` on packages of our own: rows are green as they are expected, and red when they are not.
+import assert from 'node:assert/strict';
+import { execFile } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { dirname, join, resolve } from 'node:path';
+import { after, test } from 'node:test';
+
+import type { Row } from '../scoreboard/board.ts';
+import { CLI } from './pack_workspace.ts';
+
+const root = resolve(import.meta.dirname, '../..');
+const folder = mkdtempSync(join(tmpdir(), 'ros2wasm-board-'));
+after(() => rmSync(folder, { recursive: true, force: true }));
+
+function board(args: readonly string[]): Promise<{ readonly code: number; readonly rows: readonly Row[]; readonly output: string }> {
+  const json = join(folder, 'rows.json');
+  return new Promise((done) => {
+    execFile(process.execPath, [
+      join(root, 'tests/scoreboard/run.ts'), '--build', dirname(CLI), '--json', json, join(root, 'tests/packages'), ...args,
+    ], { env: { ...process.env, XDG_CACHE_HOME: join(folder, 'cache') } }, (error, output, errors) => {
+      const code = typeof error?.code === 'number' ? error.code : 0;
+      done({ code, output: `${output}${errors}`, rows: code === 2 ? [] : JSON.parse(readFileSync(json, 'utf8')) as Row[] });
+    });
+  });
+}
+
+test('components, linked and loaded, and a companion that sets parameters', { timeout: 500_000 }, async () => {
+  const { code, rows, output } = await board(['--only', 'board_companions', '--only', 'composed_talkers']);
+  assert.equal(code, 0, output);
+  assert.deepEqual(rows.map((row) => `${row.package}/${row.executable}`),
+    ['board_companions/set_parameters', 'composed_talkers/linked', 'composed_talkers/loaded']);
+  assert.ok(rows.every((row) => row.built && row.started && row.expected === true && row.log_lines.length > 0));
+  assert.deepEqual(rows[2]?.endpoints, ['publisher /count std_msgs/msg/Int32', 'subscription /count std_msgs/msg/Int32']);
+  assert.match(output, /3 of 3 executables are green/);
+});
+
+test('a row that is not as expected is red', { timeout: 500_000 }, async () => {
+  const file = join(folder, 'wrong.yaml');
+  writeFileSync(file, '- {package: composed_talkers, executable: linked, log: [^/nobody$], exit: 0, seconds: 5}\n');
+  const { code, rows } = await board(['--only', 'composed_talkers/linked', '--expect', file]);
+  assert.equal(code, 1);
+  assert.deepEqual(rows.map(({ expected, error }) => [expected, error]),
+    [[false, { code: 'unmet', reason: 'no line fits ^/nobody$' }]]);
+});
+
+test('a word too many is refused with the usage', async () => {
+  const { code, output } = await board(['--onyl']);
+  assert.equal(code, 2);
+  assert.match(output, /usage: \.\/dev scoreboard/);
+});

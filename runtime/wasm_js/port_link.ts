@@ -13,11 +13,15 @@ import { type EndpointRecord, Graph, reads, relate, writes } from './graph.ts';
 import type { EndpointDescription, EndpointStatus, GraphSnapshot, Heap, Link } from './link.ts';
 import { EventCounters } from './event_counters.ts';
 import type { ControlMessage, PeerMessage, PeerPort, WriterSample } from './port_messages.ts';
+import { PortSamples } from './port_samples.ts';
 import { PortReader } from './port_reader.ts';
 import { PortWaits, unref } from './port_waits.ts';
 import { type Frame, PortWriter, windowBytes, windowFrames } from './port_writer.ts';
 import { Ticker } from './ticker.ts';
 import { LocalCells, manualLease, Timing } from './timing.ts';
+
+/** The participant that looks at what the others publish. */
+const page = 0;
 
 export interface PortTicket {
   readonly participant: number;
@@ -55,7 +59,7 @@ export class PortLink implements Link {
   private readonly graphReplica = new Graph();
   private readonly own = new Map<number, Own>();
   private readonly arrivals = new Map<number, Arrivals>();
-  private readonly samples = new Map<number, WriterSample>();
+  readonly samples = new PortSamples();
   /** Signs of life of the writers here and elsewhere that have to give them. */
   private readonly lives = new Map<number, LocalCells>();
   private readonly ticker = new Ticker();
@@ -230,8 +234,10 @@ export class PortLink implements Link {
     if (own === undefined) return;
     own.writer?.farewell();
     this.own.delete(endpoint);
-    this.broadcast({ t: 'ep-', key: own.record.key });
-    this.removeRemote(own.record.key, false);
+    const { key } = own.record;
+    const last = own.writer?.sample(false);
+    for (const to of this.peers.keys()) this.post(to, { t: 'ep-', key, ...(to === page ? { last } : {}) });
+    this.removeRemote(key, false);
     // A reader that wanted all may have held up its writers.
     if (own.reader?.all === true) for (const { key } of this.graphReplica.named(own.record.name)) this.acknowledge(key, false);
     if (own.timing.ticks) this.ticker.follow(this.own.values());
@@ -239,9 +245,9 @@ export class PortLink implements Link {
   }
 
   /** Takes an endpoint, also an own one, out of the replica and of all lists. */
-  private removeRemote(key: number, died: boolean): void {
+  private removeRemote(key: number, died: boolean): EndpointRecord | undefined {
     const record = this.graphReplica.remove(key);
-    if (record === undefined) return;
+    if (record === undefined) return undefined;
     for (const other of this.graphReplica.named(record.name)) {
       const own = this.ownOf(other.key);
       if (own === undefined) continue;
@@ -258,7 +264,8 @@ export class PortLink implements Link {
     }
     this.lives.delete(key);
     this.arrivals.delete(key);
-    this.samples.delete(key);
+    this.samples.forget(key);
+    return record;
   }
 
   gid(endpoint: number): Int32Array | undefined {
@@ -422,12 +429,13 @@ export class PortLink implements Link {
 
   /** Asks all peers for what their writers did; the answers are in `sampled` later. */
   requestSamples(topics: readonly string[]): void {
+    this.samples.look();
     this.broadcast({ t: 'sample', topics });
   }
 
   sampled(): ReadonlyMap<number, WriterSample> {
-    for (const sample of this.samplesOf([])) this.samples.set(sample.key, sample);
-    return this.samples;
+    for (const sample of this.samplesOf([])) this.samples.note(sample);
+    return this.samples.samples;
   }
 
   records(): readonly EndpointRecord[] {
@@ -482,7 +490,7 @@ export class PortLink implements Link {
         this.changed();
         return;
       case 'ep-':
-        this.removeRemote(message.key, false);
+        this.samples.leave(this.removeRemote(message.key, false), message.last);
         this.changed();
         return;
       case 'match': {
@@ -509,7 +517,7 @@ export class PortLink implements Link {
         this.post(participant, { t: 'samples', writers: this.samplesOf(message.topics) });
         return;
       case 'samples':
-        for (const sample of message.writers) this.samples.set(sample.key, sample);
+        for (const sample of message.writers) this.samples.note(sample);
         return;
       case 'bye':
         this.dropPeer(participant, false);

@@ -22,7 +22,8 @@ export type PeerMessage =
   | { readonly t: 'node+'; readonly node: NodeRecord }
   | { readonly t: 'node-'; readonly key: number }
   | { readonly t: 'ep+'; readonly record: EndpointRecord }
-  | { readonly t: 'ep-'; readonly key: number }
+  /** To the page: with what a publisher did, its last payload when it is small. */
+  | { readonly t: 'ep-'; readonly key: number; readonly last?: WriterSample | undefined }
   /** The sender's endpoint `mine` knows the receiver's `yours`; of its frames those with a sequence above `after` are for it. */
   | { readonly t: 'match'; readonly mine: number; readonly yours: number; readonly after: number }
   /** What a transient_local writer kept, for one reader. */

@@ -75,7 +75,7 @@ export class Sampler {
   /** Publishers that left, whose messages can still be read. */
   private departed(): readonly EndpointRecord[] {
     const { link } = this.broker;
-    return link.kind === 'shared' ? departedPublishers(link.bus) : [];
+    return link.kind === 'shared' ? departedPublishers(link.bus) : link.samples.departed();
   }
 
   private view(

@@ -3,7 +3,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { EndpointKind } from '../../../runtime/protocol/generated/constants.ts';
-import { type Broker, SharedBroker } from '../../../runtime/wasm_js/broker.ts';
+import { type Broker, PortBroker, SharedBroker } from '../../../runtime/wasm_js/broker.ts';
+import { PortLink } from '../../../runtime/wasm_js/port_link.ts';
 import type { WriterSample } from '../../../runtime/wasm_js/port_messages.ts';
 import { defaultQos } from '../../../runtime/wasm_js/qos.ts';
 import { Sampler } from '../../../runtime/wasm_js/sampler.ts';
@@ -24,6 +25,7 @@ class Scene {
       kind: 'port',
       records: () => [...this.records.values()],
       sampled: () => this.samples,
+      samples: { departed: () => [] },
       requestSamples: (topics: readonly string[]) => {
         this.asked = topics;
       },
@@ -207,5 +209,38 @@ test('who makes and destroys publishers without end keeps no more than a few', (
   program.link.close();
   program.ends(sampler, Date.now());
   assert.equal(broker.bus.usage().used, 0);
+  broker.close();
+});
+
+test('on message ports, too, all that a program published counts when it exits', { timeout: 60_000 }, async () => {
+  const broker = new PortBroker();
+  const { link: page } = broker;
+  const sampler = new Sampler(broker);
+  const { participant, ticket } = broker.admit()!;
+  assert.ok(ticket.kind === 'port');
+  const link = new PortLink(ticket);
+  const publisher = link.endpointCreate({
+    kind: EndpointKind.publisher, node: link.nodeCreate('n', '/'), name: '/topic', type: 't', hash: '', qos: defaultQos, flags: 0,
+  });
+  const endpoints = async (count: number): Promise<void> => {
+    while (page.graph().endpoints.length !== count) await page.wait(page.wakeToken(), 1000);
+  };
+  await endpoints(1);
+  let now = Date.now();
+  sampler.sample(now);
+  const buffer = new ArrayBuffer(256);
+  const heap = { u8: new Uint8Array(buffer), i32: new Int32Array(buffer) };
+  for (let byte = 1; byte <= 7; byte += 1) {
+    heap.i32.fill(0, 0, 16);
+    heap.u8[64] = byte;
+    assert.equal(await link.write(publisher, heap, 64, 1, 0), 0);
+  }
+  link.close();
+  await endpoints(0);
+  broker.end(participant, true);
+  for (let looks = 0; looks < 4; looks += 1) {
+    const [topic] = sampler.sample(now += lookMs);
+    assert.deepEqual([topic?.count, topic?.publishers, sampler.lastMessage('/topic', now)?.bytes[0]], [7, 0, 7]);
+  }
   broker.close();
 });

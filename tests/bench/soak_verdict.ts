@@ -7,8 +7,8 @@ const LATENCY_RATIO = 1.5;
 const LATENCY_SLACK_US = 200;
 /** Flat: of what was sent in the second half this share came. */
 const DELIVERED = 0.999;
-/** Flat: in each sample of the second half as much was sent, and came, as this share of the stream's rate. */
-const RATE = 0.9;
+/** Flat: in each sample of the second half as much was sent, and came, as this share of the stream's rate; a busy machine delays timers. */
+const RATE = 0.8;
 
 export const RULE = `flat: memory rises by at most ${MEMORY_RISE * 100} % of its mean in the second half (straight line), at least ${DELIVERED * 100} % came, `
   + `in each sample at least ${RATE * 100} % of each stream's rate was sent and came, `

@@ -38,8 +38,9 @@ int link(Context& context, const Options& options) {
                    .message = "there is no link command",
                    .fix = {"ros2wasm link-program -- em++ main.o -o main.wasm"}});
   }
-  const auto support = find_own_data(context.executable, "templates/toolchain/src/thread_stack.cpp",
-                                     "what programs with threads need");
+  const auto support =
+      find_own_data(context.executable, "templates/toolchain/src/thread_support.cpp",
+                    "what programs with threads need");
   if (!support) return context.console.fail(support.errors());
   const auto quick = context.environment.find(kQuickLinkVariable);
   const auto linked =

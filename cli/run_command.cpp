@@ -19,6 +19,9 @@ struct Options {
   std::optional<std::string> limit;
   std::optional<std::string> until;
   std::string link;
+  bool stepped = false;
+  std::optional<int> seed;
+  std::optional<std::string> trace;
 };
 
 std::string path_variable(const Context& context) {
@@ -36,6 +39,9 @@ int run_site(Context& context, const Options& options) {
                   .limit = std::nullopt,
                   .until = options.until,
                   .link = options.link,
+                  .stepped = options.stepped || options.seed.has_value(),
+                  .seed = options.seed,
+                  .trace = options.trace,
                   .json = context.json};
   if (options.limit) {
     const auto limit = parse_duration(*options.limit);
@@ -71,6 +77,15 @@ CommandBody run_command(Arguments& arguments) {
                   "stop with exit code 0 when a line of output matches (JavaScript syntax)");
   arguments.choice("--link", options->link, {"shared", "port"},
                    "how nodes reach each other; chosen by itself when not given");
+  arguments.flag(
+      "--stepped", options->stepped,
+      "run one node at a time, and let time jump to what is waited for: every run of a seed "
+      "sends the same messages; --for is the site's time then");
+  arguments.number(
+      "--seed", options->seed, "N", 0, 999999999,
+      "of the nodes' random numbers in a stepped run (implies --stepped); 0 when not given");
+  arguments.value("--trace", options->trace, "FILE",
+                  "write every message that a node sends to FILE, and its sha256 to the console");
   arguments.examples({"ros2wasm run site", "ros2wasm run site --for 5s",
                       "ros2wasm run site --until 'I heard' --for 30s"});
   return [options](Context& context) { return run_site(context, *options); };

@@ -17,7 +17,7 @@ struct LinkRequest {
   std::vector<std::string> command;                ///< compiler and arguments, with -o
   std::map<std::string, std::string> environment;  ///< for the compiler, see link_environment()
   std::string thread_support;                      ///< source that programs with threads get:
-                                                   ///< templates/toolchain/src/thread_stack.cpp
+                                                   ///< templates/toolchain/src/thread_support.cpp
   std::string quick_folder;  ///< links as quick_link.hpp says, which keeps its findings here; may
                              ///< be empty
 };

@@ -107,7 +107,8 @@ std::vector<std::string> link_command(const LinkLine& line, LinkKind kind,
       line.compiler, "-O2", "--profiling-funcs", "-fwasm-exceptions", "-sALLOW_MEMORY_GROWTH=1",
       // What the loader calls: the text of an uncaught exception, a thread's stack.
       "-Wl,--export-if-defined=__cpp_exception", "-Wl,--export-if-defined=ros2wasm_exception_what",
-      "-Wl,--export-if-defined=ros2wasm_thread_stack"};
+      "-Wl,--export-if-defined=ros2wasm_thread_stack",
+      "-Wl,--export-if-defined=ros2wasm_timed_waits"};
   switch (kind) {
     case LinkKind::kSingle:
       command.insert(command.end(), {"-sSTANDALONE_WASM", "-sERROR_ON_UNDEFINED_SYMBOLS=0",

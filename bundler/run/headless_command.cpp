@@ -72,6 +72,15 @@ std::vector<std::string> headless_command(const std::filesystem::path& node_js,
     words.emplace_back("--link");
     words.push_back(run.link);
   }
+  if (run.stepped) words.emplace_back("--stepped");
+  if (run.seed) {
+    words.emplace_back("--seed");
+    words.push_back(std::to_string(*run.seed));
+  }
+  if (run.trace) {
+    words.emplace_back("--trace");
+    words.push_back(*run.trace);
+  }
   if (run.json) words.emplace_back("--json");
   return words;
 }

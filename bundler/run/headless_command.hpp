@@ -16,7 +16,10 @@ struct HeadlessRun {
   std::filesystem::path site;
   std::optional<std::chrono::milliseconds> limit;  ///< `--for`
   std::optional<std::string> until;                ///< a JavaScript regular expression
-  std::string link;  ///< "shared", "port", or empty: the runtime chooses
+  std::string link;                  ///< "shared", "port", or empty: the runtime chooses
+  bool stepped = false;              ///< with the shared link only
+  std::optional<int> seed;           ///< of a stepped run
+  std::optional<std::string> trace;  ///< file that the messages sent are written to
   bool json = false;
 };
 

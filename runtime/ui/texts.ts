@@ -11,6 +11,18 @@ export const texts = {
   version: (version: string): string => `version ${version}`,
   by: (names: string): string => `by ${names}`,
 
+  time: {
+    group: 'Time of the site',
+    pause: 'Pause the time of all nodes',
+    resume: 'Resume the time of all nodes',
+    step: (length: string): string => `Let time run for ${length}`,
+    stepLength: 'Length of a step',
+    speed: 'Speed of time',
+    length: (ms: number): string => (ms < 1000 ? `${ms}\u00a0ms` : `${ms / 1000}\u00a0s`),
+    times: (rate: number): string => `${rate}\u00d7`,
+    state: { running: '', stepping: 'Stepping', paused: 'Paused' },
+  },
+
   theme: {
     system: 'Theme: as the system. Switch to light',
     light: 'Theme: light. Switch to dark',

@@ -6,12 +6,15 @@ import {
 } from '../protocol/generated/constants.ts';
 import { type Bus, createBus, type BusOptions } from './bus.ts';
 import { bumpGeneration, departEndpoint, logChange, nodeBit, readEndpoint, releaseEndpoint } from './bus_tables.ts';
+import { Conductor } from './conductor.ts';
+import { ordinaryTime, type TimeLaw } from './clock.ts';
 import { type EndpointRecord, relate } from './graph.ts';
 import type { LinkTicket } from './open_link.ts';
 import { PortLink } from './port_link.ts';
 import type { PeerPort } from './port_messages.ts';
 import { endpointKey, keyIndex, previousGeneration } from './shared_ring.ts';
 import { SharedLink } from './shared_link.ts';
+import type { Rest } from './turns.ts';
 import { unread } from './unread.ts';
 
 export interface Admission {
@@ -26,6 +29,12 @@ export interface Broker {
   readonly link: SharedLink | PortLink;
   /** A place for a worker; undefined when all are taken. */
   admit(): Admission | undefined;
+  /** Time of the site follows another law from now on. */
+  setTime(law: TimeLaw): void;
+  /** In a stepped run: the participant waits. */
+  rests(participant: number, rest: Rest): void;
+  /** The page itself has written. */
+  wrote(): void;
   /** As SIGINT. */
   stop(participant: number): void;
   /** The worker is terminated: its endpoints vanish. `closed`: it took its leave itself. */
@@ -37,6 +46,11 @@ export interface Broker {
   close(): void;
 }
 
+export interface SharedBrokerOptions extends BusOptions {
+  /** One participant runs at a time. */
+  readonly stepped?: boolean;
+}
+
 export class SharedBroker implements Broker {
   readonly kind = 'shared';
   readonly bus: Bus;
@@ -44,20 +58,38 @@ export class SharedBroker implements Broker {
   private readonly lingering = new Set<number>();
   private timer: ReturnType<typeof setInterval> | undefined;
   private closed = false;
+  /** Of a stepped run. */
+  readonly conductor: Conductor | undefined;
 
-  constructor(options: BusOptions = {}) {
+  constructor(options: SharedBrokerOptions = {}) {
     this.bus = createBus(options);
+    this.conductor = options.stepped === true ? new Conductor(this.bus) : undefined;
     this.link = new SharedLink({ bus: this.bus, participant: this.bus.claimParticipant(), mayBlock: false });
   }
 
   admit(): Admission | undefined {
     const participant = this.bus.claimParticipant();
     if (participant < 0) return undefined;
+    this.conductor?.expect(participant);
     return { participant, ticket: { kind: 'shared', sab: this.bus.sab, participant }, transfer: [] };
+  }
+
+  setTime(law: TimeLaw): void {
+    this.bus.setTime(law);
+    this.bus.rouseAll();
+  }
+
+  rests(participant: number, rest: Rest): void {
+    this.conductor?.rests(participant, rest);
+  }
+
+  wrote(): void {
+    this.conductor?.conduct();
   }
 
   stop(participant: number): void {
     this.bus.requestStop(participant);
+    this.conductor?.conduct();
   }
 
   /** Workers of the participant may run on for seconds: nothing of theirs is freed here. */
@@ -123,6 +155,7 @@ export class SharedBroker implements Broker {
       const state = Atomics.load(i32, bus.participantWord(other) + BusParticipant.state);
       if (state === BusParticipantState.live) bus.bump(other);
     }
+    this.conductor?.leaves(participant);
   }
 
   /** Its readers count a writer that ended without taking leave as not alive. */
@@ -195,6 +228,7 @@ export class PortBroker implements Broker {
   private readonly controls = new Map<number, MessagePort>();
   private readonly newChannel: () => MessageChannel;
   private last = 0;
+  private time: TimeLaw = ordinaryTime;
 
   /** `newChannel`: for tests that say themselves when a message arrives. */
   constructor(newChannel = () => new MessageChannel()) {
@@ -203,7 +237,7 @@ export class PortBroker implements Broker {
     this.session = [random[0] ?? 0, random[1] ?? 0];
     const { port1, port2 } = newChannel();
     this.controls.set(0, port1);
-    this.link = new PortLink({ participant: 0, session: this.session, control: port2, peers: [] });
+    this.link = new PortLink({ participant: 0, session: this.session, time: this.time, control: port2, peers: [] });
   }
 
   admit(): Admission | undefined {
@@ -219,7 +253,8 @@ export class PortBroker implements Broker {
       peers.push({ participant: other, port: channel.port2 });
     }
     this.controls.set(participant, control.port1);
-    const ticket: LinkTicket = { kind: 'port', participant, session: this.session, control: control.port2, peers };
+    const { session, time } = this;
+    const ticket: LinkTicket = { kind: 'port', participant, session, time, control: control.port2, peers };
     return { participant, ticket, transfer: [control.port2, ...peers.map((peer) => peer.port)] };
   }
 
@@ -229,6 +264,19 @@ export class PortBroker implements Broker {
     do this.last = this.last % mostParticipants + 1; while (this.controls.has(this.last));
     return this.last;
   }
+
+  setTime(law: TimeLaw): void {
+    this.time = law;
+    for (const [participant, port] of this.controls) {
+      if (participant === 0) this.link.setTime(law);
+      else port.postMessage({ t: 'time', law });
+    }
+  }
+
+  /** Runs are not stepped here: nobody can tell what is on its way in a port. */
+  rests(): void {}
+
+  wrote(): void {}
 
   stop(participant: number): void {
     this.controls.get(participant)?.postMessage({ t: 'stop' });

@@ -3,8 +3,9 @@
 // worker that is terminated at any instruction leaves nothing locked. Layout: protocol/SPEC.md section 4.
 
 import {
-  BusHeader, BusParticipant, BusParticipantState, BusSizes, ErrorCode, protocolVersion,
+  BusHeader, BusParticipant, BusParticipantState, BusSizes, BusTime, ErrorCode, protocolVersion, timeRateOne,
 } from '../protocol/generated/constants.ts';
+import type { TimeLaw } from './clock.ts';
 
 const magic = 0x52325742;
 
@@ -15,6 +16,8 @@ export interface BusOptions {
   readonly nodes?: number;
   readonly endpoints?: number;
   readonly graphLog?: number;
+  /** The first words of every gid; random when left out. */
+  readonly session?: readonly [number, number];
 }
 
 export const defaultCeiling = 1 << 30;
@@ -199,8 +202,35 @@ export class Bus {
   requestStop(participant: number): void {
     const word = this.participantWord(participant);
     Atomics.add(this.i32, word + BusParticipant.stop, 1);
-    Atomics.notify(this.i32, word + BusParticipant.stop);
+    this.rouse(participant);
+  }
+
+  /** All sleeps and waits of a participant look again whether they are over. */
+  private rouse(participant: number): void {
+    const word = this.participantWord(participant);
+    Atomics.add(this.i32, word + BusParticipant.rouse, 1);
+    Atomics.notify(this.i32, word + BusParticipant.rouse);
     this.bump(participant);
+  }
+
+  /** Time follows another law from now on; who waits is told by rouseAll. Only the page does this. */
+  setTime({ realNs, siteNs, rate, limitNs }: TimeLaw): void {
+    const { i32, i64 } = this;
+    const time = BusHeader.siteTime;
+    const put = (word: number, ns: number): void => void Atomics.store(i64, (time + word) >> 1, BigInt(ns));
+    Atomics.add(i32, time + BusTime.version, 1);
+    Atomics.store(i32, time + BusTime.rate, Math.round(rate * timeRateOne));
+    put(BusTime.real, realNs);
+    put(BusTime.site, siteNs);
+    put(BusTime.limit, limitNs === Infinity ? -1 : limitNs);
+    Atomics.add(i32, time + BusTime.version, 1);
+  }
+
+  rouseAll(): void {
+    for (let index = 0; index < this.participantCount; index += 1) {
+      const state = Atomics.load(this.i32, this.participantWord(index) + BusParticipant.state);
+      if (state === BusParticipantState.live) this.rouse(index);
+    }
   }
 
   /** Index of a fresh participant, or ErrorCode.tableFull. */
@@ -256,7 +286,7 @@ export function createBus(options: BusOptions = {}): Bus {
   set(BusHeader.pageCount, pageCount);
   set(BusHeader.pages, pagesAt);
   set(BusHeader.growPages, 16384);
-  const session = crypto.getRandomValues(new Int32Array(2));
+  const session = options.session ?? crypto.getRandomValues(new Int32Array(2));
   set(BusHeader.session0, session[0] ?? 0);
   set(BusHeader.session1, session[1] ?? 0);
   Atomics.store(i32, BusHeader.magic, magic);

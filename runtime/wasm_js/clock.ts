@@ -1,4 +1,8 @@
-// Time as programs see it, in halves of an int64, without BigInt on the way of a message.
+// Time as programs see it: site time, which the page can hold, step and scale. Kept in doubles, without BigInt on the
+// way of a message.
+
+import { BusHeader, BusTime, timeRateOne } from '../protocol/generated/constants.ts';
+import type { Bus } from './bus.ts';
 
 const high = 2 ** 32;
 
@@ -8,15 +12,92 @@ export function putNanoseconds(i32: Int32Array, word: number, ns: number): void 
   i32[word + 1] = Math.floor(ns / high);
 }
 
-/** ns since 1970; the clock resolves some hundred ns. */
-export function systemNanoseconds(): number {
-  return (performance.timeOrigin + performance.now()) * 1e6;
-}
+// performance.now() counts from the worker's own start; a late zero (ms since 1970) keeps a double exact to 16 ns.
+const steadyZero = 1.7e12;
 
-/** A monotonic time that all workers of a page share, in ns. */
-export function steadyNanoseconds(): number {
+/** Real time that all workers of a page share, monotonic, in ns. */
+export function realNanoseconds(): number {
   return (performance.timeOrigin - steadyZero + performance.now()) * 1e6;
 }
 
-// performance.now() counts from the worker's own start; a late zero (ms since 1970) keeps a double exact to 16 ns.
-const steadyZero = 1.7e12;
+/** How site time follows real time: it was `siteNs` at `realNs`, grows by `rate`, and stands still at `limitNs`. */
+export interface TimeLaw {
+  readonly realNs: number;
+  readonly siteNs: number;
+  /** Above 0; a multiple of 1 / timeRateOne. */
+  readonly rate: number;
+  /** Infinity: it runs on. */
+  readonly limitNs: number;
+}
+
+export const ordinaryTime: TimeLaw = { realNs: 0, siteNs: 0, rate: 1, limitNs: Infinity };
+
+/** Site time in the hands of one thread: by the law on the bus, or by the one that was set last. */
+export class SiteClock {
+  private current: TimeLaw = ordinaryTime;
+  private version = 0;
+  private newest = 0;
+  /** The tables never move, so the views of the bus as it is now reach them for ever. */
+  private readonly i32: Int32Array | undefined;
+  private readonly i64: BigInt64Array | undefined;
+
+  constructor(bus?: Bus) {
+    this.i32 = bus?.i32;
+    this.i64 = bus?.i64;
+  }
+
+  set(law: TimeLaw): void {
+    this.current = law;
+  }
+
+  law(): TimeLaw {
+    this.keepUp();
+    return this.current;
+  }
+
+  /** Changes with the law on the bus. */
+  lawVersion(): number {
+    this.keepUp();
+    return this.version;
+  }
+
+  /** Never goes back, though the page may have held time a moment ago. */
+  steadyNs(): number {
+    this.keepUp();
+    const { realNs, siteNs, rate, limitNs } = this.current;
+    const now = Math.min(siteNs + (realNanoseconds() - realNs) * rate, limitNs);
+    if (now > this.newest) this.newest = now;
+    return this.newest;
+  }
+
+  /** Since 1970; resolves some hundred ns. */
+  systemNs(): number {
+    return this.steadyNs() + steadyZero * 1e6;
+  }
+
+  /** Real ms until the site's steady time is `ns`; Infinity while it does not get there. */
+  realMsUntil(ns: number): number {
+    const now = this.steadyNs();
+    if (ns <= now) return 0;
+    return ns > this.current.limitNs ? Infinity : (ns - now) / this.current.rate / 1e6;
+  }
+
+  private keepUp(): void {
+    const { i32, i64 } = this;
+    if (i32 === undefined || i64 === undefined) return;
+    if (Atomics.load(i32, BusHeader.siteTime + BusTime.version) === this.version) return;
+    for (;;) {
+      const version = Atomics.load(i32, BusHeader.siteTime + BusTime.version);
+      // Odd: the page is about to finish it.
+      if ((version & 1) !== 0) continue;
+      const rate = Atomics.load(i32, BusHeader.siteTime + BusTime.rate) / timeRateOne;
+      const realNs = Number(Atomics.load(i64, (BusHeader.siteTime + BusTime.real) >> 1));
+      const siteNs = Number(Atomics.load(i64, (BusHeader.siteTime + BusTime.site) >> 1));
+      const limit = Number(Atomics.load(i64, (BusHeader.siteTime + BusTime.limit) >> 1));
+      if (Atomics.load(i32, BusHeader.siteTime + BusTime.version) !== version) continue;
+      this.current = { realNs, siteNs, rate, limitNs: limit < 0 ? Infinity : limit };
+      this.version = version;
+      return;
+    }
+  }
+}

@@ -3,9 +3,10 @@
 
 import { BusParticipant } from '../protocol/generated/constants.ts';
 import type { Bus } from './bus.ts';
+import type { SiteClock } from './clock.ts';
 import type { Link } from './link.ts';
 
-/** Stream (1 or 2), ms since 1970, text. */
+/** Stream (1 or 2), ms since 1970 in site time, text. */
 export type SentLine = readonly [stream: 1 | 2, time: number, text: string];
 
 const batchesAhead = 8;
@@ -59,12 +60,14 @@ export class SharedCredit implements ConsoleCredit {
 
 export class ConsoleSender {
   private readonly credit: ConsoleCredit;
+  private readonly clock: SiteClock;
   private readonly post: (lines: readonly SentLine[], dropped: number) => void;
   private waiting: SentLine[] = [];
   private dropped = 0;
 
   constructor(link: Link, post: (lines: readonly SentLine[], dropped: number) => void) {
     this.credit = link.consoleCredit();
+    this.clock = link.clock;
     this.post = post;
   }
 
@@ -73,7 +76,7 @@ export class ConsoleSender {
       this.waiting.shift();
       this.dropped += 1;
     }
-    this.waiting.push([stream === 'stdout' ? 1 : 2, Date.now(), text]);
+    this.waiting.push([stream === 'stdout' ? 1 : 2, Math.floor(this.clock.systemNs() / 1e6), text]);
     if (this.credit.ahead() < batchesAhead) this.flush();
   }
 

@@ -1,6 +1,7 @@
 // Module "env": what Emscripten's C library wants from its JavaScript side. A single-threaded program needs next to
 // nothing of it; a threaded one its thread functions. Thread workers are started by the page: this worker may block.
 
+import type { SiteClock } from './clock.ts';
 import { timeImports } from './env_time.ts';
 import type { Exports } from './program.ts';
 import { unwound } from './program.ts';
@@ -24,6 +25,8 @@ export interface EnvHost {
   readonly startThread: (request: ThreadRequest) => void;
   readonly leave: Leave;
   readonly threaded: boolean;
+  readonly clock: SiteClock;
+  readonly random: (bytes: Uint8Array) => void;
   /** The calling thread has ended and nobody will join it. */
   readonly detach: () => void;
 }
@@ -39,7 +42,9 @@ export function envImports(host: EnvHost): Record<string, EnvFunction> {
   const single: Record<string, EnvFunction> = {
     emscripten_notify_memory_growth: () => undefined,
     getentropy: (address: number, length: number): number => {
-      memory().u8.set(crypto.getRandomValues(new Uint8Array(length)), address);
+      const bytes = new Uint8Array(length);
+      host.random(bytes);
+      memory().u8.set(bytes, address);
       return 0;
     },
     system: (): number => -1,
@@ -49,8 +54,8 @@ export function envImports(host: EnvHost): Record<string, EnvFunction> {
       memory().u8.copyWithin(to >>> 0, from >>> 0, (from >>> 0) + (length >>> 0));
       return to;
     },
-    emscripten_get_now: (): number => performance.timeOrigin - 1.7e12 + performance.now(),
-    emscripten_date_now: (): number => Date.now(),
+    emscripten_get_now: (): number => host.clock.steadyNs() / 1e6,
+    emscripten_date_now: (): number => Math.floor(host.clock.systemNs() / 1e6),
     _emscripten_get_now_is_monotonic: (): number => 1,
     emscripten_get_heap_max: (): number => 1 << 30,
     setTempRet0: () => undefined,
@@ -93,9 +98,10 @@ export function envImports(host: EnvHost): Record<string, EnvFunction> {
     _emscripten_notify_thread_queue: (): number => 0,
     emscripten_check_blocking_allowed: () => undefined,
     emscripten_receive_on_main_thread_js: (): number => 0,
+    emscripten_has_threading_support: (): number => 1,
     emscripten_num_logical_cores: (): number => Math.max(2, navigator.hardwareConcurrency),
   };
-  const functions = { ...single, ...(host.threaded ? { ...timeImports(memory), ...threads } : {}) };
+  const functions = { ...single, ...(host.threaded ? { ...timeImports(memory, host.clock), ...threads } : {}) };
   // System calls that this C library leaves to JavaScript: none of them is there.
   return new Proxy(functions, {
     get: (target, name) => {

@@ -1,7 +1,7 @@
 // The clock and calendar functions that Emscripten's C library leaves to JavaScript in programs with threads.
 // Civil time is UTC, as in programs without threads, so that output is the same on every machine.
 
-import { steadyNanoseconds, systemNanoseconds } from './clock.ts';
+import type { SiteClock } from './clock.ts';
 import type { ProgramMemory } from './program_memory.ts';
 
 type TimeFunction = (...args: never[]) => unknown;
@@ -61,7 +61,7 @@ export function formatTime(format: string, time: CivilTime): string {
 }
 
 /** Times are 32 bits wide in this C library. */
-export function timeImports(memory: () => ProgramMemory): Record<string, TimeFunction> {
+export function timeImports(memory: () => ProgramMemory, siteClock: SiteClock): Record<string, TimeFunction> {
   const fields = ['sec', 'min', 'hour', 'mday', 'mon', 'year', 'wday', 'yday'] as const;
   const put = (address: number, seconds: number): void => {
     const time = civilTime(seconds);
@@ -84,7 +84,7 @@ export function timeImports(memory: () => ProgramMemory): Record<string, TimeFun
     return bytes.length;
   };
   const clockGettime = (clock: number, out: number): number => {
-    const now = clock === 0 ? systemNanoseconds() : steadyNanoseconds();
+    const now = clock === 0 ? siteClock.systemNs() : siteClock.steadyNs();
     memory().set(out, Math.floor(now / 1e9));
     memory().set(out + 4, Math.floor(now % 1e9));
     return 0;
@@ -105,7 +105,7 @@ export function timeImports(memory: () => ProgramMemory): Record<string, TimeFun
     __clock_gettime: clockGettime,
     clock_getres: clockGetres,
     time: (out: number): number => {
-      const now = Math.floor(systemNanoseconds() / 1e9);
+      const now = Math.floor(siteClock.systemNs() / 1e9);
       if (out !== 0) memory().set(out, now);
       return now;
     },

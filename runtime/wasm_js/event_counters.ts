@@ -1,7 +1,7 @@
 // Counts of an endpoint's events on the port link: ever, now, and since they were last read.
 
 import { type EndpointKind, StatusKind } from '../protocol/generated/constants.ts';
-import { steadyNanoseconds } from './clock.ts';
+import type { SiteClock } from './clock.ts';
 import type { EndpointStatus } from './link.ts';
 import { hasStatus } from './statuses.ts';
 import type { Timing } from './timing.ts';
@@ -41,8 +41,10 @@ export class EventCounters {
   private readonly deadline = new EventCounter();
   private readonly liveliness = new EventCounter();
   private readonly timing: Timing;
+  private readonly clock: SiteClock;
 
-  constructor(timing: Timing) {
+  constructor(timing: Timing, clock: SiteClock) {
+    this.clock = clock;
     this.timing = timing;
   }
 
@@ -64,11 +66,11 @@ export class EventCounters {
         return this.lost.read(0);
       case StatusKind.offeredDeadlineMissed:
       case StatusKind.requestedDeadlineMissed:
-        return this.deadline.readTotal(this.timing.deadlinesMissed(steadyNanoseconds()));
+        return this.deadline.readTotal(this.timing.deadlinesMissed(this.clock.steadyNs()));
       case StatusKind.livelinessLost:
-        return this.liveliness.readTotal(this.timing.livelinessLost(steadyNanoseconds()));
+        return this.liveliness.readTotal(this.timing.livelinessLost(this.clock.steadyNs()));
       case StatusKind.livelinessChanged: {
-        const lapsed = this.timing.lapsedWriters(steadyNanoseconds());
+        const lapsed = this.timing.lapsedWriters(this.clock.steadyNs());
         this.liveliness.total = lapsed;
         const status = this.liveliness.read(matchedNow - lapsed);
         // Those who died are told once: then nobody counts them any more.

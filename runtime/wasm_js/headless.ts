@@ -1,9 +1,13 @@
 // Runs a site without a browser: node headless.js SITE [--for 5s] [--until REGEX] [--json] [--link shared|port]
+// [--stepped [--seed N]] [--trace FILE]
 // stdout is what the nodes print, as `ros2 launch` shows it. Exit code: 0 met, 1 not met, 2 command line, 130 Ctrl-C.
 
+import { createHash } from 'node:crypto';
+import { writeFileSync } from 'node:fs';
 import { isMainThread, parentPort, workerData } from 'node:worker_threads';
 import { parseArgs } from 'node:util';
 import { type Broker, PortBroker, SharedBroker } from './broker.ts';
+import type { SentMessage } from './message_trace.ts';
 import { nodePlatform, workerMark } from './node_platform.ts';
 import { serveWorker, type WorkerOrder } from './node_worker.ts';
 import type { NodeView } from './session.ts';
@@ -11,7 +15,8 @@ import { SiteError } from './site_error.ts';
 import { readSite } from './site_reader.ts';
 import { SiteSession } from './site_session.ts';
 
-const usage = 'usage: node headless.js SITE [--for TIME] [--until REGEX] [--json] [--link shared|port]';
+const usage = 'usage: node headless.js SITE [--for TIME] [--until REGEX] [--json] [--link shared|port] '
+  + '[--stepped [--seed N]] [--trace FILE]';
 const interrupted = 130;
 
 interface Options {
@@ -20,6 +25,10 @@ interface Options {
   readonly until: RegExp | undefined;
   readonly json: boolean;
   readonly link: 'shared' | 'port';
+  /** One node runs at a time, and time jumps to what is waited for. */
+  readonly stepped: { readonly seed: number } | undefined;
+  /** Where the messages that were sent are written to. */
+  readonly trace: string | undefined;
 }
 
 /** "5s", "500ms", "2m" in ms. */
@@ -39,17 +48,25 @@ export function parseOptions(argv: readonly string[]): Options {
       until: { type: 'string' },
       json: { type: 'boolean', default: false },
       link: { type: 'string', default: 'shared' },
+      stepped: { type: 'boolean', default: false },
+      seed: { type: 'string' },
+      trace: { type: 'string' },
     },
   });
   const [site] = positionals;
   if (site === undefined || positionals.length !== 1) throw new TypeError('one SITE is wanted');
   if (values.link !== 'shared' && values.link !== 'port') throw new TypeError(`no such link: ${values.link}`);
+  if (values.stepped && values.link === 'port') throw new TypeError('--stepped needs the shared link');
+  if (values.seed !== undefined && !values.stepped) throw new TypeError('--seed is for --stepped');
+  if (!/^\d{1,9}$/.test(values.seed ?? '0')) throw new TypeError(`not a seed: ${values.seed}`);
   return {
     site,
     forMs: values.for === undefined ? undefined : parseTime(values.for),
     until: values.until === undefined ? undefined : new RegExp(values.until),
     json: values.json,
     link: values.link,
+    stepped: values.stepped ? { seed: Number(values.seed ?? 0) } : undefined,
+    trace: values.trace,
   };
 }
 
@@ -61,11 +78,32 @@ function allEnded(nodes: readonly NodeView[]): boolean | undefined {
   return nodes.every(({ state }) => state.kind === 'exited' && state.code === 0);
 }
 
+function brokerFor({ link, stepped }: Options): Broker {
+  if (link === 'port') return new PortBroker();
+  // With a random session the gids, and what programs make of them, would differ from run to run.
+  return stepped === undefined ? new SharedBroker() : new SharedBroker({ session: [0, stepped.seed], stepped: true });
+}
+
+/** The messages of a run, one line each. */
+class Trace {
+  private readonly lines: string[] = [];
+
+  add(node: string, message: SentMessage): void {
+    this.lines.push(JSON.stringify({ node, ...message }));
+  }
+
+  write(file: string): { messages: number; sha256: string } {
+    const text = this.lines.map((line) => `${line}\n`).join('');
+    writeFileSync(file, text);
+    return { messages: this.lines.length, sha256: createHash('sha256').update(text).digest('hex') };
+  }
+}
+
 /** Runs to the end and returns the exit code. */
 export async function runHeadless(options: Options, entry: URL): Promise<number> {
   const platform = nodePlatform(options.site, entry);
   const site = readSite(await platform.json('site.json'));
-  const broker: Broker = options.link === 'shared' ? new SharedBroker() : new PortBroker();
+  const broker = brokerFor(options);
   const print = (text: string): void => void process.stdout.write(`${text}\n`);
   const event = (value: Record<string, unknown>): void => print(JSON.stringify(value));
   let finish: (code: number) => void = () => undefined;
@@ -73,11 +111,14 @@ export async function runHeadless(options: Options, entry: URL): Promise<number>
     finish = resolve;
   });
   let met = false;
+  const trace = new Trace();
 
   const session = new SiteSession({
     site,
     platform,
     broker,
+    ...(options.stepped === undefined ? {} : { stepped: options.stepped }),
+    ...(options.trace === undefined ? {} : { onSent: (node, message) => trace.add(node.id, message) }),
     onLines: (node, lines, dropped) => {
       if (met) return;
       if (dropped > 0) process.stderr.write(`[${node.id}] ... ${dropped} lines were dropped\n`);
@@ -124,16 +165,24 @@ export async function runHeadless(options: Options, entry: URL): Promise<number>
   };
   process.on('SIGINT', stop);
   process.on('SIGTERM', stop);
-  const timer = options.forMs === undefined ? undefined : setTimeout(() => {
+  const timeIsOver = (): void => {
     const well = session.nodes().every(({ state }) => state.kind !== 'crashed' && !(state.kind === 'exited' && state.code !== 0));
     finish(options.until === undefined && well ? 0 : 1);
-  }, options.forMs);
+  };
+  const { forMs } = options;
+  const timer = forMs === undefined || options.stepped !== undefined ? undefined : setTimeout(timeIsOver, forMs);
+  if (forMs !== undefined && broker instanceof SharedBroker) broker.conductor?.endAfter(forMs * 1e6, timeIsOver);
 
   session.startAll();
   const code = await finished;
   clearTimeout(timer);
   process.off('SIGINT', stop);
   process.off('SIGTERM', stop);
+  if (options.trace !== undefined) {
+    const { messages, sha256 } = trace.write(options.trace);
+    if (options.json) event({ event: 'trace', messages, sha256 });
+    else process.stderr.write(`trace: ${messages} messages, sha256 ${sha256}\n`);
+  }
   if (options.json) event({ event: 'end', met: code === 0 });
   session.close();
   platform.close();

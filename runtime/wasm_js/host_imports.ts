@@ -5,6 +5,7 @@ import {
 } from '../protocol/generated/constants.ts';
 import { encodeGraph } from './graph_snapshot.ts';
 import type { Link } from './link.ts';
+import { type SentMessage, sentMessage } from './message_trace.ts';
 import type { ProgramMemory } from './program_memory.ts';
 
 /** Names of the functions that may suspend the program on the port link. */
@@ -18,7 +19,10 @@ function milliseconds(low: number | bigint, high: number | undefined): number {
 
 type HostFunction = (...args: never[]) => unknown;
 
-export function hostImports(link: Link, memory: () => ProgramMemory, idle: () => void): Record<string, HostFunction> {
+export function hostImports(
+  link: Link, memory: () => ProgramMemory, idle: () => void, sent?: (message: SentMessage) => void,
+): Record<string, HostFunction> {
+  const names = new Map<number, string>();
   const i64 = (address: number): bigint => memory().i64(address);
 
   const endpointCreate = (desc: number): number => {
@@ -26,10 +30,11 @@ export function hostImports(link: Link, memory: () => ProgramMemory, idle: () =>
     const at = (offset: number): number => heap.u32(desc + offset);
     const text = (address: number, length: number): string => heap.text(at(address), at(length));
     const L = EndpointDescLayout;
-    return link.endpointCreate({
+    const name = text(L.name, L.nameLen);
+    const endpoint = link.endpointCreate({
       kind: at(L.kind),
       node: at(L.node) | 0,
-      name: text(L.name, L.nameLen),
+      name,
       type: text(L.type, L.typeLen),
       hash: text(L.hash, L.hashLen),
       qos: {
@@ -44,6 +49,20 @@ export function hostImports(link: Link, memory: () => ProgramMemory, idle: () =>
       },
       flags: at(L.flags),
     });
+    names.set(endpoint, name);
+    return endpoint;
+  };
+
+  const write = (endpoint: number, data: number, length: number, info: number): number | Promise<number> => {
+    if (info % 4 !== 0) return ErrorCode.invalidArgument;
+    const result = link.write(endpoint, memory(), data >>> 0, length >>> 0, info >>> 0);
+    if (sent === undefined) return result;
+    const tell = (code: number): number => {
+      const name = names.get(endpoint);
+      if (code >= 0 && name !== undefined) sent(sentMessage(name, memory(), data >>> 0, length >>> 0, info >>> 0));
+      return code;
+    };
+    return typeof result === 'number' ? tell(result) : result.then(tell);
   };
 
   const status = (endpoint: number, kind: number, out: number): number => {
@@ -73,10 +92,7 @@ export function hostImports(link: Link, memory: () => ProgramMemory, idle: () =>
       memory().u8.set(new Uint8Array(gid.slice().buffer), out);
       return 0;
     },
-    write: (endpoint: number, data: number, length: number, info: number) => {
-      if (info % 4 !== 0) return ErrorCode.invalidArgument;
-      return link.write(endpoint, memory(), data >>> 0, length >>> 0, info >>> 0);
-    },
+    write,
     take: (endpoint: number, buffer: number, capacity: number, info: number): number => {
       if (info % 4 !== 0) return ErrorCode.invalidArgument;
       return link.take(endpoint, memory(), buffer >>> 0, capacity >>> 0, info >>> 0);
@@ -96,6 +112,14 @@ export function hostImports(link: Link, memory: () => ProgramMemory, idle: () =>
     sleep: (low: number | bigint, high?: number) => {
       idle();
       return link.sleep(milliseconds(low, high));
+    },
+    real_timeout: (out: number, low: number | bigint, high?: number): number => {
+      const { clock } = link;
+      // Read before the time: an older one than the timeout's does no harm, a newer one would.
+      const version = clock.lawVersion();
+      const real = clock.realMsUntil(clock.steadyNs() + milliseconds(low, high) * 1e6);
+      memory().setI64(out, real === Infinity ? -1n : BigInt(Math.ceil(real * 1e6)));
+      return version;
     },
     stop_requested: () => (link.stopRequested() ? 1 : 0),
     matched: (endpoint: number) => link.matched(endpoint),

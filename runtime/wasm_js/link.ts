@@ -2,6 +2,7 @@
 // The calls mirror the imports of module "ros2wasm" (protocol/SPEC.md); handles are small integers.
 
 import type { StatusKind, WaitResult } from '../protocol/generated/constants.ts';
+import type { SiteClock } from './clock.ts';
 import type { ConsoleCredit } from './console_sender.ts';
 import type { EndpointQos } from './qos.ts';
 import type { LinkKind } from './session.ts';
@@ -56,6 +57,8 @@ export interface GraphSnapshot {
 
 export interface Link {
   readonly kind: LinkKind;
+  /** What programs take for the time. All timeouts are by it. */
+  readonly clock: SiteClock;
   /** Handle, or a negative ErrorCode. */
   nodeCreate(name: string, namespace: string): number;
   nodeDestroy(node: number): void;
@@ -76,6 +79,8 @@ export interface Link {
   wait(token: number, timeoutMs: number): WaitResult | Promise<WaitResult>;
   wake(): void;
   sleep(durationMs: number): WaitResult | Promise<WaitResult>;
+  /** In a stepped run: waits for the first turn. */
+  awaitTurn?(): void;
   stopRequested(): boolean;
   /** Matched peers, or a negative ErrorCode. */
   matched(endpoint: number): number;

@@ -2,12 +2,14 @@
 
 import type { Broker } from './broker.ts';
 import type { NodeConsole } from './console_log.ts';
+import type { SentMessage } from './message_trace.ts';
 import type { WorkerReport, WorkerStart } from './node_worker.ts';
 import { functionsIn, withNames } from './function_names.ts';
 import type { Platform, WorkerHandle } from './platform.ts';
 import type { ProgramEnd } from './program.ts';
 import type { NodeState, NodeView, SiteNode } from './session.ts';
 import { SiteError } from './site_error.ts';
+import { type ThreadMemory, tellThreads } from './thread_waits.ts';
 
 /** After a stop is requested; `ros2 launch` waits as long before it sends SIGTERM. */
 export const stopGraceMs = 5000;
@@ -17,6 +19,8 @@ const killedCode = 137;
 const namesMs = 3000;
 /** A node that crashes at once is not started again without pause. */
 const leastRespawnMs = 100;
+/** A thread that was about to wait when time changed is told again. */
+const retellMs = 1;
 
 export interface RunnerHost {
   readonly platform: Platform;
@@ -26,6 +30,9 @@ export interface RunnerHost {
   readonly settled: (node: SiteNode) => void;
   /** A program is out of the graph; what it published is not yet freed. */
   readonly left: () => void;
+  readonly stepped: { readonly seed: number } | undefined;
+  /** Tells of every message; undefined: nobody asks. */
+  readonly sent: ((node: SiteNode, message: SentMessage) => void) | undefined;
   readonly resetInput: (id: string) => void;
   /** A batch of lines was taken over from a worker of the participant. */
   readonly lines: (node: SiteNode, report: Extract<WorkerReport, { t: 'lines' }>) => void;
@@ -37,6 +44,8 @@ interface Run {
   readonly threads: Set<WorkerHandle>;
   readonly start: WorkerStart;
   readonly startedAt: number;
+  /** Of a program with threads, once it is loaded. */
+  memory: ThreadMemory | undefined;
   over: boolean;
 }
 
@@ -123,6 +132,14 @@ export class NodeRunner {
     this.clearTimer();
   }
 
+  /** The threads that wait in the program's own memory are told here: the bus does not reach them. */
+  timeChanged(): void {
+    const { run } = this;
+    if (run?.memory === undefined || run.over) return;
+    if (tellThreads(run.memory, this.host.broker.link.clock.lawVersion())) return;
+    setTimeout(() => this.timeChanged(), retellMs);
+  }
+
   private async launch(attempt: number): Promise<void> {
     try {
       const admission = this.host.broker.admit();
@@ -147,8 +164,10 @@ export class NodeRunner {
         id: this.node.id,
         arguments: [this.node.executable, ...this.node.arguments],
         environment: this.node.environment,
+        stepped: this.host.stepped,
+        traced: this.host.sent !== undefined,
       };
-      this.run = { participant, main, threads: new Set(), start, startedAt, over: false };
+      this.run = { participant, main, threads: new Set(), start, startedAt, memory: undefined, over: false };
       main.post({ t: 'start', start }, transfer);
     } catch (error) {
       if (this.attempt !== attempt) return;
@@ -174,6 +193,16 @@ export class NodeRunner {
     switch (report.t) {
       case 'running':
         this.set({ kind: 'running' });
+        return;
+      case 'memory':
+        if (run !== undefined) run.memory = report.memory;
+        this.timeChanged();
+        return;
+      case 'rest':
+        this.host.broker.rests(participant, report.rest);
+        return;
+      case 'sent':
+        this.host.sent?.(this.node, report.message);
         return;
       case 'waits':
         this.host.settled(this.node);

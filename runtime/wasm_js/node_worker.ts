@@ -3,8 +3,12 @@
 import { ConsoleSender, type SentLine } from './console_sender.ts';
 import type { ThreadRequest } from './env_imports.ts';
 import type { Link } from './link.ts';
+import type { SentMessage } from './message_trace.ts';
 import { type LinkTicket, openLink } from './open_link.ts';
 import { type ProgramEnd, runProgram, type ThreadStart } from './program.ts';
+import { seededRandom } from './seeded_random.ts';
+import type { ThreadMemory } from './thread_waits.ts';
+import type { Rest } from './turns.ts';
 import { inputReader } from './standard_input.ts';
 
 /** To a worker: what to run. */
@@ -15,6 +19,10 @@ export interface WorkerStart {
   readonly arguments: readonly string[];
   readonly environment: Readonly<Record<string, string>>;
   readonly thread?: ThreadStart;
+  /** Of a stepped run: one participant runs at a time, and random numbers come from the seed. */
+  readonly stepped: { readonly seed: number } | undefined;
+  /** Every message that the program sends is told. */
+  readonly traced: boolean;
 }
 
 /** From a worker. */
@@ -24,6 +32,11 @@ export type WorkerReport =
   | { readonly t: 'waits' }
   | { readonly t: 'lines'; readonly lines: readonly SentLine[]; readonly dropped: number }
   | { readonly t: 'thread'; readonly request: ThreadRequest; readonly memory: WebAssembly.Memory }
+  /** What the page needs to tell the threads of a program of a change of time. */
+  | { readonly t: 'memory'; readonly memory: ThreadMemory }
+  /** A stepped run: it waits for its turn. */
+  | { readonly t: 'rest'; readonly rest: Rest }
+  | { readonly t: 'sent'; readonly message: SentMessage }
   /** `closed`: the worker took leave of the graph. */
   | { readonly t: 'end'; readonly end: ProgramEnd; readonly closed: boolean };
 
@@ -41,7 +54,8 @@ export function serveWorker(post: (report: WorkerReport) => void): (order: Worke
   const run = async (start: WorkerStart): Promise<void> => {
     let link: Link;
     try {
-      link = openLink(start.ticket, true);
+      const rest = (of: Rest): void => post({ t: 'rest', rest: of });
+      link = openLink(start.ticket, true, start.stepped === undefined ? undefined : rest);
     } catch (error) {
       const message = error instanceof Error ? error.message : String(error);
       post({ t: 'end', end: { kind: 'crash', code: 'R2W0709', message }, closed: false });
@@ -51,6 +65,7 @@ export function serveWorker(post: (report: WorkerReport) => void): (order: Worke
     const console = sender;
     let waited = start.thread !== undefined;
     if (start.thread === undefined) post({ t: 'running' });
+    link.awaitTurn?.();
     const end = await runProgram(start.module, {
       link,
       arguments: start.arguments,
@@ -63,6 +78,10 @@ export function serveWorker(post: (report: WorkerReport) => void): (order: Worke
         post({ t: 'waits' });
       },
       read: inputReader(link, start.id),
+      random: start.stepped === undefined ? undefined : seededRandom(start.stepped.seed, start.id),
+      sent: start.traced ? (message) => post({ t: 'sent', message }) : undefined,
+      loaded: (memory) => post({ t: 'memory', memory }),
+      stepped: start.stepped !== undefined,
       startThread: (request, memory) => post({ t: 'thread', request, memory }),
     }, start.thread);
     // A program that ended by itself takes leave, so that what it sent last is still delivered.

@@ -3,25 +3,24 @@
 import { Bus } from './bus.ts';
 import type { Link } from './link.ts';
 import { PortLink } from './port_link.ts';
-import type { PeerPort } from './port_messages.ts';
+import type { PortTicket } from './port_messages.ts';
 import { SharedLink } from './shared_link.ts';
+import { type Rest, Turns } from './turns.ts';
 
 /** What a worker needs to join; goes there by postMessage. */
 export type LinkTicket =
   | { readonly kind: 'shared'; readonly sab: SharedArrayBuffer; readonly participant: number }
-  | {
-    readonly kind: 'port';
-    readonly participant: number;
-    readonly session: readonly [number, number];
-    readonly control: MessagePort;
-    readonly peers: readonly PeerPort[];
-  };
+  | ({ readonly kind: 'port' } & PortTicket);
 
-/** Joins the graph from within a worker. */
-export function openLink(ticket: LinkTicket, mayBlock: boolean): Link {
+/** Joins the graph from within a worker; in a stepped run `rest` tells the page that it waits. */
+export function openLink(ticket: LinkTicket, mayBlock: boolean, rest?: (rest: Rest) => void): Link {
   switch (ticket.kind) {
-    case 'shared':
-      return new SharedLink({ bus: new Bus(ticket.sab), participant: ticket.participant, mayBlock });
+    case 'shared': {
+      const { participant } = ticket;
+      const bus = new Bus(ticket.sab);
+      const turns = rest === undefined ? undefined : new Turns(bus, participant, rest);
+      return new SharedLink({ bus, participant, mayBlock, turns });
+    }
     case 'port':
       return new PortLink(ticket);
   }

@@ -3,16 +3,15 @@
 // loop run. Used within one thread.
 
 import {
-  EndpointKind, ErrorCode, flagHidden, frameHeaderSize, maxSampleLength, type StatusKind,
-  WaitResult,
+  EndpointKind, ErrorCode, flagHidden, frameHeaderSize, maxSampleLength, type StatusKind, WaitResult,
 } from '../protocol/generated/constants.ts';
-import { putNanoseconds, steadyNanoseconds, systemNanoseconds } from './clock.ts';
+import { putNanoseconds, SiteClock, type TimeLaw } from './clock.ts';
 import { type ConsoleCredit, LocalCredit } from './console_sender.ts';
 import { checkDescription, checkNode } from './description_check.ts';
 import { type EndpointRecord, Graph, reads, relate, writes } from './graph.ts';
 import type { EndpointDescription, EndpointStatus, GraphSnapshot, Heap, Link } from './link.ts';
 import { EventCounters } from './event_counters.ts';
-import type { ControlMessage, PeerMessage, PeerPort, WriterSample } from './port_messages.ts';
+import type { ControlMessage, PeerMessage, PeerPort, PortTicket, WriterSample } from './port_messages.ts';
 import { PortSamples } from './port_samples.ts';
 import { PortReader } from './port_reader.ts';
 import { PortWaits, unref } from './port_waits.ts';
@@ -22,13 +21,6 @@ import { LocalCells, manualLease, Timing } from './timing.ts';
 
 /** The participant that looks at what the others publish. */
 const page = 0;
-
-export interface PortTicket {
-  readonly participant: number;
-  readonly session: readonly [number, number];
-  readonly control: MessagePort;
-  readonly peers: readonly PeerPort[];
-}
 
 interface Own {
   readonly record: EndpointRecord;
@@ -62,15 +54,17 @@ export class PortLink implements Link {
   readonly samples = new PortSamples();
   /** Signs of life of the writers here and elsewhere that have to give them. */
   private readonly lives = new Map<number, LocalCells>();
-  private readonly ticker = new Ticker();
+  readonly clock = new SiteClock();
+  private readonly ticker = new Ticker(this.clock);
   private statuses = 0;
   private nextKey = 1;
   private version = 0;
-  private readonly waits = new PortWaits();
+  private readonly waits = new PortWaits(this.clock);
   private readonly taken = (writer: number): void => this.acknowledge(writer, true);
   private closed = false;
 
-  constructor({ participant, session, control, peers }: PortTicket) {
+  constructor({ participant, session, time, control, peers }: PortTicket) {
+    this.clock.set(time);
     this.participant = participant;
     this.session = session;
     this.control = control;
@@ -149,11 +143,11 @@ export class PortLink implements Link {
     const own: Own = {
       record,
       writer: writes(record.kind) ? new PortWriter(record, (to, frame) => this.send(to, record.key, frame)) : undefined,
-      reader: reads(record.kind) ? new PortReader(record, this.taken) : undefined,
+      reader: reads(record.kind) ? new PortReader(record, this.clock, this.taken) : undefined,
       matched: new Set(),
       strangers: new Set(),
       timing,
-      counters: new EventCounters(timing),
+      counters: new EventCounters(timing, this.clock),
     };
     this.own.set(handle, own);
     if (timing.ticks) this.ticker.follow(this.own.values());
@@ -219,7 +213,7 @@ export class PortLink implements Link {
   private lifeOf(record: EndpointRecord): LocalCells {
     let cells = this.lives.get(record.key);
     if (cells === undefined) {
-      cells = new LocalCells(steadyNanoseconds());
+      cells = new LocalCells(this.clock.steadyNs());
       if (manualLease(record) !== 0) this.lives.set(record.key, cells);
     }
     return cells;
@@ -257,7 +251,7 @@ export class PortLink implements Link {
       if (!own.matched.delete(key)) continue;
       if (own.reader !== undefined) {
         own.timing.unmatch(key);
-        if (own.matched.size === 0) own.timing.pause(steadyNanoseconds());
+        if (own.matched.size === 0) own.timing.pause(this.clock.steadyNs());
       }
       if (died) own.counters.died += 1;
       this.noteStatus();
@@ -288,7 +282,7 @@ export class PortLink implements Link {
     const target = this.fillHeader(own.record, new Int32Array(buffer, 0, 16), heap.i32, info >> 2, sequence, length);
     const frame: Frame = { buffer, sequence, target };
     if (writer.full()) return this.writeLater(own, writer, frame);
-    if (own.timing.ticks) own.timing.wrote(steadyNanoseconds());
+    if (own.timing.ticks) own.timing.wrote(this.clock.steadyNs());
     writer.push(frame);
     return 0;
   }
@@ -297,7 +291,7 @@ export class PortLink implements Link {
     while (writer.full()) {
       if (this.closed || (await this.wait(this.waits.token, -1)) === WaitResult.stop) return ErrorCode.stopped;
     }
-    if (own.timing.ticks) own.timing.wrote(steadyNanoseconds());
+    if (own.timing.ticks) own.timing.wrote(this.clock.steadyNs());
     writer.push(frame);
     return 0;
   }
@@ -308,7 +302,7 @@ export class PortLink implements Link {
     const client = record.kind === EndpointKind.client;
     header[0] = length;
     putNanoseconds(header, 2, sequence);
-    if (given[at + 4] === 0 && given[at + 5] === 0) putNanoseconds(header, 4, systemNanoseconds());
+    if (given[at + 4] === 0 && given[at + 5] === 0) putNanoseconds(header, 4, this.clock.systemNs());
     else header.set(given.subarray(at + 4, at + 6), 4);
     if (client) {
       putNanoseconds(header, 6, sequence);
@@ -344,14 +338,12 @@ export class PortLink implements Link {
 
   async wait(token: number, timeoutMs: number): Promise<WaitResult> {
     if (this.ticker.idle) return await this.waits.wait(token, timeoutMs);
-    const end = timeoutMs < 0 ? Infinity : performance.now() + timeoutMs;
+    const end = timeoutMs < 0 ? Infinity : this.clock.steadyNs() + timeoutMs * 1e6;
     for (;;) {
       if (this.tick()) return WaitResult.woken;
-      const left = Math.max(0, end - performance.now());
-      const due = this.ticker.due();
-      const limit = Math.min(left, due);
-      const result = await this.waits.wait(token, limit === Infinity ? -1 : limit);
-      if (result !== WaitResult.timeout || left <= due) return result;
+      const next = Math.min(end, this.ticker.due());
+      const result = await this.waits.wait(token, next === Infinity ? -1 : Math.max(0, next - this.clock.steadyNs()) / 1e6);
+      if (result !== WaitResult.timeout || this.clock.steadyNs() >= end) return result;
     }
   }
 
@@ -361,6 +353,11 @@ export class PortLink implements Link {
 
   sleep(durationMs: number): Promise<WaitResult> {
     return this.waits.sleep(durationMs);
+  }
+
+  setTime(law: TimeLaw): void {
+    this.clock.set(law);
+    this.waits.timeChanged();
   }
 
   stopRequested(): boolean {
@@ -388,7 +385,7 @@ export class PortLink implements Link {
     if (own?.writer === undefined) return ErrorCode.badHandle;
     const { record } = own;
     if (manualLease(record) === 0) return 0;
-    if (own.timing.assert(steadyNanoseconds())) this.wake();
+    if (own.timing.assert(this.clock.steadyNs())) this.wake();
     this.broadcast({ t: 'alive', writer: record.key });
     return 0;
   }
@@ -463,6 +460,9 @@ export class PortLink implements Link {
       case 'stop':
         this.waits.stop();
         return;
+      case 'time':
+        this.setTime(message.law);
+        return;
     }
   }
 
@@ -523,7 +523,7 @@ export class PortLink implements Link {
         this.dropPeer(participant, false);
         return;
       case 'alive':
-        this.lives.get(message.writer)?.exchangeAsserted(steadyNanoseconds());
+        this.lives.get(message.writer)?.exchangeAsserted(this.clock.steadyNs());
         this.wake();
         return;
     }
@@ -535,7 +535,7 @@ export class PortLink implements Link {
     const { lost } = reader;
     const accepted = reader.accept(writer, buffer);
     if (reader.lost !== lost) this.noteStatus();
-    if (accepted && timing.ticks) timing.received(steadyNanoseconds());
+    if (accepted && timing.ticks) timing.received(this.clock.steadyNs());
     return accepted;
   }
 
@@ -547,7 +547,7 @@ export class PortLink implements Link {
       const own = this.ownOf(other.key);
       if (own !== undefined && this.receive(own, writer, buffer)) came = true;
     }
-    this.lives.get(writer)?.exchangeAsserted(steadyNanoseconds());
+    this.lives.get(writer)?.exchangeAsserted(this.clock.steadyNs());
     if (participant !== this.participant) {
       let arrivals = this.arrivals.get(writer);
       if (arrivals === undefined) {

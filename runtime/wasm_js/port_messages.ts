@@ -1,11 +1,21 @@
 // What travels between the workers on the port link, besides data. A data message is one ArrayBuffer: the 64-byte
 // frame header and the payload. Everything else is one of these objects.
 
+import type { TimeLaw } from './clock.ts';
 import type { EndpointRecord, NodeRecord } from './graph.ts';
 
 export interface PeerPort {
   readonly participant: number;
   readonly port: MessagePort;
+}
+
+/** What a participant needs to join. */
+export interface PortTicket {
+  readonly participant: number;
+  readonly session: readonly [number, number];
+  readonly time: TimeLaw;
+  readonly control: MessagePort;
+  readonly peers: readonly PeerPort[];
 }
 
 export interface WriterSample {
@@ -39,4 +49,5 @@ export type PeerMessage =
 export type ControlMessage =
   | { readonly t: 'peer'; readonly peer: PeerPort }
   | { readonly t: 'gone'; readonly participant: number }
-  | { readonly t: 'stop' };
+  | { readonly t: 'stop' }
+  | { readonly t: 'time'; readonly law: TimeLaw };

@@ -1,7 +1,7 @@
 // The reading half of an endpoint on the port link: a queue that keep_last bounds.
 
 import { EndpointKind, ErrorCode, frameHeaderSize, History } from '../protocol/generated/constants.ts';
-import { systemNanoseconds } from './clock.ts';
+import type { SiteClock } from './clock.ts';
 import type { EndpointRecord } from './graph.ts';
 import type { Heap } from './link.ts';
 
@@ -23,6 +23,7 @@ export class PortReader {
   readonly record: EndpointRecord;
   /** Wants every sample: the writer is told when one is taken, not when it comes. */
   readonly all: boolean;
+  private readonly clock: SiteClock;
   private readonly depth: number;
   private readonly queue: Queued[] = [];
   private readonly sources = new Map<number, Source>();
@@ -30,7 +31,8 @@ export class PortReader {
   lost = 0;
 
   /** `taken` is called when a sample of that writer has left the queue, if the reader wants all. */
-  constructor(record: EndpointRecord, taken: (writer: number) => void) {
+  constructor(record: EndpointRecord, clock: SiteClock, taken: (writer: number) => void) {
+    this.clock = clock;
     this.record = record;
     this.taken = taken;
     const service = record.kind !== EndpointKind.subscription;
@@ -64,7 +66,7 @@ export class PortReader {
     if (this.record.kind === EndpointKind.client && words[10] !== this.record.key) return false;
     const { lifespanNs } = source;
     const expires = lifespanNs === 0 ? Infinity : (words[4]! >>> 0) + words[5]! * 2 ** 32 + lifespanNs;
-    if (expires !== Infinity && expires < systemNanoseconds()) return false;
+    if (expires !== Infinity && expires < this.clock.systemNs()) return false;
     this.queue.push({ writer, sequence, buffer, expires });
     if (this.queue.length > this.depth) this.queue.shift();
     return true;
@@ -83,7 +85,7 @@ export class PortReader {
     for (;;) {
       const next = this.queue[0];
       if (next === undefined) return ErrorCode.nothing;
-      const expired = next.expires !== Infinity && next.expires < systemNanoseconds();
+      const expired = next.expires !== Infinity && next.expires < this.clock.systemNs();
       const length = next.buffer.byteLength - frameHeaderSize;
       if (!expired && length > capacity) return length;
       this.queue.shift();

@@ -1,6 +1,7 @@
 // How a program on the port link waits and sleeps: it is suspended, and the event loop runs meanwhile.
 
 import { WaitResult } from '../protocol/generated/constants.ts';
+import type { SiteClock } from './clock.ts';
 
 /** A program that never waits long must still let messages in. */
 const longestRunMs = 4;
@@ -13,14 +14,25 @@ export class PortWaits {
   stops = 0;
   private stopsTold = 0;
   private lastYield = performance.now();
+  private readonly clock: SiteClock;
   private readonly waiters = new Set<() => void>();
   private readonly sleepers = new Set<() => void>();
+  /** Each looks anew when a suspension is over. */
+  private readonly timed = new Set<() => void>();
   private turn: MessageChannel | undefined;
   private readonly turns: (() => void)[] = [];
+
+  constructor(clock: SiteClock) {
+    this.clock = clock;
+  }
 
   wake(): void {
     this.token = (this.token + 1) | 0;
     release(this.waiters);
+  }
+
+  timeChanged(): void {
+    release(this.timed);
   }
 
   stop(): void {
@@ -65,20 +77,24 @@ export class PortWaits {
   /** Until the time is over (negative: never) or somebody calls what stands in `ends` meanwhile. */
   private async suspend(ends: Set<() => void>, durationMs: number): Promise<void> {
     await new Promise<void>((resolve) => {
-      const deadline = performance.now() + durationMs;
+      const deadline = this.clock.steadyNs() + durationMs * 1e6;
       let timer: ReturnType<typeof setTimeout> | undefined;
       const end = (): void => {
         clearTimeout(timer);
         ends.delete(end);
+        this.timed.delete(check);
         resolve();
       };
       const check = (): void => {
-        const left = deadline - performance.now();
-        if (left <= 0) end();
-        else timer = setTimeout(check, Math.min(left, longestTimerMs));
+        clearTimeout(timer);
+        const left = this.clock.realMsUntil(deadline);
+        if (left === 0) end();
+        else if (left !== Infinity) timer = setTimeout(check, Math.min(left, longestTimerMs));
       };
       ends.add(end);
-      if (durationMs >= 0) check();
+      if (durationMs < 0) return;
+      this.timed.add(check);
+      check();
     });
     this.lastYield = performance.now();
   }

@@ -6,7 +6,9 @@ import { envImports, type ThreadRequest } from './env_imports.ts';
 import { hostImports, suspendingHost } from './host_imports.ts';
 import { LineWriter } from './line_writer.ts';
 import type { Link } from './link.ts';
+import type { SentMessage } from './message_trace.ts';
 import { ProgramMemory } from './program_memory.ts';
+import type { ThreadMemory } from './thread_waits.ts';
 import { trap } from './trap.ts';
 import { type Leave, ProgramExit, type ReadInput, suspendingWasi, wasiImports } from './wasi.ts';
 
@@ -25,6 +27,14 @@ export interface ProgramHost {
   /** The program is about to wait. */
   readonly idle: () => void;
   readonly read: ReadInput;
+  /** Fills bytes; undefined: with the browser's random numbers. */
+  readonly random: ((bytes: Uint8Array) => void) | undefined;
+  /** A message was sent. */
+  readonly sent: ((message: SentMessage) => void) | undefined;
+  /** In a stepped run programs with threads are refused. */
+  readonly stepped: boolean;
+  /** A program with threads is about to run; what its timed waits are listed in. */
+  readonly loaded: (memory: ThreadMemory) => void;
   readonly startThread: (request: ThreadRequest, memory: WebAssembly.Memory) => void;
 }
 
@@ -49,6 +59,7 @@ interface ProgramExports {
   readonly _emscripten_thread_free_data?: (thread: number) => void;
   readonly emscripten_tls_init?: () => void;
   readonly pthread_self?: () => number;
+  readonly ros2wasm_timed_waits?: () => number;
   readonly ros2wasm_thread_stack?: (thread: number, out: number) => number;
   readonly ros2wasm_exception_what?: (exception: number, out: number, capacity: number) => number;
   readonly exit?: (code: number) => void;
@@ -76,6 +87,11 @@ export function promiseIntegration(): {
 /** Does the program bring threads? */
 export function isThreaded(module: WebAssembly.Module): boolean {
   return WebAssembly.Module.imports(module).some(({ module: from, kind }) => from === 'env' && kind === 'memory');
+}
+
+/** The browser gives at most 64 KiB at once, and none into shared memory. */
+function trulyRandom(bytes: Uint8Array): void {
+  for (let at = 0; at < bytes.length; at += 65536) crypto.getRandomValues(bytes.subarray(at, at + 65536) as Uint8Array<ArrayBuffer>);
 }
 
 const maxThreadedPages = 16384;
@@ -121,6 +137,9 @@ export async function runProgram(
   if (threaded && host.link.kind === 'port') {
     return crash('R2W0704', 'the program uses threads, and this page has no shared memory for them');
   }
+  if (threaded && host.stepped) {
+    return crash('R2W0711', 'the program uses threads, and a stepped run cannot say in which order they run');
+  }
   if (host.link.kind === 'port' && suspend === undefined) {
     return crash('R2W0705', 'this browser can neither share memory with this page nor suspend a program');
   }
@@ -142,11 +161,14 @@ export async function runProgram(
     left = reason;
     return trap();
   };
+  const random = host.random ?? trulyRandom;
   const wasi = wasiImports({
     leave,
+    random,
     memory: getMemory,
     arguments: host.arguments,
     environment: host.environment,
+    clock: host.link.clock,
     write: (stream, bytes) => out[stream].write(bytes),
     read: (capacity) => {
       host.idle();
@@ -166,13 +188,15 @@ export async function runProgram(
     memory: getMemory,
     exports,
     startThread: (request) => host.startThread(request, getMemory().memory),
+    random,
     threaded,
+    clock: host.link.clock,
     detach: () => {
       detached = true;
     },
   });
   const imports: WebAssembly.Imports = {
-    ros2wasm: wrap(hostImports(host.link, getMemory, host.idle), suspendingHost),
+    ros2wasm: wrap(hostImports(host.link, getMemory, host.idle, host.sent), suspendingHost),
     wasi_snapshot_preview1: wrap(wasi, suspendingWasi),
     env: env as WebAssembly.ModuleImports,
   };
@@ -188,6 +212,8 @@ export async function runProgram(
       instance = instantiateThreaded(module, imports, thread?.memory, (made) => {
         memory = new ProgramMemory(made);
       });
+      const waits = exports().ros2wasm_timed_waits?.();
+      if (thread === undefined && waits !== undefined) host.loaded({ memory: getMemory().memory, waits });
     } else {
       instance = new WebAssembly.Instance(module, imports);
       const own = exports().memory;

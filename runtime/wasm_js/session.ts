@@ -77,7 +77,7 @@ export interface NodeView {
 export type LogLevel = 'DEBUG' | 'INFO' | 'WARN' | 'ERROR' | 'FATAL';
 
 export interface ConsoleLine {
-  /** ms since 1970. */
+  /** ms since 1970, by the site's time. */
   readonly time: number;
   readonly stream: 'stdout' | 'stderr';
   readonly text: string;
@@ -118,15 +118,37 @@ export interface TopicView {
 export interface LastMessage {
   /** Whole CDR buffer, a copy. */
   readonly bytes: Uint8Array;
-  /** ms since 1970: when it was published. */
+  /** ms since 1970, by the site's time: when it was published. */
   readonly receivedAt: number;
   /** As in TopicView: how many there were up to this one. */
   readonly count: number;
 }
 
+export interface TimeView {
+  readonly state: 'running' | 'stepping' | 'paused';
+  /** Site seconds per second. */
+  readonly rate: number;
+  /** ms since 1970, as programs see it. */
+  readonly now: number;
+}
+
+/** Time as all programs of the site see it: clocks, timers, sleeps, deadlines. */
+export interface SiteTime {
+  view(): TimeView;
+  pause(): void;
+  resume(): void;
+  /** Lets time run on by so much from where it is held (or will be), and holds it there. */
+  step(ns: number): void;
+  /** 0.001 to 1000; also while time is held. */
+  setRate(rate: number): void;
+  /** Called when anything but `now` changes. */
+  onChange(listener: (view: TimeView) => void): Unsubscribe;
+}
+
 export interface Session {
   readonly site: SiteDescription;
   readonly link: LinkKind;
+  readonly time: SiteTime;
   /** In launch order. */
   nodes(): readonly NodeView[];
   start(id: string): void;

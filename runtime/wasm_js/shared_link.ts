@@ -10,7 +10,7 @@ import { BusCells } from './bus_cells.ts';
 import {
   bumpGeneration, claimSlot, departEndpoint, fillEndpoint, logChange, metBefore, nodeBit, raise, readEndpoint,
 } from './bus_tables.ts';
-import { steadyNanoseconds } from './clock.ts';
+import { SiteClock } from './clock.ts';
 import { type ConsoleCredit, SharedCredit } from './console_sender.ts';
 import { checkDescription, checkNode } from './description_check.ts';
 import { type EndpointRecord, Graph, reads, relate, writes } from './graph.ts';
@@ -18,6 +18,8 @@ import type { EndpointDescription, EndpointStatus, GraphSnapshot, Heap, Link } f
 import { endpointKey, keyIndex } from './shared_ring.ts';
 import { SharedReader } from './shared_reader.ts';
 import { type Pause, SharedWriter } from './shared_writer.ts';
+import { SharedWaits } from './shared_waits.ts';
+import type { Turns } from './turns.ts';
 import { SharedStatuses } from './shared_statuses.ts';
 import { manualLease, Timing } from './timing.ts';
 import { freeDeparted } from './unread.ts';
@@ -37,24 +39,20 @@ interface Own {
 
 const encoder = new TextEncoder();
 
-/** Who is woken sooner than this after falling asleep is in the middle of an exchange. */
-const briskMs = 0.2;
-const spinMs = 0.05;
-const looksPerRound = 16;
-const { pause } = Atomics as { pause?: () => void };
-const pauseProcessor = pause ?? ((): void => undefined);
-
 export interface SharedLinkOptions {
   readonly bus: Bus;
   readonly participant: number;
   /** May this thread sleep in Atomics.wait? */
   readonly mayBlock: boolean;
+  /** In a stepped run. */
+  readonly turns?: Turns | undefined;
 }
 
 export class SharedLink implements Link {
   readonly kind = 'shared';
   readonly bus: Bus;
   readonly participant: number;
+  readonly clock: SiteClock;
   private readonly mayBlock: boolean;
   private readonly word: number;
   private readonly graphReplica = new Graph();
@@ -71,23 +69,25 @@ export class SharedLink implements Link {
   /** How often each own endpoint was matched so far, as this thread saw it. */
   private readonly totals = new Map<number, number>();
   private version = -1;
-  private stopsTold = 0;
-  /** The last wait was over so soon that it is worth a look or two before the thread sleeps. */
-  private brisk = false;
+  private readonly waits: SharedWaits;
   private readonly syncNow = (): boolean => this.sync();
   private readonly pause: Pause;
 
-  constructor({ bus, participant, mayBlock }: SharedLinkOptions) {
+  constructor({ bus, participant, mayBlock, turns }: SharedLinkOptions) {
     this.bus = bus;
     this.participant = participant;
     this.mayBlock = mayBlock;
     this.word = bus.participantWord(participant);
-    this.statuses = new SharedStatuses(bus, participant);
+    this.clock = new SiteClock(bus);
+    this.statuses = new SharedStatuses(bus, participant, this.clock);
+    this.waits = new SharedWaits({
+      bus, participant, turns, clock: this.clock, statuses: this.statuses, sync: this.syncNow,
+    });
     this.seen = new Int32Array(bus.endpointCount);
     this.seenNodes = new Int32Array(bus.nodeCount);
     this.pause = (token) => {
       if (!mayBlock) return 'cannot';
-      if (this.block(token, Infinity) === WaitResult.stop) return 'stop';
+      if (this.waits.wait(token, Infinity) === WaitResult.stop) return 'stop';
       return 'again';
     };
     this.sync();
@@ -146,7 +146,7 @@ export class SharedLink implements Link {
     const gid = new Int32Array([...session, key, this.participant + 1]);
     const record = { ...rest, key, gid, participant: this.participant, nodeKey: node };
     fillEndpoint(bus, record);
-    if (manualLease(record) !== 0) new BusCells(bus, word).exchangeAsserted(steadyNanoseconds());
+    if (manualLease(record) !== 0) new BusCells(bus, word).exchangeAsserted(this.clock.steadyNs());
     if (reads(record.kind) && !this.placeCursors(record)) {
       bus.freeAll(key);
       bumpGeneration(i32, word);
@@ -173,7 +173,7 @@ export class SharedLink implements Link {
   /** Before a reader is visible: notes where the writers that are there already stand. False when there is no room. */
   private placeCursors(record: EndpointRecord): boolean {
     this.sync();
-    const reader = new SharedReader(this.bus, record, this.syncNow);
+    const reader = new SharedReader(this.bus, record, this.clock, this.syncNow);
     for (const writer of this.graphReplica.named(record.name)) {
       if (relate(record, writer).kind === 'match' && !reader.startAt(writer)) return false;
     }
@@ -237,61 +237,7 @@ export class SharedLink implements Link {
 
   wait(token: number, timeoutMs: number): WaitResult {
     if (!this.mayBlock) throw new TypeError('this thread may not block');
-    return this.block(token, timeoutMs < 0 ? Infinity : timeoutMs);
-  }
-
-  /** A stop is told once to each thread, also one that came before the wait. */
-  private tellStop(): boolean {
-    const stops = Atomics.load(this.bus.i32, this.word + BusParticipant.stop);
-    if (stops === this.stopsTold) return false;
-    this.stopsTold = stops;
-    return true;
-  }
-
-  /** Looks for an event for a moment: falling asleep and being woken costs more than most answers take. */
-  private spin(token: number, durationMs: number): boolean {
-    const { i32 } = this.bus;
-    const wake = this.word + BusParticipant.wake;
-    const end = performance.now() + durationMs;
-    do {
-      for (let i = 0; i < looksPerRound; i += 1) {
-        if (Atomics.load(i32, wake) !== token) return true;
-        pauseProcessor();
-      }
-    } while (performance.now() < end);
-    return false;
-  }
-
-  private block(token: number, timeoutMs: number): WaitResult {
-    if (this.statuses.ticker.idle) return this.blockOnce(token, timeoutMs);
-    const end = performance.now() + timeoutMs;
-    for (;;) {
-      this.sync();
-      if (this.statuses.tick()) return WaitResult.woken;
-      const left = Math.max(0, end - performance.now());
-      const due = this.statuses.ticker.due();
-      const result = this.blockOnce(token, Math.min(left, due));
-      if (result !== WaitResult.timeout || left <= due) return result;
-    }
-  }
-
-  private blockOnce(token: number, timeoutMs: number): WaitResult {
-    const { bus, word } = this;
-    if (this.tellStop()) return WaitResult.stop;
-    const sleepers = word + BusParticipant.sleepers;
-    let woken = Atomics.load(bus.i32, word + BusParticipant.wake) !== token;
-    if (!woken && timeoutMs > 0) {
-      const begin = performance.now();
-      woken = this.brisk && this.spin(token, Math.min(timeoutMs, spinMs));
-      if (!woken) {
-        Atomics.add(bus.i32, sleepers, 1);
-        woken = Atomics.wait(bus.i32, word + BusParticipant.wake, token, timeoutMs) !== 'timed-out';
-        Atomics.sub(bus.i32, sleepers, 1);
-      }
-      this.brisk = woken && performance.now() - begin < briskMs;
-    }
-    if (!woken) return WaitResult.timeout;
-    return this.tellStop() ? WaitResult.stop : WaitResult.woken;
+    return this.waits.wait(token, timeoutMs < 0 ? Infinity : timeoutMs);
   }
 
   wake(): void {
@@ -300,11 +246,11 @@ export class SharedLink implements Link {
 
   sleep(durationMs: number): WaitResult {
     if (!this.mayBlock) throw new TypeError('this thread may not block');
-    const { bus, word } = this;
-    // The stop word as this thread knows it: a stop that came just before ends the sleep at once.
-    const outcome = Atomics.wait(bus.i32, word + BusParticipant.stop, this.stopsTold, Math.max(0, durationMs));
-    if (outcome === 'timed-out') return WaitResult.woken;
-    return this.tellStop() ? WaitResult.stop : WaitResult.woken;
+    return this.waits.sleep(durationMs);
+  }
+
+  awaitTurn(): void {
+    this.waits.awaitTurn();
   }
 
   stopRequested(): boolean {
@@ -400,7 +346,7 @@ export class SharedLink implements Link {
 
   /** Without any writer no deadline runs; one that took the place of the last has perhaps written already. */
   private endDeadlines(): void {
-    const now = steadyNanoseconds();
+    const now = this.clock.steadyNs();
     if (Atomics.load(this.bus.i32, BusHeader.graphVersion) !== this.version) return;
     for (const own of this.alone) if (own.matched.size === 0) own.timing.pause(now);
     this.alone.clear();
@@ -471,8 +417,10 @@ export class SharedLink implements Link {
     const own: Own = {
       record,
       word,
-      writer: writes(record.kind) ? new SharedWriter(this.bus, record, timing, this.syncNow, this.pause) : undefined,
-      reader: reads(record.kind) ? new SharedReader(this.bus, record, this.syncNow) : undefined,
+      writer: writes(record.kind)
+        ? new SharedWriter(this.bus, record, this.clock, timing, this.syncNow, this.pause)
+        : undefined,
+      reader: reads(record.kind) ? new SharedReader(this.bus, record, this.clock, this.syncNow) : undefined,
       timing,
       matched: new Set(),
       strangers: new Set(),

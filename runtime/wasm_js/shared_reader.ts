@@ -3,7 +3,7 @@
 
 import { BusEndpoint, BusSizes, Durability, EndpointKind, ErrorCode, History, keepAllLimit } from '../protocol/generated/constants.ts';
 import type { Bus } from './bus.ts';
-import { systemNanoseconds } from './clock.ts';
+import type { SiteClock } from './clock.ts';
 import type { EndpointRecord } from './graph.ts';
 import type { Heap } from './link.ts';
 import { copyBytes, cursorTable, findCursor, keyIndex, ringLog2, slotWord, unit } from './shared_ring.ts';
@@ -37,6 +37,7 @@ function heritage(reader: EndpointRecord, writer: EndpointRecord, head: number):
 export class SharedReader {
   readonly record: EndpointRecord;
   private readonly bus: Bus;
+  private readonly clock: SiteClock;
   private readonly word: number;
   private readonly depth: number;
   private readonly filter: boolean;
@@ -51,8 +52,9 @@ export class SharedReader {
   /** Brings the list of writers up to date; true when the graph has changed. */
   private readonly sync: () => boolean;
 
-  constructor(bus: Bus, record: EndpointRecord, sync: () => boolean) {
+  constructor(bus: Bus, record: EndpointRecord, clock: SiteClock, sync: () => boolean) {
     this.bus = bus;
+    this.clock = clock;
     this.record = record;
     this.sync = sync;
     this.word = bus.endpointWord(keyIndex(record.key));
@@ -127,7 +129,7 @@ export class SharedReader {
 
   private expired(heap: Heap, info: number, lifespanNs: number): boolean {
     const stamp = (heap.i32[info + 4]! >>> 0) + heap.i32[info + 5]! * 2 ** 32;
-    return systemNanoseconds() - stamp > lifespanNs;
+    return this.clock.systemNs() - stamp > lifespanNs;
   }
 
   /** Still the sample that find() saw? */

@@ -2,7 +2,7 @@
 
 import { BusEndpoint, BusParticipant, StatusKind } from '../protocol/generated/constants.ts';
 import type { Bus } from './bus.ts';
-import { steadyNanoseconds } from './clock.ts';
+import type { SiteClock } from './clock.ts';
 import type { EndpointRecord } from './graph.ts';
 import type { EndpointStatus } from './link.ts';
 import { hasStatus } from './statuses.ts';
@@ -20,9 +20,12 @@ export interface StatusSource {
 export class SharedStatuses {
   private readonly bus: Bus;
   private readonly participant: number;
-  readonly ticker = new Ticker();
+  private readonly clock: SiteClock;
+  readonly ticker: Ticker;
 
-  constructor(bus: Bus, participant: number) {
+  constructor(bus: Bus, participant: number, clock: SiteClock) {
+    this.clock = clock;
+    this.ticker = new Ticker(clock);
     this.bus = bus;
     this.participant = participant;
   }
@@ -57,11 +60,11 @@ export class SharedStatuses {
         return plain(reading(BusEndpoint.lostTotal, BusEndpoint.lostRead));
       case StatusKind.offeredDeadlineMissed:
       case StatusKind.requestedDeadlineMissed:
-        return plain(gained(own.timing.deadlinesMissed(steadyNanoseconds()), BusEndpoint.deadlineRead));
+        return plain(gained(own.timing.deadlinesMissed(this.clock.steadyNs()), BusEndpoint.deadlineRead));
       case StatusKind.livelinessLost:
-        return plain(gained(own.timing.livelinessLost(steadyNanoseconds()), BusEndpoint.livelinessRead));
+        return plain(gained(own.timing.livelinessLost(this.clock.steadyNs()), BusEndpoint.livelinessRead));
       case StatusKind.livelinessChanged: {
-        const lapsed = own.timing.lapsedWriters(steadyNanoseconds());
+        const lapsed = own.timing.lapsedWriters(this.clock.steadyNs());
         const [currentCount, currentChange] = gained(own.matched.size - lapsed, BusEndpoint.aliveRead);
         const [, change] = gained(lapsed, BusEndpoint.livelinessRead);
         // Those who died are told once: then nobody counts them any more.

@@ -8,7 +8,7 @@ import {
 } from '../protocol/generated/constants.ts';
 import type { Bus } from './bus.ts';
 import { BusCells } from './bus_cells.ts';
-import { putNanoseconds, steadyNanoseconds, systemNanoseconds } from './clock.ts';
+import { putNanoseconds, type SiteClock } from './clock.ts';
 import type { EndpointRecord } from './graph.ts';
 import type { Heap } from './link.ts';
 import {
@@ -53,6 +53,7 @@ export class SharedWriter {
   private readonly service: boolean;
   private readonly ownDepth: number;
   private readonly mayBlock: boolean;
+  private readonly clock: SiteClock;
   private readonly timing: Timing;
   private readers: ReaderRef[] = [];
   private participants: number[] = [];
@@ -61,9 +62,12 @@ export class SharedWriter {
   private readonly sync: () => void;
   private readonly pause: Pause;
 
-  constructor(bus: Bus, record: EndpointRecord, timing: Timing, sync: () => void, pause: Pause) {
+  constructor(
+    bus: Bus, record: EndpointRecord, clock: SiteClock, timing: Timing, sync: () => void, pause: Pause,
+  ) {
     this.bus = bus;
     this.record = record;
+    this.clock = clock;
     this.timing = timing;
     this.sync = sync;
     this.pause = pause;
@@ -139,7 +143,7 @@ export class SharedWriter {
   }
 
   private noteTime(): void {
-    const now = steadyNanoseconds();
+    const now = this.clock.steadyNs();
     this.timing.wrote(now);
     for (const { deadline, word, generation } of this.readers) {
       if (deadline === undefined) continue;
@@ -150,7 +154,7 @@ export class SharedWriter {
 
   /** Tells the readers that hold this writer for dead. */
   assert(): void {
-    if (!this.timing.assert(steadyNanoseconds())) return;
+    if (!this.timing.assert(this.clock.steadyNs())) return;
     for (const participant of this.participants) this.bus.bump(participant);
   }
 
@@ -245,7 +249,7 @@ export class SharedWriter {
     i32[h + 2] = sequence;
     i32[h + 3] = high;
     if (given[source + 4] === 0 && given[source + 5] === 0) {
-      putNanoseconds(i32, h + 4, systemNanoseconds());
+      putNanoseconds(i32, h + 4, this.clock.systemNs());
     } else {
       i32[h + 4] = given[source + 4]!;
       i32[h + 5] = given[source + 5]!;

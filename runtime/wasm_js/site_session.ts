@@ -3,12 +3,14 @@
 import type { Broker } from './broker.ts';
 import { NodeConsole } from './console_log.ts';
 import type { SentLine } from './console_sender.ts';
+import type { SentMessage } from './message_trace.ts';
 import { NodeRunner } from './node_runner.ts';
 import type { Platform } from './platform.ts';
 import { Sampler } from './sampler.ts';
 import type {
   ConsoleLog, LastMessage, LinkKind, NodeView, Session, SiteDescription, SiteNode, TopicView, Unsubscribe,
 } from './session.ts';
+import { SiteTimeControl } from './site_time.ts';
 import { InputWriter } from './standard_input.ts';
 
 const sampleMs = 250;
@@ -17,6 +19,10 @@ export interface SessionOptions {
   readonly site: SiteDescription;
   readonly platform: Platform;
   readonly broker: Broker;
+  /** A stepped run; the broker must be made for it. */
+  readonly stepped?: { readonly seed: number };
+  /** Called with each message that a node sends, in order. */
+  readonly onSent?: (node: SiteNode, message: SentMessage) => void;
   /** Called with each batch of lines as it comes. */
   readonly onLines?: (node: SiteNode, lines: readonly SentLine[], dropped: number) => void;
 }
@@ -24,6 +30,7 @@ export interface SessionOptions {
 export class SiteSession implements Session {
   readonly site: SiteDescription;
   readonly link: LinkKind;
+  readonly time: SiteTimeControl;
   private readonly platform: Platform;
   private readonly broker: Broker;
   private readonly runners = new Map<string, NodeRunner>();
@@ -38,11 +45,14 @@ export class SiteSession implements Session {
   private definitions: Promise<ReadonlyMap<string, string>> | undefined;
   private closed = false;
 
-  constructor({ site, platform, broker, onLines }: SessionOptions) {
+  constructor({ site, platform, broker, onLines, stepped, onSent }: SessionOptions) {
     this.site = site;
     this.platform = platform;
     this.broker = broker;
     this.link = broker.kind;
+    this.time = new SiteTimeControl(broker, () => {
+      for (const runner of this.runners.values()) runner.timeChanged();
+    });
     this.sampler = new Sampler(broker);
     this.input = new InputWriter(broker.link);
     const unsettled = new Set(site.nodes);
@@ -62,6 +72,8 @@ export class SiteSession implements Session {
           if (unsettled.size === 0) allSettled();
         },
         left: () => this.lookAtTopics(),
+        stepped,
+        sent: onSent,
         resetInput: (id) => this.input.reset(id),
         lines: (of, { lines, dropped }) => {
           console.add(lines, dropped);
@@ -124,13 +136,13 @@ export class SiteSession implements Session {
   }
 
   topics(): readonly TopicView[] {
-    return this.sampling === undefined ? this.sampler.sample(Date.now()) : this.sampler.topics();
+    return this.sampling === undefined ? this.sampler.sample(this.now()) : this.sampler.topics();
   }
 
   onTopics(listener: (topics: readonly TopicView[]) => void): Unsubscribe {
     this.topicListeners.add(listener);
     this.sampling ??= setInterval(() => {
-      const topics = this.sampler.sample(Date.now());
+      const topics = this.sampler.sample(this.now());
       for (const each of [...this.topicListeners]) each(topics);
     }, sampleMs);
     return () => {
@@ -139,9 +151,13 @@ export class SiteSession implements Session {
     };
   }
 
+  private now(): number {
+    return this.broker.link.clock.systemNs() / 1e6;
+  }
+
   /** When a node goes: what it published last stays with the topic. */
   private lookAtTopics(): void {
-    if (this.sampling !== undefined) this.sampler.sample(Date.now());
+    if (this.sampling !== undefined) this.sampler.sample(this.now());
   }
 
   private stopSampling(): void {
@@ -150,7 +166,7 @@ export class SiteSession implements Session {
   }
 
   lastMessage(topic: string): LastMessage | undefined {
-    return this.sampler.lastMessage(topic, Date.now());
+    return this.sampler.lastMessage(topic, this.now());
   }
 
   interfaces(): Promise<ReadonlyMap<string, string>> {
@@ -166,13 +182,16 @@ export class SiteSession implements Session {
   }
 
   sendInput(id: string, text: string): void {
-    if (this.runner(id).active()) this.input.send(id, text);
+    if (!this.runner(id).active()) return;
+    this.input.send(id, text);
+    this.broker.wrote();
   }
 
   close(): void {
     if (this.closed) return;
     this.closed = true;
     this.stopSampling();
+    this.time.close();
     for (const runner of this.runners.values()) runner.close();
     this.nodeListeners.clear();
     this.topicListeners.clear();

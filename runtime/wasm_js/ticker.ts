@@ -1,10 +1,15 @@
 // Which endpoints' statuses time alone may change, and when the next one is due.
 
-import { steadyNanoseconds } from './clock.ts';
+import type { SiteClock } from './clock.ts';
 import type { Timing } from './timing.ts';
 
 export class Ticker {
   private timings: readonly Timing[] = [];
+  private readonly clock: SiteClock;
+
+  constructor(clock: SiteClock) {
+    this.clock = clock;
+  }
 
   follow(endpoints: Iterable<{ readonly timing: Timing }>): void {
     this.timings = [...endpoints].map(({ timing }) => timing).filter((timing) => timing.ticks);
@@ -18,17 +23,17 @@ export class Ticker {
   /** True when time has changed a status that somebody reads. */
   tick(): boolean {
     if (this.idle) return false;
-    const now = steadyNanoseconds();
+    const now = this.clock.steadyNs();
     let changed = false;
     for (const timing of this.timings) if (timing.changed(now)) changed = true;
     return changed;
   }
 
-  /** ms until time changes such a status; Infinity when it will not. */
+  /** When time changes such a status, steady ns; Infinity when it will not. */
   due(): number {
-    const now = steadyNanoseconds();
+    const now = this.clock.steadyNs();
     let next = Infinity;
     for (const timing of this.timings) next = Math.min(next, timing.nextChange(now));
-    return Math.max(0, (next - now) / 1e6);
+    return next;
   }
 }

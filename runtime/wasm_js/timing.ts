@@ -1,6 +1,6 @@
 // Deadlines and leases of one endpoint as functions of time: nothing counts down, so a worker that is busy or blocked
 // misses nothing, and one that waits is woken only when a count that somebody reads is about to change. Both links use
-// it; they differ in where the times lie. Times are steady, in ns; 0 is never.
+// it; they differ in where the times lie. Times are the site's steady ones, in ns; 0 is never.
 
 import { EndpointKind, Liveliness, StatusKind } from '../protocol/generated/constants.ts';
 import type { EndpointRecord } from './graph.ts';

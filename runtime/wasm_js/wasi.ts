@@ -1,7 +1,7 @@
 // The part of WASI that a node program needs: arguments, environment, clocks, random, console, standard input, exit.
 // There are no files: descriptors beyond 2 are bad.
 
-import { steadyNanoseconds, systemNanoseconds } from './clock.ts';
+import type { SiteClock } from './clock.ts';
 import type { ProgramMemory } from './program_memory.ts';
 
 const success = 0;
@@ -37,6 +37,8 @@ export interface WasiHost {
   readonly write: (stream: 'stdout' | 'stderr', bytes: Uint8Array) => void;
   readonly read: ReadInput;
   readonly leave: Leave;
+  readonly clock: SiteClock;
+  readonly random: (bytes: Uint8Array) => void;
   /** Sleeps for poll_oneoff. */
   readonly sleep: (milliseconds: number) => unknown;
 }
@@ -67,8 +69,8 @@ export function wasiImports(host: WasiHost): Record<string, WasiFunction> {
   };
   const now = (clock: number): bigint | undefined => {
     // Times of day; the others (process and thread time too) count steadily.
-    if (clock === 0) return BigInt(Math.floor(systemNanoseconds()));
-    if (clock === 1 || clock === 2 || clock === 3) return BigInt(Math.floor(steadyNanoseconds()));
+    if (clock === 0) return BigInt(Math.floor(host.clock.systemNs()));
+    if (clock === 1 || clock === 2 || clock === 3) return BigInt(Math.floor(host.clock.steadyNs()));
     return undefined;
   };
 
@@ -174,7 +176,7 @@ export function wasiImports(host: WasiHost): Record<string, WasiFunction> {
     sched_yield: (): number => success,
     random_get: (address: number, length: number): number => {
       const bytes = new Uint8Array(length);
-      for (let at = 0; at < length; at += 65536) crypto.getRandomValues(bytes.subarray(at, at + 65536));
+      host.random(bytes);
       memory().u8.set(bytes, address);
       return success;
     },

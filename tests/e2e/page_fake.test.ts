@@ -303,3 +303,18 @@ test('the link is told in plain words, with the way to a faster one', () =>
     await page.getByRole('button', { name: 'About this page', exact: true }).click();
     await dialog.waitFor();
   }));
+
+test('time is held, stepped by the chosen length, and run at another speed', () =>
+  stage.on('talker', {}, async (page) => {
+    const asked = (): Promise<readonly string[]> =>
+      page.evaluate(() => window.fake.time.asked);
+    const group = page.getByRole('group', { name: 'Time of the site' });
+    await group.getByRole('button', { name: 'Pause the time of all nodes' }).click();
+    assert.equal(await group.getByRole('status').innerText(), 'Paused');
+    await group.getByRole('combobox', { name: 'Length of a step' }).selectOption({ label: '10\u00a0ms' });
+    await group.getByRole('button', { name: 'Let time run for 10\u00a0ms' }).click();
+    await group.getByRole('combobox', { name: 'Speed of time' }).selectOption({ label: '0.5\u00d7' });
+    await group.getByRole('button', { name: 'Resume the time of all nodes' }).click();
+    assert.equal(await group.getByRole('status').innerText(), '');
+    assert.deepEqual(await asked(), ['pause', 'step 10000000', 'rate 0.5', 'resume']);
+  }));

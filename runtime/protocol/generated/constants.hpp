@@ -25,6 +25,8 @@ inline constexpr int32_t kKeepAllLimit = 4096;
 inline constexpr int32_t kServiceLimit = 16384;
 /// Bytes of one payload at most.
 inline constexpr int32_t kMaxSampleLength = 1073741824;
+/// BusTime.rate at which site time runs as fast as real time.
+inline constexpr int32_t kTimeRateOne = 1000000;
 /// EndpointDesc.flags: no match with endpoints of the same participant.
 inline constexpr int32_t kFlagIgnoreLocal = 1;
 /// EndpointDesc.flags: not shown in the graph (stdin and other plumbing).
@@ -173,6 +175,8 @@ inline constexpr int32_t kGraphInterest = 3;
 inline constexpr int32_t kWake = 16;
 inline constexpr int32_t kSleepers = 17;
 inline constexpr int32_t kStatus = 18;
+inline constexpr int32_t kRouse = 19;
+inline constexpr int32_t kTurn = 20;
 inline constexpr int32_t kConsolePosted = 24;
 inline constexpr int32_t kConsoleSeen = 25;
 }  // namespace bus_participant
@@ -276,6 +280,16 @@ inline constexpr int32_t kTarget = 4;
 inline constexpr int32_t kExtentUnit = 5;
 inline constexpr int32_t kExtentPages = 6;
 }  // namespace bus_slot
+
+/// Int32 words of the law of time, from BusHeader.site_time. Times are i64, steady, ns.
+namespace bus_time
+{
+inline constexpr int32_t kVersion = 0;
+inline constexpr int32_t kRate = 1;
+inline constexpr int32_t kReal = 2;
+inline constexpr int32_t kSite = 4;
+inline constexpr int32_t kLimit = 6;
+}  // namespace bus_time
 
 /// Int32 words of the header in front of a ring's slots.
 namespace bus_ring

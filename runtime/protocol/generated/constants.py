@@ -20,6 +20,8 @@ KEEP_ALL_LIMIT = 4096
 SERVICE_LIMIT = 16384
 #: Bytes of one payload at most.
 MAX_SAMPLE_LENGTH = 1073741824
+#: BusTime.rate at which site time runs as fast as real time.
+TIME_RATE_ONE = 1000000
 #: EndpointDesc.flags: no match with endpoints of the same participant.
 FLAG_IGNORE_LOCAL = 1
 #: EndpointDesc.flags: not shown in the graph (stdin and other plumbing).

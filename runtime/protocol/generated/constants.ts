@@ -18,6 +18,8 @@ export const keepAllLimit = 4096;
 export const serviceLimit = 16384;
 /** Bytes of one payload at most. */
 export const maxSampleLength = 1073741824;
+/** BusTime.rate at which site time runs as fast as real time. */
+export const timeRateOne = 1000000;
 /** EndpointDesc.flags: no match with endpoints of the same participant. */
 export const flagIgnoreLocal = 1;
 /** EndpointDesc.flags: not shown in the graph (stdin and other plumbing). */
@@ -163,6 +165,8 @@ export const BusParticipant = {
   wake: 16,
   sleepers: 17,
   status: 18,
+  rouse: 19,
+  turn: 20,
   consolePosted: 24,
   consoleSeen: 25,
 } as const;
@@ -260,6 +264,15 @@ export const BusSlot = {
   target: 4,
   extentUnit: 5,
   extentPages: 6,
+} as const;
+
+/** Int32 words of the law of time, from BusHeader.site_time. Times are i64, steady, ns. */
+export const BusTime = {
+  version: 0,
+  rate: 1,
+  real: 2,
+  site: 4,
+  limit: 6,
 } as const;
 
 /** Int32 words of the header in front of a ring's slots. */

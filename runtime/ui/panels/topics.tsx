@@ -191,7 +191,7 @@ function LastMessageView({
   }
   const result = decoded.current.result;
   const size = texts.topics.bytes(formatCount(last.bytes.byteLength));
-  const ago = texts.topics.ago(formatDuration(Date.now() - last.receivedAt));
+  const ago = texts.topics.ago(formatDuration(session.time.view().now - last.receivedAt));
   return (
     <div class="message">
       <div class="message-head">

@@ -8,6 +8,7 @@ import { texts } from '../texts.ts';
 import { IconButton } from './button.tsx';
 import { Icon, Mark } from './icon.tsx';
 import { isAlive } from './node_state.tsx';
+import { TimeControl } from './time_control.tsx';
 import { useNodes } from './watch.ts';
 
 export interface PageHeaderProps {
@@ -43,6 +44,7 @@ export function PageHeader({ session, store, onAbout }: PageHeaderProps) {
           <Icon name="link" />
           <span>{linkName}</span>
         </button>
+        <TimeControl session={session} />
         <div class="head-run">
           <RunButton
             icon="play"

@@ -4,6 +4,8 @@
 const kPaths = {
   play: 'M5 3.2v9.6L12.6 8Z',
   stop: 'M4 4h8v8H4Z',
+  pause: 'M5.5 3.5v9M10.5 3.5v9',
+  step: 'M3.5 3.4v9.2L10 8ZM12.5 3.4v9.2',
   restart: 'M12.9 6.2A5.2 5.2 0 1 0 13.2 8M13.4 2.8v3.6H9.8',
   copy: 'M5.5 5.5h7v8h-7ZM10.5 5.5v-3h-7v8h2',
   clear: 'M3 4.5h10M6.5 4.5v-2h3v2M4.5 4.5l.6 9h5.8l.6-9M6.8 7v4M9.2 7v4',

@@ -1,6 +1,8 @@
 // The C library's sleeping calls, sent to the loader's `sleep`, so that a blocked worker really
 // blocks, a stop wakes it, and paused time holds it. Linked by --wrap.
+#include <emscripten/threading.h>
 #include <errno.h>
+#include <pthread.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -69,6 +71,21 @@ int __wrap_usleep(useconds_t microseconds) {
     return -1;
   }
   return 0;
+}
+
+int __real_pthread_cond_timedwait(pthread_cond_t* condition, pthread_mutex_t* mutex,
+                                  const timespec* until);
+
+// Nobody can signal a program without threads while it waits: what is left of the wait is a sleep.
+// The C library's stand-in would return at once, and the caller would try again until the time is
+// over.
+int __wrap_pthread_cond_timedwait(pthread_cond_t* condition, pthread_mutex_t* mutex,
+                                  const timespec* until) {
+  if (emscripten_has_threading_support() != 0) {
+    return __real_pthread_cond_timedwait(condition, mutex, until);
+  }
+  const int error = __wrap_clock_nanosleep(CLOCK_REALTIME, TIMER_ABSTIME, until, nullptr);
+  return error == 0 ? ETIMEDOUT : error == EINTR ? 0 : error;
 }
 
 unsigned __wrap_sleep(unsigned seconds) {

@@ -1,7 +1,7 @@
 // The worker side of a conformance scene: carries out one command after another on a link of its own.
 // Runs in Node worker threads and in browser workers.
 
-import { EndpointKind, ErrorCode, SampleInfoLayout, StatusKind } from '../../../runtime/protocol/generated/constants.ts';
+import { EndpointKind, ErrorCode, SampleInfoLayout, StatusKind, WaitResult } from '../../../runtime/protocol/generated/constants.ts';
 import type { EndpointStatus, GraphSnapshot, Heap, Link } from '../../../runtime/wasm_js/link.ts';
 import { type LinkTicket, openLink } from '../../../runtime/wasm_js/open_link.ts';
 import { defaultQos, type EndpointQos } from '../../../runtime/wasm_js/qos.ts';
@@ -319,6 +319,30 @@ export class Peer {
 
   async wait(timeoutMs: number): Promise<number> {
     return await this.link.wait(this.link.wakeToken(), timeoutMs);
+  }
+
+  /** A wait that only a stop or its time ends. */
+  async waitOut(timeoutMs: number): Promise<number> {
+    const { clock } = this.link;
+    const end = clock.steadyNs() + timeoutMs * 1e6;
+    for (;;) {
+      const result = await this.link.wait(this.link.wakeToken(), Math.max(0, end - clock.steadyNs()) / 1e6);
+      if (result !== WaitResult.woken) return result;
+    }
+  }
+
+  steadyMs(): number {
+    return this.link.clock.steadyNs() / 1e6;
+  }
+
+  /** The time once this worker knows that it is held: on the port link it has to let messages in for that. */
+  async heldMs(): Promise<number> {
+    while (this.link.clock.law().limitNs === Infinity) await this.link.wait(this.link.wakeToken(), 0);
+    return this.steadyMs();
+  }
+
+  async untilNs(steadyNs: number): Promise<void> {
+    while (this.link.clock.steadyNs() < steadyNs) await this.link.wait(this.link.wakeToken(), 0);
   }
 
   async sleep(durationMs: number): Promise<number> {

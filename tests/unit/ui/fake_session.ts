@@ -10,6 +10,8 @@ import type {
   Session,
   SiteDescription,
   SiteNode,
+  SiteTime,
+  TimeView,
   TopicView,
   Unsubscribe,
 } from '../../../runtime/wasm_js/session.ts';
@@ -60,7 +62,55 @@ class FakeConsole implements ConsoleLog {
   }
 }
 
+class FakeTime implements SiteTime {
+  /** What the page asked for: `step 100000000`. */
+  readonly asked: string[] = [];
+  private held = false;
+  private rate = 1;
+  private readonly listeners = new Set<(view: TimeView) => void>();
+
+  view(): TimeView {
+    return { state: this.held ? 'paused' : 'running', rate: this.rate, now: Date.now() };
+  }
+
+  pause(): void {
+    this.asked.push('pause');
+    this.set(true, this.rate);
+  }
+
+  resume(): void {
+    this.asked.push('resume');
+    this.set(false, this.rate);
+  }
+
+  step(ns: number): void {
+    this.asked.push(`step ${ns}`);
+    this.set(true, this.rate);
+  }
+
+  setRate(rate: number): void {
+    this.asked.push(`rate ${rate}`);
+    this.set(this.held, rate);
+  }
+
+  onChange(listener: (view: TimeView) => void): Unsubscribe {
+    this.listeners.add(listener);
+    return () => this.listeners.delete(listener);
+  }
+
+  get listenerCount(): number {
+    return this.listeners.size;
+  }
+
+  private set(held: boolean, rate: number): void {
+    this.held = held;
+    this.rate = rate;
+    for (const listener of this.listeners) listener(this.view());
+  }
+}
+
 export class FakeSession implements Session {
+  readonly time = new FakeTime();
   readonly site: SiteDescription;
   readonly link: LinkKind;
   /** What the page asked for: `start talker-1`, `input talker-1 text`. */
@@ -229,7 +279,7 @@ export class FakeSession implements Session {
   }
 
   get listenerCount(): number {
-    let count = this.nodeListeners.size + this.topicListeners.size;
+    let count = this.nodeListeners.size + this.topicListeners.size + this.time.listenerCount;
     for (const console of this.consoles.values()) count += console.listenerCount;
     return count;
   }

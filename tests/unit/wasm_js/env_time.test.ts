@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import { civilTime, formatTime, timeImports } from '../../../runtime/wasm_js/env_time.ts';
+import { SiteClock } from '../../../runtime/wasm_js/clock.ts';
 import { ProgramMemory } from '../../../runtime/wasm_js/program_memory.ts';
 
 const leapDay = Date.UTC(2024, 1, 29, 13, 5, 9) / 1000;
@@ -21,7 +22,7 @@ test('strftime writes what C writes', () => {
 
 test('the functions work on a program\'s memory', () => {
   const memory = new ProgramMemory(new WebAssembly.Memory({ initial: 1 }));
-  const imports = timeImports(() => memory) as Record<string, (...args: number[]) => number>;
+  const imports = timeImports(() => memory, new SiteClock()) as Record<string, (...args: number[]) => number>;
   memory.set(8, leapDay);
   imports['_localtime_js']?.(8, 64);
   assert.equal(memory.u32(64 + 20), 124);

@@ -4,6 +4,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { EndpointKind, History, keepAllLimit, Reliability, WaitResult } from '../../../runtime/protocol/generated/constants.ts';
 import { PortBroker } from '../../../runtime/wasm_js/broker.ts';
+import { SiteClock } from '../../../runtime/wasm_js/clock.ts';
 import { PortLink } from '../../../runtime/wasm_js/port_link.ts';
 import { windowFrames } from '../../../runtime/wasm_js/port_writer.ts';
 import { defaultQos, type EndpointQos } from '../../../runtime/wasm_js/qos.ts';
@@ -39,13 +40,13 @@ test('a wait or sleep longer than a timer can be lasts until it is ended', watch
 });
 
 test('waits and sleeps that are over leave nothing behind', watchdog, async () => {
-  const waits = new PortWaits();
+  const waits = new PortWaits(new SiteClock());
   for (let round = 0; round < 20; round += 1) {
     await waits.sleep(1);
     assert.equal(await waits.wait(waits.token, 1), WaitResult.timeout);
   }
-  const { waiters, sleepers } = waits as unknown as Record<'waiters' | 'sleepers', Set<unknown>>;
-  assert.equal(waiters.size + sleepers.size, 0);
+  const { waiters, sleepers, timed } = waits as unknown as Record<'waiters' | 'sleepers' | 'timed', Set<unknown>>;
+  assert.equal(waiters.size + sleepers.size + timed.size, 0);
   waits.close();
 });
 

@@ -10,14 +10,14 @@ import { fileURLToPath } from 'node:url';
 const root = fileURLToPath(new URL('../../../', import.meta.url));
 const include = join(root, 'runtime/wasm_cpp/include');
 const core = join(root, 'runtime/wasm_cpp/src');
-const threadStack = join(root, 'templates/toolchain/src/thread_stack.cpp');
+const threadSupport = join(root, 'templates/toolchain/src/thread_support.cpp');
 const exceptionContext = join(root, 'templates/toolchain/include/ros2wasm/exception_context.h');
 
 const compile = ['-O2', '-fwasm-exceptions', '-pthread', `-I${include}`];
 const link = ['-O2', '--profiling-funcs', '-fwasm-exceptions', '-sALLOW_MEMORY_GROWTH=1',
   '-sERROR_ON_UNDEFINED_SYMBOLS=0', '-sWARN_ON_UNDEFINED_SYMBOLS=0', '-Wno-pthreads-mem-growth',
   '-Wl,--export-if-defined=__cpp_exception', '-Wl,--export-if-defined=ros2wasm_exception_what',
-  '-Wl,--export-if-defined=ros2wasm_thread_stack'];
+  '-Wl,--export-if-defined=ros2wasm_thread_stack', '-Wl,--export-if-defined=ros2wasm_timed_waits'];
 
 export interface ProgramKind {
   readonly threads?: boolean;
@@ -26,7 +26,7 @@ export interface ProgramKind {
 /** Path of the compiled program. */
 export function buildProgram(name: string, { threads = false }: ProgramKind = {}): string {
   const source = join(root, 'tests/unit/wasm_js/programs', name);
-  const extra = [join(core, 'exception_what.cpp'), ...(threads ? [threadStack] : [])];
+  const extra = [join(core, 'exception_what.cpp'), ...(threads ? [threadSupport] : [])];
   const sources = name.endsWith('.cpp') ? [source, ...extra] : [source];
   const hash = createHash('sha256').update(JSON.stringify([compile, link, threads, 'with last words']));
   for (const file of [...sources, join(include, 'ros2wasm/host.h')]) hash.update(readFileSync(file));

@@ -71,6 +71,9 @@ ROS2WASM_IMPORT("wake_token") int32_t ros2wasm_wake_token(void);
 ROS2WASM_IMPORT("wait") int32_t ros2wasm_wait(int32_t token, int64_t timeout_ns);
 /** Wakes all waits of this participant. */
 ROS2WASM_IMPORT("wake") void ros2wasm_wake(void);
+/** Real ns that `site_ns` take at the site's speed, -1: time is held before. Returns the law's
+ * version. */
+ROS2WASM_IMPORT("real_timeout") int32_t ros2wasm_real_timeout(int64_t* real_ns, int64_t site_ns);
 /** 0 slept, 2 stop requested. Steady time. May suspend the program. */
 ROS2WASM_IMPORT("sleep") int32_t ros2wasm_sleep(int64_t duration_ns);
 ROS2WASM_IMPORT("stop_requested") int32_t ros2wasm_stop_requested(void);

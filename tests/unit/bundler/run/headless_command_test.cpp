@@ -16,14 +16,18 @@ TEST(HeadlessCommand, HasOnlyWhatWasAsked) {
 }
 
 TEST(HeadlessCommand, PassesAllOptions) {
-  EXPECT_EQ(headless_command("node", "headless.js",
-                             {.site = "site",
-                              .limit = std::chrono::milliseconds(1500),
-                              .until = "I heard: .*",
-                              .link = "port",
-                              .json = true}),
-            (Words{"node", "headless.js", "site", "--for", "1500ms", "--until", "I heard: .*",
-                   "--link", "port", "--json"}));
+  EXPECT_EQ(
+      headless_command("node", "headless.js",
+                       {.site = "site",
+                        .limit = std::chrono::milliseconds(1500),
+                        .until = "I heard: .*",
+                        .link = "port",
+                        .stepped = true,
+                        .seed = 7,
+                        .trace = "sent.jsonl",
+                        .json = true}),
+      (Words{"node", "headless.js", "site", "--for", "1500ms", "--until", "I heard: .*", "--link",
+             "port", "--stepped", "--seed", "7", "--trace", "sent.jsonl", "--json"}));
 }
 
 class FindHeadlessTest : public testing::Test {

@@ -1,0 +1,38 @@
+// What was sent in a run, to compare runs by.
+
+import { SampleInfoLayout } from '../protocol/generated/constants.ts';
+import type { ProgramMemory } from './program_memory.ts';
+
+export interface SentMessage {
+  /** Of the topic or service. */
+  readonly name: string;
+  /** Of the endpoint. */
+  readonly sequence: string;
+  /** ns since 1970. */
+  readonly stamp: string;
+  readonly bytes: number;
+  readonly hash: string;
+}
+
+/** 64 bits that depend on every byte (FNV-1a, from two starts). */
+function hashBytes(bytes: Uint8Array): string {
+  let [a, b] = [0x811c9dc5, 0x1b873593];
+  for (const byte of bytes) {
+    a = Math.imul(a ^ byte, 0x01000193);
+    b = Math.imul(b ^ byte, 0x01000193) ^ (b >>> 15);
+  }
+  return [a, b].map((half) => (half >>> 0).toString(16).padStart(8, '0')).join('');
+}
+
+/** What a program has just written. `info`: address of its SampleInfo, filled in. */
+export function sentMessage(
+  name: string, memory: ProgramMemory, data: number, length: number, info: number,
+): SentMessage {
+  return {
+    name,
+    sequence: String(memory.i64(info + SampleInfoLayout.sequence)),
+    stamp: String(memory.i64(info + SampleInfoLayout.sourceTimestampNs)),
+    bytes: length,
+    hash: hashBytes(memory.u8.subarray(data, data + length)),
+  };
+}

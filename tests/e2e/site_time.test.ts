@@ -1,0 +1,144 @@
+// Site time in compiled programs: every way to wait lasts while time is held, and ends with the step that reaches it.
+import assert from 'node:assert/strict';
+import { cpSync, readFileSync } from 'node:fs';
+import { join, resolve } from 'node:path';
+import { after, before, test } from 'node:test';
+
+import { PortBroker, SharedBroker } from '../../runtime/wasm_js/broker.ts';
+import { nodePlatform } from '../../runtime/wasm_js/node_platform.ts';
+import { readSite } from '../../runtime/wasm_js/site_reader.ts';
+import { SiteSession } from '../../runtime/wasm_js/site_session.ts';
+import { PackWorkspace } from './pack_workspace.ts';
+
+const name = 'site_time_checks';
+const entry = new URL('../../runtime/wasm_js/headless.ts', import.meta.url);
+const waitMs = 100;
+const ways = {
+  waits: [
+    'sleep_for', 'sleep_until', 'usleep', 'nanosleep', 'rclcpp::sleep_for', 'Clock::sleep_for', 'Rate', 'condition_variable',
+    'future', 'wall timer', 'ROS timer', 'spin_until_future_complete', 'wait_for_service', 'deadline', 'lifespan',
+  ],
+  threaded_waits: [
+    "thread's sleep_for", 'condition_variable', "thread's condition_variable", 'three at once', 'timed mutex',
+    'future of a thread',
+  ],
+};
+
+let workspace: PackWorkspace;
+before(async () => {
+  workspace = new PackWorkspace();
+  cpSync(resolve(import.meta.dirname, '../packages', name), join(workspace.root, 'src', name), { recursive: true });
+  const dice = (parameters: string): string => `  - package: ${name}\n    executable: dice\n${parameters}`;
+  const hosts = '    parameters:\n      - host: true\n';
+  for (const program of [...Object.keys(ways), 'dice']) {
+    const nodes = program === 'dice'
+      ? `${dice(hosts)}${dice('')}${dice('')}`
+      : `  - package: ${name}\n    executable: ${program}\n`;
+    workspace.write(`${program}.yaml`, `schema: 1
+name: checks
+title: Checks
+version: 1.0.0
+license: Apache-2.0
+distro: jazzy
+packages:
+  - src/*
+launch:
+${nodes}`);
+    const packed = await workspace.run(['pack', `${program}.yaml`, '--output', program]);
+    assert.equal(packed.code, 0, packed.stderr);
+  }
+}, { timeout: 600_000 });
+after(() => workspace.close());
+
+/** What must end nothing is that real time goes by. */
+function realTime(milliseconds: number): Promise<void> {
+  return new Promise((done) => {
+    setTimeout(done, milliseconds);
+  });
+}
+
+async function holdAndStep(program: keyof typeof ways, broker: SharedBroker | PortBroker): Promise<void> {
+  const platform = nodePlatform(join(workspace.root, program), entry);
+  const said: string[] = [];
+  let heard: () => void = () => undefined;
+  const session = new SiteSession({
+    site: readSite(await platform.json('site.json')),
+    platform,
+    broker,
+    onLines: (_, lines) => {
+      for (const [, , text] of lines) said.push(text);
+      heard();
+    },
+  });
+  session.onNodes(() => heard());
+  const until = async (line: RegExp): Promise<string> => {
+    for (;;) {
+      const found = said.find((text) => line.test(text));
+      if (found !== undefined) return found;
+      const state = session.nodes()[0]?.state;
+      assert.ok(state?.kind !== 'crashed' && state?.kind !== 'exited', `${String(line)} in ${JSON.stringify([state, said])}`);
+      await new Promise<void>((resolveHeard) => {
+        heard = resolveHeard;
+      });
+    }
+  };
+  try {
+    session.time.pause();
+    session.startAll();
+    for (const way of ways[program]) {
+      await until(new RegExp(`^${way} begins`));
+      await realTime(1.5 * waitMs);
+      session.time.step(0.5 * waitMs * 1e6);
+      await realTime(1.5 * waitMs);
+      assert.deepEqual(said.filter((text) => text.startsWith(`${way} ends`)), [], 'too early');
+      // What is more than the wait is there when the next one begins: it must stay below the first half.
+      session.time.step((0.5 * waitMs + 1) * 1e6);
+      const passed = Number(/(\d+) ms$/.exec(await until(new RegExp(`^${way} ends after`)))?.[1]);
+      assert.ok(passed >= waitMs && passed <= 1.1 * waitMs, `${way} took ${passed} ms`);
+    }
+    assert.deepEqual(said.filter((text) => !/ (begins|ends after \d+ ms)$/.test(text)), []);
+  } finally {
+    session.close();
+    platform.close();
+  }
+}
+
+/** A stepped run of 5 s of site time: its messages and their hash. */
+async function steppedRun(seed: number): Promise<{ sent: string; hash: string }> {
+  const file = join(workspace.root, `sent_${seed}.jsonl`);
+  const ran = await workspace.run(['run', 'dice', '--stepped', '--seed', String(seed), '--for', '5s', '--trace', file]);
+  assert.equal(ran.code, 0, ran.stderr);
+  const hash = /^trace: (\d+ messages, sha256 [0-9a-f]{64})$/m.exec(ran.stderr)?.[1] ?? ran.stderr;
+  return { sent: readFileSync(file, 'utf8'), hash };
+}
+
+const watchdog = { timeout: 240_000 };
+
+test('every wait of a program without threads follows held time on the shared link', watchdog, () =>
+  holdAndStep('waits', new SharedBroker({ ceiling: 256 << 20 })));
+test('every wait of a program without threads follows held time on the port link', watchdog, () =>
+  holdAndStep('waits', new PortBroker()));
+test('every wait of threads follows held time', watchdog, () =>
+  holdAndStep('threaded_waits', new SharedBroker({ ceiling: 256 << 20 })));
+
+test('two stepped runs of a seed send the same messages, another seed others', watchdog, async () => {
+  const [first, again, other] = [await steppedRun(7), await steppedRun(7), await steppedRun(8)];
+  assert.equal(again.sent, first.sent);
+  assert.equal(again.hash, first.hash);
+  assert.notEqual(other.hash, first.hash);
+  // The site did what it is there for: three nodes threw some hundred times, and each throw was summed by each.
+  const messages = first.sent.trimEnd().split('\n').map((line) => JSON.parse(line) as { node: string; name: string; stamp: string });
+  const thrown = messages.filter((message) => message.name === '/thrown');
+  assert.equal(new Set(thrown.map(({ node }) => node)).size, 3);
+  assert.ok(thrown.length > 300, `${thrown.length} throws`);
+  const sums = messages.filter((message) => message.name === '/sums').length;
+  assert.ok(Math.abs(sums - 3 * thrown.length) < 10, `${sums} sums of ${thrown.length} throws`);
+  const last = Number(BigInt(messages.at(-1)?.stamp ?? 0) - BigInt(messages[0]?.stamp ?? 0)) / 1e9;
+  assert.ok(last > 4.8 && last <= 5, `${last} s`);
+});
+
+test('a program with threads is refused in a stepped run', watchdog, async () => {
+  const ran = await workspace.run(['run', 'threaded_waits', '--stepped']);
+  assert.equal(ran.code, 1);
+  assert.match(ran.stderr, /error\[R2W0711\]: the program uses threads/);
+});

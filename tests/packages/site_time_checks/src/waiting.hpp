@@ -1,0 +1,19 @@
+// Says when a wait begins and ends, for a test that holds the time meanwhile.
+#pragma once
+
+#include <chrono>
+#include <cstdio>
+
+constexpr std::chrono::milliseconds kWhile{100};
+
+/// The wait must take kWhile.
+template <typename WaitT>
+void wait_by(const char* way, WaitT&& wait) {
+  std::printf("%s begins\n", way);
+  const auto before = std::chrono::steady_clock::now();
+  wait();
+  const auto passed = std::chrono::steady_clock::now() - before;
+  std::printf(
+      "%s ends after %d ms\n", way,
+      static_cast<int>(std::chrono::duration_cast<std::chrono::milliseconds>(passed).count()));
+}

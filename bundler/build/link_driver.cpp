@@ -1,6 +1,7 @@
 // See link_driver.hpp. Each link happens in a folder beside the output and ends with a rename.
 #include "bundler/build/link_driver.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -137,16 +138,24 @@ Outcome<LinkReport> link_program(const LinkRequest& request, const Cancellation&
   const auto module = bytes ? read_wasm_module(*bytes) : std::nullopt;
   if (!module) return link_failed(request, line, "the linker wrote no WebAssembly module");
 
-  const ImportFindings findings = classify_imports(*module);
-  if (!findings.undefined.empty()) {
-    return undefined_symbols(request, line, findings.undefined, stem, cancellation);
-  }
+  ImportFindings findings = classify_imports(*module);
   LinkReport report{.program = line.output};
   if (findings.needs_threads) {
     report.kind = LinkKind::kThreads;
     linked = link(LinkKind::kThreads);
     if (!linked) return std::move(linked).errors();
     if (linked->exit_code != 0) return link_failed(request, line, linked->output);
+    const auto threaded = read_file(stem + ".wasm");
+    const auto found = threaded ? read_wasm_module(*threaded) : std::nullopt;
+    if (!found) return link_failed(request, line, "the linker wrote no WebAssembly module");
+    // The C library for threads has functions that the other one lacks, of scheduling for example.
+    std::erase_if(findings.undefined, [&](const std::string& symbol) {
+      return std::none_of(found->imports.begin(), found->imports.end(),
+                          [&](const WasmImport& import) { return import.name == symbol; });
+    });
+  }
+  if (!findings.undefined.empty()) {
+    return undefined_symbols(request, line, findings.undefined, stem, cancellation);
   }
   std::error_code error;
   fs::rename(stem + ".wasm", output, error);

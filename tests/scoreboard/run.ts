@@ -106,10 +106,11 @@ async function main(): Promise<number> {
   const packages = findPackages([resolve(options.folder), join(root, 'tests/packages')]);
   const wanted = (key: string): boolean => options.only === undefined || options.only.some((one) => one === key || key.startsWith(`${one}/`) || one.startsWith(`${key}/`));
   const work = mkdtempSync(join(tmpdir(), 'ros2wasm-scoreboard-'));
+  const expectations = readExpectations(files);
   const board: Board = {
-    workshop: new Workshop(join(build, 'ros2wasm'), work, packages),
+    workshop: new Workshop(join(build, 'ros2wasm'), work, packages, expectations.values()),
     headless: join(build, 'runtime/headless.js'),
-    expectations: readExpectations(files),
+    expectations,
     wanted,
   };
   const rows: Row[] = [];

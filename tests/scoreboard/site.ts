@@ -24,12 +24,14 @@ export class Workshop {
   private readonly cli: string;
   private readonly folder: string;
   private readonly packages: ReadonlyMap<string, Package>;
+  private readonly companions: ReadonlyMap<string, ReadonlySet<string>>;
 
   /** `folder`: for manifests, locks and sites; what stands there already may be overwritten. */
-  constructor(cli: string, folder: string, packages: ReadonlyMap<string, Package>) {
+  constructor(cli: string, folder: string, packages: ReadonlyMap<string, Package>, expectations: Iterable<Expectation>) {
     this.cli = cli;
     this.folder = folder;
     this.packages = packages;
+    this.companions = companionsOf(expectations);
   }
 
   async build(name: string): Promise<Built> {
@@ -56,7 +58,9 @@ export class Workshop {
 
   private manifest(folder: string, launch: readonly LaunchedNode[]): string {
     mkdirSync(folder, { recursive: true });
-    const names = launch.map((node) => node.package);
+    // Always all that any site of the package needs: another set would be another environment, and all built anew.
+    const [first = ''] = launch.map((node) => node.package);
+    const names = [...new Set([...launch.map((node) => node.package), ...(this.companions.get(first) ?? [])])];
     const local = closure(names, this.packages);
     const file = join(folder, 'workspace.yaml');
     writeFileSync(file, JSON.stringify({
@@ -75,6 +79,17 @@ export class Workshop {
       });
     });
   }
+}
+
+/** Package -> packages of what runs beside its executables. */
+function companionsOf(expectations: Iterable<Expectation>): ReadonlyMap<string, ReadonlySet<string>> {
+  const found = new Map<string, Set<string>>();
+  for (const one of expectations) {
+    const names = found.get(one.package) ?? new Set();
+    for (const beside of one.beside) names.add(beside.package);
+    found.set(one.package, names);
+  }
+  return found;
 }
 
 /** Names of the programs in a folder of the installed tree. */

@@ -23,7 +23,7 @@ std::string full_type_name(const std::string& name) {
 
 NamedType::NamedType(const std::string& name)
     : name_(full_type_name(name)),
-      callbacks_{name_.c_str(), "", nullptr, nullptr, nullptr},
+      callbacks_{name_.c_str(), "", nullptr, nullptr, nullptr, nullptr},
       type_support_{"rosidl_typesupport_wasm_cpp", &callbacks_, nullptr} {}
 
 }  // namespace detail

@@ -13,12 +13,11 @@
 #include "rclcpp/node_interfaces/node_time_source.hpp"
 #include "rclcpp/node_interfaces/node_timers.hpp"
 #include "rclcpp/node_interfaces/node_topics.hpp"
+#include "rclcpp/node_interfaces/node_type_descriptions.hpp"
 #include "rclcpp/node_interfaces/node_waitables.hpp"
 
 namespace rclcpp {
 namespace {
-
-class NodeTypeDescriptions : public node_interfaces::NodeTypeDescriptionsInterface {};
 
 node_interfaces::NodeBaseOptions base_options(const NodeOptions& options) {
   node_interfaces::NodeBaseOptions result;
@@ -112,7 +111,8 @@ CommonNode::CommonNode(const std::string& node_name, const std::string& ns,
       node_time_source_(std::make_shared<node_interfaces::NodeTimeSource>(
           node_base_, node_topics_, node_graph_, node_services_, node_logging_, node_clock_,
           node_parameters_, options.clock_qos(), options.use_clock_thread())),
-      node_type_descriptions_(std::make_shared<NodeTypeDescriptions>()),
+      node_type_descriptions_(std::make_shared<node_interfaces::NodeTypeDescriptions>(
+          node_base_, node_logging_, node_parameters_, node_services_)),
       node_waitables_(std::make_shared<node_interfaces::NodeWaitables>(node_base_.get())),
       node_options_(options) {
   if (options.enable_logger_service()) {

@@ -6,6 +6,7 @@
 #include "rclcpp/context.hpp"
 #include "rclcpp/detail/bus_qos.hpp"
 #include "rclcpp/detail/intra_process.hpp"
+#include "rclcpp/detail/type_use.hpp"
 #include "rclcpp/logging.hpp"
 #include "rclcpp/node_interfaces/node_base_interface.hpp"
 #include "rmw/rmw.h"
@@ -46,6 +47,7 @@ PublisherBase::PublisherBase(node_interfaces::NodeBaseInterface* node_base,
   endpoint_ = std::make_shared<ros2wasm::Endpoint>(
       ros2wasm::EndpointKind::publisher, node_base->get_node_id(), topic_name_, type.type_name,
       type.type_hash, detail::to_bus(qos_));
+  type_use_ = detail::use_type(node_base->get_node_id(), type.type_hash, type.info);
   gid_.implementation_identifier = rmw_get_implementation_identifier();
   std::memcpy(gid_.data, endpoint_->gid().data(), sizeof(gid_.data));
   if (intra_process_) {

@@ -9,12 +9,20 @@
 #include "rclcpp/context.hpp"
 #include "rclcpp/detail/background.hpp"
 #include "rclcpp/detail/bus_qos.hpp"
+#include "rclcpp/detail/type_use.hpp"
 #include "rclcpp/logging.hpp"
 #include "rclcpp/node_interfaces/node_base_interface.hpp"
 #include "ros2wasm/endpoint.hpp"
 
 namespace rclcpp {
 namespace {
+
+void tell(const std::shared_ptr<detail::ServiceEvents>& slot, detail::ServiceEventKind kind,
+          const uint8_t* client_gid, int64_t sequence_number, const void* message) {
+  if (const auto events = std::atomic_load(&slot)) {
+    events->tell(kind, client_gid, sequence_number, message);
+  }
+}
 
 std::unique_ptr<ros2wasm::Endpoint> make_endpoint(ros2wasm::EndpointKind kind,
                                                   node_interfaces::NodeBaseInterface* node,
@@ -53,6 +61,9 @@ ServiceBase::ServiceBase(node_interfaces::NodeBaseInterface* node_base,
       logger_name_(node_base->get_logger_name()),
       type_support_(type_support),
       qos_(detail::resolve_qos(qos)),
+      node_id_(node_base->get_node_id()),
+      type_use_(detail::use_type(node_id_, detail::callbacks_of(type_support).type_hash,
+                                 detail::callbacks_of(type_support).info)),
       endpoint_(make_endpoint(ros2wasm::EndpointKind::server, node_base, service_name_,
                               detail::callbacks_of(type_support), qos_)) {}
 
@@ -68,6 +79,8 @@ bool ServiceBase::take_type_erased_request(void* request_out, rmw_request_id_t& 
             .request->deserialize(bytes.data(), bytes.size(), request_out)) {
       std::memcpy(request_id_out.writer_guid, info.writer_gid, sizeof(info.writer_gid));
       request_id_out.sequence_number = info.sequence;
+      tell(events_, detail::ServiceEventKind::request_received, info.writer_gid, info.sequence,
+           request_out);
       return true;
     }
     RCLCPP_ERROR(rclcpp::get_logger(logger_name_),
@@ -84,6 +97,15 @@ void ServiceBase::send_response_object(const rmw_request_id_t& request_id, const
   if (write_object(*endpoint_, type, response, info) != RCL_RET_OK && context_->is_valid()) {
     exceptions::throw_from_rcl_error(RCL_RET_ERROR, "failed to send response");
   }
+  tell(events_, detail::ServiceEventKind::response_sent, info.related_gid, info.related_sequence,
+       response);
+}
+
+void ServiceBase::configure_introspection(Clock::SharedPtr clock, const QoS& qos_service_event_pub,
+                                          rcl_service_introspection_state_t introspection_state) {
+  detail::configure_service_events(events_, node_id_, service_name_,
+                                   detail::callbacks_of(type_support_), std::move(clock),
+                                   qos_service_event_pub, introspection_state);
 }
 
 void ServiceBase::set_on_new_request_callback(std::function<void(size_t)> callback) {
@@ -113,6 +135,9 @@ ClientBase::ClientBase(node_interfaces::NodeBaseInterface* node_base,
       service_name_(node_base->resolve_topic_or_service_name(service_name, true)),
       type_support_(type_support),
       qos_(detail::resolve_qos(qos)),
+      node_id_(node_base->get_node_id()),
+      type_use_(detail::use_type(node_id_, detail::callbacks_of(type_support).type_hash,
+                                 detail::callbacks_of(type_support).info)),
       endpoint_(make_endpoint(ros2wasm::EndpointKind::client, node_base, service_name_,
                               detail::callbacks_of(type_support), qos_)) {}
 
@@ -153,6 +178,8 @@ bool ClientBase::take_type_erased_response(void* response_out,
             .response->deserialize(bytes.data(), bytes.size(), response_out)) {
       std::memcpy(request_header_out.writer_guid, info.related_gid, sizeof(info.related_gid));
       request_header_out.sequence_number = info.related_sequence;
+      tell(events_, detail::ServiceEventKind::response_received, endpoint_->gid().data(),
+           info.related_sequence, response_out);
       return true;
     }
     RCLCPP_ERROR(rclcpp::get_logger("rclcpp"),
@@ -167,7 +194,16 @@ int64_t ClientBase::send_request_object(const void* request) {
   if (write_object(*endpoint_, type, request, info) != RCL_RET_OK) {
     exceptions::throw_from_rcl_error(RCL_RET_ERROR, "failed to send request");
   }
+  tell(events_, detail::ServiceEventKind::request_sent, endpoint_->gid().data(), info.sequence,
+       request);
   return info.sequence;
+}
+
+void ClientBase::configure_introspection(Clock::SharedPtr clock, const QoS& qos_service_event_pub,
+                                         rcl_service_introspection_state_t introspection_state) {
+  detail::configure_service_events(events_, node_id_, service_name_,
+                                   detail::callbacks_of(type_support_), std::move(clock),
+                                   qos_service_event_pub, introspection_state);
 }
 
 void ClientBase::set_on_new_response_callback(std::function<void(size_t)> callback) {

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "rclcpp/detail/bus_qos.hpp"
+#include "rclcpp/detail/type_use.hpp"
 #include "rclcpp/logging.hpp"
 #include "rclcpp/node_interfaces/node_base_interface.hpp"
 #include "rmw/rmw.h"
@@ -56,6 +57,7 @@ SubscriptionBase::SubscriptionBase(node_interfaces::NodeBaseInterface* node_base
   endpoint_ = std::make_shared<ros2wasm::Endpoint>(ros2wasm::EndpointKind::subscription,
                                                    node_base->get_node_id(), topic_name_,
                                                    type.type_name, type.type_hash, bus_qos);
+  type_use_ = detail::use_type(node_base->get_node_id(), type.type_hash, type.info);
   add_events(options);
 }
 

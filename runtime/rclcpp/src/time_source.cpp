@@ -10,6 +10,7 @@
 #include "rclcpp/detail/background.hpp"
 #include "rclcpp/detail/bus_qos.hpp"
 #include "rclcpp/detail/message_type.hpp"
+#include "rclcpp/detail/type_use.hpp"
 #include "rclcpp/logging.hpp"
 #include "rclcpp/node.hpp"
 #include "ros2wasm/endpoint.hpp"
@@ -51,6 +52,7 @@ class TimeSource::State : public std::enable_shared_from_this<TimeSource::State>
     endpoint = std::make_unique<ros2wasm::Endpoint>(ros2wasm::EndpointKind::subscription, node_id,
                                                     "/clock", type.type_name, type.type_hash,
                                                     detail::to_bus(detail::resolve_qos(qos)));
+    type_use = detail::use_type(node_id, type.type_hash, type.info);
     std::weak_ptr<State> weak = weak_from_this();
     background = detail::add_background(endpoint->id(), [weak] {
       if (const auto state = weak.lock()) {
@@ -87,6 +89,7 @@ class TimeSource::State : public std::enable_shared_from_this<TimeSource::State>
   std::vector<Clock::SharedPtr> clocks;
   std::unique_ptr<ros2wasm::Endpoint> endpoint;
   std::shared_ptr<void> background;
+  std::shared_ptr<void> type_use;
   // What the graph shows of a time source: a subscription to /parameter_events.
   std::unique_ptr<ros2wasm::Endpoint> events;
   std::shared_ptr<void> events_background;

@@ -45,13 +45,14 @@ set(_wasm_cpp_arguments
 rosidl_write_generator_arguments("${_wasm_cpp_arguments}"
   PACKAGE_NAME "${PROJECT_NAME}"
   IDL_TUPLES "${rosidl_generate_interfaces_IDL_TUPLES}"
+  NON_IDL_TUPLES "${_non_idl_tuples}"
   ROS_INTERFACE_DEPENDENCIES "${_wasm_cpp_dependencies}"
   OUTPUT_DIR "${_wasm_cpp_output}")
 add_custom_command(
   OUTPUT "${_wasm_cpp_source}" ${_wasm_cpp_headers} ${_wasm_cpp_descriptions}
   COMMAND Python3::Interpreter -B "${rosidl_typesupport_wasm_cpp_GENERATOR}/generate.py"
     --generator-arguments-file "${_wasm_cpp_arguments}" --target "${_wasm_cpp_target}"
-  DEPENDS ${_wasm_cpp_generator} ${rosidl_generate_interfaces_ABS_IDL_FILES}
+  DEPENDS ${_wasm_cpp_generator} ${rosidl_generate_interfaces_ABS_IDL_FILES} ${_non_idl_files}
     ${_wasm_cpp_dependency_files}
   COMMENT "Generating type support of ${PROJECT_NAME}"
   VERBATIM)

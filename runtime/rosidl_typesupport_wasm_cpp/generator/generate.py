@@ -7,7 +7,7 @@ import argparse
 import json
 from pathlib import Path
 import sys
-from typing import Any, Dict, List, Set
+from typing import Any, Dict, List, Set, Tuple
 
 from rosidl_parser import definition as idl
 from rosidl_parser.parser import parse_idl_file
@@ -53,6 +53,25 @@ class Interface:
         self._add(self.services, described[:1])
         self._add(self.messages, described[1:3])
         self.descriptions += described[3:]  # the event: described, but no C++ type yet
+
+    def sources(self, package: str, places: Dict[str, Path]) -> Dict[str, Tuple[str, str]]:
+        """Return encoding and text of each type; parts of services and actions have no text."""
+        whole = f'{package}/{self.folder}/{self.stem}'
+        place = places[f'{self.folder}/{self.stem}']
+        return {
+            name: (place.suffix[1:], place.read_text(encoding='utf-8'))
+            if name == whole else ('implicit', '')
+            for name in (d['type_name'] for d in self.descriptions)
+        }
+
+
+def source_places(arguments: Dict[str, Any]) -> Dict[str, Path]:
+    """Return the files that people wrote, by folder and stem; .idl files that were made of others
+    come first and give way."""
+    tuples = [*arguments['idl_tuples'], *arguments.get('non_idl_tuples', [])]
+    paths = [(Path(relative), Path(base, relative))
+             for base, relative in (one.rsplit(':', 1) for one in tuples)]
+    return {relative.with_suffix('').as_posix(): path for relative, path in paths}
 
 
 def interface_of(type_name: str) -> str:
@@ -110,13 +129,16 @@ def generate(arguments: Dict[str, Any]) -> None:
     load_dependencies(arguments.get('ros_interface_dependencies', []), needed, types)
     layouts = LayoutTable(types)
 
+    places = source_places(arguments)
+    sources: Dict[str, Tuple[str, str]] = {}
     headers = []
     for interface in interfaces:
+        sources.update(interface.sources(package, places))
         own = interface.include_base
         nested = sorted({interface_of(n) for n in nested_types(interface)} - {own})
         text = header(
             own, [f'{own}__struct.hpp'], [f'{path}__{NAME}.hpp' for path in nested],
-            interface.messages, layouts)
+            interface.messages, [d['type_name'] for d in interface.descriptions], layouts)
         headers.append(f'{own}__{NAME}.hpp')
         write_if_changed(output.parent / headers[-1], text)
         name = f'{package}/{interface.folder}/{interface.stem}'
@@ -127,7 +149,7 @@ def generate(arguments: Dict[str, Any]) -> None:
             headers,
             [n for i in interfaces for n in i.messages],
             [n for i in interfaces for n in i.services],
-            [n for i in interfaces for n in i.actions], types, layouts))
+            [n for i in interfaces for n in i.actions], sources, types, layouts))
 
 
 def main() -> int:

@@ -91,6 +91,7 @@ class PublisherBase : public std::enable_shared_from_this<PublisherBase> {
   const detail::ObjectFunctions* object_functions_;
   bool intra_process_;
   std::shared_ptr<ros2wasm::Endpoint> endpoint_;
+  std::shared_ptr<void> type_use_;
   rmw_gid_t gid_{};
   EventHandlers event_handlers_;
 };

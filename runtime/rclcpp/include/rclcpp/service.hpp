@@ -11,6 +11,7 @@
 #include "rclcpp/clock.hpp"
 #include "rclcpp/detail/executable.hpp"
 #include "rclcpp/detail/message_type.hpp"
+#include "rclcpp/detail/service_events.hpp"
 #include "rclcpp/macros.hpp"
 #include "rclcpp/qos.hpp"
 #include "rmw/types.h"
@@ -51,6 +52,10 @@ class ServiceBase : public detail::Executable, public std::enable_shared_from_th
   void set_on_new_request_callback(std::function<void(size_t)> callback);
   void clear_on_new_request_callback() { on_new_request_callback_ = nullptr; }
 
+  /// Tells what happens here on `<service>/_service_event`: nothing, that it happens, or all of it.
+  void configure_introspection(Clock::SharedPtr clock, const QoS& qos_service_event_pub,
+                               rcl_service_introspection_state_t introspection_state);
+
   int32_t ready_endpoint() const override;
   void run(std::shared_ptr<void>& data) override;
 
@@ -65,7 +70,10 @@ class ServiceBase : public detail::Executable, public std::enable_shared_from_th
   std::string logger_name_;
   const rosidl_service_type_support_t& type_support_;
   const rclcpp::QoS qos_;
+  const int32_t node_id_;
+  const std::shared_ptr<void> type_use_;
   std::unique_ptr<ros2wasm::Endpoint> endpoint_;
+  std::shared_ptr<detail::ServiceEvents> events_;
   std::atomic<bool> in_use_by_wait_set_{false};
   std::function<void(size_t)> on_new_request_callback_;
 };

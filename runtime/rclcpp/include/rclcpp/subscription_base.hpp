@@ -123,6 +123,7 @@ class SubscriptionBase : public detail::Executable,
   const DeliveredMessageKind delivered_message_kind_;
   bool intra_process_;
   std::shared_ptr<ros2wasm::Endpoint> endpoint_;
+  std::shared_ptr<void> type_use_;
   EventHandlers event_handlers_;
   uint64_t received_count_ = 0;
   std::mutex local_mutex_;

@@ -13,32 +13,30 @@
 namespace ros2wasm_typesupport {
 
 template <class T>
-size_t serialized_size(const void* message) {
-  CdrSizer sizer;
+void size_message(CdrSizer& sizer, const void* message) {
   size_value(sizer, *static_cast<const T*>(message));
-  return sizer.total();
 }
 
 template <class T>
-size_t serialize(const void* message, uint8_t* buffer, size_t capacity) {
-  CdrWriter writer(buffer, capacity);
+void write_message(CdrWriter& writer, const void* message) {
   write_value(writer, *static_cast<const T*>(message));
-  return writer.finish();
 }
 
 template <class T>
-bool deserialize(const uint8_t* buffer, size_t size, void* message) {
-  CdrReader reader(buffer, size);
-  if (!reader.ok()) {
-    return false;
-  }
+void read_message(CdrReader& reader, void* message) {
   read_value(reader, *static_cast<T*>(message));
-  return reader.ok();
 }
 
 template <class T>
-constexpr MessageCallbacks make_callbacks(const char* type_name, const char* type_hash) {
-  return {type_name, type_hash, &serialized_size<T>, &serialize<T>, &deserialize<T>};
+constexpr MessageCallbacks make_callbacks(const char* type_name, const char* type_hash,
+                                          const TypeInfo& info) {
+  return {type_name, type_hash, &size_message<T>, &write_message<T>, &read_message<T>, &info};
+}
+
+template <size_t kCount>
+constexpr TypeInfo make_info(const char* type_name, const FieldInfo (&fields)[kCount],
+                             const char* encoding, const char* source) {
+  return {type_name, fields, kCount, encoding, source};
 }
 
 /// The `func` of a handle: the handle itself when it is of the kind asked for.

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "checks.hpp"
+#include "example_interfaces/srv/add_two_ints.hpp"
 #include "rcl_interfaces/msg/log.hpp"
 #include "rcl_interfaces/msg/parameter_event.hpp"
 #include "rcl_interfaces/srv/describe_parameters.hpp"
@@ -14,6 +15,7 @@
 #include "rcl_interfaces/srv/list_parameters.hpp"
 #include "rcl_interfaces/srv/set_parameters.hpp"
 #include "rcl_interfaces/srv/set_parameters_atomically.hpp"
+#include "type_description_interfaces/srv/get_type_description.hpp"
 
 using namespace std::chrono_literals;
 using rcl_interfaces::msg::Log;
@@ -38,6 +40,84 @@ rcl_interfaces::msg::Parameter integer(const std::string& name, int64_t value) {
   return rclcpp::Parameter(name, value).to_parameter_msg();
 }
 
+constexpr char kParameterEventHash[] =
+    "RIHS01_043e627780fcad87a22d225bc2a037361dba713fca6a6b9f4b869a5aa0393204";
+constexpr char kAddTwoIntsHash[] =
+    "RIHS01_e118de6bf5eeb66a2491b5bda11202e7b68f198d6f67922cf30364858239c81a";
+
+// The service that describes the types that a node uses, as `ros2 bag` and bridges ask it.
+void check_types(Checks& checks, const rclcpp::Node::SharedPtr& tool, rclcpp::Executor& executor) {
+  using type_description_interfaces::srv::GetTypeDescription;
+  const auto ask = [&](const std::string& hash, bool sources) {
+    auto request = std::make_shared<GetTypeDescription::Request>();
+    request->type_hash = hash;
+    request->include_type_sources = sources;
+    return call<GetTypeDescription>(tool, executor, "get_type_description", request);
+  };
+  const auto event = ask(kParameterEventHash, true);
+  CHECK(event->successful);
+  CHECK(event->failure_reason.empty());
+  const auto& whole = event->type_description;
+  CHECK(whole.type_description.type_name == "rcl_interfaces/msg/ParameterEvent");
+  CHECK(whole.type_description.fields.size() == 5);
+  CHECK(whole.type_description.fields[0].name == "stamp");
+  CHECK(whole.type_description.fields[0].type.type_id == 1);
+  CHECK(whole.type_description.fields[0].type.nested_type_name == "builtin_interfaces/msg/Time");
+  CHECK(whole.type_description.fields[2].name == "new_parameters");
+  CHECK(whole.type_description.fields[2].type.type_id == 145);
+  std::vector<std::string> names;
+  for (const auto& one : whole.referenced_type_descriptions) {
+    names.push_back(one.type_name);
+  }
+  CHECK((names == std::vector<std::string>{"builtin_interfaces/msg/Time",
+                                           "rcl_interfaces/msg/Parameter",
+                                           "rcl_interfaces/msg/ParameterValue"}));
+  CHECK(event->type_sources.size() == 4);
+  CHECK(event->type_sources[0].type_name == "rcl_interfaces/msg/ParameterEvent");
+  CHECK(event->type_sources[0].encoding == "msg");
+  CHECK(event->type_sources[0].raw_file_contents.find("Parameter[] new_parameters") !=
+        std::string::npos);
+  CHECK(ask(kParameterEventHash, false)->type_sources.empty());
+
+  using example_interfaces::srv::AddTwoInts;
+  CHECK(ask(kAddTwoIntsHash, true)->failure_reason == "Type not currently in use by this node");
+  auto elsewhere = tool->create_client<AddTwoInts>("add");  // another node's use does not count
+  CHECK(!ask(kAddTwoIntsHash, true)->successful);
+  CHECK(ask("", true)->failure_reason == "Failed to parse type hash");
+  CHECK(ask("RIHS02_" + std::string(kAddTwoIntsHash).substr(7), true)->failure_reason ==
+        "Failed to parse type hash");
+}
+
+// A node's services change what it can describe.
+void check_service_type(Checks& checks, const rclcpp::Node::SharedPtr& node,
+                        const rclcpp::Node::SharedPtr& tool, rclcpp::Executor& executor) {
+  using example_interfaces::srv::AddTwoInts;
+  using type_description_interfaces::srv::GetTypeDescription;
+  auto request = std::make_shared<GetTypeDescription::Request>();
+  request->type_hash = kAddTwoIntsHash;
+  auto client = node->create_client<AddTwoInts>("add");
+  const auto used = call<GetTypeDescription>(tool, executor, "get_type_description", request);
+  CHECK(used->successful);
+  std::vector<std::string> names;
+  for (const auto& one : used->type_description.referenced_type_descriptions) {
+    names.push_back(one.type_name);
+  }
+  const std::string type = "example_interfaces/srv/AddTwoInts";
+  CHECK((names == std::vector<std::string>{"builtin_interfaces/msg/Time", type + "_Event",
+                                           type + "_Request", type + "_Response",
+                                           "service_msgs/msg/ServiceEventInfo"}));
+  CHECK(used->type_sources.size() == 6);
+  CHECK(used->type_sources[0].encoding == "srv");
+  CHECK(used->type_sources[2].encoding == "implicit");
+  CHECK(used->type_sources[2].raw_file_contents.empty());
+  client.reset();
+  CHECK(!call<GetTypeDescription>(tool, executor, "get_type_description", request)->successful);
+  rclcpp::Node silent("silent", rclcpp::NodeOptions().append_parameter_override(
+                                    "start_type_description_service", false));
+  CHECK(silent.get_service_names_and_types_by_node("silent", "/")
+            .count("/silent/get_type_description") == 0);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -53,19 +133,19 @@ int main(int argc, char** argv) {
 
   const auto services = tool->get_service_names_and_types_by_node("test", "/under");
   const std::map<std::string, std::string> expected = {
-      {"get_parameters", "GetParameters"},
-      {"get_parameter_types", "GetParameterTypes"},
-      {"set_parameters", "SetParameters"},
-      {"set_parameters_atomically", "SetParametersAtomically"},
-      {"describe_parameters", "DescribeParameters"},
-      {"list_parameters", "ListParameters"},
-      {"get_logger_levels", "GetLoggerLevels"},
-      {"set_logger_levels", "SetLoggerLevels"}};
+      {"get_parameters", "rcl_interfaces/srv/GetParameters"},
+      {"get_parameter_types", "rcl_interfaces/srv/GetParameterTypes"},
+      {"set_parameters", "rcl_interfaces/srv/SetParameters"},
+      {"set_parameters_atomically", "rcl_interfaces/srv/SetParametersAtomically"},
+      {"describe_parameters", "rcl_interfaces/srv/DescribeParameters"},
+      {"list_parameters", "rcl_interfaces/srv/ListParameters"},
+      {"get_logger_levels", "rcl_interfaces/srv/GetLoggerLevels"},
+      {"set_logger_levels", "rcl_interfaces/srv/SetLoggerLevels"},
+      {"get_type_description", "type_description_interfaces/srv/GetTypeDescription"}};
   CHECK(services.size() == expected.size());
   for (const auto& [name, type] : expected) {
     const auto found = services.find("/under/test/" + name);
-    CHECK(found != services.end() &&
-          found->second == std::vector<std::string>{"rcl_interfaces/srv/" + type});
+    CHECK(found != services.end() && found->second == std::vector<std::string>{type});
   }
 
   // QoS of the two topics, as `ros2 topic info --verbose` shows it.
@@ -114,11 +194,11 @@ int main(int argc, char** argv) {
   const auto listed = call<ListParameters>(tool, executor, "list_parameters",
                                            std::make_shared<ListParameters::Request>());
   const std::set<std::string> names(listed->result.names.begin(), listed->result.names.end());
-  for (const char* name :
-       {"count", "use_sim_time", "qos_overrides./parameter_events.publisher.depth",
-        "qos_overrides./parameter_events.publisher.durability",
-        "qos_overrides./parameter_events.publisher.history",
-        "qos_overrides./parameter_events.publisher.reliability"}) {
+  for (const char* name : {"count", "use_sim_time", "start_type_description_service",
+                           "qos_overrides./parameter_events.publisher.depth",
+                           "qos_overrides./parameter_events.publisher.durability",
+                           "qos_overrides./parameter_events.publisher.history",
+                           "qos_overrides./parameter_events.publisher.reliability"}) {
     CHECK(names.count(name) == 1);
   }
 
@@ -149,12 +229,15 @@ int main(int argc, char** argv) {
          std::vector<uint8_t>{ParameterType::PARAMETER_BOOL}));
   using rcl_interfaces::srv::DescribeParameters;
   auto describe = std::make_shared<DescribeParameters::Request>();
-  describe->names = {"count", "qos_overrides./parameter_events.publisher.depth"};
+  describe->names = {"count", "qos_overrides./parameter_events.publisher.depth",
+                     "start_type_description_service"};
   const auto described =
       call<DescribeParameters>(tool, executor, "describe_parameters", describe)->descriptors;
-  CHECK(described.size() == 2);
+  CHECK(described.size() == 3);
   CHECK(described[0].type == ParameterType::PARAMETER_INTEGER);
   CHECK(described[1].read_only);
+  CHECK(described[2].type == ParameterType::PARAMETER_BOOL);
+  CHECK(described[2].read_only);
 
   // One event for the change that was made, none for those that were refused.
   while (told.empty()) {
@@ -171,5 +254,7 @@ int main(int argc, char** argv) {
   auto levels = std::make_shared<GetLoggerLevels::Request>();
   levels->names = {"under.test"};
   CHECK(call<GetLoggerLevels>(tool, executor, "get_logger_levels", levels)->levels.size() == 1);
+  check_types(checks, tool, executor);
+  check_service_type(checks, node, tool, executor);
   return checks.finish();
 }

@@ -6,6 +6,8 @@
 #include "checks.hpp"
 #include "geometry_msgs/msg/point_stamped.hpp"
 #include "geometry_msgs/msg/transform_stamped.hpp"
+#include "rclcpp/node_interfaces/get_node_base_interface.hpp"
+#include "rclcpp/node_interfaces/get_node_timers_interface.hpp"
 #include "tf2/exceptions.h"
 #include "tf2/utils.h"
 #include "tf2_geometry_msgs/tf2_geometry_msgs.hpp"
@@ -21,7 +23,8 @@ class FrameListener : public rclcpp::Node {
   explicit FrameListener(Checks& shared) : Node("frame_listener"), checks(shared) {
     tf_buffer_ = std::make_unique<tf2_ros::Buffer>(get_clock());
     tf_buffer_->setCreateTimerInterface(std::make_shared<tf2_ros::CreateTimerROS>(
-        get_node_base_interface(), get_node_timers_interface()));
+        rclcpp::node_interfaces::get_node_base_interface(*this),
+        rclcpp::node_interfaces::get_node_timers_interface(this)));
     tf_listener_ = std::make_shared<tf2_ros::TransformListener>(*tf_buffer_);
     timer_ = create_wall_timer(10ms, [this] { on_timer(); });
   }

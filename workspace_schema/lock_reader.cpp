@@ -4,6 +4,7 @@
 #include <map>
 
 #include "workspace_schema/lock.hpp"
+#include "workspace_schema/record_rules.hpp"
 #include "workspace_schema/source_text.hpp"
 #include "workspace_schema/yaml_reader.hpp"
 #include "workspace_schema/yaml_scalar.hpp"
@@ -166,6 +167,8 @@ class Reader {
       fail(map, "the file `" + record.file_name + "` is not that of `" + stem + "`");
     } else if (!record.url.ends_with("/" + record.file_name)) {
       fail(map, "the url of `" + stem + "` does not end with its file");
+    } else if (const auto bad = record_fault(record, Strictness::kReading)) {
+      fail(map, *bad);
     }
     return record;
   }

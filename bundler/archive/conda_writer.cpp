@@ -11,11 +11,11 @@
 #include "bundler/archive/tar_writer.hpp"
 #include "bundler/archive/zip_writer.hpp"
 #include "bundler/archive/zstd.hpp"
-#include "bundler/channel/record_rules.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/sha256.hpp"
 #include "workspace_schema/json_writer.hpp"
 #include "workspace_schema/match_spec.hpp"
+#include "workspace_schema/record_rules.hpp"
 
 namespace ros2wasm {
 namespace {

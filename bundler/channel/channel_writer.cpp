@@ -5,12 +5,12 @@
 
 #include "bundler/archive/package_index.hpp"
 #include "bundler/archive/zstd.hpp"
-#include "bundler/channel/record_rules.hpp"
 #include "bundler/channel/repodata_record.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/sha256.hpp"
 #include "workspace_schema/json_reader.hpp"
 #include "workspace_schema/json_writer.hpp"
+#include "workspace_schema/record_rules.hpp"
 
 namespace ros2wasm {
 namespace {

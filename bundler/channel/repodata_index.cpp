@@ -10,9 +10,9 @@
 #include "bundler/channel/channel_address.hpp"
 #include "bundler/channel/kept_index.hpp"
 #include "bundler/channel/record_json.hpp"
-#include "bundler/channel/record_rules.hpp"
 #include "bundler/io/replaced_file.hpp"
 #include "bundler/io/sha256.hpp"
+#include "workspace_schema/record_rules.hpp"
 #include "workspace_schema/secret_text.hpp"
 
 namespace ros2wasm {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "bundler/channel/record_rules.hpp"
+#include "workspace_schema/record_rules.hpp"
 #include "workspace_schema/text_pattern.hpp"
 
 namespace ros2wasm {

@@ -8,11 +8,11 @@
 
 #include "bundler/archive/zstd.hpp"
 #include "bundler/channel/channel_address.hpp"
-#include "bundler/channel/record_rules.hpp"
 #include "bundler/channel/transport.hpp"
 #include "bundler/channel/verified_files.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/sha256.hpp"
+#include "workspace_schema/record_rules.hpp"
 #include "workspace_schema/secret_text.hpp"
 
 namespace ros2wasm {

@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 
@@ -33,6 +34,20 @@ bool is_site_of_ours(const fs::path& folder) {
   if (!text) return false;
   const auto json = parse_json(*text, "site.json", "R2W0605");
   return json && json->text_of("generator").starts_with(kSiteGenerator);
+}
+
+/// The last guard, whatever the plan was made from.
+std::optional<Diagnostic> refuse_path(const std::string& path) {
+  const fs::path planned(path);
+  const bool inside = planned.is_relative() && planned.has_filename() &&
+                      std::none_of(planned.begin(), planned.end(), [](const fs::path& part) {
+                        return part == ".." || part == ".";
+                      });
+  if (inside) return std::nullopt;
+  return Diagnostic{.code = "R2W0608",
+                    .message = "the site would write `" + path + "`, which is not inside it",
+                    .why = {"a name that came with a package or a lock leads out of its folder"},
+                    .fix = {"take the package from a channel that you trust"}};
 }
 
 std::string megabytes(std::uint64_t bytes) {
@@ -102,10 +117,12 @@ Outcome<Done> emit_folder(const SitePlan& plan, const fs::path& folder,
   if (!beside) return std::move(beside).errors();
   for (const PlannedFile& file : plan.files) {
     if (cancellation.requested()) return interrupted();
+    if (auto refusal = refuse_path(file.path)) return *refusal;
     if (auto written = write_file(beside->path() / file.path, file.bytes); !written) return written;
   }
   for (const ChannelFile& file : plan.channel) {
     if (cancellation.requested()) return interrupted();
+    if (auto refusal = refuse_path(file.path)) return *refusal;
     const fs::path place_of_file = beside->path() / file.path;
     auto written = file.copy_of.empty() ? write_file(place_of_file, file.bytes)
                                         : copy_to(place_of_file, file.copy_of);

@@ -93,6 +93,13 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return text.replace(text.find(from), from.size(), to);
 }
 
+/// A lock whose package, with its file and its url, has another name.
+std::string renamed(const std::string& name) {
+  std::string text = replaced(kText, "- name: a", "- name: " + name);
+  text = replaced(text, "file: a-", "file: " + name + "-");
+  return replaced(text, "noarch/a-", "noarch/" + name + "-");
+}
+
 TEST(Lock, RefusesWhatIsNone) {
   const std::vector<std::pair<std::string, std::string>> cases{
       {"", "not a map"},
@@ -105,6 +112,10 @@ TEST(Lock, RefusesWhatIsNone) {
       {replaced(kText, "noarch: generic", "noarch: true"), "`noarch` is"},
       {replaced(kText, "version: \"1.0\"", "version: \"1.1\""), "is not that of `a-1.1-h0_0`"},
       {replaced(kText, "noarch/a-1.0", "noarch/b-1.0"), "does not end with its file"},
+      {replaced(kText, "subdir: noarch", "subdir: ../.."), "the subdirectory `../..`"},
+      {renamed("../a"), "the name `../a`"},
+      {renamed("a/../../b"), "the name `a/../../b`"},
+      {renamed("/a"), "the name `/a`"},
       {replaced(kText, "license:", "licence:"), "unknown key `licence`"},
       {replaced(kText, "    url: \"embedded:/noarch/a-1.0-h0_0.conda\"\n", ""), "`url` is missing"},
       {replaced(kText, "channels:\n  - embedded", "channels: embedded"), "a list is expected"}};

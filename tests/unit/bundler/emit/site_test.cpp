@@ -181,6 +181,23 @@ TEST(EmitFolder, RefusesWhatIsNotASite) {
   EXPECT_EQ(tree.read("home/letters.txt"), "dear");
 }
 
+TEST(EmitFolder, NothingIsWrittenOutsideTheSite) {
+  const TemporaryTree tree;
+  for (const std::string path : {"../evil", "channel/../../evil", "channel/noarch/..", ""}) {
+    SitePlan plan = plan_of();
+    plan.channel.push_back({.path = path, .bytes = "x", .size = 1});
+    const auto emitted = emit_folder(plan, tree / "deep/site", {});
+    ASSERT_FALSE(emitted) << path;
+    EXPECT_EQ(emitted.errors().front().code, "R2W0608");
+    plan = plan_of();
+    plan.files.push_back({.path = (tree / "evil").string(), .bytes = "x"});
+    EXPECT_FALSE(emit_folder(plan, tree / "deep/site", {}));
+  }
+  EXPECT_FALSE(std::filesystem::exists(tree / "deep/evil"));
+  EXPECT_FALSE(std::filesystem::exists(tree / "evil"));
+  EXPECT_FALSE(std::filesystem::exists(tree / "deep/site"));
+}
+
 TEST(EmitFolder, AFailingDiskLeavesTheOldSite) {
   const TemporaryTree tree;
   ASSERT_TRUE(emit_folder(plan_of("<p>old"), tree / "site", {}));

@@ -1,5 +1,5 @@
 // See record_rules.hpp.
-#include "bundler/channel/record_rules.hpp"
+#include "workspace_schema/record_rules.hpp"
 
 #include <algorithm>
 

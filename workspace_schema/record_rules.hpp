@@ -1,5 +1,5 @@
-// What names, versions and build strings may look like in a channel (CEP 26). Also the guard that
-// no field of a record can lead out of a folder. Pure.
+// What names, versions and build strings may look like in a channel (CEP 26) and in a lock. Also
+// the guard that no field of a record can lead out of a folder. Pure.
 #pragma once
 
 #include <optional>

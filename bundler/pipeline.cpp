@@ -107,7 +107,8 @@ Outcome<Done> use_manifest(const Manifest& manifest, ChannelNetwork& network) {
   return Done{};
 }
 
-/// A new site takes the place of the old one, with all that lies in it.
+/// A new site takes the place of the old one, with all that lies in it. `channels`, or archives of
+/// theirs.
 std::optional<Diagnostic> refuse_own_channel(const PackRequest& request,
                                              const std::vector<ChannelSource>& channels,
                                              const fs::path& working_directory) {
@@ -240,12 +241,22 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
                   .specs = std::move(wanted->specs)};
 }
 
+/// A lock may lead where the manifest's channels do not.
+std::vector<ChannelSource> places_of(const std::vector<PackageRecord>& records) {
+  std::vector<ChannelSource> places;
+  for (const PackageRecord& record : records) places.push_back({record.url, std::nullopt});
+  return places;
+}
+
 /// The rest of step 3: the records that the workspace needs, as the lock has them or chosen anew.
 Outcome<std::vector<PackageRecord>> resolve(const PackRequest& request, Question& question) {
   const fs::path lock_file = question.workspace.folder / kLockFileName;
   auto solved = solve_with_lock(question.specs, question.index, lock_file,
                                 question.workspace.manifest.channel_priority, request.locked);
   if (!solved) return std::move(solved).errors();
+  if (auto refusal =
+          refuse_own_channel(request, places_of(solved->packages), question.workspace.folder))
+    return *refusal;
   if (!request.locked && !request.frozen && !request.plan_only && solved->lock_changed) {
     if (auto written = write_file(lock_file, solved->lock_text); !written)
       return std::move(written).errors();

@@ -137,3 +137,15 @@ class ShippedChannel(ChannelCase):
         self.succeed("pack", "--plan")
         self.succeed("pack", "--with-channel")
         self.check_channel(self.folder / "site/channel")
+
+    def test_a_frozen_pack_does_not_pack_its_channel_away(self) -> None:
+        """The packages are where the lock says, whatever the manifest has for a channel by now."""
+        self.succeed("pack", "--with-channel")
+        self.write_manifest("./site/channel")
+        self.succeed("lock")
+        self.write_manifest("./channel")
+        self.fail_with("R2W0603", "pack", "--frozen")
+        self.check_channel(self.folder / "site/channel")
+        self.succeed("pack", "--frozen", "-o", "again")
+        self.succeed("pack", "--frozen", "--with-channel")
+        self.check_channel(self.folder / "site/channel")

@@ -64,7 +64,7 @@ int run(const SolveOptions& options, Context& context) {
   if (!index) return context.console.fail(index.errors());
   for (const std::string& text : specs)
     request.specs.push_back({.text = text, .origin = {}, .span = {}});
-  const auto resolution = solve(request, *index);
+  const auto resolution = solve(request, *index, {.cancellation = context.cancellation});
   if (!resolution) return context.console.fail(resolution.errors());
   show(context, *resolution, *index);
   return 0;

@@ -10,16 +10,21 @@
 
 #include "bundler/resolve/consequences.hpp"
 #include "bundler/resolve/virtual_packages.hpp"
+#include "workspace_schema/suggestion.hpp"
 
 namespace ros2wasm {
 namespace {
 
+constexpr std::size_t kMostNames = 5;  // of packages, in a message
+
 class Walk {
  public:
-  explicit Walk(const Universe& universe)
-      : universe_(universe), consequences_(universe), taken_(universe.candidates.size(), false) {}
+  Walk(const Universe& universe, const SearchBudget& budget)
+      : universe_(universe),
+        consequences_(universe, budget),
+        taken_(universe.candidates.size(), false) {}
 
-  /// Nothing when there is no solution.
+  /// Nothing when there is no solution, or none was found before the search was given up.
   std::optional<Choice> choice() {
     if (!consequences_.begin()) return std::nullopt;
     for (CandidateId id = 0; id < universe_.candidates.size(); ++id) {
@@ -37,6 +42,8 @@ class Walk {
     std::sort(choice_.begin(), choice_.end());
     return choice_;
   }
+
+  [[nodiscard]] const Consequences& consequences() const { return consequences_; }
 
  private:
   struct Round {
@@ -121,11 +128,21 @@ class Walk {
 
 }  // namespace
 
-std::variant<Choice, Proof> best_choice(const Universe& universe) {
-  if (auto choice = Walk(universe).choice()) return std::move(*choice);
-  Proof proof = why_impossible(universe);
-  assert(!proof.empty());  // both engines say so
-  return proof;
+Outcome<std::optional<Choice>> best_choice(const Universe& universe, const SearchBudget& budget) {
+  if (budget.cancellation.requested()) return interrupted();
+  Walk walk(universe, budget);
+  auto choice = walk.choice();
+  if (!walk.consequences().gave_up()) return choice;
+  if (budget.cancellation.requested()) return interrupted();
+  const std::string names = name_list(walk.consequences().in_the_way(kMostNames));
+  return Diagnostic{
+      .code = "R2W0305",
+      .message = "the search for packages was given up",
+      .why = {"after " + std::to_string(budget.most_contradictions) +
+                  " dead ends there is neither a choice nor a proof that there is none",
+              "most often in the way were " + names},
+      .fix = {"say under `dependencies:` which versions of these you want: the fewer are left, "
+              "the shorter the search"}};
 }
 
 }  // namespace ros2wasm

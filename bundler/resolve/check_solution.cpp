@@ -29,12 +29,10 @@ class Checker {
       faults_.push_back(fault(who + " `" + text + "`: " + spec.errors().front().message));
       return;
     }
-    bool name_there = false;
     bool match_there = false;
     const PackageRecord* other = nullptr;
     const auto look_at = [&](const PackageRecord& record) {
       if (&record == limiting || !spec->name().matches(record.name)) return;
-      name_there = true;
       if (spec->matches(record)) {
         match_there = true;
       } else {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "bundler/resolve/virtual_packages.hpp"
 
@@ -11,16 +12,22 @@ namespace {
 
 constexpr CandidateId kNobody = std::numeric_limits<CandidateId>::max();
 constexpr CandidateId kRequest = kNobody - 1;  ///< owner of what is wanted
+constexpr std::size_t kAskEvery = 64;          ///< contradictions between two looks at the budget
+constexpr std::size_t kFirstRoom = 1000;       ///< dead ends; the room grows, so the search ends
+constexpr std::size_t kShort = 2;              ///< dead ends of so few facts are never forgotten
 
 }  // namespace
 
-Consequences::Consequences(const Universe& universe)
+Consequences::Consequences(const Universe& universe, const SearchBudget& budget)
     : universe_(universe),
+      budget_(budget),
+      room_(kFirstRoom),
       group_(universe.candidates.size()),
       states_(universe.candidates.size()),
       holder_(universe.by_name.size(), kNobody),
       watched_(universe.by_name.size()),
       dead_ends_at_(universe.by_name.size()),
+      dead_ends_of_(universe.by_name.size(), 0),
       blamed_(universe.candidates.size(), false) {
   Group group = 0;
   for (const auto& [name, ids] : universe.by_name) {
@@ -49,7 +56,13 @@ bool Consequences::settle() {
     if (depth() == 0) return false;
     waiting_.clear();
     changed_.clear();
+    ++contradictions_;
+    const bool asks = contradictions_ % kAskEvery == 0;
+    gave_up_ =
+        contradictions_ > budget_.most_contradictions || (asks && budget_.cancellation.requested());
+    if (gave_up_) return false;
     learn();
+    if (kept_ > room_) forget();
   }
   return true;
 }
@@ -148,7 +161,7 @@ bool Consequences::serve(RequirementId requirement) {
 /// If all but one of its facts hold, that one must not.
 bool Consequences::avoid(std::size_t dead_end) {
   const Fact* open = nullptr;
-  for (const Fact& fact : dead_ends_[dead_end]) {
+  for (const Fact& fact : dead_ends_[dead_end].facts) {
     if (is_open(fact.candidate)) {
       if (open != nullptr) return true;
       open = &fact;
@@ -171,7 +184,7 @@ bool Consequences::contradict(CandidateId candidate, Reason reason) {
 }
 
 /// Those which, as they are, leave the candidate no other way.
-std::vector<CandidateId> Consequences::causes(CandidateId candidate, Reason reason) const {
+std::vector<CandidateId> Consequences::causes(CandidateId candidate, Reason reason) {
   std::vector<CandidateId> found;
   switch (reason.kind) {
     case Reason::Kind::kNone:
@@ -186,7 +199,8 @@ std::vector<CandidateId> Consequences::causes(CandidateId candidate, Reason reas
       }
       break;
     case Reason::Kind::kDeadEnd:
-      for (const Fact& fact : dead_ends_[reason.id]) {
+      dead_ends_[reason.id].last_use = contradictions_;
+      for (const Fact& fact : dead_ends_[reason.id].facts) {
         if (fact.candidate != candidate) found.push_back(fact.candidate);
       }
       break;
@@ -196,7 +210,7 @@ std::vector<CandidateId> Consequences::causes(CandidateId candidate, Reason reas
 
 /// Puts the blame where it belongs: on the chosen one that ruled the candidate out, if that alone
 /// did. What holds from the beginning has none.
-void Consequences::blame(CandidateId candidate, DeadEnd& facts, std::size_t& latest) {
+void Consequences::blame(CandidateId candidate, Facts& facts, std::size_t& latest) {
   const State& state = states_[candidate];
   if (state.banned && state.reason.kind == Reason::Kind::kCandidate) {
     candidate = state.reason.id;
@@ -216,7 +230,7 @@ void Consequences::blame(CandidateId candidate, DeadEnd& facts, std::size_t& lat
 /// Goes back from the contradiction to the one step since the last decision through which all ways
 /// into it lead (the first unique implication point). That and earlier facts are the dead end.
 void Consequences::learn() {
-  DeadEnd facts;
+  Facts facts;
   std::size_t latest = 0;  // blamed since the last decision, not yet replaced by their causes
   for (const CandidateId id : contradiction_) blame(id, facts, latest);
   std::size_t step = steps_.size();
@@ -236,9 +250,52 @@ void Consequences::learn() {
   }
   facts.push_back({.candidate = turn, .chosen = states_[turn].chosen});
   take_back(back_to);
-  for (const Fact& fact : facts) dead_ends_at_[group_[fact.candidate]].push_back(dead_ends_.size());
-  dead_ends_.push_back(std::move(facts));
+  for (const Fact& fact : facts) {
+    dead_ends_at_[group_[fact.candidate]].push_back(dead_ends_.size());
+    ++dead_ends_of_[group_[fact.candidate]];
+  }
+  dead_ends_.push_back({.facts = std::move(facts), .last_use = contradictions_});
+  ++kept_;
   changed_.push_back(group_[turn]);
+}
+
+/// Half of the dead ends: those which were of no use for longest. What stands because of one keeps
+/// it, and so does the latest, which has not been looked at.
+void Consequences::forget() {
+  std::vector<bool> needed(dead_ends_.size(), false);
+  needed.back() = true;
+  for (const Step& step : steps_) {
+    if (step.kind == Step::Kind::kRequired) continue;
+    const Reason& reason = states_[step.id].reason;
+    if (reason.kind == Reason::Kind::kDeadEnd) needed[reason.id] = true;
+  }
+  std::vector<std::size_t> old;
+  for (std::size_t i = 0; i < dead_ends_.size(); ++i) {
+    if (!needed[i] && dead_ends_[i].facts.size() > kShort) old.push_back(i);
+  }
+  const auto half = old.begin() + static_cast<std::ptrdiff_t>(old.size() / 2);
+  std::nth_element(old.begin(), half, old.end(), [this](std::size_t a, std::size_t b) {
+    return std::pair(dead_ends_[a].last_use, a) < std::pair(dead_ends_[b].last_use, b);
+  });
+  std::for_each(old.begin(), half, [this](std::size_t i) { dead_ends_[i].facts = {}; });
+  kept_ -= static_cast<std::size_t>(half - old.begin());
+  for (std::vector<std::size_t>& of_group : dead_ends_at_)
+    std::erase_if(of_group, [this](std::size_t i) { return dead_ends_[i].facts.empty(); });
+  room_ += room_ / 10;
+}
+
+std::vector<std::string> Consequences::in_the_way(std::size_t count) const {
+  std::vector<std::pair<std::size_t, std::string>> names;
+  Group group = 0;
+  for (const auto& [name, ids] : universe_.by_name) {
+    if (dead_ends_of_[group] != 0) names.emplace_back(dead_ends_of_[group], name);
+    ++group;
+  }
+  std::stable_sort(names.begin(), names.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<std::string> worst;
+  for (std::size_t i = 0; i < std::min(count, names.size()); ++i) worst.push_back(names[i].second);
+  return worst;
 }
 
 std::vector<Consequences::Group> Consequences::groups_of(RequirementId requirement) const {

@@ -1,26 +1,33 @@
 // What follows from choosing candidates one after the other: others that must be there, others that
 // cannot be. A dead end takes decisions back and is remembered, so that the same way into it is
-// never gone again (conflict-driven clause learning). Pure.
+// not gone again (conflict-driven clause learning). Pure.
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
+#include "bundler/resolve/search_budget.hpp"
 #include "bundler/resolve/universe.hpp"
 
 namespace ros2wasm {
 
 class Consequences {
  public:
-  explicit Consequences(const Universe& universe);
+  explicit Consequences(const Universe& universe, const SearchBudget& budget);
 
-  /// Virtual packages are there, and what is wanted must be. False: nothing can fit.
+  /// Virtual packages are there, and what is wanted must be. False: nothing can fit, or gave_up().
   [[nodiscard]] bool begin();
 
   /// Decides for a candidate that is neither chosen nor ruled out, and draws what follows. Where
   /// that is a dead end, decisions are taken back, the latest first, until something else follows
-  /// from what was learnt: depth() says how many still stand. False: nothing can fit.
+  /// from what was learnt: depth() says how many still stand. False: nothing can fit, or gave_up().
   [[nodiscard]] bool choose(CandidateId candidate);
+
+  /// The budget is spent: no answer is known.
+  [[nodiscard]] bool gave_up() const { return gave_up_; }
+  /// Names that were in the most dead ends, the worst first.
+  [[nodiscard]] std::vector<std::string> in_the_way(std::size_t count) const;
 
   [[nodiscard]] std::size_t depth() const { return decisions_.size(); }
   [[nodiscard]] bool is_chosen(CandidateId id) const { return states_[id].chosen; }
@@ -56,7 +63,11 @@ class Consequences {
     CandidateId candidate = 0;
     bool chosen = false;  ///< or else ruled out
   };
-  using DeadEnd = std::vector<Fact>;  ///< facts that cannot all hold
+  using Facts = std::vector<Fact>;
+  struct DeadEnd {
+    Facts facts;               ///< cannot all hold; none: forgotten
+    std::size_t last_use = 0;  ///< the number of the contradiction that it last had a part in
+  };
   struct Waiting {
     CandidateId candidate = 0;
     Reason reason;
@@ -72,12 +83,18 @@ class Consequences {
   bool avoid(std::size_t dead_end);
   bool contradict(CandidateId candidate, Reason reason);
   void learn();
-  void blame(CandidateId candidate, DeadEnd& facts, std::size_t& latest);
-  [[nodiscard]] std::vector<CandidateId> causes(CandidateId candidate, Reason reason) const;
+  void forget();
+  void blame(CandidateId candidate, Facts& facts, std::size_t& latest);
+  [[nodiscard]] std::vector<CandidateId> causes(CandidateId candidate, Reason reason);
   [[nodiscard]] std::vector<Group> groups_of(RequirementId requirement) const;
   void take_back(std::size_t depth);
 
   const Universe& universe_;
+  const SearchBudget& budget_;
+  std::size_t contradictions_ = 0;
+  std::size_t kept_ = 0;  ///< dead ends that are not forgotten
+  std::size_t room_;      ///< for so many
+  bool gave_up_ = false;
   std::vector<Group> group_;                         ///< by candidate
   std::vector<State> states_;                        ///< by candidate
   std::vector<CandidateId> holder_;                  ///< by group: the chosen one, or kNobody
@@ -90,6 +107,7 @@ class Consequences {
   std::vector<Waiting> waiting_;                        ///< must be there, not yet taken up
   std::vector<Group> changed_;                          ///< something of it was chosen or banned
   std::vector<CandidateId> contradiction_;              ///< what cannot all be as it is
+  std::vector<std::size_t> dead_ends_of_;               ///< by group: how often it was in one
   std::vector<bool> blamed_;                            ///< by candidate; only while learning
 };
 

@@ -12,7 +12,6 @@ namespace {
 
 constexpr std::size_t kMostLines = 24;
 constexpr int kDeepest = 8;
-constexpr const char* kCompilerPackage = "emscripten-abi";
 
 /// The rules of one conflict, by the candidate that they speak of.
 struct Facts {

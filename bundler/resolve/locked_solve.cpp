@@ -31,6 +31,39 @@ std::vector<PackageRecord> still_there(const std::vector<PackageRecord>& locked,
   return result;
 }
 
+bool by_name(const PackageRecord& a, const PackageRecord& b) {
+  return a.name < b.name;
+}
+
+/// What would be another package; both are sorted by name. That the request or the channels are
+/// written in other words is no change.
+std::vector<std::string> changes_of(const std::vector<PackageRecord>& locked,
+                                    const std::vector<PackageRecord>& chosen) {
+  std::vector<std::string> changes;
+  const auto of_name = [](const std::vector<PackageRecord>& records, const PackageRecord& one) {
+    const auto found = std::lower_bound(records.begin(), records.end(), one, by_name);
+    return found != records.end() && found->name == one.name ? &*found : nullptr;
+  };
+  for (const PackageRecord& record : chosen) {
+    const PackageRecord* before = of_name(locked, record);
+    const std::string name = distribution_name(record);
+    if (before == nullptr) {
+      changes.push_back("`" + name + "` would be new");
+    } else if (distribution_name(*before) != name) {
+      changes.push_back("`" + name + "` would take the place of `" + distribution_name(*before) +
+                        "`");
+    } else if (*before != record) {
+      changes.push_back("the channel has another `" + name +
+                        "` by now, or says other things of it");
+    }
+  }
+  for (const PackageRecord& record : locked) {
+    if (of_name(chosen, record) == nullptr)
+      changes.push_back("nothing asks for `" + distribution_name(record) + "` any more");
+  }
+  return changes;
+}
+
 }  // namespace
 
 Outcome<Lock> read_lock_file(const std::filesystem::path& file) {
@@ -50,7 +83,8 @@ Outcome<LockedSolution> solve_with_lock(const std::vector<RequestedSpec>& specs,
                                         const RepoIndex& index,
                                         const std::filesystem::path& lock_file,
                                         ChannelPriority priority, bool must_fit,
-                                        const LockUpdate& update) {
+                                        const LockUpdate& update,
+                                        const Cancellation& cancellation) {
   std::error_code error;
   std::string old_text;
   std::vector<PackageRecord> locked;
@@ -68,6 +102,7 @@ Outcome<LockedSolution> solve_with_lock(const std::vector<RequestedSpec>& specs,
   } else if (must_fit) {
     return lock_does_not_fit(lock_file, {"there is no " + lock_file.string()});
   }
+  std::sort(locked.begin(), locked.end(), by_name);
   if (must_fit) {
     const Diagnostics faults = check_solution(specs, locked);
     if (!faults.empty()) {
@@ -80,16 +115,16 @@ Outcome<LockedSolution> solve_with_lock(const std::vector<RequestedSpec>& specs,
   const ResolveRequest request{.specs = specs,
                                .locked = must_fit ? locked : still_there(locked, index),
                                .priority = priority};
-  auto resolution = solve(request, index);
+  auto resolution = solve(request, index, {.cancellation = cancellation});
   if (!resolution) return std::move(resolution).errors();
   Lock lock{.channels = index.channels, .packages = resolution->packages};
   for (const RequestedSpec& spec : specs) lock.specs.push_back(spec.text);
-  std::sort(lock.packages.begin(), lock.packages.end(),
-            [](const PackageRecord& a, const PackageRecord& b) { return a.name < b.name; });
+  std::sort(lock.packages.begin(), lock.packages.end(), by_name);
   LockedSolution result{.packages = std::move(resolution->packages), .lock_text = write_lock(lock)};
   result.lock_changed = result.lock_text != old_text;
-  if (must_fit && result.lock_changed) {
-    return lock_does_not_fit(lock_file, {"the same request leads to another choice now"});
+  if (must_fit) {
+    if (auto changes = changes_of(locked, lock.packages); !changes.empty())
+      return lock_does_not_fit(lock_file, std::move(changes));
   }
   return result;
 }

@@ -35,6 +35,7 @@ struct LockedSolution {
                                                       const RepoIndex& index,
                                                       const std::filesystem::path& lock_file,
                                                       ChannelPriority priority, bool must_fit,
-                                                      const LockUpdate& update = {});
+                                                      const LockUpdate& update = {},
+                                                      const Cancellation& cancellation = {});
 
 }  // namespace ros2wasm

@@ -8,6 +8,8 @@
 #include <string>
 #include <unordered_map>
 
+#include "bundler/resolve/virtual_packages.hpp"
+
 #define LIBSOLV_SOLVABLE_PREPEND_DEP 1  // its field `requires` is a word of C++20
 extern "C" {
 #include <solv/pool.h>
@@ -69,9 +71,8 @@ class SolvPool {
       queue_push2(job.get(), SOLVER_INSTALL | SOLVER_SOLVABLE_PROVIDES, need);
     };
     for (const auto& [name, ids] : universe_.by_name) {
-      if (name.starts_with("__") && ids.size() == 1) {
+      if (is_virtual(*universe_.candidates[ids.front()].record))
         queue_push2(job.get(), SOLVER_INSTALL | SOLVER_SOLVABLE, solvables_[ids.front()]);
-      }
     }
     std::vector<RequirementId> wanted = universe_.wanted;
     // The order of the request must not matter.

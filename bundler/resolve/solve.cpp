@@ -2,10 +2,12 @@
 #include "bundler/resolve/solve.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <set>
 
 #include "bundler/resolve/best_choice.hpp"
 #include "bundler/resolve/explain.hpp"
+#include "bundler/resolve/sat_engine.hpp"
 #include "bundler/resolve/universe.hpp"
 #include "bundler/resolve/virtual_packages.hpp"
 #include "workspace_schema/suggestion.hpp"
@@ -103,7 +105,7 @@ class InstallOrder {
 std::vector<std::string> proven_fixes(const ResolveRequest& request,
                                       const std::vector<MatchSpec>& specs, const Universe& universe,
                                       const std::vector<ProofRule>& conflict,
-                                      const RepoIndex& index) {
+                                      const RepoIndex& index, const SearchBudget& budget) {
   std::vector<std::string> fixes;
   std::size_t trials = 0;
   for (std::size_t i = 0; i < specs.size() && trials < kMostTrials; ++i) {
@@ -116,10 +118,9 @@ std::vector<std::string> proven_fixes(const ResolveRequest& request,
     std::vector<MatchSpec> relaxed = specs;
     relaxed[i] = *MatchSpec::parse(*name);
     const Universe wider = make_universe(request, relaxed, index);
-    const auto answer = best_choice(wider);
-    const auto* choice = std::get_if<Choice>(&answer);
-    if (choice == nullptr) continue;
-    for (const CandidateId id : *choice) {
+    const auto choice = best_choice(wider, budget);
+    if (!choice || !*choice) continue;
+    for (const CandidateId id : **choice) {
       const PackageRecord& record = *wider.candidates[id].record;
       if (record.name == *name) {
         fixes.push_back("write `" + *name + " " + record.version + "` instead of `" +
@@ -132,26 +133,31 @@ std::vector<std::string> proven_fixes(const ResolveRequest& request,
 
 }  // namespace
 
-Outcome<Resolution> solve(const ResolveRequest& request, const RepoIndex& index) {
+Outcome<Resolution> solve(const ResolveRequest& request, const RepoIndex& index,
+                          const SearchBudget& budget) {
   const auto specs = parse_specs(request.specs);
   if (!specs) return specs.errors();
   const Universe universe = make_universe(request, *specs, index);
   if (Diagnostics errors = unknown_names(request, *specs, universe, index); !errors.empty())
     return errors;
 
-  const auto answer = best_choice(universe);
-  if (const auto* choice = std::get_if<Choice>(&answer)) {
-    Resolution resolution = InstallOrder(universe, *choice).resolution();
+  const auto choice = best_choice(universe, budget);
+  if (!choice) return choice.errors();
+  if (*choice) {
+    Resolution resolution = InstallOrder(universe, **choice).resolution();
     resolution.left_out = universe.unusable();
     return resolution;
   }
 
+  const Proof proof = why_impossible(universe);
+  assert(!proof.empty());  // both engines say so
   Diagnostics errors;
-  for (const std::vector<ProofRule>& conflict : std::get<Proof>(answer)) {
+  for (const std::vector<ProofRule>& conflict : proof) {
+    if (budget.cancellation.requested()) return interrupted();
     Diagnostic error{.code = "R2W0301",
                      .message = "no choice of packages gives all that is asked for",
                      .why = explain(request, universe, index, conflict),
-                     .fix = proven_fixes(request, *specs, universe, conflict, index)};
+                     .fix = proven_fixes(request, *specs, universe, conflict, index, budget)};
     for (const LeftOutRecord& record : universe.unusable())
       error.why.push_back(record.file_name + " was left out: " + record.reason);
     for (std::size_t i = 0; i < universe.wanted.size() && !error.span; ++i) {

@@ -1,17 +1,22 @@
-// Chooses one record per package. Pure: request and index in, choice or explanation out. The engine
-// is libsolv, which ends in sat_engine.cpp.
+// Chooses one record per package. Pure: request and index in, choice or explanation out.
 #pragma once
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bundler/channel/channel_index.hpp"
+#include "bundler/resolve/search_budget.hpp"
 #include "workspace_schema/diagnostic.hpp"
 #include "workspace_schema/outcome.hpp"
 #include "workspace_schema/package_record.hpp"
 
 namespace ros2wasm {
+
+/// A package that says which Emscripten built the libraries of a channel; programs must come of the
+/// same one.
+inline constexpr std::string_view kCompilerPackage = "emscripten-abi";
 
 /// Something that must be in the solution.
 struct RequestedSpec {
@@ -36,8 +41,9 @@ struct Resolution {
 /// Newest version first, then highest build number, then a fixed rule, so that the same request and
 /// records give the same answer on every machine and in every order of records. `__unix` and
 /// `__archspec` are there. R2W0301 no choice fits (with a tree of reasons), R2W0302 no channel has
-/// such a name, R2W0303 bad match spec.
-[[nodiscard]] Outcome<Resolution> solve(const ResolveRequest& request, const RepoIndex& index);
+/// such a name, R2W0303 bad match spec, R2W0305 and R2W0903 see best_choice().
+[[nodiscard]] Outcome<Resolution> solve(const ResolveRequest& request, const RepoIndex& index,
+                                        const SearchBudget& budget = {});
 
 /// Why `packages` is no solution of `specs`: one diagnostic (R2W0311) per edge that does not hold;
 /// empty when it is one. Needs no index and no network.

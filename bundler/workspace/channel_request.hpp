@@ -11,10 +11,6 @@
 
 namespace ros2wasm {
 
-/// A package that says which Emscripten built the libraries of a channel; programs must come of the
-/// same one.
-inline constexpr std::string_view kCompilerPackage = "emscripten-abi";
-
 struct ChannelRequest {
   std::vector<RequestedSpec> specs;  ///< sorted by text, each once
   Diagnostics warnings;              ///< wished for at run time, but in no channel

@@ -47,3 +47,22 @@ class Locking(ChannelCase):
         manifest.write_text(manifest.read_text().replace("two <2", "two >=2"))
         text = self.fail_with("R2W0311", "lock", "--check")
         self.assertIn("two >=2", text)
+
+    def test_other_words_for_the_same_are_no_change(self) -> None:
+        manifest = self.folder / "workspace.yaml"
+        text = manifest.read_text()
+        manifest.write_text(text.replace("[one, two]", "['one <2', two]"))
+        self.assertNotIn("R2W0320", self.run_cli("pack", "--locked").stderr)
+
+    def test_what_would_change_is_named(self) -> None:
+        manifest = self.folder / "workspace.yaml"
+        text = manifest.read_text()
+        manifest.write_text(text.replace("[one, two]", "[one]"))
+        said = self.fail_with("R2W0320", "pack", "--locked")
+        self.assertIn("nothing asks for `two-1.0-h_0` any more", said)
+        manifest.write_text(text)
+        (self.channel / "noarch/one-1.0-h_0.conda").unlink()
+        self.write_index()
+        said = self.fail_with("R2W0320", "pack", "--locked")
+        self.assertIn("`one-2.0-h_0` would take the place of `one-1.0-h_0`", said)
+        self.assertNotIn("two-", said)

@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
+#include <limits>
 #include <random>
+#include <thread>
 
 #include "unit/bundler/support/small_channel.hpp"
 
@@ -236,6 +239,58 @@ TEST(SolveErrors, AllBadSpecsAtOnce) {
   ASSERT_FALSE(resolution.ok());
   EXPECT_EQ(resolution.errors().size(), 2U);
   EXPECT_EQ(resolution.errors()[0].code, "R2W0303");
+}
+
+/// One name more than there are versions, and no two may have the same: it takes very many dead
+/// ends to know that this cannot be.
+std::vector<PackageRecord> pigeons(int holes) {
+  std::vector<PackageRecord> records{made_record("all", "1")};
+  for (int name = 0; name <= holes; ++name) {
+    records.front().depends.push_back("p" + std::to_string(name));
+    for (int version = 1; version <= holes; ++version) {
+      const std::string number = std::to_string(version);
+      PackageRecord record = made_record("p" + std::to_string(name), number);
+      for (int other = 0; other <= holes; ++other) {
+        if (other != name)
+          record.constrains.push_back("p" + std::to_string(other) + " !=" + number);
+      }
+      records.push_back(std::move(record));
+    }
+  }
+  return records;
+}
+
+TEST(Solve, GivesUpAfterSoManyDeadEnds) {
+  const SearchBudget budget{.cancellation = {}, .most_contradictions = 2000};
+  const auto small = solve(request_for({"all"}), index_of(pigeons(4)), budget);
+  ASSERT_FALSE(small.ok());
+  EXPECT_EQ(small.errors().front().code, "R2W0301");
+  const auto large = solve(request_for({"all"}), index_of(pigeons(12)), budget);
+  ASSERT_FALSE(large.ok());
+  const Diagnostic& error = large.errors().front();
+  EXPECT_EQ(error.code, "R2W0305");
+  ASSERT_EQ(error.why.size(), 2U);
+  EXPECT_NE(error.why[0].find("2000 dead ends"), std::string::npos);
+  EXPECT_NE(error.why[1].find(" p"), std::string::npos) << error.why[1];
+}
+
+TEST(Solve, StopsWhenItIsAskedTo) {
+  std::atomic<bool> flag = false;
+  const SearchBudget budget{.cancellation = Cancellation(flag),
+                            .most_contradictions = std::numeric_limits<std::size_t>::max()};
+  std::thread asks([&flag] { flag = true; });
+  const auto answer = solve(request_for({"all"}), index_of(pigeons(12)), budget);
+  asks.join();
+  ASSERT_FALSE(answer.ok());
+  EXPECT_EQ(answer.errors().front().code, "R2W0903");
+}
+
+TEST(Solve, WhatWasForgottenIsLearntAgain) {
+  // Thousands of dead ends, most of them forgotten on the way, and the answer is still the proof.
+  EXPECT_EQ(answer({"all"}, pigeons(7)), "R2W0301");
+  std::vector<PackageRecord> records = pigeons(7);
+  records.push_back(made_record("all", "0", {"p0", "p1"}));
+  EXPECT_EQ(answer({"all"}, records), "p0 7, p1 6, all 0");
 }
 
 }  // namespace

@@ -1,0 +1,18 @@
+// How long a search may go on. Counted, not timed: the same request ends the same way everywhere.
+#pragma once
+
+#include <cstddef>
+
+#include "workspace_schema/cancellation.hpp"
+
+namespace ros2wasm {
+
+/// Requests of real channels meet some hundred contradictions at most.
+inline constexpr std::size_t kMostContradictions = 100'000;
+
+struct SearchBudget {
+  Cancellation cancellation{};
+  std::size_t most_contradictions = kMostContradictions;
+};
+
+}  // namespace ros2wasm

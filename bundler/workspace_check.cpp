@@ -1,35 +1,26 @@
 // See workspace_check.hpp. The steps are those of pipeline.cpp, without the ones that cost.
 #include "bundler/workspace_check.hpp"
 
-#include <algorithm>
-
 #include "bundler/channel/channel_index.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/languages/language.hpp"
 #include "bundler/launch/launch_graph.hpp"
 #include "bundler/launch/parameter_file.hpp"
 #include "bundler/launch/parameter_sources.hpp"
-#include "bundler/store/store.hpp"
 #include "bundler/workspace/build_order.hpp"
 #include "bundler/workspace/channel_request.hpp"
+#include "bundler/workspace/workspace_channels.hpp"
+#include "workspace_schema/diagnostic_list.hpp"
 #include "workspace_schema/manifest_reader.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char* kEmbedded = "embedded";
-
-void append(Diagnostics& to, const Diagnostics& more) {
-  to.insert(to.end(), more.begin(), more.end());
-}
-
 /// Does everything that the workspace has not come from the channel inside the program?
-bool embedded_only(const Manifest& manifest) {
-  return std::all_of(manifest.channels.begin(), manifest.channels.end(),
-                     [](const auto& channel) { return channel.value == kEmbedded; }) &&
-         std::none_of(manifest.dependencies.begin(), manifest.dependencies.end(),
-                      [](const auto& spec) { return spec.value.find("::") != std::string::npos; });
+bool embedded_only(const WorkspaceChannels& channels) {
+  return !channels.roots.embedded.empty() && channels.addresses.size() == 1 &&
+         channels.addresses.front().name == kEmbeddedChannel;
 }
 
 Diagnostics check_parameters(const Manifest& manifest, const fs::path& folder) {
@@ -88,28 +79,12 @@ Outcome<CheckReport> check_workspace(const CheckRequest& request,
   }
   append(errors, check_parameters(report.manifest, folder));
 
-  ChannelRoots roots{.working_directory = folder,
-                     .embedded = {},
-                     .cache = default_cache_directory(request.variables),
-                     .network = network_of(request.variables)};
-  if (report.manifest.channel_alias) roots.network.alias = report.manifest.channel_alias->value;
-  std::vector<ChannelSource> channels;
-  for (const auto& channel : report.manifest.channels)
-    channels.push_back({channel.value, channel.span});
-  auto addresses = channel_addresses(channels, roots);
-  if (!addresses) append(errors, addresses.errors());
-  for (auto [spec, span] : report.manifest.dependencies) {
-    if (!addresses) break;
-    if (const auto added = add_named_channel(spec, span, *addresses, roots); !added)
-      append(errors, added.errors());
-  }
-
+  Manifest asked = report.manifest;  // the report keeps the dependencies as they are written
+  const auto channels = workspace_channels(asked, folder, request.executable, request.variables);
+  if (!channels) append(errors, channels.errors());
   // A program without its channel says so when it packs; the manifest is not to blame.
-  const auto embedded = embedded_channel(request.executable);
-  if (packages && order && embedded && embedded_only(report.manifest)) {
-    roots.embedded = *embedded;
-    const ChannelSource source{.name = kEmbedded, .span = std::nullopt};
-    const auto open = open_channels({&source, 1}, roots, cancellation);
+  if (packages && order && channels && embedded_only(*channels)) {
+    const auto open = open_channels(channels->addresses, channels->roots, cancellation);
     if (!open) return open.errors();
     append(errors, check_names(report, *order, open->names()));
   }

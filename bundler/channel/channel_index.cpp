@@ -13,7 +13,10 @@
 #include "bundler/channel/repodata_index.hpp"
 #include "bundler/channel/shard_index.hpp"
 #include "bundler/channel/subdir_index.hpp"
+#include "bundler/channel/transport.hpp"
+#include "workspace_schema/diagnostic_list.hpp"
 #include "workspace_schema/match_spec.hpp"
+#include "workspace_schema/spec_channel.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -86,13 +89,6 @@ Outcome<SubdirIndexes> open_channel(const ChannelSource& source,
   }
   if (subdirs.empty()) return no_channel(source, roots);
   return subdirs;
-}
-
-void append(Diagnostics& errors, Diagnostics&& more, const ChannelSource& source) {
-  for (Diagnostic& error : more) {
-    if (!error.span) error.span = source.span;
-    errors.push_back(std::move(error));
-  }
 }
 
 }  // namespace
@@ -269,6 +265,21 @@ Outcome<RepoIndex> OpenChannels::everything(const Cancellation& cancellation) co
   return index;
 }
 
+namespace {
+
+/// A folder has many spellings, and is one channel all the same.
+bool same_channel(const std::string& a, const std::string& b, const ChannelRoots& roots) {
+  if (a == b) return true;
+  const auto folder = local_channel_folder(a, roots.working_directory);
+  const auto other = local_channel_folder(b, roots.working_directory);
+  if (!folder || !other) return false;
+  std::error_code error;
+  const auto real = std::filesystem::weakly_canonical(*folder / "", error);
+  return !error && real == std::filesystem::weakly_canonical(*other / "", error) && !error;
+}
+
+}  // namespace
+
 Outcome<std::vector<ChannelSource>> channel_addresses(std::span<const ChannelSource> channels,
                                                       ChannelRoots& roots) {
   std::vector<ChannelSource> addresses;
@@ -280,11 +291,12 @@ Outcome<std::vector<ChannelSource>> channel_addresses(std::span<const ChannelSou
     auto name =
         folder ? Outcome<std::string>(source.name) : channel_address(source.name, roots.network);
     if (!name) {
-      append(errors, std::move(name).errors(), source);
+      append(errors, std::move(name).errors(), source.span);
       continue;
     }
-    if (std::none_of(addresses.begin(), addresses.end(),
-                     [&](const ChannelSource& other) { return other.name == *name; }))
+    if (std::none_of(addresses.begin(), addresses.end(), [&](const ChannelSource& other) {
+          return same_channel(other.name, *name, roots);
+        }))
       addresses.push_back({.name = std::move(*name), .span = source.span});
   }
   if (!errors.empty()) return errors;
@@ -295,22 +307,27 @@ Outcome<Done> add_named_channel(std::string& spec, const std::optional<SourceSpa
                                 std::vector<ChannelSource>& addresses, ChannelRoots& roots) {
   const auto parsed = MatchSpec::parse(spec);
   if (!parsed || !parsed->channel() || !parsed->channel()->exact()) return Done{};
-  const std::string named = parsed->channel()->text();
-  const auto is_there = [&](const MatchSpec& wanted) {
-    return std::any_of(addresses.begin(), addresses.end(),
-                       [&](const ChannelSource& one) { return wanted.accepts_channel(one.name); });
-  };
+  const std::string& named = parsed->channel()->text();
   const bool is_address = named.find("://") != std::string::npos;
-  if (!is_address && is_there(*parsed)) return Done{};
+  if (!is_address && std::any_of(addresses.begin(), addresses.end(), [&](const ChannelSource& one) {
+        return parsed->accepts_channel(one.name);
+      }))
+    return Done{};
   const ChannelSource source{.name = named, .span = span};
   auto more = channel_addresses({&source, 1}, roots);
   if (!more) return std::move(more).errors();
-  ChannelSource& found = more->front();
-  if (is_address) {
-    spec.replace(spec.find(named), named.size(), found.name);
-    if (const auto shown = MatchSpec::parse(spec); shown && is_there(*shown)) return Done{};
+  auto found = std::find_if(addresses.begin(), addresses.end(), [&](const ChannelSource& one) {
+    return same_channel(one.name, more->front().name, roots);
+  });
+  if (found == addresses.end()) found = addresses.insert(found, std::move(more->front()));
+  if (parsed->accepts_channel(found->name)) return Done{};
+  auto text = with_channel(*parsed, found->name);
+  if (!text) {
+    Diagnostics errors;
+    append(errors, std::move(text).errors(), span);
+    return errors;
   }
-  addresses.push_back(std::move(found));
+  spec = std::move(*text);
   return Done{};
 }
 
@@ -348,7 +365,7 @@ Outcome<OpenChannels> open_channels(std::span<const ChannelSource> channels,
     if (subdirs) {
       open.state_->channels.push_back({.name = source.name, .subdirs = std::move(*subdirs)});
     } else {
-      append(errors, std::move(subdirs).errors(), source);
+      append(errors, std::move(subdirs).errors(), source.span);
     }
   }
   if (!errors.empty()) return errors;

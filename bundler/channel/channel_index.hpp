@@ -23,6 +23,9 @@ namespace ros2wasm {
 /// The folder of a channel that has what runs in sites.
 inline constexpr const char* kSitePlatform = "emscripten-wasm32";
 
+/// The name of the channel inside the program.
+inline constexpr const char* kEmbeddedChannel = "embedded";
+
 /// Where relative and embedded channels lie, and where downloads may be kept.
 struct ChannelRoots {
   std::filesystem::path working_directory;  ///< of the manifest: base of relative folders
@@ -82,16 +85,17 @@ class OpenChannels {
   std::shared_ptr<State> state_;
 };
 
-/// The channels by the names that go into records and locks: each once, without credentials, which
-/// go into `roots.network`. A bare name is a folder beside the manifest when there is one, else an
-/// address below the alias. R2W0237.
+/// The channels by the names that go into records and locks: each once, a folder by its first
+/// spelling, without credentials, which go into `roots.network`. A bare name is a folder beside the
+/// manifest when there is one, else an address below the alias. R2W0237.
 [[nodiscard]] Outcome<std::vector<ChannelSource>> channel_addresses(
     std::span<const ChannelSource> channels, ChannelRoots& roots);
 
 /// Where a match spec names a channel (`channel::name`) that is none of `addresses`, it comes
-/// behind the others, as conda has it. An address in the spec loses its credentials, which go into
-/// `roots.network`, so that the spec can be shown and locked. Texts that are no match specs are
-/// passed over. R2W0237, R2W0240.
+/// behind the others, as conda has it. The spec then names it as the list does: without
+/// credentials, which go into `roots.network`, so that it can be shown and locked. Texts that are
+/// no match specs are passed over. R2W0237, R2W0240, R2W0303 the channel cannot be told from the
+/// text.
 [[nodiscard]] Outcome<Done> add_named_channel(std::string& spec,
                                               const std::optional<SourceSpan>& span,
                                               std::vector<ChannelSource>& addresses,

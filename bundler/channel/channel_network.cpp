@@ -63,7 +63,7 @@ std::string_view host_of(std::string_view url) {
 }
 
 /// "https://a.b-c.org:8080/x" -> "A_B__C_ORG": variables' names have neither dots nor dashes, and
-/// no two hosts may have the same one.
+/// no two hosts that can be registered may have the same one, so `_` is `___`.
 std::string host_variable(std::string_view url) {
   std::string name = "ROS2WASM_AUTH_";
   for (const char c : host_of(url)) {
@@ -72,7 +72,7 @@ std::string host_variable(std::string_view url) {
     if (lower || kept) {
       name += lower ? static_cast<char>(c - 'a' + 'A') : c;
     } else {
-      name += c == '-' ? "__" : "_";
+      name += c == '-' ? "__" : c == '_' ? "___" : "_";
     }
   }
   return name;

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "bundler/workspace/host_packages.hpp"
+#include "workspace_schema/names.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -22,7 +23,9 @@ std::string dependency_spec(const std::string& text, std::string_view distro,
   const std::string rest = end == std::string::npos ? "" : text.substr(end);
   if (name.find("::") != std::string::npos || has(channel_names, name)) return text;
   const std::string ros_name = conda_name(name, distro);
-  const bool looks_like_ros = name.find('_') != std::string::npos || has(channel_names, ros_name);
+  const bool is_ros_name = !package_name_fault(name);  // not a file or an address
+  const bool looks_like_ros =
+      is_ros_name && (name.find('_') != std::string::npos || has(channel_names, ros_name));
   return looks_like_ros ? ros_name + rest : text;
 }
 

@@ -58,6 +58,8 @@ class NamedChannel(ChannelCase):
         self.assertIn("workspace.yaml:4:", self.fail_with("R2W0201", "lock"))
 
     def test_credentials_stay_out_of_lock_and_messages(self) -> None:
+        (self.folder / "t/hush").mkdir(parents=True)
+        (self.folder / "t/hush/host").symlink_to(self.folder / "host")
         with FaultServer(self.folder) as server:
             address = server.url + "/host/other"
             secret = address.replace("http://", "http://user:hush@")
@@ -67,12 +69,32 @@ class NamedChannel(ChannelCase):
                     self.write_manifest(spec)
                     said = self.run_cli("lock", WORD="hush")
                     self.assertNotIn("hush", said.stdout + said.stderr)
-                    if "/t/" not in spec:
-                        self.assertEqual(said.returncode, 0, said.stderr)
-                        self.assertIn(f"channel: {address}\n", self.locked("more"))
-                        self.assertNotIn("hush", (self.folder / "ros2wasm.lock").read_text())
-                        self.succeed("lock", "--check")
-                        self.assertNotIn("hush", self.succeed("check", "--json"))
+                    self.assertEqual(said.returncode, 0, said.stderr)
+                    self.assertIn(f"channel: {address}\n", self.locked("more"))
+                    self.assertNotIn("hush", (self.folder / "ros2wasm.lock").read_text())
+                    self.succeed("lock", "--check", WORD="hush")
+                    self.assertNotIn("hush", self.succeed("check", "--json", WORD="hush"))
+            self.assertTrue(server.seen("/t/hush/host/other/noarch/more-1.0-h_0.conda") or server.seen(
+                "/t/hush/host/other/noarch/repodata_shards.msgpack.zst"))
+
+    def test_a_variable(self) -> None:
+        with FaultServer(self.folder) as server:
+            self.write_manifest("${PRIVATE}::more")
+            self.succeed("lock", PRIVATE=server.url + "/host/other")
+            self.assertIn(f"channel: {server.url}/host/other\n", self.locked("more"))
+
+    def test_another_spelling_of_a_listed_folder(self) -> None:
+        for spelling in ("./host/../channel", self.channel.as_uri(), str(self.channel)):
+            with self.subTest(spelling=spelling):
+                self.write_manifest(spelling + "::lib")
+                self.succeed("lock")
+                self.assertIn("channel: ./channel\n", self.locked("lib"))
+                self.assertNotIn(spelling, (self.folder / "ros2wasm.lock").read_text())
+
+    def test_what_cannot_be_told_from_the_text(self) -> None:
+        for spec in ("https://user:hush@ho(x)st/chan::foo", "https://user:hush@host/ch[license=x]an::foo"):
+            with self.subTest(spec=spec):
+                self.assertNotIn("hush", self.fail_with("R2W0303", "solve", "-c", "./channel", spec))
 
     def test_solve_and_search(self) -> None:
         self.assertEqual([line.split(" ")[1] for line in self.solution("./channel", "./host/other::more")],

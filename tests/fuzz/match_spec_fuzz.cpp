@@ -1,6 +1,7 @@
-// Any text as a match spec: read or refused, and matched in bounded time.
+// Any text as a match spec: read or refused, given another channel, and matched in bounded time.
 #include "tests/fuzz/require.hpp"
 #include "workspace_schema/match_spec.hpp"
+#include "workspace_schema/spec_channel.hpp"
 
 using namespace ros2wasm;
 
@@ -16,5 +17,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const bool first = spec->matches(record);
   fuzz::require(first == spec->matches(record), "the same question has the same answer");
   fuzz::require(!spec->fields().empty(), "a spec asks for something");
+  if (spec->channel()) {
+    const auto named = with_channel(*spec, record.channel);
+    const auto again = named ? MatchSpec::parse(*named) : MatchSpec::parse("pkg");
+    fuzz::require(again.ok() && again->accepts_channel(record.channel), "its channel is replaced");
+  }
   return 0;
 }

@@ -154,6 +154,18 @@ TEST(ChannelRequest, HasPackagesNodesAndTheCompiler) {
   EXPECT_EQ(request->warnings[0].severity, Severity::kWarning);
 }
 
+TEST(ChannelRequest, OnlyNamesOfRosPackagesAreTakenForSuch) {
+  const auto spec = [](const std::string& text) {
+    return dependency_spec(text, "jazzy", {"_openmp_mutex", "ros-jazzy-nav-msgs"});
+  };
+  EXPECT_EQ(spec("nav_msgs >=5"), "ros-jazzy-nav-msgs >=5");
+  EXPECT_EQ(spec("my_nodes"), "ros-jazzy-my-nodes");
+  for (const std::string same :
+       {"_openmp_mutex", "https://host/c/noarch/more-1.0-h_0.conda", "more-1.0-h_0.conda",
+        "./here/noarch/more-1.0-h_0.tar.bz2", "./my_channel::lib", "numpy"})
+    EXPECT_EQ(spec(same), same);
+}
+
 TEST(ChannelRequest, WhatALockLacksIsAskedForAllTheSame) {
   const TemporaryTree tree;
   tree.write("src/a/package.xml",

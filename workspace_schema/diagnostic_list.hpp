@@ -1,0 +1,20 @@
+// Several steps' findings in one list.
+#pragma once
+
+#include "workspace_schema/outcome.hpp"
+
+namespace ros2wasm {
+
+inline void append(Diagnostics& to, const Diagnostics& more) {
+  to.insert(to.end(), more.begin(), more.end());
+}
+
+/// Those that have no place get this one.
+inline void append(Diagnostics& to, Diagnostics more, const std::optional<SourceSpan>& place) {
+  for (Diagnostic& one : more) {
+    if (!one.span) one.span = place;
+    to.push_back(std::move(one));
+  }
+}
+
+}  // namespace ros2wasm

@@ -20,12 +20,15 @@
 #include "bundler/plan/runtime_assets.hpp"
 #include "bundler/plan/shipped_channel.hpp"
 #include "bundler/resolve/locked_solve.hpp"
+#include "bundler/store/build_place.hpp"
 #include "bundler/store/environment.hpp"
 #include "bundler/store/link_scripts.hpp"
 #include "bundler/workspace/build_order.hpp"
 #include "bundler/workspace/channel_request.hpp"
 #include "bundler/workspace/default_manifest.hpp"
 #include "bundler/workspace/discovery.hpp"
+#include "bundler/workspace/workspace_channels.hpp"
+#include "workspace_schema/diagnostic_list.hpp"
 #include "workspace_schema/manifest_reader.hpp"
 #include "workspace_schema/suggestion.hpp"
 
@@ -34,10 +37,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kManifestName = "workspace.yaml";
-
-void append(Diagnostics& to, const Diagnostics& more) {
-  to.insert(to.end(), more.begin(), more.end());
-}
 
 void begin_step(const ProgressSink& progress, const char* step) {
   if (progress) progress({.step = step, .item = {}, .done = 0, .total = 0, .unit = {}});
@@ -89,24 +88,6 @@ struct Question {
   std::vector<RequestedSpec> specs;       ///< what is asked of them
 };
 
-/// What the manifest says of channels' addresses. The environment's alias is the manifest's
-/// default.
-Outcome<Done> use_manifest(const Manifest& manifest, ChannelNetwork& network) {
-  if (manifest.channel_alias) network.alias = manifest.channel_alias->value;
-  for (const MirrorEntry& mirror : manifest.mirrors) {
-    auto base = channel_address(mirror.channel.value, network);
-    if (!base) return std::move(base).errors();
-    ChannelMirrors mirrors{.base = std::move(*base), .urls = {}};
-    for (const auto& url : mirror.urls) {
-      auto address = channel_address(url.value, network);
-      if (!address) return std::move(address).errors();
-      mirrors.urls.push_back(std::move(*address));
-    }
-    network.mirrors.push_back(std::move(mirrors));
-  }
-  return Done{};
-}
-
 /// A new site takes the place of the old one, with all that lies in it. `channels`, or archives of
 /// theirs.
 std::optional<Diagnostic> refuse_own_channel(const PackRequest& request,
@@ -147,10 +128,7 @@ Outcome<RepoIndex> locked_index(const fs::path& lock_file) {
 /// Steps 1 to 3, up to the request to the channels, which a frozen lock fulfils (R2W0311).
 Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellation,
                       const ProgressSink& progress) {
-  const auto said = request.variables.find(kExtractLimitsVariable);
-  const auto limits = read_extract_limits(
-      request.archive_limits.empty() && said != request.variables.end() ? said->second
-                                                                        : request.archive_limits);
+  const auto limits = extract_limits_of(request.archive_limits, request.variables);
   if (!limits) return limits.errors();
 
   // 1. the manifest
@@ -171,30 +149,14 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
 
   // 3. what the channels have, and what is asked of them
   begin_step(progress, "solve");
-  ChannelRoots roots{.working_directory = workspace.folder,
-                     .embedded = {},
-                     .cache = default_cache_directory(request.variables),
-                     .network = network_of(request.variables)};
+  auto channels = workspace_channels(workspace.manifest, workspace.folder, request.executable,
+                                     request.variables);
+  if (!channels) return std::move(channels).errors();
+  auto& [roots, addresses] = *channels;
   roots.network.offline = request.offline;
-  auto embedded = embedded_channel(request.executable);
-  if (embedded) {
-    roots.embedded = std::move(embedded).value();
-  } else if (manifest.channels.empty()) {
-    return std::move(embedded).errors();
-  }
-  std::vector<ChannelSource> channels;
-  for (const auto& channel : manifest.channels) channels.push_back({channel.value, channel.span});
-  if (channels.empty()) channels.push_back({"embedded", std::nullopt});
-  if (auto told = use_manifest(manifest, roots.network); !told) return std::move(told).errors();
-  auto addresses = channel_addresses(channels, roots);
-  if (!addresses) return std::move(addresses).errors();
-  Diagnostics unknown_channels;
-  for (auto& [spec, span] : workspace.manifest.dependencies) {
-    if (auto added = add_named_channel(spec, span, *addresses, roots); !added)
-      append(unknown_channels, added.errors());
-  }
-  if (!unknown_channels.empty()) return unknown_channels;
-  if (auto refusal = refuse_own_channel(request, *addresses, workspace.folder)) return *refusal;
+  if (roots.embedded.empty() && manifest.channels.empty())
+    return embedded_channel(request.executable).errors();
+  if (auto refusal = refuse_own_channel(request, addresses, workspace.folder)) return *refusal;
   KnownNames known{.names = {}, .of_lock = request.frozen};
   std::set<std::string> packaged;  // versions of the compiler that there are packages for
   std::optional<OpenChannels> open;
@@ -206,7 +168,7 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
     for (const PackageRecord& record : index->records)
       if (record.name == kCompilerPackage) packaged.insert(record.version);
   } else {
-    auto opened = open_channels(*addresses, roots, cancellation, progress);
+    auto opened = open_channels(addresses, roots, cancellation, progress);
     if (!opened) return std::move(opened).errors();
     open = std::move(*opened);
     known.names = open->names();
@@ -249,10 +211,12 @@ std::vector<ChannelSource> places_of(const std::vector<PackageRecord>& records) 
 }
 
 /// The rest of step 3: the records that the workspace needs, as the lock has them or chosen anew.
-Outcome<std::vector<PackageRecord>> resolve(const PackRequest& request, Question& question) {
+Outcome<std::vector<PackageRecord>> resolve(const PackRequest& request, Question& question,
+                                            const Cancellation& cancellation) {
   const fs::path lock_file = question.workspace.folder / kLockFileName;
   auto solved = solve_with_lock(question.specs, question.index, lock_file,
-                                question.workspace.manifest.channel_priority, request.locked);
+                                question.workspace.manifest.channel_priority, request.locked, {},
+                                cancellation);
   if (!solved) return std::move(solved).errors();
   if (auto refusal =
           refuse_own_channel(request, places_of(solved->packages), question.workspace.folder))
@@ -267,8 +231,9 @@ Outcome<std::vector<PackageRecord>> resolve(const PackRequest& request, Question
 }
 
 /// No script of a package is run. Whose must not be missed is refused, the others are named.
-Diagnostics leave_link_scripts(BuiltWorkspace& workspace, const fs::path& environment) {
-  const auto scripts = link_scripts_in(environment);
+Diagnostics leave_link_scripts(BuiltWorkspace& workspace, const fs::path& environment,
+                               const std::vector<PackageRecord>& records, const Store& store) {
+  const auto scripts = link_scripts_in(environment, records, store);
   if (!scripts) return scripts.errors();
   std::vector<std::string> ignored;
   for (const auto& name : workspace.manifest.ignore_link_scripts) ignored.push_back(name.value);
@@ -385,7 +350,7 @@ Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& ca
   // lock, fetch
   auto question = ask(request, cancellation, progress);
   if (!question) return std::move(question).errors();
-  const auto records = resolve(request, *question);
+  const auto records = resolve(request, *question, cancellation);
   if (!records) return records.errors();
   const ChannelRoots& roots = question->roots;
   const Compiler& compiler = question->compiler;
@@ -401,14 +366,15 @@ Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& ca
     if (!archives) return archives.errors();
     workspace->channel = shipped_channel(*records, *archives);
   }
-  if (Diagnostics refused = leave_link_scripts(*workspace, environment->prefix); !refused.empty())
+  if (Diagnostics refused = leave_link_scripts(*workspace, environment->prefix, *records, store);
+      !refused.empty())
     return refused;
 
   // 4. build, through the toolchain file
   const auto toolchain = find_own_data(
       request.executable, "templates/toolchain/ros2wasm-toolchain.cmake", "the CMake toolchain");
   if (!toolchain) return toolchain.errors();
-  workspace->cache = roots.cache / "build";
+  workspace->cache = build_place(roots.cache);
   const BuildTools tools{
       .compiler = compiler,
       .compiler_environment = compiler_environment(request.variables),
@@ -450,9 +416,9 @@ Outcome<LockReport> lock(const LockRequest& request, const Cancellation& cancell
     report.packages = std::move(question->index.records);
     return report;
   }
-  auto solved =
-      solve_with_lock(question->specs, question->index, report.file,
-                      question->workspace.manifest.channel_priority, false, request.update);
+  auto solved = solve_with_lock(question->specs, question->index, report.file,
+                                question->workspace.manifest.channel_priority, false,
+                                request.update, cancellation);
   if (!solved) return std::move(solved).errors();
   if (auto written = write_file(report.file, solved->lock_text); !written)
     return std::move(written).errors();

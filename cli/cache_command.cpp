@@ -94,8 +94,7 @@ int fetch(Context& context, const std::filesystem::path& cache, const std::strin
   if (!text) return context.console.fail(text.errors());
   const auto lock = read_lock(*text, file.string());
   if (!lock) return context.console.fail(lock.errors());
-  const auto said = context.environment.find(kExtractLimitsVariable);
-  const auto limits = read_extract_limits(said == context.environment.end() ? "" : said->second);
+  const auto limits = extract_limits_of("", context.environment);
   if (!limits) return context.console.fail(limits.errors());
   std::error_code error;
   ChannelRoots roots{.working_directory = std::filesystem::absolute(file, error).parent_path(),

@@ -155,11 +155,7 @@ std::string_view kind_word(MemberKind kind) {
 
 int inspect_archive(Context& context, const InspectOptions& options) {
   const std::string& file = options.file;
-  const auto variable = context.environment.find(kExtractLimitsVariable);
-  const auto limits =
-      read_extract_limits(options.archive_limits.empty() && variable != context.environment.end()
-                              ? variable->second
-                              : options.archive_limits);
+  const auto limits = extract_limits_of(options.archive_limits, context.environment);
   if (!limits) return context.console.fail(limits.errors());
   const auto hashes = hash_file(file);
   if (!hashes) return context.console.fail(hashes.errors());

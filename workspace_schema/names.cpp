@@ -25,7 +25,7 @@ constexpr std::string_view kTopicRule =
 constexpr std::string_view kPackageRule =
     "a package name has letters, digits, `_` and `-`, and begins with a letter";
 constexpr std::string_view kChannelPackageRule =
-    "a package of a channel is named by small letters, digits, `_`, `-` and `.`";
+    "a package of a channel is named by small letters, digits, `_`, `-`, `.` and `+`";
 constexpr std::string_view kExecutableRule =
     "an executable is the name of a file in lib/<package>: no `/`, no white space, not `.` or `..`";
 constexpr std::string_view kWorkspaceRule =
@@ -275,7 +275,7 @@ std::optional<NameFault> channel_package_name_fault(std::string_view text) {
   if (text.empty()) return empty_name(kChannelPackageRule);
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
-    const bool sign = c == '-' || c == '.';
+    const bool sign = c == '-' || c == '.' || c == '+';
     const bool good = (c >= 'a' && c <= 'z') || is_digit(c) || c == '_' || (sign && i > 0);
     if (!good) return bad_character(text, i, kChannelPackageRule);
   }

@@ -77,6 +77,12 @@ Diagnostic ExtractMeter::too_much(const std::string& why) const {
                     .why = {why, "nothing of it was kept"}};
 }
 
+Outcome<ExtractLimits> extract_limits_of(std::string_view flag,
+                                         const std::map<std::string, std::string>& variables) {
+  const auto said = variables.find(kExtractLimitsVariable);
+  return read_extract_limits(flag.empty() && said != variables.end() ? said->second : flag);
+}
+
 Outcome<Done> ExtractMeter::member() {
   if (++members_ <= limits_.members) return Done{};
   return too_much("it has more than " + std::to_string(limits_.members) +

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
 
@@ -22,6 +23,10 @@ inline constexpr const char* kExtractLimitsVariable = "ROS2WASM_ARCHIVE_LIMITS";
 /// "size=16G,members=1000000,ratio=500", each part at most once; what is not said keeps its
 /// default, an empty text keeps all. Sizes are bytes, or end with K, M or G (1024 each). R2W0241.
 [[nodiscard]] Outcome<ExtractLimits> read_extract_limits(std::string_view text);
+
+/// What a flag says, else what the environment does. R2W0241.
+[[nodiscard]] Outcome<ExtractLimits> extract_limits_of(
+    std::string_view flag, const std::map<std::string, std::string>& variables);
 
 /// Counts what comes out of one archive. R2W0225 as soon as it is too much.
 class ExtractMeter {

@@ -18,25 +18,26 @@
 #include "bundler/io/files.hpp"
 #include "bundler/io/kept_folder.hpp"
 #include "bundler/io/sha256.hpp"
+#include "bundler/store/build_place.hpp"
 #include "workspace_schema/suggestion.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
 namespace {
 
-/// Part of every hash: raise it when the same sources shall be built anew.
-constexpr std::string_view kBuildFormat = "3";
-
-std::string hash_of(const LocalPackage& package, const std::vector<const BuiltPackage*>& needs,
-                    const std::string& toolchain_hash, const BuildTools& tools,
-                    const BuildSettings& settings) {
+Outcome<std::string> hash_of(const LocalPackage& package,
+                             const std::vector<const BuiltPackage*>& needs,
+                             const std::string& toolchain_hash, const BuildTools& tools,
+                             const BuildSettings& settings) {
+  const auto sources = hash_of_tree(package.directory);
+  if (!sources) return sources.errors();
   HashBuilder hash;
   hash.add("format", kBuildFormat).add("ros2wasm", ROS2WASM_VERSION);
   hash.add("toolchain", toolchain_hash).add("compiler", tools.compiler.identity);
   if (!tools.quick_links.empty()) hash.add("link", "quick");
   hash.add("environment", settings.environment_key);
   for (const BuiltPackage* need : needs) hash.add(need->name, need->hash);
-  hash.add("sources", hash_of_tree(package.directory));
+  hash.add("sources", *sources);
   return hash.finish();
 }
 
@@ -78,8 +79,9 @@ std::size_t source_count(const fs::path& folder) {
 class WorkspaceBuilder {
  public:
   WorkspaceBuilder(const std::vector<LocalPackage>& packages, const BuildOrder& order,
-                   const BuildTools& tools, const BuildSettings& settings,
-                   const Cancellation& cancellation, const ProgressSink& progress)
+                   const BuildTools& tools, std::string toolchain_hash,
+                   const BuildSettings& settings, const Cancellation& cancellation,
+                   const ProgressSink& progress)
       : packages_(packages),
         order_(order),
         tools_(tools),
@@ -88,7 +90,7 @@ class WorkspaceBuilder {
         progress_(progress),
         built_(packages.size()),
         state_(packages.size(), State::kWaiting),
-        toolchain_hash_(hash_of_tree(tools.toolchain.parent_path())),
+        toolchain_hash_(std::move(toolchain_hash)),
         free_jobs_(std::max(1U, tools.jobs)),
         left_out_(left_out_packages(packages, order)) {
     for (const auto& [index, cause] : left_out_) state_[index] = State::kNotBuilt;
@@ -175,14 +177,15 @@ class WorkspaceBuilder {
     const Language& language = *find_language(package.xml.build_type);
     std::vector<const BuiltPackage*> needs;
     for (const std::size_t need : order_.needs[index]) needs.push_back(&*built_[need]);
-    const std::string hash = hash_of(package, needs, toolchain_hash_, tools_, settings_);
+    const auto hash = hash_of(package, needs, toolchain_hash_, tools_, settings_);
+    if (!hash) return hash.errors();
     const std::string& name = package.xml.name.value;
     BuiltPackage result{.name = name,
                         .version = package.xml.version.value,
-                        .prefix = settings_.cache / "built" / (name + "-" + hash.substr(0, 20)),
-                        .hash = hash,
+                        .prefix = settings_.cache / "built" / (name + "-" + hash->substr(0, 20)),
+                        .hash = *hash,
                         .from_cache = true};
-    if (is_kept(result.prefix, hash)) return result;
+    if (is_kept(result.prefix, *hash)) return result;
     result.from_cache = false;
     if (auto done = build_anew(language, package, needs, result, jobs); !done)
       return std::move(done).errors();
@@ -195,8 +198,8 @@ class WorkspaceBuilder {
     const std::string& name = result.name;
     const fs::path& prefix = result.prefix;
     // Ninja does not see that programs are linked differently: such builds share no folder.
-    const std::string key = package.directory.string() + "\n" + std::string(kBuildFormat) + "\n" +
-                            ROS2WASM_VERSION + (tools_.quick_links.empty() ? "" : "\nquick");
+    const std::string key =
+        package.directory.string() + (tools_.quick_links.empty() ? "" : "\nquick");
     const fs::path work = settings_.cache / "work" / (name + "-" + sha256_hex(key).substr(0, 16));
     if (auto made = make_directories(work); !made) return made;
     const auto lock = FileLock::take(work.string() + ".lock", cancellation_);
@@ -298,7 +301,11 @@ Outcome<WorkspaceBuild> build_workspace(const std::vector<LocalPackage>& package
                                         const Cancellation& cancellation,
                                         const ProgressSink& progress) {
   if (packages.empty()) return WorkspaceBuild{};
-  return WorkspaceBuilder(packages, order, tools, settings, cancellation, progress).run();
+  auto toolchain = hash_of_tree(tools.toolchain.parent_path());
+  if (!toolchain) return std::move(toolchain).errors();
+  return WorkspaceBuilder(packages, order, tools, std::move(*toolchain), settings, cancellation,
+                          progress)
+      .run();
 }
 
 }  // namespace ros2wasm

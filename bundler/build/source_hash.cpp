@@ -8,6 +8,7 @@
 
 #include "bundler/io/files.hpp"
 #include "bundler/io/sha256.hpp"
+#include "bundler/render/own_site.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
@@ -18,16 +19,16 @@ bool counts(const fs::directory_entry& entry) {
   if (name.starts_with('.') || name == "__pycache__" || name.ends_with(".pyc")) return false;
   std::error_code error;
   if (!entry.is_directory(error)) return true;
-  return !fs::exists(entry.path() / "COLCON_IGNORE", error) &&
-         !fs::exists(entry.path() / "site.json", error);
+  return !fs::exists(entry.path() / "COLCON_IGNORE", error) && !is_site_of_ours(entry.path());
 }
 
-std::vector<fs::path> sorted_entries(const fs::path& folder) {
+Outcome<std::vector<fs::path>> sorted_entries(const fs::path& folder) {
   std::vector<fs::path> entries;
   std::error_code error;
   for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
     if (counts(*it)) entries.push_back(it->path());
   }
+  if (error) return cannot_read(folder, error.value());
   std::sort(entries.begin(), entries.end());
   return entries;
 }
@@ -36,34 +37,41 @@ class TreeHash {
  public:
   explicit TreeHash(fs::path root) : root_(std::move(root)) {}
 
-  void add_folder(const fs::path& folder) {
+  Outcome<Done> add_folder(const fs::path& folder) {
     std::error_code error;
     const std::string name = name_of(folder);
     // Links may lead round in circles: each folder is read once, and later only named.
     const auto [first, fresh] = read_.emplace(fs::canonical(folder, error), name);
-    if (error) return;
+    if (error) return cannot_read(folder, error.value());
     if (!fresh) {
       hash_.add(name, "as " + first->second);
-      return;
+      return Done{};
     }
-    for (const fs::path& entry : sorted_entries(folder)) {
+    const auto entries = sorted_entries(folder);
+    if (!entries) return entries.errors();
+    for (const fs::path& entry : *entries) {
+      Outcome<Done> added = Done{};
       if (fs::is_directory(entry, error)) {
-        add_folder(entry);
+        added = add_folder(entry);
       } else if (fs::is_regular_file(entry, error)) {
-        add_file(entry);
+        added = add_file(entry);
       }
+      if (!added) return added;
     }
+    return Done{};
   }
 
   [[nodiscard]] std::string finish() const { return hash_.finish(); }
 
  private:
-  void add_file(const fs::path& file) {
+  Outcome<Done> add_file(const fs::path& file) {
     std::error_code error;
     const bool executable =
         (fs::status(file, error).permissions() & fs::perms::owner_exec) != fs::perms::none;
     const auto bytes = read_file(file);
-    hash_.add(name_of(file), (executable ? "x" : "-") + sha256_hex(bytes ? *bytes : std::string()));
+    if (!bytes) return bytes.errors();
+    hash_.add(name_of(file), (executable ? "x" : "-") + sha256_hex(*bytes));
+    return Done{};
   }
 
   [[nodiscard]] std::string name_of(const fs::path& path) const {
@@ -77,9 +85,9 @@ class TreeHash {
 
 }  // namespace
 
-std::string hash_of_tree(const fs::path& folder) {
+Outcome<std::string> hash_of_tree(const fs::path& folder) {
   TreeHash hash(folder);
-  hash.add_folder(folder);
+  if (auto added = hash.add_folder(folder); !added) return std::move(added).errors();
   return hash.finish();
 }
 

@@ -5,11 +5,14 @@
 #include <string>
 #include <string_view>
 
+#include "workspace_schema/outcome.hpp"
+
 namespace ros2wasm {
 
-/// Hidden files, Python caches, folders that hold COLCON_IGNORE and folders that are packed sites
-/// do not count. Links are followed; a folder that several names lead to is read once.
-[[nodiscard]] std::string hash_of_tree(const std::filesystem::path& folder);
+/// Hidden files, Python caches, folders that hold COLCON_IGNORE and sites that ros2wasm made do not
+/// count. Links are followed; a folder that several names lead to is read once. R2W0210: what
+/// cannot be read has no hash.
+[[nodiscard]] Outcome<std::string> hash_of_tree(const std::filesystem::path& folder);
 
 /// Collects named parts; the order in which they are added matters.
 class HashBuilder {

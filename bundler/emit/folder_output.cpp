@@ -9,8 +9,7 @@
 #include <cstdio>
 
 #include "bundler/io/files.hpp"
-#include "bundler/render/site_json.hpp"
-#include "workspace_schema/json_reader.hpp"
+#include "bundler/render/own_site.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
@@ -27,13 +26,6 @@ Outcome<Done> copy_to(const fs::path& place, const fs::path& source) {
   }
   if (error) return cannot_write(place, error.value());
   return Done{};
-}
-
-bool is_site_of_ours(const fs::path& folder) {
-  const auto text = read_file(folder / "site.json");
-  if (!text) return false;
-  const auto json = parse_json(*text, "site.json", "R2W0605");
-  return json && json->text_of("generator").starts_with(kSiteGenerator);
 }
 
 /// The last guard, whatever the plan was made from.
@@ -75,7 +67,13 @@ int swap_folders(const fs::path& fresh, const fs::path& folder) {
 std::optional<Diagnostic> refuse_folder(const fs::path& folder) {
   std::error_code error;
   const fs::file_status status = fs::status(folder, error);
-  if (!fs::exists(status)) return std::nullopt;
+  if (!fs::exists(status)) {
+    if (!fs::is_symlink(fs::symlink_status(folder, error))) return std::nullopt;
+    return Diagnostic{.code = "R2W0601",
+                      .message = "`" + folder.string() + "` is a link that leads nowhere",
+                      .why = {"a site is written where a link leads, and there is no such folder"},
+                      .fix = {"make the folder, remove the link, or choose another place with -o"}};
+  }
   if (fs::is_directory(status) && (fs::is_empty(folder, error) || is_site_of_ours(folder)))
     return std::nullopt;
   return Diagnostic{

@@ -11,7 +11,7 @@
 namespace ros2wasm {
 
 std::vector<ChannelFile> shipped_channel(const std::vector<PackageRecord>& records,
-                                         const std::vector<std::filesystem::path>& archives) {
+                                         const std::vector<StoredArchive>& archives) {
   // Both must be there, even empty (CEP 26).
   std::map<std::string, std::vector<PackageRecord>> subdirs{{"noarch", {}}, {kSitePlatform, {}}};
   std::vector<ChannelFile> files;
@@ -20,14 +20,11 @@ std::vector<ChannelFile> shipped_channel(const std::vector<PackageRecord>& recor
     const PackageRecord& record = records[i];
     const std::string subdir = record.subdir == "noarch" ? "noarch" : kSitePlatform;
     subdirs[subdir].push_back(record);
-    std::error_code unknown;  // where the channel does not say the size
-    const std::uint64_t size =
-        record.size != 0 ? record.size : std::filesystem::file_size(archives[i], unknown);
     files.push_back({.path = root + subdir + "/" + record.file_name,
                      .reason = "archive of " + record.name + ", for packing again",
                      .bytes = {},
-                     .copy_of = archives[i],
-                     .size = size});
+                     .copy_of = archives[i].file,
+                     .size = archives[i].size});
   }
   for (auto& [subdir, of_subdir] : subdirs) {
     std::sort(

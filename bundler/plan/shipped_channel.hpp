@@ -2,10 +2,10 @@
 // their archives and an index. Whoever has it can pack the site again.
 #pragma once
 
-#include <filesystem>
 #include <vector>
 
 #include "bundler/plan/site_plan.hpp"
+#include "bundler/store/store.hpp"
 #include "workspace_schema/package_record.hpp"
 
 namespace ros2wasm {
@@ -13,8 +13,8 @@ namespace ros2wasm {
 inline constexpr const char* kShippedChannel = "channel";
 
 /// `archives[i]` is the archive of `records[i]`. The index says what `records` say, which may be
-/// newer than what the archives say of themselves. Sorted by path.
-[[nodiscard]] std::vector<ChannelFile> shipped_channel(
-    const std::vector<PackageRecord>& records, const std::vector<std::filesystem::path>& archives);
+/// newer than what the archives say of themselves. Sorted by path. Pure.
+[[nodiscard]] std::vector<ChannelFile> shipped_channel(const std::vector<PackageRecord>& records,
+                                                       const std::vector<StoredArchive>& archives);
 
 }  // namespace ros2wasm

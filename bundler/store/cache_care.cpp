@@ -12,6 +12,7 @@
 #include "bundler/io/files.hpp"
 #include "bundler/io/sha256.hpp"
 #include "bundler/io/worker_pool.hpp"
+#include "bundler/store/build_place.hpp"
 #include "bundler/store/store.hpp"
 
 namespace ros2wasm {
@@ -93,6 +94,10 @@ std::string fault_of_index(const fs::path& folder) {
   return hashes && hashes->sha256 == state->sha256 ? "" : "the copy has another sha256";
 }
 
+bool is_seal(const fs::path& path) {
+  return path.extension() == ".seal";
+}
+
 bool is_kept_index(const fs::path& path) {
   return path.extension() == ".index";
 }
@@ -127,8 +132,9 @@ std::set<fs::path> used_kept_indexes(const fs::path& cache) {
 
 std::vector<Item> items_of(const fs::path& cache) {
   std::vector<Item> items;
-  for (const fs::path& folder : in_buckets(cache / "packages"))
-    items.push_back({folder, package_fault});
+  for (const fs::path& folder : in_buckets(cache / "packages")) {
+    if (!is_seal(folder)) items.push_back({folder, package_fault});
+  }
   for (const fs::path& folder : in_buckets(cache / "archives")) {
     for (const fs::path& file : entries_of(folder)) {
       if (!is_leftover_name(file)) items.push_back({file, fault_of_archive});
@@ -235,6 +241,15 @@ Outcome<Pruned> prune_cache(const fs::path& cache, const PruneRequest& request,
   const auto check = check_cache(cache, cancellation);
   if (!check) return check.errors();
   for (const CacheFault& fault : check->faults) pruner.remove(cache / fault.path);
+  for (const fs::path& entry : in_buckets(cache / "packages")) {
+    std::error_code error;
+    fs::path folder = entry;
+    if (is_seal(entry) && !fs::exists(folder.replace_extension(), error))
+      pruner.remove_if_old(entry);
+  }
+  for (const fs::path& entry : entries_of(build_area(cache))) {
+    if (entry != build_place(cache)) pruner.remove(entry);
+  }
   for (const char* area : {"packages", "environments", "index"}) {
     for (const fs::path& entry : entries_of(cache / area / "unfinished"))
       pruner.remove_if_old(entry);

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 
 #include "bundler/archive/paths_json.hpp"
 #include "bundler/io/files.hpp"
@@ -22,6 +21,12 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kLayout = "2";  // changes when the layout of environments changes
+
+/// Another file system, too many links already, or a file system that has none.
+bool cannot_be_linked(const std::error_code& error) {
+  return error == std::errc::cross_device_link || error == std::errc::too_many_links ||
+         error == std::errc::operation_not_permitted;
+}
 
 /// Puts package after package into one prefix.
 class Installer {
@@ -59,6 +64,8 @@ class Installer {
     const fs::path target = staging_ / path;
     if (entry.kind == PathKind::kDirectory) return make_folder(record, path);
     if (auto made = make_folder(record, fs::path(path).parent_path()); !made) return made;
+    if (const auto folder = folders_.find(path); folder != folders_.end())
+      return not_together(folder->second, distribution_name(record), path);
     if (auto cleared = clear(record, path, entry.sha256); !cleared) return cleared;
     owners_[path] = {distribution_name(record), entry.sha256};
     std::error_code error;
@@ -66,7 +73,7 @@ class Installer {
       fs::copy_symlink(source, target, error);
     } else if (entry.mode == PrefixMode::kNone) {
       fs::create_hard_link(source, target, error);
-      if (error) {  // another file system
+      if (cannot_be_linked(error)) {
         error.clear();
         fs::copy_file(source, target, error);
       }
@@ -94,19 +101,24 @@ class Installer {
       default:
         return no_folder(record, path);
     }
-    folders_.insert(path);
+    folders_.emplace(path, distribution_name(record));
     return Done{};
   }
 
   [[nodiscard]] Diagnostic no_folder(const PackageRecord& record, const fs::path& path) const {
     const auto owner = owners_.find(path.string());
-    const std::string other = owner == owners_.end() ? "another package" : owner->second.name;
-    return Diagnostic{.code = "R2W0231",
-                      .kind = FailureKind::kEnvironment,
-                      .message = "`" + distribution_name(record) + "` and `" + other +
-                                 "` cannot be installed together",
-                      .why = {"`" + path.string() + "` is a folder in the first, but a file or a " +
-                              "link in the second"}};
+    return not_together(distribution_name(record),
+                        owner == owners_.end() ? "another package" : owner->second.name, path);
+  }
+
+  [[nodiscard]] static Diagnostic not_together(const std::string& folder_of,
+                                               const std::string& file_of, const fs::path& path) {
+    return Diagnostic{
+        .code = "R2W0231",
+        .kind = FailureKind::kEnvironment,
+        .message = "`" + folder_of + "` and `" + file_of + "` cannot be installed together",
+        .why = {"`" + path.string() + "` is a folder in the first, but a file or a " +
+                "link in the second"}};
   }
 
   /// Later packages win; a file with other bytes is remembered.
@@ -145,7 +157,7 @@ class Installer {
   fs::path prefix_;  ///< where it will be
   std::string site_packages_;
   std::map<std::string, Owner> owners_;
-  std::set<fs::path> folders_;  ///< real ones; no file or link takes their place
+  std::map<fs::path, std::string> folders_;  ///< and who brought them first; they stay folders
   std::vector<OverwrittenFile> overwritten_;
 };
 

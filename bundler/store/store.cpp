@@ -37,17 +37,14 @@ WantedFile wanted_file(const PackageRecord& record, fs::path place) {
           .md5 = record.md5};
 }
 
-/// No other file says what those of info/ are to hold: their sha256 stand here.
-constexpr const char* kSeal = "info/.sha256sums";
-
-/// What the seal of a package has to say.
+/// What the seal of a package has to say: no other file says what those of info/ are to hold.
 Outcome<std::string> seal_of(const fs::path& folder) {
   std::map<std::string, std::string> sums;
   std::error_code error;
   for (fs::recursive_directory_iterator it(folder / "info", error), end; !error && it != end;
        it.increment(error)) {
     const std::string name = it->path().lexically_relative(folder).generic_string();
-    if (name == kSeal || !it->is_regular_file(error)) continue;
+    if (!it->is_regular_file(error)) continue;
     auto hashes = hash_file(it->path());
     if (!hashes) return std::move(hashes).errors();
     sums.emplace(name, std::move(hashes->sha256));
@@ -64,6 +61,10 @@ fs::path folder_of(const fs::path& cache, const std::string& sha256) {
 
 }  // namespace
 
+fs::path package_seal_place(const fs::path& folder) {
+  return folder.string() + ".seal";
+}
+
 fs::path default_cache_directory(const std::map<std::string, std::string>& variables) {
   const auto xdg = variables.find("XDG_CACHE_HOME");
   if (xdg != variables.end() && fs::path(xdg->second).is_absolute())
@@ -78,7 +79,7 @@ std::string package_fault(const fs::path& folder) {
   if (!text) return "info/paths.json cannot be read";
   const auto entries = parse_paths_json(*text, folder.filename().string());
   if (!entries) return "info/paths.json is damaged";
-  const auto kept = read_file(folder / kSeal);
+  const auto kept = read_file(package_seal_place(folder));
   const auto seal = seal_of(folder);
   if (!kept || !seal || *kept != *seal) return "info is not as it was unpacked";
   for (const auto& [path, entry] : *entries) {
@@ -106,9 +107,13 @@ fs::path Store::archive_place(const PackageRecord& record) const {
   return roots_.cache / "archives" / key.substr(0, 2) / key / name;
 }
 
+fs::path Store::package_place(const PackageRecord& record) const {
+  return record.sha256.empty() ? fs::path() : folder_of(roots_.cache, record.sha256);
+}
+
 Outcome<std::optional<fs::path>> Store::cached(const PackageRecord& record) const {
-  if (record.sha256.empty()) return std::optional<fs::path>();
-  const fs::path folder = folder_of(roots_.cache, record.sha256);
+  const fs::path folder = package_place(record);
+  if (folder.empty()) return std::optional<fs::path>();
   std::error_code error;
   if (!fs::is_directory(folder, error)) return std::optional<fs::path>();
   if (package_fault(folder).empty()) return std::optional(folder);
@@ -134,12 +139,10 @@ Outcome<fs::path> Store::unpack(const PackageRecord& record, const fs::path& arc
   if (!unpacked) return std::move(unpacked).errors();
   const auto seal = seal_of(unfinished);
   if (!seal) return seal.errors();
-  if (auto sealed = write_file(unfinished / kSeal, *seal); !sealed) {
-    return std::move(sealed).errors();
-  }
 
   fs::path folder = folder_of(roots_.cache, sha256);
-  if (auto made = make_directories(folder.parent_path()); !made) return std::move(made).errors();
+  if (auto sealed = write_file(package_seal_place(folder), *seal); !sealed)
+    return std::move(sealed).errors();
   std::error_code error;
   fs::rename(unfinished, folder, error);
   // Somebody else was faster: the same bytes are there.
@@ -163,20 +166,20 @@ Outcome<fs::path> Store::local_archive(const PackageRecord& record,
   return std::move(**archive);
 }
 
-Outcome<std::vector<fs::path>> Store::archives(const std::vector<PackageRecord>& records,
-                                               const Cancellation& cancellation) const {
-  std::vector<fs::path> places;
+Outcome<std::vector<StoredArchive>> Store::archives(const std::vector<PackageRecord>& records,
+                                                    const Cancellation& cancellation) const {
+  std::vector<StoredArchive> archives;
   std::vector<WantedFile> wanted;
   for (const PackageRecord& record : records) {
     if (cancellation.requested()) return interrupted();
     if (is_network_url(record.url)) {
-      places.push_back(archive_place(record));
-      wanted.push_back(wanted_file(record, places.back()));
+      archives.push_back({.file = archive_place(record)});
+      wanted.push_back(wanted_file(record, archives.back().file));
       continue;
     }
     auto archive = local_archive(record, cancellation);
     if (!archive) return std::move(archive).errors();
-    places.push_back(std::move(*archive));
+    archives.push_back({.file = std::move(*archive)});
   }
   Diagnostics errors;
   bring_verified(wanted, roots_.network, cancellation, [&](std::size_t, Outcome<Done> outcome) {
@@ -187,7 +190,12 @@ Outcome<std::vector<fs::path>> Store::archives(const std::vector<PackageRecord>&
   });
   if (cancellation.requested()) return interrupted();
   if (!errors.empty()) return errors;
-  return places;
+  for (StoredArchive& archive : archives) {
+    std::error_code error;
+    archive.size = fs::file_size(archive.file, error);
+    if (error) return cannot_read(archive.file, error.value());
+  }
+  return archives;
 }
 
 Outcome<std::vector<fs::path>> Store::unpacked_all(const std::vector<PackageRecord>& records,

@@ -2,6 +2,7 @@
 // once.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -25,6 +26,14 @@ namespace ros2wasm {
 /// lists, or an info/ that is not as it came. Empty when all are right.
 [[nodiscard]] std::string package_fault(const std::filesystem::path& folder);
 
+/// Beside an unpacked package: what those files of its info/ hold that nothing else says.
+[[nodiscard]] std::filesystem::path package_seal_place(const std::filesystem::path& folder);
+
+struct StoredArchive {
+  std::filesystem::path file;
+  std::uint64_t size = 0;
+};
+
 class Store {
  public:
   /// `roots.cache` is made when first needed.
@@ -45,12 +54,15 @@ class Store {
 
   /// The archives themselves, in the order of `records`: those of channels on this machine where
   /// they are, the others in the cache, downloaded when they are not there. Size and hash are
-  /// checked. R2W0220, R2W0228, R2W0232..R2W0236.
-  [[nodiscard]] Outcome<std::vector<std::filesystem::path>> archives(
+  /// checked. R2W0210, R2W0220, R2W0228, R2W0232..R2W0236.
+  [[nodiscard]] Outcome<std::vector<StoredArchive>> archives(
       const std::vector<PackageRecord>& records, const Cancellation& cancellation = {}) const;
 
   /// Where the archive of a package from the network is kept after it was unpacked.
   [[nodiscard]] std::filesystem::path archive_place(const PackageRecord& record) const;
+
+  /// Where a package lies once it is unpacked; empty when the record has no sha256.
+  [[nodiscard]] std::filesystem::path package_place(const PackageRecord& record) const;
 
   [[nodiscard]] const ChannelRoots& roots() const { return roots_; }
 

@@ -1,7 +1,9 @@
 """`cache info|verify|prune` and the kept indexes in <cache>/index."""
 from __future__ import annotations
 
+import hashlib
 import json
+import tarfile
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -59,3 +61,42 @@ class KeptIndexes(ChannelCase):
             self.solution(server.url + "/channel", "q")
             self.succeed("cache", "prune")
             self.assertEqual(self.kept(), [])
+
+
+class Packages(ChannelCase):
+    def test_a_package_may_have_a_file_called_as_a_seal(self) -> None:
+        """What is unpacked holds what the archive does and nothing else."""
+        stage = self.folder / "stage"
+        (stage / "info").mkdir(parents=True)
+        index = {"name": "sealed", "version": "1.0", "build": "h_0", "build_number": 0, "depends": [],
+                 "subdir": "noarch", "noarch": "generic"}
+        (stage / "info/index.json").write_text(json.dumps(index))
+        (stage / "info/.sha256sums").write_text("of somebody else")
+        (stage / "share").mkdir()
+        (stage / "share/a").write_text("1")
+        paths = {"paths_version": 1, "paths": [{"_path": "share/a", "path_type": "hardlink", "size_in_bytes": 1,
+                                                "sha256": hashlib.sha256(b"1").hexdigest()}]}
+        (stage / "info/paths.json").write_text(json.dumps(paths))
+        noarch = self.channel / "noarch"
+        noarch.mkdir(parents=True)
+        with tarfile.open(noarch / "sealed-1.0-h_0.tar.bz2", "w:bz2") as archive:
+            for part in ("info", "share"):
+                archive.add(stage / part, arcname=part)
+        self.write_index()
+        (self.folder / "workspace.yaml").write_text(
+            "schema: 1\nname: demo\nchannels: [./channel]\ndependencies: [sealed]\n"
+            "launch:\n  - package: demo\n    executable: talker\n")
+        self.succeed("lock")
+        self.succeed("cache", "fetch")
+        self.assertIn("1 checked, 0 damaged", self.succeed("cache", "verify"))
+        mine, = (self.folder / "cache/ros2wasm/packages").rglob(".sha256sums")
+        self.assertEqual(mine.read_text(), "of somebody else")
+        mine.write_text("and changed")
+        self.fail_with("R2W0239", "cache", "verify")
+
+    def test_prune_removes_builds_of_other_versions(self) -> None:
+        builds = self.folder / "cache/ros2wasm/build"
+        for other in ("work/demo-1", "built/demo-1", "0.0.1-1/built/demo-1"):
+            (builds / other).mkdir(parents=True)
+        self.succeed("cache", "prune")
+        self.assertEqual(list(builds.iterdir()), [])

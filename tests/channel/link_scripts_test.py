@@ -44,6 +44,19 @@ class LinkScripts(ChannelCase):
         self.write_manifest("ignore_link_scripts: [other]\n")
         self.fail_with("R2W0227", "pack")
 
+    def test_named_for_another_and_with_capitals(self) -> None:
+        """A script belongs to who brought it; the manifest can name that one, whatever the file is called."""
+        self.add_package("other", {"bin/.Fonts+-post-link.sh": SCRIPT})
+        self.write_index()
+        self.write_manifest("ignore_link_scripts: [fonts]\ndependencies: [other]\n")
+        text = self.fail_with("R2W0227", "pack")
+        self.assertIn("`other` has a link script, `bin/.Fonts+-post-link.sh`", text)
+        self.assertIn("name `other` under `ignore_link_scripts:`", text)
+        self.write_manifest("ignore_link_scripts: [fonts, other]\ndependencies: [other]\n")
+        done = self.run_cli("pack")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("did not run bin/.Fonts+-post-link.sh of other", done.stderr)
+
     def test_listed_by_inspect(self) -> None:
         said = json.loads(self.succeed("inspect", "archive", str(self.archive)))
         self.assertEqual(said["link_scripts"], ["bin/.fonts-post-link.sh", "bin/.fonts-pre-unlink.sh"])

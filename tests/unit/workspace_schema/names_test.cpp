@@ -71,7 +71,8 @@ TEST(Names, PackageAndWorkspace) {
   expect_good(package_name_fault, {"demo", "Demo_2", "a-b"});
   expect_bad(package_name_fault,
              {{"", ""}, {"2d", "d"}, {"my package", "my_package"}, {"_a", "a"}, {"a.b", "a_b"}});
-  expect_good(channel_package_name_fault, {"numpy", "_openmp_mutex", "r-base64enc", "7zip", "a.b"});
+  expect_good(channel_package_name_fault,
+              {"numpy", "_openmp_mutex", "r-base64enc", "7zip", "a.b", "c++"});
   expect_bad(channel_package_name_fault,
              {{"", ""}, {"NumPy", ""}, {"a >=1", ""}, {"x::a", ""}, {"-a", ""}, {"a*", ""}});
   expect_good(workspace_name_fault, {"talker_listener", "lab-1.2", "2d"});

@@ -177,6 +177,8 @@ TEST(EmitFolder, RefusesWhatIsNotASite) {
   EXPECT_EQ(refuse_folder(tree / "file")->code, "R2W0601");
   EXPECT_FALSE(refuse_folder(tree / "empty"));
   EXPECT_FALSE(refuse_folder(tree / "new"));
+  std::filesystem::create_symlink("nowhere", tree / "dangling");
+  EXPECT_EQ(refuse_folder(tree / "dangling")->code, "R2W0601");
   ASSERT_FALSE(emit_folder(plan_of(), tree / "home", {}));
   EXPECT_EQ(tree.read("home/letters.txt"), "dear");
 }

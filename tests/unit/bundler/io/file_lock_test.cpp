@@ -19,14 +19,29 @@ TEST(FileLock, IsHeldByOneAtATime) {
   const auto refused = FileLock::take(tree / "work/a.lock", Cancellation(stop));
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.errors().front().kind, FailureKind::kInterrupted);
-  std::atomic<bool> released = false;
-  std::thread other([&] {
-    EXPECT_TRUE(FileLock::take(tree / "work/a.lock", {}));
-    EXPECT_TRUE(released);
-  });
-  released = true;
+  std::thread other([&] { EXPECT_TRUE(FileLock::take(tree / "work/a.lock", {})); });
   first = FileLock::take(tree / "work/b.lock", {});  // lets the other one go
   other.join();
+}
+
+TEST(FileLock, NoTwoHoldersMeet) {
+  const testing::TemporaryTree tree;
+  std::atomic<int> holders = 0;
+  std::atomic<int> turns = 0;
+  const auto take_turns = [&] {
+    for (int i = 0; i < 40; ++i) {
+      const auto lock = FileLock::take(tree / "a.lock", {});
+      ASSERT_TRUE(lock);
+      EXPECT_EQ(++holders, 1);
+      std::this_thread::yield();
+      ++turns;
+      EXPECT_EQ(--holders, 0);
+    }
+  };
+  std::thread other(take_turns);
+  take_turns();
+  other.join();
+  EXPECT_EQ(turns, 80);
 }
 
 TEST(FileLock, OneThatCannotBeHadIsAnError) {

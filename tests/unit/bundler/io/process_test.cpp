@@ -119,16 +119,32 @@ TEST(SourceHash, ContentsCountTimesAndHiddenFilesDoNot) {
   const testing::TemporaryTree tree;
   tree.write("a/x.cpp", "one");
   tree.write("a/sub/y.cpp", "two");
-  const std::string before = hash_of_tree(tree / "a");
+  const std::string before = *hash_of_tree(tree / "a");
   tree.write("a/x.cpp", "one");
   tree.write("a/.git/HEAD", "z");
   tree.write("a/__pycache__/m.pyc", "z");
-  tree.write("a/site/site.json", "{}");
+  tree.write("a/site/site.json", R"({"generator":"ros2wasm 0.1.0"})");
   tree.write("a/build/COLCON_IGNORE", "");
-  EXPECT_EQ(hash_of_tree(tree / "a"), before);
+  EXPECT_EQ(*hash_of_tree(tree / "a"), before);
+  // A file of that name makes no site: it may be a source.
+  tree.write("a/config/site.json", R"({"site":"of the robot"})");
+  const std::string with_config = *hash_of_tree(tree / "a");
+  EXPECT_NE(with_config, before);
+  tree.write("a/config/a.yaml", "a: 1");
+  EXPECT_NE(*hash_of_tree(tree / "a"), with_config);
+  std::filesystem::remove_all(tree / "a/config");
   tree.write("a/sub/y.cpp", "2");
-  EXPECT_NE(hash_of_tree(tree / "a"), before);
+  EXPECT_NE(*hash_of_tree(tree / "a"), before);
   EXPECT_NE(HashBuilder().add("ab", "c").finish(), HashBuilder().add("a", "bc").finish());
+}
+
+TEST(SourceHash, WhatCannotBeReadHasNoHash) {
+  const testing::TemporaryTree tree;
+  EXPECT_EQ(hash_of_tree(tree / "gone").errors().front().code, "R2W0210");
+  // Listed as a file of many bytes, and refuses to be read, also by root.
+  tree.write("a/x.cpp", "one");
+  std::filesystem::create_symlink("/proc/self/mem", tree / "a/mem.bin");
+  EXPECT_EQ(hash_of_tree(tree / "a").errors().front().code, "R2W0210");
 }
 
 TEST(SourceHash, LinksThatLeadRoundEndAndCount) {
@@ -136,16 +152,16 @@ TEST(SourceHash, LinksThatLeadRoundEndAndCount) {
   tree.write("a/x.cpp", "one");
   tree.write("a/sub/y.cpp", "two");
   std::filesystem::create_directory_symlink(".", tree / "a/one");
-  const std::string one = hash_of_tree(tree / "a");
+  const std::string one = *hash_of_tree(tree / "a");
   // Followed at every level, two such links would be as many names as there are binary numbers.
   std::filesystem::create_directory_symlink(".", tree / "a/two");
-  const std::string two = hash_of_tree(tree / "a");
+  const std::string two = *hash_of_tree(tree / "a");
   EXPECT_NE(two, one);
   std::filesystem::remove(tree / "a/two");
   std::filesystem::create_directory_symlink("sub", tree / "a/two");
-  EXPECT_NE(hash_of_tree(tree / "a"), two);
+  EXPECT_NE(*hash_of_tree(tree / "a"), two);
   tree.write("a/sub/y.cpp", "2");
-  EXPECT_NE(hash_of_tree(tree / "a"), two);
+  EXPECT_NE(*hash_of_tree(tree / "a"), two);
 }
 
 }  // namespace

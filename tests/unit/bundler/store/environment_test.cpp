@@ -118,6 +118,24 @@ TEST(Environment, NothingIsWrittenThroughAnotherPackagesLink) {
   EXPECT_EQ(fs::read_symlink(good->prefix / "d/deep/e"), "../..");
 }
 
+TEST(Environment, AFileAndAFolderAreNotTheSameInEitherOrder) {
+  testing::SmallChannel channel;
+  channel.add("a", "1.0", {{"lib/foo/x", "x"}});
+  channel.add("b", "1.0", {{"lib/foo", "y"}});
+  channel.write_index();
+  const PackageRecord folder = channel.record("a");
+  const PackageRecord file = channel.record("b");
+  for (const auto& records : {std::vector{folder, file}, std::vector{file, folder}}) {
+    const auto both = make_environment(channel.store(), records);
+    ASSERT_FALSE(both.ok());
+    const Diagnostic& error = both.errors().front();
+    EXPECT_EQ(error.code, "R2W0231");
+    EXPECT_EQ(error.message, "`a-1.0-h_0` and `b-1.0-h_0` cannot be installed together");
+    EXPECT_EQ(error.why.front(),
+              "`lib/foo` is a folder in the first, but a file or a link in the second");
+  }
+}
+
 TEST(PythonPackages, PathsInThePrefix) {
   EXPECT_EQ(path_in_prefix("site-packages/a/b.py", "lib/python3.13/site-packages"),
             "lib/python3.13/site-packages/a/b.py");

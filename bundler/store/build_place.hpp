@@ -1,0 +1,23 @@
+// Where packages of workspaces are built. Ninja does not see that another ros2wasm links
+// differently, so each version and format has a folder of its own, and those of others can go.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace ros2wasm {
+
+/// Part of every hash too: raise it when the same sources shall be built anew.
+inline constexpr const char* kBuildFormat = "4";
+
+/// Of all versions: `<cache>/build`.
+[[nodiscard]] inline std::filesystem::path build_area(const std::filesystem::path& cache) {
+  return cache / "build";
+}
+
+/// Of this ros2wasm: `<cache>/build/0.1.0-4`.
+[[nodiscard]] inline std::filesystem::path build_place(const std::filesystem::path& cache) {
+  return build_area(cache) / (std::string(ROS2WASM_VERSION) + "-" + kBuildFormat);
+}
+
+}  // namespace ros2wasm

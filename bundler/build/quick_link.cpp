@@ -36,10 +36,23 @@ std::string as_text(const std::vector<std::string>& lines) {
   return text;
 }
 
+/// Changes with all that the driver is told, and with what is compiled into a program.
+std::string key_of(const QuickLink& link) {
+  const LinkLine nothing{.compiler = link.line.compiler,
+                         .output = {},
+                         .arguments = {},
+                         .thread_support = link.line.thread_support};
+  std::string key = as_text(link_command(nothing, link.kind, {}));
+  if (link.kind == LinkKind::kThreads) {
+    if (const auto source = read_file(link.line.thread_support)) key += *source;
+  }
+  return sha256_hex(key).substr(0, 16);
+}
+
 /// The object that the loader's needs come from, compiled once where it has a source.
 std::optional<std::string> marker_of(const QuickLink& link, const Cancellation& cancellation) {
   if (link.kind == LinkKind::kSingle) return link.stem + kSingleLinkObjectSuffix;
-  const fs::path object = link.kept / "thread_support.o";
+  const fs::path object = link.kept / (key_of(link) + ".o");
   std::error_code error;
   if (fs::exists(object, error)) return object.string();
   const std::string fresh = link.stem + ".thread_support.o";
@@ -56,7 +69,7 @@ std::optional<std::string> marker_of(const QuickLink& link, const Cancellation& 
 /// What the driver says for a program of the marker alone. Kept as it was printed.
 std::optional<LinkerCall> linker_call(const QuickLink& link, const std::string& marker,
                                       const Cancellation& cancellation) {
-  const fs::path kept = link.kept / (link.kind == LinkKind::kSingle ? "single" : "threads");
+  const fs::path kept = link.kept / key_of(link);
   const auto known = read_file(kept);
   std::istringstream lines(known ? *known : std::string());
   LinkerCall call;

@@ -16,11 +16,9 @@ import { PortSamples } from './port_samples.ts';
 import { PortReader } from './port_reader.ts';
 import { PortWaits, unref } from './port_waits.ts';
 import { type Frame, PortWriter, windowBytes, windowFrames } from './port_writer.ts';
+import { readStatus } from './statuses.ts';
 import { Ticker } from './ticker.ts';
 import { LocalCells, manualLease, Timing } from './timing.ts';
-
-/** The participant that looks at what the others publish. */
-const page = 0;
 
 interface Own {
   readonly record: EndpointRecord;
@@ -147,7 +145,7 @@ export class PortLink implements Link {
       matched: new Set(),
       strangers: new Set(),
       timing,
-      counters: new EventCounters(timing, this.clock),
+      counters: new EventCounters(),
     };
     this.own.set(handle, own);
     if (timing.ticks) this.ticker.follow(this.own.values());
@@ -186,14 +184,14 @@ export class PortLink implements Link {
       case 'incompatible':
         if (own.strangers.has(other.key)) return;
         own.strangers.add(other.key);
-        own.counters.incompatible.total += 1;
-        own.counters.incompatible.policy = relation.policy;
+        own.counters.counts.incompatible += 1;
+        own.counters.lastPolicy = relation.policy;
         this.noteStatus();
         return;
       case 'wrong_type':
         if (own.strangers.has(other.key)) return;
         own.strangers.add(other.key);
-        own.counters.type.total = 1;
+        own.counters.counts.wrongType = 1;
         this.noteStatus();
         return;
     }
@@ -202,7 +200,7 @@ export class PortLink implements Link {
   private addMatch(own: Own, other: EndpointRecord): void {
     if (own.matched.has(other.key)) return;
     own.matched.add(other.key);
-    own.counters.matched.total += 1;
+    own.counters.counts.matched += 1;
     this.noteStatus();
     if (own.reader === undefined || manualLease(other) === 0) return;
     own.timing.match(other, this.lifeOf(other));
@@ -230,7 +228,8 @@ export class PortLink implements Link {
     this.own.delete(endpoint);
     const { key } = own.record;
     const last = own.writer?.sample(false);
-    for (const to of this.peers.keys()) this.post(to, { t: 'ep-', key, ...(to === page ? { last } : {}) });
+    // Participant 0 is the page, which shows what was published.
+    for (const to of this.peers.keys()) this.post(to, { t: 'ep-', key, ...(to === 0 ? { last } : {}) });
     this.removeRemote(key, false);
     // A reader that wanted all may have held up its writers.
     if (own.reader?.all === true) for (const { key } of this.graphReplica.named(own.record.name)) this.acknowledge(key, false);
@@ -371,8 +370,8 @@ export class PortLink implements Link {
   status(endpoint: number, kind: StatusKind): EndpointStatus | undefined {
     const own = this.own.get(endpoint);
     if (own === undefined) return undefined;
-    own.counters.lost.total = own.reader?.lost ?? 0;
-    return own.counters.read(own.record.kind as EndpointKind, kind, own.matched.size);
+    own.counters.counts.lost = own.reader?.lost ?? 0;
+    return readStatus(own.record.kind, kind, own.counters, own.timing, own.matched.size, this.clock.steadyNs());
   }
 
   statusVersion(): number {

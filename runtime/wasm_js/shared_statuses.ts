@@ -1,11 +1,11 @@
 // The statuses of a participant's endpoints on the shared bus: how they are read, and when one changes.
 
-import { BusEndpoint, BusParticipant, StatusKind } from '../protocol/generated/constants.ts';
+import { BusEndpoint, BusParticipant, type StatusKind } from '../protocol/generated/constants.ts';
 import type { Bus } from './bus.ts';
 import type { SiteClock } from './clock.ts';
 import type { EndpointRecord } from './graph.ts';
 import type { EndpointStatus } from './link.ts';
-import { hasStatus } from './statuses.ts';
+import { type DerivedCount, type EventCount, readStatus, type StatusCounts } from './statuses.ts';
 import { Ticker } from './ticker.ts';
 import type { Timing } from './timing.ts';
 
@@ -15,6 +15,51 @@ export interface StatusSource {
   readonly word: number;
   readonly timing: Timing;
   readonly matched: ReadonlySet<number>;
+}
+
+/** Words of the counts, and of what they were when they were last read. */
+const countWords: Readonly<Record<EventCount, number>> = {
+  matched: BusEndpoint.matchedTotal,
+  incompatible: BusEndpoint.incompatibleTotal,
+  wrongType: BusEndpoint.wrongTypeTotal,
+  lost: BusEndpoint.lostTotal,
+};
+const readWords: Readonly<Record<EventCount | DerivedCount, number>> = {
+  matched: BusEndpoint.matchedTotalRead,
+  matchedNow: BusEndpoint.matchedCurrentRead,
+  incompatible: BusEndpoint.incompatibleRead,
+  wrongType: BusEndpoint.wrongTypeRead,
+  lost: BusEndpoint.lostRead,
+  deadline: BusEndpoint.deadlineRead,
+  liveliness: BusEndpoint.livelinessRead,
+  alive: BusEndpoint.aliveRead,
+};
+
+/** The counts in an endpoint's entry. */
+class SharedCounts implements StatusCounts {
+  private readonly bus: Bus;
+  private readonly word: number;
+
+  constructor(bus: Bus, word: number) {
+    this.bus = bus;
+    this.word = word;
+  }
+
+  now(count: EventCount): number {
+    return Atomics.load(this.bus.i32, this.word + countWords[count]);
+  }
+
+  gained(count: EventCount | DerivedCount, now: number): number {
+    return (now - Atomics.exchange(this.bus.i32, this.word + readWords[count], now)) | 0;
+  }
+
+  policy(): number {
+    return Atomics.load(this.bus.i32, this.word + BusEndpoint.incompatiblePolicy);
+  }
+
+  takeDied(): number {
+    return Atomics.exchange(this.bus.i32, this.word + BusEndpoint.died, 0);
+  }
 }
 
 export class SharedStatuses {
@@ -31,47 +76,8 @@ export class SharedStatuses {
   }
 
   /** undefined for a status that the endpoint has not. */
-  read(own: StatusSource, kind: StatusKind): EndpointStatus | undefined {
-    if (!hasStatus(own.record.kind, kind)) return undefined;
-    const { i32 } = this.bus;
-    own.timing.watch(kind);
-    /** The total now, and what it gained since it was last read. */
-    const gained = (now: number, mark: number): [number, number] =>
-      [now, (now - Atomics.exchange(i32, own.word + mark, now)) | 0];
-    const reading = (counter: number, mark: number): [number, number] =>
-      gained(Atomics.load(i32, own.word + counter), mark);
-    const plain = ([totalCount, totalChange]: [number, number]): EndpointStatus =>
-      ({ totalCount, totalChange, currentCount: 0, currentChange: 0, lastPolicy: 0 });
-    switch (kind) {
-      case StatusKind.publicationMatched:
-      case StatusKind.subscriptionMatched: {
-        const [currentCount, currentChange] = reading(BusEndpoint.matchedCurrent, BusEndpoint.matchedCurrentRead);
-        return { ...plain(reading(BusEndpoint.matchedTotal, BusEndpoint.matchedTotalRead)), currentCount, currentChange };
-      }
-      case StatusKind.offeredQosIncompatible:
-      case StatusKind.requestedQosIncompatible: {
-        const lastPolicy = Atomics.load(i32, own.word + BusEndpoint.incompatiblePolicy);
-        return { ...plain(reading(BusEndpoint.incompatibleTotal, BusEndpoint.incompatibleRead)), lastPolicy };
-      }
-      case StatusKind.publisherIncompatibleType:
-      case StatusKind.subscriptionIncompatibleType:
-        return plain(reading(BusEndpoint.wrongTypeTotal, BusEndpoint.wrongTypeRead));
-      case StatusKind.messageLost:
-        return plain(reading(BusEndpoint.lostTotal, BusEndpoint.lostRead));
-      case StatusKind.offeredDeadlineMissed:
-      case StatusKind.requestedDeadlineMissed:
-        return plain(gained(own.timing.deadlinesMissed(this.clock.steadyNs()), BusEndpoint.deadlineRead));
-      case StatusKind.livelinessLost:
-        return plain(gained(own.timing.livelinessLost(this.clock.steadyNs()), BusEndpoint.livelinessRead));
-      case StatusKind.livelinessChanged: {
-        const lapsed = own.timing.lapsedWriters(this.clock.steadyNs());
-        const [currentCount, currentChange] = gained(own.matched.size - lapsed, BusEndpoint.aliveRead);
-        const [, change] = gained(lapsed, BusEndpoint.livelinessRead);
-        // Those who died are told once: then nobody counts them any more.
-        const died = Atomics.exchange(i32, own.word + BusEndpoint.died, 0);
-        return { totalCount: lapsed + died, totalChange: change + died, currentCount, currentChange, lastPolicy: 0 };
-      }
-    }
+  read({ record, word, timing, matched }: StatusSource, kind: StatusKind): EndpointStatus | undefined {
+    return readStatus(record.kind, kind, new SharedCounts(this.bus, word), timing, matched.size, this.clock.steadyNs());
   }
 
   /** Changes with every status of the participant. */

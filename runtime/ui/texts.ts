@@ -45,6 +45,13 @@ export const texts = {
   resizeLeft: 'Width of the nodes',
   resizeRight: 'Width of the topics',
 
+  tabs: {
+    join: 'Join other tabs of this site: their nodes and these see each other',
+    open: (graph: string): string =>
+      `Graph \u201c${graph}\u201d. Opens another tab that joins it and runs the nodes that nobody runs`,
+    place: (number: number, count: number): string => `Tab ${number} of ${count}`,
+    elsewhere: (tabs: readonly number[]): string => `runs in tab ${tabs.join(', ')}`,
+  },
   nodes: {
     none: 'This workspace starts no nodes.',
     start: (label: string): string => `Start ${label}`,

@@ -1,6 +1,6 @@
 // A replica of the graph: nodes and endpoints, and which of them match. Both links keep one; the rules are here only.
 
-import { EndpointKind, flagHidden, flagIgnoreLocal, PolicyKind } from '../protocol/generated/constants.ts';
+import { EndpointKind, flagHidden, flagIgnoreLocal, flagMirror, PolicyKind } from '../protocol/generated/constants.ts';
 import { incompatiblePolicy, type EndpointQos } from './qos.ts';
 import type { GraphSnapshot } from './link.ts';
 
@@ -57,7 +57,7 @@ export function reads(kind: number): boolean {
 
 /** How two endpoints stand to each other. The same answer whoever asks. */
 export function relate(a: EndpointRecord, b: EndpointRecord): Relation {
-  if (counterpart[a.kind] !== b.kind || a.name !== b.name) return none;
+  if (counterpart[a.kind] !== b.kind || a.name !== b.name || (a.flags & b.flags & flagMirror) !== 0) return none;
   if (a.participant === b.participant && ((a.flags | b.flags) & flagIgnoreLocal) !== 0) return none;
   if (a.type !== b.type || (a.hash !== '' && b.hash !== '' && a.hash !== b.hash)) return wrongType;
   const aOffers = a.kind === EndpointKind.publisher || a.kind === EndpointKind.server;

@@ -60,6 +60,13 @@ function underWay(session: SiteSession): Promise<void> {
   });
 }
 
+/** What `?nodes=` says: `all`, `none`, or ids separated by commas. */
+function startNamed(session: SiteSession, nodes: string): void {
+  if (nodes === 'all') session.startAll();
+  const ids = new Set(nodes.split(','));
+  for (const { id } of session.nodes()) if (ids.has(id)) session.start(id);
+}
+
 /** Never resolves when the page reloads to become isolated. Rejects with a SiteError. */
 export async function startSession(options: LaunchOptions = {}): Promise<Session> {
   const base = options.base ?? new URL('./', document.baseURI);
@@ -71,9 +78,14 @@ export async function startSession(options: LaunchOptions = {}): Promise<Session
   const platform = browserPlatform(base, 'node_worker.js');
   const [description] = await Promise.all([platform.json('site.json'), platform.ready]);
   const site = readSite(description);
-  const session = new SiteSession({ site, platform, broker: chooseBroker(options.link) });
-  if (site.ui['autostart'] !== false) {
-    session.startAll();
+  const session = new SiteSession({ site, platform, broker: chooseBroker(options.link), place: base.href });
+  const asked = new URLSearchParams(location.search);
+  const graph = asked.get('graph');
+  if (graph !== null && graph !== '') await session.joinTabs(graph);
+  const nodes = asked.get('nodes');
+  if (nodes !== null) startNamed(session, nodes);
+  else if (site.ui['autostart'] !== false) {
+    await session.startUnclaimed();
     await underWay(session);
   }
   // Styles and tests can tell by <html data-offline> whether the site is kept.

@@ -10,6 +10,7 @@ import { seededRandom } from './seeded_random.ts';
 import type { ThreadMemory } from './thread_waits.ts';
 import type { Rest } from './turns.ts';
 import { inputReader } from './standard_input.ts';
+import { bridgeTabs } from './tab_bridge.ts';
 
 /** To a worker: what to run. */
 export interface WorkerStart {
@@ -46,7 +47,11 @@ export interface HoldOrder {
   readonly life: string;
 }
 
-export type WorkerOrder = { readonly t: 'start'; readonly start: WorkerStart } | { readonly t: 'seen' };
+export type WorkerOrder =
+  | { readonly t: 'start'; readonly start: WorkerStart }
+  | { readonly t: 'seen' }
+  /** Runs no program, but carries to and from another tab. */
+  | { readonly t: 'bridge'; readonly ticket: LinkTicket; readonly channel: string };
 
 /** Connects the worker's messages with a program. Returns what to call with each message. */
 export function serveWorker(post: (report: WorkerReport) => void): (order: WorkerOrder) => void {
@@ -96,6 +101,9 @@ export function serveWorker(post: (report: WorkerReport) => void): (order: Worke
         return;
       case 'seen':
         sender?.seen();
+        return;
+      case 'bridge':
+        void bridgeTabs(order.ticket, order.channel);
         return;
     }
   };

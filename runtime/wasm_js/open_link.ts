@@ -1,7 +1,6 @@
 // How a worker joins the graph with what the broker gave it.
 
 import { Bus } from './bus.ts';
-import type { Link } from './link.ts';
 import { PortLink } from './port_link.ts';
 import type { PortTicket } from './port_messages.ts';
 import { SharedLink } from './shared_link.ts';
@@ -13,7 +12,7 @@ export type LinkTicket =
   | ({ readonly kind: 'port' } & PortTicket);
 
 /** Joins the graph from within a worker; in a stepped run `rest` tells the page that it waits. */
-export function openLink(ticket: LinkTicket, mayBlock: boolean, rest?: (rest: Rest) => void): Link {
+export function openLink(ticket: LinkTicket, mayBlock: boolean, rest?: (rest: Rest) => void): SharedLink | PortLink {
   switch (ticket.kind) {
     case 'shared': {
       const { participant } = ticket;

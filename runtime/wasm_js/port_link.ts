@@ -46,7 +46,7 @@ export class PortLink implements Link {
   private readonly session: readonly [number, number];
   private readonly control: MessagePort;
   private readonly peers = new Map<number, MessagePort>();
-  private readonly graphReplica = new Graph();
+  readonly graphReplica = new Graph();
   private readonly own = new Map<number, Own>();
   private readonly arrivals = new Map<number, Arrivals>();
   readonly samples = new PortSamples();

@@ -72,6 +72,16 @@ export interface NodeView {
   /** ms since 1970. */
   readonly startedAt?: number;
   readonly source?: SourcePlace;
+  /** Numbers of the other tabs of the graph in which it runs. */
+  readonly elsewhere?: readonly number[];
+}
+
+/** This tab's place among those that have joined one graph. */
+export interface TabView {
+  readonly graph: string;
+  readonly number: number;
+  /** How many tabs there are. */
+  readonly count: number;
 }
 
 export type LogLevel = 'DEBUG' | 'INFO' | 'WARN' | 'ERROR' | 'FATAL';
@@ -151,6 +161,10 @@ export interface Session {
   readonly time: SiteTime;
   /** In launch order. */
   nodes(): readonly NodeView[];
+  /** undefined while this tab is by itself. */
+  tab(): TabView | undefined;
+  /** Joins the graph of that name with the other tabs that have, once and for as long as the page is open. Rejects with a SiteError. */
+  joinTabs(graph: string): Promise<void>;
   start(id: string): void;
   stop(id: string): void;
   restart(id: string): void;

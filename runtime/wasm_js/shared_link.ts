@@ -55,7 +55,7 @@ export class SharedLink implements Link {
   readonly clock: SiteClock;
   private readonly mayBlock: boolean;
   private readonly word: number;
-  private readonly graphReplica = new Graph();
+  readonly graphReplica = new Graph();
   /** Key of what was last seen in a slot; 0: nothing. */
   private readonly seen: Int32Array;
   private readonly seenNodes: Int32Array;

@@ -8,10 +8,11 @@ import { NodeRunner } from './node_runner.ts';
 import type { Platform } from './platform.ts';
 import { Sampler } from './sampler.ts';
 import type {
-  ConsoleLog, LastMessage, LinkKind, NodeView, Session, SiteDescription, SiteNode, TopicView, Unsubscribe,
+  ConsoleLog, LastMessage, LinkKind, NodeView, Session, SiteDescription, SiteNode, TabView, TopicView, Unsubscribe,
 } from './session.ts';
 import { SiteTimeControl } from './site_time.ts';
 import { InputWriter } from './standard_input.ts';
+import { Tabs } from './tabs.ts';
 
 const sampleMs = 250;
 
@@ -23,6 +24,8 @@ export interface SessionOptions {
   readonly stepped?: { readonly seed: number };
   /** Called with each message that a node sends, in order. */
   readonly onSent?: (node: SiteNode, message: SentMessage) => void;
+  /** Where the site lies, for tabs that join. */
+  readonly place?: string;
   /** Called with each batch of lines as it comes. */
   readonly onLines?: (node: SiteNode, lines: readonly SentLine[], dropped: number) => void;
 }
@@ -43,9 +46,11 @@ export class SiteSession implements Session {
   private nodesTold = true;
   private sampling: ReturnType<typeof setInterval> | undefined;
   private definitions: Promise<ReadonlyMap<string, string>> | undefined;
+  private readonly place: string;
+  private tabs: Tabs | undefined;
   private closed = false;
 
-  constructor({ site, platform, broker, onLines, stepped, onSent }: SessionOptions) {
+  constructor({ site, platform, broker, place, onLines, stepped, onSent }: SessionOptions) {
     this.site = site;
     this.platform = platform;
     this.broker = broker;
@@ -53,6 +58,7 @@ export class SiteSession implements Session {
     this.time = new SiteTimeControl(broker, () => {
       for (const runner of this.runners.values()) runner.timeChanged();
     });
+    this.place = place ?? '';
     this.sampler = new Sampler(broker);
     this.input = new InputWriter(broker.link);
     const unsettled = new Set(site.nodes);
@@ -90,10 +96,45 @@ export class SiteSession implements Session {
   }
 
   nodes(): readonly NodeView[] {
-    return [...this.runners.values()].map((runner) => runner.view());
+    const { tabs } = this;
+    const views = [...this.runners.values()].map((runner) => runner.view());
+    return tabs === undefined ? views : views.map((view) => ({ ...view, elsewhere: tabs.elsewhere(view.id) }));
+  }
+
+  tab(): TabView | undefined {
+    const { tabs } = this;
+    return tabs === undefined ? undefined : { graph: tabs.graph, number: tabs.number, count: tabs.size + 1 };
+  }
+
+  async joinTabs(graph: string): Promise<void> {
+    if (this.tabs !== undefined || this.closed) return;
+    const { broker, platform, place } = this;
+    const tabs = await Tabs.join({ graph, site: place, broker, platform, changed: () => this.nodesChanged() });
+    if (this.closed || this.tabs !== undefined) {
+      tabs.close();
+      return;
+    }
+    this.tabs = tabs;
+    for (const id of this.running()) await tabs.claim(id);
+    this.nodesChanged();
+  }
+
+  /** Starts the nodes that no other tab runs. */
+  async startUnclaimed(): Promise<void> {
+    const { tabs } = this;
+    if (tabs === undefined) {
+      this.startAll();
+      return;
+    }
+    for (const id of this.runners.keys()) if (await tabs.claim(id)) this.start(id);
+  }
+
+  private running(): string[] {
+    return [...this.runners].filter(([, runner]) => runner.active()).map(([id]) => id);
   }
 
   start(id: string): void {
+    this.tabs?.claim(id).catch(() => undefined);
     this.runner(id).start();
   }
 
@@ -108,7 +149,7 @@ export class SiteSession implements Session {
   }
 
   startAll(): void {
-    for (const runner of this.runners.values()) runner.start();
+    for (const id of this.runners.keys()) this.start(id);
   }
 
   stopAll(): void {
@@ -122,6 +163,7 @@ export class SiteSession implements Session {
   }
 
   private nodesChanged(): void {
+    this.tabs?.run(this.running());
     if (!this.nodesTold || this.closed) return;
     this.nodesTold = false;
     this.platform.frame(() => {
@@ -192,6 +234,7 @@ export class SiteSession implements Session {
     this.closed = true;
     this.stopSampling();
     this.time.close();
+    this.tabs?.close();
     for (const runner of this.runners.values()) runner.close();
     this.nodeListeners.clear();
     this.topicListeners.clear();

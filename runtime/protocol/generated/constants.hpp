@@ -31,6 +31,8 @@ inline constexpr int32_t kTimeRateOne = 1000000;
 inline constexpr int32_t kFlagIgnoreLocal = 1;
 /// EndpointDesc.flags: not shown in the graph (stdin and other plumbing).
 inline constexpr int32_t kFlagHidden = 2;
+/// EndpointDesc.flags: stands for an endpoint of another tab; two of them never match.
+inline constexpr int32_t kFlagMirror = 4;
 
 /// What an endpoint is.
 enum class EndpointKind : int32_t

@@ -26,6 +26,8 @@ TIME_RATE_ONE = 1000000
 FLAG_IGNORE_LOCAL = 1
 #: EndpointDesc.flags: not shown in the graph (stdin and other plumbing).
 FLAG_HIDDEN = 2
+#: EndpointDesc.flags: stands for an endpoint of another tab; two of them never match.
+FLAG_MIRROR = 4
 
 
 class EndpointKind(IntEnum):

@@ -24,6 +24,8 @@ export const timeRateOne = 1000000;
 export const flagIgnoreLocal = 1;
 /** EndpointDesc.flags: not shown in the graph (stdin and other plumbing). */
 export const flagHidden = 2;
+/** EndpointDesc.flags: stands for an endpoint of another tab; two of them never match. */
+export const flagMirror = 4;
 
 /** What an endpoint is. */
 export const EndpointKind = {

@@ -89,6 +89,9 @@ function NodeRow({ node, now, focused, onFocus, session, announce }: NodeRowProp
       </div>
       <p class="node-state">
         <StateBadge state={node.state} />
+        {node.elsewhere === undefined || node.elsewhere.length === 0 ? null : (
+          <span class="node-time">{texts.tabs.elsewhere(node.elsewhere)}</span>
+        )}
         {upTime === null ? null : <span class="node-time">{texts.nodes.upSince(upTime)}</span>}
       </p>
       <p class="node-facts">

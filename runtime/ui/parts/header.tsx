@@ -9,6 +9,7 @@ import { IconButton } from './button.tsx';
 import { Icon, Mark } from './icon.tsx';
 import { isAlive } from './node_state.tsx';
 import { TimeControl } from './time_control.tsx';
+import { TabsControl } from './tabs_control.tsx';
 import { useNodes } from './watch.ts';
 
 export interface PageHeaderProps {
@@ -62,6 +63,7 @@ export function PageHeader({ session, store, onAbout }: PageHeaderProps) {
         </div>
       </div>
       <div class="head-more">
+        <TabsControl session={session} />
         <ThemeButton store={store} chosenByAuthor={site.ui['theme']} />
         <IconButton icon="info" label={texts.about.open} onClick={onAbout} />
       </div>

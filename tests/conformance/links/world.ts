@@ -88,13 +88,17 @@ export class RemotePeer {
   }
 }
 
+export function newBroker(kind: LinkKind): Broker {
+  return kind === 'shared' ? new SharedBroker({ ceiling: 256 << 20 }) : new PortBroker();
+}
+
 export class World {
   readonly broker: Broker;
   private readonly start: () => Promise<RawWorker>;
-  private readonly workers: RemotePeer[] = [];
+  protected readonly workers: RemotePeer[] = [];
 
   constructor(kind: LinkKind, start: () => Promise<RawWorker>) {
-    this.broker = kind === 'shared' ? new SharedBroker({ ceiling: 256 << 20 }) : new PortBroker();
+    this.broker = newBroker(kind);
     this.start = start;
   }
 
@@ -102,10 +106,14 @@ export class World {
     return this.broker.kind;
   }
 
-  async peer(): Promise<RemotePeer> {
-    const admission = this.broker.admit();
+  peer(): Promise<RemotePeer> {
+    return this.peerOf(this.broker);
+  }
+
+  protected async peerOf(broker: Broker): Promise<RemotePeer> {
+    const admission = broker.admit();
     if (admission === undefined) throw new Error('no place for a worker');
-    const peer = new RemotePeer(await this.start(), this.broker, admission.participant);
+    const peer = new RemotePeer(await this.start(), broker, admission.participant);
     this.workers.push(peer);
     await peer.request({ ticket: admission.ticket }, admission.transfer);
     return peer;

@@ -12,6 +12,7 @@ import type {
   SiteNode,
   SiteTime,
   TimeView,
+  TabView,
   TopicView,
   Unsubscribe,
 } from '../../../runtime/wasm_js/session.ts';
@@ -111,6 +112,7 @@ class FakeTime implements SiteTime {
 
 export class FakeSession implements Session {
   readonly time = new FakeTime();
+  private joined: TabView | undefined;
   readonly site: SiteDescription;
   readonly link: LinkKind;
   /** What the page asked for: `start talker-1`, `input talker-1 text`. */
@@ -170,6 +172,17 @@ export class FakeSession implements Session {
         ...(node.source === undefined ? {} : { source: node.source }),
       };
     });
+  }
+
+  tab(): TabView | undefined {
+    return this.joined;
+  }
+
+  joinTabs(graph: string): Promise<void> {
+    this.asked.push(`join ${graph}`);
+    this.joined = { graph, number: 1, count: 2 };
+    for (const listener of this.nodeListeners) listener(this.views);
+    return Promise.resolve();
   }
 
   nodes(): readonly NodeView[] {

@@ -50,6 +50,8 @@ TEST(ChannelAddress, AHostsCredentialsAreForItAloneAndOverPrivateWays) {
   EXPECT_EQ(bearer("CONDA_CORP_COM", "https://conda.corp.com/a"), "xyz");
   EXPECT_EQ(bearer("CONDA_CORP_COM", "https://conda-corp.com/a"), "");
   EXPECT_EQ(bearer("CONDA__CORP_COM", "https://conda-corp.com:8443/a"), "xyz");
+  EXPECT_EQ(bearer("CONDA_CORP_COM", "https://conda_corp.com/a"), "");
+  EXPECT_EQ(bearer("CONDA___CORP_COM", "https://conda_corp.com/a"), "xyz");
   EXPECT_EQ(bearer("CONDA_CORP_COM", "http://conda.corp.com/a"), "");
   EXPECT_EQ(bearer("127_0_0_1", "http://127.0.0.1:80/a"), "xyz");
   EXPECT_EQ(bearer("LOCALHOST", "http://localhost/a"), "xyz");

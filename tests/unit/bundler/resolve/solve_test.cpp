@@ -241,6 +241,17 @@ TEST(SolveErrors, AllBadSpecsAtOnce) {
   EXPECT_EQ(resolution.errors()[0].code, "R2W0303");
 }
 
+TEST(SolveErrors, APackageOfAChannelIsNotThereOfItself) {
+  // Two underscores in front make no package of the platform.
+  const RepoIndex index =
+      index_of({made_record("__foo", "1", {"missing"}), made_record("lib", "1", {"other"})});
+  const auto resolution = solve(request_for({"lib"}), index);
+  ASSERT_FALSE(resolution.ok());
+  ASSERT_EQ(resolution.errors().size(), 1U);
+  for (const std::string& line : resolution.errors().front().why)
+    EXPECT_EQ(line.find("missing"), std::string::npos) << line;
+}
+
 /// One name more than there are versions, and no two may have the same: it takes very many dead
 /// ends to know that this cannot be.
 std::vector<PackageRecord> pigeons(int holes) {

@@ -121,33 +121,29 @@ struct OpenChannels::State {
     names.assign(all.begin(), all.end());
   }
 
-  /// Names that are asked for and that no channel has: do they have them for people's own machines?
-  /// What cannot be read says nothing; the request fails anyway.
-  void look_elsewhere(std::span<const std::string> wanted, RepoIndex& index,
-                      const Cancellation& cancellation) {
-    std::vector<std::string> unknown;
-    for (const std::string& text : wanted) {
-      const auto name = unchecked.exact_name(text);
-      if (name && !name->starts_with("__") &&
-          !std::binary_search(names.begin(), names.end(), *name))
-        unknown.push_back(*name);
-    }
-    if (unknown.empty() || roots.platform == kElsewhere) return;
+  /// Names that no channel has for sites: do they have them for people's own machines? What cannot
+  /// be read says nothing; the request fails anyway.
+  [[nodiscard]] std::map<std::string, std::string> elsewhere(
+      std::span<const std::string> wanted, const Cancellation& cancellation) const {
+    std::map<std::string, std::string> places;
+    if (roots.platform == kElsewhere) return places;
+    ChannelRoots hasty = roots;
+    hasty.network.download.retries = 0;
     for (const Channel& channel : channels) {
-      if (is_network_url(channel.name)) continue;  // a long download, only to say more
       const std::string folder = channel_base_url(channel.name) + "/" + kElsewhere;
-      auto files = bring_index_files(std::vector<std::string>{folder}, roots, cancellation);
+      auto files = bring_index_files(std::vector<std::string>{folder}, hasty, cancellation);
       if (!files.front() || !*files.front()) continue;
       const auto other = open_subdir(
           std::move(**files.front()),
           {.channel = channel.name, .subdir = kElsewhere, .base_url = folder}, roots, cancellation);
       if (!other) continue;
       const auto there = (*other)->names();
-      for (const std::string& name : unknown) {
+      for (const std::string& name : wanted) {
         if (std::binary_search(there.begin(), there.end(), name))
-          index.elsewhere[name] = std::string(kElsewhere) + " in " + channel.name;
+          places.emplace(name, std::string(kElsewhere) + " in " + channel.name);
       }
     }
+    return places;
   }
 
   [[nodiscard]] RepoIndex nothing_yet() const {
@@ -227,7 +223,9 @@ Outcome<RepoIndex> OpenChannels::reachable(std::span<const std::string> specs,
                                            ChannelPriority priority,
                                            const Cancellation& cancellation) const {
   RepoIndex index = state_->nothing_yet();
-  state_->look_elsewhere(specs, index, cancellation);
+  index.elsewhere = [state = state_, cancellation](std::span<const std::string> names) {
+    return state->elsewhere(names, cancellation);
+  };
   Reach reach(state_->unchecked, state_->names);
   for (const std::string& text : specs) reach.begin(text);
   for (std::vector<std::string> wave = reach.next(); !wave.empty(); wave = reach.next()) {

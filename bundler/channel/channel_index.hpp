@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -56,8 +57,9 @@ struct RepoIndex {
   std::vector<LeftOutRecord> left_out;
   std::vector<std::string>
       names;  ///< of all packages of the channels, sorted; records may be fewer
-  /// Names that were asked for and that only another platform has: "linux-64 in CHANNEL".
-  std::map<std::string, std::string> elsewhere;
+  /// Which of these names another platform has: "linux-64 in CHANNEL". Reads more of the channels,
+  /// so it is for explaining what is missing; may be empty.
+  std::function<std::map<std::string, std::string>(std::span<const std::string> names)> elsewhere;
 };
 
 /// Channels whose lists of names are known; records are read when they are asked for.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 
 #include "workspace_schema/secret_text.hpp"
 
@@ -103,20 +104,10 @@ void add_host_credentials(DownloadSource& source, const ChannelNetwork& network)
   }
 }
 
-DownloadSource source_of(const std::string& url, const ChannelNetwork& network) {
-  DownloadSource source{.url = url, .shown_url = url, .user_info = {}, .bearer = {}};
-  const ChannelSecret* best = nullptr;
-  for (const ChannelSecret& secret : network.secrets) {
-    if (is_below(url, secret.base) && (best == nullptr || best->base.size() < secret.base.size()))
-      best = &secret;
-  }
-  if (best == nullptr) {
-    add_host_credentials(source, network);
-  } else {
-    source.url = with_token(url, best->token);
-    source.user_info = best->user_info;
-  }
-  return source;
+/// Whoever writes an index says where its files are, but not that they lie beside a folder.
+bool stays_below(std::string_view rest) {
+  while (rest.starts_with('/')) rest.remove_prefix(1);
+  return !std::filesystem::path(rest).lexically_normal().string().starts_with("..");
 }
 
 /// Takes the credentials out of an address and remembers them.
@@ -177,12 +168,38 @@ Outcome<std::string> channel_address(std::string_view text, ChannelNetwork& netw
   return remembered(*name, network);
 }
 
-std::vector<DownloadSource> sources_of(const std::string& url, const ChannelNetwork& network) {
-  std::vector<DownloadSource> sources;
+std::vector<std::string> at_mirrors(const std::string& url, const ChannelNetwork& network) {
+  std::vector<std::string> places;
   for (const ChannelMirrors& mirrors : network.mirrors) {
     if (!is_below(url, mirrors.base)) continue;
-    for (const std::string& mirror : mirrors.urls)
-      sources.push_back(source_of(mirror + url.substr(mirrors.base.size()), network));
+    const std::string rest = url.substr(mirrors.base.size());
+    for (const std::string& mirror : mirrors.urls) {
+      if (is_network_url(mirror) || stays_below(rest)) places.push_back(mirror + rest);
+    }
+  }
+  return places;
+}
+
+DownloadSource source_of(const std::string& url, const ChannelNetwork& network) {
+  DownloadSource source{.url = url, .shown_url = url, .user_info = {}, .bearer = {}};
+  const ChannelSecret* best = nullptr;
+  for (const ChannelSecret& secret : network.secrets) {
+    if (is_below(url, secret.base) && (best == nullptr || best->base.size() < secret.base.size()))
+      best = &secret;
+  }
+  if (best == nullptr) {
+    add_host_credentials(source, network);
+  } else {
+    source.url = with_token(url, best->token);
+    source.user_info = best->user_info;
+  }
+  return source;
+}
+
+std::vector<DownloadSource> sources_of(const std::string& url, const ChannelNetwork& network) {
+  std::vector<DownloadSource> sources;
+  for (const std::string& mirror : at_mirrors(url, network)) {
+    if (is_network_url(mirror)) sources.push_back(source_of(mirror, network));
   }
   sources.push_back(source_of(url, network));
   return sources;

@@ -21,7 +21,7 @@ struct ChannelSecret {
 
 struct ChannelMirrors {
   std::string base;               ///< what the manifest and the lock name
-  std::vector<std::string> urls;  ///< asked first, in this order
+  std::vector<std::string> urls;  ///< asked first, in this order; folders are absolute paths
 };
 
 struct ChannelNetwork {
@@ -48,7 +48,15 @@ struct ChannelNetwork {
 /// "http" and "https".
 [[nodiscard]] bool is_network_url(std::string_view url);
 
-/// All addresses that a file may be brought from, with credentials: mirrors first.
+/// The same file or folder at the mirrors of its channel, in their order, without credentials.
+[[nodiscard]] std::vector<std::string> at_mirrors(const std::string& url,
+                                                  const ChannelNetwork& network);
+
+/// The address with what its server wants to know.
+[[nodiscard]] DownloadSource source_of(const std::string& url, const ChannelNetwork& network);
+
+/// All addresses that a file may be brought from, with credentials: mirrors first. Mirrors that are
+/// folders are not among them.
 [[nodiscard]] std::vector<DownloadSource> sources_of(const std::string& url,
                                                      const ChannelNetwork& network);
 

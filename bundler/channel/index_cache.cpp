@@ -3,6 +3,7 @@
 
 #include <chrono>
 
+#include "bundler/channel/index_fault.hpp"
 #include "bundler/io/download.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/sha256.hpp"
@@ -63,7 +64,10 @@ Outcome<Done> keep_state(const Copy& copy, const Downloaded& answer, const std::
 
 Download download_of(const Copy& copy, const fs::path& file, const ChannelRoots& roots) {
   Download download{
-      .sources = sources_of(copy.url, roots.network), .headers = {}, .file = file, .fault = {}};
+      .sources = {source_of(copy.url, roots.network)},
+      .headers = {},
+      .file = file,
+      .fault = [url = copy.url](const fs::path& brought) { return index_fault(brought, url); }};
   if (!copy.present()) return download;
   if (!copy.state->etag.empty()) download.headers.push_back("If-None-Match: " + copy.state->etag);
   if (!copy.state->last_modified.empty())

@@ -29,8 +29,9 @@ struct IndexCopyState {
 [[nodiscard]] std::filesystem::path index_copy_place(const std::filesystem::path& folder,
                                                      const IndexCopyState& state);
 
-/// For each address the file as it is now, or nothing when there is none. Offline: the copy, or
-/// nothing. Errors are those of download.hpp; R2W0234 also for 401 and 403 of a repodata.json.
+/// For each address the file as it is now, or nothing when there is none; mirrors are the caller's.
+/// Offline: the copy, or nothing. Errors are those of download.hpp; R2W0234 also for 401 and 403 of
+/// a repodata.json; R2W0202 what came is no index.
 [[nodiscard]] std::vector<Outcome<LocalFile>> bring_indexes(std::span<const std::string> urls,
                                                             const ChannelRoots& roots,
                                                             const Cancellation& cancellation);

@@ -1,7 +1,9 @@
 // See index_files.hpp.
 #include "bundler/channel/index_files.hpp"
 
+#include <algorithm>
 #include <array>
+#include <map>
 #include <set>
 
 #include "bundler/archive/archive_library.hpp"
@@ -35,6 +37,10 @@ std::string_view channel_of(std::string_view folder_url) {
 
 using FoundIndex = Outcome<std::optional<IndexFile>>;
 
+std::string_view subdir_of(std::string_view folder_url) {
+  return folder_url.substr(folder_url.rfind('/') + 1);
+}
+
 /// What the channels lack is remembered of those that answered with some index only: an address may
 /// become a channel at any time. The plain form, which every channel has, is always asked for.
 void remember_missing_forms(std::span<const std::string> folder_urls,
@@ -55,11 +61,10 @@ void remember_missing_forms(std::span<const std::string> folder_urls,
   }
 }
 
-}  // namespace
-
-std::vector<Outcome<std::optional<IndexFile>>> bring_index_files(
-    std::span<const std::string> folder_urls, const ChannelRoots& roots,
-    const Cancellation& cancellation) {
+/// In the best form that each has.
+std::vector<FoundIndex> bring_best_forms(std::span<const std::string> folder_urls,
+                                         const ChannelRoots& roots,
+                                         const Cancellation& cancellation) {
   std::vector<FoundIndex> found(folder_urls.size(), FoundIndex(std::optional<IndexFile>()));
   std::vector<std::size_t> open(folder_urls.size());
   for (std::size_t i = 0; i < open.size(); ++i) open[i] = i;
@@ -82,6 +87,70 @@ std::vector<Outcome<std::optional<IndexFile>>> bring_index_files(
     open = std::move(still_open);
   }
   if (!roots.network.offline) remember_missing_forms(folder_urls, found, roots);
+  return found;
+}
+
+/// One channel: what is asked of it, and where it can be asked.
+struct Asked {
+  std::vector<std::size_t> folders;  ///< places in the question
+  std::vector<std::string> places;   ///< its mirrors, then itself
+};
+
+std::vector<Asked> by_channel(std::span<const std::string> folder_urls,
+                              const ChannelNetwork& network) {
+  std::map<std::string_view, Asked> channels;
+  for (std::size_t i = 0; i < folder_urls.size(); ++i) {
+    Asked& asked = channels[channel_of(folder_urls[i])];
+    asked.folders.push_back(i);
+    if (asked.folders.size() > 1) continue;
+    const std::string channel(channel_of(folder_urls[i]));
+    asked.places = at_mirrors(channel, network);
+    asked.places.push_back(channel);
+  }
+  std::vector<Asked> all;
+  for (auto& [name, asked] : channels) all.push_back(std::move(asked));
+  return all;
+}
+
+/// The channel is here, whole.
+bool answered(const Asked& asked, const std::vector<FoundIndex>& found) {
+  const auto is = [&](auto what) {
+    return [&found, what](std::size_t i) { return what(found[i]); };
+  };
+  return std::all_of(asked.folders.begin(), asked.folders.end(),
+                     is([](const FoundIndex& one) { return one.ok(); })) &&
+         std::any_of(asked.folders.begin(), asked.folders.end(),
+                     is([](const FoundIndex& one) { return one.ok() && one->has_value(); }));
+}
+
+}  // namespace
+
+std::vector<Outcome<std::optional<IndexFile>>> bring_index_files(
+    std::span<const std::string> folder_urls, const ChannelRoots& roots,
+    const Cancellation& cancellation) {
+  std::vector<FoundIndex> found(folder_urls.size(), FoundIndex(std::optional<IndexFile>()));
+  std::vector<Asked> open = by_channel(folder_urls, roots.network);
+  // All channels come to their own address in the last round; before it, somebody else can be
+  // asked.
+  std::size_t rounds = 0;
+  for (const Asked& asked : open) rounds = std::max(rounds, asked.places.size());
+  for (std::size_t left = rounds; left > 0; --left) {
+    std::vector<std::string> urls;
+    std::vector<std::size_t> positions;
+    for (const Asked& asked : open) {
+      if (asked.places.size() < left) continue;
+      const std::string& place = asked.places[asked.places.size() - left];
+      for (const std::size_t i : asked.folders) {
+        urls.push_back(place + "/" + std::string(subdir_of(folder_urls[i])));
+        positions.push_back(i);
+      }
+    }
+    ChannelRoots patient = roots;
+    if (left > 1) patient.network.download.retries = std::min(roots.network.download.retries, 1);
+    auto files = bring_best_forms(urls, patient, cancellation);
+    for (std::size_t k = 0; k < files.size(); ++k) found[positions[k]] = std::move(files[k]);
+    std::erase_if(open, [&](const Asked& asked) { return answered(asked, found); });
+  }
   return found;
 }
 

@@ -20,7 +20,9 @@ struct IndexFile {
 };
 
 /// For each folder of a channel ("<channel>/noarch") its index, or nothing when it has none. All
-/// folders are asked at once. Errors of the transports.
+/// folders are asked at once. A mirror of a channel that has an index for one of its folders is
+/// believed for the others too; where one fails, the next is asked, and the channel itself last.
+/// Errors of the transports, from the last that was asked.
 [[nodiscard]] std::vector<Outcome<std::optional<IndexFile>>> bring_index_files(
     std::span<const std::string> folder_urls, const ChannelRoots& roots,
     const Cancellation& cancellation);

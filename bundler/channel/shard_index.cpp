@@ -2,30 +2,17 @@
 #include "bundler/channel/shard_index.hpp"
 
 #include <algorithm>
-#include <map>
-#include <set>
 #include <utility>
 
-#include "bundler/archive/zstd.hpp"
 #include "bundler/channel/channel_address.hpp"
+#include "bundler/channel/shard_format.hpp"
 #include "bundler/channel/transport.hpp"
 #include "bundler/channel/verified_files.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/sha256.hpp"
-#include "workspace_schema/record_rules.hpp"
-#include "workspace_schema/secret_text.hpp"
 
 namespace ros2wasm {
 namespace {
-
-constexpr std::uint64_t kLargestList = 512ULL << 20U;
-constexpr std::uint64_t kLargestShard = 256ULL << 20U;
-
-bool is_sha256(const std::string& text) {
-  return text.size() == 64 && std::all_of(text.begin(), text.end(), [](char c) {
-           return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f');
-         });
-}
 
 struct Shard {
   std::string name;  ///< of the package
@@ -41,32 +28,14 @@ class ShardIndex : public SubdirIndex {
   [[nodiscard]] Outcome<Done> open() {
     const auto bytes = read_file(source_.file);
     if (!bytes) return bytes.errors();
-    const auto packed = zstd_decompressed(*bytes, kLargestList, source_.url);
-    if (!packed) return packed.errors();
-    const auto list = parse_msgpack(*packed, source_.url, "R2W0202");
-    if (!list) return list.errors();
-    const JsonValue* shards = list->find("shards");
-    if (shards == nullptr || !shards->is_object())
-      return no_index(source_.url, "it lists no shards");
-    const JsonValue* version = list->find("version");
-    if (version != nullptr && version->integer().value_or(1) != 1)
-      return no_index(source_.url, "its version is not 1");
-    if (const JsonValue* info = list->find("info")) {
-      shards_base_ =
-          with_base_url(without_secrets(info->text_of("shards_base_url")), source_.place.base_url);
-      source_.place.base_url =
-          with_base_url(without_secrets(info->text_of("base_url")), source_.place.base_url);
-    } else {
-      shards_base_ = source_.place.base_url;
-    }
-    for (const auto& [name, sha256] : shards->members()) {
-      const std::string* hex = sha256.string();
-      if (hex == nullptr || !is_sha256(*hex))
-        return no_index(source_.url, "the shard of `" + name + "` has no sha256");
-      shards_.emplace_back(name, *hex);
-    }
-    std::sort(shards_.begin(), shards_.end());
-    for (const auto& [name, sha256] : shards_) names_.emplace_back(name);
+    auto list = read_shard_list(*bytes, source_.url);
+    if (!list) return std::move(list).errors();
+    const std::string here = source_.place.base_url;
+    shards_base_ = with_base_url(std::move(list->shards_base_url), here);
+    source_.place.base_url = with_base_url(std::move(list->base_url), here);
+    shards_ = std::move(list->shards);
+    names_.reserve(shards_.size());
+    for (const ListedShard& shard : shards_) names_.emplace_back(shard.name);
     return Done{};
   }
 
@@ -78,7 +47,7 @@ class ShardIndex : public SubdirIndex {
     for (const std::string& name : names) {
       const auto found = std::lower_bound(names_.begin(), names_.end(), name);
       if (found == names_.end() || *found != name) continue;
-      const std::string& sha256 = shards_[static_cast<std::size_t>(found - names_.begin())].second;
+      const std::string& sha256 = shards_[static_cast<std::size_t>(found - names_.begin())].sha256;
       wanted.push_back(
           {.name = name, .url = shards_base_ + "/" + sha256 + ".msgpack.zst", .sha256 = sha256});
     }
@@ -86,11 +55,8 @@ class ShardIndex : public SubdirIndex {
     if (!bytes) return std::move(bytes).errors();
     for (std::size_t i = 0; i < wanted.size(); ++i) {
       if (cancellation.requested()) return interrupted();
-      const auto packed = zstd_decompressed((*bytes)[i], kLargestShard, wanted[i].url);
-      if (!packed) return packed.errors();
-      const auto shard = parse_msgpack(*packed, wanted[i].url, "R2W0202");
-      if (!shard) return shard.errors();
-      add(*shard, specs, into);
+      auto done = read_shard((*bytes)[i], wanted[i].url, source_.place, specs, into);
+      if (!done) return done;
     }
     return Done{};
   }
@@ -149,42 +115,11 @@ class ShardIndex : public SubdirIndex {
                       .why = {"its sha256 is not " + shard.sha256, "it is at " + shard.url}};
   }
 
-  /// As in RepodataIndex: a `.tar.bz2` is not needed where the same is there as a good `.conda`.
-  void add(const JsonValue& shard, SpecTable& specs, RepoIndex& into) {
-    std::set<std::string, std::less<>> removed;
-    if (const JsonValue* list = shard.find("removed")) {
-      for (const JsonValue& item : list->items()) {
-        if (const std::string* name = item.string()) removed.insert(*name);
-      }
-    }
-    std::set<std::string, std::less<>> stems;
-    for (const char* key : {"packages.conda", "packages"}) {
-      const JsonValue* packages = shard.find(key);
-      if (packages == nullptr) continue;
-      std::map<std::string_view, const JsonValue*> by_file;
-      for (const auto& [file_name, record] : packages->members()) by_file[file_name] = &record;
-      for (const auto& [view, json] : by_file) {
-        const std::string file_name(view);
-        if (removed.contains(file_name) || stems.contains(archive_stem(file_name))) continue;
-        auto parsed = parse_record(*json, file_name, source_.place, specs);
-        if (auto* good = std::get_if<PackageRecord>(&parsed)) {
-          stems.emplace(archive_stem(file_name));
-          into.records.push_back(std::move(*good));
-        } else {
-          into.left_out.push_back({.channel = source_.place.channel,
-                                   .subdir = source_.place.subdir,
-                                   .file_name = file_name,
-                                   .reason = std::move(std::get<std::string>(parsed))});
-        }
-      }
-    }
-  }
-
   RepodataSource source_;
   ChannelRoots roots_;
   std::string shards_base_;
-  std::vector<std::pair<std::string, std::string>> shards_;  ///< name and sha256, by name
-  std::vector<std::string_view> names_;                      ///< into shards_, at the same places
+  std::vector<ListedShard> shards_;
+  std::vector<std::string_view> names_;  ///< into shards_, at the same places
 };
 
 }  // namespace

@@ -35,6 +35,22 @@ Diagnostic offline(const WantedFile& wanted) {
                     .why = {"--offline uses only what was downloaded before"}};
 }
 
+/// A mirror may be a folder: a copy of the file from there, when it is the right one.
+bool copied_from_folder(const WantedFile& wanted, const ChannelNetwork& network,
+                        const std::filesystem::path& part) {
+  for (const std::string& place : at_mirrors(wanted.url, network)) {
+    std::error_code error;
+    if (is_network_url(place) || !std::filesystem::is_regular_file(place, error)) continue;
+    std::filesystem::copy_file(place, part, std::filesystem::copy_options::overwrite_existing,
+                               error);
+    if (!error && !file_fault(wanted, part)) return true;
+    std::filesystem::permissions(part, std::filesystem::perms::owner_write,
+                                 std::filesystem::perm_options::add, error);
+    std::filesystem::resize_file(part, 0, error);
+  }
+  return false;
+}
+
 }  // namespace
 
 std::optional<Diagnostic> file_fault(const WantedFile& wanted, const std::filesystem::path& file) {
@@ -69,13 +85,17 @@ void bring_verified(const std::vector<WantedFile>& wanted, const ChannelNetwork&
       }
       std::filesystem::remove(one.place, error);
     }
-    if (network.offline) {
-      done(i, offline(one));
-      continue;
-    }
     auto part = PartFile::open(one.place);
     if (!part) {
       done(i, std::move(part).errors());
+      continue;
+    }
+    if (copied_from_folder(one, network, part->path())) {
+      done(i, part->finish(one.place));
+      continue;
+    }
+    if (network.offline) {
+      done(i, offline(one));
       continue;
     }
     downloader.add(

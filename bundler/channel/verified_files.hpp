@@ -25,9 +25,9 @@ struct WantedFile {
 [[nodiscard]] std::optional<Diagnostic> file_fault(const WantedFile& wanted,
                                                    const std::filesystem::path& file);
 
-/// Brings all of them over the network at once; `done` is called for each as it ends (with its
-/// position), `tick` several times a second, both on this thread. Errors: R2W0228 not there,
-/// R2W0220 not the right one, R2W0232 offline, those of download.hpp.
+/// Brings all of them from folders that are mirrors, or over the network at once; `done` is called
+/// for each as it ends (with its position), `tick` several times a second, both on this thread.
+/// Errors: R2W0228 not there, R2W0220 not the right one, R2W0232 offline, those of download.hpp.
 void bring_verified(const std::vector<WantedFile>& wanted, const ChannelNetwork& network,
                     const Cancellation& cancellation,
                     const std::function<void(std::size_t, Outcome<Done>)>& done,

@@ -40,6 +40,14 @@ Outcome<std::vector<MatchSpec>> parse_specs(const std::vector<RequestedSpec>& sp
 Diagnostics unknown_names(const ResolveRequest& request, const std::vector<MatchSpec>& specs,
                           const Universe& universe, const RepoIndex& index) {
   Diagnostics errors;
+  std::vector<std::string> unknown;
+  for (const MatchSpec& spec : specs) {
+    const auto name = spec.exact_name();
+    if (name && !universe.by_name.contains(*name)) unknown.push_back(*name);
+  }
+  if (unknown.empty()) return errors;
+  const auto elsewhere =
+      index.elsewhere ? index.elsewhere(unknown) : std::map<std::string, std::string>();
   std::vector<std::string> names;
   for (std::size_t i = 0; i < specs.size(); ++i) {
     const auto name = specs[i].exact_name();
@@ -51,7 +59,7 @@ Diagnostics unknown_names(const ResolveRequest& request, const std::vector<Match
                      .label = "not in any channel"};
     if (!requested.origin.empty()) error.why.push_back("it is asked for by " + requested.origin);
     error.why.push_back("the channels are: " + name_list(index.channels));
-    if (const auto other = index.elsewhere.find(*name); other != index.elsewhere.end()) {
+    if (const auto other = elsewhere.find(*name); other != elsewhere.end()) {
       error.why.push_back("it is there for " + other->second +
                           ", but has not been built for emscripten-wasm32");
     }

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "bundler/channel/transport.hpp"
 #include "bundler/store/store.hpp"
 #include "workspace_schema/diagnostic_list.hpp"
 
@@ -11,17 +12,31 @@ namespace {
 
 /// What the manifest says of channels' addresses. The environment's alias is the manifest's
 /// default.
-Diagnostics use_manifest(const Manifest& manifest, ChannelNetwork& network) {
+Diagnostics use_manifest(const Manifest& manifest, ChannelRoots& roots) {
   Diagnostics errors;
+  ChannelNetwork& network = roots.network;
   if (manifest.channel_alias) network.alias = manifest.channel_alias->value;
-  const auto address_of = [&](const Spanned<std::string>& text) {
-    auto address = channel_address(text.value, network);
-    if (!address) append(errors, address.errors(), text.span);
-    return address ? std::move(*address) : std::string();
-  };
   for (const MirrorEntry& mirror : manifest.mirrors) {
-    ChannelMirrors mirrors{.base = address_of(mirror.channel), .urls = {}};
-    for (const auto& url : mirror.urls) mirrors.urls.push_back(address_of(url));
+    auto base = channel_address(mirror.channel.value, network);
+    if (!base) {
+      append(errors, base.errors(), mirror.channel.span);
+      continue;
+    }
+    std::vector<ChannelSource> named;
+    for (const auto& url : mirror.urls) named.push_back({.name = url.value, .span = url.span});
+    const auto places = channel_addresses(named, roots);
+    if (!places) {
+      append(errors, places.errors());
+      continue;
+    }
+    ChannelMirrors mirrors{.base = std::move(*base), .urls = {}};
+    for (const ChannelSource& one : *places) {
+      std::error_code error;
+      const auto folder = local_channel_folder(one.name, roots.working_directory);
+      mirrors.urls.push_back(
+          folder ? std::filesystem::absolute(*folder, error).lexically_normal().string()
+                 : one.name);
+    }
     network.mirrors.push_back(std::move(mirrors));
   }
   return errors;
@@ -39,7 +54,7 @@ Outcome<WorkspaceChannels> workspace_channels(Manifest& manifest,
                                      .network = network_of(variables)},
                            .addresses = {}};
   if (auto embedded = embedded_channel(executable)) result.roots.embedded = std::move(*embedded);
-  Diagnostics errors = use_manifest(manifest, result.roots.network);
+  Diagnostics errors = use_manifest(manifest, result.roots);
   std::vector<ChannelSource> channels;
   for (const auto& channel : manifest.channels) channels.push_back({channel.value, channel.span});
   if (channels.empty()) channels.push_back({kEmbeddedChannel, std::nullopt});

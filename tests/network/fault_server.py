@@ -170,6 +170,10 @@ class Handler(http.server.BaseHTTPRequestHandler):
         self.wfile.write(body)
         self.close_connection = True
 
+    def login_page(self, _: object, __: bytes) -> None:
+        """What stands in front of many networks: an answer, but not of the server."""
+        self.plain(200, b"<!doctype html><title>Welcome</title>")
+
     def endless(self, _: object, body: bytes) -> None:
         """The file, and then no end of zeros."""
         self.note(200)

@@ -129,21 +129,6 @@ class Fetching(FetchCase):
         self.fail_with("R2W0232", "pack", "--offline")
         self.assertEqual(self.server.behaviour.seen, [])
 
-    def test_mirrors(self) -> None:
-        shutil.copytree(self.channel, self.folder / "mirror/a")
-        shutil.copytree(self.channel, self.folder / "mirror/b")
-        channel = self.server.url + "/channel"
-        wanted = self.packed()
-        self.write_manifest(channel, f"mirrors:\n  {channel}:\n    - {self.server.url}/mirror/a/\n"
-                                     f"    - {self.server.url}/mirror/b\n")
-        shutil.rmtree(self.folder / "cache")
-        self.server.forget()
-        self.server.plan("/mirror/a/noarch/lib0-1.0-h_0.conda", Fault("other_bytes"), FOREVER)
-        self.server.plan("/mirror/b/noarch/lib0-1.0-h_0.conda", Fault("status", 500), FOREVER)
-        self.assertEqual(self.packed(), wanted)
-        origin = [one.path for one in self.server.behaviour.seen if one.path.startswith("/channel/noarch/")]
-        self.assertEqual(origin, [self.archive])  # the rest came from the first mirror
-
     def test_a_damaged_package_is_made_again(self) -> None:
         wanted = self.packed()
         for file in (self.folder / "cache").rglob("share/lib0/data"):

@@ -237,6 +237,48 @@ class Addresses(IndexCase):
         self.assertIn("credentials", self.fail_with("R2W0234", "solve", "-c", self.url, "a"))
 
 
+class OtherPlatforms(IndexCase):
+    """What no channel has for sites is looked for among linux-64: only then, and without harm when that fails."""
+
+    def setUp(self) -> None:
+        super().setUp()
+        native = self.channel / "linux-64"
+        native.mkdir()
+        record = {"name": "native-only", "version": "1.0", "build": "h_0", "build_number": 0, "depends": []}
+        index = {"info": {"subdir": "linux-64"}, "packages.conda": {"native-only-1.0-h_0.conda": record}}
+        (native / "repodata.json").write_text(json.dumps(index))
+
+    def asked_for_linux(self) -> list[tuple[str, int]]:
+        return [(one.path.rsplit("/", 1)[1], one.status) for one in self.server.behaviour.seen
+                if "/linux-64/" in one.path]
+
+    def test_asked_only_when_something_is_missing(self) -> None:
+        self.solution(self.url, "a")
+        self.assertEqual(self.asked_for_linux(), [])
+        text = self.fail_with("R2W0302", "solve", "-c", self.url, "native-only")
+        self.assertIn(f"it is there for linux-64 in {self.url}, but has not been built for emscripten-wasm32", text)
+        self.assertEqual(self.asked_for_linux()[-1], ("repodata.json", 200))
+        self.server.forget()
+        self.assertEqual(self.fail_with("R2W0302", "solve", "-c", self.url, "native-only"), text)
+        self.assertEqual(self.asked_for_linux(), [("repodata.json", 304)])
+        self.server.forget()
+        self.assertEqual(self.fail_with("R2W0302", "solve", "--offline", "-c", self.url, "native-only"), text)
+        self.assertEqual(self.server.behaviour.seen, [])
+
+    def test_a_name_of_nowhere(self) -> None:
+        text = self.fail_with("R2W0302", "solve", "-c", self.url, "nowhere")
+        self.assertNotIn("linux-64", text)
+
+    def test_that_it_fails_does_not_matter(self) -> None:
+        for fault in (Fault("status", 500), Fault("reset", 0), Fault("login_page")):
+            with self.subTest(fault=fault):
+                shutil.rmtree(self.folder / "cache", ignore_errors=True)
+                self.server.plan("/channel/linux-64/repodata.json", fault, FOREVER)
+                text = self.fail_with("R2W0302", "solve", "-c", self.url, "native-only")
+                self.assertEqual(text.count("error["), 1, text)
+                self.assertNotIn("linux-64", text)
+
+
 class Faults(IndexCase):
     def test_what_passes_is_tried_again(self) -> None:
         for fault in (Fault("status", 503), Fault("retry_after", (429, "1")), Fault("truncate", 40),

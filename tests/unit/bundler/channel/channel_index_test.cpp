@@ -20,8 +20,8 @@ RepoIndex parsed(const std::string& packages, const std::string& rest = {}) {
 
 TEST(Repodata, ManyFormsOfFields) {
   const RepoIndex index = parsed(
-      R"("a-1-0.conda":{"name":"A","version":"1","build":"0","build_number":0,"noarch":true,"track_features":"x, y","timestamp":1500000000,"depends":["b","b"],"sha256":null,"size":3},
-         "c-1-0.conda":{"name":"c","version":"1","build":"0","build_number":0,"noarch":"python","track_features":["z"],"timestamp":1500000000000,"constrains":null,"subdir":"noarch"},
+      R"("a-1-0.conda":{"name":"A","version":"1","build":"0","build_number":0,"noarch":true,"track_features":"x, y","timestamp":1500000000,"depends":["b","b"],"sha256":null,"size":3,"run_exports":{"weak":["a >=1"]}},
+         "c-1-0.conda":{"name":"c","version":"1","build":"0","build_number":0,"noarch":"python","track_features":["z"],"timestamp":1500000000000,"constrains":null,"subdir":"noarch","run_exports":7},
          "d-1-0.conda":{"name":"d","version":"1","build":"0","build_number":0,"noarch":"","md5":"D41D8CD98F00B204E9800998ECF8427E"})");
   ASSERT_EQ(index.records.size(), 3U);
   EXPECT_EQ(index.records[0].name, "a");

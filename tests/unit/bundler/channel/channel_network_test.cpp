@@ -66,6 +66,12 @@ TEST(ChannelAddress, MirrorsComeFirst) {
     urls += source.url + " ";
   EXPECT_EQ(urls, "https://m1/x/noarch/r https://m2/y/noarch/r https://host/a/noarch/r ");
   EXPECT_EQ(sources_of("https://host/ab/r", network).size(), 1U);
+  network.mirrors.front().urls = {"/srv/a"};
+  EXPECT_EQ(at_mirrors("https://host/a/noarch/r", network),
+            std::vector<std::string>{"/srv/a/noarch/r"});
+  EXPECT_EQ(sources_of("https://host/a/noarch/r", network).size(), 1U);
+  // An index says where its archives are, but not which files of this machine they are.
+  EXPECT_TRUE(at_mirrors("https://host/a/noarch/../../etc/r", network).empty());
 }
 
 TEST(SecretText, MasksKeepPlacesAndLeaveTheRest) {

@@ -1,0 +1,37 @@
+// Bytes of a sharded index (CEP 16): the list of shards, and a shard with the records of one name.
+// Pure.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bundler/channel/channel_index.hpp"
+#include "bundler/channel/repodata_record.hpp"
+#include "bundler/channel/spec_table.hpp"
+#include "workspace_schema/outcome.hpp"
+
+namespace ros2wasm {
+
+struct ListedShard {
+  std::string name;    ///< of the package
+  std::string sha256;  ///< of the shard's file, hex
+
+  auto operator<=>(const ListedShard&) const = default;
+};
+
+struct ShardList {
+  std::string base_url;             ///< of archives; absolute or below the folder of the list
+  std::string shards_base_url;      ///< of the shards' files; likewise
+  std::vector<ListedShard> shards;  ///< sorted
+};
+
+/// Of a repodata_shards.msgpack.zst. R2W0202; `url` is for messages.
+[[nodiscard]] Outcome<ShardList> read_shard_list(std::string_view bytes, const std::string& url);
+
+/// Adds the records of a shard to `into`, those that cannot be used to its `left_out`. R2W0202;
+/// `url` is for messages.
+[[nodiscard]] Outcome<Done> read_shard(std::string_view bytes, const std::string& url,
+                                       const RecordPlace& place, SpecTable& specs, RepoIndex& into);
+
+}  // namespace ros2wasm

@@ -59,9 +59,18 @@ class Walk {
     std::size_t taken = 0;
   };
 
+  /// Something that was taken serves it.
+  [[nodiscard]] bool is_served(RequirementId requirement) const {
+    const auto& providers = universe_.matches(requirement).providers;
+    return std::any_of(providers.begin(), providers.end(),
+                       [this](CandidateId id) { return taken_[id]; });
+  }
+
   void begin_round(std::vector<RequirementId> requirements) {
     std::sort(requirements.begin(), requirements.end());
     requirements.erase(std::unique(requirements.begin(), requirements.end()), requirements.end());
+    // What was taken in earlier rounds stays as long as this round.
+    std::erase_if(requirements, [this](RequirementId one) { return is_served(one); });
     std::sort(requirements.begin(), requirements.end(), [this](RequirementId a, RequirementId b) {
       return universe_.requirement(a).text < universe_.requirement(b).text;
     });
@@ -71,9 +80,8 @@ class Walk {
   /// Takes the best provider that is not ruled out, or goes back to where that was a dead end.
   /// False: there is no solution.
   bool serve(RequirementId requirement) {
-    const auto& providers = universe_.matches(requirement).providers;
-    if (std::none_of(providers.begin(), providers.end(),
-                     [this](CandidateId id) { return taken_[id]; })) {
+    if (!is_served(requirement)) {
+      const auto& providers = universe_.matches(requirement).providers;
       const auto best = std::find_if(providers.begin(), providers.end(), [this](CandidateId id) {
         return !consequences_.is_ruled_out(id);
       });

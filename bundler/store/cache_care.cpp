@@ -94,8 +94,10 @@ std::string fault_of_index(const fs::path& folder) {
   return hashes && hashes->sha256 == state->sha256 ? "" : "the copy has another sha256";
 }
 
-bool is_seal(const fs::path& path) {
-  return path.extension() == ".seal";
+/// Beside the folders of packages lie their seals, and what is left of writing one.
+bool is_package(const fs::path& path) {
+  std::error_code error;
+  return fs::is_directory(fs::symlink_status(path, error));
 }
 
 bool is_kept_index(const fs::path& path) {
@@ -133,7 +135,7 @@ std::set<fs::path> used_kept_indexes(const fs::path& cache) {
 std::vector<Item> items_of(const fs::path& cache) {
   std::vector<Item> items;
   for (const fs::path& folder : in_buckets(cache / "packages")) {
-    if (!is_seal(folder)) items.push_back({folder, package_fault});
+    if (is_package(folder)) items.push_back({folder, package_fault});
   }
   for (const fs::path& folder : in_buckets(cache / "archives")) {
     for (const fs::path& file : entries_of(folder)) {
@@ -242,10 +244,10 @@ Outcome<Pruned> prune_cache(const fs::path& cache, const PruneRequest& request,
   if (!check) return check.errors();
   for (const CacheFault& fault : check->faults) pruner.remove(cache / fault.path);
   for (const fs::path& entry : in_buckets(cache / "packages")) {
-    std::error_code error;
     fs::path folder = entry;
-    if (is_seal(entry) && !fs::exists(folder.replace_extension(), error))
-      pruner.remove_if_old(entry);
+    folder.replace_extension();
+    const bool is_seal = entry == package_seal_place(folder) && is_package(folder);
+    if (!is_package(entry) && !is_seal) pruner.remove_if_old(entry);
   }
   for (const fs::path& entry : entries_of(build_area(cache))) {
     if (entry != build_place(cache)) pruner.remove(entry);

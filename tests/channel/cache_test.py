@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import os
 import tarfile
 from collections.abc import Mapping
 from pathlib import Path
@@ -93,6 +94,26 @@ class Packages(ChannelCase):
         self.assertEqual(mine.read_text(), "of somebody else")
         mine.write_text("and changed")
         self.fail_with("R2W0239", "cache", "verify")
+
+    def test_what_is_left_of_writing_a_seal_is_no_package(self) -> None:
+        self.add_package("p", {"share/p/a": b"a"})
+        self.write_index()
+        (self.folder / "workspace.yaml").write_text(
+            "schema: 1\nname: demo\nchannels: [./channel]\ndependencies: [p]\n"
+            "launch:\n  - package: demo\n    executable: talker\n")
+        self.succeed("lock")
+        self.succeed("cache", "fetch")
+        seal, = (self.folder / "cache/ros2wasm/packages").glob("??/*.seal")
+        left = seal.with_name(seal.name + ".a1b2c3")
+        left.write_bytes(b"")
+        self.assertIn(" 0 damaged", self.succeed("cache", "verify"))
+        self.succeed("cache", "prune")
+        self.assertTrue(left.exists())  # somebody may be at it
+        os.utime(left, (0, 0))
+        os.utime(seal, (0, 0))
+        self.succeed("cache", "prune")
+        self.assertFalse(left.exists())
+        self.assertTrue(seal.exists())
 
     def test_prune_removes_builds_of_other_versions(self) -> None:
         builds = self.folder / "cache/ros2wasm/build"

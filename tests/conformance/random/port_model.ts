@@ -22,6 +22,8 @@ export class PortModel extends Model {
   /** How often all was quiet when a sample was written. */
   private readonly epochs = new Map<ModelSample, number>();
   private epoch = 0;
+  /** Participants where, of a writer's samples, some may have waited for a reader that wants all. */
+  private readonly heldUp = new Map<ModelEndpoint, Set<number>>();
 
   override create(parts: Omit<ModelEndpoint, 'queue' | 'written'>): ModelEndpoint {
     const endpoint = super.create(parts);
@@ -36,6 +38,10 @@ export class PortModel extends Model {
   private meet(writer: ModelEndpoint, reader: ModelEndpoint): void {
     const from = writer.written.length + 1 - this.granted(writer, reader);
     const local = writer.participant === reader.participant;
+    if (!local && wantsAll(reader)) {
+      const places = this.heldUp.get(writer) ?? new Set();
+      this.heldUp.set(writer, places.add(reader.participant));
+    }
     this.pairs.get(reader)!.set(writer, { from, owed: local ? from : undefined, newest: 0, epoch: this.epoch });
   }
 
@@ -95,7 +101,7 @@ export class PortModel extends Model {
   /** Of what is owed, the reader never gets what it has not got before `next`: has newer taken its place? */
   private mayLack(reader: ModelEndpoint, writer: ModelEndpoint, pair: Pair, next: number): void {
     const { owed, newest } = pair;
-    const all = reader.kind !== EndpointKind.subscription || depthOf(reader.qos) === Infinity;
+    const all = wantsAll(reader);
     const first = all && newest > 0 ? newest + 1 : owed;
     if (first === undefined) return;
     const lacking = writer.written.slice(Math.max(first - 1, newest), next - 1)
@@ -104,8 +110,9 @@ export class PortModel extends Model {
     const since = this.arrival(lacking, pair);
     let newer = 0;
     for (const [other, known] of this.pairs.get(reader)!) {
-      newer += other === writer ? writer.written.length - lacking.sequence
-        : other.written.filter((each) => this.arrival(each, known) >= since).length;
+      if (other === writer) newer += writer.written.length - lacking.sequence;
+      else if (this.heldUp.get(other)?.has(reader.participant) === true) newer += other.written.length;
+      else newer += other.written.filter((each) => this.arrival(each, known) >= since).length;
     }
     if (all || newer < depthOf(reader.qos)) throw new Error(`${lacking.sequence} of ${writer.written.length} never came, and only ${newer} did after it`);
   }
@@ -114,4 +121,8 @@ export class PortModel extends Model {
   private arrival(sample: ModelSample, pair: Pair): number {
     return Math.max(this.epochs.get(sample)!, pair.epoch);
   }
+}
+
+function wantsAll(reader: ModelEndpoint): boolean {
+  return reader.kind !== EndpointKind.subscription || depthOf(reader.qos) === Infinity;
 }

@@ -45,7 +45,7 @@ export function judge(expected: Expectation, seen: Seen): Verdict {
     for (const [path, regex] of fields) {
       const value = seen.value(topic, path);
       if (value === undefined) missing.push(`no ${path} on ${topic}`);
-      else if (!regex.test(value)) missing.push(`${path} on ${topic} is ${value}, not ${regex.source}`);
+      else if (!regex.test(value)) missing.push(`${path} on ${topic} is ${value}, not ${written(regex)}`);
     }
   }
   if (expected.exit !== undefined && node.exit !== expected.exit) {
@@ -63,11 +63,16 @@ function unsaid({ log, anywhere }: Start, lines: readonly string[]): string[] {
   for (const regex of log) {
     const at = lines.findIndex((line, index) => index >= from && regex.test(line));
     if (at < 0) {
-      result.push(`no line fits ${regex.source}`);
+      result.push(`no line fits ${written(regex)}`);
       break;
     }
     from = at + 1;
   }
-  for (const regex of anywhere) if (!lines.some((line) => regex.test(line))) result.push(`no line fits ${regex.source}`);
+  for (const regex of anywhere) if (!lines.some((line) => regex.test(line))) result.push(`no line fits ${written(regex)}`);
   return result;
+}
+
+/** As the file of expectations has it: `source` escapes the slashes. */
+function written(regex: RegExp): string {
+  return regex.source.replaceAll('\\/', '/');
 }

@@ -92,6 +92,7 @@ class Packages(ChannelCase):
         self.assertIn("1 checked, 0 damaged", self.succeed("cache", "verify"))
         mine, = (self.folder / "cache/ros2wasm/packages").rglob(".sha256sums")
         self.assertEqual(mine.read_text(), "of somebody else")
+        mine.chmod(0o644)
         mine.write_text("and changed")
         self.fail_with("R2W0239", "cache", "verify")
 

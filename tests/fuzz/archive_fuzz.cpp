@@ -13,10 +13,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A folder of this process, in memory where there is one.
+/// A folder of this process, in memory where that may be written.
 const fs::path& own_folder() {
   static const fs::path folder = [] {
-    const fs::path base = fs::is_directory("/dev/shm") ? "/dev/shm" : fs::temp_directory_path();
+    const bool in_memory = ::access("/dev/shm", W_OK) == 0;
+    const fs::path base = in_memory ? "/dev/shm" : fs::temp_directory_path();
     fs::path made = base / ("ros2wasm-fuzz-" + std::to_string(::getpid()));
     fs::create_directories(made);
     std::atexit([] { fs::remove_all(own_folder()); });

@@ -85,12 +85,11 @@ std::optional<LinkerCall> linker_call(const QuickLink& link, const std::string& 
   }
   if (!call.linker.empty()) return call;
 
-  LinkLine probe{
-      .compiler = link.line.compiler,
-      .output =
-          {},  // The loader calls these; the driver itself looks whether a program's objects do.
-      .arguments = {"-v", "-Wl,--export-if-defined=malloc,--export-if-defined=free"},
-      .thread_support = marker};
+  LinkLine probe{.compiler = link.line.compiler,
+                 .output = {},
+                 // The loader calls these; the driver itself looks whether a program's objects do.
+                 .arguments = {"-v", "-Wl,--export-if-defined=malloc,--export-if-defined=free"},
+                 .thread_support = marker};
   const auto said = run_process(
       {.arguments = link_command(probe, link.kind, link.stem), .environment = link.environment},
       cancellation);

@@ -107,7 +107,8 @@ void add_host_credentials(DownloadSource& source, const ChannelNetwork& network)
 /// Whoever writes an index says where its files are, but not that they lie beside a folder.
 bool stays_below(std::string_view rest) {
   while (rest.starts_with('/')) rest.remove_prefix(1);
-  return !std::filesystem::path(rest).lexically_normal().string().starts_with("..");
+  const std::filesystem::path path = std::filesystem::path(rest).lexically_normal();
+  return path.empty() || *path.begin() != "..";
 }
 
 /// Takes the credentials out of an address and remembers them.

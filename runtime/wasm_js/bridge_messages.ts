@@ -1,6 +1,6 @@
 // What the bridges of two tabs say to each other. Law: protocol/SPEC.md section 7.
 
-import type { EndpointQos } from './qos.ts';
+import type { EndpointRecord } from './graph.ts';
 
 export interface ExportedNode {
   readonly id: string;
@@ -8,18 +8,9 @@ export interface ExportedNode {
   readonly name: string;
 }
 
-export interface ExportedEndpoint {
-  readonly key: number;
+export interface ExportedEndpoint extends Omit<EndpointRecord, 'participant' | 'nodeKey'> {
   /** ExportedNode.id. */
   readonly node: string;
-  readonly kind: number;
-  readonly name: string;
-  readonly type: string;
-  readonly hash: string;
-  readonly qos: EndpointQos;
-  readonly flags: number;
-  /** Four words. */
-  readonly gid: Int32Array;
 }
 
 export type BridgeMessage =

@@ -22,6 +22,7 @@ type HostFunction = (...args: never[]) => unknown;
 export function hostImports(
   link: Link, memory: () => ProgramMemory, idle: () => void, sent?: (message: SentMessage) => void,
 ): Record<string, HostFunction> {
+  /** Of endpoints, when somebody hears what is sent. */
   const names = new Map<number, string>();
   const i64 = (address: number): bigint => memory().i64(address);
 
@@ -49,7 +50,7 @@ export function hostImports(
       },
       flags: at(L.flags),
     });
-    names.set(endpoint, name);
+    if (sent !== undefined) names.set(endpoint, name);
     return endpoint;
   };
 
@@ -85,7 +86,10 @@ export function hostImports(
       link.nodeCreate(memory().text(name, nameLength), memory().text(namespace, namespaceLength)),
     node_destroy: (node: number) => link.nodeDestroy(node),
     endpoint_create: endpointCreate,
-    endpoint_destroy: (endpoint: number) => link.endpointDestroy(endpoint),
+    endpoint_destroy: (endpoint: number) => {
+      names.delete(endpoint);
+      return link.endpointDestroy(endpoint);
+    },
     endpoint_gid: (endpoint: number, out: number): number => {
       const gid = link.gid(endpoint);
       if (gid === undefined) return ErrorCode.badHandle;

@@ -3,6 +3,7 @@
 import { type Broker, PortBroker, SharedBroker } from './broker.ts';
 import { browserPlatform } from './browser_platform.ts';
 import { isolate, keepOffline } from './isolation.ts';
+import { namedNodes } from './named_nodes.ts';
 import { promiseIntegration } from './program.ts';
 import type { LinkKind, Session } from './session.ts';
 import { SiteError } from './site_error.ts';
@@ -60,13 +61,6 @@ function underWay(session: SiteSession): Promise<void> {
   });
 }
 
-/** What `?nodes=` says: `all`, `none`, or ids separated by commas. */
-function startNamed(session: SiteSession, nodes: string): void {
-  if (nodes === 'all') session.startAll();
-  const ids = new Set(nodes.split(','));
-  for (const { id } of session.nodes()) if (ids.has(id)) session.start(id);
-}
-
 /** Never resolves when the page reloads to become isolated. Rejects with a SiteError. */
 export async function startSession(options: LaunchOptions = {}): Promise<Session> {
   const base = options.base ?? new URL('./', document.baseURI);
@@ -83,11 +77,12 @@ export async function startSession(options: LaunchOptions = {}): Promise<Session
   const graph = asked.get('graph');
   if (graph !== null && graph !== '') await session.joinTabs(graph);
   const nodes = asked.get('nodes');
-  if (nodes !== null) startNamed(session, nodes);
-  else if (site.ui['autostart'] !== false) {
+  if (nodes !== null) {
+    for (const id of namedNodes(nodes, session.nodes().map((node) => node.id))) session.start(id);
+  } else if (site.ui['autostart'] !== false) {
     await session.startUnclaimed();
-    await underWay(session);
   }
+  await underWay(session);
   // Styles and tests can tell by <html data-offline> whether the site is kept.
   const later = (): void => void keepOffline(serviceWorker).then((kept) => {
     document.documentElement.dataset['offline'] = kept ? 'kept' : 'not_kept';

@@ -1,10 +1,10 @@
 // Random numbers that are the same in every run of a seed. Not for secrets.
 
 /** 32 bits that depend on every character (FNV-1a). */
-export function hashText(text: string, start = 0x811c9dc5): number {
-  let hash = start;
+function hashText(text: string): number {
+  let hash = 0x811c9dc5;
   for (let i = 0; i < text.length; i += 1) hash = Math.imul(hash ^ text.charCodeAt(i), 0x01000193);
-  return hash | 0;
+  return hash;
 }
 
 /** Fills bytes with what comes next for this seed and name. */

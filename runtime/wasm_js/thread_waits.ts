@@ -1,5 +1,5 @@
 // Threads of a program that wait for a time in the program's own memory (condition variables, futures): how the page
-// tells them that the site's time has changed. The list is templates/toolchain/src/timed_wait.cpp's.
+// tells them that the site's time has changed. The list is templates/toolchain/src/thread_support.cpp's.
 
 /** The memory of a program with threads, and the address of its list of timed waits. */
 export interface ThreadMemory {

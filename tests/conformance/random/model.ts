@@ -64,8 +64,7 @@ export class Model {
     return endpoint;
   }
 
-  /** `died`: with its participant, which took no leave. */
-  destroy(endpoint: ModelEndpoint, _died: boolean): void {
+  destroy(endpoint: ModelEndpoint): void {
     this.endpoints.delete(endpoint);
   }
 

@@ -2,7 +2,7 @@
 // but whether it may, and what must have come when all is quiet.
 
 import { Durability, EndpointKind } from '../../../runtime/protocol/generated/constants.ts';
-import { reads, writes } from '../../../runtime/wasm_js/graph.ts';
+import { reads } from '../../../runtime/wasm_js/graph.ts';
 import { depthOf, Model, type ModelEndpoint, type ModelSample } from './model.ts';
 
 /** A writer as one of its readers knows it. */
@@ -51,13 +51,15 @@ export class PortModel extends Model {
     return Math.min(depthOf(writer.qos), depthOf(reader.qos), writer.written.length);
   }
 
-  override destroy(endpoint: ModelEndpoint, died: boolean): void {
-    super.destroy(endpoint, died);
+  override destroy(endpoint: ModelEndpoint): void {
+    super.destroy(endpoint);
     this.pairs.delete(endpoint);
-    if (!died || !writes(endpoint.kind)) return;
+  }
+
+  /** A participant took no leave: what it said last may be lost, also of writers that it had destroyed before. */
+  died(participant: number): void {
     for (const pairs of this.pairs.values()) {
-      const pair = pairs.get(endpoint);
-      if (pair !== undefined) pair.owed = undefined;
+      for (const [writer, pair] of pairs) if (writer.participant === participant) pair.owed = undefined;
     }
   }
 

@@ -30,7 +30,10 @@ export class PortScene extends RandomScene {
   }
 
   protected end(person: Participant, dies: boolean): void {
-    if (dies) this.net.kill(person.index, this.random);
+    if (dies) {
+      this.net.kill(person.index, this.random);
+      this.owed.died(person.index);
+    }
     person.link.close();
     this.broker.end(person.index, !dies);
   }

@@ -109,7 +109,7 @@ export abstract class RandomScene {
     const [person] = this.people.splice(at, 1);
     this.story.push(`p${person!.index} ${dies ? 'dies' : 'leaves'}`);
     this.end(person!, dies);
-    for (const { model } of person!.held) this.model.destroy(model, dies);
+    for (const { model } of person!.held) this.model.destroy(model);
   }
 
   private create(person: Participant): void {
@@ -131,7 +131,7 @@ export abstract class RandomScene {
     const [held] = person.held.splice(this.random.below(person.held.length), 1);
     this.story.push(`p${person.index} destroys ${held!.handle}`);
     person.link.endpointDestroy(held!.handle);
-    this.model.destroy(held!.model, false);
+    this.model.destroy(held!.model);
   }
 
   private write(person: Participant): void {

@@ -18,7 +18,7 @@ const PARAMETERS = '    parameters:\n      - from_arguments: 2.5\n        names:
 let workspace: PackWorkspace;
 before(() => {
   workspace = new PackWorkspace();
-  for (const name of ['rclcpp_checks', 'lifecycle_sensor', 'tf2_checks']) {
+  for (const name of ['rclcpp_checks', 'lifecycle_sensor', 'tf2_checks', 'filter_checks']) {
     cpSync(join(PACKAGES, name), join(workspace.root, 'src', name), { recursive: true });
   }
 });
@@ -65,17 +65,21 @@ test('a managed node is led through its life on both links', { timeout: 500_000 
   }
 });
 
-test('transforms are told, kept and found on both links', { timeout: 500_000 }, async () => {
-  const programs = ['buffer', 'broadcaster', 'listener'];
-  workspace.write('transforms.yaml', manifest('tf2_checks', programs));
-  const packed = await workspace.run(['pack', 'transforms.yaml', '--output', 'site_transforms']);
-  assert.equal(packed.code, 0, packed.stderr);
-  for (const link of Object.keys(PROGRAMS)) {
-    const ran = await workspace.run(['run', 'site_transforms', '--link', link, '--for', '60s']);
-    const said = `${ran.stdout}${ran.stderr}`;
-    for (const program of programs) {
-      assert.match(said, new RegExp(`^\\[${program}-\\d+\\] .*all \\d+ checks hold$`, 'm'), said);
+for (const { title, name, programs } of [
+  { title: 'transforms are told, kept and found', name: 'tf2_checks', programs: ['buffer', 'broadcaster', 'listener'] },
+  { title: 'messages pass filters and are put together', name: 'filter_checks', programs: ['filters', 'subscribers'] },
+]) {
+  test(`${title} on both links`, { timeout: 500_000 }, async () => {
+    workspace.write(`${name}.yaml`, manifest(name, programs));
+    const packed = await workspace.run(['pack', `${name}.yaml`, '--output', `site_${name}`]);
+    assert.equal(packed.code, 0, packed.stderr);
+    for (const link of Object.keys(PROGRAMS)) {
+      const ran = await workspace.run(['run', `site_${name}`, '--link', link, '--for', '60s']);
+      const said = `${ran.stdout}${ran.stderr}`;
+      for (const program of programs) {
+        assert.match(said, new RegExp(`^\\[${program}-\\d+\\] .*all \\d+ checks hold$`, 'm'), said);
+      }
+      assert.equal(ran.code, 0, said);
     }
-    assert.equal(ran.code, 0, said);
-  }
-});
+  });
+}

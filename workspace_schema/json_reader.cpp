@@ -26,16 +26,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
     return put(JsonValue(value));
   }
   bool string(string_t& value) override { return put(JsonValue(std::move(value))); }
-  bool binary(binary_t& bytes) override {  // MessagePack only
-    constexpr std::string_view kHex = "0123456789abcdef";
-    std::string text;
-    text.reserve(2 * bytes.size());
-    for (const std::uint8_t byte : bytes) {
-      text += kHex[byte >> 4U];
-      text += kHex[byte & 0xFU];
-    }
-    return put(JsonValue(std::move(text)));
-  }
+  bool binary(binary_t&) override { return false; }  // JSON has none
   bool start_object(std::size_t) override { return open(JsonValue(JsonValue::Object{})); }
   bool end_object() override { return close(); }
   bool start_array(std::size_t) override { return open(JsonValue(JsonValue::Array{})); }
@@ -189,25 +180,6 @@ Outcome<JsonValue> parse_json(std::string_view text, const std::string& file,
                     .message = "`" + file + "` is not valid JSON",
                     .span = place_of(text, builder.error_at(), file),
                     .label = "here",
-                    .why = {failure}};
-}
-
-Outcome<JsonValue> parse_msgpack(std::string_view bytes, const std::string& file,
-                                 const std::string& code) {
-  Builder builder;
-  bool read = false;
-  std::string failure;
-  try {
-    read = nlohmann::json::sax_parse(bytes.begin(), bytes.end(), &builder,
-                                     nlohmann::json::input_format_t::msgpack);
-  } catch (const std::exception& raised) {
-    failure = raised.what();
-  }
-  if (read) return builder.take();
-  if (failure.empty()) failure = builder.error();
-  return Diagnostic{.code = code,
-                    .kind = FailureKind::kEnvironment,
-                    .message = "`" + file + "` is not valid MessagePack",
                     .why = {failure}};
 }
 

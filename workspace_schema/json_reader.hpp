@@ -56,8 +56,4 @@ class JsonValue {
 [[nodiscard]] Outcome<JsonValue> parse_json(std::string_view text, const std::string& file,
                                             const std::string& code);
 
-/// The same values from MessagePack; binary ones become texts of lower-case hex. Keys are texts.
-[[nodiscard]] Outcome<JsonValue> parse_msgpack(std::string_view bytes, const std::string& file,
-                                               const std::string& code);
-
 }  // namespace ros2wasm

@@ -40,4 +40,7 @@ class TextPattern {
 /// Letters A to Z as a to z.
 [[nodiscard]] std::string ascii_lower(std::string_view text);
 
+/// Each byte as two digits, in lower case.
+[[nodiscard]] std::string hex_text(std::string_view bytes);
+
 }  // namespace ros2wasm

@@ -4,17 +4,13 @@
 #include <simdjson.h>
 
 #include <algorithm>
-#include <array>
+
+#include "bundler/channel/repodata_record.hpp"
 
 namespace ros2wasm {
 namespace {
 
 namespace dom = simdjson::dom;
-
-constexpr std::array<std::string_view, 14> kKeys{
-    "build",  "build_number", "constrains",     "depends", "license",
-    "md5",    "name",         "noarch",         "sha256",  "size",
-    "subdir", "timestamp",    "track_features", "version"};
 
 JsonValue value_of(const dom::element& element) {
   switch (element.type()) {
@@ -65,9 +61,9 @@ Outcome<JsonValue> RecordJson::read(std::string_view text) {
     return parse_json(text, "its record", "R2W0202");  // which says what is wrong, or takes it
   }
   JsonValue::Object members;
-  members.reserve(kKeys.size());
+  members.reserve(16);
   for (const auto& [key, value] : dom::object(root)) {
-    if (std::find(kKeys.begin(), kKeys.end(), key) == kKeys.end()) continue;
+    if (!is_record_member(key)) continue;
     const auto same =
         std::find_if(members.begin(), members.end(),
                      [&key = key](const auto& member) { return member.first == key; });

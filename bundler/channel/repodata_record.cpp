@@ -2,6 +2,7 @@
 #include "bundler/channel/repodata_record.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -10,6 +11,11 @@
 
 namespace ros2wasm {
 namespace {
+
+constexpr std::array<std::string_view, 14> kMembers{
+    "build",  "build_number", "constrains",     "depends", "license",
+    "md5",    "name",         "noarch",         "sha256",  "size",
+    "subdir", "timestamp",    "track_features", "version"};
 
 /// "a b", "a,b", " a " or a list.
 std::vector<std::string> feature_list(const JsonValue* value) {
@@ -108,6 +114,10 @@ std::optional<std::string> read_numbers(const JsonValue& json, PackageRecord& re
 }
 
 }  // namespace
+
+bool is_record_member(std::string_view name) {
+  return std::find(kMembers.begin(), kMembers.end(), name) != kMembers.end();
+}
 
 std::variant<PackageRecord, std::string> parse_record(const JsonValue& json,
                                                       const std::string& file_name,

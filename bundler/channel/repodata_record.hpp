@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <variant>
 
 #include "bundler/channel/spec_table.hpp"
@@ -17,6 +18,9 @@ struct RecordPlace {
   std::string subdir;
   std::string base_url;
 };
+
+/// Whether a record is made from the member of this name; all others can be passed over.
+[[nodiscard]] bool is_record_member(std::string_view name);
 
 /// The record, or the reason why it cannot be used. Its specs are parsed through `specs`.
 [[nodiscard]] std::variant<PackageRecord, std::string> parse_record(const JsonValue& json,

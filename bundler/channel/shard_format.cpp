@@ -3,13 +3,17 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
+#include <variant>
 
 #include "bundler/archive/zstd.hpp"
+#include "bundler/channel/msgpack_reader.hpp"
 #include "bundler/channel/repodata_index.hpp"
 #include "workspace_schema/record_rules.hpp"
 #include "workspace_schema/secret_text.hpp"
+#include "workspace_schema/text_pattern.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -17,31 +21,92 @@ namespace {
 constexpr std::uint64_t kLargestList = 512ULL << 20U;
 constexpr std::uint64_t kLargestShard = 256ULL << 20U;
 
-bool is_sha256(const std::string& text) {
-  return text.size() == 64 && std::all_of(text.begin(), text.end(), [](char c) {
-           return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f');
-         });
+bool is_sha256(std::string_view hash) {
+  return hash.size() == 32 ||
+         (hash.size() == 64 && std::all_of(hash.begin(), hash.end(), [](char c) {
+            return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f');
+          }));
+}
+
+Diagnostic no_msgpack(const std::string& url) {
+  return Diagnostic{
+      .code = "R2W0202",
+      .kind = FailureKind::kEnvironment,
+      .message = "`" + url + "` is not valid MessagePack",
+      .why = {
+          "it is damaged, or has something else where a sharded index has maps, texts and hashes"}};
+}
+
+/// Reads a map: `take(key)` reads each value. False when something else is there, or `take` says
+/// so.
+template <typename Take>
+bool each_member(MsgpackReader& reader, const Take& take) {
+  const auto pairs = reader.map();
+  for (std::uint32_t i = 0; pairs && i < *pairs; ++i) {
+    const auto key = reader.key();
+    if (!key || !take(*key)) return false;
+  }
+  return pairs.has_value();
+}
+
+/// By file name: the bytes of a record. A repeated name keeps the last value.
+using RawRecords = std::map<std::string_view, std::string_view>;
+
+struct RawShard {
+  RawRecords conda;
+  RawRecords tar;
+  std::set<std::string, std::less<>> removed;
+};
+
+std::optional<RawShard> raw_shard(std::string_view bytes) {
+  RawShard shard;
+  MsgpackReader reader(bytes);
+  const auto read_records = [&reader](RawRecords& into) {
+    return each_member(reader, [&](std::string_view file_name) {
+      const auto record = reader.skipped();
+      if (record) into[file_name] = *record;
+      return record.has_value();
+    });
+  };
+  const bool whole = each_member(reader, [&](std::string_view key) {
+    if (key == "packages") return read_records(shard.tar);
+    if (key == "packages.conda") return read_records(shard.conda);
+    if (key != "removed") return reader.skipped().has_value();
+    const auto list = reader.value();
+    if (!list) return false;
+    for (const JsonValue& item : list->items()) {
+      if (const std::string* name = item.string()) shard.removed.insert(*name);
+    }
+    return true;
+  });
+  return whole && reader.at_end() ? std::optional(std::move(shard)) : std::nullopt;
+}
+
+/// Only the members that a PackageRecord is made from; nothing when it is no map, or too deep.
+std::optional<JsonValue> record_value(std::string_view bytes) {
+  JsonValue::Object members;
+  members.reserve(16);
+  MsgpackReader reader(bytes);
+  const bool whole = each_member(reader, [&](std::string_view key) {
+    if (!is_record_member(key)) return reader.skipped().has_value();
+    auto value = reader.value();
+    if (value) members.emplace_back(key, std::move(*value));
+    return value.has_value();
+  });
+  return whole ? std::optional(JsonValue(std::move(members))) : std::nullopt;
 }
 
 /// As in RepodataIndex: a `.tar.bz2` is not needed where the same is there as a good `.conda`.
-void add_records(const JsonValue& shard, const RecordPlace& place, SpecTable& specs,
+void add_records(const RawShard& shard, const RecordPlace& place, SpecTable& specs,
                  RepoIndex& into) {
-  std::set<std::string, std::less<>> removed;
-  if (const JsonValue* list = shard.find("removed")) {
-    for (const JsonValue& item : list->items()) {
-      if (const std::string* name = item.string()) removed.insert(*name);
-    }
-  }
   std::set<std::string, std::less<>> stems;
-  for (const char* key : {"packages.conda", "packages"}) {
-    const JsonValue* packages = shard.find(key);
-    if (packages == nullptr) continue;
-    std::map<std::string_view, const JsonValue*> by_file;
-    for (const auto& [file_name, record] : packages->members()) by_file[file_name] = &record;
-    for (const auto& [view, json] : by_file) {
+  for (const RawRecords* records : {&shard.conda, &shard.tar}) {
+    for (const auto& [view, bytes] : *records) {
       const std::string file_name(view);
-      if (removed.contains(file_name) || stems.contains(archive_stem(file_name))) continue;
-      auto parsed = parse_record(*json, file_name, place, specs);
+      if (shard.removed.contains(file_name) || stems.contains(archive_stem(file_name))) continue;
+      const auto json = record_value(bytes);
+      auto parsed = json ? parse_record(*json, file_name, place, specs)
+                         : std::variant<PackageRecord, std::string>("it is not a map of texts");
       if (auto* good = std::get_if<PackageRecord>(&parsed)) {
         stems.emplace(archive_stem(file_name));
         into.records.push_back(std::move(*good));
@@ -55,40 +120,69 @@ void add_records(const JsonValue& shard, const RecordPlace& place, SpecTable& sp
   }
 }
 
+/// Sorted; of those with one name the last.
+std::vector<ListedShard> in_order(std::vector<ListedShard> shards) {
+  const auto by_name = [](const ListedShard& a, const ListedShard& b) { return a.name < b.name; };
+  if (!std::is_sorted(shards.begin(), shards.end(), by_name))
+    std::stable_sort(shards.begin(), shards.end(), by_name);
+  const auto same = [](const ListedShard& a, const ListedShard& b) { return a.name == b.name; };
+  // unique() keeps the first of a run; from behind that is the last.
+  const auto kept = std::unique(shards.rbegin(), shards.rend(), same);
+  shards.erase(shards.begin(), kept.base());
+  return shards;
+}
+
 }  // namespace
 
+std::string ListedShard::sha256() const {
+  return hash.size() == 32 ? hex_text(hash) : std::string(hash);
+}
+
 Outcome<ShardList> read_shard_list(std::string_view bytes, const std::string& url) {
-  const auto packed = zstd_decompressed(bytes, kLargestList, url);
-  if (!packed) return packed.errors();
-  const auto list = parse_msgpack(*packed, url, "R2W0202");
-  if (!list) return list.errors();
-  const JsonValue* shards = list->find("shards");
-  if (shards == nullptr || !shards->is_object()) return no_index(url, "it lists no shards");
-  const JsonValue* version = list->find("version");
-  if (version != nullptr && version->integer().value_or(1) != 1)
-    return no_index(url, "its version is not 1");
-  ShardList result;
-  if (const JsonValue* info = list->find("info")) {
-    result.base_url = without_secrets(info->text_of("base_url"));
-    result.shards_base_url = without_secrets(info->text_of("shards_base_url"));
+  auto text = zstd_decompressed(bytes, kLargestList, url);
+  if (!text) return std::move(text).errors();
+  ShardList list;
+  list.listed = std::make_unique<std::string>(std::move(*text));
+  MsgpackReader reader(*list.listed);
+  std::optional<std::vector<ListedShard>> shards;
+  std::int64_t version = 1;
+  const bool whole = each_member(reader, [&](std::string_view key) {
+    if (key == "shards") {
+      shards.emplace();
+      return each_member(reader, [&](std::string_view name) {
+        const auto hash = reader.content();
+        if (hash) shards->push_back({.name = name, .hash = *hash});
+        return hash.has_value();
+      });
+    }
+    if (key != "info" && key != "version") return reader.skipped().has_value();
+    const auto value = reader.value();
+    if (!value) return false;
+    if (key == "version") {
+      version = value->integer().value_or(1);
+    } else {
+      list.base_url = without_secrets(value->text_of("base_url"));
+      list.shards_base_url = without_secrets(value->text_of("shards_base_url"));
+    }
+    return true;
+  });
+  if (!whole || !reader.at_end()) return no_msgpack(url);
+  if (!shards) return no_index(url, "it lists no shards");
+  if (version != 1) return no_index(url, "its version is not 1");
+  list.shards = in_order(std::move(*shards));
+  for (const ListedShard& shard : list.shards) {
+    if (!is_sha256(shard.hash))
+      return no_index(url, "the shard of `" + std::string(shard.name) + "` has no sha256");
   }
-  result.shards.reserve(shards->members().size());
-  for (const auto& [name, sha256] : shards->members()) {
-    const std::string* hex = sha256.string();
-    if (hex == nullptr || !is_sha256(*hex))
-      return no_index(url, "the shard of `" + name + "` has no sha256");
-    result.shards.push_back({.name = name, .sha256 = *hex});
-  }
-  std::sort(result.shards.begin(), result.shards.end());
-  return result;
+  return list;
 }
 
 Outcome<Done> read_shard(std::string_view bytes, const std::string& url, const RecordPlace& place,
                          SpecTable& specs, RepoIndex& into) {
-  const auto packed = zstd_decompressed(bytes, kLargestShard, url);
-  if (!packed) return packed.errors();
-  const auto shard = parse_msgpack(*packed, url, "R2W0202");
-  if (!shard) return shard.errors();
+  const auto text = zstd_decompressed(bytes, kLargestShard, url);
+  if (!text) return text.errors();
+  const auto shard = raw_shard(*text);
+  if (!shard) return no_msgpack(url);
   add_records(*shard, place, specs, into);
   return Done{};
 }

@@ -2,6 +2,7 @@
 // Pure.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,16 +15,18 @@
 namespace ros2wasm {
 
 struct ListedShard {
-  std::string name;    ///< of the package
-  std::string sha256;  ///< of the shard's file, hex
+  std::string_view name;  ///< of the package
+  std::string_view hash;  ///< sha256 of the shard's file: 32 bytes, or 64 digits of lower-case hex
 
+  [[nodiscard]] std::string sha256() const;  ///< hex
   auto operator<=>(const ListedShard&) const = default;
 };
 
 struct ShardList {
-  std::string base_url;             ///< of archives; absolute or below the folder of the list
-  std::string shards_base_url;      ///< of the shards' files; likewise
-  std::vector<ListedShard> shards;  ///< sorted
+  std::string base_url;                 ///< of archives; absolute or below the folder of the list
+  std::string shards_base_url;          ///< of the shards' files; likewise
+  std::vector<ListedShard> shards;      ///< sorted
+  std::unique_ptr<std::string> listed;  ///< what the shards' names and hashes are views of
 };
 
 /// Of a repodata_shards.msgpack.zst. R2W0202; `url` is for messages.

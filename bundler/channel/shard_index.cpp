@@ -33,9 +33,9 @@ class ShardIndex : public SubdirIndex {
     const std::string here = source_.place.base_url;
     shards_base_ = with_base_url(std::move(list->shards_base_url), here);
     source_.place.base_url = with_base_url(std::move(list->base_url), here);
-    shards_ = std::move(list->shards);
-    names_.reserve(shards_.size());
-    for (const ListedShard& shard : shards_) names_.emplace_back(shard.name);
+    list_ = std::move(*list);
+    names_.reserve(list_.shards.size());
+    for (const ListedShard& shard : list_.shards) names_.push_back(shard.name);
     return Done{};
   }
 
@@ -47,7 +47,8 @@ class ShardIndex : public SubdirIndex {
     for (const std::string& name : names) {
       const auto found = std::lower_bound(names_.begin(), names_.end(), name);
       if (found == names_.end() || *found != name) continue;
-      const std::string& sha256 = shards_[static_cast<std::size_t>(found - names_.begin())].sha256;
+      const std::string sha256 =
+          list_.shards[static_cast<std::size_t>(found - names_.begin())].sha256();
       wanted.push_back(
           {.name = name, .url = shards_base_ + "/" + sha256 + ".msgpack.zst", .sha256 = sha256});
     }
@@ -118,8 +119,8 @@ class ShardIndex : public SubdirIndex {
   RepodataSource source_;
   ChannelRoots roots_;
   std::string shards_base_;
-  std::vector<ListedShard> shards_;
-  std::vector<std::string_view> names_;  ///< into shards_, at the same places
+  ShardList list_;
+  std::vector<std::string_view> names_;  ///< of list_.shards, at the same places
 };
 
 }  // namespace

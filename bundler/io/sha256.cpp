@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bundler/io/files.hpp"
+#include "workspace_schema/text_pattern.hpp"
 
 namespace ros2wasm {
 
@@ -33,17 +34,11 @@ void Hasher::add(std::string_view bytes) {
 }
 
 std::string Hasher::hex() {
-  constexpr std::string_view kHex = "0123456789abcdef";
-  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+  std::array<char, EVP_MAX_MD_SIZE> digest{};
   unsigned length = 0;
-  EVP_DigestFinal_ex(state_->context, digest.data(), &length);
-  std::string text;
-  text.reserve(std::size_t{2} * length);
-  for (unsigned i = 0; i < length; ++i) {
-    text += kHex[digest[i] >> 4U];
-    text += kHex[digest[i] & 0xFU];
-  }
-  return text;
+  EVP_DigestFinal_ex(state_->context, reinterpret_cast<unsigned char*>(digest.data()),  // NOLINT
+                     &length);
+  return hex_text({digest.data(), length});
 }
 
 std::string sha256_hex(std::string_view bytes) {

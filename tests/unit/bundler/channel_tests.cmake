@@ -6,6 +6,7 @@ add_executable(bundler_channel_test
   channel/channel_index_test.cpp
   channel/channel_network_test.cpp
   channel/channel_writer_test.cpp
+  channel/msgpack_reader_test.cpp
   channel/repodata_index_test.cpp
   channel/shard_index_test.cpp
   io/files_test.cpp

@@ -295,8 +295,9 @@ export class PortBroker implements Broker {
   /** Nothing is shared that it could still write to. */
   gone(): void {}
 
-  /** The worker gets a message instead. */
-  consoleSeen(): void {}
+  consoleSeen(participant: number): void {
+    this.controls.get(participant)?.postMessage({ t: 'seen' });
+  }
 
   close(): void {
     this.link.close();

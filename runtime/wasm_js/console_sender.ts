@@ -12,10 +12,9 @@ export type SentLine = readonly [stream: 1 | 2, time: number, text: string];
 const batchesAhead = 8;
 const mostLines = 10_000;
 
-/** How many batches were sent and how many the page has dealt with; shared by the threads of a program. */
+/** How many batches were sent and the page has not dealt with yet; shared by the threads of a program. */
 export interface ConsoleCredit {
   posted(): void;
-  seen(): void;
   ahead(): number;
 }
 
@@ -26,6 +25,7 @@ export class LocalCredit implements ConsoleCredit {
     this.count += 1;
   }
 
+  /** The page has dealt with a batch. */
   seen(): void {
     this.count -= 1;
   }
@@ -35,7 +35,7 @@ export class LocalCredit implements ConsoleCredit {
   }
 }
 
-/** Counts on the bus, where the page adds what it has seen: a blocked worker gets no message. */
+/** Counts on the bus, where the page adds what it has seen: a blocked worker gets no message, and the browser would keep each for ever. */
 export class SharedCredit implements ConsoleCredit {
   private readonly bus: Bus;
   private readonly word: number;
@@ -48,8 +48,6 @@ export class SharedCredit implements ConsoleCredit {
   posted(): void {
     Atomics.add(this.bus.i32, this.word + BusParticipant.consolePosted, 1);
   }
-
-  seen(): void {}
 
   ahead(): number {
     const { i32 } = this.bus;
@@ -66,7 +64,7 @@ export class ConsoleSender {
   private dropped = 0;
 
   constructor(link: Link, post: (lines: readonly SentLine[], dropped: number) => void) {
-    this.credit = link.consoleCredit();
+    this.credit = link.consoleCredit;
     this.clock = link.clock;
     this.post = post;
   }
@@ -87,10 +85,5 @@ export class ConsoleSender {
     this.post(this.waiting, this.dropped);
     this.waiting = [];
     this.dropped = 0;
-  }
-
-  /** The page has dealt with a batch. */
-  seen(): void {
-    this.credit.seen();
   }
 }

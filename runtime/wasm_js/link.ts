@@ -93,6 +93,6 @@ export interface Link {
   graphVersion(): number;
   graph(): GraphSnapshot;
   /** Counts the batches of console lines that the page has not dealt with. */
-  consoleCredit(): ConsoleCredit;
+  readonly consoleCredit: ConsoleCredit;
   close(): void;
 }

@@ -210,7 +210,6 @@ export class NodeRunner {
       case 'lines':
         this.host.lines(this.node, report);
         this.host.broker.consoleSeen(participant);
-        handle.post({ t: 'seen' }, []);
         return;
       case 'thread': {
         if (run === undefined) return;

@@ -49,13 +49,11 @@ export interface HoldOrder {
 
 export type WorkerOrder =
   | { readonly t: 'start'; readonly start: WorkerStart }
-  | { readonly t: 'seen' }
   /** Runs no program, but carries to and from another tab. */
   | { readonly t: 'bridge'; readonly ticket: LinkTicket; readonly channel: string };
 
 /** Connects the worker's messages with a program. Returns what to call with each message. */
 export function serveWorker(post: (report: WorkerReport) => void): (order: WorkerOrder) => void {
-  let sender: ConsoleSender | undefined;
   const run = async (start: WorkerStart): Promise<void> => {
     let link: Link;
     try {
@@ -66,8 +64,7 @@ export function serveWorker(post: (report: WorkerReport) => void): (order: Worke
       post({ t: 'end', end: { kind: 'crash', code: 'R2W0709', message }, closed: false });
       return;
     }
-    sender = new ConsoleSender(link, (lines, dropped) => post({ t: 'lines', lines, dropped }));
-    const console = sender;
+    const console = new ConsoleSender(link, (lines, dropped) => post({ t: 'lines', lines, dropped }));
     let waited = start.thread !== undefined;
     if (start.thread === undefined) post({ t: 'running' });
     link.awaitTurn?.();
@@ -98,9 +95,6 @@ export function serveWorker(post: (report: WorkerReport) => void): (order: Worke
     switch (order.t) {
       case 'start':
         void run(order.start);
-        return;
-      case 'seen':
-        sender?.seen();
         return;
       case 'bridge':
         void bridgeTabs(order.ticket, order.channel);

@@ -6,7 +6,7 @@ import {
   EndpointKind, ErrorCode, flagHidden, frameHeaderSize, maxSampleLength, type StatusKind, WaitResult,
 } from '../protocol/generated/constants.ts';
 import { putNanoseconds, SiteClock, type TimeLaw } from './clock.ts';
-import { type ConsoleCredit, LocalCredit } from './console_sender.ts';
+import { LocalCredit } from './console_sender.ts';
 import { checkDescription, checkNode } from './description_check.ts';
 import { type EndpointRecord, Graph, reads, relate, writes } from './graph.ts';
 import type { EndpointDescription, EndpointStatus, GraphSnapshot, Heap, Link } from './link.ts';
@@ -45,6 +45,7 @@ export class PortLink implements Link {
   readonly participant: number;
   private readonly session: readonly [number, number];
   private readonly control: MessagePort;
+  readonly consoleCredit = new LocalCredit();
   private readonly peers = new Map<number, MessagePort>();
   readonly graphReplica = new Graph();
   private readonly own = new Map<number, Own>();
@@ -408,10 +409,6 @@ export class PortLink implements Link {
     return this.graphReplica.snapshot();
   }
 
-  consoleCredit(): ConsoleCredit {
-    return new LocalCredit();
-  }
-
   close(): void {
     if (this.closed) return;
     this.closed = true;
@@ -458,6 +455,9 @@ export class PortLink implements Link {
         return;
       case 'stop':
         this.waits.stop();
+        return;
+      case 'seen':
+        this.consoleCredit.seen();
         return;
       case 'time':
         this.setTime(message.law);

@@ -50,4 +50,6 @@ export type ControlMessage =
   | { readonly t: 'peer'; readonly peer: PeerPort }
   | { readonly t: 'gone'; readonly participant: number }
   | { readonly t: 'stop' }
+  /** The page has dealt with a batch of console lines. */
+  | { readonly t: 'seen' }
   | { readonly t: 'time'; readonly law: TimeLaw };

@@ -69,6 +69,7 @@ export class SharedLink implements Link {
   /** How often each own endpoint was matched so far, as this thread saw it. */
   private readonly totals = new Map<number, number>();
   private version = -1;
+  readonly consoleCredit: ConsoleCredit;
   private readonly waits: SharedWaits;
   private readonly syncNow = (): boolean => this.sync();
   private readonly pause: Pause;
@@ -78,6 +79,7 @@ export class SharedLink implements Link {
     this.participant = participant;
     this.mayBlock = mayBlock;
     this.word = bus.participantWord(participant);
+    this.consoleCredit = new SharedCredit(bus, this.word);
     this.clock = new SiteClock(bus);
     this.statuses = new SharedStatuses(bus, participant, this.clock);
     this.waits = new SharedWaits({
@@ -289,10 +291,6 @@ export class SharedLink implements Link {
     this.graphVersion();
     this.sync();
     return this.graphReplica.snapshot();
-  }
-
-  consoleCredit(): ConsoleCredit {
-    return new SharedCredit(this.bus, this.word);
   }
 
   /** Departs whatever this participant still has. */

@@ -78,6 +78,19 @@ test('a best_effort keep_all reader that takes nothing blocks no writer, and may
   broker.close();
 });
 
+test('the page says on the control port which batches of lines it has dealt with', watchdog, async () => {
+  const broker = new PortBroker();
+  const { link, participant } = join(broker);
+  const credit = link.consoleCredit;
+  for (let batch = 0; batch < 3; batch += 1) credit.posted();
+  broker.consoleSeen(participant);
+  broker.consoleSeen(participant);
+  while (credit.ahead() > 1) await link.wait(link.wakeToken(), 0);
+  assert.equal(credit.ahead(), 1);
+  link.close();
+  broker.close();
+});
+
 test('a node may start more often than there are places', watchdog, () => {
   const broker = new PortBroker();
   const seen = new Set<number>();

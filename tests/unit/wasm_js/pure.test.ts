@@ -85,14 +85,14 @@ test('a console sender goes ahead of the page by a few batches, then keeps the n
   const batches: (readonly SentLine[])[] = [];
   let dropped = 0;
   const credit = new LocalCredit();
-  const link = { clock: new SiteClock(), consoleCredit: () => credit } as Partial<Link> as Link;
+  const link = { clock: new SiteClock(), consoleCredit: credit } as Partial<Link> as Link;
   const sender = new ConsoleSender(link, (lines, lost) => {
     batches.push(lines);
     dropped += lost;
   });
   for (let i = 0; i < 12_000; i += 1) sender.line('stdout', `${i}`);
   assert.equal(batches.length, 8);
-  sender.seen();
+  credit.seen();
   sender.line('stderr', 'more');
   assert.equal(batches.length, 9);
   assert.equal(batches[8]?.length, 10_000);

@@ -62,6 +62,14 @@ for (const link of ['shared', 'port'] as const) {
       assert.match(new TextDecoder().decode(session.lastMessage('/chatter')?.bytes), /Hello World: \d+\0$/);
     }, link));
 
+  test(`${link}: a worker gets its start and nothing more, however much it prints: a blocked one would keep it for ever`, watchdog, () =>
+    withSession([{ program: 'talker.c' }, { program: 'listener.c' }], async (session, _folder, posted) => {
+      session.startAll();
+      await prints(session, 'listener-2', /I heard/);
+      await prints(session, 'talker-1', /Hello World: 20'/);
+      assert.deepEqual(posted.map(({ t }) => t), ['start', 'start']);
+    }, link));
+
   test(`${link}: the session has settled when each node waits or is over`, watchdog, () =>
     withSession([{ program: 'talker.c' }, { program: 'traps.c' }, { program: 'spins.c' }], async (session) => {
       let settled = false;

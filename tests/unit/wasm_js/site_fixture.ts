@@ -6,6 +6,7 @@ import { join } from 'node:path';
 import { PortBroker, SharedBroker } from '../../../runtime/wasm_js/broker.ts';
 import { nodePlatform } from '../../../runtime/wasm_js/node_platform.ts';
 import type { LinkKind, NodeState, NodeView, Session } from '../../../runtime/wasm_js/session.ts';
+import type { WorkerOrder } from '../../../runtime/wasm_js/node_worker.ts';
 import { readSite } from '../../../runtime/wasm_js/site_reader.ts';
 import { SiteSession } from '../../../runtime/wasm_js/site_session.ts';
 import { buildProgram } from './programs.ts';
@@ -69,16 +70,31 @@ export function makeFolder(nodes: readonly FixtureNode[]): string {
   return folder;
 }
 
-/** Runs `use` with a session; everything is closed after it. */
+/** Runs `use` with a session; everything is closed after it. `posted`: what went to workers, in order. */
 export async function withSession(
-  nodes: readonly FixtureNode[], use: (session: SiteSession, folder: string) => Promise<void>, link: LinkKind = 'shared',
+  nodes: readonly FixtureNode[], use: (session: SiteSession, folder: string, posted: readonly WorkerOrder[]) => Promise<void>,
+  link: LinkKind = 'shared',
 ): Promise<void> {
   const folder = makeFolder(nodes);
-  const platform = nodePlatform(folder, entry);
+  const posted: WorkerOrder[] = [];
+  const plain = nodePlatform(folder, entry);
+  const platform = {
+    ...plain,
+    startWorker: (...given: Parameters<typeof plain.startWorker>) => {
+      const worker = plain.startWorker(...given);
+      return {
+        ...worker,
+        post: (...order: Parameters<typeof worker.post>) => {
+          posted.push(order[0]);
+          worker.post(...order);
+        },
+      };
+    },
+  };
   const broker = link === 'shared' ? new SharedBroker({ ceiling: 256 << 20 }) : new PortBroker();
   const session = new SiteSession({ site: readSite(await platform.json('site.json')), platform, broker });
   try {
-    await use(session, folder);
+    await use(session, folder, posted);
   } finally {
     session.close();
     platform.close();

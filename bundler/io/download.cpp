@@ -49,6 +49,7 @@ struct Task {
   int attempts = 0;           ///< in a row without progress, at this source
   bool wrong_before = false;  ///< a whole file was refused at this source
   std::uint64_t size_before = 0;
+  std::uint64_t furthest = 0;  ///< the most bytes of the file that there ever were
   bool running = false;
   Clock::time_point not_before;
 };
@@ -115,7 +116,10 @@ struct Downloader::State {
   /// True when the same source is asked again after a pause.
   bool again(Task& task, const TransferAnswer& answer) {
     const std::uint64_t size = size_of(task.download.file);
-    if (task.download.resume && size > task.size_before) task.attempts = std::min(task.attempts, 1);
+    if (task.download.resume && size > task.furthest) {  // else it would go on for ever
+      task.furthest = size;
+      task.attempts = std::min(task.attempts, 1);
+    }
     const bool last = task.source + 1 == task.download.sources.size();
     if (task.attempts > (last ? settings.retries : std::min(settings.retries, 1))) return false;
     int pause = pause_ms(task.attempts);
@@ -171,6 +175,13 @@ struct Downloader::State {
     return error;
   }
 
+  /// Some servers promise more than there is; then the connection ends too early, but nothing is
+  /// missing.
+  static bool is_all_there(const Download& download) {
+    return download.size != 0 && size_of(download.file) == download.size && download.fault &&
+           !download.fault(download.file);
+  }
+
   /// The outcome when the download has ended, nothing when it goes on.
   std::optional<Outcome<Downloaded>> judge(Task& task, const TransferAnswer& answer) {
     const bool whole = answer.failure == HttpFailure::kNone;
@@ -190,6 +201,9 @@ struct Downloader::State {
     if (whole && answer.status == 416 && task.size_before != 0) {
       start_over(task.download.file);
       if (again(task, answer)) return std::nullopt;
+    }
+    if (answer.failure == HttpFailure::kTransient && is_all_there(task.download)) {
+      return Downloaded{.status = 200, .etag = answer.etag, .last_modified = answer.last_modified};
     }
     if (answer.failure == HttpFailure::kTransient || (whole && try_later(answer.status))) {
       if (again(task, answer)) return std::nullopt;

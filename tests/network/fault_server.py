@@ -170,6 +170,19 @@ class Handler(http.server.BaseHTTPRequestHandler):
         self.wfile.write(body)
         self.close_connection = True
 
+    def longer_than_real(self, more: int, body: bytes) -> None:
+        """A Content-Length that is too large: the connection ends before it."""
+        wanted = self.headers.get("Range", "")
+        begin = int(wanted[6:-1]) if wanted.startswith("bytes=") else 0
+        self.note(206 if begin else 200)
+        self.send_response(206 if begin else 200)
+        self.send_header("Content-Length", str(len(body) - begin + more))
+        if begin:
+            self.send_header("Content-Range", f"bytes {begin}-{len(body) + more - 1}/{len(body) + more}")
+        self.end_headers()
+        self.wfile.write(body[begin:])
+        self.close_connection = True
+
     def login_page(self, _: object, __: bytes) -> None:
         """What stands in front of many networks: an answer, but not of the server."""
         self.plain(200, b"<!doctype html><title>Welcome</title>")

@@ -5,6 +5,7 @@ bytes."""
 from __future__ import annotations
 
 import hashlib
+import json
 import os
 import random
 import shutil
@@ -14,7 +15,7 @@ import time
 import unittest
 
 from tests.network.channel_fixture import CLI, ChannelCase
-from tests.network.fault_server import FOREVER, Fault, FaultServer
+from tests.network.fault_server import FOREVER, Fault, FaultServer, self_signed_certificate
 
 WASM = b"\0asm\1\0\0\0"
 # How often a pack is killed; ROS2WASM_KILLS=200 for a long run.
@@ -67,7 +68,7 @@ class Fetching(FetchCase):
         for faults in (
             [Fault("truncate", 90_000)], [Fault("truncate", 70_000), Fault("truncate", 70_000)],
             [Fault("reset", 50_000)], [Fault("status", 503)], [Fault("retry_after", (429, "1"))],
-            [Fault("shorter_than_real", 10)], [Fault("other_bytes")],
+            [Fault("shorter_than_real", 10)], [Fault("longer_than_real", 10)], [Fault("other_bytes")],
             [Fault("truncate_without_ranges", 90_000), Fault("truncate_without_ranges", 200_000)],
             [Fault("truncate", 90_000), Fault("wrong_range")],
             [Fault("truncate", 90_000), Fault("whole_despite_range")],
@@ -79,6 +80,14 @@ class Fetching(FetchCase):
                 self.assertEqual(self.packed(), wanted)
                 self.assertEqual(self.server.behaviour.plan[self.archive], [])
                 self.check_cache()
+
+    def test_what_is_all_there_is_taken_whatever_was_promised(self) -> None:
+        wanted = self.packed()
+        self.forget_everything()
+        self.server.plan(self.archive, Fault("longer_than_real", 10), FOREVER)
+        self.assertEqual(self.packed(), wanted)
+        self.assertEqual(len(self.server.seen(self.archive)), 1)
+        self.check_cache()
 
     def test_a_drip_is_given_up(self) -> None:
         wanted = self.packed()
@@ -109,6 +118,7 @@ class Fetching(FetchCase):
             ("R2W0228", Fault("status", 404)), ("R2W0234", Fault("status", 500)),
             ("R2W0234", Fault("retry_after", (503, "86400"))), ("R2W0233", Fault("truncate", 0)),
             ("R2W0233", Fault("reset", 0)), ("R2W0236", Fault("redirect", self.archive)),
+            ("R2W0220", Fault("shorter_than_real", 10)),
         ):
             with self.subTest(fault=fault):
                 self.forget_everything()
@@ -119,6 +129,39 @@ class Fetching(FetchCase):
                 self.check_cache()
                 self.server.plan(self.archive)
                 self.assertEqual(self.packed(), wanted)
+
+    def archives_at(self, base_url: str) -> None:
+        """The index stays where it is and says that its archives are there."""
+        self.keep_forms("repodata.json")
+        index = self.channel / "noarch/repodata.json"
+        flat = json.loads(index.read_text())
+        flat["info"]["base_url"] = base_url
+        index.write_text(json.dumps(flat))
+        (self.folder / "ros2wasm.lock").unlink(missing_ok=True)
+        self.forget_everything()
+
+    def test_certificates_of_archives(self) -> None:
+        pem = self_signed_certificate(self.folder)
+        with FaultServer(self.folder, certificate=pem) as server:
+            self.archives_at(server.url + "/channel/noarch")
+            trusted = {"SSL_CERT_FILE": str(self.folder / "cert.pem")}
+            wanted = self.packed(**trusted)
+            self.forget_everything()
+            text = self.fail_with("R2W0235", "pack")
+            self.assertEqual(text.count("error["), text.count("error[R2W0235]"), text)
+            self.assertFalse((self.folder / "site").exists())
+            self.check_cache()
+            self.assertEqual(self.packed(**trusted), wanted)
+
+    def test_archives_from_a_server_without_tls(self) -> None:
+        self.archives_at(self.server.url.replace("http://", "https://") + "/channel/noarch")
+        text = self.fail_with("R2W0233", "pack")
+        self.assertEqual(text.count("error["), text.count("error[R2W0233]"), text)
+        self.assertFalse((self.folder / "site").exists())
+        self.check_cache()
+        self.archives_at(self.server.url + "/channel/noarch")
+        self.packed()
+        self.check_cache()
 
     def test_offline(self) -> None:
         wanted = self.packed()

@@ -88,6 +88,16 @@ class Shards(IndexCase):
                   f"a {self.url}/noarch/../packages/a-1.0-h_0.conda"]
         self.assertEqual(self.solution(self.url, "a"), wanted)
 
+    def test_more_is_promised_than_there_is(self) -> None:
+        shards = [f"/channel/noarch/{one.name}" for one in (self.channel / "noarch").glob("*.msgpack.zst")]
+        for path in shards:  # nobody says how large they are, so each could go on
+            self.server.plan(path, Fault("longer_than_real", 10), FOREVER)
+        text = self.fail_with("R2W0233", "solve", "-c", self.url, "a")
+        self.assertEqual(text.count("error["), 1, text)
+        for path in shards:
+            self.server.plan(path, Fault("longer_than_real", 10))
+        self.assertEqual(len(self.solution(self.url, "a")), 2)
+
     def test_damaged_shards(self) -> None:
         for shard in (self.channel / "noarch").glob("*.msgpack.zst"):
             if "repodata" not in shard.name:

@@ -361,6 +361,10 @@ Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& ca
   const Store store(roots, question->limits);
   const auto environment = make_environment(store, *records, cancellation, progress);
   if (!environment) return environment.errors();
+  for (const std::string& name : environment->without_hashes)
+    workspace->remarks.push_back("only the archive of " + name +
+                                 " could be checked: it is an old " +
+                                 "package, which has no hashes of its files");
   if (request.with_channel) {
     const auto archives = store.archives(*records, cancellation);
     if (!archives) return archives.errors();

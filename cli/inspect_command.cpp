@@ -172,7 +172,8 @@ int inspect_archive(Context& context, const InspectOptions& options) {
     if (!member.target.empty()) json.field("target", member.target);
     json.end_object();
   }
-  json.end_array().key("faults").begin_array();
+  json.end_array().key("has_file_hashes").boolean(listing->has_hashes);
+  json.key("faults").begin_array();
   for (const ListingFault& fault : listing->faults) {
     json.begin_object().field("path", fault.path).field("reason", fault.reason).end_object();
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include "bundler/archive/link_rules.hpp"
 #include "bundler/archive/paths_json.hpp"
@@ -18,8 +19,16 @@ constexpr std::size_t kLargestJson = 256U << 20U;
 struct Gathered {
   ExtractMeter meter;
   PackageListing listing{};
-  std::string paths_json{};
-  std::string link_json{};
+  PackageLists lists{};
+  std::optional<std::string> link_json{};
+
+  /// Where the text of this member is wanted.
+  std::optional<std::string>* kept(const std::optional<std::string>& path) {
+    if (path == "info/paths.json") return &lists.paths_json;
+    if (path == "info/files") return &lists.files;
+    if (path == "info/has_prefix") return &lists.has_prefix;
+    return path == "info/link.json" ? &link_json : nullptr;
+  }
 };
 
 Outcome<Done> gather(Gathered& gathered, const ArchiveMember& member, const ByteSource& bytes) {
@@ -27,10 +36,8 @@ Outcome<Done> gather(Gathered& gathered, const ArchiveMember& member, const Byte
   ListedMember listed{
       .path = member.path, .kind = member.kind, .sha256 = {}, .target = member.target};
   if (member.kind == MemberKind::kFile) {
-    const auto path = safe_member_path(member.path);
-    std::string* kept = path == "info/paths.json"  ? &gathered.paths_json
-                        : path == "info/link.json" ? &gathered.link_json
-                                                   : nullptr;
+    std::optional<std::string>* kept = gathered.kept(safe_member_path(member.path));
+    if (kept != nullptr) kept->emplace();
     Hasher hasher;
     for (;;) {
       auto piece = bytes();
@@ -39,7 +46,7 @@ Outcome<Done> gather(Gathered& gathered, const ArchiveMember& member, const Byte
       if (auto counted = gathered.meter.bytes(piece->size()); !counted) return counted;
       hasher.add(*piece);
       listed.size += piece->size();
-      if (kept != nullptr && kept->size() < kLargestJson) *kept += *piece;
+      if (kept != nullptr && (*kept)->size() < kLargestJson) **kept += *piece;
     }
     listed.sha256 = hasher.hex();
   }
@@ -49,7 +56,8 @@ Outcome<Done> gather(Gathered& gathered, const ArchiveMember& member, const Byte
 
 void compare(Gathered& gathered, const std::string& name) {
   std::vector<ListingFault>& faults = gathered.listing.faults;
-  const auto entries = parse_paths_json(gathered.paths_json, name);
+  gathered.listing.has_hashes = gathered.lists.has_hashes();
+  const auto entries = package_paths(gathered.lists, name);
   if (!entries) {
     faults.push_back({"info/paths.json", entries.errors().front().message});
     return;
@@ -114,8 +122,8 @@ Outcome<PackageListing> list_package(const std::filesystem::path& archive,
   auto visited = archive.extension() == ".conda" ? visit_zip(archive, name, in_zip)
                                                  : visit_tar_file(archive, name, in_tar);
   if (!visited) return std::move(visited).errors();
-  if (!gathered.link_json.empty()) {
-    auto entry_points = parse_entry_points(gathered.link_json, name);
+  if (gathered.link_json) {
+    auto entry_points = parse_entry_points(*gathered.link_json, name);
     if (entry_points) {
       gathered.listing.entry_points = std::move(*entry_points);
     } else {

@@ -32,6 +32,7 @@ struct PackageListing {
   std::vector<ListedMember> members;      ///< in the order of the archive
   std::vector<ListingFault> faults;       ///< what does not agree with info/paths.json, by path
   std::vector<EntryPoint> entry_points;   ///< commands that its info/link.json asks for
+  bool has_hashes = true;                 ///< false: an old package, which has no info/paths.json
   std::vector<std::string> link_scripts;  ///< paths of programs that conda would run, sorted
 };
 

@@ -14,7 +14,7 @@
 
 #include "bundler/archive/archive_library.hpp"
 #include "bundler/archive/link_rules.hpp"
-#include "bundler/archive/paths_json.hpp"
+#include "bundler/archive/package_lists.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/sha256.hpp"
 #include "workspace_schema/suggestion.hpp"
@@ -76,12 +76,12 @@ class Unpacker {
   Outcome<UnpackedPackage> finish() {
     if (auto done = write_hard_links(); !done) return std::move(done).errors();
     if (auto done = write_links(); !done) return std::move(done).errors();
-    const auto text = read_file(directory_ / "info/paths.json");
-    if (!text) return damaged_archive(name_, "it has no info/paths.json");
-    const auto entries = parse_paths_json(*text, name_);
+    const auto lists = read_package_lists(directory_);
+    if (!lists) return lists.errors();
+    const auto entries = package_paths(*lists, name_);
     if (!entries) return entries.errors();
     if (auto done = restore_empty_links(*entries); !done) return std::move(done).errors();
-    if (auto done = check_paths(*entries); !done) return std::move(done).errors();
+    if (auto done = check_paths(*entries, *lists); !done) return std::move(done).errors();
     return UnpackedPackage{.files = files_.size() + links_.size(), .bytes = meter_.total_bytes()};
   }
 
@@ -248,8 +248,8 @@ class Unpacker {
     return Done{};
   }
 
-  // The check against info/paths.json.
-  Outcome<Done> check_paths(const std::map<std::string, PathEntry>& entries) {
+  Outcome<Done> check_paths(const std::map<std::string, PathEntry>& entries,
+                            const PackageLists& lists) {
     std::vector<std::string> faults;
     for (const auto& [path, entry] : entries) {
       if (auto fault = path_fault(path, entry)) faults.push_back(std::move(*fault));
@@ -264,7 +264,9 @@ class Unpacker {
     }
     if (faults.empty()) return Done{};
     Diagnostic error =
-        refused("R2W0226", name_, "its files are not those that its info/paths.json lists");
+        refused("R2W0226", name_,
+                std::string("its files are not those that its ") +
+                    (lists.has_hashes() ? "info/paths.json" : "info/files") + " lists");
     constexpr std::size_t kMostShown = 20;
     for (std::size_t i = 0; i < std::min(faults.size(), kMostShown); ++i)
       error.why.push_back(faults[i]);

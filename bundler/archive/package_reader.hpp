@@ -18,11 +18,12 @@ struct UnpackedPackage {
 };
 
 /// Unpacks the archive into `directory` (which must be empty) and checks every file against
-/// info/paths.json. On an error the caller removes `directory`; nothing was written outside. `name`
-/// is for messages. R2W0221 damaged or not a conda archive, R2W0222 a name that leads outside
-/// (absolute, `..`), R2W0223 a link that leads outside, R2W0224 two members with one name or names
-/// that differ in letter case only, R2W0225 over a limit, R2W0226 files that differ from
-/// paths.json. Link scripts are files like others.
+/// info/paths.json, or, in an old package without it, that info/files lists it. On an error the
+/// caller removes `directory`; nothing was written outside. `name` is for messages. R2W0221 damaged
+/// or not a conda archive, R2W0222 a name that leads outside (absolute, `..`), R2W0223 a link that
+/// leads outside, R2W0224 two members with one name or names that differ in letter case only,
+/// R2W0225 over a limit, R2W0226 files that differ from paths.json. Link scripts are files like
+/// others.
 [[nodiscard]] Outcome<UnpackedPackage> unpack_package(const std::filesystem::path& archive,
                                                       const std::filesystem::path& directory,
                                                       const std::string& name,

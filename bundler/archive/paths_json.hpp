@@ -1,10 +1,11 @@
-// info/paths.json of a package: which files it has and what they must hash to. Pure.
+// What a package says of its files: info/paths.json has their hashes; packages from before 2017
+// have only lists of names. Pure.
 #pragma once
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
-#include <string_view>
 
 #include "workspace_schema/outcome.hpp"
 
@@ -22,9 +23,20 @@ struct PathEntry {
   PrefixMode mode = PrefixMode::kNone;
 };
 
-/// By path. R2W0221 when it cannot be read or names a path that leads outside. `name` is for
-/// messages.
-[[nodiscard]] Outcome<std::map<std::string, PathEntry>> parse_paths_json(std::string_view text,
-                                                                         const std::string& name);
+/// The texts of these files of info/, as far as they are there.
+struct PackageLists {
+  std::optional<std::string> paths_json;
+  std::optional<std::string> files;       ///< a path a line
+  std::optional<std::string> has_prefix;  ///< a path a line, or placeholder, mode and path
+
+  /// Else only the archive as a whole has a hash.
+  [[nodiscard]] bool has_hashes() const { return paths_json.has_value(); }
+};
+
+/// By path; info/files and info/has_prefix where there is no info/paths.json, as conda has it.
+/// R2W0221 when that cannot be read, names a path that leads outside, or nothing is there. `name`
+/// is for messages.
+[[nodiscard]] Outcome<std::map<std::string, PathEntry>> package_paths(const PackageLists& lists,
+                                                                      const std::string& name);
 
 }  // namespace ros2wasm

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <map>
 
-#include "bundler/archive/paths_json.hpp"
+#include "bundler/archive/package_lists.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/kept_folder.hpp"
 #include "bundler/io/sha256.hpp"
@@ -38,15 +38,25 @@ class Installer {
         site_packages_(std::move(site_packages)) {}
 
   Outcome<Done> install(const PackageRecord& record, const fs::path& package) {
-    const auto text = read_file(package / "info/paths.json");
-    if (!text) return text.errors();
-    const auto entries = parse_paths_json(*text, distribution_name(record));
-    if (!entries) return entries.errors();
-    for (const auto& [path, entry] : *entries) {
+    const auto lists = read_package_lists(package);
+    if (!lists) return lists.errors();
+    auto entries = package_paths(*lists, distribution_name(record));
+    if (!entries) return std::move(entries).errors();
+    if (!lists->has_hashes()) without_hashes_.push_back(distribution_name(record));
+    for (auto& [path, entry] : *entries) {
+      std::error_code error;
+      const auto status = fs::symlink_status(package / path, error);
+      if (fs::is_regular_file(status) && entry.sha256.empty()) {
+        auto hashes = hash_file(package / path);
+        if (!hashes) return std::move(hashes).errors();
+        entry.sha256 = std::move(hashes->sha256);
+      }
       if (auto placed = place(record, package, path, entry); !placed) return placed;
     }
     return Done{};
   }
+
+  std::vector<std::string> take_without_hashes() { return std::move(without_hashes_); }
 
   std::vector<OverwrittenFile> take_overwritten() {
     std::sort(overwritten_.begin(), overwritten_.end(),
@@ -159,6 +169,7 @@ class Installer {
   std::map<std::string, Owner> owners_;
   std::map<fs::path, std::string> folders_;  ///< and who brought them first; they stay folders
   std::vector<OverwrittenFile> overwritten_;
+  std::vector<std::string> without_hashes_;
 };
 
 Outcome<Environment> build(const fs::path& staging, const fs::path& prefix, const Store& store,
@@ -176,7 +187,8 @@ Outcome<Environment> build(const fs::path& staging, const fs::path& prefix, cons
   }
   return Environment{.prefix = prefix,
                      .key = environment_key(records),
-                     .overwritten = installer.take_overwritten()};
+                     .overwritten = installer.take_overwritten(),
+                     .without_hashes = installer.take_without_hashes()};
 }
 
 }  // namespace
@@ -202,7 +214,8 @@ Outcome<Environment> make_environment(const Store& store, const std::vector<Pack
     if (!is && cancellation.requested()) return is.errors();
     const auto was = read_file(seal_file);
     if (is && was && *is == *was)
-      return Environment{.prefix = prefix, .key = key, .overwritten = {}, .cached = true};
+      return Environment{
+          .prefix = prefix, .key = key, .overwritten = {}, .without_hashes = {}, .cached = true};
     if (auto removed = remove_tree(prefix); !removed) return std::move(removed).errors();
   }
   auto beside = TemporaryDirectory::make(folder / "unfinished", key.substr(0, 8) + ".");

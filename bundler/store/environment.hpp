@@ -26,6 +26,8 @@ struct Environment {
   std::string
       key;  ///< hash of the record list: the same packages give the same key on every machine
   std::vector<OverwrittenFile> overwritten;  ///< sorted by path; empty when it came from the cache
+  /// Distribution names of packages whose files have no hashes of their own; empty likewise.
+  std::vector<std::string> without_hashes;
   bool cached = false;
 };
 

@@ -5,12 +5,13 @@
 
 #include <atomic>
 
-#include "bundler/archive/paths_json.hpp"
+#include "bundler/archive/package_lists.hpp"
 #include "bundler/channel/transport.hpp"
 #include "bundler/channel/verified_files.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/sha256.hpp"
 #include "bundler/io/worker_pool.hpp"
+#include "bundler/store/tree_seal.hpp"
 #include "workspace_schema/text_pattern.hpp"
 
 namespace ros2wasm {
@@ -37,8 +38,12 @@ WantedFile wanted_file(const PackageRecord& record, fs::path place) {
           .md5 = record.md5};
 }
 
-/// What the seal of a package has to say: no other file says what those of info/ are to hold.
+/// What the seal of a package has to say: what those files are to hold of which its lists say
+/// nothing. That is info/, or in old packages everything.
 Outcome<std::string> seal_of(const fs::path& folder) {
+  const auto lists = read_package_lists(folder);
+  if (!lists) return lists.errors();
+  if (!lists->has_hashes()) return tree_seal(folder, {}, {});
   std::map<std::string, std::string> sums;
   std::error_code error;
   for (fs::recursive_directory_iterator it(folder / "info", error), end; !error && it != end;
@@ -75,13 +80,13 @@ fs::path default_cache_directory(const std::map<std::string, std::string>& varia
 }
 
 std::string package_fault(const fs::path& folder) {
-  const auto text = read_file(folder / "info/paths.json");
-  if (!text) return "info/paths.json cannot be read";
-  const auto entries = parse_paths_json(*text, folder.filename().string());
+  const auto lists = read_package_lists(folder);
+  const auto entries = lists ? package_paths(*lists, folder.filename().string()) : lists.errors();
   if (!entries) return "info/paths.json is damaged";
   const auto kept = read_file(package_seal_place(folder));
   const auto seal = seal_of(folder);
-  if (!kept || !seal || *kept != *seal) return "info is not as it was unpacked";
+  if (!kept || !seal || *kept != *seal)
+    return lists->has_hashes() ? "info is not as it was unpacked" : "it is not as it was unpacked";
   for (const auto& [path, entry] : *entries) {
     std::error_code error;
     const auto status = fs::symlink_status(folder / path, error);

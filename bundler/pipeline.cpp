@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "bundler/build/exception_encoding.hpp"
+#include "bundler/build/kept_header.hpp"
 #include "bundler/build/quick_link.hpp"
 #include "bundler/channel/channel_index.hpp"
 #include "bundler/channel/transport.hpp"
@@ -379,13 +380,17 @@ Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& ca
       request.executable, "templates/toolchain/ros2wasm-toolchain.cmake", "the CMake toolchain");
   if (!toolchain) return toolchain.errors();
   workspace->cache = build_place(roots.cache);
+  // One of the user's own, such as ccache, keeps its place.
+  const auto launcher = request.variables.find("CMAKE_CXX_COMPILER_LAUNCHER");
+  const bool user_launcher = launcher != request.variables.end() && !launcher->second.empty();
   const BuildTools tools{
       .compiler = compiler,
       .compiler_environment = compiler_environment(request.variables),
       .toolchain = fs::canonical(*toolchain),
       .cli = request.executable,
       .jobs = request.jobs != 0 ? request.jobs : std::max(1U, std::thread::hardware_concurrency()),
-      .quick_links = request.quick ? quick_links_folder(workspace->cache, compiler) : fs::path()};
+      .quick_links = request.quick ? quick_links_folder(workspace->cache, compiler) : fs::path(),
+      .kept_headers = user_launcher ? fs::path() : kept_headers_folder(workspace->cache, compiler)};
   begin_step(progress, "build");
   auto built = build_workspace(question->packages, question->order, tools,
                                {.cache = workspace->cache,

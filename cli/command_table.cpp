@@ -13,6 +13,7 @@ CommandBody check_command(Arguments& arguments);
 CommandBody explain_command(Arguments& arguments);
 CommandBody inspect_command(Arguments& arguments);
 CommandBody init_command(Arguments& arguments);
+CommandBody compile_source_command(Arguments& arguments);
 CommandBody link_program_command(Arguments& arguments);
 CommandBody lock_command(Arguments& arguments);
 CommandBody pack_command(Arguments& arguments);
@@ -62,6 +63,10 @@ constexpr auto kCommands = std::to_array<CommandRow>({
     {.name = "inspect",
      .help = "Show what ros2wasm makes of a version, a spec or an archive",
      .declare = inspect_command},
+    {.name = "compile-source",
+     .help = "Compile one source (called by CMake)",
+     .declare = compile_source_command,
+     .hidden = true},
     {.name = "link-program",
      .help = "Link one program (called by CMake)",
      .declare = link_program_command,

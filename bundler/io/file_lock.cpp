@@ -29,6 +29,12 @@ Outcome<FileLock> FileLock::take(const std::filesystem::path& file,
   return lock;
 }
 
+std::optional<FileLock> FileLock::try_take(const std::filesystem::path& file) {
+  FileLock lock(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644));
+  if (lock.fd_ < 0 || ::flock(lock.fd_, LOCK_EX | LOCK_NB) != 0) return std::nullopt;
+  return lock;
+}
+
 FileLock::FileLock(FileLock&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
 
 FileLock& FileLock::operator=(FileLock&& other) noexcept {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "workspace_schema/cancellation.hpp"
 #include "workspace_schema/outcome.hpp"
@@ -14,6 +15,8 @@ class FileLock {
   /// Waits for other processes. R2W0211 the file cannot be made or locked.
   [[nodiscard]] static Outcome<FileLock> take(const std::filesystem::path& file,
                                               const Cancellation& cancellation);
+  /// Nothing when another process has it, or the file cannot be made.
+  [[nodiscard]] static std::optional<FileLock> try_take(const std::filesystem::path& file);
   FileLock(FileLock&& other) noexcept;
   FileLock& operator=(FileLock&& other) noexcept;
   ~FileLock();

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "bundler/build/diagnostic_json.hpp"
+#include "bundler/build/kept_header.hpp"
 #include "bundler/build/link_driver.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/process.hpp"
@@ -36,6 +37,7 @@ EnvironmentVariables child_environment(const PackageBuild& request, const BuildT
   result["NINJA_STATUS"] = "[%f/%t] ";
   result["ROS2WASM_LINK_DIAGNOSTICS"] = (request.work / kLinkDiagnostics).string();
   result[kQuickLinkVariable] = tools.quick_links.string();
+  result[kKeptHeadersVariable] = tools.kept_headers.string();
   // A native ROS installation that was sourced must not leak its packages in.
   for (const char* name : {"AMENT_PREFIX_PATH", "CMAKE_PREFIX_PATH", "COLCON_PREFIX_PATH", "CFLAGS",
                            "CXXFLAGS", "CPPFLAGS", "LDFLAGS", "CMAKE_GENERATOR", "DESTDIR"}) {
@@ -108,18 +110,29 @@ Outcome<Done> configure(const PackageBuild& request, const BuildTools& tools,
                         const Cancellation& cancellation) {
   std::error_code ignored;
   fs::remove(request.work / "CMakeCache.txt", ignored);  // what it found may have moved
-  const auto result = run_process(
-      {.arguments = {"cmake", "-S", request.place.source.string(), "-B", request.work.string(),
-                     "-G", "Ninja", "-Wno-dev", "--no-warn-unused-cli",
-                     "-DCMAKE_TOOLCHAIN_FILE=" + tools.toolchain.string(),
-                     "-DCMAKE_INSTALL_PREFIX=" + request.final_prefix.string(),
-                     "-DCMAKE_PREFIX_PATH=" + joined(request.prefixes),
-                     "-DROS2WASM_CLI=" + tools.cli.string(),
-                     "-DROS2WASM_EMCXX=" + tools.compiler.cxx.string(),
-                     "-DROS2WASM_EMCC=" + tools.compiler.c.string()},
-       .environment = child_environment(request, tools),
-       .directory = request.work},
-      cancellation);
+  std::vector<std::string> arguments = {"cmake",
+                                        "-S",
+                                        request.place.source.string(),
+                                        "-B",
+                                        request.work.string(),
+                                        "-G",
+                                        "Ninja",
+                                        "-Wno-dev",
+                                        "--no-warn-unused-cli",
+                                        "-DCMAKE_TOOLCHAIN_FILE=" + tools.toolchain.string(),
+                                        "-DCMAKE_INSTALL_PREFIX=" + request.final_prefix.string(),
+                                        "-DCMAKE_PREFIX_PATH=" + joined(request.prefixes),
+                                        "-DROS2WASM_CLI=" + tools.cli.string(),
+                                        "-DROS2WASM_EMCXX=" + tools.compiler.cxx.string(),
+                                        "-DROS2WASM_EMCC=" + tools.compiler.c.string()};
+  if (!tools.kept_headers.empty()) {
+    arguments.push_back("-DCMAKE_CXX_COMPILER_LAUNCHER=" + tools.cli.string() +
+                        ";compile-source;--");
+  }
+  const auto result = run_process({.arguments = std::move(arguments),
+                                   .environment = child_environment(request, tools),
+                                   .directory = request.work},
+                                  cancellation);
   if (!result) return result.errors();
   if (result->exit_code != 0) return configure_errors(told(*result, request), request.place);
   return Done{};

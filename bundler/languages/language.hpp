@@ -22,11 +22,12 @@ namespace ros2wasm {
 struct BuildTools {
   Compiler compiler;
   EnvironmentVariables compiler_environment;
-  std::filesystem::path toolchain;    ///< ros2wasm-toolchain.cmake
-  std::filesystem::path cli;          ///< this program, for link-program
-  unsigned jobs = 1;                  ///< compilers at once, of all packages
-  std::filesystem::path quick_links;  ///< programs are linked quickly, with the help of what lies
-                                      ///< in this folder; may be empty
+  std::filesystem::path toolchain;     ///< ros2wasm-toolchain.cmake
+  std::filesystem::path cli;           ///< this program, for compile-source and link-program
+  unsigned jobs = 1;                   ///< compilers at once, of all packages
+  std::filesystem::path quick_links;   ///< programs are linked quickly, with the help of what lies
+                                       ///< in this folder; may be empty
+  std::filesystem::path kept_headers;  ///< for compile-source; empty: the compiler is called itself
 };
 
 /// One package to build.

@@ -1,5 +1,6 @@
 // Time and memory of `ros2wasm pack` for example 01: cold (empty cache), warm (nothing changed) and after a
-// change of one file. The peer of the cold run is the compiler alone on the same two files.
+// change of one file; and of `pack --quick` after such a change. Peers: the compiler's start, and the same quick pack with
+// nothing kept of rclcpp's header.
 import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -9,6 +10,7 @@ import type { BenchContext } from './run.ts';
 import { summary } from './statistics.ts';
 
 const WARM_RUNS = 9;
+const QUICK_RUNS = 5;
 const TALKER = 'src/tutorial_talker/src/publisher_member_function.cpp';
 
 export function benchPack(context: BenchContext): void {
@@ -25,8 +27,21 @@ export function benchPack(context: BenchContext): void {
     const cold = pack();
     const warm = Array.from({ length: WARM_RUNS }, pack);
     const file = join(folder, TALKER);
-    writeFileSync(file, readFileSync(file, 'utf8').replace('Hello, world!', 'Hello, bench!'));
+    const source = readFileSync(file, 'utf8');
+    writeFileSync(file, source.replace('Hello, world!', 'Hello, bench!'));
     const changed = pack();
+    const quick = (cache: string, launcher: string): readonly Measured[] => {
+      const other = { ...process.env, XDG_CACHE_HOME: join(folder, cache), CMAKE_CXX_COMPILER_LAUNCHER: launcher };
+      const runs = Array.from({ length: 1 + QUICK_RUNS }, (_, i) => {
+        writeFileSync(file, source.replace('Hello, world!', `Hello, ${cache} ${i}!`));
+        const run = measure([...command, '--quick'], other);
+        if (run.exitCode !== 0) throw new Error(`pack --quick failed: ${run.stderr}`);
+        return run;
+      });
+      return runs.slice(1);
+    };
+    const kept = quick('.kept', '');
+    const plain = quick('.plain', '/usr/bin/env');
     const empty = join(folder, 'empty.cpp');
     writeFileSync(empty, '');
     const compiler = measure(['em++', '-O2', '-c', empty, '-o', join(folder, 'empty.o')]);
@@ -35,6 +50,9 @@ export function benchPack(context: BenchContext): void {
       cold_ms: Math.round(cold.wallMs), cold_peak_kb: cold.peakKb,
       warm_ms: summary(warm.map((run) => run.wallMs)), warm_peak_kb: summary(warm.map((run) => run.peakKb)).median,
       one_file_changed_ms: Math.round(changed.wallMs),
+      quick_change_ms: summary(kept.map((run) => run.wallMs)), quick_change_cpu_ms: summary(kept.map((run) => run.cpuMs)).median,
+      quick_change_header_not_kept_ms: summary(plain.map((run) => run.wallMs)),
+      quick_change_header_not_kept_cpu_ms: summary(plain.map((run) => run.cpuMs)).median,
       peer: 'one start of the compiler on an empty file', peer_ms: Math.round(compiler.wallMs), peer_peak_kb: compiler.peakKb,
     });
   } finally {

@@ -31,6 +31,7 @@ struct ChannelOptions {
   std::string subdir;
   std::string placeholder;
   bool noarch = false;
+  bool all = false;
 };
 
 Diagnostic usage_error(std::string message, std::string why) {
@@ -145,13 +146,16 @@ int index(const ChannelOptions& options, Context& context) {
     return context.console.fail(usage_error("`ros2wasm channel index` takes one channel folder",
                                             "`ros2wasm channel --help` has examples"));
   }
-  const auto summary = index_channel(options.words[0]);
+  const auto summary =
+      index_channel(options.words[0], options.all ? Reading::kAll : Reading::kChanged);
   if (!summary) return context.console.fail(summary.errors());
   if (context.json) {
     JsonWriter json;
     json.begin_object()
         .key("packages")
         .unsigned_integer(summary->packages)
+        .key("read")
+        .unsigned_integer(summary->read)
         .key("subdirs")
         .begin_array();
     for (const std::string& subdir : summary->subdirs) json.string(subdir);
@@ -159,7 +163,8 @@ int index(const ChannelOptions& options, Context& context) {
     context.console.result(json.text());
   } else {
     context.console.remark("indexed " + std::to_string(summary->packages) + " packages in " +
-                           options.words[0]);
+                           options.words[0] + ", " + std::to_string(summary->read) +
+                           " of them read");
   }
   return 0;
 }
@@ -222,6 +227,9 @@ CommandBody channel_command(Arguments& arguments) {
       "--placeholder", options->placeholder, "PATH",
       "The prefix that the files were installed for; it is replaced where text files name it");
   arguments.flag("--noarch", options->noarch, "The package is for every platform");
+  arguments.flag(
+      "--all", options->all,
+      "for `index`: read every archive, not only those which changed since the last time");
   arguments.examples({"ros2wasm channel add my-channel --prefix stage --metadata package.json",
                       "ros2wasm channel add my-channel demo-1.0-0.conda",
                       "ros2wasm channel index my-channel", "ros2wasm channel check my-channel"});

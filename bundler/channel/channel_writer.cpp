@@ -3,11 +3,10 @@
 
 #include <algorithm>
 
-#include "bundler/archive/package_index.hpp"
 #include "bundler/archive/zstd.hpp"
+#include "bundler/channel/known_archives.hpp"
 #include "bundler/channel/repodata_record.hpp"
 #include "bundler/io/files.hpp"
-#include "bundler/io/sha256.hpp"
 #include "workspace_schema/json_reader.hpp"
 #include "workspace_schema/json_writer.hpp"
 #include "workspace_schema/record_rules.hpp"
@@ -59,11 +58,10 @@ std::string record_json(const PackageRecord& record) {
   return json.text();
 }
 
-Outcome<PackageRecord> index_archive(const fs::path& archive, const std::string& subdir) {
+Outcome<PackageRecord> record_of(const fs::path& archive, const std::string& subdir,
+                                 const KnownArchive& known) {
   const std::string file_name = archive.filename().string();
-  const auto text = read_index_json(archive, archive.string());
-  if (!text) return text.errors();
-  const auto json = parse_json(*text, archive.string() + ":info/index.json", "R2W0205");
+  const auto json = parse_json(known.index_json, archive.string() + ":info/index.json", "R2W0205");
   if (!json) return json.errors();
   SpecTable specs;
   auto parsed =
@@ -74,15 +72,15 @@ Outcome<PackageRecord> index_archive(const fs::path& archive, const std::string&
   if (distribution_name(record) != archive_stem(file_name)) {
     return misplaced(archive, "by its metadata it is `" + distribution_name(record) + "`");
   }
-  auto hashes = hash_file(archive, true);
-  if (!hashes) return std::move(hashes).errors();
-  record.sha256 = hashes->sha256;
-  record.md5 = hashes->md5;
-  record.size = hashes->size;
+  record.sha256 = known.hashes.sha256;
+  record.md5 = known.hashes.md5;
+  record.size = known.hashes.size;
   return record;
 }
 
-/// One record a line, so that two indexes can be compared by eye.
+/// `removed` is empty: it names archives that can still be fetched but must not be chosen, and of
+/// those that are gone nothing is left to fetch. One record a line, so that two indexes can be
+/// compared by eye.
 std::string repodata_text(const std::string& subdir, const std::vector<PackageRecord>& records) {
   std::string conda;
   std::string tar;
@@ -95,7 +93,8 @@ std::string repodata_text(const std::string& subdir, const std::vector<PackageRe
          "},\n\"packages.conda\":{" + conda + "},\n\"removed\":[],\n\"repodata_version\":1}\n";
 }
 
-Outcome<std::size_t> index_subdir(const fs::path& folder, const std::string& subdir) {
+Outcome<Done> index_subdir(const fs::path& folder, const std::string& subdir, Reading reading,
+                           ChannelSummary& summary) {
   std::vector<fs::path> archives;
   std::error_code error;
   if (fs::is_directory(folder, error)) {
@@ -105,10 +104,12 @@ Outcome<std::size_t> index_subdir(const fs::path& folder, const std::string& sub
     if (error) return cannot_read(folder, error.value());
   }
   std::sort(archives.begin(), archives.end());
+  KnownArchives known = reading == Reading::kChanged ? KnownArchives::of(folder) : KnownArchives();
   std::vector<PackageRecord> records;
   Diagnostics errors;
   for (const fs::path& archive : archives) {
-    auto record = index_archive(archive, subdir);
+    const auto there = known.look_at(archive);
+    auto record = there ? record_of(archive, subdir, *there) : there.errors();
     if (record) {
       records.push_back(std::move(*record));
     } else {
@@ -122,7 +123,11 @@ Outcome<std::size_t> index_subdir(const fs::path& folder, const std::string& sub
       return std::move(done).errors();
   }
   remove_stale_shards(folder, parts);
-  return records.size();
+  summary.packages += records.size();
+  summary.read += known.read_count();
+  // Where that cannot be written, the next run reads everything.
+  (void)known.keep(folder);
+  return Done{};
 }
 
 }  // namespace
@@ -146,13 +151,13 @@ Outcome<fs::path> add_to_channel(const fs::path& channel, const CondaPackage& pa
 }
 
 Outcome<fs::path> copy_to_channel(const fs::path& channel, const fs::path& archive) {
-  const auto text = read_index_json(archive, archive.string());
-  if (!text) return text.errors();
-  const auto json = parse_json(*text, archive.string() + ":info/index.json", "R2W0205");
+  const auto there = KnownArchives().look_at(archive);
+  if (!there) return there.errors();
+  const auto json = parse_json(there->index_json, archive.string() + ":info/index.json", "R2W0205");
   if (!json) return json.errors();
   const std::string subdir = json->text_of("subdir");
   if (!is_subdir(subdir)) return misplaced(archive, "it does not say which platform it is for");
-  if (const auto record = index_archive(archive, subdir); !record) return record.errors();
+  if (const auto record = record_of(archive, subdir, *there); !record) return record.errors();
   const auto bytes = read_file(archive);
   if (!bytes) return bytes.errors();
   fs::path place = channel / subdir / archive.filename();
@@ -160,7 +165,7 @@ Outcome<fs::path> copy_to_channel(const fs::path& channel, const fs::path& archi
   return place;
 }
 
-Outcome<ChannelSummary> index_channel(const fs::path& channel) {
+Outcome<ChannelSummary> index_channel(const fs::path& channel, Reading reading) {
   ChannelSummary summary;
   summary.subdirs.emplace_back("noarch");  // must be there, even empty (CEP 26)
   std::error_code error;
@@ -174,9 +179,8 @@ Outcome<ChannelSummary> index_channel(const fs::path& channel) {
   }
   std::sort(summary.subdirs.begin(), summary.subdirs.end());
   for (const std::string& subdir : summary.subdirs) {
-    const auto count = index_subdir(channel / subdir, subdir);
-    if (!count) return count.errors();
-    summary.packages += *count;
+    if (auto done = index_subdir(channel / subdir, subdir, reading, summary); !done)
+      return std::move(done).errors();
   }
   return summary;
 }

@@ -29,14 +29,20 @@ namespace ros2wasm {
 [[nodiscard]] std::vector<IndexPart> index_parts(const std::string& subdir,
                                                  const std::vector<PackageRecord>& records);
 
+/// Which archives are read for an index: all, or those which have changed since the last one (see
+/// known_archives.hpp).
+enum class Reading { kChanged, kAll };
+
 struct ChannelSummary {
   std::size_t packages = 0;
+  std::size_t read = 0;  ///< archives that had to be read
   std::vector<std::string> subdirs;
 };
 
-/// Reads info/index.json of every archive and writes repodata.json, repodata.json.zst and shards of
+/// Takes info/index.json of every archive and writes repodata.json, repodata.json.zst and shards of
 /// `noarch` and of each other subdirectory that holds packages. The same archives give the same
 /// bytes. R2W0221 an archive is damaged, R2W0205 its metadata does not fit its place.
-[[nodiscard]] Outcome<ChannelSummary> index_channel(const std::filesystem::path& channel);
+[[nodiscard]] Outcome<ChannelSummary> index_channel(const std::filesystem::path& channel,
+                                                    Reading reading = Reading::kChanged);
 
 }  // namespace ros2wasm

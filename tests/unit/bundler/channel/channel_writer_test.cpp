@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
+#include <fstream>
 
 #include "bundler/archive/zstd.hpp"
 #include "bundler/channel/msgpack_writer.hpp"
@@ -155,6 +157,87 @@ TEST(ChannelWriter, FinishedArchivesGoToTheirSubdirectory) {
   ASSERT_TRUE(copied.ok());
   EXPECT_EQ(*copied, channel.tree() / "other/noarch/a-1.0-h_0.conda");
   EXPECT_TRUE(index_channel(channel.tree() / "other").ok());
+}
+
+/// As if the file had been written so long ago.
+void make_older(const fs::path& file, std::chrono::minutes age) {
+  fs::last_write_time(file, fs::file_time_type::clock::now() - age);
+}
+
+std::size_t read_by_index(const testing::SmallChannel& channel,
+                          Reading reading = Reading::kChanged) {
+  const auto summary = index_channel(channel.folder(), reading);
+  EXPECT_TRUE(summary.ok());
+  return summary.ok() ? summary->read : 0;
+}
+
+class Incremental : public ::testing::Test {
+ protected:
+  Incremental() {
+    for (const fs::path& archive : {a_, b_}) make_older(archive, std::chrono::minutes(60));
+    EXPECT_EQ(read_by_index(channel_), 2U);
+    first_ = index();
+  }
+
+  std::string index() { return channel_.tree().read("channel/noarch/repodata.json"); }
+
+  testing::SmallChannel channel_;
+  fs::path a_ = channel_.add("a", "1.0", {{"x", "1"}}, {"b >=1"});
+  fs::path b_ = channel_.add("b", "1.0", {});
+  std::string first_;
+};
+
+TEST_F(Incremental, OnlyWhatHasChangedIsRead) {
+  EXPECT_EQ(read_by_index(channel_), 0U);
+  EXPECT_EQ(index(), first_);
+  make_older(a_, std::chrono::minutes(30));
+  EXPECT_EQ(read_by_index(channel_), 1U);
+  EXPECT_EQ(index(), first_);
+  EXPECT_EQ(read_by_index(channel_), 0U);
+  make_older(channel_.add("c", "1.0", {}), std::chrono::minutes(20));
+  EXPECT_EQ(read_by_index(channel_), 1U);
+  EXPECT_NE(index(), first_);
+  EXPECT_EQ(read_by_index(channel_, Reading::kAll), 3U);
+}
+
+TEST_F(Incremental, WhatIsGoneIsNotListed) {
+  fs::rename(b_, channel_.tree() / "b.conda");
+  EXPECT_EQ(read_by_index(channel_), 0U);
+  EXPECT_EQ(index().find("b-1.0"), std::string::npos);
+  EXPECT_NE(index().find("\"removed\":[]"), std::string::npos);
+  fs::rename(channel_.tree() / "b.conda", b_);
+  EXPECT_EQ(read_by_index(channel_), 1U);
+  EXPECT_EQ(index(), first_);
+}
+
+TEST_F(Incremental, YoungArchivesAreReadAgain) {
+  make_older(a_, std::chrono::minutes(0));
+  EXPECT_EQ(read_by_index(channel_), 1U);
+  EXPECT_EQ(read_by_index(channel_), 1U);  // written to since, within a tick of the clock?
+}
+
+TEST_F(Incremental, OtherBytesOfTheSameSizeAndTimeNeedAll) {
+  const auto time = fs::last_write_time(a_);
+  const std::string bytes(fs::file_size(a_), 'x');
+  std::ofstream(a_, std::ios::in | std::ios::out).write(bytes.data(), std::ssize(bytes));
+  fs::last_write_time(a_, time);
+  EXPECT_EQ(read_by_index(channel_), 0U);
+  const auto all = index_channel(channel_.folder(), Reading::kAll);
+  ASSERT_FALSE(all.ok());
+  EXPECT_EQ(all.errors().front().code, "R2W0221");
+}
+
+TEST_F(Incremental, DamagedMemoryIsNone) {
+  const fs::path memory = channel_.folder() / "noarch/.ros2wasm-archives.json";
+  std::string text = channel_.tree().read("channel/noarch/.ros2wasm-archives.json");
+  const std::size_t at = text.find("b >=1");
+  ASSERT_NE(at, std::string::npos);
+  for (const std::string& damaged :
+       {text.substr(0, 70), text.replace(at, 5, "b >=2"), std::string()}) {
+    std::ofstream(memory, std::ios::trunc) << damaged;
+    EXPECT_EQ(read_by_index(channel_), 2U);
+    EXPECT_EQ(index(), first_);
+  }
 }
 
 }  // namespace

@@ -148,8 +148,8 @@ std::optional<std::string_view> MsgpackReader::skipped() {
 }
 
 std::optional<JsonValue> MsgpackReader::value() {
-  std::optional<JsonValue> value(std::in_place);
-  if (!read(kDeepest, *value)) value.reset();
+  JsonValue value;
+  if (!read(kDeepest, value)) return std::nullopt;
   return value;
 }
 

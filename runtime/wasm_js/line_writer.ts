@@ -1,10 +1,12 @@
 // Cuts what a program writes into lines. Bytes of an unfinished line wait until its end, or until flush().
 
+import { Utf8Decoder } from './utf8.ts';
+
 const longestLine = 64 << 10;
 
 export class LineWriter {
   private readonly emit: (line: string) => void;
-  private readonly decoder = new TextDecoder();
+  private readonly decoder = new Utf8Decoder();
   private parts: Uint8Array[] = [];
   private length = 0;
 
@@ -36,7 +38,7 @@ export class LineWriter {
   private end(): void {
     let line = '';
     if (this.parts.length === 1) {
-      line = this.decoder.decode(this.parts[0]);
+      line = this.decoder.decode(this.parts[0]!);
     } else {
       const all = new Uint8Array(this.length);
       let at = 0;

@@ -1,5 +1,4 @@
-// Memory of a process and all that it started, from /proc: proportional set size, so that pages shared
-// between the processes of a browser count once.
+// Memory of a process and all that it started, from /proc.
 import { readFileSync, readdirSync } from 'node:fs';
 
 function parents(): Map<number, number> {
@@ -17,10 +16,10 @@ function parents(): Map<number, number> {
   return found;
 }
 
-function proportionalKb(pid: number): number {
+function memoryKb(pid: number, kind: 'Pss' | 'Private_Dirty'): number {
   try {
     const text = readFileSync(`/proc/${pid}/smaps_rollup`, 'utf8');
-    return Number(/^Pss:\s+(\d+) kB/m.exec(text)?.[1] ?? 0);
+    return Number(new RegExp(`^${kind}:\\s+(\\d+) kB`, 'm').exec(text)?.[1] ?? 0);
   } catch {
     return 0;
   }
@@ -34,7 +33,12 @@ export function processTree(root: number): number[] {
   return [...parentOf.keys()].filter(belongs);
 }
 
-/** Proportional set size of `root` and its descendants, in kB. */
+/** Proportional set size of `root` and its descendants, in kB: pages shared between the processes of a browser count once. */
 export function treeMemoryKb(root: number): number {
-  return processTree(root).reduce((sum, pid) => sum + proportionalKb(pid), 0);
+  return processTree(root).reduce((sum, pid) => sum + memoryKb(pid, 'Pss'), 0);
+}
+
+/** What `root` and its descendants have written and share with nobody, in kB: other browsers on the machine do not change it. */
+export function treePrivateKb(root: number): number {
+  return processTree(root).reduce((sum, pid) => sum + memoryKb(pid, 'Private_Dirty'), 0);
 }

@@ -6,6 +6,7 @@ import { resolve } from 'node:path';
 import { parseArgs } from 'node:util';
 import { benchCrowd } from './crowd.ts';
 import { benchFetch } from './fetch.ts';
+import { benchLines } from './lines.ts';
 import { benchLink } from './link.ts';
 import { benchPack } from './pack.ts';
 import { benchSolve } from './solve.ts';
@@ -30,6 +31,7 @@ const BENCHES: Readonly<Record<string, (context: BenchContext) => Promise<void> 
   bytes: benchBytes,
   crowd: benchCrowd,
   fetch: benchFetch,
+  lines: benchLines,
   link: benchLink,
   pack: benchPack,
   soak: benchSoak,

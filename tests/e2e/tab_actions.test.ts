@@ -1,0 +1,67 @@
+// An action whose client and server run in different tabs of one graph, in Chromium: goal, feedback, result, cancelling,
+// and what the client learns when the server's tab is closed.
+
+import assert from 'node:assert/strict';
+import { cpSync } from 'node:fs';
+import { join, resolve } from 'node:path';
+import { after, before, test } from 'node:test';
+import { type Browser, chromium, type Page } from 'playwright-core';
+import { serveFolder } from '../support/static_server.ts';
+import { chromiumOptions } from './chromium.ts';
+import { PackWorkspace } from './pack_workspace.ts';
+
+const name = 'tab_actions';
+const patience = { timeout: 120_000 };
+
+let browser: Browser;
+let workspace: PackWorkspace;
+
+before(async () => {
+  workspace = new PackWorkspace();
+  cpSync(resolve(import.meta.dirname, '../packages', name), join(workspace.root, 'src', name), { recursive: true });
+  workspace.write('workspace.yaml', `schema: 1
+name: ${name}
+packages: [src/*]
+launch:
+  - {package: ${name}, executable: counter}
+  - {package: ${name}, executable: asker}
+`);
+  const packed = await workspace.run(['pack', 'workspace.yaml', '--output', 'site']);
+  assert.equal(packed.code, 0, packed.stderr);
+  browser = await chromium.launch(chromiumOptions());
+}, { timeout: 500_000 });
+
+after(async () => {
+  await browser.close();
+  workspace.close();
+});
+
+function shows(page: Page, text: string): Promise<unknown> {
+  return page.waitForFunction((wanted) => (document.body?.innerText ?? '').includes(wanted), text, patience);
+}
+
+for (const link of ['shared', 'port'] as const) {
+  test(`${link}: an action reaches across tabs`, { timeout: 400_000 }, async () => {
+    const host = await serveFolder(join(workspace.root, 'site'), { isolated: link === 'shared' });
+    const context = await browser.newContext({ serviceWorkers: link === 'shared' ? 'allow' : 'block' });
+    const open = async (query: string): Promise<Page> => {
+      const page = await context.newPage();
+      await page.goto(`${host.url}${query}`);
+      return page;
+    };
+    try {
+      const asker = await open('?graph=g&nodes=asker-2');
+      await shows(asker, 'waiting');
+      const counter = await open('?graph=g&nodes=counter-1');
+      await shows(asker, 'result succeeded with 200 numbers, feedback in order');
+      await shows(asker, 'cancelled: yes');
+      await shows(counter, 'cancelled at ');
+      assert.equal((await asker.innerText('body')).includes('cancelled at '), false, 'the server runs in its own tab');
+      await counter.close();
+      await shows(asker, 'the counter is gone');
+    } finally {
+      await context.close();
+      await host.close();
+    }
+  });
+}

@@ -6,6 +6,7 @@ import {
   BusHeader, BusParticipant, BusParticipantState, BusSizes, BusTime, ErrorCode, protocolVersion, timeRateOne,
 } from '../protocol/generated/constants.ts';
 import type { TimeLaw } from './clock.ts';
+import { decodeUtf8 } from './utf8.ts';
 
 const magic = 0x52325742;
 
@@ -295,5 +296,5 @@ export function createBus(options: BusOptions = {}): Bus {
 
 /** Text in a slot. */
 export function readText(bus: Bus, offset: number, length: number): string {
-  return new TextDecoder().decode(bus.u8.slice(offset, offset + length));
+  return decodeUtf8(bus.u8.slice(offset, offset + length));
 }

@@ -1,12 +1,11 @@
 // Cuts what a program writes into lines. Bytes of an unfinished line wait until its end, or until flush().
 
-import { Utf8Decoder } from './utf8.ts';
+import { decodeUtf8 } from './utf8.ts';
 
 const longestLine = 64 << 10;
 
 export class LineWriter {
   private readonly emit: (line: string) => void;
-  private readonly decoder = new Utf8Decoder();
   private parts: Uint8Array[] = [];
   private length = 0;
 
@@ -38,7 +37,7 @@ export class LineWriter {
   private end(): void {
     let line = '';
     if (this.parts.length === 1) {
-      line = this.decoder.decode(this.parts[0]!);
+      line = decodeUtf8(this.parts[0]!);
     } else {
       const all = new Uint8Array(this.length);
       let at = 0;
@@ -46,7 +45,7 @@ export class LineWriter {
         all.set(part, at);
         at += part.length;
       }
-      line = this.decoder.decode(all);
+      line = decodeUtf8(all);
     }
     this.parts = [];
     this.length = 0;

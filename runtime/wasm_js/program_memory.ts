@@ -1,6 +1,7 @@
 // A program's linear memory as the imports see it. Views are renewed when the memory has grown.
 
 import type { Heap } from './link.ts';
+import { decodeUtf8 } from './utf8.ts';
 
 export class ProgramMemory implements Heap {
   readonly memory: WebAssembly.Memory;
@@ -9,7 +10,6 @@ export class ProgramMemory implements Heap {
   private words: Int32Array;
   /** A shared buffer lives on beside the larger one; any other is detached, which its views tell at no cost. */
   private readonly shared: boolean;
-  private readonly decoder = new TextDecoder();
   private readonly encoder = new TextEncoder();
 
   constructor(memory: WebAssembly.Memory) {
@@ -66,13 +66,13 @@ export class ProgramMemory implements Heap {
     return (BigInt(this.i32[(address >>> 2) + 1]!) << 32n) | BigInt(this.u32(address));
   }
 
-  /** A copy: decoders refuse shared memory. */
+  /** A copy. */
   slice(address: number, length: number): Uint8Array<ArrayBuffer> {
     return new Uint8Array(this.u8.subarray(address >>> 0, (address >>> 0) + length));
   }
 
   text(address: number, length: number): string {
-    return this.decoder.decode(this.slice(address, length));
+    return decodeUtf8(this.u8.subarray(address >>> 0, (address >>> 0) + length));
   }
 
   /** Text up to a NUL. */

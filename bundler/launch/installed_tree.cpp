@@ -29,10 +29,14 @@ std::vector<InstalledProgram> installed_programs(const fs::path& prefix,
     const fs::path& file = entry.path();
     if (!entry.is_regular_file(error) || file.extension() == ".names") return;
     const bool is_program = file.extension() == ".wasm";
+    const bool is_note = file.extension() == ".left_out";
+    const fs::path name = is_program || is_note ? file.stem() : file.filename();
+    const Outcome<std::string> note = is_note ? read_file(file) : std::string();
     result.push_back({.package = package,
-                      .executable = is_program ? file.stem().string() : file.filename().string(),
+                      .executable = name.string(),
                       .file = file,
-                      .is_program = is_program});
+                      .is_program = is_program,
+                      .left_out = note ? *note : "a library"});
   });
   std::sort(result.begin(), result.end(), [](const InstalledProgram& a, const InstalledProgram& b) {
     return a.executable < b.executable;

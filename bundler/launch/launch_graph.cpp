@@ -57,12 +57,16 @@ Diagnostic no_such_executable(const NodeEntry& entry, const InstalledPackage& pa
 }
 
 Diagnostic not_a_program(const NodeEntry& entry, const InstalledProgram& program) {
+  const std::string why =
+      program.left_out.empty()
+          ? "lib/" + program.package + "/" + program.file.filename().string() +
+                " is not a WebAssembly program"
+          : "it was left out of the build: it needs " + program.left_out + ", which no channel has";
   return Diagnostic{.code = "R2W0405",
                     .message = "`" + program.executable + "` of package `" + program.package +
                                "` is not a program that a site can run",
                     .span = entry.executable.span,
-                    .why = {"lib/" + program.package + "/" + program.file.filename().string() +
-                            " is not a WebAssembly program"}};
+                    .why = {why}};
 }
 
 }  // namespace

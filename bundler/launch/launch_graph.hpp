@@ -18,6 +18,7 @@ struct InstalledProgram {
   std::string executable;  ///< name without `.wasm`
   std::filesystem::path file;
   bool is_program = false;  ///< a WebAssembly program; else a script or data
+  std::string left_out;     ///< the library without which it was not built; mostly empty
 };
 
 struct InstalledPackage {

@@ -16,6 +16,7 @@ constexpr std::string_view kBuildTool = "a build tool of this machine";
 constexpr std::string_view kTestTool = "tests run in the native build";
 constexpr std::string_view kLaunchTool = "launch descriptions are read by ros2wasm itself";
 constexpr std::string_view kCommandTool = "a command line tool, of no use in a site";
+constexpr std::string_view kLeftOut = "what needs it is left out of a site";
 constexpr std::string_view kOwnMiddleware = "every site has its own middleware";
 
 constexpr auto kHostPackages = std::to_array<HostPackage>({
@@ -44,6 +45,7 @@ constexpr auto kHostPackages = std::to_array<HostPackage>({
     {"launch_testing*", kTestTool},
     {"launch_xml", kLaunchTool},
     {"launch_yaml", kLaunchTool},
+    {"libopencv-dev", kLeftOut},
     {"pkg-config", kBuildTool},
     {"python3", kBuildTool},
     {"python_cmake_module", kBuildTool},

@@ -79,7 +79,7 @@ export function serveWorker(post: (report: WorkerReport) => void): (order: Worke
         waited = true;
         post({ t: 'waits' });
       },
-      read: inputReader(link, start.id),
+      input: inputReader(link, start.id),
       random: start.stepped === undefined ? undefined : seededRandom(start.stepped.seed, start.id),
       sent: start.traced ? (message) => post({ t: 'sent', message }) : undefined,
       loaded: (memory) => post({ t: 'memory', memory }),

@@ -10,7 +10,7 @@ import type { SentMessage } from './message_trace.ts';
 import { ProgramMemory } from './program_memory.ts';
 import type { ThreadMemory } from './thread_waits.ts';
 import { trap } from './trap.ts';
-import { type Leave, ProgramExit, type ReadInput, suspendingWasi, wasiImports } from './wasi.ts';
+import { type Input, type Leave, ProgramExit, suspendingWasi, wasiImports } from './wasi.ts';
 
 export type ProgramEnd =
   /** A thread that came to its end; the program goes on. */
@@ -26,7 +26,7 @@ export interface ProgramHost {
   readonly line: (stream: 'stdout' | 'stderr', text: string) => void;
   /** The program is about to wait. */
   readonly idle: () => void;
-  readonly read: ReadInput;
+  readonly input: Input;
   /** Fills bytes; undefined: with the browser's random numbers. */
   readonly random: ((bytes: Uint8Array) => void) | undefined;
   /** A message was sent. */
@@ -170,9 +170,15 @@ export async function runProgram(
     environment: host.environment,
     clock: host.link.clock,
     write: (stream, bytes) => out[stream].write(bytes),
-    read: (capacity) => {
-      host.idle();
-      return host.read(capacity);
+    input: {
+      read: (capacity) => {
+        host.idle();
+        return host.input.read(capacity);
+      },
+      arrives: (milliseconds) => {
+        host.idle();
+        return host.input.arrives(milliseconds);
+      },
     },
     sleep: (milliseconds) => {
       host.idle();

@@ -7,7 +7,7 @@ import {
 import { hiddenNamespace } from './graph.ts';
 import type { EndpointDescription, Heap, Link } from './link.ts';
 import { defaultQos } from './qos.ts';
-import type { ReadInput } from './wasi.ts';
+import type { Input } from './wasi.ts';
 
 function description(kind: EndpointDescription['kind'], node: number, id: string): EndpointDescription {
   return {
@@ -32,7 +32,7 @@ function scratch(bytes: number): Heap {
 }
 
 /** The reading side, made at the first read. */
-export function inputReader(link: Link, id: string): ReadInput {
+export function inputReader(link: Link, id: string): Input {
   let endpoint: number | undefined;
   let rest = new Uint8Array();
   let ended = false;
@@ -55,21 +55,38 @@ export function inputReader(link: Link, id: string): ReadInput {
     rest = rest.slice(part.length);
     return part;
   };
-  const readLater = async (capacity: number): Promise<Uint8Array | undefined> => {
+  const there = (): boolean => rest.length > 0 || ended;
+  /** Real time, -1 for ever: how long to wait in one go, until the site's time is `untilNs`. */
+  const left = (untilNs: number): number => untilNs === Infinity ? -1 : Math.max(0, (untilNs - link.clock.steadyNs()) / 1e6);
+  const arrivesLater = async (untilNs: number): Promise<WaitResult | undefined> => {
     for (;;) {
       const token = link.wakeToken();
-      if (next()) return give(capacity);
-      if ((await link.wait(token, -1)) === WaitResult.stop) return undefined;
+      if (next()) return undefined;
+      const result = await link.wait(token, left(untilNs));
+      if (result !== WaitResult.woken) return result;
     }
   };
-  return (capacity) => {
-    if (rest.length > 0 || ended) return give(capacity);
-    if (link.kind === 'port') return readLater(capacity);
+  /** `undefined`: something is there. */
+  const arrives = (untilNs: number): WaitResult | undefined | Promise<WaitResult | undefined> => {
+    if (there()) return undefined;
+    if (link.kind === 'port') return arrivesLater(untilNs);
     for (;;) {
       const token = link.wakeToken();
-      if (next()) return give(capacity);
-      if (link.wait(token, -1) === WaitResult.stop) return undefined;
+      if (next()) return undefined;
+      const result = link.wait(token, left(untilNs)) as WaitResult;
+      if (result !== WaitResult.woken) return result;
     }
+  };
+  return {
+    read: (capacity) => {
+      const result = arrives(Infinity);
+      const answer = (ended: WaitResult | undefined): Uint8Array | undefined => ended === undefined ? give(capacity) : undefined;
+      return result instanceof Promise ? result.then(answer) : answer(result);
+    },
+    arrives: (milliseconds) => {
+      const result = arrives(milliseconds === Infinity ? Infinity : link.clock.steadyNs() + milliseconds * 1e6);
+      return result instanceof Promise ? result.then((ended) => ended === undefined) : result === undefined;
+    },
   };
 }
 

@@ -26,8 +26,12 @@ export class ProgramExit {
  */
 export type Leave = (reason: ProgramExit | Error) => never;
 
-/** Waits for input. `undefined`: a stop was requested; empty: there will be no more. */
-export type ReadInput = (capacity: number) => Uint8Array | undefined | Promise<Uint8Array | undefined>;
+export interface Input {
+  /** Waits for input. `undefined`: a stop was requested; empty: there will be no more. */
+  readonly read: (capacity: number) => Uint8Array | undefined | Promise<Uint8Array | undefined>;
+  /** Waits until a read would not wait, for so long at most; false: nothing came. Infinity: for ever. */
+  readonly arrives: (milliseconds: number) => boolean | Promise<boolean>;
+}
 
 export interface WasiHost {
   /** Set before the program runs. */
@@ -35,7 +39,7 @@ export interface WasiHost {
   readonly arguments: readonly string[];
   readonly environment: Readonly<Record<string, string>>;
   readonly write: (stream: 'stdout' | 'stderr', bytes: Uint8Array) => void;
-  readonly read: ReadInput;
+  readonly input: Input;
   readonly leave: Leave;
   readonly clock: SiteClock;
   readonly random: (bytes: Uint8Array) => void;
@@ -97,27 +101,43 @@ export function wasiImports(host: WasiHost): Record<string, WasiFunction> {
 
   const pollOneoff = (input: number, output: number, count: number, done: number): number | Promise<number> => {
     let shortest = Infinity;
-    let index = -1;
+    let clock = -1;
+    const reads: number[] = [];
+    const writes: number[] = [];
     for (let i = 0; i < count; i += 1) {
       const at = input + 48 * i;
-      if (memory().u8[at + 8] !== 0) continue;
+      const kind = memory().u8[at + 8];
+      if (kind === 1 && memory().u32(at + 16) === 0) reads.push(i);
+      if (kind === 2) writes.push(i);
+      if (kind !== 0) continue;
       const absolute = (memory().u32(at + 40) & 1) !== 0;
       const time = memory().i64(at + 24);
       const wait = Number(absolute ? time - (now(memory().u32(at + 16)) ?? 0n) : time) / 1e6;
       if (wait < shortest) {
         shortest = wait;
-        index = i;
+        clock = i;
       }
     }
-    if (index < 0) return nosys;
-    const finish = (): number => {
-      memory().u8.fill(0, output, output + 32);
-      memory().u8.set(memory().slice(input + 48 * index, 8), output);
-      memory().set(done, 1);
+    if (clock < 0 && reads.length === 0 && writes.length === 0) return nosys;
+    const finish = (happened: readonly number[]): number => {
+      happened.forEach((index, n) => {
+        const at = output + 32 * n;
+        memory().u8.fill(0, at, at + 32);
+        memory().u8.set(memory().slice(input + 48 * index, 8), at);
+        memory().u8[at + 10] = memory().u8[input + 48 * index + 8] ?? 0;
+      });
+      memory().set(done, happened.length);
       return success;
     };
+    if (reads.length > 0) {
+      const answer = (arrived: boolean): number =>
+        finish(arrived || writes.length > 0 ? [...writes, ...(arrived ? reads : [])] : clock < 0 ? [] : [clock]);
+      const arrives = host.input.arrives(writes.length > 0 ? 0 : Math.max(0, shortest));
+      return arrives instanceof Promise ? arrives.then(answer) : answer(arrives);
+    }
+    if (writes.length > 0) return finish(writes);
     const slept = host.sleep(Math.max(0, shortest));
-    return slept instanceof Promise ? slept.then(finish) : finish();
+    return slept instanceof Promise ? slept.then(() => finish([clock])) : finish([clock]);
   };
 
   return {
@@ -148,7 +168,7 @@ export function wasiImports(host: WasiHost): Record<string, WasiFunction> {
       let capacity = 0;
       for (let i = 0; i < count; i += 1) capacity += memory().u32(vectors + 8 * i + 4);
       if (capacity === 0) return readInto(vectors, count, out, new Uint8Array());
-      const bytes = host.read(capacity);
+      const bytes = host.input.read(capacity);
       if (bytes instanceof Promise) return bytes.then((got) => readInto(vectors, count, out, got));
       return readInto(vectors, count, out, bytes);
     },

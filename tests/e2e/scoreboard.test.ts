@@ -25,14 +25,15 @@ function board(args: readonly string[]): Promise<{ readonly code: number; readon
   });
 }
 
-test('components, linked and loaded, and a companion that sets parameters', { timeout: 500_000 }, async () => {
-  const { code, rows, output } = await board(['--only', 'board_companions', '--only', 'composed_talkers']);
+test('components, linked, loaded and in a container; interfaces of another package of the workspace', { timeout: 500_000 }, async () => {
+  const { code, rows, output } = await board(['--only', 'board_companions', '--only', 'composed_talkers', '--only', 'countdown', '--only', 'key_reader']);
   assert.equal(code, 0, output);
   assert.deepEqual(rows.map((row) => `${row.package}/${row.executable}`),
-    ['board_companions/set_parameters', 'composed_talkers/linked', 'composed_talkers/loaded']);
+    ['board_companions/load_components', 'board_companions/set_parameters', 'composed_talkers/composed_talkers::Echo',
+      'composed_talkers/linked', 'composed_talkers/loaded', 'countdown/client', 'countdown/server', 'key_reader/keys']);
   assert.ok(rows.every((row) => row.built && row.started && row.expected === true && row.log_lines.length > 0));
-  assert.deepEqual(rows[2]?.endpoints, ['publisher /count std_msgs/msg/Int32', 'subscription /count std_msgs/msg/Int32']);
-  assert.match(output, /3 of 3 executables are green/);
+  assert.deepEqual(rows[4]?.endpoints, ['publisher /count std_msgs/msg/Int32', 'subscription /count std_msgs/msg/Int32']);
+  assert.match(output, /8 of 8 executables are green/);
 });
 
 test('a row that is not as expected is red', { timeout: 500_000 }, async () => {

@@ -19,6 +19,8 @@ export interface Start {
 }
 
 export interface Expectation extends Start {
+  /** The executable that is started, when the row is one of what it holds: a component in a container. */
+  readonly program: string;
   /** Started beside it. */
   readonly beside: readonly Start[];
   /** `publisher /topic std_msgs/msg/String`: endpoints that it must make. */
@@ -32,7 +34,7 @@ export interface Expectation extends Start {
 
 export const NODE_KEYS = ['name', 'namespace', 'arguments', 'parameters', 'remappings'] as const;
 const START_KEYS = ['package', 'executable', 'input', 'log', 'anywhere', 'never', ...NODE_KEYS];
-const KEYS = [...START_KEYS, 'beside', 'endpoints', 'values', 'exit', 'seconds'];
+const KEYS = [...START_KEYS, 'program', 'beside', 'endpoints', 'values', 'exit', 'seconds'];
 /** On a busy machine a program's first line takes some seconds. */
 const SECONDS = 20;
 
@@ -69,6 +71,7 @@ function expectation(entry: Readonly<Record<string, unknown>>, at: string): Expe
   const started = start(entry, at);
   const read: Expectation = {
     ...started,
+    program: entry['program'] === undefined ? started.executable : text(entry['program'], at),
     beside: list(entry['beside'], at).map((one) => start(mapping(one, START_KEYS, at), at)),
     endpoints: list(entry['endpoints'], at).map((one) => text(one, at)),
     values: new Map(Object.entries(mapping(entry['values'] ?? {}, undefined, at)).map(([topic, fields]) =>

@@ -14,6 +14,8 @@ import { Workshop } from './site.ts';
 const USAGE = 'usage: ./dev scoreboard DIR [--json FILE] [--only PACKAGE[/EXECUTABLE]]... [--expect FILE]...';
 /** Programs mostly wait, so some are played at a time. */
 const PLAYED_AT_ONCE = 3;
+/** The build adds one to every package with components: a row of its own only where something is expected of it. */
+const CONTAINER = 'component_container';
 const root = resolve(import.meta.dirname, '../..');
 
 /** Of the command line; ends with the usage. */
@@ -30,7 +32,8 @@ async function rowsOf(board: Board, of: Package): Promise<Row[]> {
   const { workshop, expectations } = board;
   const built = await workshop.build(of.name);
   const stated = [...expectations.values()].filter((one) => one.package === of.name).map((one) => one.executable);
-  const names = [...new Set([...stated, ...('executables' in built ? built.executables : [])])].sort();
+  const made = 'executables' in built ? built.executables.filter((name) => name !== CONTAINER) : [];
+  const names = [...new Set([...stated, ...made])].sort();
   const blank = { package: of.name, language: of.language, kind: 'executable', built: false, started: false, endpoints: [], log_lines: [], expected: null, error: null } as const;
   if ('failure' in built) {
     if (names.length === 0) return [{ ...blank, executable: '', kind: 'package', error: built.failure }];
@@ -38,8 +41,8 @@ async function rowsOf(board: Board, of: Package): Promise<Row[]> {
   }
   return inParallel(names.filter((name) => board.wanted(`${of.name}/${name}`)), PLAYED_AT_ONCE, async (executable) => {
     const row: Row = { ...blank, executable };
-    if (!built.executables.includes(executable)) return { ...row, error: { code: 'absent', reason: 'the package installs no such executable' } };
     const expected = expectations.get(keyOf({ package: of.name, executable }));
+    if (!built.executables.includes(expected?.program ?? executable)) return { ...row, error: { code: 'absent', reason: 'the package installs no such executable' } };
     const packed = await workshop.pack({ package: of.name, executable }, expected);
     if ('failure' in packed) return { ...row, built: true, error: packed.failure };
     const { seen, verdict } = await play(packed.site, board.headless, expected);

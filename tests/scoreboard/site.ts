@@ -48,7 +48,7 @@ export class Workshop {
   /** The folder of a site with the executable and what runs beside it, the executable first. */
   async pack(start: LaunchedNode, expected: Expectation | undefined): Promise<{ readonly site: string } | { readonly failure: Failure }> {
     const folder = join(this.folder, start.package, start.executable);
-    const nodes = expected === undefined ? [{ ...start, options: {} }] : [expected, ...expected.beside];
+    const nodes = expected === undefined ? [{ ...start, options: {} }] : [{ ...expected, executable: expected.program }, ...expected.beside];
     const manifest = this.manifest(folder, nodes.map(({ package: of, executable, options }) => ({ package: of, executable, ...options })));
     const site = join(folder, 'site');
     rmSync(site, { recursive: true, force: true });

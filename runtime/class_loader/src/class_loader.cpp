@@ -48,6 +48,16 @@ std::vector<std::string> class_names(const std::string& base, const std::string&
   return names;
 }
 
+std::vector<std::pair<std::string, std::string>> classes_and_libraries(const std::string& base) {
+  std::vector<std::pair<std::string, std::string>> found;
+  for (const RegisteredClass& registered : classes()) {
+    if (registered.base == base) {
+      found.emplace_back(registered.name, registered.library);
+    }
+  }
+  return found;
+}
+
 void* make_object(const std::string& name, const std::string& base, const std::string& library) {
   for (const RegisteredClass& registered : classes()) {
     if (registered.base == base && registered.name == name && is_of(registered, library)) {

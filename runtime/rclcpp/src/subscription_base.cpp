@@ -4,9 +4,11 @@
 #include <cstring>
 
 #include "rclcpp/detail/bus_qos.hpp"
+#include "rclcpp/detail/content_filter.hpp"
 #include "rclcpp/detail/type_use.hpp"
 #include "rclcpp/logging.hpp"
 #include "rclcpp/node_interfaces/node_base_interface.hpp"
+#include "rclcpp/topic_statistics/subscription_topic_statistics.hpp"
 #include "rmw/rmw.h"
 
 namespace rclcpp {
@@ -51,6 +53,7 @@ SubscriptionBase::SubscriptionBase(node_interfaces::NodeBaseInterface* node_base
     throw std::invalid_argument(
         "intraprocess communication is not allowed with keep all history qos policy");
   }
+  use_filter(options.content_filter_options, "could not create subscription");
   const detail::MessageCallbacks& type = detail::callbacks_of(type_support);
   ros2wasm::EndpointQos bus_qos = detail::to_bus(qos_);
   bus_qos.ignore_local_publications = options.ignore_local_publications;
@@ -106,8 +109,12 @@ const char* SubscriptionBase::type_name() const {
 
 bool SubscriptionBase::take_bytes(ros2wasm::Bytes& bytes, rclcpp::MessageInfo& info) {
   ros2wasm::SampleInfo sample{};
+  const auto filter = this->filter();
   while (endpoint_->take(bytes, sample)) {
     if (intra_process_ && detail::is_local_publisher(sample.writer_gid)) {
+      continue;
+    }
+    if (filter != nullptr && !filter->passes(bytes.data(), bytes.size())) {
       continue;
     }
     info = rclcpp::MessageInfo(to_rmw(sample, ++received_count_));
@@ -190,19 +197,61 @@ void SubscriptionBase::clear_on_new_message_callback() {
   on_new_message_callback_ = nullptr;
 }
 
-void SubscriptionBase::set_content_filter(const std::string&, const std::vector<std::string>&) {
-  rcutils_set_error_state("content filters are not supported on the bus of a page", __FILE__,
-                          __LINE__);
-  exceptions::throw_from_rcl_error(RCL_RET_UNSUPPORTED, "failed to set cft expression parameters");
+void SubscriptionBase::use_filter(const ContentFilterOptions& options, const char* failure) {
+  std::shared_ptr<const detail::ContentFilter> filter;
+  if (!options.filter_expression.empty()) {
+    const ros2wasm_typesupport::TypeInfo* type = detail::callbacks_of(type_support_).info;
+    try {
+      if (type == nullptr) {
+        throw std::invalid_argument("content filter: the fields of the type are not known here");
+      }
+      filter = std::make_shared<const detail::ContentFilter>(*type, options);
+    } catch (const std::invalid_argument& error) {
+      rcutils_set_error_state(error.what(), __FILE__, __LINE__);
+      exceptions::throw_from_rcl_error(RCL_RET_ERROR, failure);
+    }
+  }
+  const std::lock_guard<std::mutex> lock(filter_mutex_);
+  filter_ = std::move(filter);
+}
+
+std::shared_ptr<const detail::ContentFilter> SubscriptionBase::filter() const {
+  const std::lock_guard<std::mutex> lock(filter_mutex_);
+  return filter_;
+}
+
+bool SubscriptionBase::is_cft_enabled() const {
+  return filter() != nullptr;
+}
+
+void SubscriptionBase::set_content_filter(const std::string& filter_expression,
+                                          const std::vector<std::string>& expression_parameters) {
+  use_filter({filter_expression, expression_parameters}, "failed to set cft expression parameters");
 }
 
 rclcpp::ContentFilterOptions SubscriptionBase::get_content_filter() const {
-  rcutils_set_error_state("content filters are not supported on the bus of a page", __FILE__,
-                          __LINE__);
-  exceptions::throw_from_rcl_error(RCL_RET_UNSUPPORTED, "failed to get cft expression parameters");
+  const auto filter = this->filter();
+  if (filter == nullptr) {
+    rcutils_set_error_state("the subscription has no content filter", __FILE__, __LINE__);
+    exceptions::throw_from_rcl_error(RCL_RET_ERROR, "failed to get cft expression parameters");
+  }
+  return filter->options();
+}
+
+void SubscriptionBase::set_topic_statistics(
+    std::shared_ptr<topic_statistics::SubscriptionTopicStatistics> topic_statistics) {
+  topic_statistics_ = std::move(topic_statistics);
 }
 
 void SubscriptionBase::push_local(detail::LocalMessage message) {
+  if (const auto filter = this->filter()) {
+    const detail::MessageCallbacks& type = detail::callbacks_of(type_support_);
+    const void* object = message.owned ? message.owned.get() : message.shared.get();
+    std::vector<uint8_t> bytes(type.serialized_size(object));
+    if (!filter->passes(bytes.data(), type.serialize(object, bytes.data(), bytes.size()))) {
+      return;
+    }
+  }
   {
     const std::lock_guard<std::mutex> lock(local_mutex_);
     if (local_messages_.size() >= qos_.depth()) {
@@ -241,21 +290,31 @@ bool SubscriptionBase::run_local() {
   return true;
 }
 
+bool SubscriptionBase::run_from_bus(rclcpp::MessageInfo& info) {
+  if (is_serialized()) {
+    auto message = create_serialized_message();
+    const bool taken = take_serialized(*message, info);
+    if (taken) {
+      handle_serialized_message(message, info);
+    }
+    return taken;
+  }
+  ros2wasm::Bytes bytes;
+  const bool taken = take_bytes(bytes, info);
+  if (taken) {
+    handle_bytes(bytes.data(), bytes.size(), info);
+  }
+  return taken;
+}
+
 void SubscriptionBase::run(std::shared_ptr<void>&) {
   if (intra_process_ && run_local()) {
     return;
   }
+  const rclcpp::Time received(topic_statistics_ == nullptr ? 0 : ros2wasm::system_now_ns());
   rclcpp::MessageInfo info;
-  if (is_serialized()) {
-    auto message = create_serialized_message();
-    if (take_serialized(*message, info)) {
-      handle_serialized_message(message, info);
-    }
-    return;
-  }
-  ros2wasm::Bytes bytes;
-  if (take_bytes(bytes, info)) {
-    handle_bytes(bytes.data(), bytes.size(), info);
+  if (run_from_bus(info) && topic_statistics_ != nullptr) {
+    topic_statistics_->handle_message(info.get_rmw_message_info(), received);
   }
 }
 

@@ -1,5 +1,4 @@
 # The functions of this package, for those that find it.
-set(rclcpp_components_NODE_TEMPLATE "${rclcpp_components_DIR}/node_main.cpp.in")
 
 macro(_rclcpp_components_register_package_hook)
   if(NOT DEFINED _RCLCPP_COMPONENTS_PACKAGE_HOOK_REGISTERED)

@@ -1,7 +1,13 @@
-# At ament_package(): programs that load libraries of classes at run time, and link none of the package's
+# At ament_package(): makes the container of the package's components; programs that load libraries of classes at run time, and link none of the package's
 # themselves, get all of them, since nothing can be loaded later; writes the components into the
 # package's index.
 list(REMOVE_DUPLICATES _RCLCPP_COMPONENTS_LIBRARIES)
+if(NOT TARGET component_container)
+  add_executable(component_container ${rclcpp_components_DIR}/component_container.cpp)
+  target_link_libraries(component_container
+    ${_RCLCPP_COMPONENTS_LIBRARIES} rclcpp_components::component_manager)
+  install(TARGETS component_container DESTINATION lib/${PROJECT_NAME})
+endif()
 get_property(_targets DIRECTORY PROPERTY BUILDSYSTEM_TARGETS)
 foreach(_target IN LISTS _targets)
   get_target_property(_type ${_target} TYPE)

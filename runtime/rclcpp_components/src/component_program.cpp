@@ -25,7 +25,11 @@ int run_component(int argc, char** argv, const char* program, const char* compon
     return 1;
   }
   const auto factory = loader.createInstance<NodeFactory>(class_name);
-  rclcpp::Executor& executor = make_executor();
+  std::unique_ptr<rclcpp::Executor> own;
+  if (make_executor == nullptr) {
+    own = std::make_unique<rclcpp::executors::SingleThreadedExecutor>();
+  }
+  rclcpp::Executor& executor = own == nullptr ? make_executor() : *own;
   {
     NodeInstanceWrapper wrapper = factory->create_node_instance(options);
     const auto node = wrapper.get_node_base_interface();

@@ -46,6 +46,8 @@ void register_class(RegisteredClass registered);
 void require_library(const std::string& path);
 /// Of one library (a path or a file name), or of all when it is empty.
 std::vector<std::string> class_names(const std::string& base, const std::string& library);
+/// Name and library of each.
+std::vector<std::pair<std::string, std::string>> classes_and_libraries(const std::string& base);
 /// Throws CreateClassException for an unknown name.
 void* make_object(const std::string& name, const std::string& base, const std::string& library);
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "rclcpp/detail/override_qos.hpp"
+#include "rclcpp/detail/topic_statistics.hpp"
 #include "rclcpp/node_interfaces/node_topics_interface.hpp"
 #include "rclcpp/qos.hpp"
 #include "rclcpp/subscription.hpp"
@@ -30,6 +31,7 @@ std::shared_ptr<SubscriptionT> create_subscription(
       detail::override_qos(node, *topics, topic_name, qos, options.qos_overriding_options,
                            detail::QosEntity::subscription),
       std::move(any_callback), options);
+  detail::add_topic_statistics(*subscription, options, *topics);
   topics->add_subscription(subscription, options.callback_group);
   return subscription;
 }

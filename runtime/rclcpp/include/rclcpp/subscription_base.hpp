@@ -28,6 +28,12 @@ namespace rclcpp {
 namespace node_interfaces {
 class NodeBaseInterface;
 }
+namespace detail {
+class ContentFilter;
+}
+namespace topic_statistics {
+class SubscriptionTopicStatistics;
+}
 
 enum class DeliveredMessageKind : uint8_t {
   INVALID = 0,
@@ -84,11 +90,18 @@ class SubscriptionBase : public detail::Executable,
   /// Called with the number of messages that arrived; takes the place of an executor's attention.
   void set_on_new_message_callback(std::function<void(size_t)> callback);
   void clear_on_new_message_callback();
-  bool is_cft_enabled() const { return false; }
-  /// Throws RCLError: the bus does not filter by content.
+  /// Whether messages are filtered by what they say. It happens here, when they are taken.
+  bool is_cft_enabled() const;
+  /// From the next message on; an empty expression lets all pass. Throws RCLError for one that
+  /// cannot be read.
   void set_content_filter(const std::string& filter_expression,
                           const std::vector<std::string>& expression_parameters = {});
+  /// Throws RCLError when there is none.
   rclcpp::ContentFilterOptions get_content_filter() const;
+
+  /// Told of each message from the bus. To be set before the subscription is entered into its node.
+  void set_topic_statistics(
+      std::shared_ptr<topic_statistics::SubscriptionTopicStatistics> topic_statistics);
 
   bool is_intra_process() const { return intra_process_; }
   /// Whether its callback wants to own the message.
@@ -113,8 +126,11 @@ class SubscriptionBase : public detail::Executable,
  private:
   RCLCPP_DISABLE_COPY(SubscriptionBase)
   void add_events(const SubscriptionOptionsBase& options);
+  void use_filter(const ContentFilterOptions& options, const char* failure);
+  std::shared_ptr<const detail::ContentFilter> filter() const;
   bool take_bytes(ros2wasm::Bytes& bytes, rclcpp::MessageInfo& info);
   bool run_local();
+  bool run_from_bus(rclcpp::MessageInfo& info);
 
   const std::string topic_name_;
   std::string logger_name_;
@@ -126,6 +142,9 @@ class SubscriptionBase : public detail::Executable,
   std::shared_ptr<void> type_use_;
   EventHandlers event_handlers_;
   uint64_t received_count_ = 0;
+  std::shared_ptr<topic_statistics::SubscriptionTopicStatistics> topic_statistics_;
+  mutable std::mutex filter_mutex_;
+  std::shared_ptr<const detail::ContentFilter> filter_;
   std::mutex local_mutex_;
   std::deque<detail::LocalMessage> local_messages_;
   std::atomic<bool> in_use_by_wait_set_{false};

@@ -1,4 +1,4 @@
-// A filter over a topic's messages, in SQL-like words. The bus has none: is_cft_enabled() is false.
+// A filter over a topic's messages, in the words of DDS: `data > %0 AND header.frame_id = 'map'`.
 #pragma once
 
 #include <string>

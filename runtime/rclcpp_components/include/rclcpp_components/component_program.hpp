@@ -1,12 +1,21 @@
-// The body of a program that runs one component.
+// The bodies of programs that run components. Includes nothing: such a program has one line, and
+// reading all of rclcpp for it would take most of the time in which a package of components is
+// built.
 #pragma once
 
-#include "rclcpp/executor.hpp"
+namespace rclcpp {
+class Executor;
+}
 
 namespace rclcpp_components {
 
-/// Makes the node of class `component` and spins it on `executor`. Returns the exit code.
+/// Makes the node of class `component` and spins it on the executor, a single-threaded one where
+/// nobody makes another. Returns the exit code.
 int run_component(int argc, char** argv, const char* program, const char* component,
-                  rclcpp::Executor& (*make_executor)());
+                  rclcpp::Executor& (*make_executor)() = nullptr);
+
+/// Runs a container: it loads and unloads the components that the program was linked with, on
+/// request.
+int run_container(int argc, char** argv);
 
 }  // namespace rclcpp_components

@@ -1,4 +1,8 @@
 // Threads: a multi-threaded executor with both kinds of groups, publishing from a thread.
+#include <errno.h>
+#include <pthread.h>
+#include <sched.h>
+
 #include <atomic>
 #include <future>
 #include <mutex>
@@ -11,9 +15,38 @@
 using std_msgs::msg::String;
 using namespace std::chrono_literals;
 
+namespace {
+
+// Programs that ask for a CPU or a priority are told that there is none, and go on.
+void check_scheduling(Checks& checks) {
+  cpu_set_t cpus;
+  CPU_ZERO(&cpus);
+  CPU_SET(0, &cpus);
+  CHECK(pthread_setaffinity_np(pthread_self(), sizeof(cpus), &cpus) == ENOSYS);
+  CHECK(pthread_getaffinity_np(pthread_self(), sizeof(cpus), &cpus) == ENOSYS);
+  CHECK(sched_setaffinity(0, sizeof(cpus), &cpus) == -1 && errno == ENOSYS);
+  sched_param parameters{};
+  CHECK(sched_setscheduler(0, SCHED_FIFO, &parameters) == -1 && errno == ENOSYS);
+  CHECK(pthread_setname_np(pthread_self(), "planner") == 0);
+  CHECK(pthread_setname_np(pthread_self(), "sixteen_letters_") == ERANGE);
+  // What stands for a thread's CPU time goes on.
+  clockid_t clock = -1;
+  timespec before{};
+  timespec after{};
+  CHECK(pthread_getcpuclockid(pthread_self(), &clock) == 0);
+  CHECK(clock_gettime(clock, &before) == 0);
+  std::this_thread::sleep_for(2ms);
+  CHECK(clock_gettime(clock, &after) == 0);
+  CHECK(after.tv_sec * 1000000000LL + after.tv_nsec >
+        before.tv_sec * 1000000000LL + before.tv_nsec);
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   rclcpp::init(argc, argv);
   Checks checks("threads");
+  check_scheduling(checks);
   auto node = std::make_shared<rclcpp::Node>("threads_node");
   auto free_group = node->create_callback_group(rclcpp::CallbackGroupType::Reentrant);
   auto one_group = node->create_callback_group(rclcpp::CallbackGroupType::MutuallyExclusive);

@@ -1,0 +1,10 @@
+# Stands for OpenCV where no channel has it: what links it is left out, and the rest of the package is built.
+include("${ROS2WASM_TOOLCHAIN_DIR}/modules/left_out.cmake")
+set(OpenCV_VERSION 4.6.0)
+set(OpenCV_INCLUDE_DIRS "")
+set(OpenCV_LIBS "")
+foreach(_part IN ITEMS core calib3d features2d flann highgui imgcodecs imgproc ml objdetect photo stitching video videoio)
+  list(APPEND OpenCV_LIBS opencv_${_part})
+endforeach()
+set(OpenCV_LIBRARIES ${OpenCV_LIBS})
+ros2wasm_absent_libraries(OpenCV ${OpenCV_LIBS})

@@ -137,12 +137,12 @@ class WorkspaceBuilder {
     changed_.notify_all();
   }
 
-  /// Packages that can be built now share the jobs that nobody has by their sizes, so that a big
-  /// one is not left alone with one job at the end.
+  /// Packages that can be built now share the jobs that nobody has by their sizes, rounded, so that
+  /// a big one is not left alone with one job at the end.
   [[nodiscard]] unsigned share_of(std::size_t index, const std::vector<std::size_t>& ready) const {
     std::size_t all = 0;
     for (const std::size_t one : ready) all += sizes_[one];
-    return std::max(1U, static_cast<unsigned>(free_jobs_ * sizes_[index] / all));
+    return std::max(1U, static_cast<unsigned>((free_jobs_ * sizes_[index] + all / 2) / all));
   }
 
   [[nodiscard]] std::vector<std::size_t> ready_packages() {

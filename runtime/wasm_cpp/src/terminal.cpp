@@ -5,12 +5,40 @@
 #include <sys/select.h>
 #include <termios.h>
 #include <unistd.h>
-#include <wasi/api.h>
 
-#include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace {
+
+// WASI's poll_oneoff; compilers of different ages spell its structs differently.
+enum Kind : uint8_t { kClock = 0, kRead = 1, kWrite = 2 };
+struct Subscription {
+  uint64_t index;
+  Kind kind;
+  union {
+    uint32_t file;
+    struct {
+      uint32_t id;
+      uint64_t timeout_ns;
+      uint64_t precision_ns;
+      uint16_t absolute;
+    } clock;
+  };
+};
+static_assert(sizeof(Subscription) == 48 && offsetof(Subscription, file) == 16);
+struct Event {
+  uint64_t index;
+  uint16_t error;
+  Kind kind;
+  uint64_t size;
+  uint16_t flags;
+};
+static_assert(sizeof(Event) == 32);
+
+extern "C" __attribute__((import_module("wasi_snapshot_preview1"), import_name("poll_oneoff"))) int
+ros2wasm_poll_oneoff(const Subscription* asked, Event* events, uint32_t count, uint32_t* told);
 
 termios cooked() {
   termios mode{};
@@ -58,52 +86,46 @@ int tcsetattr(int fd, int, const termios* mode) {
 
 /// Of the three standard files only; others cannot be open.
 int poll(pollfd* files, nfds_t count, int timeout_ms) {
-  std::vector<__wasi_subscription_t> asked;
+  std::vector<Subscription> asked;
   int ready = 0;
+  const auto ask = [&](nfds_t index, Kind kind) {
+    Subscription& one = asked.emplace_back();
+    one.index = index;
+    one.kind = kind;
+    one.file = static_cast<uint32_t>(files[index].fd);
+  };
   for (nfds_t i = 0; i < count; ++i) {
     files[i].revents = 0;
-    __wasi_subscription_t one{};
-    one.userdata = i;
-    one.u.u.fd_read.file_descriptor = static_cast<__wasi_fd_t>(files[i].fd);
     if (files[i].fd > STDERR_FILENO) {
       files[i].revents = POLLNVAL;
       ++ready;
     } else if (files[i].fd == STDIN_FILENO && (files[i].events & POLLIN) != 0) {
-      one.u.tag = __WASI_EVENTTYPE_FD_READ;
-      asked.push_back(one);
+      ask(i, kRead);
     } else if (files[i].fd > STDIN_FILENO && (files[i].events & POLLOUT) != 0) {
-      one.u.tag = __WASI_EVENTTYPE_FD_WRITE;
-      asked.push_back(one);
+      ask(i, kWrite);
     }
   }
-  if (timeout_ms >= 0 || ready > 0 || asked.empty()) {
-    __wasi_subscription_t clock{};
-    clock.userdata = count;
-    clock.u.tag = __WASI_EVENTTYPE_CLOCK;
-    clock.u.u.clock.id = __WASI_CLOCKID_MONOTONIC;
-    // Without a file and a timeout it waits for a signal, which never comes.
-    constexpr __wasi_timestamp_t kMillisecond = 1000000;
-    clock.u.u.clock.timeout = ready > 0 ? 0
-                              : timeout_ms < 0
-                                  ? INT64_MAX
-                                  : static_cast<__wasi_timestamp_t>(timeout_ms) * kMillisecond;
-    asked.push_back(clock);
+  if (ready > 0) {
+    timeout_ms = 0;
   }
-  std::vector<__wasi_event_t> events(asked.size());
-  __wasi_size_t told = 0;
-  if (__wasi_poll_oneoff(asked.data(), events.data(), asked.size(), &told) != 0) {
-    errno = EINVAL;
-    return -1;
+  if (timeout_ms >= 0 || asked.empty()) {
+    constexpr uint64_t kMillisecond = 1000000;
+    Subscription& one = asked.emplace_back();
+    one.index = count;
+    one.kind = kClock;
+    one.clock = {1, timeout_ms < 0 ? INT64_MAX : timeout_ms * kMillisecond, 0, 0};
   }
-  for (__wasi_size_t i = 0; i < told; ++i) {
-    if (events[i].userdata < count) {
-      files[events[i].userdata].revents |=
-          events[i].type == __WASI_EVENTTYPE_FD_READ ? POLLIN : POLLOUT;
+  std::vector<Event> events(asked.size());
+  uint32_t told = 0;
+  const int error = ros2wasm_poll_oneoff(asked.data(), events.data(), asked.size(), &told);
+  for (uint32_t i = 0; i < told && error == 0; ++i) {
+    if (events[i].index < count) {
+      files[events[i].index].revents |= events[i].kind == kRead ? POLLIN : POLLOUT;
       ++ready;
     }
   }
-  if (told == 0 && ready == 0) {
-    errno = EINTR;
+  if (error != 0 || (told == 0 && ready == 0)) {
+    errno = error != 0 ? EINVAL : EINTR;
     return -1;
   }
   return ready;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "checks.hpp"
+#include "rclcpp/allocator/allocator_common.hpp"
 #include "rclcpp/serialization.hpp"
 #include "std_msgs/msg/string.hpp"
 
@@ -100,6 +101,24 @@ int main(int argc, char** argv) {
   executor.spin_all(2s);
   CHECK(received == sent);
   CHECK(sender->get_intra_process_subscription_count() == 1);
+
+  // A message of the user's own allocator goes back to it.
+  using Allocator = std::allocator<String>;
+  using Giver = rclcpp::allocator::AllocatorDeleter<Allocator>;
+  static_assert(
+      std::is_same_v<rclcpp::allocator::Deleter<Allocator, String>, std::default_delete<String>>);
+  Allocator allocator;
+  Giver giver;
+  rclcpp::allocator::set_allocator_for_deleter(&giver, &allocator);
+  CHECK_THROWS(std::invalid_argument,
+               rclcpp::allocator::set_allocator_for_deleter<Allocator>(&giver, nullptr));
+  using Traits = rclcpp::allocator::AllocRebind<String, Allocator>;
+  String* place = Traits::allocate(allocator, 1);
+  Traits::construct(allocator, place, message);
+  publisher->publish(std::unique_ptr<String, Giver>(place, giver));
+  heard.clear();
+  executor.spin_all(2s);
+  CHECK(heard.size() == 7);
 
   // Late joiners of a transient local topic.
   const auto latched = rclcpp::QoS(2).transient_local();

@@ -1,6 +1,7 @@
 // Publishes messages of several sizes as fast as they are taken: reliable and keep_all, so nothing is lost.
 // Parameter `sinks`: how many subscriptions to wait for.
 #include <chrono>
+#include <cstdio>
 #include <cstring>
 #include <string>
 
@@ -33,6 +34,8 @@ int main(int argc, char ** argv)
       rclcpp::sleep_for(std::chrono::milliseconds(1));
     }
   }
+  // Every sink has printed what it took before its last subscription went.
+  std::puts("flooder: done");
   rclcpp::shutdown();
   return 0;
 }

@@ -1,8 +1,10 @@
-// Measures round trips of several sizes, one message under way at a time. One JSON line per size:
-// bytes of the payload, round trips, median and 99th percentile in microseconds.
+// Measures round trips of several sizes, one message under way at a time, and of each the way there: from `publish` to
+// the callback in the ponger, whose steady clock is the same. One JSON line per size: bytes of the payload, round trips,
+// medians and 99th percentiles in microseconds.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <cstring>
 #include <vector>
 
 #include "rclcpp/rclcpp.hpp"
@@ -11,13 +13,19 @@
 using Bytes = std_msgs::msg::UInt8MultiArray;
 using Clock = std::chrono::steady_clock;
 
+double microseconds(Clock::duration time) {return std::chrono::duration<double, std::micro>(time).count();}
+
 int main(int argc, char ** argv)
 {
   rclcpp::init(argc, argv);
   auto node = std::make_shared<rclcpp::Node>("pinger");
   auto ping = node->create_publisher<Bytes>("ping", 10);
   std::size_t heard = 0;
-  auto pong = node->create_subscription<Bytes>("pong", 10, [&heard](const Bytes &) {++heard;});
+  Clock::time_point came;
+  auto pong = node->create_subscription<Bytes>("pong", 10, [&](const Bytes & bytes) {
+    std::memcpy(&came, bytes.data.data(), sizeof came);
+    ++heard;
+  });
   rclcpp::executors::SingleThreadedExecutor executor;
   executor.add_node(node);
   while (rclcpp::ok() && (ping->get_subscription_count() == 0 || pong->get_publisher_count() == 0)) {
@@ -28,21 +36,26 @@ int main(int argc, char ** argv)
   for (const auto & [size, count] : cases) {
     Bytes bytes;
     bytes.data.assign(size, 42);
-    std::vector<double> microseconds;
+    std::vector<double> trips;
+    std::vector<double> ways;
     for (std::size_t i = 0; rclcpp::ok() && i < warm_up + count; ++i) {
       const std::size_t before = heard;
       const auto begin = Clock::now();
       ping->publish(bytes);
       while (rclcpp::ok() && heard == before) {executor.spin_once();}
       if (i >= warm_up) {
-        microseconds.push_back(std::chrono::duration<double, std::micro>(Clock::now() - begin).count());
+        trips.push_back(microseconds(Clock::now() - begin));
+        ways.push_back(microseconds(came - begin));
       }
     }
-    if (microseconds.empty()) {break;}
-    std::sort(microseconds.begin(), microseconds.end());
+    if (trips.empty()) {break;}
+    std::sort(trips.begin(), trips.end());
+    std::sort(ways.begin(), ways.end());
+    const std::size_t half = trips.size() / 2;
+    const std::size_t most = trips.size() * 99 / 100;
     std::printf(
-      "{\"bytes\": %zu, \"round_trips\": %zu, \"p50_us\": %.2f, \"p99_us\": %.2f}\n", size, microseconds.size(),
-      microseconds[microseconds.size() / 2], microseconds[microseconds.size() * 99 / 100]);
+      "{\"bytes\": %zu, \"round_trips\": %zu, \"p50_us\": %.2f, \"p99_us\": %.2f, \"way_p50_us\": %.2f, \"way_p99_us\": %.2f}\n",
+      size, trips.size(), trips[half], trips[most], ways[half], ways[most]);
     std::fflush(stdout);
   }
   std::puts("pinger: done");

@@ -42,7 +42,6 @@ int main(int argc, char ** argv)
       static_cast<unsigned long long>(expected - taken), static_cast<double>(taken - 1) / seconds);
     std::fflush(stdout);
   }
-  std::puts("sink: done");
   rclcpp::shutdown();
   return 0;
 }

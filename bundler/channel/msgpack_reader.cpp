@@ -1,6 +1,7 @@
 // See msgpack_reader.hpp.
 #include "bundler/channel/msgpack_reader.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <string>
 
@@ -10,6 +11,7 @@ namespace ros2wasm {
 namespace {
 
 constexpr int kDeepest = 200;
+constexpr std::uint64_t kMostExpected = 64;  ///< items; the bytes may promise any number
 
 /// A number of `size_bytes` bytes with its sign in all 64 bits.
 std::uint64_t sign_extended(std::uint64_t bits, unsigned size_bytes) {
@@ -192,6 +194,7 @@ bool MsgpackReader::read(int levels, JsonValue& into) {
 }
 
 bool MsgpackReader::items(std::uint64_t count, int levels, JsonValue::Array& into) {
+  into.reserve(std::min<std::uint64_t>(count, kMostExpected));
   for (std::uint64_t i = 0; i < count; ++i) {
     if (!read(levels, into.emplace_back())) return false;
   }

@@ -16,6 +16,7 @@ JsonValue value_of(const dom::element& element) {
   switch (element.type()) {
     case dom::element_type::ARRAY: {
       JsonValue::Array items;
+      items.reserve(dom::array(element).size());
       for (const dom::element item : dom::array(element)) items.push_back(value_of(item));
       return JsonValue(std::move(items));
     }

@@ -46,6 +46,7 @@ std::optional<std::string> read_specs(const JsonValue& json, std::string_view ke
   const JsonValue* list = json.find(key);
   if (list == nullptr || list->is_null()) return std::nullopt;
   if (!list->is_array()) return "`" + std::string(key) + "` is not a list";
+  specs.reserve(list->items().size());
   for (const JsonValue& item : list->items()) {
     const std::string* text = item.string();
     if (text == nullptr) return "`" + std::string(key) + "` holds something that is not text";

@@ -3,6 +3,8 @@
 // twice, and one result is kept.
 #include "bundler/store/store.hpp"
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 
 #include "bundler/archive/package_lists.hpp"
@@ -27,6 +29,27 @@ Diagnostic no_archive(const PackageRecord& record) {
                     .kind = FailureKind::kEnvironment,
                     .message = "the archive of `" + distribution_name(record) + "` is not there",
                     .why = {"the channel lists it at " + record.url}};
+}
+
+/// A network or a server that fails for one archive mostly fails for all: that is one error.
+Diagnostics told_once(Diagnostics errors) {
+  constexpr std::array<std::string_view, 3> kOfServers{"R2W0232", "R2W0233", "R2W0235"};
+  Diagnostics told;
+  for (const std::string_view code : kOfServers) {
+    const auto first = std::find_if(errors.begin(), errors.end(),
+                                    [code](const Diagnostic& error) { return error.code == code; });
+    if (first == errors.end()) continue;
+    told.push_back(*first);
+    const auto all =
+        std::erase_if(errors, [code](const Diagnostic& error) { return error.code == code; });
+    if (all > 1)
+      told.back().why.push_back("the same is true of " + std::to_string(all - 1) +
+                                " more archives");
+  }
+  for (Diagnostic& error : errors) {
+    if (told.size() < kMostErrors) told.push_back(std::move(error));
+  }
+  return told;
 }
 
 WantedFile wanted_file(const PackageRecord& record, fs::path place) {
@@ -189,12 +212,10 @@ Outcome<std::vector<StoredArchive>> Store::archives(const std::vector<PackageRec
   Diagnostics errors;
   bring_verified(wanted, roots_.network, cancellation, [&](std::size_t, Outcome<Done> outcome) {
     if (outcome) return;
-    for (Diagnostic& error : std::move(outcome).errors()) {
-      if (errors.size() < kMostErrors) errors.push_back(std::move(error));
-    }
+    for (Diagnostic& error : std::move(outcome).errors()) errors.push_back(std::move(error));
   });
   if (cancellation.requested()) return interrupted();
-  if (!errors.empty()) return errors;
+  if (!errors.empty()) return told_once(std::move(errors));
   for (StoredArchive& archive : archives) {
     std::error_code error;
     archive.size = fs::file_size(archive.file, error);
@@ -283,11 +304,9 @@ Outcome<std::vector<fs::path>> Store::unpacked_all(const std::vector<PackageReco
       continue;
     }
     if (cancellation.requested()) return interrupted();
-    for (Diagnostic& error : std::move(result).errors()) {
-      if (errors.size() < kMostErrors) errors.push_back(std::move(error));
-    }
+    for (Diagnostic& error : std::move(result).errors()) errors.push_back(std::move(error));
   }
-  if (!errors.empty()) return errors;
+  if (!errors.empty()) return told_once(std::move(errors));
   report();
   return folders;
 }

@@ -123,7 +123,9 @@ class WorkspaceBuilder {
         changed_.wait(lock);
         continue;
       }
-      const std::size_t next = ready.front();
+      const std::size_t next =
+          *std::max_element(ready.begin(), ready.end(),
+                            [this](std::size_t a, std::size_t b) { return sizes_[a] < sizes_[b]; });
       const unsigned jobs = share_of(next, ready);
       state_[next] = State::kRunning;
       free_jobs_ -= jobs;
@@ -137,8 +139,8 @@ class WorkspaceBuilder {
     changed_.notify_all();
   }
 
-  /// Packages that can be built now share the jobs that nobody has by their sizes, rounded, so that
-  /// a big one is not left alone with one job at the end.
+  /// Packages that can be built now share the jobs that nobody has by their sizes, the biggest
+  /// first and rounded, so that a big one is not left alone with one job at the end.
   [[nodiscard]] unsigned share_of(std::size_t index, const std::vector<std::size_t>& ready) const {
     std::size_t all = 0;
     for (const std::size_t one : ready) all += sizes_[one];

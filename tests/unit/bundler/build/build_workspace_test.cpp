@@ -114,6 +114,15 @@ TEST_F(WorkspaceBuildTest, TheBiggerOneGetsMoreJobs) {
   EXPECT_NE(log.find("b -j7\n"), std::string::npos) << log;
 }
 
+TEST_F(WorkspaceBuildTest, ABigOneTakesAllOfFewJobsAndComesFirst) {
+  package("a", "");
+  package("b", "");
+  for (const char* source : {"1.cpp", "2.cpp", "3.c", "4.msg", "5.cc"})
+    tree_.write(std::string("src/b/src/") + source, "");
+  ASSERT_TRUE(build(2));
+  EXPECT_EQ(tree_.read("log"), "b -j2\na -j2\n");
+}
+
 TEST_F(WorkspaceBuildTest, WhatNeedsALeftOutPackageIsLeftOutToo) {
   package("good", "");
   package("listener", "talker");

@@ -10,7 +10,7 @@ import { chromiumOptions } from '../e2e/chromium.ts';
 import { serveFolder } from '../support/static_server.ts';
 import { machineLoad } from './machine_load.ts';
 import { packLaunch } from './packed_launch.ts';
-import { treeMemoryKb } from './process_memory.ts';
+import { treePrivateKb } from './process_memory.ts';
 import type { BenchContext } from './run.ts';
 import { gather, judge, rounded, RULE, type SoakReport, type SoakSample } from './soak_verdict.ts';
 
@@ -101,7 +101,7 @@ async function soak(context: BenchContext, page: Page, pid: number, minutes: num
     const gaps = frames.toSorted((a, b) => a - b);
     const at = (share: number): number => rounded(gaps[Math.floor(gaps.length * share)] ?? Number.NaN);
     const sample: SoakSample = {
-      minute: rounded((i * periodS) / 60), heap_kb: await heapKb(devtools), processes_kb: treeMemoryKb(pid),
+      minute: rounded((i * periodS) / 60), heap_kb: await heapKb(devtools), processes_kb: treePrivateKb(pid),
       bus_used_kb: busPages * 4, streams: gather(reports, streams),
     };
     samples.push(sample);

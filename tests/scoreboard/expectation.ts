@@ -10,6 +10,8 @@ export interface Start {
   readonly options: Readonly<Record<string, unknown>>;
   /** Texts for its standard input, each sent when a line of its output fits `after`. */
   readonly input: readonly { readonly after: RegExp; readonly text: string }[];
+  /** It is asked to stop, as by Ctrl-C, when a line of its output fits; undefined: it is left running. */
+  readonly stop: RegExp | undefined;
   /** Each fits a line of its output, in this order. */
   readonly log: readonly RegExp[];
   /** Each fits a line of its output, wherever. */
@@ -33,7 +35,7 @@ export interface Expectation extends Start {
 }
 
 export const NODE_KEYS = ['name', 'namespace', 'arguments', 'parameters', 'remappings'] as const;
-const START_KEYS = ['package', 'executable', 'input', 'log', 'anywhere', 'never', ...NODE_KEYS];
+const START_KEYS = ['package', 'executable', 'input', 'stop', 'log', 'anywhere', 'never', ...NODE_KEYS];
 const KEYS = [...START_KEYS, 'program', 'beside', 'endpoints', 'values', 'exit', 'seconds'];
 /** On a busy machine a program's first line takes some seconds. */
 const SECONDS = 20;
@@ -95,6 +97,7 @@ function start(entry: Readonly<Record<string, unknown>>, at: string): Start {
       const { after, text: words } = mapping(one, ['after', 'text'], at);
       return { after: regex(after, at), text: text(words, at) };
     }),
+    stop: entry['stop'] === undefined ? undefined : regex(entry['stop'], at),
     log: regexes('log'),
     anywhere: regexes('anywhere'),
     never: regexes('never'),

@@ -59,6 +59,7 @@ export async function play(folder: string, headless: string, expected: Expectati
   const watched = site.nodes.map(() => new Watched());
   const endpoints = new Set<string>();
   const inputs = [expected, ...(expected?.beside ?? [])].map((start) => [...(start?.input ?? [])]);
+  const stops = [expected, ...(expected?.beside ?? [])].map((start) => start?.stop);
   const session = new SiteSession({
     site,
     platform,
@@ -92,6 +93,14 @@ export async function play(folder: string, headless: string, expected: Expectati
       session.sendInput(node.id, next.text);
     });
   };
+  const stopWhoSaidSo = (): void => {
+    stops.forEach((after, index) => {
+      const node = site.nodes[index];
+      if (after === undefined || node === undefined || watched[index]?.lines.some((line) => after.test(line)) !== true) return;
+      stops[index] = undefined;
+      session.stop(node.id);
+    });
+  };
   try {
     for (const [index, node] of site.nodes.entries()) {
       session.start(node.id);
@@ -102,6 +111,7 @@ export async function play(folder: string, headless: string, expected: Expectati
     do {
       await new Promise((resolve) => setTimeout(resolve, LOOK_MS));
       look();
+      stopWhoSaidSo();
       verdict = expected === undefined ? undefined : judge(expected, seen);
       if (verdict?.final === true || (expected === undefined && over(seen.node))) break;
     } while (performance.now() < until);

@@ -73,7 +73,7 @@ export function qualify(type: string, within: string): string | null {
 
 /** Messages that ROS 2 makes out of `.srv` and `.action` files, as they appear on topics. */
 function derivedDefinition(type: string, interfaces: Definitions): string | undefined {
-  const match = /^(.+)_(FeedbackMessage|Goal|Result|Feedback|Request|Response)$/.exec(type);
+  const match = /^(.+)_(FeedbackMessage|Goal|Result|Feedback|Request|Response|Event)$/.exec(type);
   if (match === null) return undefined;
   const [, base, kind] = match;
   const parts = interfaces.get(base ?? '')?.split(/^---[^\n]*$/m);
@@ -81,6 +81,8 @@ function derivedDefinition(type: string, interfaces: Definitions): string | unde
   switch (kind) {
     case 'FeedbackMessage':
       return `unique_identifier_msgs/UUID goal_id\n${base?.split('/').at(-1) ?? ''}_Feedback feedback`;
+    case 'Event':
+      return `service_msgs/ServiceEventInfo info\n${base ?? ''}_Request[<=1] request\n${base ?? ''}_Response[<=1] response`;
     case 'Feedback':
       return parts[2];
     case 'Result':

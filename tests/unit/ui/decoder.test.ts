@@ -21,6 +21,8 @@ const interfaces = new Map([
   ],
   ['demo/action/Count', 'int32 order\n---\nint32[] sequence\n---\nint32[] partial_sequence\n'],
   ['unique_identifier_msgs/msg/UUID', 'uint8[16] uuid\n'],
+  ['demo/srv/Add', 'int64 a\nint64 b\n---\nint64 sum\n'],
+  ['service_msgs/msg/ServiceEventInfo', 'uint8 REQUEST_SENT=0\nuint8 event_type\nbuiltin_interfaces/Time stamp\nchar[16] client_gid\nint64 sequence_number\n'],
   ['demo/msg/Broken', 'float64 x twelve\n'],
   ['demo/msg/Lost', 'nowhere_msgs/Thing thing\n'],
 ]);
@@ -73,6 +75,15 @@ test('the feedback of an action, which has no definition of its own', () => {
     yamlOf(createDecoder(interfaces).decode(type, bytesOf(type, value))),
     /partial_sequence:\n {2}- 0\n {2}- 1\n {2}- 1/,
   );
+});
+
+test('the event of a service, which has no definition of its own', () => {
+  const type = 'demo/srv/Add_Event';
+  const info = { event_type: 1, stamp: { sec: 3, nanosec: 4 }, client_gid: new Uint8Array(16), sequence_number: 7n };
+  const value = { info, request: [{ a: 2n, b: 3n }], response: [] };
+  const text = yamlOf(createDecoder(interfaces).decode(type, bytesOf(type, value)));
+  assert.match(text, /event_type: 1\n[^]*sequence_number: 7\n/);
+  assert.match(text, /request:\n- a: 2\n {2}b: 3\nresponse: \[\]/);
 });
 
 test('shared memory is decoded too', () => {

@@ -1,5 +1,9 @@
 // The C++ client library through pack and run: each program of tests/packages/rclcpp_checks logs one line
 // when all its checks hold. They run side by side, as the nodes of one site.
+
+// Compatibility, works: topics, services, parameters, actions, wait sets, callback groups and
+// executors, components of rclcpp; its exceptions with the texts of ROS 2
+
 import assert from 'node:assert/strict';
 import { cpSync } from 'node:fs';
 import { join, resolve } from 'node:path';

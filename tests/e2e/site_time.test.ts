@@ -1,4 +1,19 @@
 // Site time in compiled programs: every way to wait lasts while time is held, and ends with the step that reaches it.
+
+// Compatibility, works: time of the whole site held, stepped and run at another speed: clocks,
+// wall and ROS timers, `sleep_for`, `usleep`, `nanosleep`, rates, deadlines, lifespans, leases;
+// condition variables, futures and timed mutexes, of threads too
+
+// Compatibility, works: stepped runs (`ros2wasm run --stepped --seed N --trace FILE`): every run
+// of a seed sends the same messages at the same times, with the same random numbers
+
+// Compatibility, differs: held time on a page without shared memory -> a node learns of it when it
+// next waits
+
+// Compatibility, differs: stepped runs -> headless, on the shared link, without programs that use
+// threads (R2W0711); what comes from outside (typed input, a stop, a respawn) comes when it comes.
+// A program that only reads clocks and never waits holds time
+
 import assert from 'node:assert/strict';
 import { cpSync, readFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';

@@ -1,5 +1,12 @@
 // Scenes of quality of service: the whole table of what fits, deadlines, liveliness, and what is lost.
 
+// Compatibility, works: QoS on both links: every offer against every request, lifespan, deadlines,
+// liveliness (automatic, manual by topic, lease; a node that dies is noticed at once), lost
+// messages, with counts on both sides
+
+// Compatibility, differs: a publisher whose node dies -> not alive at once, not after its lease;
+// ROS 2 forgets it later, here it is told once
+
 import { Liveliness, StatusKind, WaitResult } from '../../../runtime/protocol/generated/constants.ts';
 import { qosTable } from './qos_table.ts';
 import { bestEffort, check, equal, keepAll, pair, range, type Scene } from './scenes.ts';

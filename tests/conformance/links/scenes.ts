@@ -1,5 +1,8 @@
 // What every link must do, as scenes between workers. Run over both links, under Node.js and in Chromium.
 
+// Compatibility, works: shared-memory link and port link: matching, order, depth, transient_local,
+// services
+
 import {
   BusSizes, Durability, ErrorCode, History, PolicyKind, Reliability, StatusKind, WaitResult,
 } from '../../../runtime/protocol/generated/constants.ts';

@@ -1,5 +1,8 @@
 // Scenes of services: many calls at once, and servers and clients that come, go and die.
 
+// Compatibility, works: services on both links: many open calls, answers in any order, servers and
+// clients that come, go and die; `wait_for_service` is true only when a call is answered
+
 import { check, equal, range, type Scene } from './scenes.ts';
 import type { RemotePeer, World } from './world.ts';
 

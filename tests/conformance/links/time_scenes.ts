@@ -1,5 +1,9 @@
 // Scenes of site time: what the page holds, steps and scales is the time of every wait, sleep, stamp and deadline.
 
+// Compatibility, works: time of the whole site held, stepped and run at another speed: clocks,
+// wall and ROS timers, `sleep_for`, `usleep`, `nanosleep`, rates, deadlines, lifespans, leases;
+// condition variables, futures and timed mutexes, of threads too
+
 import { Durability, Liveliness, StatusKind, WaitResult } from '../../../runtime/protocol/generated/constants.ts';
 import { SiteTimeControl } from '../../../runtime/wasm_js/site_time.ts';
 import { check, equal, pair, type Scene } from './scenes.ts';

@@ -1,4 +1,8 @@
 // ROS arguments: what is ROS', what is the program's, and which remap rule wins.
+
+// Compatibility, works: log lines in rcutils' format, levels, macros; `--ros-args` names,
+// remappings, parameters
+
 #include "ros2wasm/arguments.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,8 @@
 // The transforms of one frame over time, and times as text.
+
+// Compatibility, works: tf2: linear algebra, the buffer with its interpolation, static frames, new
+// parents, requests, errors with the texts of ROS 2
+
 #include <gtest/gtest.h>
 
 #include <stdexcept>

@@ -1,4 +1,12 @@
 // The linear algebra of tf2: known answers, and laws that hold for any rotation.
+
+// Compatibility, works: tf2: linear algebra, the buffer with its interpolation, static frames, new
+// parents, requests, errors with the texts of ROS 2
+
+// Compatibility, differs: yaw, pitch and roll of a rotation that looks straight up or down
+// (`Matrix3x3::getRPY`, `tf2::getEulerYPR`) -> angles of that very rotation; those of ROS 2 are of
+// another one
+
 #include <gtest/gtest.h>
 
 #include <random>

@@ -1,4 +1,8 @@
 // Bytes to values, through the definitions that a site ships. Writers of @foxglove make the bytes.
+
+// Compatibility, works: `configure_introspection` of services and clients:
+// `<service>/_service_event` with the `_Event` type, off, metadata or contents; the page shows it
+
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { parse } from '@foxglove/rosmsg';

@@ -1,5 +1,10 @@
 // Sessions over real programs under Node.js: states, consoles, input, threads, crashes, rules.
 
+// Compatibility, works: exceptions and `std::thread` in one program; one compile, two links
+
+// Compatibility, differs: a program with threads on a page without cross-origin isolation ->
+// refused with R2W0704: wasm threads need shared memory
+
 import assert from 'node:assert/strict';
 import { rmSync } from 'node:fs';
 import { join } from 'node:path';

@@ -1,5 +1,13 @@
 // Deadlines and leases as functions of time.
 
+// Compatibility, works: QoS on both links: every offer against every request, lifespan, deadlines,
+// liveliness (automatic, manual by topic, lease; a node that dies is noticed at once), lost
+// messages, with counts on both sides
+
+// Compatibility, differs: a deadline that a subscription asks for -> counted for the topic, not
+// for each publisher; on a page without shared memory a message counts when the node waits, so a
+// long callback misses deadlines
+
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { EndpointKind, StatusKind } from '../../../runtime/protocol/generated/constants.ts';

@@ -1,6 +1,10 @@
 // load_components CONTAINER PACKAGE WORD...: asks a container for what `ros2 component` would. A
 // class is loaded (CLASS:=NAME: as a node of that name), a number is unloaded; at the end says what
 // there is.
+
+// Compatibility, works: component containers (`component_container` of the package with the
+// components): load, unload, list, with remappings, parameters and extra arguments
+
 #include <cctype>
 #include <cstdio>
 #include <memory>

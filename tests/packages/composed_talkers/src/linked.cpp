@@ -1,4 +1,8 @@
 // Makes every component that was linked into this program, and says which they are.
+
+// Compatibility, differs: `add_library(SHARED)` -> linked statically: a site has one wasm file for
+// each program
+
 #include <cstdio>
 
 #include "class_loader/class_loader.hpp"

@@ -1,5 +1,13 @@
 // loaded LIBRARY...: makes the components of each library and spins them; says which libraries
 // there are not.
+
+// Compatibility, works: libraries of components linked into one program, and loaded by name with
+// `class_loader`
+
+// Compatibility, differs: loading a library at run time (`class_loader`) -> finds the libraries of
+// classes that the program was linked with: those that it names, else, for a program that links
+// `class_loader`, all components of its package; another one throws `LibraryLoadException`
+
 #include <cstdio>
 #include <memory>
 #include <string>

@@ -1,4 +1,8 @@
 // Counts down in a timer, one goal at a time; a service holds it for some steps.
+
+// Compatibility, works: `rosidl_default_generators` brings what generated services and actions
+// need, so that a package with an action need not name action_msgs
+
 #include <memory>
 
 #include "countdown_interfaces/action/countdown.hpp"

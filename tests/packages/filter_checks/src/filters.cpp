@@ -1,4 +1,8 @@
 // Filters that are given messages by hand: what passes, in which form, and what belongs together.
+
+// Compatibility, works: message_filters with all its policies, callbacks in every form;
+// `tf2_ros::MessageFilter`
+
 #include <memory>
 #include <string>
 #include <utility>

@@ -1,5 +1,9 @@
 // As the tutorials have it: subscriptions that are put together, and messages that wait until they
 // can be transformed.
+
+// Compatibility, works: message_filters with all its policies, callbacks in every form;
+// `tf2_ros::MessageFilter`
+
 #include <cmath>
 #include <memory>
 

@@ -1,4 +1,11 @@
 // Reads keys in the three ways that do not wait for a line, and spins between them. Ends with x.
+
+// Compatibility, works: keys without lines: terminal modes (`tcgetattr`, `tcsetattr` with VMIN and
+// VTIME), `poll` and `select` on standard input
+
+// Compatibility, differs: a terminal in raw mode -> the page sends what is typed when Enter is
+// pressed; `fcntl(O_NONBLOCK)` and `ioctl(FIONREAD)` are not there
+
 #include <poll.h>
 #include <sys/select.h>
 #include <termios.h>

@@ -1,5 +1,10 @@
 // Takes the sensor through its life by its services, and watches that it measures only while it is
 // active. Logs one line when everything went as it should; ends with an error where it did not.
+
+// Compatibility, works: managed nodes of rclcpp_lifecycle: the states, transitions, numbers and
+// labels of ROS 2, callbacks that fail, throw or err, the five services and `~/transition_event`,
+// publishers that are mute while inactive
+
 #include <cstdlib>
 #include <memory>
 #include <stdexcept>

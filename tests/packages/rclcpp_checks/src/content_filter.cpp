@@ -1,5 +1,14 @@
 // Content filters: what expressions say of messages, what is refused, and subscriptions that have
 // one.
+
+// Compatibility, works: content filters (`content_filter_options`, `set_content_filter`,
+// `get_content_filter`): fields of nested messages, elements of arrays and sequences, = <> < <= >
+// >= LIKE BETWEEN, AND OR NOT, %0 to %99
+
+// Compatibility, differs: content filters -> a subscription looks at a message when it takes it,
+// so wait sets and listeners of new messages notice those that it leaves out; subscriptions by
+// pointer are filtered too; MATCH (regular expressions) is refused as every other unknown word
+
 #include <limits>
 #include <memory>
 #include <string>

@@ -1,5 +1,10 @@
 // What every node brings: the parameter services, /parameter_events and /rosout, as tools expect
 // them.
+
+// Compatibility, works: what every C++ node brings: six parameter services,
+// `~/get_type_description` with hashes and sources (`start_type_description_service`),
+// `/parameter_events`, `/rosout` (1000, transient local, 10 s), logger services when asked for
+
 #include <algorithm>
 #include <map>
 #include <set>

@@ -1,5 +1,9 @@
 // What `<service>/_service_event` tells of a call, for each state of the introspection of both
 // sides.
+
+// Compatibility, works: `configure_introspection` of services and clients:
+// `<service>/_service_event` with the `_Event` type, off, metadata or contents; the page shows it
+
 #include <algorithm>
 #include <vector>
 

@@ -1,5 +1,10 @@
 // Managed nodes from inside: their graph of transitions, callbacks of every outcome, and publishers
 // that are mute while inactive.
+
+// Compatibility, works: managed nodes of rclcpp_lifecycle: the states, transitions, numbers and
+// labels of ROS 2, callbacks that fail, throw or err, the five services and `~/transition_event`,
+// publishers that are mute while inactive
+
 #include "checks.hpp"
 #include "lifecycle_msgs/msg/state.hpp"
 #include "lifecycle_msgs/msg/transition.hpp"

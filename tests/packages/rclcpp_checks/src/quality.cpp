@@ -1,5 +1,10 @@
 // Quality of service: what fits what, best available and system defaults, and the events of both
 // sides.
+
+// Compatibility, works: event callbacks of rclcpp, `best_available`, system defaults,
+// `qos_check_compatible` and the warnings of endpoints that do not fit, in the words of ROS 2; a
+// node without work is not woken
+
 #include <set>
 
 #include "checks.hpp"

@@ -1,5 +1,9 @@
 // use_sim_time: the clock, timers, sleeps, rates and jump callbacks of a node follow /clock, which
 // another program publishes (sim_clock.cpp).
+
+// Compatibility, works: `use_sim_time` and `/clock`: clocks, ROS timers, sleeps, rates and jump
+// callbacks
+
 #include "checks.hpp"
 #include "std_msgs/msg/empty.hpp"
 

@@ -1,4 +1,8 @@
 // Topic statistics: what a subscription publishes about the messages that it receives.
+
+// Compatibility, works: topic statistics of subscriptions: age and period of messages, asked for
+// by options or by the node
+
 #include <cmath>
 #include <memory>
 #include <string>

@@ -1,4 +1,11 @@
 // Threads: a multi-threaded executor with both kinds of groups, publishing from a thread.
+
+// Compatibility, differs: affinity and priority of threads (`pthread_setaffinity_np`,
+// `sched_setscheduler` ...) -> refused with `ENOSYS`, as where a system has none
+
+// Compatibility, differs: CPU time of a process or a thread (`CLOCK_THREAD_CPUTIME_ID`,
+// `pthread_getcpuclockid`) -> the time that goes by: a browser counts no other
+
 #include <errno.h>
 #include <pthread.h>
 #include <sched.h>

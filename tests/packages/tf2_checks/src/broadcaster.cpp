@@ -1,4 +1,8 @@
 // As the tutorials on broadcasters have it: one frame that moves, one that does not.
+
+// Compatibility, works: tf2_ros: broadcasters, a listener that needs no executor of the user's,
+// lookups that wait, also in a callback and on a page without threads; tf2_geometry_msgs
+
 #include <cmath>
 
 #include "checks.hpp"

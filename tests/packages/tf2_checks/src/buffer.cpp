@@ -1,4 +1,8 @@
 // The buffer without any node: the tree, its times, and the texts of what goes wrong.
+
+// Compatibility, works: tf2: linear algebra, the buffer with its interpolation, static frames, new
+// parents, requests, errors with the texts of ROS 2
+
 #include <cmath>
 #include <memory>
 

@@ -1,5 +1,14 @@
 // As the tutorials on listeners have it, against the program `broadcaster`. Every way to wait lets
 // transforms in: a spinning executor, a lookup with a timeout in a callback, a plain rate.
+
+// Compatibility, works: tf2_ros: broadcasters, a listener that needs no executor of the user's,
+// lookups that wait, also in a callback and on a page without threads; tf2_geometry_msgs
+
+// Compatibility, differs: `tf2_ros::TransformListener` with `spin_thread` -> no thread: transforms
+// are taken in whenever the program waits (spin, a rate, a clock's sleep) or asks its buffer, so
+// it runs on any page; a program that only computes or sleeps by `std::this_thread` keeps the last
+// 100 messages of each topic
+
 #include <cmath>
 #include <memory>
 

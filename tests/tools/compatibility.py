@@ -1,0 +1,96 @@
+#!/usr/bin/env python3
+"""Writes the tables of docs/compatibility.md from what the tests say that they show; --check only compares.
+
+A test says so in a comment of its own, up to the end of the comment or to an empty line of it:
+
+    // Compatibility, works: WHAT
+    // Compatibility, differs: WHAT -> HOW, AND WHY
+"""
+from __future__ import annotations
+
+import argparse
+import re
+import subprocess
+import sys
+from collections import defaultdict
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+PAGE = ROOT / "docs" / "compatibility.md"
+COMMENT = re.compile(r"^\s*(?://|#)\s?(.*)$")
+CLAIM = re.compile(r"^Compatibility, (works|differs): (.*)$")
+ENDINGS = (".ts", ".cpp", ".py", ".yaml", ".golden")
+
+Rows = dict[str, list[str]]  # a row's text -> the files that show it
+
+
+def claims_of(text: str) -> list[tuple[str, str]]:
+    """Returns the kind and the text of each claim."""
+    claims: list[tuple[str, str]] = []
+    is_open = False
+    for line in text.splitlines():
+        comment = COMMENT.match(line)
+        said = comment[1].strip() if comment else ""
+        claim = CLAIM.match(said)
+        if claim:
+            claims.append((claim[1], claim[2]))
+        elif is_open and said:
+            claims[-1] = (claims[-1][0], f"{claims[-1][1]} {said}")
+        is_open = bool(claim) or (is_open and bool(said))
+    return claims
+
+
+def all_claims() -> dict[str, Rows]:
+    """Returns, for each kind, the rows in the order of the files."""
+    command = ["git", "ls-files", "-co", "--exclude-standard", "tests"]
+    names = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True).stdout.splitlines()
+    rows: dict[str, Rows] = {"works": defaultdict(list), "differs": defaultdict(list)}
+    for name in sorted(names):
+        if not name.endswith(ENDINGS) or (ROOT / name) == Path(__file__) or not (ROOT / name).is_file():
+            continue
+        for kind, text in claims_of((ROOT / name).read_text(encoding="utf-8")):
+            rows[kind][text].append(name)
+    return rows
+
+
+def table(kind: str, rows: Rows) -> str:
+    """Returns the Markdown table of a kind."""
+    head = "| what | shown by |\n| --- | --- |\n"
+    if kind == "differs":
+        head = "| what | how, and why | shown by |\n| --- | --- | --- |\n"
+    lines = []
+    for text, files in rows.items():
+        cells = text.split(" -> ", 1) if kind == "differs" else [text]
+        if len(cells) != (2 if kind == "differs" else 1):
+            raise SystemExit(f"{files[0]}: `{text}` does not say how it differs")
+        lines.append(f"| {' | '.join([*cells, ', '.join(files)])} |\n")
+    return head + "".join(lines)
+
+
+def page(old: str) -> str:
+    """Returns the page with its tables as the tests say."""
+    for kind, rows in all_claims().items():
+        begin, end = f"<!-- made from the tests: {kind} -->\n", "<!-- end -->\n"
+        before, found, rest = old.partition(begin)
+        _, ended, after = rest.partition(end)
+        if not found or not ended:
+            raise SystemExit(f"docs/compatibility.md has no place for the table `{kind}`")
+        old = before + begin + table(kind, rows) + end + after
+    return old
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser.add_argument("--check", action="store_true", help="fail when the page is not current")
+    options = parser.parse_args()
+    old = PAGE.read_text(encoding="utf-8")
+    new = page(old)
+    if options.check and new != old:
+        print("docs/compatibility.md is not current: run tests/tools/compatibility.py", file=sys.stderr)
+        return 1
+    PAGE.write_text(new, encoding="utf-8")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -211,7 +211,7 @@ TEST_F(Incremental, WhatIsGoneIsNotListed) {
 }
 
 TEST_F(Incremental, YoungArchivesAreReadAgain) {
-  make_older(a_, std::chrono::minutes(0));
+  make_older(a_, std::chrono::minutes(-60));
   EXPECT_EQ(read_by_index(channel_), 1U);
   EXPECT_EQ(read_by_index(channel_), 1U);  // written to since, within a tick of the clock?
 }

@@ -50,6 +50,7 @@ int main(int argc, char** argv) {
   std::printf("%s\n", something_by_select() || something_by_poll() ? "too early" : "no key yet");
   std::printf("read: %d\n", static_cast<int>(read(STDIN_FILENO, &key, 1)));
   std::fflush(stdout);
+  rclcpp::spin_some(node);
   while (!something_by_poll() && rclcpp::ok()) {
     rclcpp::spin_some(node);
   }

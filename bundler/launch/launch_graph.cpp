@@ -61,7 +61,7 @@ Diagnostic not_a_program(const NodeEntry& entry, const InstalledProgram& program
       program.left_out.empty()
           ? "lib/" + program.package + "/" + program.file.filename().string() +
                 " is not a WebAssembly program"
-          : "it was left out of the build: it needs " + program.left_out + ", which no channel has";
+          : "it was left out of the build: it needs " + program.left_out + ", which no site has";
   return Diagnostic{.code = "R2W0405",
                     .message = "`" + program.executable + "` of package `" + program.package +
                                "` is not a program that a site can run",

@@ -1,4 +1,4 @@
-# Stands for OpenCV where no channel has it: what links it is left out, and the rest of the package is built.
+# Stands for OpenCV, which no site has: what links it is left out, and the rest of the package is built.
 include("${ROS2WASM_TOOLCHAIN_DIR}/modules/left_out.cmake")
 set(OpenCV_VERSION 4.6.0)
 set(OpenCV_INCLUDE_DIRS "")

@@ -49,7 +49,7 @@ bool is_below(const fs::path& path, const fs::path& folder) {
 
 enum class Beginning { kHeader, kOther, kOpen };
 
-/// Reads the directives of a source and of its own headers, up to the header.
+/// Reads a source and its own headers up to the header: only includes may stand before it.
 class Scan {
  public:
   explicit Scan(const std::vector<fs::path>& folders) : folders_(folders) {}
@@ -64,7 +64,10 @@ class Scan {
     for (std::string line; std::getline(lines, line);) {
       std::istringstream words(without_comments(line, in_comment));
       std::string name;
-      if (!(words >> std::ws) || words.get() != '#' || !(words >> name)) continue;
+      const int character = (words >> std::ws).get();
+      if (character == std::istringstream::traits_type::eof()) continue;
+      if (character != '#') return Beginning::kOther;
+      if (!(words >> name)) continue;
       std::string rest;
       std::getline(words >> std::ws, rest);
       while (!rest.empty() && (rest.back() == ' ' || rest.back() == '\t' || rest.back() == '\r'))
@@ -142,7 +145,10 @@ std::optional<std::vector<fs::path>> package_folders(const HeaderUse& use) {
       std::error_code ignored;
       if (fs::exists(own / it->path().filename(), ignored)) return std::nullopt;
     }
-    folders.push_back(it->path());
+    // What is no ROS package may have headers that hide the system's.
+    std::error_code ignored;
+    if (fs::is_directory(it->path() / it->path().filename(), ignored))
+      folders.push_back(it->path());
   }
   if (error) return std::nullopt;
   std::sort(folders.begin(), folders.end());
@@ -192,7 +198,11 @@ std::optional<fs::path> compiled_header(const HeaderUse& use, const SourceCompil
     return error ? std::nullopt : std::optional(compiled);
   }
   fs::remove(part, error);
-  if (made) (void)write_file(named(".failed"), made->output);
+  // What ended the compiler otherwise, such as a want of memory or of room, may be over next time.
+  const bool says_why = made && made->exit_code < 128 &&
+                        made->output.find("error: ") != std::string::npos &&
+                        made->output.find("No space left") == std::string::npos;
+  if (says_why) (void)write_file(named(".failed"), made->output);
   return std::nullopt;
 }
 
@@ -214,6 +224,8 @@ std::optional<HeaderUse> header_use(const std::vector<std::string>& command) {
     } else if (argument.starts_with("-D") && is_of_library(argument)) {
       continue;
     } else if (argument == "-include" && has_next) {
+      // Of this name there may be another file elsewhere.
+      if (fs::path(command[i + 1]).is_relative()) return std::nullopt;
       use.flags.push_back(argument);
       use.flags.push_back(command[++i]);
     } else if (!argument.starts_with('-')) {

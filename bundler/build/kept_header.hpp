@@ -28,8 +28,8 @@ struct HeaderUse {
 /// Nothing when the command compiles no C++, does not see rclcpp, or does what is not known here.
 [[nodiscard]] std::optional<HeaderUse> header_use(const std::vector<std::string>& command);
 
-/// True when a source, by way of its own headers perhaps, includes rclcpp/rclcpp.hpp before any
-/// macro or condition that could change what that header says.
+/// True when nothing but includes stands in a source, or in its own headers, before
+/// rclcpp/rclcpp.hpp: then it matters to nobody that the header comes first.
 [[nodiscard]] bool begins_with_header(const HeaderUse& use);
 
 /// Where headers lie that this compiler has read.

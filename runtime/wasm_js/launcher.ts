@@ -72,17 +72,19 @@ export async function startSession(options: LaunchOptions = {}): Promise<Session
   const platform = browserPlatform(base, 'node_worker.js');
   const [description] = await Promise.all([platform.json('site.json'), platform.ready]);
   const site = readSite(description);
-  const session = new SiteSession({ site, platform, broker: chooseBroker(options.link), place: base.href });
   const asked = new URLSearchParams(location.search);
+  const nodes = asked.get('nodes');
+  // Before anything is begun that would have to be ended.
+  const named = nodes === null ? undefined : namedNodes(nodes, site.nodes.map(({ id }) => id));
+  const session = new SiteSession({ site, platform, broker: chooseBroker(options.link), place: base.href });
   const graph = asked.get('graph');
   if (graph !== null && graph !== '') await session.joinTabs(graph);
-  const nodes = asked.get('nodes');
-  if (nodes !== null) {
-    for (const id of namedNodes(nodes, session.nodes().map((node) => node.id))) session.start(id);
+  if (named !== undefined) {
+    for (const id of named) session.start(id);
   } else if (site.ui['autostart'] !== false) {
     await session.startUnclaimed();
+    await underWay(session);
   }
-  await underWay(session);
   // Styles and tests can tell by <html data-offline> whether the site is kept.
   const later = (): void => void keepOffline(serviceWorker).then((kept) => {
     document.documentElement.dataset['offline'] = kept ? 'kept' : 'not_kept';

@@ -194,10 +194,13 @@ class MessageFilter : public MessageFilterBase, public message_filters::SimpleFi
       const TransformStampedFuture future = buffer_.waitForTransform(
           wish.frame, frame, wish.time, timeout_,
           [this, id](const TransformStampedFuture& decided) { on_decided(id, decided); });
-      const std::lock_guard<std::mutex> lock(mutex_);
+      std::unique_lock<std::mutex> lock(mutex_);
       const auto found = find(id);
       if (found != waiting_.end()) {
         found->futures.push_back(future);
+      } else {
+        lock.unlock();
+        buffer_.cancel(future);  // decided, or forgotten meanwhile
       }
     }
   }

@@ -1,5 +1,8 @@
 // Filters that are given messages by hand: what passes, in which form, and what belongs together.
 
+// Compatibility, differs: message_filters::TimeSequencer -> how old a message is it tells by the
+// node's clock, so it follows simulated time; that of ROS 2 throws for messages with a header
+//
 // Compatibility, works: message_filters with all its policies, callbacks in every form;
 // `tf2_ros::MessageFilter`
 
@@ -100,6 +103,21 @@ void callbacks(Checks& checks) {
   connection.disconnect();
   filter.add(message);
   CHECK(by_lambda == 7);
+
+  // One that goes when it has been called, and takes another along.
+  mf::PassThrough<PointStamped> source;
+  int once = 0;
+  mf::Connection own;
+  mf::Connection next;
+  own = source.registerCallback([&](const PointStamped&) {
+    ++once;
+    own.disconnect();
+    next.disconnect();
+  });
+  next = source.registerCallback([&](const PointStamped&) { once += 10; });
+  source.add(message);
+  source.add(message);
+  CHECK(once == 1);
 
   mf::Connection orphan;
   {

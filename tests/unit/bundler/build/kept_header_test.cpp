@@ -38,12 +38,12 @@ class KeptHeader : public ::testing::Test {
 
 TEST_F(KeptHeader, TakesFromACommandWhatTheHeaderDependsOn) {
   const auto use = header_use(command({"-DX=1", "-DA_DLL", "-DCLASS_LOADER_LIBRARY=\"l.so\"",
-                                       "-ffile-prefix-map=/a=.", "-include", "e.h"}));
+                                       "-ffile-prefix-map=/a=.", "-include", "/t/e.h"}));
   ASSERT_TRUE(use);
   EXPECT_EQ(use->source, "n.cpp");
   EXPECT_EQ(use->packages, tree / "env/include");
   EXPECT_EQ(use->own_folders, (std::vector<std::filesystem::path>{"include", "/other"}));
-  EXPECT_EQ(use->flags, Words({"-DX=1", "-include", "e.h", "-O2", "-std=gnu++17"}));
+  EXPECT_EQ(use->flags, Words({"-DX=1", "-include", "/t/e.h", "-O2", "-std=gnu++17"}));
 }
 
 TEST_F(KeptHeader, LeavesOtherCommandsAlone) {
@@ -52,6 +52,7 @@ TEST_F(KeptHeader, LeavesOtherCommandsAlone) {
   EXPECT_FALSE(header_use(command({"@flags"})));
   EXPECT_FALSE(header_use(command({"m.cpp"})));
   EXPECT_FALSE(header_use(command({"-include-pch", "p"})));
+  EXPECT_FALSE(header_use(command({"-include", "config.h"})));
   Words in_c = command();
   in_c.back() = "n.c";
   EXPECT_FALSE(header_use(in_c));
@@ -62,7 +63,8 @@ TEST_F(KeptHeader, LeavesOtherCommandsAlone) {
 
 TEST_F(KeptHeader, SourcesThatBeginWithIt) {
   EXPECT_TRUE(begins("#include <rclcpp/rclcpp.hpp>\n"));
-  EXPECT_TRUE(begins("// A node\n#include <chrono>\n# include \"rclcpp/rclcpp.hpp\"\n#define X\n"));
+  EXPECT_TRUE(
+      begins("// A node\n\n \n#include <chrono>\n# include \"rclcpp/rclcpp.hpp\"\n#define X\n"));
   EXPECT_TRUE(
       begins("/* #define X\n*/ #include<memory>\n#include\"rclcpp/rclcpp.hpp\" // yes\r\n"));
   tree.write("own/p/node.hpp", "#ifndef P\n#define P\n#include \"p/base.hpp\"\nclass N;\n#endif\n");
@@ -80,6 +82,7 @@ TEST_F(KeptHeader, SourcesThatDoNot) {
   EXPECT_FALSE(begins("#ifdef A\n#include \"rclcpp/rclcpp.hpp\"\n#endif\n"));
   EXPECT_FALSE(begins("#pragma pack(1)\n#include \"rclcpp/rclcpp.hpp\"\n"));
   EXPECT_FALSE(begins("#include HEADER\n#include \"rclcpp/rclcpp.hpp\"\n"));
+  EXPECT_FALSE(begins("int before = 1;\n\n#include \"rclcpp/rclcpp.hpp\"\n"));
   tree.write("own/config.hpp", "#pragma once\n#define private public\n");
   EXPECT_FALSE(begins("#include \"config.hpp\"\n#include \"rclcpp/rclcpp.hpp\"\n"));
 }

@@ -95,18 +95,19 @@ EventCallback<Ms...> event_callback(C method, T* object) {
       Known());
 }
 
-/// A connection outlives the list without harm. Callbacks may come and go while others are called.
+/// A connection outlives the list without harm. Callbacks are called one after the other, may come
+/// and go meanwhile, also by themselves, and are over when they have gone.
 template <typename... Ms>
 class Signal {
  public:
   template <typename... C>
   Connection addCallback(C... callback) {
     auto added = std::make_shared<EventCallback<Ms...>>(event_callback<Ms...>(callback...));
-    const std::lock_guard<std::mutex> lock(list_->mutex);
+    const Lock lock(list_->mutex);
     list_->callbacks.push_back(added);
     return Connection([list = std::weak_ptr<List>(list_), added] {
       if (const auto there = list.lock()) {
-        const std::lock_guard<std::mutex> held(there->mutex);
+        const Lock held(there->mutex);
         auto& all = there->callbacks;
         all.erase(std::remove(all.begin(), all.end(), added), all.end());
       }
@@ -114,19 +115,21 @@ class Signal {
   }
 
   void call(const MessageEvent<const Ms>&... events) const {
-    std::vector<std::shared_ptr<EventCallback<Ms...>>> callbacks;
-    {
-      const std::lock_guard<std::mutex> lock(list_->mutex);
-      callbacks = list_->callbacks;
-    }
+    const auto list = list_;  // a callback may end its filter
+    const Lock lock(list->mutex);
+    const auto callbacks = list->callbacks;
     for (const auto& callback : callbacks) {
-      (*callback)(events..., callbacks.size() > 1);
+      const auto& left = list->callbacks;
+      if (std::find(left.begin(), left.end(), callback) != left.end()) {
+        (*callback)(events..., callbacks.size() > 1);
+      }
     }
   }
 
  private:
+  using Lock = std::lock_guard<std::recursive_mutex>;
   struct List {
-    std::mutex mutex;
+    std::recursive_mutex mutex;
     std::vector<std::shared_ptr<EventCallback<Ms...>>> callbacks;
   };
   std::shared_ptr<List> list_ = std::make_shared<List>();

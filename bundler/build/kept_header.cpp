@@ -134,6 +134,15 @@ class Scan {
   std::set<fs::path> seen_;
 };
 
+bool has_files(const fs::path& folder) {
+  std::error_code error;
+  fs::directory_iterator entries(folder, error);
+  return error || std::any_of(begin(entries), end(entries), [](const fs::directory_entry& entry) {
+           std::error_code ignored;
+           return !entry.is_directory(ignored);
+         });
+}
+
 /// The packages' include folders, sorted. Nothing when one of a source's own folders stands before
 /// one of them.
 std::optional<std::vector<fs::path>> package_folders(const HeaderUse& use) {
@@ -145,10 +154,8 @@ std::optional<std::vector<fs::path>> package_folders(const HeaderUse& use) {
       std::error_code ignored;
       if (fs::exists(own / it->path().filename(), ignored)) return std::nullopt;
     }
-    // What is no ROS package may have headers that hide the system's.
-    std::error_code ignored;
-    if (fs::is_directory(it->path() / it->path().filename(), ignored))
-      folders.push_back(it->path());
+    // A ROS package's headers lie one folder deeper; those of others might hide the system's.
+    if (!has_files(it->path())) folders.push_back(it->path());
   }
   if (error) return std::nullopt;
   std::sort(folders.begin(), folders.end());

@@ -11,7 +11,8 @@ namespace ros2wasm {
 namespace {
 
 constexpr int kDeepest = 200;
-constexpr std::uint64_t kMostExpected = 64;  ///< items; the bytes may promise any number
+constexpr std::uint32_t kMostMade = 1'000'000;  ///< a byte of the text makes 40 of a value
+constexpr std::uint64_t kMostExpected = 64;     ///< items; the bytes may promise any number
 
 /// A number of `size_bytes` bytes with its sign in all 64 bits.
 std::uint64_t sign_extended(std::uint64_t bits, unsigned size_bytes) {
@@ -125,6 +126,12 @@ std::optional<std::uint32_t> MsgpackReader::map() {
   return static_cast<std::uint32_t>(next->number);
 }
 
+std::optional<std::uint32_t> MsgpackReader::array() {
+  const auto next = token();
+  if (!next || next->kind != Kind::kArray) return std::nullopt;
+  return static_cast<std::uint32_t>(next->number);
+}
+
 std::optional<std::string_view> MsgpackReader::key() {
   const auto next = token();
   if (!next || next->kind != Kind::kText) return std::nullopt;
@@ -158,7 +165,7 @@ std::optional<JsonValue> MsgpackReader::value() {
 /// False when it cannot be read.
 bool MsgpackReader::read(int levels, JsonValue& into) {
   const auto next = token();
-  if (!next) return false;
+  if (!next || ++made_ > kMostMade) return false;
   switch (next->kind) {
     case Kind::kNull:
       break;

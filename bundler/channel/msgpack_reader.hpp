@@ -18,6 +18,8 @@ class MsgpackReader {
 
   /// The head of a map: how many pairs of a key and a value follow.
   [[nodiscard]] std::optional<std::uint32_t> map();
+  /// The head of an array: how many values follow.
+  [[nodiscard]] std::optional<std::uint32_t> array();
   /// A text.
   [[nodiscard]] std::optional<std::string_view> key();
   /// A text or bytes.
@@ -25,7 +27,8 @@ class MsgpackReader {
   /// Any value, as the bytes that it is made of.
   [[nodiscard]] std::optional<std::string_view> skipped();
   /// Any value, as parse_json() gives them: bytes become texts of lower-case hex, keys are texts.
-  /// Nothing also when it is nested deeper than 200 levels.
+  /// Nothing also when it is nested deeper than 200 levels, or when the values made so far are more
+  /// than a million.
   [[nodiscard]] std::optional<JsonValue> value();
 
   [[nodiscard]] bool at_end() const { return rest_.empty(); }
@@ -55,6 +58,7 @@ class MsgpackReader {
   bool members(std::uint64_t count, int levels, JsonValue::Object& into);
 
   std::string_view rest_;
+  std::uint32_t made_ = 0;  ///< values, of all calls of value()
 };
 
 }  // namespace ros2wasm

@@ -20,6 +20,7 @@ namespace {
 
 constexpr std::uint64_t kLargestList = 512ULL << 20U;
 constexpr std::uint64_t kLargestShard = 256ULL << 20U;
+constexpr std::uint32_t kMostArchives = 1'000'000;  ///< of a shard, which is of one name
 
 bool is_sha256(std::string_view hash) {
   return hash.size() == 32 ||
@@ -55,29 +56,34 @@ using RawRecords = std::map<std::string_view, std::string_view>;
 struct RawShard {
   RawRecords conda;
   RawRecords tar;
-  std::set<std::string, std::less<>> removed;
+  std::set<std::string_view> removed;
 };
 
 std::optional<RawShard> raw_shard(std::string_view bytes) {
   RawShard shard;
   MsgpackReader reader(bytes);
-  const auto read_records = [&reader](RawRecords& into) {
+  std::uint32_t archives = 0;
+  const auto read_records = [&](RawRecords& into) {
     return each_member(reader, [&](std::string_view file_name) {
       const auto record = reader.skipped();
       if (record) into[file_name] = *record;
-      return record.has_value();
+      return record && ++archives <= kMostArchives;
     });
+  };
+  const auto read_removed = [&] {
+    const auto count = reader.array();
+    for (std::uint32_t i = 0; count && i < *count; ++i) {
+      const auto file_name = reader.key();
+      if (!file_name || ++archives > kMostArchives) return false;
+      shard.removed.insert(*file_name);
+    }
+    return count.has_value();
   };
   const bool whole = each_member(reader, [&](std::string_view key) {
     if (key == "packages") return read_records(shard.tar);
     if (key == "packages.conda") return read_records(shard.conda);
-    if (key != "removed") return reader.skipped().has_value();
-    const auto list = reader.value();
-    if (!list) return false;
-    for (const JsonValue& item : list->items()) {
-      if (const std::string* name = item.string()) shard.removed.insert(*name);
-    }
-    return true;
+    if (key == "removed") return read_removed();
+    return reader.skipped().has_value();
   });
   return whole && reader.at_end() ? std::optional(std::move(shard)) : std::nullopt;
 }
@@ -145,14 +151,20 @@ Outcome<ShardList> read_shard_list(std::string_view bytes, const std::string& ur
   list.listed = std::make_unique<std::string>(std::move(*text));
   MsgpackReader reader(*list.listed);
   std::optional<std::vector<ListedShard>> shards;
+  std::optional<std::string_view> without_hash;
   std::int64_t version = 1;
   const bool whole = each_member(reader, [&](std::string_view key) {
     if (key == "shards") {
       shards.emplace();
       return each_member(reader, [&](std::string_view name) {
         const auto hash = reader.content();
-        if (hash) shards->push_back({.name = name, .hash = *hash});
-        return hash.has_value();
+        if (!hash) return false;
+        if (!is_sha256(*hash)) {  // asked at once: a shard takes more memory than such a pair
+          without_hash = name;
+          return false;
+        }
+        shards->push_back({.name = name, .hash = *hash});
+        return true;
       });
     }
     if (key != "info" && key != "version") return reader.skipped().has_value();
@@ -166,14 +178,12 @@ Outcome<ShardList> read_shard_list(std::string_view bytes, const std::string& ur
     }
     return true;
   });
+  if (without_hash)
+    return no_index(url, "the shard of `" + std::string(*without_hash) + "` has no sha256");
   if (!whole || !reader.at_end()) return no_msgpack(url);
   if (!shards) return no_index(url, "it lists no shards");
   if (version != 1) return no_index(url, "its version is not 1");
   list.shards = in_order(std::move(*shards));
-  for (const ListedShard& shard : list.shards) {
-    if (!is_sha256(shard.hash))
-      return no_index(url, "the shard of `" + std::string(shard.name) + "` has no sha256");
-  }
   return list;
 }
 

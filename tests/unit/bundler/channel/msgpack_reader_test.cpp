@@ -120,7 +120,20 @@ TEST(MsgpackReader, DeepValuesArePassedOverButNotMade) {
   EXPECT_EQ(MsgpackReader(deep + "more").skipped(), deep);
 }
 
+TEST(MsgpackReader, NoMoreThanAMillionValuesAreMade) {
+  const std::string most = "\xdd\x00\x0f\x42\x3f"s + std::string(999'999, '\xc0');
+  EXPECT_TRUE(MsgpackReader(most).value());
+  const std::string more = "\xdd\x00\x0f\x42\x40"s + std::string(1'000'000, '\xc0');
+  EXPECT_FALSE(MsgpackReader(more).value());
+  EXPECT_EQ(MsgpackReader(more).skipped(), more);
+  const std::string both = most + "\x01";
+  MsgpackReader reader(both);
+  EXPECT_TRUE(reader.value());
+  EXPECT_FALSE(reader.value());
+}
+
 TEST(MsgpackReader, WhatIsThereInsteadIsNotTaken) {
+  EXPECT_FALSE(MsgpackReader("\x81\x01\x01").array());
   EXPECT_FALSE(MsgpackReader("\x91\x01").map());
   EXPECT_FALSE(MsgpackReader("\xc4\x01y").key());
   EXPECT_FALSE(MsgpackReader("\x01").content());
@@ -128,7 +141,9 @@ TEST(MsgpackReader, WhatIsThereInsteadIsNotTaken) {
   MsgpackReader reader(bytes);
   EXPECT_EQ(reader.map(), 2U);
   EXPECT_EQ(reader.key(), "a");
-  EXPECT_EQ(reader.skipped(), "\x92\x01\x02");
+  EXPECT_EQ(reader.array(), 2U);
+  EXPECT_EQ(reader.skipped(), "\x01");
+  EXPECT_EQ(reader.skipped(), "\x02");
   EXPECT_EQ(reader.key(), "b");
   EXPECT_EQ(reader.content(), "y");
   EXPECT_TRUE(reader.at_end());

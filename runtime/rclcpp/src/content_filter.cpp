@@ -24,6 +24,7 @@ using Operand = ContentFilter::Operand;
 using Operator = ContentFilter::Operator;
 using Node = ContentFilter::Node;
 using Kind = ContentFilter::Value::Kind;
+using Truth = ContentFilter::Truth;
 
 constexpr uint8_t kArray = Type::FIELD_TYPE_INT8_ARRAY - Type::FIELD_TYPE_INT8;
 constexpr uint8_t kBoundedSequence = Type::FIELD_TYPE_INT8_BOUNDED_SEQUENCE - Type::FIELD_TYPE_INT8;
@@ -243,9 +244,9 @@ bool like(const char* value, const char* pattern) {
   return *pattern == '\0';
 }
 
-bool compare(Operator op, const Value& a, const Value& b) {
+Truth compare(Operator op, const Value& a, const Value& b) {
   if (a.kind == Kind::none || b.kind == Kind::none) {
-    return false;
+    return std::nullopt;
   }
   switch (op) {
     case Operator::equal:
@@ -267,7 +268,7 @@ bool compare(Operator op, const Value& a, const Value& b) {
     case Operator::negated:
       break;
   }
-  return false;
+  return std::nullopt;
 }
 
 // --- reading the expression
@@ -356,14 +357,15 @@ Value literal_of(const std::string& word) {
     return {};
   }
   char* end = nullptr;
-  const bool whole = word.find_first_of(".eE") == std::string::npos || word.find('x') < word.size();
+  const int base = word.find_first_of("xX") == std::string::npos ? 10 : 16;
+  const bool whole = base == 16 || word.find_first_of(".eE") == std::string::npos;
   Value result;
   if (!whole) {
     result = real(std::strtod(word.c_str(), &end));
   } else if (first == '-') {
-    result = integer(std::strtoll(word.c_str(), &end, 0));
+    result = integer(std::strtoll(word.c_str(), &end, base));
   } else {
-    result = natural(std::strtoull(word.c_str(), &end, 0));
+    result = natural(std::strtoull(word.c_str(), &end, base));
   }
   return *end == '\0' && end != word.c_str() ? result : Value{};
 }
@@ -541,18 +543,27 @@ ContentFilter::ContentFilter(const TypeInfo& type, ContentFilterOptions options)
 }
 
 bool ContentFilter::passes(const uint8_t* bytes, size_t size) const {
-  return holds(nodes_.size() - 1, bytes, size);
+  return holds(nodes_.size() - 1, bytes, size).value_or(false);
 }
 
-bool ContentFilter::holds(size_t node, const uint8_t* bytes, size_t size) const {
+Truth ContentFilter::holds(size_t node, const uint8_t* bytes, size_t size) const {
   const Node& one = nodes_[node];
   switch (one.op) {
     case Operator::both:
-      return holds(one.left, bytes, size) && holds(one.right, bytes, size);
-    case Operator::either:
-      return holds(one.left, bytes, size) || holds(one.right, bytes, size);
-    case Operator::negated:
-      return !holds(one.left, bytes, size);
+    case Operator::either: {
+      // What one side may decide alone.
+      const bool deciding = one.op == Operator::either;
+      const Truth left = holds(one.left, bytes, size);
+      if (left == deciding) {
+        return left;
+      }
+      const Truth right = holds(one.right, bytes, size);
+      return right == deciding || left.has_value() ? right : left;
+    }
+    case Operator::negated: {
+      const Truth inner = holds(one.left, bytes, size);
+      return inner.has_value() ? Truth(!*inner) : inner;
+    }
     default:
       return compare(one.op, value_of(one.first, bytes, size), value_of(one.second, bytes, size));
   }

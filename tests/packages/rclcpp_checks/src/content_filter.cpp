@@ -6,8 +6,9 @@
 // >= LIKE BETWEEN, AND OR NOT, %0 to %99
 
 // Compatibility, differs: content filters -> a subscription looks at a message when it takes it,
-// so wait sets and listeners of new messages notice those that it leaves out; subscriptions by
-// pointer are filtered too; MATCH (regular expressions) is refused as every other unknown word
+// so those that it leaves out count towards the depth of keep_last, and wait sets and listeners of
+// new messages notice them; subscriptions by pointer are filtered too; MATCH (regular expressions)
+// is refused as every other unknown word
 
 #include <limits>
 #include <memory>
@@ -33,13 +34,13 @@ namespace {
 
 template <typename MessageT>
 bool passes(const MessageT& message, const std::string& expression,
-            const std::vector<std::string>& parameters = {}) {
+            const std::vector<std::string>& parameters = {}, size_t cut = 0) {
   rclcpp::SerializedMessage bytes;
   rclcpp::Serialization<MessageT>().serialize_message(&message, &bytes);
   const auto& type = rclcpp::detail::callbacks_of(rclcpp::detail::type_support_of<MessageT>());
   const rclcpp::detail::ContentFilter filter(*type.info, {expression, parameters});
   const auto& raw = bytes.get_rcl_serialized_message();
-  return filter.passes(raw.buffer, raw.buffer_length);
+  return filter.passes(raw.buffer, raw.buffer_length - cut);
 }
 
 String text(const std::string& data) {
@@ -100,6 +101,30 @@ void check_expressions(Checks& checks) {
   CHECK(passes(nested, "new_parameters[1].value.bool_value = false"));
   CHECK(!passes(nested, "new_parameters[2].name <> 'x'"));
   CHECK(passes(nested, "stamp.sec < stamp.nanosec"));
+}
+
+void check_numbers(Checks& checks) {
+  CHECK(passes(number(10), "data = 010"));
+  CHECK(passes(number(-9), "data = -09"));
+  CHECK(passes(number(31), "data = 0x1F AND data = 0X1f"));
+  CHECK(passes(number(-30), "data = -0x1e"));
+  CHECK(passes(number(9), "data = %08", {"0", "1", "2", "3", "4", "5", "6", "7", "9"}));
+}
+
+/// What a message does not have is neither so nor otherwise.
+void check_unknown(Checks& checks) {
+  const ParameterEvent nested = event();
+  const char* const missing = "new_parameters[2].name = 'x'";
+  CHECK(!passes(nested, std::string("NOT ") + missing));
+  CHECK(!passes(nested, std::string("NOT NOT ") + missing));
+  CHECK(!passes(nested, "new_parameters[0].value.double_array_value[9] NOT BETWEEN 1 AND 2"));
+  CHECK(!passes(nested, std::string("NOT (node = '/arm' AND ") + missing + ")"));
+  CHECK(!passes(nested, std::string("NOT (") + missing + " OR node = '/leg')"));
+  CHECK(passes(nested, std::string("NOT (") + missing + " AND node = '/leg')"));
+  CHECK(passes(nested, std::string(missing) + " OR node = '/arm'"));
+  CHECK(passes(text("bean"), "NOT data = 'apple'"));
+  CHECK(!passes(text("bean"), "NOT data = 'apple'", {}, 1));
+  CHECK(!passes(number(1), "data NOT BETWEEN 2 AND 3", {}, 1));
 }
 
 void check_refusals(Checks& checks) {
@@ -172,6 +197,8 @@ int main(int argc, char** argv) {
   rclcpp::init(argc, argv);
   Checks checks("content_filter");
   check_expressions(checks);
+  check_numbers(checks);
+  check_unknown(checks);
   check_refusals(checks);
   check_subscriptions(checks);
   return checks.finish();

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,10 +19,13 @@ class ContentFilter {
   /// Throws std::invalid_argument that says what is wrong with the expression or its parameters.
   ContentFilter(const ros2wasm_typesupport::TypeInfo& type, ContentFilterOptions options);
 
-  /// True for a message that meets the expression; false also for bytes that cannot be read.
+  /// True for a message that meets the expression; false also when bytes or elements that are not
+  /// there leave it open.
   [[nodiscard]] bool passes(const uint8_t* bytes, size_t size) const;
   [[nodiscard]] const ContentFilterOptions& options() const { return options_; }
 
+  /// Nothing: unknown, and so is its opposite.
+  using Truth = std::optional<bool>;
   /// A number or a text, of a message or of the expression.
   struct Value {
     enum class Kind : uint8_t { none, integer, real, text };
@@ -64,7 +68,7 @@ class ContentFilter {
   };
 
  private:
-  [[nodiscard]] bool holds(size_t node, const uint8_t* bytes, size_t size) const;
+  [[nodiscard]] Truth holds(size_t node, const uint8_t* bytes, size_t size) const;
   [[nodiscard]] Value value_of(const Operand& operand, const uint8_t* bytes, size_t size) const;
 
   const ros2wasm_typesupport::TypeInfo& type_;

@@ -7,7 +7,7 @@ import {
 import { hiddenNamespace } from './graph.ts';
 import type { EndpointDescription, Heap, Link } from './link.ts';
 import { defaultQos } from './qos.ts';
-import type { Input } from './wasi.ts';
+import type { Arrival, Input } from './wasi.ts';
 
 function description(kind: EndpointDescription['kind'], node: number, id: string): EndpointDescription {
   return {
@@ -85,7 +85,9 @@ export function inputReader(link: Link, id: string): Input {
     },
     arrives: (milliseconds) => {
       const result = arrives(milliseconds === Infinity ? Infinity : link.clock.steadyNs() + milliseconds * 1e6);
-      return result instanceof Promise ? result.then((ended) => ended === undefined) : result === undefined;
+      const answer = (ended: WaitResult | undefined): Arrival =>
+        ended === undefined ? 'input' : ended === WaitResult.stop ? 'stop' : 'timeout';
+      return result instanceof Promise ? result.then(answer) : answer(result);
     },
   };
 }

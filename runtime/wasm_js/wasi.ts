@@ -1,6 +1,7 @@
 // The part of WASI that a node program needs: arguments, environment, clocks, random, console, standard input, exit.
 // There are no files: descriptors beyond 2 are bad.
 
+import { WaitResult } from '../protocol/generated/constants.ts';
 import type { SiteClock } from './clock.ts';
 import type { ProgramMemory } from './program_memory.ts';
 
@@ -26,11 +27,14 @@ export class ProgramExit {
  */
 export type Leave = (reason: ProgramExit | Error) => never;
 
+/** What ended a wait for input. */
+export type Arrival = 'input' | 'timeout' | 'stop';
+
 export interface Input {
   /** Waits for input. `undefined`: a stop was requested; empty: there will be no more. */
   readonly read: (capacity: number) => Uint8Array | undefined | Promise<Uint8Array | undefined>;
-  /** Waits until a read would not wait, for so long at most; false: nothing came. Infinity: for ever. */
-  readonly arrives: (milliseconds: number) => boolean | Promise<boolean>;
+  /** Waits until a read would not wait, for so long at most. Infinity: for ever. */
+  readonly arrives: (milliseconds: number) => Arrival | Promise<Arrival>;
 }
 
 export interface WasiHost {
@@ -44,7 +48,7 @@ export interface WasiHost {
   readonly clock: SiteClock;
   readonly random: (bytes: Uint8Array) => void;
   /** Sleeps for poll_oneoff. */
-  readonly sleep: (milliseconds: number) => unknown;
+  readonly sleep: (milliseconds: number) => WaitResult | Promise<WaitResult>;
 }
 
 /** Names of the functions that may suspend the program on the port link. */
@@ -130,14 +134,18 @@ export function wasiImports(host: WasiHost): Record<string, WasiFunction> {
       return success;
     };
     if (reads.length > 0) {
-      const answer = (arrived: boolean): number =>
-        finish(arrived || writes.length > 0 ? [...writes, ...(arrived ? reads : [])] : clock < 0 ? [] : [clock]);
-      const arrives = host.input.arrives(writes.length > 0 ? 0 : Math.max(0, shortest));
-      return arrives instanceof Promise ? arrives.then(answer) : answer(arrives);
+      const answer = (arrival: Arrival): number => {
+        if (arrival === 'stop') return finish([]);
+        const happened = [...writes, ...(arrival === 'input' ? reads : [])];
+        return finish(happened.length > 0 ? happened : [clock]);
+      };
+      const arrival = host.input.arrives(writes.length > 0 ? 0 : Math.max(0, shortest));
+      return arrival instanceof Promise ? arrival.then(answer) : answer(arrival);
     }
     if (writes.length > 0) return finish(writes);
+    const answer = (result: WaitResult): number => finish(result === WaitResult.stop ? [] : [clock]);
     const slept = host.sleep(Math.max(0, shortest));
-    return slept instanceof Promise ? slept.then(() => finish([clock])) : finish([clock]);
+    return slept instanceof Promise ? slept.then(answer) : answer(slept);
   };
 
   return {

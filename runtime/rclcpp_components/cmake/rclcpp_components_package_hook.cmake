@@ -2,6 +2,7 @@
 # themselves, get all of them, since nothing can be loaded later; writes the components into the
 # package's index.
 list(REMOVE_DUPLICATES _RCLCPP_COMPONENTS_LIBRARIES)
+_rclcpp_components_keep_once(${_RCLCPP_COMPONENTS_LIBRARIES})
 if(NOT TARGET component_container)
   add_executable(component_container ${rclcpp_components_DIR}/component_container.cpp)
   target_link_libraries(component_container

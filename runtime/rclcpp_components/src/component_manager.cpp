@@ -1,6 +1,8 @@
 // See component_manager.hpp.
 #include "rclcpp_components/component_manager.hpp"
 
+#include <algorithm>
+#include <thread>
 #include <typeinfo>
 
 namespace rclcpp_components {
@@ -27,6 +29,11 @@ bool flag(const rclcpp::Parameter& argument) {
 ComponentManager::ComponentManager(std::weak_ptr<rclcpp::Executor> executor, std::string node_name,
                                    const rclcpp::NodeOptions& node_options)
     : Node(std::move(node_name), node_options), executor_(std::move(executor)) {
+  const auto threads = static_cast<int64_t>(std::max(std::thread::hardware_concurrency(), 1U));
+  rcl_interfaces::msg::ParameterDescriptor descriptor;
+  descriptor.description = "Number of threads";
+  descriptor.read_only = true;
+  declare_parameter("thread_num", threads, descriptor);
   using std::placeholders::_1;
   using std::placeholders::_2;
   using std::placeholders::_3;

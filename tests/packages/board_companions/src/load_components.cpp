@@ -5,6 +5,9 @@
 // Compatibility, works: component containers (`component_container` of the package with the
 // components): load, unload, list, with remappings, parameters and extra arguments
 
+// Compatibility, differs: the package of a component that is loaded into a container -> is not
+// looked at, by the class alone it is found among those that the container was linked with
+
 #include <cctype>
 #include <cstdio>
 #include <memory>

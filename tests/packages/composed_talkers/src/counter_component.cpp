@@ -3,6 +3,7 @@
 
 #include "rclcpp/rclcpp.hpp"
 #include "rclcpp_components/register_node_macro.hpp"
+#include "talk.hpp"
 
 namespace composed_talkers {
 
@@ -10,7 +11,7 @@ class Counter : public rclcpp::Node {
  public:
   explicit Counter(const rclcpp::NodeOptions& options)
       : Node("counter", options),
-        publisher_(create_publisher<std_msgs::msg::Int32>("count", 10)),
+        publisher_(create_publisher<std_msgs::msg::Int32>(kTopic, 10)),
         timer_(create_wall_timer(std::chrono::milliseconds(50), [this]() { publish(); })) {}
 
  private:

@@ -3,6 +3,7 @@
 
 #include "rclcpp/rclcpp.hpp"
 #include "rclcpp_components/register_node_macro.hpp"
+#include "talk.hpp"
 
 namespace composed_talkers {
 
@@ -11,7 +12,7 @@ class Echo : public rclcpp::Node {
   explicit Echo(const rclcpp::NodeOptions& options)
       : Node("echo", options),
         subscription_(create_subscription<std_msgs::msg::Int32>(
-            "count", 10, [this](const std_msgs::msg::Int32& message) {
+            kTopic, 10, [this](const std_msgs::msg::Int32& message) {
               RCLCPP_INFO(get_logger(), "heard %d", message.data);
             })) {}
 

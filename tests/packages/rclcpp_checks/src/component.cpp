@@ -1,5 +1,6 @@
-// A node that is made by name.
+// A node that is made by name, and what makes nodes by name.
 #include "checks.hpp"
+#include "rclcpp_components/component_manager.hpp"
 #include "rclcpp_components/register_node_macro.hpp"
 
 namespace rclcpp_checks {
@@ -10,6 +11,9 @@ class Component : public rclcpp::Node {
     timer_ = create_wall_timer(std::chrono::milliseconds(1), [this] {
       Checks checks("component");
       CHECK(std::string(get_fully_qualified_name()) == "/component");
+      rclcpp_components::ComponentManager manager;
+      CHECK(manager.get_parameter("thread_num").as_int() >= 1);
+      CHECK(!manager.set_parameter({"thread_num", 2}).successful);
       checks.finish();
     });
   }

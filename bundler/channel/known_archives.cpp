@@ -1,6 +1,7 @@
 // See known_archives.hpp. The file is a line with the sha256 of the JSON behind it.
 #include "bundler/channel/known_archives.hpp"
 
+#include <chrono>
 #include <utility>
 
 #include "bundler/archive/package_index.hpp"
@@ -22,6 +23,11 @@ std::uint64_t number_of(const JsonValue& json, std::string_view key) {
   return value == nullptr ? 0 : value->unsigned_integer().value_or(0);
 }
 
+std::int64_t now_ns() {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(now).count();
+}
+
 KnownArchive archive_of(const JsonValue& json) {
   const JsonValue* modified = json.find("modified_ns");
   const std::uint64_t size = number_of(json, "size");
@@ -34,11 +40,11 @@ KnownArchive archive_of(const JsonValue& json) {
 
 }  // namespace
 
+KnownArchives::KnownArchives() : began_ns_(now_ns()) {}
+
 KnownArchives KnownArchives::of(const fs::path& folder) {
   KnownArchives known;
-  const fs::path file = folder / kFileName;
-  const auto identity = identity_of(file);
-  const auto text = identity ? read_file(file) : identity.errors();
+  const auto text = read_file(folder / kFileName);
   if (!text || text->size() <= kHashSize) return known;
   const std::string_view body = std::string_view(*text).substr(kHashSize + 1);
   if (!text->starts_with(sha256_hex(body))) return known;
@@ -48,7 +54,8 @@ KnownArchives KnownArchives::of(const fs::path& folder) {
   if (archives == nullptr) return known;
   for (const auto& [name, archive] : archives->members())
     known.before_.emplace(name, archive_of(archive));
-  known.written_ns_ = identity->modified_ns;
+  const JsonValue* began = json->find("began_ns");
+  known.began_before_ns_ = began == nullptr ? 0 : began->integer().value_or(0);
   return known;
 }
 
@@ -57,7 +64,7 @@ Outcome<KnownArchive> KnownArchives::look_at(const fs::path& archive) {
   if (!identity) return identity.errors();
   const auto before = before_.find(archive.filename().string());
   const bool is_known = before != before_.end();
-  const bool is_older = identity->modified_ns + kClockTickNs < written_ns_;
+  const bool is_older = identity->modified_ns + kClockTickNs < began_before_ns_;
   if (is_known && is_older && before->second.identity == *identity)
     return now_[before->first] = before->second;
   ++read_;
@@ -74,7 +81,8 @@ Outcome<KnownArchive> KnownArchives::look_at(const fs::path& archive) {
 
 Outcome<Done> KnownArchives::keep(const fs::path& folder) const {
   JsonWriter json;
-  json.begin_object().field("version", ROS2WASM_VERSION).key("archives").begin_object();
+  json.begin_object().field("version", ROS2WASM_VERSION).field_integer("began_ns", began_ns_);
+  json.key("archives").begin_object();
   for (const auto& [name, archive] : now_) {
     json.key(name).begin_object().key("size").unsigned_integer(archive.identity.size);
     json.field_integer("modified_ns", archive.identity.modified_ns);

@@ -1,5 +1,6 @@
 // What was read of the archives of a channel's folder when its index was written, so that the next
-// time only what has changed is read. An edge: reads and writes one file in that folder.
+// time only what has changed is read. An edge: asks the clock, reads and writes one file in that
+// folder.
 #pragma once
 
 #include <filesystem>
@@ -20,13 +21,16 @@ struct KnownArchive {
 
 class KnownArchives {
  public:
+  KnownArchives();  ///< none; the run begins
+
   /// Those of a folder. None where the file is absent, damaged or by another version of this
   /// program.
   [[nodiscard]] static KnownArchives of(const std::filesystem::path& folder);
 
   /// The archive as it is now: what is known when size, time and inode are those that they were, or
-  /// else its sha256 is; read otherwise. A file that is not clearly older than what is known counts
-  /// as changed: it may have been written to since, within one tick of the clock. R2W0210, R2W0221.
+  /// else its sha256 is; read otherwise. A file that is not clearly older than the run that read it
+  /// counts as changed: it may have been written to since, within one tick of the clock. R2W0210,
+  /// R2W0221.
   [[nodiscard]] Outcome<KnownArchive> look_at(const std::filesystem::path& archive);
 
   /// How many look_at() had to read.
@@ -39,8 +43,9 @@ class KnownArchives {
   using Archives = std::map<std::string, KnownArchive>;  ///< by file name
 
   Archives before_;
-  std::int64_t written_ns_ = 0;  ///< when `before_` was kept
+  std::int64_t began_before_ns_ = 0;  ///< when the run that kept `before_` began to look
   Archives now_;
+  std::int64_t began_ns_;
   std::size_t read_ = 0;
 };
 

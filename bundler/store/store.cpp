@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <map>
+#include <utility>
 
 #include "bundler/archive/package_lists.hpp"
 #include "bundler/channel/transport.hpp"
@@ -31,22 +33,46 @@ Diagnostic no_archive(const PackageRecord& record) {
                     .why = {"the channel lists it at " + record.url}};
 }
 
-/// A network or a server that fails for one archive mostly fails for all: that is one error.
-Diagnostics told_once(Diagnostics errors) {
+struct FailedArchive {
+  std::string url;
+  Diagnostic error;
+};
+
+/// "https://host:8080" of "https://host:8080/channel/x.conda".
+std::string server_of(const std::string& url) {
+  return url.substr(0, url.find('/', url.find("://") + 3));
+}
+
+/// A network or a server that fails for one archive mostly fails for all of that server: that is
+/// one error.
+Diagnostics told_once(std::vector<FailedArchive> failed) {
   constexpr std::array<std::string_view, 3> kOfServers{"R2W0232", "R2W0233", "R2W0235"};
+  struct Group {
+    std::size_t place;  ///< of the first, in what is told
+    std::size_t more = 0;
+  };
+  std::map<std::pair<std::string, std::string>, Group> groups;  // by code and server
   Diagnostics told;
-  for (const std::string_view code : kOfServers) {
-    const auto first = std::find_if(errors.begin(), errors.end(),
-                                    [code](const Diagnostic& error) { return error.code == code; });
-    if (first == errors.end()) continue;
-    told.push_back(*first);
-    const auto all =
-        std::erase_if(errors, [code](const Diagnostic& error) { return error.code == code; });
-    if (all > 1)
-      told.back().why.push_back("the same is true of " + std::to_string(all - 1) +
-                                " more archives");
+  Diagnostics others;
+  for (FailedArchive& one : failed) {
+    if (std::find(kOfServers.begin(), kOfServers.end(), one.error.code) == kOfServers.end()) {
+      others.push_back(std::move(one.error));
+      continue;
+    }
+    const auto [group, is_new] =
+        groups.try_emplace({one.error.code, server_of(one.url)}, Group{.place = told.size()});
+    if (is_new) {
+      told.push_back(std::move(one.error));
+    } else {
+      ++group->second.more;
+    }
   }
-  for (Diagnostic& error : errors) {
+  for (const auto& [key, group] : groups) {
+    if (group.more == 0) continue;
+    told[group.place].why.push_back("the same is true of " + std::to_string(group.more) +
+                                    " more archives");
+  }
+  for (Diagnostic& error : others) {
     if (told.size() < kMostErrors) told.push_back(std::move(error));
   }
   return told;
@@ -209,13 +235,17 @@ Outcome<std::vector<StoredArchive>> Store::archives(const std::vector<PackageRec
     if (!archive) return std::move(archive).errors();
     archives.push_back({.file = std::move(*archive)});
   }
-  Diagnostics errors;
-  bring_verified(wanted, roots_.network, cancellation, [&](std::size_t, Outcome<Done> outcome) {
-    if (outcome) return;
-    for (Diagnostic& error : std::move(outcome).errors()) errors.push_back(std::move(error));
-  });
+  std::vector<Outcome<Done>> outcomes(wanted.size(), Outcome<Done>(Done{}));
+  bring_verified(wanted, roots_.network, cancellation,
+                 [&](std::size_t k, Outcome<Done> outcome) { outcomes[k] = std::move(outcome); });
   if (cancellation.requested()) return interrupted();
-  if (!errors.empty()) return told_once(std::move(errors));
+  std::vector<FailedArchive> failed;
+  for (std::size_t k = 0; k < wanted.size(); ++k) {
+    if (outcomes[k]) continue;
+    for (Diagnostic& error : std::move(outcomes[k]).errors())
+      failed.push_back({.url = wanted[k].url, .error = std::move(error)});
+  }
+  if (!failed.empty()) return told_once(std::move(failed));
   for (StoredArchive& archive : archives) {
     std::error_code error;
     archive.size = fs::file_size(archive.file, error);
@@ -297,16 +327,17 @@ Outcome<std::vector<fs::path>> Store::unpacked_all(const std::vector<PackageReco
   wait_for_workers();
 
   std::vector<fs::path> folders;
-  Diagnostics errors;
-  for (Outcome<fs::path>& result : results) {
-    if (result) {
-      folders.push_back(std::move(*result));
+  std::vector<FailedArchive> failed;
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    if (results[i]) {
+      folders.push_back(std::move(*results[i]));
       continue;
     }
     if (cancellation.requested()) return interrupted();
-    for (Diagnostic& error : std::move(result).errors()) errors.push_back(std::move(error));
+    for (Diagnostic& error : std::move(results[i]).errors())
+      failed.push_back({.url = records[i].url, .error = std::move(error)});
   }
-  if (!errors.empty()) return told_once(std::move(errors));
+  if (!failed.empty()) return told_once(std::move(failed));
   report();
   return folders;
 }

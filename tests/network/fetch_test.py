@@ -154,6 +154,23 @@ class Fetching(FetchCase):
             self.check_cache()
             self.assertEqual(self.packed(**trusted), wanted)
 
+    def test_each_server_that_fails_is_told_once(self) -> None:
+        names = ["extra0", "extra1"]
+        for name in names:
+            self.add_package(name, {f"share/{name}/data": b"data"}, channel=self.folder / "others")
+        self.write_index(self.folder / "others")
+        with FaultServer(self.folder) as other:
+            self.write_manifest(f'{self.server.url}/channel", "{other.url}/others',
+                                f"dependencies: [{', '.join(names)}]\n")
+            for server, archive in ((self.server, "channel/noarch/lib"), (other, "others/noarch/extra")):
+                for i in range(2):
+                    server.plan(f"/{archive}{i}-1.0-h_0.conda", Fault("reset", 0), FOREVER)
+            text = self.fail_with("R2W0233", "pack")
+            self.assertEqual(text.count("error["), 2, text)
+            for first in (f"{self.server.url}/channel/noarch/lib0", f"{other.url}/others/noarch/extra0"):
+                self.assertIn(first, text)
+            self.assertEqual(text.count("the same is true of 1 more archives"), 2, text)
+
     def test_archives_from_a_server_without_tls(self) -> None:
         self.archives_at(self.server.url.replace("http://", "https://") + "/channel/noarch")
         text = self.fail_with("R2W0233", "pack")

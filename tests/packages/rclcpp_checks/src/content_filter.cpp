@@ -147,16 +147,16 @@ void check_subscriptions(Checks& checks) {
   rclcpp::SubscriptionOptions options;
   options.content_filter_options = {"data LIKE %0", {"'a%'"}};
   const auto hear = [&heard](const String& message) { heard.push_back(message.data); };
-  auto filtered = node->create_subscription<String>("words", 10, hear, options);
+  auto filtered = node->create_subscription<String>("chosen", 10, hear, options);
   options.use_intra_process_comm = rclcpp::IntraProcessSetting::Enable;
   std::vector<std::string> local;
   auto by_pointer = node->create_subscription<String>(
-      "words", 10, [&local](const String& message) { local.push_back(message.data); }, options);
+      "chosen", 10, [&local](const String& message) { local.push_back(message.data); }, options);
   auto plain = node->create_subscription<String>(
-      "words", 10, [&all](const String& message) { all.push_back(message.data); });
+      "chosen", 10, [&all](const String& message) { all.push_back(message.data); });
   rclcpp::PublisherOptions publishing;
   publishing.use_intra_process_comm = rclcpp::IntraProcessSetting::Enable;
-  auto publisher = node->create_publisher<String>("words", 10, publishing);
+  auto publisher = node->create_publisher<String>("chosen", 10, publishing);
   CHECK(filtered->is_cft_enabled());
   CHECK(!plain->is_cft_enabled());
   CHECK(filtered->get_content_filter().filter_expression == "data LIKE %0");
@@ -165,7 +165,7 @@ void check_subscriptions(Checks& checks) {
   CHECK_THROWS(rclcpp::exceptions::RCLError, filtered->set_content_filter("data ="));
   options.content_filter_options.filter_expression = "no_such_field = 1";
   CHECK_THROWS(rclcpp::exceptions::RCLError,
-               node->create_subscription<String>("words", 10, hear, options));
+               node->create_subscription<String>("chosen", 10, hear, options));
 
   rclcpp::executors::SingleThreadedExecutor executor;
   executor.add_node(node);

@@ -86,7 +86,8 @@ void check_types(Checks& checks, const rclcpp::Node::SharedPtr& tool, rclcpp::Ex
 
   using example_interfaces::srv::AddTwoInts;
   CHECK(ask(kAddTwoIntsHash, true)->failure_reason == "Type not currently in use by this node");
-  auto elsewhere = tool->create_client<AddTwoInts>("add");  // another node's use does not count
+  auto elsewhere =
+      tool->create_client<AddTwoInts>("uncalled_add");  // another node's use does not count
   CHECK(!ask(kAddTwoIntsHash, true)->successful);
   CHECK(ask("", true)->failure_reason == "Failed to parse type hash");
   CHECK(ask("RIHS02_" + std::string(kAddTwoIntsHash).substr(7), true)->failure_reason ==
@@ -100,7 +101,7 @@ void check_service_type(Checks& checks, const rclcpp::Node::SharedPtr& node,
   using type_description_interfaces::srv::GetTypeDescription;
   auto request = std::make_shared<GetTypeDescription::Request>();
   request->type_hash = kAddTwoIntsHash;
-  auto client = node->create_client<AddTwoInts>("add");
+  auto client = node->create_client<AddTwoInts>("uncalled_add");
   const auto used = call<GetTypeDescription>(tool, executor, "get_type_description", request);
   CHECK(used->successful);
   std::vector<std::string> names;

@@ -16,7 +16,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr char kTopic[] = "/add/_service_event";
+constexpr char kTopic[] = "/observed_add/_service_event";
 constexpr char kType[] = "example_interfaces/srv/AddTwoInts_Event";
 
 struct Event {
@@ -68,11 +68,11 @@ int main(int argc, char** argv) {
   executor.add_node(client_node);
   executor.add_node(watcher);
   auto server = server_node->create_service<AddTwoInts>(
-      "add", [](const std::shared_ptr<AddTwoInts::Request> request,
-                std::shared_ptr<AddTwoInts::Response> response) {
+      "observed_add", [](const std::shared_ptr<AddTwoInts::Request> request,
+                         std::shared_ptr<AddTwoInts::Response> response) {
         response->sum = request->a + request->b;
       });
-  auto client = client_node->create_client<AddTwoInts>("add");
+  auto client = client_node->create_client<AddTwoInts>("observed_add");
   client->wait_for_service();
 
   std::vector<Event> events;

@@ -68,18 +68,18 @@ void check_subscription(Checks& checks) {
   rclcpp::SubscriptionOptions off;
   off.topic_stats_options.state = rclcpp::TopicStatisticsState::Disable;
   auto listener = node->create_subscription<MetricsMessage>(
-      "about_words", 10,
+      "about_counted", 10,
       [&](const MetricsMessage& message) {
         (message.metrics_source == "message_age" ? ages : periods) += message.statistics[4].data;
       },
       off);
   rclcpp::SubscriptionOptions options;
-  options.topic_stats_options.publish_topic = "about_words";
+  options.topic_stats_options.publish_topic = "about_counted";
   options.topic_stats_options.publish_period = 20ms;
-  auto words = node->create_subscription<String>(
-      "words", 10, [](const String&) {}, options);
-  CHECK(node->count_publishers("about_words") == 1);
-  auto publisher = node->create_publisher<String>("words", 10);
+  auto counted = node->create_subscription<String>(
+      "counted", 10, [](const String&) {}, options);
+  CHECK(node->count_publishers("about_counted") == 1);
+  auto publisher = node->create_publisher<String>("counted", 10);
   rclcpp::executors::SingleThreadedExecutor executor;
   executor.add_node(node);
   constexpr int kMessages = 5;
@@ -93,9 +93,9 @@ void check_subscription(Checks& checks) {
   CHECK(periods == kMessages - 1);
   options.topic_stats_options.publish_period = 0ms;
   CHECK_THROWS(std::invalid_argument, node->create_subscription<String>(
-                                          "words", 10, [](const String&) {}, options));
-  words.reset();
-  CHECK(node->count_publishers("about_words") == 0);
+                                          "counted", 10, [](const String&) {}, options));
+  counted.reset();
+  CHECK(node->count_publishers("about_counted") == 0);
 }
 
 }  // namespace

@@ -70,7 +70,7 @@ Diagnostics told_once(std::vector<FailedArchive> failed) {
   for (const auto& [key, group] : groups) {
     if (group.more == 0) continue;
     told[group.place].why.push_back("the same is true of " + std::to_string(group.more) +
-                                    " more archives");
+                                    (group.more == 1 ? " more archive" : " more archives"));
   }
   for (Diagnostic& error : others) {
     if (told.size() < kMostErrors) told.push_back(std::move(error));

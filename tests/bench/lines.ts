@@ -3,9 +3,8 @@
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { chromium, type Page } from 'playwright-core';
-import { chromiumOptions } from '../e2e/chromium.ts';
-import { serveFolder } from '../support/static_server.ts';
+import type { Page } from 'playwright-core';
+import { inBrowser } from './browser_site.ts';
 import { machineLoad } from './machine_load.ts';
 import { packLaunch } from './packed_launch.ts';
 import { treePrivateKb } from './process_memory.ts';
@@ -40,13 +39,8 @@ export async function benchLines(context: BenchContext): Promise<void> {
     const site = packLaunch(context, folder, 'soak_bench', 'lines', [
       `{package: soak_bench, executable: pulse, parameters: {bytes: 16, hz: ${HZ}, log: true, report_s: 3600}}`,
     ]);
-    const host = await serveFolder(site, { isolated: true });
-    const server = await chromium.launchServer(chromiumOptions());
-    const browser = await chromium.connect(server.wsEndpoint());
-    try {
-      const page = await browser.newPage();
-      await page.goto(host.url);
-      const pid = server.process().pid ?? 0;
+    await inBrowser(site, async (page, pid, url) => {
+      await page.goto(url);
       const [from, before] = await after(page, WARM_UP, pid);
       const [to, now] = await after(page, WARM_UP + LINES, pid);
       const growth = Math.round(((now - before) * 10_000) / (to - from));
@@ -55,11 +49,7 @@ export async function benchLines(context: BenchContext): Promise<void> {
         kb_per_10_000_lines: growth, machine_load: machineLoad(),
       });
       if (growth > MOST_KB_PER_10_000) context.fail(`lines: the browser grows by ${growth} kB in 10,000 lines, ${MOST_KB_PER_10_000} are the most`);
-    } finally {
-      await browser.close();
-      await server.close();
-      await host.close();
-    }
+    });
   } finally {
     rmSync(folder, { recursive: true, force: true });
   }

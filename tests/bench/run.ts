@@ -41,10 +41,21 @@ const BENCHES: Readonly<Record<string, (context: BenchContext) => Promise<void> 
 /** Runs only when named: it takes an hour. */
 const WHEN_NAMED = 'soak';
 
+const USAGE = `./dev bench [--minutes N] [NAME ...]: one JSON object a line on standard output.
+NAME is one of ${Object.keys(BENCHES).join(', ')}; all but ${WHEN_NAMED} when none is named. --minutes says how long a ${WHEN_NAMED} lasts.`;
+
 const { values, positionals: names } = parseArgs({
   allowPositionals: true,
-  options: { build: { type: 'string', default: 'build' }, minutes: { type: 'string' } },
+  options: {
+    build: { type: 'string', default: 'build' },
+    help: { type: 'boolean', short: 'h', default: false },
+    minutes: { type: 'string' },
+  },
 });
+if (values.help) {
+  console.log(USAGE);
+  process.exit(0);
+}
 const unknown = names.filter((name) => !(name in BENCHES));
 if (unknown.length > 0) {
   console.error(`no such benchmark: ${unknown.join(', ')}; there are ${Object.keys(BENCHES).join(', ')}`);

@@ -1,13 +1,12 @@
 // A site that runs for long in Chromium, page open: nodes publish at fixed rates (a large message among them), call a
 // service and log. Every minute one line: memory, delivered share, latencies, frames. The last line says what stayed flat.
-// A node's console keeps 50,000 lines: 17 minutes of the pulse that logs, so a short soak sees the page's heap grow.
+// The page's heap grows until its lists of lines are full, here for half an hour: a short soak does not find it flat.
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { chromium, type CDPSession, type Page } from 'playwright-core';
+import type { CDPSession, Page } from 'playwright-core';
 import { BusHeader } from '../../runtime/protocol/generated/constants.ts';
-import { chromiumOptions } from '../e2e/chromium.ts';
-import { serveFolder } from '../support/static_server.ts';
+import { inBrowser } from './browser_site.ts';
 import { machineLoad } from './machine_load.ts';
 import { packLaunch } from './packed_launch.ts';
 import { treePrivateKb } from './process_memory.ts';
@@ -135,19 +134,11 @@ export async function benchSoak(context: BenchContext): Promise<void> {
       ...PULSES.map(({ topic, bytes, hz, log }) =>
         `{package: soak_bench, executable: pulse, name: pulse_${topic.slice(1)}, parameters: {topic: ${topic}, bytes: ${bytes}, hz: ${hz}, log: ${log}, report_s: ${periodS}}}`),
     ]);
-    const host = await serveFolder(site, { isolated: true });
-    const server = await chromium.launchServer(chromiumOptions());
-    const browser = await chromium.connect(server.wsEndpoint());
-    try {
-      const page = await browser.newPage();
+    await inBrowser(site, async (page, pid, url) => {
       await page.addInitScript(note);
-      await page.goto(host.url);
-      await soak(context, page, server.process().pid ?? 0, minutes, periodS);
-    } finally {
-      await browser.close();
-      await server.close();
-      await host.close();
-    }
+      await page.goto(url);
+      await soak(context, page, pid, minutes, periodS);
+    });
   } finally {
     rmSync(folder, { recursive: true, force: true });
   }

@@ -5,13 +5,12 @@ import assert from 'node:assert/strict';
 import { cpSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { after, before, test } from 'node:test';
-import { type Browser, chromium, type Page } from 'playwright-core';
-import { serveFolder } from '../support/static_server.ts';
+import { type Browser, chromium } from 'playwright-core';
 import { chromiumOptions } from './chromium.ts';
 import { PackWorkspace } from './pack_workspace.ts';
+import { shows, withTabs } from './site_tabs.ts';
 
 const name = 'tab_actions';
-const patience = { timeout: 120_000 };
 
 let browser: Browser;
 let workspace: PackWorkspace;
@@ -36,20 +35,9 @@ after(async () => {
   workspace.close();
 });
 
-function shows(page: Page, text: string): Promise<unknown> {
-  return page.waitForFunction((wanted) => (document.body?.innerText ?? '').includes(wanted), text, patience);
-}
-
 for (const link of ['shared', 'port'] as const) {
   test(`${link}: an action reaches across tabs`, { timeout: 400_000 }, async () => {
-    const host = await serveFolder(join(workspace.root, 'site'), { isolated: link === 'shared' });
-    const context = await browser.newContext({ serviceWorkers: link === 'shared' ? 'allow' : 'block' });
-    const open = async (query: string): Promise<Page> => {
-      const page = await context.newPage();
-      await page.goto(`${host.url}${query}`);
-      return page;
-    };
-    try {
+    await withTabs(browser, join(workspace.root, 'site'), link, async (open) => {
       const asker = await open('?graph=g&nodes=asker-2');
       await shows(asker, 'waiting');
       const counter = await open('?graph=g&nodes=counter-1');
@@ -59,9 +47,6 @@ for (const link of ['shared', 'port'] as const) {
       assert.equal((await asker.innerText('body')).includes('cancelled at '), false, 'the server runs in its own tab');
       await counter.close();
       await shows(asker, 'the counter is gone');
-    } finally {
-      await context.close();
-      await host.close();
-    }
+    });
   });
 }

@@ -3,13 +3,12 @@
 import { rmSync } from 'node:fs';
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { type Browser, chromium, type Page } from 'playwright-core';
+import { type Browser, chromium } from 'playwright-core';
 import { chromiumOptions } from './chromium.ts';
 import { makeSite } from './runtime_site.ts';
-import { serveFolder } from '../support/static_server.ts';
+import { lacks, shows, withTabs } from './site_tabs.ts';
 
 const watchdog = { timeout: 240_000 };
-const patience = { timeout: 120_000 };
 
 let browser: Browser;
 let folder = '';
@@ -24,24 +23,9 @@ after(async () => {
   rmSync(folder, { recursive: true });
 });
 
-function shows(page: Page, text: string): Promise<unknown> {
-  return page.waitForFunction((wanted) => (document.body?.innerText ?? '').includes(wanted), text, patience);
-}
-
-function lacks(page: Page, text: string): Promise<unknown> {
-  return page.waitForFunction((unwanted) => !(document.body?.innerText ?? '').includes(unwanted), text, patience);
-}
-
 for (const link of ['shared', 'port'] as const) {
   test(`${link}: a listener in one tab hears the talker in another, until that one is gone`, watchdog, async () => {
-    const host = await serveFolder(folder, { isolated: link === 'shared' });
-    const context = await browser.newContext({ serviceWorkers: link === 'shared' ? 'allow' : 'block' });
-    const open = async (query: string): Promise<Page> => {
-      const page = await context.newPage();
-      await page.goto(`${host.url}${query}`);
-      return page;
-    };
-    try {
+    await withTabs(browser, folder, link, async (open) => {
       const talker = await open('?graph=g&nodes=talker-1');
       await shows(talker, 'Tab 1 of 1');
       const listener = await open('?graph=g&nodes=listener-2');
@@ -67,19 +51,13 @@ for (const link of ['shared', 'port'] as const) {
       await shows(next, '1 of 2 running');
       await shows(next, 'runs in tab 2');
       assert.equal((await other.innerText('body')).includes('I heard'), false);
-    } finally {
-      await context.close();
-      await host.close();
-    }
+    });
   });
 }
 
 test('a tab joins while it runs, by the control on the page', watchdog, async () => {
-  const host = await serveFolder(folder, { isolated: true });
-  const context = await browser.newContext();
-  try {
-    const page = await context.newPage();
-    await page.goto(host.url);
+  await withTabs(browser, folder, 'shared', async (open, context) => {
+    const page = await open('');
     await shows(page, 'I heard: [Hello World');
     await page.getByRole('button', { name: /Join other tabs/ }).click();
     await shows(page, 'Tab 1 of 1');
@@ -87,8 +65,5 @@ test('a tab joins while it runs, by the control on the page', watchdog, async ()
     await shows(second, 'Tab 2 of 2');
     await shows(second, 'runs in tab 1');
     await shows(second, '0 of 2 running');
-  } finally {
-    await context.close();
-    await host.close();
-  }
+  });
 });

@@ -169,7 +169,7 @@ class Fetching(FetchCase):
             self.assertEqual(text.count("error["), 2, text)
             for first in (f"{self.server.url}/channel/noarch/lib0", f"{other.url}/others/noarch/extra0"):
                 self.assertIn(first, text)
-            self.assertEqual(text.count("the same is true of 1 more archives"), 2, text)
+            self.assertEqual(text.count("the same is true of 1 more archive\n"), 2, text)
 
     def test_archives_from_a_server_without_tls(self) -> None:
         self.archives_at(self.server.url.replace("http://", "https://") + "/channel/noarch")

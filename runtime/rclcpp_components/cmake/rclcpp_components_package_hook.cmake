@@ -1,6 +1,6 @@
-# At ament_package(): makes the container of the package's components; programs that load libraries of classes at run time, and link none of the package's
-# themselves, get all of them, since nothing can be loaded later; writes the components into the
-# package's index.
+# At ament_package(): makes the container of the package's components; programs that load libraries
+# of classes at run time, and link none of the package's themselves, get all of them, since nothing
+# can be loaded later; writes the components into the package's index.
 list(REMOVE_DUPLICATES _RCLCPP_COMPONENTS_LIBRARIES)
 _rclcpp_components_keep_once(${_RCLCPP_COMPONENTS_LIBRARIES})
 if(NOT TARGET component_container)

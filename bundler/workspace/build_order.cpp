@@ -6,6 +6,7 @@
 #include <set>
 
 #include "bundler/workspace/host_packages.hpp"
+#include "bundler/workspace/library_packages.hpp"
 #include "workspace_schema/suggestion.hpp"
 
 namespace ros2wasm {
@@ -131,6 +132,8 @@ Indices closure(std::size_t index, const std::vector<Indices>& direct, const Ind
 }  // namespace
 
 std::string conda_name(std::string_view package, std::string_view distro) {
+  if (const std::string_view library = library_package(package); !library.empty())
+    return std::string(library);
   std::string name = "ros-" + std::string(distro) + "-" + std::string(package);
   std::replace(name.begin(), name.end(), '_', '-');
   return name;

@@ -27,7 +27,7 @@ struct BuildOrder {
   std::vector<ExternalDependency> external;  ///< sorted by name
 };
 
-/// Conda's name of a ROS package: `ros-jazzy-std-msgs`.
+/// Conda's name of a ROS package (`ros-jazzy-std-msgs`), or of a library by its rosdep key.
 [[nodiscard]] std::string conda_name(std::string_view package, std::string_view distro);
 
 /// The ROS package names among conda names, as far as a name tells: `-` becomes `_`. Sorted.

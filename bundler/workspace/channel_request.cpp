@@ -5,6 +5,7 @@
 #include <set>
 
 #include "bundler/workspace/host_packages.hpp"
+#include "bundler/workspace/library_packages.hpp"
 #include "workspace_schema/names.hpp"
 
 namespace ros2wasm {
@@ -22,6 +23,8 @@ std::string dependency_spec(const std::string& text, std::string_view distro,
   const std::string name = text.substr(0, end);
   const std::string rest = end == std::string::npos ? "" : text.substr(end);
   if (name.find("::") != std::string::npos || has(channel_names, name)) return text;
+  if (const std::string_view library = library_package(name); !library.empty())
+    return std::string(library) + rest;
   const std::string ros_name = conda_name(name, distro);
   const bool is_ros_name = !package_name_fault(name);  // not a file or an address
   const bool looks_like_ros =

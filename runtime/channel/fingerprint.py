@@ -86,6 +86,7 @@ def package_keys(packages: dict[str, PackageSource], compiler: Compiler, recipe:
     for name, package in packages.items():
         text = "\n".join([
             base.hexdigest(), name, tree_digest(package.folder),
+            *(tree_digest(Path(folder)) for folder in package.host_folders),
             *(keys[need] for need in package.build_needs),
         ])
         keys[name] = hashlib.sha256(text.encode()).hexdigest()

@@ -12,9 +12,9 @@ ABI_PACKAGE = "emscripten-abi"
 COMPILED_SUFFIXES = (".a", ".wasm", ".o", ".so")
 
 
-def conda_name(ros_name: str) -> str:
+def conda_name(package: PackageSource) -> str:
     """Maps a ROS package name as the robostack channels do."""
-    return f"ros-{DISTRO}-{ros_name.replace('_', '-')}"
+    return package.conda_name or f"ros-{DISTRO}-{package.name.replace('_', '-')}"
 
 
 def is_compiled(tree: Path) -> bool:
@@ -29,12 +29,12 @@ def record(package: PackageSource, packages: dict[str, PackageSource], tree: Pat
     The build string comes of the files: the same files have the same name, wherever they were made.
     """
     compiled = is_compiled(tree)
-    depends = [f"{conda_name(need)} >={packages[need].version}" for need in package.use_needs]
+    depends = [f"{conda_name(packages[need])} >={packages[need].version}" for need in package.use_needs]
     if compiled:
         depends.append(f"{ABI_PACKAGE} {compiler.version}.*")
     build = f"h{tree_digest(tree)[:8]}_0"
     return {
-        "name": conda_name(package.name),
+        "name": conda_name(package),
         "version": package.version,
         "build": f"{compiler.tag}_{build}" if compiled else build,
         "build_number": 0,

@@ -12,7 +12,11 @@ BUILD_TAGS = ("depend", "build_depend", "buildtool_depend", "build_export_depend
 
 @dataclass(frozen=True)
 class PackageSource:
-    """One folder with a package.xml. Dependencies name packages of ours only."""
+    """One folder with a package.xml. Dependencies name packages of ours only.
+
+    A library that others made has in <export> its name in channels (<conda_name>), as it is no ROS package,
+    and the folders of this machine that it is packed from (<host_folder>).
+    """
 
     name: str
     version: str
@@ -21,6 +25,8 @@ class PackageSource:
     folder: Path
     build_needs: tuple[str, ...]
     use_needs: tuple[str, ...]
+    conda_name: str | None = None
+    host_folders: tuple[str, ...] = ()
 
 
 def find_packages(runtime: Path) -> dict[str, PackageSource]:
@@ -47,6 +53,8 @@ def _read(folder: Path, root: ElementTree.Element, names: set[str]) -> PackageSo
         folder=folder,
         build_needs=tuple(sorted({*needs(BUILD_TAGS), *needs(USE_TAGS)})),
         use_needs=needs(USE_TAGS),
+        conda_name=root.findtext("export/conda_name"),
+        host_folders=tuple(element.text or "" for element in root.findall("export/host_folder")),
     )
 
 

@@ -3,8 +3,10 @@ of them."""
 from __future__ import annotations
 
 import json
+import subprocess
 import tempfile
 import unittest
+from dataclasses import replace
 from pathlib import Path
 
 from . import ROOT
@@ -113,7 +115,21 @@ class Record(Scratch):
         self.assertEqual((meta["subdir"], meta["depends"]), ("noarch", []))
 
     def test_names_are_those_of_robostack(self) -> None:
-        self.assertEqual(conda_name("rosidl_typesupport_wasm_cpp"), "ros-jazzy-rosidl-typesupport-wasm-cpp")
+        package = self.package("rosidl_typesupport_wasm_cpp")
+        self.assertEqual(conda_name(package), "ros-jazzy-rosidl-typesupport-wasm-cpp")
+
+    def test_a_library_has_the_name_that_its_manifest_tells(self) -> None:
+        library = replace(self.package("yaml-cpp-dev"), conda_name="yaml-cpp")
+        (self.root / "tree").mkdir()
+        meta = record(self.package("a", "yaml-cpp-dev"), {"yaml-cpp-dev": library}, self.root / "tree", COMPILER)
+        self.assertEqual(meta["depends"], [f"yaml-cpp >={library.version}"])
+        self.assertEqual(record(library, {}, self.root / "tree", COMPILER)["name"], "yaml-cpp")
+
+
+def debian_version_of(folder: str) -> str:
+    """The version of the Debian package that a folder is from."""
+    owner = subprocess.check_output(["dpkg-query", "-S", folder], text=True).split(":")[0]
+    return subprocess.check_output(["dpkg-query", "-W", "-f=${Version}", owner], text=True)
 
 
 class Repository(unittest.TestCase):
@@ -124,7 +140,10 @@ class Repository(unittest.TestCase):
         own = (ROOT / "VERSION").read_text(encoding="utf-8").split()[0]
         for name, package in find_packages(ROOT / "runtime").items():
             with self.subTest(name):
-                self.assertEqual(package.version, table[name]["version"] if name in table else own)
+                if not package.host_folders:
+                    self.assertEqual(package.version, table[name]["version"] if name in table else own)
+                for folder in package.host_folders:
+                    self.assertIn(package.version, debian_version_of(folder))
 
     def test_the_page_of_versions_is_current(self) -> None:
         table = json.loads((ROOT / "runtime" / "versions.json").read_text(encoding="utf-8"))

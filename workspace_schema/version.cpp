@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::size_t kLongest = 65'536;   // no version is near it; keeps hostile input cheap
 constexpr std::size_t kMostDigits = 4300;  // Python reads no longer number
+constexpr std::size_t kPlainDigits = 9;    // fit into 32 bits
 
 constexpr auto kWideSpaces = std::to_array<std::string_view>(
     {"\xC2\x85", "\xC2\xA0", "\xE1\x9A\x80", "\xE2\x80\x80", "\xE2\x80\x81", "\xE2\x80\x82",
@@ -198,10 +199,27 @@ Outcome<Version> Version::parse(std::string_view given) {
       version.local_.push_back(std::move(*segment));
     }
   }
+  version.note_plain();
   return version;
 }
 
+void Version::note_plain() {
+  if (segments_.size() > kPlainNumbers || !local_.empty()) return;
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    const VersionAtom& number = segments_[i].front();
+    if (segments_[i].size() > 1 || number.text.size() > kPlainDigits) return;
+    for (const char c : number.text)
+      numbers_[i] = numbers_[i] * 10 + static_cast<std::uint32_t>(c - '0');
+  }
+  plain_ = true;
+}
+
 std::strong_ordering Version::operator<=>(const Version& other) const {
+  if (plain_ && other.plain_) {
+    const auto [own, others] =
+        std::mismatch(numbers_.begin(), numbers_.end(), other.numbers_.begin());
+    return own == numbers_.end() ? std::strong_ordering::equal : *own <=> *others;
+  }
   if (const auto order = compare(segments_, other.segments_); order != 0) return order;
   return compare(local_, other.local_);
 }

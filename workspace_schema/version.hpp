@@ -1,7 +1,9 @@
 // A conda version: parsed, ordered and matched as conda's VersionOrder does (CEP 33).
 #pragma once
 
+#include <array>
 #include <compare>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -43,9 +45,15 @@ class Version {
   [[nodiscard]] bool starts_with(const Version& prefix) const;
 
  private:
+  static constexpr std::size_t kPlainNumbers = 5;  ///< the epoch is one of them
+  void note_plain();
+
   std::string text_;
   std::vector<VersionSegment> segments_;
   std::vector<VersionSegment> local_;
+  /// Most versions are a few small numbers and are compared by these alone.
+  bool plain_ = false;
+  std::array<std::uint32_t, kPlainNumbers> numbers_{};
 };
 
 /// Conda's nested list as JSON, of Version::segments() or local(): `[[0],[1],[2,"rc",1]]`, with

@@ -64,8 +64,8 @@ Outcome<PackageRecord> record_of(const fs::path& archive, const std::string& sub
   const auto json = parse_json(known.index_json, archive.string() + ":info/index.json", "R2W0205");
   if (!json) return json.errors();
   SpecTable specs;
-  auto parsed =
-      parse_record(*json, file_name, {.channel = {}, .subdir = subdir, .base_url = {}}, specs);
+  auto parsed = parse_record(raw_record(*json), file_name,
+                             {.channel = {}, .subdir = subdir, .base_url = {}}, specs);
   if (const auto* fault = std::get_if<std::string>(&parsed)) return misplaced(archive, *fault);
   PackageRecord record = std::get<PackageRecord>(std::move(parsed));
   if (record.subdir != subdir) return misplaced(archive, "it is made for `" + record.subdir + "`");

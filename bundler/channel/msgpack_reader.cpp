@@ -132,7 +132,20 @@ std::optional<std::uint32_t> MsgpackReader::array() {
   return static_cast<std::uint32_t>(next->number);
 }
 
+/// Most of an index is texts of less than 32 bytes: these are taken without a look at all else that
+/// there may be. Empty when something else comes; an empty text does, too.
+std::string_view MsgpackReader::short_text() {
+  if (rest_.empty()) return {};
+  const unsigned head = static_cast<unsigned char>(rest_.front());
+  const std::size_t size = head & 0x1fU;
+  if ((head & 0xe0U) != 0xa0U || size >= rest_.size()) return {};
+  const std::string_view text = rest_.substr(1, size);
+  if (size != 0) rest_.remove_prefix(1 + size);
+  return text;
+}
+
 std::optional<std::string_view> MsgpackReader::key() {
+  if (const std::string_view text = short_text(); !text.empty()) return text;
   const auto next = token();
   if (!next || next->kind != Kind::kText) return std::nullopt;
   return next->content;
@@ -148,6 +161,7 @@ std::optional<std::string_view> MsgpackReader::content() {
 std::optional<std::string_view> MsgpackReader::skipped() {
   const std::string_view before = rest_;
   for (std::uint64_t left = 1; left > 0; --left) {
+    if (!short_text().empty()) continue;
     const auto next = token();
     if (!next) return std::nullopt;
     if (next->kind == Kind::kArray) left += next->number;

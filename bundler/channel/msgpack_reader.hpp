@@ -48,6 +48,7 @@ class MsgpackReader {
   };
   struct Token;
 
+  std::string_view short_text();
   std::optional<Token> token();
   std::optional<std::uint64_t> number(unsigned size_bytes);
   std::optional<Token> counted(Kind kind, unsigned size_bytes);

@@ -3,10 +3,6 @@
 
 #include <simdjson.h>
 
-#include <algorithm>
-
-#include "bundler/channel/repodata_record.hpp"
-
 namespace ros2wasm {
 namespace {
 
@@ -42,39 +38,48 @@ JsonValue value_of(const dom::element& element) {
   return JsonValue();
 }
 
+RawMember raw_member(const dom::element& element) {
+  if (element.type() == dom::element_type::STRING) return std::string_view(element);
+  if (element.type() != dom::element_type::ARRAY) return value_of(element);
+  Texts texts;
+  texts.reserve(dom::array(element).size());
+  for (const dom::element item : dom::array(element)) {
+    if (item.type() != dom::element_type::STRING) return value_of(element);
+    texts.push_back(std::string_view(item));
+  }
+  return texts;
+}
+
 }  // namespace
 
 struct RecordJson::State {
   dom::parser parser;
   std::string padded;
+  JsonValue slow;  ///< of a text that the parser did not take
 };
 
 RecordJson::RecordJson() : state_(std::make_unique<State>()) {}
 RecordJson::~RecordJson() = default;
 
-Outcome<JsonValue> RecordJson::read(std::string_view text) {
+Outcome<RawRecord> RecordJson::read(std::string_view text) {
   std::string& padded = state_->padded;
   padded.assign(text);
   padded.append(simdjson::SIMDJSON_PADDING, ' ');
   dom::element root;
   if (state_->parser.parse(padded.data(), text.size(), false).get(root) != simdjson::SUCCESS ||
       !root.is_object()) {
-    return parse_json(text, "its record", "R2W0202");  // which says what is wrong, or takes it
+    auto slow = parse_json(text, "its record", "R2W0202");  // which says what is wrong
+    if (!slow) return std::move(slow).errors();
+    if (!slow->is_object())
+      return Diagnostic{.code = "R2W0202", .message = "it is not a JSON object"};
+    state_->slow = std::move(*slow);
+    return raw_record(state_->slow);
   }
-  JsonValue::Object members;
-  members.reserve(16);
+  RawRecord record;
   for (const auto& [key, value] : dom::object(root)) {
-    if (!is_record_member(key)) continue;
-    const auto same =
-        std::find_if(members.begin(), members.end(),
-                     [&key = key](const auto& member) { return member.first == key; });
-    if (same == members.end()) {
-      members.emplace_back(std::string(key), value_of(value));
-    } else {
-      same->second = value_of(value);  // a repeated key keeps the last value
-    }
+    if (const auto member = record_member(key)) record[*member] = raw_member(value);
   }
-  return JsonValue(std::move(members));
+  return record;
 }
 
 }  // namespace ros2wasm

@@ -5,7 +5,8 @@
 #include <memory>
 #include <string_view>
 
-#include "workspace_schema/json_reader.hpp"
+#include "bundler/channel/raw_record.hpp"
+#include "workspace_schema/outcome.hpp"
 
 namespace ros2wasm {
 
@@ -16,8 +17,8 @@ class RecordJson {
   RecordJson(const RecordJson&) = delete;
   RecordJson& operator=(const RecordJson&) = delete;
 
-  /// Of an object, only the members that a PackageRecord is made from. R2W0202.
-  [[nodiscard]] Outcome<JsonValue> read(std::string_view text);
+  /// Valid until the next call. R2W0202 no JSON, or no object.
+  [[nodiscard]] Outcome<RawRecord> read(std::string_view text);
 
  private:
   struct State;

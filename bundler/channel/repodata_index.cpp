@@ -9,6 +9,7 @@
 #include "bundler/archive/zstd.hpp"
 #include "bundler/channel/channel_address.hpp"
 #include "bundler/channel/kept_index.hpp"
+#include "bundler/channel/read_in_parts.hpp"
 #include "bundler/channel/record_json.hpp"
 #include "bundler/io/replaced_file.hpp"
 #include "bundler/io/sha256.hpp"
@@ -131,6 +132,7 @@ class RepodataIndex : public SubdirIndex {
 
   [[nodiscard]] Outcome<Done> read(std::span<const std::string> names, SpecTable& specs,
                                    RepoIndex& into, const Cancellation& cancellation) override {
+    std::vector<std::vector<KeptIndex::Record>> found;
     for (const std::string& name : names) {
       if (cancellation.requested()) return interrupted();
       std::size_t place = 0;
@@ -142,9 +144,18 @@ class RepodataIndex : public SubdirIndex {
         records = index_.records(place);
         if (!records) return no_index(source_.url, "it changes while it is read");
       }
-      add(*records, specs, into);
+      found.push_back(std::move(*records));
     }
-    return Done{};
+    return read_in_parts(found.size(), specs, into,
+                         [&](std::size_t first, std::size_t last, SpecTable& table,
+                             RepoIndex& part) -> Outcome<Done> {
+                           RecordJson json;
+                           for (std::size_t i = first; i < last; ++i) {
+                             if (cancellation.requested()) return interrupted();
+                             add(found[i], json, table, part);
+                           }
+                           return Done{};
+                         });
   }
 
  private:
@@ -212,7 +223,8 @@ class RepodataIndex : public SubdirIndex {
   }
 
   /// Those of one name. A `.tar.bz2` is not needed where the same is there as a good `.conda`.
-  void add(const std::vector<KeptIndex::Record>& records, SpecTable& specs, RepoIndex& into) {
+  void add(const std::vector<KeptIndex::Record>& records, RecordJson& json, SpecTable& specs,
+           RepoIndex& into) const {
     std::map<std::string, const KeptIndex::Record*> by_file;  // a repeated key keeps the last value
     for (const KeptIndex::Record& record : records) {
       if (auto file_name = file_name_of(record.text)) {
@@ -225,13 +237,13 @@ class RepodataIndex : public SubdirIndex {
     for (const bool conda : {true, false}) {
       for (const auto& [file_name, record] : by_file) {
         if (record->conda != conda || stems.contains(archive_stem(file_name))) continue;
-        const auto json = json_.read(value_of(record->text));
-        if (!json) {
-          const Diagnostic& error = json.errors().front();
+        const auto raw = json.read(value_of(record->text));
+        if (!raw) {
+          const Diagnostic& error = raw.errors().front();
           leave_out(file_name, error.why.empty() ? error.message : error.why.front(), into);
           continue;
         }
-        auto parsed = parse_record(*json, file_name, place_, specs);
+        auto parsed = parse_record(*raw, file_name, place_, specs);
         if (auto* good = std::get_if<PackageRecord>(&parsed)) {
           if (conda) stems.emplace(archive_stem(file_name));
           into.records.push_back(std::move(*good));
@@ -248,7 +260,7 @@ class RepodataIndex : public SubdirIndex {
     return end + 1;
   }
 
-  std::optional<std::string> file_name_of(std::string_view text) {
+  std::optional<std::string> file_name_of(std::string_view text) const {
     const std::string_view key = text.substr(0, key_size(text));
     if (key.find('\\') == std::string_view::npos) return std::string(key.substr(1, key.size() - 2));
     const auto json = parse_json(key, source_.url, "R2W0202");
@@ -268,7 +280,6 @@ class RepodataIndex : public SubdirIndex {
   KeptIndex index_;
   RecordPlace place_;
   std::set<std::string, std::less<>> removed_;
-  RecordJson json_;
 };
 
 }  // namespace

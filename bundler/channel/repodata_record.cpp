@@ -12,16 +12,24 @@
 namespace ros2wasm {
 namespace {
 
-constexpr std::array<std::string_view, 14> kMembers{
-    "build",  "build_number", "constrains",     "depends", "license",
-    "md5",    "name",         "noarch",         "sha256",  "size",
-    "subdir", "timestamp",    "track_features", "version"};
+/// A text that stands alone counts as one of a list.
+template <typename Take>
+void each_text(const RawMember& member, const Take& take) {
+  if (const auto* text = std::get_if<std::string_view>(&member)) take(*text);
+  if (const auto* texts = std::get_if<Texts>(&member)) {
+    for (const std::string_view text : *texts) take(text);
+  }
+  if (const auto* value = std::get_if<JsonValue>(&member)) {
+    for (const JsonValue& item : value->items()) {
+      if (const std::string* text = item.string()) take(*text);
+    }
+  }
+}
 
 /// "a b", "a,b", " a " or a list.
-std::vector<std::string> feature_list(const JsonValue* value) {
+std::vector<std::string> feature_list(const RawMember& member) {
   std::vector<std::string> features;
-  if (value == nullptr) return features;
-  const auto split = [&](std::string_view text) {
+  each_text(member, [&](std::string_view text) {
     std::string word;
     for (const char c : text) {
       if (c != ' ' && c != ',') {
@@ -31,41 +39,47 @@ std::vector<std::string> feature_list(const JsonValue* value) {
       }
     }
     if (!word.empty()) features.push_back(word);
-  };
-  if (const std::string* text = value->string()) split(*text);
-  for (const JsonValue& item : value->items()) {
-    if (const std::string* text = item.string()) split(*text);
-  }
+  });
   std::sort(features.begin(), features.end());
   return features;
 }
 
+bool is_absent(const RawMember& member) {
+  const auto* value = std::get_if<JsonValue>(&member);
+  return std::holds_alternative<std::monostate>(member) || (value != nullptr && value->is_null());
+}
+
 /// A reason when a spec of the list cannot be read.
-std::optional<std::string> read_specs(const JsonValue& json, std::string_view key, SpecTable& table,
+std::optional<std::string> read_specs(const RawRecord& raw, RecordMember member, SpecTable& table,
                                       std::vector<std::string>& specs) {
-  const JsonValue* list = json.find(key);
-  if (list == nullptr || list->is_null()) return std::nullopt;
-  if (!list->is_array()) return "`" + std::string(key) + "` is not a list";
-  specs.reserve(list->items().size());
-  for (const JsonValue& item : list->items()) {
-    const std::string* text = item.string();
-    if (text == nullptr) return "`" + std::string(key) + "` holds something that is not text";
-    if (table.checks()) {
-      const auto& spec = table.parsed(*text);
-      if (!spec) return "`" + std::string(key) + "`: " + spec.errors().front().message;
-    }
-    if (std::find(specs.begin(), specs.end(), *text) == specs.end()) specs.push_back(*text);
+  if (is_absent(raw[member])) return std::nullopt;
+  const auto quoted = [member] { return "`" + std::string(name_of(member)) + "`"; };
+  const auto* texts = std::get_if<Texts>(&raw[member]);
+  if (texts == nullptr) {
+    const auto* value = std::get_if<JsonValue>(&raw[member]);
+    return quoted() + (value != nullptr && value->is_array() ? " holds something that is not text"
+                                                             : " is not a list");
+  }
+  specs.reserve(texts->size());
+  for (const std::string_view text : *texts) {
+    if (std::find(specs.begin(), specs.end(), text) != specs.end()) continue;
+    specs.emplace_back(text);
+    if (!table.checks()) continue;
+    const auto& spec = table.parsed(specs.back());
+    if (!spec) return quoted() + ": " + spec.errors().front().message;
   }
   return std::nullopt;
 }
 
-std::optional<std::string> read_noarch(const JsonValue* value, NoarchKind& noarch) {
-  if (value == nullptr || value->is_null()) return std::nullopt;
-  if (const auto flag = value->boolean()) {
+std::optional<std::string> read_noarch(const RawRecord& raw, NoarchKind& noarch) {
+  const RawMember& member = raw[RecordMember::kNoarch];
+  if (is_absent(member)) return std::nullopt;
+  const auto* value = std::get_if<JsonValue>(&member);
+  if (const auto flag = value == nullptr ? std::nullopt : value->boolean()) {
     noarch = *flag ? NoarchKind::kGeneric : NoarchKind::kNo;
     return std::nullopt;
   }
-  const std::string* word = value->string();
+  const auto* word = std::get_if<std::string_view>(&member);
   if (word == nullptr || (!word->empty() && *word != "generic" && *word != "python")) {
     return "`noarch` is neither true, `generic` nor `python`";
   }
@@ -73,10 +87,27 @@ std::optional<std::string> read_noarch(const JsonValue* value, NoarchKind& noarc
   return std::nullopt;
 }
 
-bool is_hex(const std::string& text, std::size_t digits) {
-  return text.size() == digits && std::all_of(text.begin(), text.end(), [](char c) {
-           return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f');
-         });
+/// Of a hexadecimal digit itself in lower case, of all else zero.
+constexpr auto kHexDigits = [] {
+  std::array<char, 256> digits{};
+  for (const char c : std::string_view("0123456789abcdef"))
+    digits.at(static_cast<unsigned char>(c)) = c;
+  for (const char c : std::string_view("ABCDEF"))
+    digits.at(static_cast<unsigned char>(c)) = static_cast<char>(c - 'A' + 'a');
+  return digits;
+}();
+
+/// False when the text is there and does not have this many hexadecimal digits.
+bool read_hash(std::string_view text, std::size_t digits, std::string& hash) {
+  if (text.empty()) return true;
+  if (text.size() != digits) return false;
+  hash.resize(digits);
+  bool all = true;
+  for (std::size_t i = 0; i < digits; ++i) {
+    hash[i] = kHexDigits[static_cast<unsigned char>(text[i])];
+    all = all && hash[i] != 0;
+  }
+  return all;
 }
 
 /// Old channels have seconds, newer ones milliseconds; no package is older than conda or from the
@@ -87,60 +118,56 @@ std::int64_t timestamp_ms(std::int64_t value) {
   return value <= kLargestSeconds ? value * 1000 : value;
 }
 
-std::optional<std::string> read_hashes(const JsonValue& json, PackageRecord& record) {
-  record.sha256 = ascii_lower(json.text_of("sha256"));
-  record.md5 = ascii_lower(json.text_of("md5"));
-  if (!record.sha256.empty() && !is_hex(record.sha256, 64))
+std::optional<std::string> read_hashes(const RawRecord& raw, PackageRecord& record) {
+  if (!read_hash(raw.text_of(RecordMember::kSha256), 64, record.sha256))
     return "`sha256` is not 64 hexadecimal digits";
-  if (!record.md5.empty() && !is_hex(record.md5, 32)) return "`md5` is not 32 hexadecimal digits";
+  if (!read_hash(raw.text_of(RecordMember::kMd5), 32, record.md5))
+    return "`md5` is not 32 hexadecimal digits";
   return std::nullopt;
 }
 
-std::optional<std::string> read_numbers(const JsonValue& json, PackageRecord& record) {
-  if (const JsonValue* number = json.find("build_number");
-      number != nullptr && !number->is_null()) {
-    const auto value = number->unsigned_integer();
-    if (!value) return "`build_number` is not a number";
-    record.build_number = *value;
-  }
-  if (const JsonValue* size = json.find("size"); size != nullptr && !size->is_null()) {
-    const auto value = size->unsigned_integer();
-    if (!value) return "`size` is not a number";
-    record.size = *value;
-  }
-  if (const JsonValue* time = json.find("timestamp"); time != nullptr) {
-    record.timestamp_ms = timestamp_ms(time->integer().value_or(0));
-  }
+/// A reason when it is there and no number.
+std::optional<std::string> read_number(const RawRecord& raw, RecordMember member,
+                                       std::uint64_t& number) {
+  if (is_absent(raw[member])) return std::nullopt;
+  const auto* json = std::get_if<JsonValue>(&raw[member]);
+  const auto value = json == nullptr ? std::nullopt : json->unsigned_integer();
+  if (!value) return "`" + std::string(name_of(member)) + "` is not a number";
+  number = *value;
   return std::nullopt;
+}
+
+std::int64_t read_time(const RawMember& member) {
+  const auto* json = std::get_if<JsonValue>(&member);
+  return json == nullptr ? 0 : timestamp_ms(json->integer().value_or(0));
 }
 
 }  // namespace
 
-bool is_record_member(std::string_view name) {
-  return std::find(kMembers.begin(), kMembers.end(), name) != kMembers.end();
-}
-
-std::variant<PackageRecord, std::string> parse_record(const JsonValue& json,
+std::variant<PackageRecord, std::string> parse_record(const RawRecord& raw,
                                                       const std::string& file_name,
                                                       const RecordPlace& place, SpecTable& specs) {
-  if (!json.is_object()) return "it is not a JSON object";
-  PackageRecord record{.name = ascii_lower(json.text_of("name")),
-                       .version = json.text_of("version"),
-                       .build = json.text_of("build"),
+  PackageRecord record{.name = ascii_lower(raw.text_of(RecordMember::kName)),
+                       .version = std::string(raw.text_of(RecordMember::kVersion)),
+                       .build = std::string(raw.text_of(RecordMember::kBuild)),
                        .subdir = place.subdir,
                        .channel = place.channel,
                        .file_name = file_name,
                        .url = place.base_url + "/" + file_name,
-                       .license = json.text_of("license")};
-  if (const std::string own = json.text_of("subdir"); is_subdir(own)) record.subdir = own;
+                       .license = std::string(raw.text_of(RecordMember::kLicense))};
+  if (const auto own = raw.text_of(RecordMember::kSubdir); own != record.subdir && is_subdir(own))
+    record.subdir = own;
   if (auto fault = record_fault(record, Strictness::kReading)) return *fault;
   if (const auto& fault = specs.version_fault(record.version)) return *fault;
-  if (auto fault = read_hashes(json, record)) return *fault;
-  if (auto fault = read_numbers(json, record)) return *fault;
-  if (auto fault = read_noarch(json.find("noarch"), record.noarch)) return *fault;
-  if (auto fault = read_specs(json, "depends", specs, record.depends)) return *fault;
-  if (auto fault = read_specs(json, "constrains", specs, record.constrains)) return *fault;
-  record.track_features = feature_list(json.find("track_features"));
+  if (auto fault = read_hashes(raw, record)) return *fault;
+  if (auto fault = read_number(raw, RecordMember::kBuildNumber, record.build_number)) return *fault;
+  if (auto fault = read_number(raw, RecordMember::kSize, record.size)) return *fault;
+  record.timestamp_ms = read_time(raw[RecordMember::kTimestamp]);
+  if (auto fault = read_noarch(raw, record.noarch)) return *fault;
+  if (auto fault = read_specs(raw, RecordMember::kDepends, specs, record.depends)) return *fault;
+  if (auto fault = read_specs(raw, RecordMember::kConstrains, specs, record.constrains))
+    return *fault;
+  record.track_features = feature_list(raw[RecordMember::kTrackFeatures]);
   return record;
 }
 

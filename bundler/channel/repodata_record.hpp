@@ -6,8 +6,8 @@
 #include <string_view>
 #include <variant>
 
+#include "bundler/channel/raw_record.hpp"
 #include "bundler/channel/spec_table.hpp"
-#include "workspace_schema/json_reader.hpp"
 #include "workspace_schema/package_record.hpp"
 
 namespace ros2wasm {
@@ -19,11 +19,8 @@ struct RecordPlace {
   std::string base_url;
 };
 
-/// Whether a record is made from the member of this name; all others can be passed over.
-[[nodiscard]] bool is_record_member(std::string_view name);
-
 /// The record, or the reason why it cannot be used. Its specs are parsed through `specs`.
-[[nodiscard]] std::variant<PackageRecord, std::string> parse_record(const JsonValue& json,
+[[nodiscard]] std::variant<PackageRecord, std::string> parse_record(const RawRecord& raw,
                                                                     const std::string& file_name,
                                                                     const RecordPlace& place,
                                                                     SpecTable& specs);

@@ -21,6 +21,7 @@ namespace {
 constexpr std::uint64_t kLargestList = 512ULL << 20U;
 constexpr std::uint64_t kLargestShard = 256ULL << 20U;
 constexpr std::uint32_t kMostArchives = 1'000'000;  ///< of a shard, which is of one name
+constexpr std::uint32_t kMostTexts = 100'000;       ///< of a list in a record
 
 bool is_sha256(std::string_view hash) {
   return hash.size() == 32 ||
@@ -88,18 +89,45 @@ std::optional<RawShard> raw_shard(std::string_view bytes) {
   return whole && reader.at_end() ? std::optional(std::move(shard)) : std::nullopt;
 }
 
-/// Only the members that a PackageRecord is made from; nothing when it is no map, or too deep.
-std::optional<JsonValue> record_value(std::string_view bytes) {
-  JsonValue::Object members;
-  members.reserve(16);
+/// A list of texts; nothing when it is something else, which may not be read further then.
+std::optional<Texts> text_list(MsgpackReader& reader) {
+  const auto count = reader.array();
+  if (!count || *count > kMostTexts) return std::nullopt;
+  Texts texts;
+  for (std::uint32_t i = 0; i < *count; ++i) {
+    const auto text = reader.key();
+    if (!text) return std::nullopt;
+    texts.push_back(*text);
+  }
+  return texts;
+}
+
+bool read_member(MsgpackReader& reader, RawMember& into) {
+  const MsgpackReader before = reader;
+  if (const auto text = reader.key()) {
+    into = *text;
+    return true;
+  }
+  reader = before;
+  if (auto texts = text_list(reader)) {
+    into = std::move(*texts);
+    return true;
+  }
+  reader = before;
+  auto value = reader.value();
+  if (value) into = std::move(*value);
+  return value.has_value();
+}
+
+/// Nothing when it is no map, or too deep.
+std::optional<RawRecord> raw_record(std::string_view bytes) {
+  RawRecord record;
   MsgpackReader reader(bytes);
   const bool whole = each_member(reader, [&](std::string_view key) {
-    if (!is_record_member(key)) return reader.skipped().has_value();
-    auto value = reader.value();
-    if (value) members.emplace_back(key, std::move(*value));
-    return value.has_value();
+    const auto member = record_member(key);
+    return member ? read_member(reader, record[*member]) : reader.skipped().has_value();
   });
-  return whole ? std::optional(JsonValue(std::move(members))) : std::nullopt;
+  return whole ? std::optional(std::move(record)) : std::nullopt;
 }
 
 /// As in RepodataIndex: a `.tar.bz2` is not needed where the same is there as a good `.conda`.
@@ -110,9 +138,9 @@ void add_records(const RawShard& shard, const RecordPlace& place, SpecTable& spe
     for (const auto& [view, bytes] : *records) {
       const std::string file_name(view);
       if (shard.removed.contains(file_name) || stems.contains(archive_stem(file_name))) continue;
-      const auto json = record_value(bytes);
-      auto parsed = json ? parse_record(*json, file_name, place, specs)
-                         : std::variant<PackageRecord, std::string>("it is not a map of texts");
+      const auto raw = raw_record(bytes);
+      auto parsed = raw ? parse_record(*raw, file_name, place, specs)
+                        : std::variant<PackageRecord, std::string>("it is not a map of texts");
       if (auto* good = std::get_if<PackageRecord>(&parsed)) {
         stems.emplace(archive_stem(file_name));
         into.records.push_back(std::move(*good));

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "bundler/channel/channel_address.hpp"
+#include "bundler/channel/read_in_parts.hpp"
 #include "bundler/channel/shard_format.hpp"
 #include "bundler/channel/transport.hpp"
 #include "bundler/channel/verified_files.hpp"
@@ -52,61 +53,64 @@ class ShardIndex : public SubdirIndex {
       wanted.push_back(
           {.name = name, .url = shards_base_ + "/" + sha256 + ".msgpack.zst", .sha256 = sha256});
     }
-    auto bytes = bring(wanted, cancellation);
-    if (!bytes) return std::move(bytes).errors();
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
-      if (cancellation.requested()) return interrupted();
-      auto done = read_shard((*bytes)[i], wanted[i].url, source_.place, specs, into);
-      if (!done) return done;
-    }
-    return Done{};
+    const auto files = bring(wanted, cancellation);
+    if (!files) return files.errors();
+    return read_in_parts(
+        wanted.size(), specs, into,
+        [&](std::size_t first, std::size_t last, SpecTable& table, RepoIndex& part) {
+          Outcome<Done> done = Done{};
+          for (std::size_t i = first; i < last && done; ++i) {
+            done = cancellation.requested() ? Outcome<Done>(interrupted())
+                                            : read(wanted[i], (*files)[i], table, part);
+          }
+          return done;
+        });
   }
 
  private:
-  /// The bytes of these shards, each with the right sha256.
-  Outcome<std::vector<std::string>> bring(const std::vector<Shard>& wanted,
-                                          const Cancellation& cancellation) {
-    std::vector<std::string> bytes(wanted.size());
-    Diagnostics errors;
+  /// Where these shards are on this machine.
+  Outcome<std::vector<std::filesystem::path>> bring(const std::vector<Shard>& wanted,
+                                                    const Cancellation& cancellation) {
+    std::vector<std::filesystem::path> places;
+    places.reserve(wanted.size());
+    if (!is_network_url(shards_base_)) {
+      for (const Shard& shard : wanted) {
+        const auto file = ros2wasm::bring(shard.url, roots_, cancellation);
+        if (!file) return file.errors();
+        if (!*file) return no_index(source_.url, "the shard `" + shard.url + "` is not there");
+        places.push_back(**file);
+      }
+      return places;
+    }
     std::vector<WantedFile> files;
-    const bool network = is_network_url(shards_base_);
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
-      const Shard& shard = wanted[i];
+    for (const Shard& shard : wanted) {
+      places.push_back(roots_.cache / "shards" / shard.sha256.substr(0, 2) /
+                       (shard.sha256 + ".msgpack.zst"));
       files.push_back({.what = "the part of an index that has `" + shard.name + "`",
                        .url = shard.url,
-                       .place = roots_.cache / "shards" / shard.sha256.substr(0, 2) /
-                                (shard.sha256 + ".msgpack.zst"),
+                       .place = places.back(),
                        .size = 0,
                        .sha256 = shard.sha256,
                        .md5 = {}});
     }
-    const auto read = [&](std::size_t i, const std::filesystem::path& file) {
-      auto text = read_file(file);
-      if (!text) {
-        for (Diagnostic& error : std::move(text).errors()) errors.push_back(std::move(error));
-      } else if (sha256_hex(*text) != wanted[i].sha256) {
-        errors.push_back(wrong_shard(wanted[i]));
-      } else {
-        bytes[i] = std::move(*text);
-      }
-    };
-    if (network) {
-      bring_verified(
-          files, roots_.network, cancellation, [&](std::size_t i, const Outcome<Done>& outcome) {
-            if (outcome) return read(i, files[i].place);
-            Diagnostic error = outcome.errors().front();
-            errors.push_back(error.code == "R2W0220" ? wrong_shard(wanted[i]) : std::move(error));
-          });
-    } else {
-      for (std::size_t i = 0; i < wanted.size(); ++i) {
-        const auto file = ros2wasm::bring(wanted[i].url, roots_, cancellation);
-        if (!file) return file.errors();
-        if (!*file) return no_index(source_.url, "the shard `" + wanted[i].url + "` is not there");
-        read(i, **file);
-      }
-    }
+    Diagnostics errors;
+    bring_verified(
+        files, roots_.network, cancellation, [&](std::size_t i, const Outcome<Done>& outcome) {
+          if (outcome) return;
+          Diagnostic error = outcome.errors().front();
+          errors.push_back(error.code == "R2W0220" ? wrong_shard(wanted[i]) : std::move(error));
+        });
     if (!errors.empty()) return Diagnostics{errors.front()};
-    return bytes;
+    return places;
+  }
+
+  /// Runs on several threads.
+  Outcome<Done> read(const Shard& shard, const std::filesystem::path& file, SpecTable& specs,
+                     RepoIndex& into) const {
+    const auto bytes = read_file(file);
+    if (!bytes) return bytes.errors();
+    if (sha256_hex(*bytes) != shard.sha256) return wrong_shard(shard);
+    return read_shard(*bytes, shard.url, source_.place, specs, into);
   }
 
   static Diagnostic wrong_shard(const Shard& shard) {

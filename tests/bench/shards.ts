@@ -6,29 +6,34 @@ import { zstdCompressSync } from 'node:zlib';
 
 type Packable = string | number | Buffer | readonly Packable[] | { readonly [key: string]: Packable };
 
-function head(first: number, size: number): Buffer {
-  const bytes = Buffer.alloc(5, first);
-  bytes.writeUInt32BE(size, 1);
-  return bytes;
+/** First byte and number, in as many bytes as it takes; `short` stands for numbers below `limit`. */
+function head(size: number, short: number, limit: number, first: readonly [one: number, two: number, four: number]): Buffer {
+  if (size < limit) return Buffer.from([short | size]);
+  const bytes = size < 1 << 8 && first[0] !== 0 ? 1 : size < 1 << 16 ? 2 : 4;
+  const out = Buffer.alloc(1 + bytes, bytes === 1 ? first[0] : bytes === 2 ? first[1] : first[2]);
+  out.writeUIntBE(size, 1, bytes);
+  return out;
 }
 
-/** MessagePack, each value in its 32-bit form. */
+/** MessagePack, each value in its shortest form, as the usual writers do. */
 function pack(value: Packable, out: Buffer[]): void {
   if (typeof value === 'string') {
     const text = Buffer.from(value);
-    out.push(head(0xdb, text.length), text);
+    out.push(head(text.length, 0xa0, 32, [0xd9, 0xda, 0xdb]), text);
+  } else if (typeof value === 'number' && value < 2 ** 32) {
+    out.push(head(value, 0, 128, [0xcc, 0xcd, 0xce]));
   } else if (typeof value === 'number') {
-    const bytes = Buffer.alloc(9, 0xd3);
-    bytes.writeBigInt64BE(BigInt(value), 1);
+    const bytes = Buffer.alloc(9, 0xcf);
+    bytes.writeBigUInt64BE(BigInt(value), 1);
     out.push(bytes);
   } else if (Buffer.isBuffer(value)) {
-    out.push(head(0xc6, value.length), value);
+    out.push(head(value.length, 0, 0, [0xc4, 0xc5, 0xc6]), value);
   } else if (value instanceof Array) {
-    out.push(head(0xdd, value.length));
+    out.push(head(value.length, 0x90, 16, [0, 0xdc, 0xdd]));
     for (const one of value) pack(one, out);
   } else {
     const entries = Object.entries(value);
-    out.push(head(0xdf, entries.length));
+    out.push(head(entries.length, 0x80, 16, [0, 0xde, 0xdf]));
     for (const [key, one] of entries) {
       pack(key, out);
       pack(one, out);

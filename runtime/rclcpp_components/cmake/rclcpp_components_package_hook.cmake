@@ -1,9 +1,10 @@
-# At ament_package(): makes the container of the package's components; programs that load libraries
+# At ament_package(): makes the container of the package's components, unless the package sets
+# RCLCPP_COMPONENTS_NO_CONTAINER; programs that load libraries
 # of classes at run time, and link none of the package's themselves, get all of them, since nothing
 # can be loaded later; writes the components into the package's index.
 list(REMOVE_DUPLICATES _RCLCPP_COMPONENTS_LIBRARIES)
 _rclcpp_components_keep_once(${_RCLCPP_COMPONENTS_LIBRARIES})
-if(NOT TARGET component_container)
+if(NOT TARGET component_container AND NOT RCLCPP_COMPONENTS_NO_CONTAINER)
   add_executable(component_container ${rclcpp_components_DIR}/component_container.cpp)
   target_link_libraries(component_container
     ${_RCLCPP_COMPONENTS_LIBRARIES} rclcpp_components::component_manager)

@@ -321,7 +321,9 @@ Outcome<SitePlan> plan(const PackRequest& request, const BuiltWorkspace& workspa
                   .programs = {},
                   .names = {},
                   .runtime = std::move(runtime).value(),
-                  .interfaces = {}};
+                  .interfaces = {},
+                  .shared = {},
+                  .packages = {}};
   for (const LaunchNode& node : input.nodes) {
     if (input.programs.contains(node.program)) continue;
     auto bytes = read_file(node.program);
@@ -339,7 +341,10 @@ Outcome<SitePlan> plan(const PackRequest& request, const BuiltWorkspace& workspa
   }
   for (const InstalledPackage& package : workspace.installed) {
     collect_interfaces(package.prefix, package.name, input.interfaces);
+    if (auto read = collect_shared_files(package.prefix, package.name, input.shared); !read)
+      return std::move(read).errors();
   }
+  for (const BuiltPackage& package : workspace.packages) input.packages.push_back(package.name);
   return plan_site(std::move(input));
 }
 

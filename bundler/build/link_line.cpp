@@ -105,10 +105,12 @@ std::vector<std::string> link_command(const LinkLine& line, LinkKind kind,
                                       const std::string& stem) {
   std::vector<std::string> command = {
       line.compiler, "-O2", "--profiling-funcs", "-fwasm-exceptions", "-sALLOW_MEMORY_GROWTH=1",
-      // What the loader calls: the text of an uncaught exception, a thread's stack.
+      // What the loader calls: the text of an uncaught exception, a thread's stack, files.
       "-Wl,--export-if-defined=__cpp_exception", "-Wl,--export-if-defined=ros2wasm_exception_what",
       "-Wl,--export-if-defined=ros2wasm_thread_stack",
-      "-Wl,--export-if-defined=ros2wasm_timed_waits"};
+      "-Wl,--export-if-defined=ros2wasm_timed_waits", "-Wl,--export-if-defined=ros2wasm_fd_read",
+      "-Wl,--export-if-defined=ros2wasm_fd_write", "-Wl,--export-if-defined=ros2wasm_fd_seek",
+      "-Wl,--export-if-defined=ros2wasm_fd_close", "-Wl,--export-if-defined=ros2wasm_fd_is_open"};
   switch (kind) {
     case LinkKind::kSingle:
       command.insert(command.end(), {"-sSTANDALONE_WASM", "-sERROR_ON_UNDEFINED_SYMBOLS=0",

@@ -42,6 +42,13 @@ std::string reason_of_program(const std::vector<LaunchNode>& nodes, const Launch
   return "program of " + users;
 }
 
+/// "share/demo/config/gains.yaml", or "share/ament_index/resource_index/plugins/demo".
+std::string package_of_shared(const std::string& path) {
+  const std::filesystem::path parts = path;
+  const std::string folder = std::next(parts.begin())->string();
+  return folder == "ament_index" ? parts.filename().string() : folder;
+}
+
 std::string reason_of_asset(std::string_view role) {
   return "runtime " + std::string(role == "service_worker" ? "service worker" : role);
 }
@@ -92,6 +99,13 @@ Outcome<SitePlan> plan_site(PlanInput input) {
                           .threads = threads_of[path]});
   }
   if (!errors.empty()) return errors;
+  std::set<std::string> packages(input.packages.begin(), input.packages.end());
+  for (auto& [path, bytes] : input.shared) {
+    const std::string package = package_of_shared(path);
+    packages.insert(package);
+    add(plan, path, "file of " + package + ", fetched when a program opens it", std::move(bytes));
+  }
+  plan.packages.assign(packages.begin(), packages.end());
   add(plan, "interfaces.json", "definitions of all message types",
       interfaces_json(input.interfaces));
   const auto by_path = [](const PlannedFile& a, const PlannedFile& b) { return a.path < b.path; };

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bundler/launch/launch_graph.hpp"
+#include "bundler/launch/share_tree.hpp"
 #include "workspace_schema/manifest.hpp"
 #include "workspace_schema/outcome.hpp"
 
@@ -40,9 +41,10 @@ struct PlannedNode {
 };
 
 struct SitePlan {
-  std::vector<PlannedFile> files;    ///< sorted by path; the last step adds site.json
-  std::vector<PlannedNode> nodes;    ///< in launch order
-  std::vector<ChannelFile> channel;  ///< sorted by path; empty unless it was asked for
+  std::vector<PlannedFile> files;     ///< sorted by path; the last step adds site.json
+  std::vector<PlannedNode> nodes;     ///< in launch order
+  std::vector<std::string> packages;  ///< that the programs' index of packages has, sorted
+  std::vector<ChannelFile> channel;   ///< sorted by path; empty unless it was asked for
 };
 
 /// A file that the built runtime brings to every site.
@@ -63,6 +65,8 @@ struct PlanInput {
   std::map<std::filesystem::path, std::string> names;     ///< by program file, where there are any
   std::vector<RuntimeAsset> runtime;
   InterfaceTexts interfaces;
+  SharedFiles shared;                 ///< of all packages
+  std::vector<std::string> packages;  ///< of the workspace
 };
 
 /// R2W0606 a program is not WebAssembly.

@@ -79,6 +79,9 @@ std::string site_json(const Manifest& manifest, const SitePlan& plan) {
   for (const PlannedNode& node : plan.nodes) write_node(json, node);
   json.end_array();
   json.field("interfaces", "interfaces.json");
+  json.key("packages").begin_array();
+  for (const std::string& package : plan.packages) json.string(package);
+  json.end_array();
   write_options(json, "ui", manifest.ui);
   json.key("files").begin_array();
   for (const PlannedFile& file : plan.files) {

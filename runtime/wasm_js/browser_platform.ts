@@ -55,6 +55,7 @@ export function browserPlatform(base: URL, script: string): BrowserPlatform {
       () => undefined,
       () => undefined,
     ),
+    place: base.href,
     json: async (path) => {
       const response = await get(new URL(path, base));
       try {

@@ -8,7 +8,7 @@ import { isMainThread, parentPort, workerData } from 'node:worker_threads';
 import { parseArgs } from 'node:util';
 import { type Broker, PortBroker, SharedBroker } from './broker.ts';
 import type { SentMessage } from './message_trace.ts';
-import { nodePlatform, workerMark } from './node_platform.ts';
+import { nodePlatform, readFileNow, workerMark } from './node_platform.ts';
 import { serveWorker, type WorkerOrder } from './node_worker.ts';
 import type { NodeView } from './session.ts';
 import { SiteError } from './site_error.ts';
@@ -212,6 +212,6 @@ if (isMainThread) {
   if (import.meta.main) await main();
 } else if (workerData === workerMark && parentPort !== null) {
   const port = parentPort;
-  const handle = serveWorker((report) => port.postMessage(report));
+  const handle = serveWorker((report) => port.postMessage(report), readFileNow);
   port.on('message', (order: WorkerOrder) => handle(order));
 }

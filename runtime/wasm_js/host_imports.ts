@@ -17,7 +17,7 @@ function milliseconds(low: number | bigint, high: number | undefined): number {
   return ((low >>> 0) + (high ?? 0) * 2 ** 32) / 1e6;
 }
 
-type HostFunction = (...args: never[]) => unknown;
+export type HostFunction = (...args: never[]) => unknown;
 
 export function hostImports(
   link: Link, memory: () => ProgramMemory, idle: () => void, sent?: (message: SentMessage) => void,

@@ -76,7 +76,7 @@ export async function startSession(options: LaunchOptions = {}): Promise<Session
   const nodes = asked.get('nodes');
   // Before anything is begun that would have to be ended.
   const named = nodes === null ? undefined : namedNodes(nodes, site.nodes.map(({ id }) => id));
-  const session = new SiteSession({ site, platform, broker: chooseBroker(options.link), place: base.href });
+  const session = new SiteSession({ site, platform, broker: chooseBroker(options.link) });
   const graph = asked.get('graph');
   if (graph !== null && graph !== '') await session.joinTabs(graph);
   if (named !== undefined) {

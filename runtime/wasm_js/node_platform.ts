@@ -1,11 +1,13 @@
 // Node.js as the place where a site runs: files instead of fetch, worker threads instead of workers.
 
+import { readFileSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { Worker } from 'node:worker_threads';
 import type { WorkerReport } from './node_worker.ts';
 import type { Platform, WorkerEvents, WorkerHandle } from './platform.ts';
 import { SiteError } from './site_error.ts';
+import type { ReadNow } from './site_files.ts';
 
 /** What a worker thread finds in workerData when it is to serve a node. */
 export const workerMark = 'ros2wasm node worker';
@@ -21,6 +23,14 @@ async function bytesOf(folder: string, path: string): Promise<Buffer<ArrayBuffer
   }
 }
 
+export const readFileNow: ReadNow = (place, path) => {
+  try {
+    return readFileSync(join(place, path));
+  } catch {
+    return undefined;
+  }
+};
+
 /** `entry`: the script that serves nodes when it is started as a worker thread. */
 export function nodePlatform(folder: string, entry: URL): Platform & { close(): void } {
   const modules = new Map<string, Promise<WebAssembly.Module>>();
@@ -35,6 +45,7 @@ export function nodePlatform(folder: string, entry: URL): Platform & { close(): 
     }
   };
   return {
+    place: folder,
     json: async (path) => {
       const text = (await bytesOf(folder, path)).toString('utf8');
       try {

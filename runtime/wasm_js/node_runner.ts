@@ -9,6 +9,7 @@ import type { Platform, WorkerHandle } from './platform.ts';
 import type { ProgramEnd } from './program.ts';
 import type { NodeState, NodeView, SiteNode } from './session.ts';
 import { SiteError } from './site_error.ts';
+import type { SiteFiles } from './site_files.ts';
 import { type ThreadMemory, tellThreads } from './thread_waits.ts';
 
 /** After a stop is requested; `ros2 launch` waits as long before it sends SIGTERM. */
@@ -23,6 +24,8 @@ const leastRespawnMs = 100;
 const retellMs = 1;
 
 export interface RunnerHost {
+  readonly environment: Readonly<Record<string, string>>;
+  readonly files: SiteFiles;
   readonly platform: Platform;
   readonly broker: Broker;
   readonly changed: () => void;
@@ -163,7 +166,8 @@ export class NodeRunner {
         ticket,
         id: this.node.id,
         arguments: [this.node.executable, ...this.node.arguments],
-        environment: this.node.environment,
+        environment: { ...this.host.environment, ...this.node.environment },
+        files: this.host.files,
         stepped: this.host.stepped,
         traced: this.host.sent !== undefined,
       };

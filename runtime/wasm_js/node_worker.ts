@@ -7,6 +7,7 @@ import type { SentMessage } from './message_trace.ts';
 import { type LinkTicket, openLink } from './open_link.ts';
 import { type ProgramEnd, runProgram, type ThreadStart } from './program.ts';
 import { seededRandom } from './seeded_random.ts';
+import type { ReadNow, SiteFiles } from './site_files.ts';
 import type { ThreadMemory } from './thread_waits.ts';
 import type { Rest } from './turns.ts';
 import { inputReader } from './standard_input.ts';
@@ -19,6 +20,7 @@ export interface WorkerStart {
   readonly id: string;
   readonly arguments: readonly string[];
   readonly environment: Readonly<Record<string, string>>;
+  readonly files: SiteFiles;
   readonly thread?: ThreadStart;
   /** Of a stepped run: one participant runs at a time, and random numbers come from the seed. */
   readonly stepped: { readonly seed: number } | undefined;
@@ -53,7 +55,7 @@ export type WorkerOrder =
   | { readonly t: 'bridge'; readonly ticket: LinkTicket; readonly channel: string };
 
 /** Connects the worker's messages with a program. Returns what to call with each message. */
-export function serveWorker(post: (report: WorkerReport) => void): (order: WorkerOrder) => void {
+export function serveWorker(post: (report: WorkerReport) => void, readNow: ReadNow): (order: WorkerOrder) => void {
   const run = async (start: WorkerStart): Promise<void> => {
     let link: Link;
     try {
@@ -80,6 +82,8 @@ export function serveWorker(post: (report: WorkerReport) => void): (order: Worke
         post({ t: 'waits' });
       },
       input: inputReader(link, start.id),
+      files: start.files,
+      readNow,
       random: start.stepped === undefined ? undefined : seededRandom(start.stepped.seed, start.id),
       sent: start.traced ? (message) => post({ t: 'sent', message }) : undefined,
       loaded: (memory) => post({ t: 'memory', memory }),

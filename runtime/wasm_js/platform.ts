@@ -15,6 +15,8 @@ export interface WorkerEvents {
 }
 
 export interface Platform {
+  /** Where the site lies: its address, or its folder. */
+  readonly place: string;
   /** Throws SiteError R2W0706. */
   readonly json: (path: string) => Promise<unknown>;
   /** Fetches and compiles; the same path gives the same module. Throws SiteError R2W0706 or R2W0703. */

@@ -8,9 +8,10 @@ import { LineWriter } from './line_writer.ts';
 import type { Link } from './link.ts';
 import type { SentMessage } from './message_trace.ts';
 import { ProgramMemory } from './program_memory.ts';
+import { fileImports, type ReadNow, type SiteFiles } from './site_files.ts';
 import type { ThreadMemory } from './thread_waits.ts';
 import { trap } from './trap.ts';
-import { type Input, type Leave, ProgramExit, suspendingWasi, wasiImports } from './wasi.ts';
+import { type FileExports, type Input, type Leave, ProgramExit, suspendingWasi, wasiImports } from './wasi.ts';
 
 export type ProgramEnd =
   /** A thread that came to its end; the program goes on. */
@@ -27,6 +28,8 @@ export interface ProgramHost {
   /** The program is about to wait. */
   readonly idle: () => void;
   readonly input: Input;
+  readonly files: SiteFiles;
+  readonly readNow: ReadNow;
   /** Fills bytes; undefined: with the browser's random numbers. */
   readonly random: ((bytes: Uint8Array) => void) | undefined;
   /** A message was sent. */
@@ -43,7 +46,7 @@ export interface ThreadStart extends ThreadRequest {
   readonly memory: WebAssembly.Memory;
 }
 
-interface ProgramExports {
+interface ProgramExports extends FileExports {
   readonly memory?: WebAssembly.Memory;
   readonly __indirect_function_table: WebAssembly.Table;
   readonly __cpp_exception?: WebAssembly.Tag;
@@ -184,6 +187,7 @@ export async function runProgram(
       host.idle();
       return host.link.sleep(milliseconds);
     },
+    files: exports,
   });
   const wrap = (functions: Record<string, (...args: never[]) => unknown>, names: ReadonlySet<string>) =>
     Object.fromEntries(Object.entries(functions).map(([name, f]) =>
@@ -202,7 +206,10 @@ export async function runProgram(
     },
   });
   const imports: WebAssembly.Imports = {
-    ros2wasm: wrap(hostImports(host.link, getMemory, host.idle, host.sent), suspendingHost),
+    ros2wasm: wrap({
+      ...hostImports(host.link, getMemory, host.idle, host.sent),
+      ...fileImports(host.files, host.readNow, getMemory),
+    }, suspendingHost),
     wasi_snapshot_preview1: wrap(wasi, suspendingWasi),
     env: env as WebAssembly.ModuleImports,
   };

@@ -50,6 +50,8 @@ export interface SiteDescription {
   readonly nodes: readonly SiteNode[];
   /** Path of interfaces.json, relative to site.json; empty when the site has none. */
   readonly interfaces: string;
+  /** Those that programs can ask the index of packages for. */
+  readonly packages: readonly string[];
   readonly ui: Readonly<Record<string, unknown>>;
   readonly files: readonly SiteFile[];
 }

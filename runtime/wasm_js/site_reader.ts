@@ -115,6 +115,7 @@ export function readSite(value: unknown): SiteDescription {
     authors: list(json, 'authors', 'site', (item, what) => ({ name: text(object(item, what), 'name', what, '') })),
     nodes,
     interfaces: interfaces === '' ? '' : path(interfaces, 'site.interfaces'),
+    packages: list(json, 'packages', 'site', (item) => (typeof item === 'string' ? item : fail('site.packages'))),
     ui: object(json['ui'] ?? {}, 'site.ui'),
     files: list(json, 'files', 'site', readFile),
   };

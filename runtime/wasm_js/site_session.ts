@@ -10,6 +10,7 @@ import { Sampler } from './sampler.ts';
 import type {
   ConsoleLog, LastMessage, LinkKind, NodeView, Session, SiteDescription, SiteNode, TabView, TopicView, Unsubscribe,
 } from './session.ts';
+import { siteEnvironment, siteFiles } from './site_files.ts';
 import { SiteTimeControl } from './site_time.ts';
 import { InputWriter } from './standard_input.ts';
 import { Tabs } from './tabs.ts';
@@ -24,8 +25,6 @@ export interface SessionOptions {
   readonly stepped?: { readonly seed: number };
   /** Called with each message that a node sends, in order. */
   readonly onSent?: (node: SiteNode, message: SentMessage) => void;
-  /** Where the site lies, for tabs that join. */
-  readonly place?: string;
   /** Called with each batch of lines as it comes. */
   readonly onLines?: (node: SiteNode, lines: readonly SentLine[], dropped: number) => void;
 }
@@ -46,11 +45,10 @@ export class SiteSession implements Session {
   private nodesTold = true;
   private sampling: ReturnType<typeof setInterval> | undefined;
   private definitions: Promise<ReadonlyMap<string, string>> | undefined;
-  private readonly place: string;
   private tabs: Tabs | undefined;
   private closed = false;
 
-  constructor({ site, platform, broker, place, onLines, stepped, onSent }: SessionOptions) {
+  constructor({ site, platform, broker, onLines, stepped, onSent }: SessionOptions) {
     this.site = site;
     this.platform = platform;
     this.broker = broker;
@@ -58,7 +56,6 @@ export class SiteSession implements Session {
     this.time = new SiteTimeControl(broker, () => {
       for (const runner of this.runners.values()) runner.timeChanged();
     });
-    this.place = place ?? '';
     this.sampler = new Sampler(broker);
     this.input = new InputWriter(broker.link);
     const unsettled = new Set(site.nodes);
@@ -67,9 +64,13 @@ export class SiteSession implements Session {
       allSettled = resolve;
     });
     if (unsettled.size === 0) allSettled();
+    const environment = siteEnvironment(site);
+    const files = siteFiles(site, platform.place);
     for (const node of site.nodes) {
       const console = new NodeConsole(platform.frame);
       this.runners.set(node.id, new NodeRunner(node, console, {
+        environment,
+        files,
         platform,
         broker,
         changed: () => this.nodesChanged(),
@@ -108,8 +109,8 @@ export class SiteSession implements Session {
 
   async joinTabs(graph: string): Promise<void> {
     if (this.tabs !== undefined || this.closed) return;
-    const { broker, platform, place } = this;
-    const tabs = await Tabs.join({ graph, site: place, broker, platform, changed: () => this.nodesChanged() });
+    const { broker, platform } = this;
+    const tabs = await Tabs.join({ graph, site: platform.place, broker, platform, changed: () => this.nodesChanged() });
     if (this.closed || this.tabs !== undefined) {
       tabs.close();
       return;

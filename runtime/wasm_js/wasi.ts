@@ -1,5 +1,5 @@
 // The part of WASI that a node program needs: arguments, environment, clocks, random, console, standard input, exit.
-// There are no files: descriptors beyond 2 are bad.
+// Descriptors beyond 2 are files, which the program keeps itself (wasm_cpp/src/file_calls.cpp).
 
 import { WaitResult } from '../protocol/generated/constants.ts';
 import type { SiteClock } from './clock.ts';
@@ -11,6 +11,9 @@ const inval = 28;
 const intr = 27;
 const spipe = 70;
 const nosys = 52;
+/** File types. */
+const characterDevice = 2;
+const regularFile = 4;
 
 /** What a program leaves with when it calls proc_exit or exit(). */
 export class ProgramExit {
@@ -26,6 +29,15 @@ export class ProgramExit {
  * throw catch whatever comes out of JavaScript.
  */
 export type Leave = (reason: ProgramExit | Error) => never;
+
+/** What a program has for descriptors beyond 2, when it uses files. Each gives 0 or an errno. */
+export interface FileExports {
+  readonly ros2wasm_fd_read?: (fd: number, vectors: number, count: number, out: number) => number;
+  readonly ros2wasm_fd_write?: (fd: number, vectors: number, count: number, out: number) => number;
+  readonly ros2wasm_fd_seek?: (fd: number, low: number, high: number, whence: number, out: number) => number;
+  readonly ros2wasm_fd_close?: (fd: number) => number;
+  readonly ros2wasm_fd_is_open?: (fd: number) => number;
+}
 
 /** What ended a wait for input. */
 export type Arrival = 'input' | 'timeout' | 'stop';
@@ -49,6 +61,7 @@ export interface WasiHost {
   readonly random: (bytes: Uint8Array) => void;
   /** Sleeps for poll_oneoff. */
   readonly sleep: (milliseconds: number) => WaitResult | Promise<WaitResult>;
+  readonly files: () => FileExports;
 }
 
 /** Names of the functions that may suspend the program on the port link. */
@@ -102,6 +115,8 @@ export function wasiImports(host: WasiHost): Record<string, WasiFunction> {
     memory().set(out, at);
     return success;
   };
+
+  const isOpen = (fd: number): number => (fd <= 2 ? success : host.files().ros2wasm_fd_is_open?.(fd) ?? badf);
 
   const pollOneoff = (input: number, output: number, count: number, done: number): number | Promise<number> => {
     let shortest = Infinity;
@@ -160,6 +175,7 @@ export function wasiImports(host: WasiHost): Record<string, WasiFunction> {
       return success;
     },
     fd_write: (fd: number, vectors: number, count: number, out: number): number => {
+      if (fd > 2) return host.files().ros2wasm_fd_write?.(fd, vectors, count, out) ?? badf;
       if (fd !== 1 && fd !== 2) return badf;
       let total = 0;
       for (let i = 0; i < count; i += 1) {
@@ -172,6 +188,7 @@ export function wasiImports(host: WasiHost): Record<string, WasiFunction> {
       return success;
     },
     fd_read: (fd: number, vectors: number, count: number, out: number): number | Promise<number> => {
+      if (fd > 2) return host.files().ros2wasm_fd_read?.(fd, vectors, count, out) ?? badf;
       if (fd !== 0) return badf;
       let capacity = 0;
       for (let i = 0; i < count; i += 1) capacity += memory().u32(vectors + 8 * i + 4);
@@ -180,15 +197,24 @@ export function wasiImports(host: WasiHost): Record<string, WasiFunction> {
       if (bytes instanceof Promise) return bytes.then((got) => readInto(vectors, count, out, got));
       return readInto(vectors, count, out, bytes);
     },
-    fd_seek: (fd: number): number => (fd <= 2 ? spipe : badf),
-    fd_close: (fd: number): number => (fd <= 2 ? success : badf),
-    fd_sync: (fd: number): number => (fd <= 2 ? success : badf),
+    fd_seek: (fd: number, ...rest: readonly (number | bigint)[]): number => {
+      if (fd <= 2) return spipe;
+      // The offset comes as one i64, or as two halves.
+      const [offset, whence, out] = typeof rest[0] === 'bigint' ? [rest[0], rest[1], rest[2]]
+        : [(BigInt(rest[1] ?? 0) << 32n) | BigInt(Number(rest[0]) >>> 0), rest[2], rest[3]];
+      const low = Number(BigInt.asIntN(32, offset));
+      return host.files().ros2wasm_fd_seek?.(fd, low, Number(offset >> 32n), Number(whence), Number(out)) ?? badf;
+    },
+    fd_close: (fd: number): number => (fd <= 2 ? success : host.files().ros2wasm_fd_close?.(fd) ?? badf),
+    fd_sync: isOpen,
+    fd_datasync: isOpen,
     fd_fdstat_get: (fd: number, out: number): number => {
-      if (fd > 2) return badf;
+      const error = isOpen(fd);
+      if (error !== success) return error;
       memory().u8.fill(0, out, out + 24);
       // A character device: the C library then buffers by lines.
-      memory().u8[out] = 2;
-      memory().setI64(out + 8, fd === 0 ? 2n : 64n);
+      memory().u8[out] = fd <= 2 ? characterDevice : regularFile;
+      memory().setI64(out + 8, fd === 0 ? 2n : fd <= 2 ? 64n : -1n);
       return success;
     },
     fd_fdstat_set_flags: (): number => success,

@@ -36,6 +36,13 @@ test('components, linked, loaded and in a container; interfaces of another packa
   assert.match(output, /8 of 8 executables are green/);
 });
 
+test('in Chromium: files of a package and of a program, and standard input', { timeout: 500_000 }, async () => {
+  const { code, rows, output } = await board(['--chromium', '--only', 'file_checks', '--only', 'key_reader']);
+  assert.equal(code, 0, output);
+  assert.deepEqual(rows.map((row) => `${row.package}/${row.executable}`),
+    ['file_checks/own_files', 'file_checks/share', 'file_checks/threads_write', 'key_reader/keys']);
+});
+
 test('a row that is not as expected is red', { timeout: 500_000 }, async () => {
   const file = join(folder, 'wrong.yaml');
   writeFileSync(file, '- {package: composed_talkers, executable: linked, log: [^/nobody$], exit: 0, seconds: 5}\n');

@@ -1,9 +1,9 @@
-// Plays a packed site in Node.js until its first node is as expected, or cannot be any more, or time is up.
-import { pathToFileURL } from 'node:url';
+// Plays a packed site until its first node is as expected, or cannot be any more, or time is up. Runs wherever a
+// site does.
 import { createDecoder } from '../../runtime/ui/decode/decoder.ts';
 import { EndpointKind } from '../../runtime/protocol/generated/constants.ts';
 import { type Admission, SharedBroker } from '../../runtime/wasm_js/broker.ts';
-import { nodePlatform } from '../../runtime/wasm_js/node_platform.ts';
+import type { Platform } from '../../runtime/wasm_js/platform.ts';
 import type { NodeView } from '../../runtime/wasm_js/session.ts';
 import { readSite } from '../../runtime/wasm_js/site_reader.ts';
 import { SiteSession } from '../../runtime/wasm_js/site_session.ts';
@@ -11,7 +11,9 @@ import type { Expectation } from './expectation.ts';
 import { judge, type Seen, type SeenNode, type Verdict } from './judge.ts';
 
 export interface Played {
-  readonly seen: Seen;
+  readonly node: SeenNode;
+  /** Those that it made. */
+  readonly endpoints: readonly string[];
   /** undefined when nothing is expected. */
   readonly verdict: Verdict | undefined;
 }
@@ -51,9 +53,7 @@ class Watched {
   }
 }
 
-/** `headless`: the built headless.js, which serves nodes as worker threads. */
-export async function play(folder: string, headless: string, expected: Expectation | undefined): Promise<Played> {
-  const platform = nodePlatform(folder, pathToFileURL(headless));
+export async function play(platform: Platform, expected: Expectation | undefined): Promise<Played> {
   const site = readSite(await platform.json('site.json'));
   const broker = new NotingBroker();
   const watched = site.nodes.map(() => new Watched());
@@ -115,10 +115,9 @@ export async function play(folder: string, headless: string, expected: Expectati
       verdict = expected === undefined ? undefined : judge(expected, seen);
       if (verdict?.final === true || (expected === undefined && over(seen.node))) break;
     } while (performance.now() < until);
-    return { seen, verdict };
+    return { node: seen.node, endpoints: [...endpoints], verdict };
   } finally {
     session.close();
-    platform.close();
   }
 }
 

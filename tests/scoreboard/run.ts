@@ -1,5 +1,5 @@
 // The score board: builds each package of a folder, plays each executable, says which do what is expected.
-//   node tests/scoreboard/run.ts --build BUILD_DIR DIR [--json FILE] [--only PACKAGE...] [--expect FILE...]
+//   node tests/scoreboard/run.ts --build BUILD_DIR DIR [--chromium] [--json FILE] [--only PACKAGE...] [--expect FILE...]
 // Exit code: 0 every row is green, 1 one is not, 2 command line.
 import { mkdtempSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -8,10 +8,10 @@ import { parseArgs } from 'node:util';
 import { isGreen, keptLines, ownEndpoints, type Row, rowText, summary } from './board.ts';
 import { BadExpectation, type Expectation, keyOf, readExpectations } from './expectation.ts';
 import { findPackages, type Package } from './packages.ts';
-import { play } from './play.ts';
+import { chromiumPlayer, nodePlayer, type Player } from './players.ts';
 import { Workshop } from './site.ts';
 
-const USAGE = 'usage: ./dev scoreboard DIR [--json FILE] [--only PACKAGE[/EXECUTABLE]]... [--expect FILE]...';
+const USAGE = 'usage: ./dev scoreboard DIR [--chromium] [--json FILE] [--only PACKAGE[/EXECUTABLE]]... [--expect FILE]...';
 /** Programs mostly wait, so some are played at a time. */
 const PLAYED_AT_ONCE = 3;
 /** The build adds one to every package with components: a row of its own only where something is expected of it. */
@@ -23,7 +23,7 @@ class Misused extends Error {}
 
 interface Board {
   readonly workshop: Workshop;
-  readonly headless: string;
+  readonly player: Player;
   readonly expectations: ReadonlyMap<string, Expectation>;
   readonly wanted: (key: string) => boolean;
 }
@@ -45,11 +45,10 @@ async function rowsOf(board: Board, of: Package): Promise<Row[]> {
     if (!built.executables.includes(expected?.program ?? executable)) return { ...row, error: { code: 'absent', reason: 'the package installs no such executable' } };
     const packed = await workshop.pack({ package: of.name, executable }, expected);
     if ('failure' in packed) return { ...row, built: true, error: packed.failure };
-    const { seen, verdict } = await play(packed.site, board.headless, expected);
-    const { node } = seen;
+    const { node, endpoints, verdict } = await board.player.play(packed.site, expected);
     const missing = verdict?.missing[0];
     return {
-      ...row, built: true, started: node.started, endpoints: ownEndpoints(seen.endpoints), log_lines: keptLines(node.lines),
+      ...row, built: true, started: node.started, endpoints: ownEndpoints(endpoints), log_lines: keptLines(node.lines),
       expected: verdict === undefined ? null : missing === undefined,
       error: node.crash !== undefined ? { code: node.crash.code, reason: node.crash.message }
         : missing === undefined ? null : { code: 'unmet', reason: missing },
@@ -74,6 +73,7 @@ async function inParallel<T, R>(items: readonly T[], atOnce: number, work: (item
 interface Options {
   readonly folder: string;
   readonly build: string;
+  readonly chromium: boolean;
   readonly json: string | undefined;
   readonly only: readonly string[] | undefined;
   readonly expect: readonly string[];
@@ -85,6 +85,7 @@ function readOptions(): Options {
       allowPositionals: true,
       options: {
         build: { type: 'string', default: 'build' },
+        chromium: { type: 'boolean', default: false },
         json: { type: 'string' },
         only: { type: 'string', multiple: true },
         expect: { type: 'string', multiple: true, default: [] },
@@ -110,9 +111,10 @@ async function main(): Promise<number> {
   const wanted = (key: string): boolean => options.only === undefined || options.only.some((one) => one === key || key.startsWith(`${one}/`) || one.startsWith(`${key}/`));
   const work = mkdtempSync(join(tmpdir(), 'ros2wasm-scoreboard-'));
   const expectations = readExpectations(files);
+  const player = options.chromium ? await chromiumPlayer() : nodePlayer(join(build, 'runtime/headless.js'));
   const board: Board = {
     workshop: new Workshop(join(build, 'ros2wasm'), work, packages, expectations.values()),
-    headless: join(build, 'runtime/headless.js'),
+    player,
     expectations,
     wanted,
   };
@@ -126,6 +128,7 @@ async function main(): Promise<number> {
       }
     }
   } finally {
+    await player.close();
     rmSync(work, { recursive: true, force: true });
   }
   console.log(summary(rows));

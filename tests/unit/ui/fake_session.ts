@@ -153,7 +153,7 @@ export class FakeSession implements Session {
       license: 'Apache-2.0',
       authors: (options.authors ?? ['Ada Example']).map((name) => ({ name })),
       nodes,
-      interfaces: 'interfaces.json',
+      packages: [], interfaces: 'interfaces.json',
       ui: {},
       files: [
         { path: 'index.html', size: 2048, sha256: '', reason: 'runtime page' },

@@ -17,7 +17,8 @@ const compile = ['-O2', '-fwasm-exceptions', '-pthread', `-I${include}`];
 const link = ['-O2', '--profiling-funcs', '-fwasm-exceptions', '-sALLOW_MEMORY_GROWTH=1',
   '-sERROR_ON_UNDEFINED_SYMBOLS=0', '-sWARN_ON_UNDEFINED_SYMBOLS=0', '-Wno-pthreads-mem-growth',
   '-Wl,--export-if-defined=__cpp_exception', '-Wl,--export-if-defined=ros2wasm_exception_what',
-  '-Wl,--export-if-defined=ros2wasm_thread_stack', '-Wl,--export-if-defined=ros2wasm_timed_waits'];
+  '-Wl,--export-if-defined=ros2wasm_thread_stack', '-Wl,--export-if-defined=ros2wasm_timed_waits',
+  ...['read', 'write', 'seek', 'close', 'is_open'].map((call) => `-Wl,--export-if-defined=ros2wasm_fd_${call}`)];
 
 export interface ProgramKind {
   readonly threads?: boolean;

@@ -30,6 +30,7 @@ async function told(asked: readonly Kind[], arrival: Arrival, slept: WaitResult,
     write: () => undefined,
     leave: () => assert.fail(),
     input: { read: () => assert.fail(), arrives: () => later ? Promise.resolve(arrival) : arrival },
+    files: () => ({}),
     sleep: () => later ? Promise.resolve(slept) : slept,
   });
   const poll = wasi['poll_oneoff'] as (...args: readonly number[]) => number | Promise<number>;

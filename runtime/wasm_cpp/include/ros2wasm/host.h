@@ -91,6 +91,12 @@ ROS2WASM_IMPORT("graph_version") int32_t ros2wasm_graph_version(void);
 /** Size of the snapshot; larger than `capacity`: nothing was written. */
 ROS2WASM_IMPORT("graph_snapshot")
 int32_t ros2wasm_graph_snapshot(uint8_t* buffer, uint32_t capacity);
+/** The files that the site has for programs; SPEC.md 3.4. Size; larger than `capacity`: nothing was
+ * written. */
+ROS2WASM_IMPORT("file_list") int32_t ros2wasm_file_list(void* buffer, uint32_t capacity);
+/** The whole of one of them. Its size, or < 0: it cannot be had, or has another size. */
+ROS2WASM_IMPORT("file_read")
+int32_t ros2wasm_file_read(const char* path, uint32_t path_len, void* buffer, uint32_t size);
 
 #ifdef __cplusplus
 }

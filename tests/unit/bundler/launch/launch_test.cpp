@@ -5,6 +5,7 @@
 #include "bundler/launch/launch_graph.hpp"
 #include "bundler/launch/node_arguments.hpp"
 #include "bundler/launch/parameter_file.hpp"
+#include "bundler/launch/share_tree.hpp"
 #include "tests/unit/bundler/support/temporary_tree.hpp"
 
 namespace ros2wasm {
@@ -159,6 +160,29 @@ TEST(InstalledTree, FindsProgramsAndDefinitions) {
   InterfaceTexts texts = {{"demo/srv/Add", "nearer"}};
   collect_interfaces(tree.root(), "demo", texts);
   EXPECT_EQ(texts, (InterfaceTexts{{"demo/msg/Num", "int64 num\n"}, {"demo/srv/Add", "nearer"}}));
+}
+
+TEST(ShareTree, HasWhatProgramsReadAndNothingFromOutside) {
+  const testing::TemporaryTree tree;
+  tree.write("outside", "secret");
+  tree.write("prefix/share/demo/config/gains.yaml", "p: 1\n");
+  tree.write("prefix/share/demo/srv/notes.txt", "mine");
+  tree.write("prefix/share/demo/package.txt", "too");
+  tree.write("prefix/share/ament_index/resource_index/robots/demo", "arm");
+  for (const char* const for_builds :
+       {"demo/cmake/demoConfig.cmake", "demo/package.xml", "demo/local_setup.bash",
+        "demo/msg/Num.msg", "demo/hook/path.sh", "ament_index/resource_index/packages/demo",
+        "other/config/a.yaml"})
+    tree.write(std::string("prefix/share/") + for_builds, "");
+  std::filesystem::create_symlink("../../../outside", tree / "prefix/share/demo/out");
+  std::filesystem::create_symlink("config/gains.yaml", tree / "prefix/share/demo/in");
+  SharedFiles files = {{"share/demo/package.txt", "nearer"}};
+  ASSERT_TRUE(collect_shared_files(tree / "prefix", "demo", files));
+  EXPECT_EQ(files, (SharedFiles{{"share/ament_index/resource_index/robots/demo", "arm"},
+                                {"share/demo/config/gains.yaml", "p: 1\n"},
+                                {"share/demo/in", "p: 1\n"},
+                                {"share/demo/package.txt", "nearer"},
+                                {"share/demo/srv/notes.txt", "mine"}}));
 }
 
 }  // namespace

@@ -1,0 +1,22 @@
+// The files of installed packages that programs may want to read when they run. An edge: reads
+// folders and files.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "workspace_schema/outcome.hpp"
+
+namespace ros2wasm {
+
+/// Bytes by path below the prefix: "share/demo/config/gains.yaml".
+using SharedFiles = std::map<std::string, std::string>;
+
+/// Adds what `package` has in share/<package>/ of `prefix` and its own resources in the ament
+/// index, without what only builds need (CMake files, shell hooks, interface definitions) and
+/// without links that lead out of the prefix. A file that is known stays. R2W0210.
+[[nodiscard]] Outcome<Done> collect_shared_files(const std::filesystem::path& prefix,
+                                                 const std::string& package, SharedFiles& into);
+
+}  // namespace ros2wasm

@@ -1,0 +1,11 @@
+#ifndef AMENT_INDEX_CPP__VERSION_H_
+#define AMENT_INDEX_CPP__VERSION_H_
+
+#define AMENT_INDEX_CPP_VERSION_MAJOR (1)
+#define AMENT_INDEX_CPP_VERSION_MINOR (8)
+#define AMENT_INDEX_CPP_VERSION_PATCH (4)
+#define AMENT_INDEX_CPP_VERSION_STR "1.8.4"
+#define AMENT_INDEX_CPP_VERSION_GTE(major, minor, patch) \
+  ((major)*1000000 + (minor)*1000 + (patch) <= 1008004)
+
+#endif  // AMENT_INDEX_CPP__VERSION_H_

@@ -1,0 +1,499 @@
+// The C library's calls for files and folders, on file_tree.hpp. Reading, writing, seeking and
+// closing come back through the loader (WASI), which keeps descriptors 0 to 2 and hands on others.
+#include <dirent.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <stdint.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <mutex>
+#include <new>
+#include <vector>
+
+#include "file_tree.hpp"
+
+namespace {
+
+using ros2wasm::File;
+using ros2wasm::FileKind;
+using ros2wasm::FileTree;
+using ros2wasm::Found;
+
+constexpr int kFirst = 3;  ///< descriptor of a file of the tree
+constexpr int kMostOpen = 1024;
+constexpr uint32_t kBlock = 4096;
+constexpr int64_t kLargestFile = INT32_MAX;
+
+struct Vector {
+  uint8_t* bytes;
+  uint32_t length;
+};
+
+/// errno of WASI. Those that file_calls gives the loader.
+enum Wasi : int {
+  kSuccess = 0,
+  kBadFile = 8,
+  kInvalid = 28,
+  kIo = 29,
+  kIsFolder = 31,
+  kNoSpace = 51
+};
+
+struct OpenFile {
+  File file;
+  int64_t position = 0;  ///< bytes; of a folder: entries
+  int flags = 0;
+};
+
+struct Files {
+  std::mutex mutex;
+  FileTree tree;
+  std::vector<OpenFile> open;  ///< by descriptor - kFirst; no file: free
+
+  OpenFile* at(int fd) {
+    const size_t index = static_cast<size_t>(fd) - kFirst;
+    return fd >= kFirst && index < open.size() && open[index].file ? &open[index] : nullptr;
+  }
+};
+
+/// Never destroyed: programs close files while they end.
+Files& files() {
+  static Files* const all = new Files();
+  return *all;
+}
+
+using Lock = std::lock_guard<std::mutex>;
+
+const char* text(long address) {
+  return reinterpret_cast<const char*>(address);
+}
+
+Found find(Files& all, long folder, long path) {
+  File from;
+  if (folder != AT_FDCWD && *text(path) != '/') {
+    const OpenFile* const open = all.at(static_cast<int>(folder));
+    if (open == nullptr) {
+      return {EBADF, nullptr, nullptr, {}};
+    }
+    from = open->file;
+  }
+  return all.tree.find(text(path), from);
+}
+
+long open_file(long folder, long path, long flags) {
+  Files& all = files();
+  const Lock lock(all.mutex);
+  Found found = find(all, folder, path);
+  const bool writes = (flags & O_ACCMODE) != O_RDONLY;
+  if (found.file && (flags & O_CREAT) != 0 && (flags & O_EXCL) != 0) {
+    return -EEXIST;
+  }
+  if (!found.file) {
+    if (found.error != ENOENT || !found.folder || (flags & O_CREAT) == 0) {
+      return -found.error;
+    }
+    if (text(path)[strlen(text(path)) - 1] == '/') {
+      return -EISDIR;
+    }
+    found.file = all.tree.make(found, FileKind::kFile);
+  }
+  const File file = found.file;
+  if (file->kind == FileKind::kConsole) {
+    return file->fd;
+  }
+  if (file->is_folder() && writes) {
+    return -EISDIR;
+  }
+  if (!file->is_folder() && (flags & O_DIRECTORY) != 0) {
+    return -ENOTDIR;
+  }
+  if ((flags & O_TRUNC) != 0 && writes) {
+    file->in_site.clear();
+    file->bytes.clear();
+    file->changed_ns = ros2wasm::time_of_day_ns();
+  }
+  const auto free_place =
+      std::find_if(all.open.begin(), all.open.end(), [](const OpenFile& one) { return !one.file; });
+  const long index = free_place - all.open.begin();
+  if (index >= kMostOpen) {
+    return -EMFILE;
+  }
+  OpenFile opened{file, 0, static_cast<int>(flags)};
+  if (free_place == all.open.end()) {
+    all.open.push_back(std::move(opened));
+  } else {
+    *free_place = std::move(opened);
+  }
+  return kFirst + index;
+}
+
+mode_t mode_of(const ros2wasm::FileNode& file) {
+  switch (file.kind) {
+    case FileKind::kFolder:
+      return S_IFDIR | 0755;
+    case FileKind::kFile:
+      return S_IFREG | 0755;
+    case FileKind::kNull:
+    case FileKind::kConsole:
+      break;
+  }
+  return S_IFCHR | 0666;
+}
+
+long describe(const ros2wasm::FileNode& file, long out) {
+  struct stat told {};
+  constexpr int64_t kSecond = 1000000000;
+  told.st_mode = mode_of(file);
+  told.st_nlink = 1;
+  told.st_ino = file.number;
+  told.st_size = file.is_folder() ? kBlock : static_cast<off_t>(file.size());
+  told.st_blksize = kBlock;
+  told.st_blocks = (told.st_size + 511) / 512;
+  told.st_mtim.tv_sec = file.changed_ns / kSecond;
+  told.st_mtim.tv_nsec = static_cast<long>(file.changed_ns % kSecond);
+  told.st_atim = told.st_ctim = told.st_mtim;
+  *reinterpret_cast<struct stat*>(out) = told;
+  return 0;
+}
+
+long describe_path(long folder, long path, long out) {
+  Files& all = files();
+  const Lock lock(all.mutex);
+  const Found found = find(all, folder, path);
+  return found.error != 0 ? -found.error : describe(*found.file, out);
+}
+
+long make_folder(long folder, long path) {
+  Files& all = files();
+  const Lock lock(all.mutex);
+  const Found found = find(all, folder, path);
+  if (found.file) {
+    return -EEXIST;
+  }
+  if (found.error != ENOENT || !found.folder) {
+    return -found.error;
+  }
+  all.tree.make(found, FileKind::kFolder);
+  return 0;
+}
+
+long remove_path(long folder, long path, bool is_folder) {
+  Files& all = files();
+  const Lock lock(all.mutex);
+  const Found found = find(all, folder, path);
+  if (found.error != 0) {
+    return -found.error;
+  }
+  if (found.file->is_folder() != is_folder) {
+    return is_folder ? -ENOTDIR : -EISDIR;
+  }
+  if (!found.file->children.empty()) {
+    return -ENOTEMPTY;
+  }
+  if (!found.folder) {
+    return -EBUSY;
+  }
+  all.tree.remove(found);
+  return 0;
+}
+
+long rename_path(long from_folder, long from, long to_folder, long to) {
+  Files& all = files();
+  const Lock lock(all.mutex);
+  const Found old = find(all, from_folder, from);
+  if (old.error != 0) {
+    return -old.error;
+  }
+  const Found place = find(all, to_folder, to);
+  if (!place.folder || !old.folder) {
+    return place.error != 0 ? -place.error : -EBUSY;
+  }
+  return -all.tree.move(old, place);
+}
+
+long access_path(long folder, long path) {
+  Files& all = files();
+  const Lock lock(all.mutex);
+  return -find(all, folder, path).error;
+}
+
+long resize(ros2wasm::FileNode& file, int64_t size) {
+  if (size < 0 || file.kind != FileKind::kFile) {
+    return -EINVAL;
+  }
+  if (size > kLargestFile) {
+    return -EFBIG;
+  }
+  if (const int error = FileTree::load(file)) {
+    return -error;
+  }
+  try {
+    file.bytes.resize(static_cast<size_t>(size));
+  } catch (const std::bad_alloc&) {
+    return -ENOSPC;
+  }
+  file.changed_ns = ros2wasm::time_of_day_ns();
+  return 0;
+}
+
+/// There are no symbolic links: a file is none, and others are missing.
+long link_target(long folder, long path) {
+  const long error = access_path(folder, path);
+  return error != 0 ? error : -EINVAL;
+}
+
+int64_t whole(long low, long high) {
+  return (static_cast<int64_t>(high) << 32) | static_cast<uint32_t>(low);
+}
+
+}  // namespace
+
+extern "C" {
+
+// NOLINTBEGIN(bugprone-reserved-identifier, cert-dcl50-cpp): the C library's own names
+long __syscall_open(long path, long flags, ...) {
+  return open_file(AT_FDCWD, path, flags);
+}
+long __syscall_openat(long folder, long path, long flags, ...) {
+  return open_file(folder, path, flags);
+}
+long __syscall_stat64(long path, long out) {
+  return describe_path(AT_FDCWD, path, out);
+}
+long __syscall_lstat64(long path, long out) {
+  return describe_path(AT_FDCWD, path, out);
+}
+long __syscall_fstatat64(long folder, long path, long out, long flags) {
+  if ((flags & AT_EMPTY_PATH) != 0 && *text(path) == '\0') {
+    path = reinterpret_cast<long>(".");
+  }
+  return describe_path(folder, path, out);
+}
+long __syscall_fstat64(long fd, long out) {
+  Files& all = files();
+  const Lock lock(all.mutex);
+  if (fd >= 0 && fd < kFirst) {
+    ros2wasm::FileNode console;
+    console.kind = FileKind::kConsole;
+    return describe(console, out);
+  }
+  const OpenFile* const open = all.at(static_cast<int>(fd));
+  return open == nullptr ? -EBADF : describe(*open->file, out);
+}
+long __syscall_access(long path, long) {
+  return access_path(AT_FDCWD, path);
+}
+long __syscall_faccessat(long folder, long path, long, long) {
+  return access_path(folder, path);
+}
+long __syscall_mkdir(long path, long) {
+  return make_folder(AT_FDCWD, path);
+}
+long __syscall_mkdirat(long folder, long path, long) {
+  return make_folder(folder, path);
+}
+long __syscall_rmdir(long path) {
+  return remove_path(AT_FDCWD, path, true);
+}
+long __syscall_unlink(long path) {
+  return remove_path(AT_FDCWD, path, false);
+}
+long __syscall_unlinkat(long folder, long path, long flags) {
+  return remove_path(folder, path, (flags & AT_REMOVEDIR) != 0);
+}
+long __syscall_rename(long from, long to) {
+  return rename_path(AT_FDCWD, from, AT_FDCWD, to);
+}
+long __syscall_renameat(long from_folder, long from, long to_folder, long to) {
+  return rename_path(from_folder, from, to_folder, to);
+}
+long __syscall_readlink(long path, long, long) {
+  return link_target(AT_FDCWD, path);
+}
+long __syscall_readlinkat(long folder, long path, long, long) {
+  return link_target(folder, path);
+}
+long __syscall_truncate64(long path, long low, long high) {
+  Files& all = files();
+  const Lock lock(all.mutex);
+  const Found found = find(all, AT_FDCWD, path);
+  return found.error != 0 ? -found.error : resize(*found.file, whole(low, high));
+}
+long __syscall_ftruncate64(long fd, long low, long high) {
+  Files& all = files();
+  const Lock lock(all.mutex);
+  const OpenFile* const open = all.at(static_cast<int>(fd));
+  return open == nullptr ? -EBADF : resize(*open->file, whole(low, high));
+}
+/// Everybody may do everything; times are those of the last change.
+long __syscall_chmod(long path, long) {
+  return access_path(AT_FDCWD, path);
+}
+long __syscall_fchmodat(long folder, long path, long, ...) {
+  return access_path(folder, path);
+}
+long __syscall_fchmod(long, long) {
+  return 0;
+}
+long __syscall_utimensat(long folder, long path, long, long) {
+  return path == 0 ? 0 : access_path(folder, path);
+}
+long __syscall_chdir(long path) {
+  Files& all = files();
+  const Lock lock(all.mutex);
+  const Found found = find(all, AT_FDCWD, path);
+  if (found.error != 0) {
+    return -found.error;
+  }
+  if (!found.file->is_folder()) {
+    return -ENOTDIR;
+  }
+  all.tree.here = found.file;
+  return 0;
+}
+/// Bytes of the path with its end.
+long __syscall_getcwd(long buffer, long size) {
+  Files& all = files();
+  const Lock lock(all.mutex);
+  const std::string path = FileTree::path_of(all.tree.here);
+  if (static_cast<size_t>(size) <= path.size()) {
+    return -ERANGE;
+  }
+  memcpy(reinterpret_cast<char*>(buffer), path.c_str(), path.size() + 1);
+  return static_cast<long>(path.size() + 1);
+}
+long __syscall_getdents64(long fd, long buffer, long size) {
+  Files& all = files();
+  const Lock lock(all.mutex);
+  OpenFile* const open = all.at(static_cast<int>(fd));
+  if (open == nullptr) {
+    return -EBADF;
+  }
+  if (!open->file->is_folder()) {
+    return -ENOTDIR;
+  }
+  constexpr int64_t kDots = 2;
+  const auto& children = open->file->children;
+  long used = 0;
+  while (used + static_cast<long>(sizeof(dirent)) <= size &&
+         open->position < kDots + static_cast<int64_t>(children.size())) {
+    dirent told{};
+    const bool dots = open->position < kDots;
+    const ros2wasm::FileNode& file =
+        dots ? *open->file : *children[static_cast<size_t>(open->position - kDots)];
+    const std::string name = !dots ? file.name : open->position == 0 ? "." : "..";
+    told.d_ino = file.number;
+    told.d_off = ++open->position;
+    told.d_reclen = sizeof(dirent);
+    told.d_type = file.is_folder() ? DT_DIR : file.kind == FileKind::kFile ? DT_REG : DT_CHR;
+    name.copy(told.d_name, sizeof(told.d_name) - 1);
+    memcpy(reinterpret_cast<void*>(buffer + used), &told, sizeof(told));
+    used += static_cast<long>(sizeof(told));
+  }
+  return used;
+}
+// NOLINTEND(bugprone-reserved-identifier, cert-dcl50-cpp)
+
+// What the loader hands on of WASI's calls: 0, or an errno of WASI.
+
+int ros2wasm_fd_read(int fd, const Vector* vectors, uint32_t count, uint32_t* out) {
+  Files& all = files();
+  const Lock lock(all.mutex);
+  OpenFile* const open = all.at(fd);
+  if (open == nullptr || (open->flags & O_ACCMODE) == O_WRONLY) {
+    return kBadFile;
+  }
+  if (open->file->is_folder()) {
+    return kIsFolder;
+  }
+  if (FileTree::load(*open->file) != 0) {
+    return kIo;
+  }
+  const std::string& bytes = open->file->bytes;
+  *out = 0;
+  for (uint32_t i = 0; i < count && open->position < static_cast<int64_t>(bytes.size()); ++i) {
+    const size_t at = static_cast<size_t>(open->position);
+    const size_t length =
+        bytes.copy(reinterpret_cast<char*>(vectors[i].bytes), vectors[i].length, at);
+    open->position += static_cast<int64_t>(length);
+    *out += length;
+  }
+  return kSuccess;
+}
+
+int ros2wasm_fd_write(int fd, const Vector* vectors, uint32_t count, uint32_t* out) {
+  Files& all = files();
+  const Lock lock(all.mutex);
+  OpenFile* const open = all.at(fd);
+  if (open == nullptr || (open->flags & O_ACCMODE) == O_RDONLY) {
+    return kBadFile;
+  }
+  ros2wasm::FileNode& file = *open->file;
+  int64_t length = 0;
+  for (uint32_t i = 0; i < count; ++i) {
+    length += vectors[i].length;
+  }
+  *out = static_cast<uint32_t>(length);
+  if (file.kind == FileKind::kNull || length == 0) {
+    return kSuccess;
+  }
+  if (FileTree::load(file) != 0) {
+    return kIo;
+  }
+  if ((open->flags & O_APPEND) != 0) {
+    open->position = static_cast<int64_t>(file.bytes.size());
+  }
+  const int64_t end = open->position + length;
+  if (end > static_cast<int64_t>(file.bytes.size()) && resize(file, end) != 0) {
+    return kNoSpace;
+  }
+  for (uint32_t i = 0; i < count; ++i) {
+    memcpy(file.bytes.data() + open->position, vectors[i].bytes, vectors[i].length);
+    open->position += vectors[i].length;
+  }
+  file.changed_ns = ros2wasm::time_of_day_ns();
+  return kSuccess;
+}
+
+/// The offset comes in two halves, so that no caller needs 64-bit parameters.
+int ros2wasm_fd_seek(int fd, uint32_t low, int32_t high, int whence, int64_t* out) {
+  Files& all = files();
+  const Lock lock(all.mutex);
+  OpenFile* const open = all.at(fd);
+  if (open == nullptr) {
+    return kBadFile;
+  }
+  const int64_t base = whence == SEEK_SET   ? 0
+                       : whence == SEEK_CUR ? open->position
+                       : whence == SEEK_END ? static_cast<int64_t>(open->file->size())
+                                            : -1;
+  const int64_t wanted = base + whole(static_cast<long>(low), high);
+  if (base < 0 || wanted < 0) {
+    return kInvalid;
+  }
+  open->position = wanted;
+  *out = wanted;
+  return kSuccess;
+}
+
+int ros2wasm_fd_close(int fd) {
+  Files& all = files();
+  const Lock lock(all.mutex);
+  OpenFile* const open = all.at(fd);
+  if (open == nullptr) {
+    return kBadFile;
+  }
+  *open = {};
+  return kSuccess;
+}
+
+int ros2wasm_fd_is_open(int fd) {
+  Files& all = files();
+  const Lock lock(all.mutex);
+  return all.at(fd) != nullptr ? kSuccess : kBadFile;
+}
+
+}  // extern "C"

@@ -1,0 +1,80 @@
+// Files that a program writes: its own, for as long as it runs.
+
+// Compatibility, differs: files that a node writes -> live in its memory as long as it runs; no other node sees them, and
+// the share files of packages are as packed again at its next start
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "checks.hpp"
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string text_of(const fs::path& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  rclcpp::init(argc, argv);
+  Checks checks("own_files");
+  CHECK(fs::current_path() == "/home/user" && std::string(std::getenv("HOME")) == "/home/user");
+  CHECK(fs::temp_directory_path() == "/tmp");
+
+  const fs::path logs = fs::path(std::getenv("HOME")) / "logs" / "today";
+  CHECK(fs::create_directories(logs) && !fs::create_directory(logs));
+  std::ofstream(logs / "run.csv") << "t,x\n0,1.5\n";
+  std::ofstream(logs / "run.csv", std::ios::app) << "1,2.5\n";
+  CHECK(text_of(logs / "run.csv") == "t,x\n0,1.5\n1,2.5\n");
+  std::fstream both(logs / "run.csv", std::ios::in | std::ios::out);
+  both.seekp(4);
+  both << "9";
+  both.close();
+  CHECK(text_of(logs / "run.csv") == "t,x\n9,1.5\n1,2.5\n");
+
+  CHECK(chdir("logs") == 0 && fs::current_path() == "/home/user/logs");
+  CHECK(text_of("./today/../today/run.csv").size() == 16 && text_of("../logs//today/run.csv").size() == 16);
+  fs::rename("today/run.csv", "run.csv");
+  CHECK(!fs::exists("today/run.csv") && fs::file_size("run.csv") == 16);
+  fs::copy_file("run.csv", "copy.csv");
+  fs::resize_file("copy.csv", 3);
+  CHECK(text_of("copy.csv") == "t,x" && text_of("run.csv").size() == 16);
+  CHECK(fs::canonical("today/../copy.csv") == "/home/user/logs/copy.csv");
+  CHECK(std::remove("copy.csv") == 0 && access("copy.csv", F_OK) == -1 && errno == ENOENT);
+  CHECK(fs::remove_all("/home/user/logs") == 3 && !fs::exists("/home/user/logs"));
+
+  std::FILE* const kept = std::fopen("/tmp/kept", "w+");
+  CHECK(kept != nullptr && std::remove("/tmp/kept") == 0 && std::fputs("still here", kept) >= 0);
+  std::rewind(kept);
+  char word[6] = {};
+  CHECK(std::fgets(word, 6, kept) != nullptr && std::string(word) == "still");
+  std::fclose(kept);
+
+  const std::string block(1 << 20, 'x');
+  std::ofstream large("/tmp/large", std::ios::binary);
+  for (int i = 0; i < 64; ++i) {
+    large << block;
+  }
+  large.close();
+  CHECK(large.good() && fs::file_size("/tmp/large") == 64U << 20U);
+  CHECK(truncate("/tmp/large", 0) == 0 && fs::file_size("/tmp/large") == 0);
+
+  std::ofstream nothing("/dev/null");
+  nothing << "gone" << std::flush;
+  CHECK(nothing.good());
+  CHECK(!std::ofstream("/absent/folder/file"));
+  const std::string share = "/opt/ros/jazzy/share/file_checks/config/gains.yaml";
+  std::ofstream(share) << "gain: 3\n";
+  CHECK(text_of(share) == "gain: 3\n");
+  return checks.finish();
+}

@@ -189,6 +189,7 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
     index = open->reachable(texts, manifest.channel_priority, cancellation);
     if (!index) return std::move(index).errors();
   } else if (auto faults = check_solution(wanted->specs, index->records); !faults.empty()) {
+    faults.back().fix.emplace_back("ros2wasm lock");
     return faults;
   }
   append(workspace.warnings, wanted->warnings);

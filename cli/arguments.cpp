@@ -171,7 +171,7 @@ void Arguments::values_if_any(const std::string& names, std::vector<std::string>
                               const std::string& placeholder, const std::string& help) {
   app_.add_option_function<std::vector<std::string>>(
           names, [&target](const std::vector<std::string>& given) { target = given; }, help)
-      ->option_text("[" + placeholder + "] ...")
+      ->option_text("[" + placeholder + "]")
       ->expected(0, 1)
       ->allow_extra_args(false)
       ->take_all();

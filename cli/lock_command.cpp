@@ -63,9 +63,11 @@ CommandBody lock_command(Arguments& arguments) {
       "--check", options->check,
       "write nothing and ask no channel; fail when the lock does not fulfil what is asked");
   arguments.flag("--offline", options->offline, "use only what is on this machine");
-  arguments.values_if_any("--update", options->update, "NAME",
-                          "choose this package anew, as in the channels; without a name, all");
-  arguments.examples({"ros2wasm lock", "ros2wasm lock --check examples/01_talker_listener"});
+  arguments.values_if_any(
+      "--update", options->update, "NAME",
+      "choose this package anew, as in the channels; without a name, all; may be given again");
+  arguments.examples({"ros2wasm lock", "ros2wasm lock --update ros-jazzy-rclcpp",
+                      "ros2wasm lock --check examples/01_talker_listener"});
   return [options](Context& context) { return run(context, *options); };
 }
 

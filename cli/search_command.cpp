@@ -49,9 +49,12 @@ Outcome<std::vector<Found>> search(const MatchSpec& spec, const OpenChannels& op
   return found;
 }
 
-Diagnostic nothing_fits(const MatchSpec& spec, const OpenChannels& open) {
+Diagnostic nothing_fits(const MatchSpec& spec, const OpenChannels& open, bool names_channels) {
   Diagnostic made{.code = "R2W0332",
-                  .message = "no package of the channels fits `" + spec.text() + "`"};
+                  .message = "no package of the channels fits `" + spec.text() + "`",
+                  .why = {"the channels are: " + name_list(open.channels())}};
+  if (!names_channels)
+    made.fix.emplace_back("say which with `--channel`: a folder, an address or a name");
   const auto name = spec.exact_name();
   const auto& names = open.names();
   if (!name) return made;
@@ -95,7 +98,8 @@ int run(Context& context, const SearchOptions& options) {
   if (!spec) return context.console.fail(spec.errors());
   const auto found = search(*spec, *open, context.cancellation);
   if (!found) return context.console.fail(found.errors());
-  if (found->empty()) return context.console.fail(nothing_fits(*spec, *open));
+  if (found->empty())
+    return context.console.fail(nothing_fits(*spec, *open, !options.choice.channels.empty()));
   show(context, *found);
   return 0;
 }

@@ -92,7 +92,7 @@ int run(Context& context, const TreeOptions& options) {
   TreePrinter printer(context, graph);
   if (!options.name.empty()) {
     const auto package = graph.find(options.name);
-    if (!package) return context.console.fail(not_in_lock(options.name, *lock));
+    if (!package) return context.console.fail(not_in_lock(options.name, lock->packages));
     if (context.json) {
       std::vector<bool> reached(graph.size(), false);
       reach(graph, *package, reached);

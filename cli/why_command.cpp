@@ -53,7 +53,7 @@ int why_package(Context& context, const std::string& name) {
   if (!lock) return context.console.fail(lock.errors());
   const LockGraph graph(*lock);
   const auto package = graph.find(name);
-  if (!package) return context.console.fail(not_in_lock(name, *lock));
+  if (!package) return context.console.fail(not_in_lock(name, lock->packages));
   const auto chains = graph.chains_to(*package);
   const PackageRecord& record = graph.package(*package);
   if (context.json) {

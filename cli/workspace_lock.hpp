@@ -11,7 +11,4 @@ namespace ros2wasm {
 /// folder. R2W0330 there is none, R2W0310 it cannot be read.
 [[nodiscard]] Outcome<Lock> read_workspace_lock(const std::string& workspace);
 
-/// R2W0331, with the nearest name that the lock has.
-[[nodiscard]] Diagnostic not_in_lock(const std::string& name, const Lock& lock);
-
 }  // namespace ros2wasm

@@ -99,8 +99,8 @@ std::string normal_version(const std::string& version, bool has_build) {
   if (version.starts_with("==") && !has_build) return rest;
   if (rest.find_first_of("=,|") != std::string::npos) return version;
   if (has_build || rest.ends_with('*')) return rest;
-  const bool plain = rest.find_first_of("*<>!~") == std::string::npos && !rest.empty() &&
-                     !rest.ends_with('.');
+  const bool plain =
+      rest.find_first_of("*<>!~") == std::string::npos && !rest.empty() && !rest.ends_with('.');
   return rest + (plain ? ".*" : "*");
 }
 

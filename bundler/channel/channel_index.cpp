@@ -146,9 +146,15 @@ struct OpenChannels::State {
     return places;
   }
 
+  [[nodiscard]] std::vector<std::string> channel_names() const {
+    std::vector<std::string> all;
+    for (const Channel& channel : channels) all.push_back(channel.name);
+    return all;
+  }
+
   [[nodiscard]] RepoIndex nothing_yet() const {
     RepoIndex index;
-    for (const Channel& channel : channels) index.channels.push_back(channel.name);
+    index.channels = channel_names();
     index.names = names;
     return index;
   }
@@ -217,6 +223,10 @@ class Reach {
 
 const std::vector<std::string>& OpenChannels::names() const {
   return state_->names;
+}
+
+std::vector<std::string> OpenChannels::channels() const {
+  return state_->channel_names();
 }
 
 Outcome<RepoIndex> OpenChannels::reachable(std::span<const std::string> specs,

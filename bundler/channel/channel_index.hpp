@@ -68,6 +68,9 @@ class OpenChannels {
   /// Names of all packages, sorted.
   [[nodiscard]] const std::vector<std::string>& names() const;
 
+  /// Of the channels themselves, in the order of priority.
+  [[nodiscard]] std::vector<std::string> channels() const;
+
   /// What a solution of these match specs can be made of: the records of the names that they speak
   /// of, of the names that those depend on, and so on. Texts that are no match specs are passed
   /// over.

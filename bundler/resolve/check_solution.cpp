@@ -10,8 +10,8 @@
 namespace ros2wasm {
 namespace {
 
-Diagnostic fault(std::string message) {
-  return Diagnostic{.code = "R2W0311", .message = std::move(message)};
+Diagnostic fault(std::string message, const std::optional<SourceSpan>& span = {}) {
+  return Diagnostic{.code = "R2W0311", .message = std::move(message), .span = span};
 }
 
 class Checker {
@@ -23,10 +23,11 @@ class Checker {
 
   /// `who` needs (or, where `limiting` is given, that one limits others to) `text`.
   void require(const std::string& who, const std::string& text,
-               const PackageRecord* limiting = nullptr) {
+               const PackageRecord* limiting = nullptr,
+               const std::optional<SourceSpan>& span = {}) {
     const auto spec = MatchSpec::parse(text);
     if (!spec) {
-      faults_.push_back(fault(who + " `" + text + "`: " + spec.errors().front().message));
+      faults_.push_back(fault(who + " `" + text + "`: " + spec.errors().front().message, span));
       return;
     }
     bool match_there = false;
@@ -48,7 +49,7 @@ class Checker {
     const std::string instead =
         other == nullptr ? "nothing like it is there"
                          : other->name + " " + other->version + " " + other->build + " is there";
-    faults_.push_back(fault(who + " `" + text + "`, but " + instead));
+    faults_.push_back(fault(who + " `" + text + "`, but " + instead, span));
   }
 
   Diagnostics take() { return std::move(faults_); }
@@ -73,7 +74,8 @@ Diagnostics check_solution(const std::vector<RequestedSpec>& specs,
                            const std::vector<PackageRecord>& packages) {
   Checker checker(packages);
   for (const RequestedSpec& spec : specs) {
-    checker.require((spec.origin.empty() ? "the workspace" : spec.origin) + " asks for", spec.text);
+    checker.require((spec.origin.empty() ? "the workspace" : spec.origin) + " asks for", spec.text,
+                    nullptr, spec.span);
   }
   for (const PackageRecord& record : packages) {
     const std::string who = record.name + " " + record.version;

@@ -2,11 +2,13 @@
 #include "bundler/resolve/locked_solve.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <string_view>
 #include <utility>
 
 #include "bundler/io/files.hpp"
+#include "workspace_schema/suggestion.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -64,7 +66,20 @@ std::vector<std::string> changes_of(const std::vector<PackageRecord>& locked,
   return changes;
 }
 
+bool is_among(const std::string& name, const std::vector<PackageRecord>& packages) {
+  return std::any_of(packages.begin(), packages.end(),
+                     [&name](const PackageRecord& record) { return record.name == name; });
+}
+
 }  // namespace
+
+Diagnostic not_in_lock(const std::string& name, const std::vector<PackageRecord>& packages) {
+  Diagnostic made{.code = "R2W0331", .message = "the lock has no package `" + name + "`"};
+  std::vector<std::string> names;
+  for (const PackageRecord& record : packages) names.push_back(record.name);
+  if (const auto similar = nearest(name, names)) made.why.push_back("it has `" + *similar + "`");
+  return made;
+}
 
 Outcome<Lock> read_lock_file(const std::filesystem::path& file) {
   std::error_code error;
@@ -88,6 +103,7 @@ Outcome<LockedSolution> solve_with_lock(const std::vector<RequestedSpec>& specs,
   std::error_code error;
   std::string old_text;
   std::vector<PackageRecord> locked;
+  std::vector<std::string> strangers;  // to choose anew, but not in the lock
   if (std::filesystem::exists(lock_file, error)) {
     auto text = read_file(lock_file);
     if (!text) return std::move(text).errors();
@@ -95,6 +111,9 @@ Outcome<LockedSolution> solve_with_lock(const std::vector<RequestedSpec>& specs,
     auto lock = read_lock(old_text, lock_file.filename().string());
     if (!lock) return std::move(lock).errors();
     locked = std::move(lock->packages);
+    std::copy_if(
+        update.names.begin(), update.names.end(), std::back_inserter(strangers),
+        [&locked](const std::string& name) { return !name.empty() && !is_among(name, locked); });
     std::erase_if(locked, [&update](const PackageRecord& record) {
       return update.everything ||
              std::find(update.names.begin(), update.names.end(), record.name) != update.names.end();
@@ -117,6 +136,12 @@ Outcome<LockedSolution> solve_with_lock(const std::vector<RequestedSpec>& specs,
                                .priority = priority};
   auto resolution = solve(request, index, {.cancellation = cancellation});
   if (!resolution) return std::move(resolution).errors();
+  Diagnostics unknown;
+  for (const std::string& name : strangers) {
+    if (!is_among(name, resolution->packages))
+      unknown.push_back(not_in_lock(name, resolution->packages));
+  }
+  if (!unknown.empty()) return unknown;
   Lock lock{.channels = index.channels, .packages = resolution->packages};
   for (const RequestedSpec& spec : specs) lock.specs.push_back(spec.text);
   std::sort(lock.packages.begin(), lock.packages.end(), by_name);

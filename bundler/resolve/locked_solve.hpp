@@ -19,6 +19,10 @@ struct LockUpdate {
   std::vector<std::string> names;
 };
 
+/// R2W0331, with the nearest name that is among them.
+[[nodiscard]] Diagnostic not_in_lock(const std::string& name,
+                                     const std::vector<PackageRecord>& packages);
+
 /// R2W0330 there is none, R2W0310 it is damaged, R2W0210.
 [[nodiscard]] Outcome<Lock> read_lock_file(const std::filesystem::path& file);
 
@@ -29,8 +33,8 @@ struct LockedSolution {
 };
 
 /// `must_fit`: the lock has to hold as it is. R2W0320 it is missing or does not fit; R2W0310 it is
-/// damaged; errors of solve(). Locked records that their channel no longer has are chosen anew,
-/// unless `must_fit`.
+/// damaged; R2W0331 a package to choose anew is neither in the lock nor needed; errors of solve().
+/// Locked records that their channel no longer has are chosen anew, unless `must_fit`.
 [[nodiscard]] Outcome<LockedSolution> solve_with_lock(const std::vector<RequestedSpec>& specs,
                                                       const RepoIndex& index,
                                                       const std::filesystem::path& lock_file,

@@ -47,6 +47,8 @@ class Behaviour:
     stop: threading.Event = field(default_factory=threading.Event)
     lock: threading.Lock = field(default_factory=threading.Lock)
     etags: bool = True
+    connections: int = 0
+    most_connections: int = 0  # at once
 
     def next_fault(self, path: str) -> Fault | None:
         with self.lock:
@@ -61,6 +63,12 @@ class Behaviour:
 class Handler(http.server.BaseHTTPRequestHandler):
     protocol_version = "HTTP/1.1"
     behaviour: Behaviour
+
+    def setup(self) -> None:
+        super().setup()
+        with self.behaviour.lock:
+            self.behaviour.connections += 1
+            self.behaviour.most_connections = max(self.behaviour.most_connections, self.behaviour.connections)
 
     def log_message(self, format: str, *args: Any) -> None:  # noqa: A002 (the name is the base class's)
         pass
@@ -115,6 +123,15 @@ class Handler(http.server.BaseHTTPRequestHandler):
         self.plain(200, body, headers)
 
     # The faults.
+
+    def together(self, barrier: threading.Barrier, body: bytes) -> None:
+        """Nobody is answered before as many have asked as the barrier is for."""
+        try:
+            barrier.wait()
+        except threading.BrokenBarrierError:
+            self.plain(503, b"nobody else came")
+        else:
+            self.give(body)
 
     def truncate(self, keep: int, body: bytes) -> None:
         """Promises all, gives the first `keep` bytes (of what is asked for), ends the connection."""
@@ -232,6 +249,8 @@ class Handler(http.server.BaseHTTPRequestHandler):
         self.plain(302, b"", {"Location": place})
 
     def finish(self) -> None:
+        with self.behaviour.lock:
+            self.behaviour.connections -= 1
         try:
             super().finish()
         except (OSError, ValueError):

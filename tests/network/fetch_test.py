@@ -11,6 +11,7 @@ import random
 import shutil
 import signal
 import subprocess
+import threading
 import time
 import unittest
 
@@ -219,6 +220,26 @@ class Fetching(FetchCase):
         self.assertIn("0 checked", self.succeed("cache", "verify"))
         self.assertEqual(self.packed(), wanted)
         self.assertIn("packages", self.succeed("cache", "info"))
+
+
+class ManyArchives(ChannelCase):
+    def test_as_many_at_once_as_a_host_is_asked_for(self) -> None:
+        at_once = 6  # DownloadSettings::per_host
+        names = [f"lib{i}" for i in range(3 * at_once)]
+        for name in names:
+            self.add_package(name, {f"share/{name}/data": name.encode()})
+        self.add_package("ros-jazzy-demo", {"lib/demo/talker.wasm": WASM}, names)
+        self.write_index()
+        with FaultServer(self.folder) as server:
+            barrier = threading.Barrier(at_once, timeout=30)
+            for name in names:
+                server.plan(f"/channel/noarch/{name}-1.0-h_0.conda", Fault("together", barrier))
+            (self.folder / "workspace.yaml").write_text(
+                f"schema: 1\nname: demo\nchannels: [\"{server.url}/channel\"]\n"
+                "launch:\n  - package: demo\n    executable: talker\n")
+            self.succeed("lock")
+            self.succeed("cache", "fetch", ROS2WASM_RETRIES="0")
+            self.assertEqual(server.behaviour.most_connections, at_once)
 
 
 class Killing(FetchCase):

@@ -17,7 +17,12 @@ const steadyZero = 1.7e12;
 
 /** Real time that all workers of a page share, monotonic, in ns. */
 export function realNanoseconds(): number {
-  return (performance.timeOrigin - steadyZero + performance.now()) * 1e6;
+  return realAt(performance.timeOrigin);
+}
+
+/** The same, where the worker's own start is at hand: to ask for it costs as much as to ask for the time. */
+function realAt(origin: number): number {
+  return (origin - steadyZero + performance.now()) * 1e6;
 }
 
 /** How site time follows real time: it was `siteNs` at `realNs`, grows by `rate`, and stands still at `limitNs`. */
@@ -37,6 +42,7 @@ export class SiteClock {
   private current: TimeLaw = ordinaryTime;
   private version = 0;
   private newest = 0;
+  private readonly origin = performance.timeOrigin;
   /** The tables never move, so the views of the bus as it is now reach them for ever. */
   private readonly i32: Int32Array | undefined;
   private readonly i64: BigInt64Array | undefined;
@@ -65,7 +71,7 @@ export class SiteClock {
   steadyNs(): number {
     this.keepUp();
     const { realNs, siteNs, rate, limitNs } = this.current;
-    const now = Math.min(siteNs + (realNanoseconds() - realNs) * rate, limitNs);
+    const now = Math.min(siteNs + (realAt(this.origin) - realNs) * rate, limitNs);
     if (now > this.newest) this.newest = now;
     return this.newest;
   }

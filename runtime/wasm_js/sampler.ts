@@ -228,12 +228,14 @@ function readNewest<T>(
       && Atomics.load(bus.i32, word + BusEndpoint.ring) === ring
       && Atomics.load(bus.i32, word + BusEndpoint.generation) === record.key >>> 13;
     if (!holds()) continue;
+    Atomics.add(bus.i32, BusHeader.observing, 1);
     Atomics.store(bus.i32, hazard, frame);
     const held = holds();
     const offset = frame * unit;
     if (held) bus.reach(offset + BusSizes.align + length);
     const seen = held ? look(offset, length) : undefined;
     Atomics.store(bus.i32, hazard, 0);
+    Atomics.sub(bus.i32, BusHeader.observing, 1);
     if (Atomics.load(bus.i32, word + BusEndpoint.blocked) !== 0) bus.bump(record.participant);
     // The pages of a writer that departed may have been given to another one meanwhile.
     if (held && Atomics.load(bus.i32, word + BusEndpoint.generation) === record.key >>> 13) return seen;

@@ -61,6 +61,9 @@ export class SharedLink implements Link {
   private readonly seenNodes: Int32Array;
   private readonly own = new Map<number, Own>();
   private readonly readers: Own[] = [];
+  /** What had something at the last look, when that was after event `lookedAt`; undefined: look at all. */
+  private hopeful: Own[] | undefined;
+  private lookedAt = 0;
   private readonly statuses: SharedStatuses;
   /** Own endpoints that were destroyed and are not freed yet, oldest first. */
   private readonly departed = new Map<number, Own>();
@@ -224,12 +227,20 @@ export class SharedLink implements Link {
   }
 
   ready(): readonly number[] {
+    // Whoever has nothing gets a signal and an event when there is something: without an event, it still has nothing.
+    const token = this.wakeToken();
     this.sync();
+    const looked = token === this.lookedAt && this.hopeful !== undefined ? this.hopeful : this.readers;
+    const hopeful: Own[] = [];
     const out: number[] = [];
-    for (let i = 0; i < this.readers.length; i += 1) {
-      const own = this.readers[i]!;
-      if (own.reader?.hasData() === true) out.push(keyIndex(own.record.key));
+    for (let i = 0; i < looked.length; i += 1) {
+      const own = looked[i]!;
+      if (own.reader?.hasData() !== true) continue;
+      hopeful.push(own);
+      out.push(keyIndex(own.record.key));
     }
+    this.hopeful = hopeful;
+    this.lookedAt = token;
     return out;
   }
 
@@ -426,6 +437,7 @@ export class SharedLink implements Link {
     };
     this.own.set(keyIndex(record.key), own);
     if (own.reader !== undefined) this.readers.push(own);
+    this.hopeful = undefined;
     if (timing.ticks) this.statuses.ticker.follow(this.own.values());
     for (const other of this.graphReplica.named(record.name)) this.introduce(own, other, false);
   }
@@ -501,6 +513,7 @@ export class SharedLink implements Link {
     this.own.delete(index);
     const place = this.readers.indexOf(own);
     if (place >= 0) this.readers.splice(place, 1);
+    this.hopeful = undefined;
     if (own.timing.ticks) this.statuses.ticker.follow(this.own.values());
     // What the broker took from it this thread may be writing to right now: to free it is the broker's.
     if (!this.ended()) this.departed.set(key, own);

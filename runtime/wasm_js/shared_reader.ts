@@ -1,7 +1,7 @@
 // The reading half of an endpoint on the shared bus: subscription, server (requests) or client (replies).
 // Keeps its place per writer in the bus, so that any thread of the participant may take.
 
-import { BusEndpoint, BusSizes, Durability, EndpointKind, ErrorCode, History, keepAllLimit } from '../protocol/generated/constants.ts';
+import { BusBlocked, BusEndpoint, BusSizes, Durability, EndpointKind, ErrorCode, History, keepAllLimit } from '../protocol/generated/constants.ts';
 import type { Bus } from './bus.ts';
 import type { SiteClock } from './clock.ts';
 import type { EndpointRecord } from './graph.ts';
@@ -49,6 +49,8 @@ export class SharedReader {
   private sequence = 0;
   private slot = 0;
   private ring = 0;
+  /** Where the only writer's cursor stood when its next sample was found, and no take has followed; else undefined. */
+  private foundFrom: number | undefined;
   /** Brings the list of writers up to date; true when the graph has changed. */
   private readonly sync: () => boolean;
 
@@ -83,33 +85,70 @@ export class SharedReader {
   }
 
   hasData(): boolean {
-    const signal = Atomics.load(this.bus.i32, this.word + BusEndpoint.signal);
-    if (signal === Atomics.load(this.bus.i32, this.word + BusEndpoint.drained)) return false;
-    return this.find(false);
+    const { i32 } = this.bus;
+    this.foundFrom = undefined;
+    for (;;) {
+      // In this order: what is drained never gets ahead of the signals.
+      const drained = Atomics.load(i32, this.word + BusEndpoint.drained);
+      const signal = Atomics.load(i32, this.word + BusEndpoint.signal);
+      if (signal === drained) return false;
+      if (this.find(false)) {
+        this.foundFrom = this.writers.length === 1 && this.at !== undefined ? this.cursor(this.at) : undefined;
+        return true;
+      }
+      if (this.settle(drained, signal, false)) return false;
+    }
+  }
+
+  /**
+   * Nothing was found since `signal`: from now on the next writer signals again. One that wrote before it could see
+   * that has not: look once more. True when nothing is there.
+   */
+  private settle(drained: number, signal: number, move: boolean): boolean {
+    const { bus, word } = this;
+    if (Atomics.compareExchange(bus.i32, word + BusEndpoint.drained, drained, signal) !== drained) return false;
+    this.sync();
+    if (!this.find(move)) return true;
+    Atomics.add(bus.i32, word + BusEndpoint.signal, 1);
+    bus.bump(this.record.participant);
+    return false;
+  }
+
+  /** Is what hasData() found still the next sample? Only the taker moves the cursor, so it is read plainly. */
+  private keepsFound(): boolean {
+    const from = this.foundFrom;
+    const writer = this.at;
+    this.foundFrom = undefined;
+    if (from === undefined || writer === undefined || this.writers.length !== 1 || writer.pair < 0) return false;
+    const { i32 } = this.bus;
+    if (i32[writer.pair] !== writer.key || i32[writer.pair + 1] !== from) return false;
+    return this.all || ((Atomics.load(i32, writer.word + BusEndpoint.head) - this.sequence) | 0) < this.depth;
   }
 
   take(heap: Heap, address: number, capacity: number, info: number): number {
     const { bus, word } = this;
     for (;;) {
-      const i32 = bus.i32;
-      const signal = Atomics.load(i32, word + BusEndpoint.signal);
-      const found = signal !== Atomics.load(i32, word + BusEndpoint.drained) && this.find(true);
-      const writer = this.at;
-      if (!found || writer === undefined) {
-        // The signal that was noted may be of a writer that has come since the last look.
-        if (this.sync()) continue;
-        Atomics.store(i32, word + BusEndpoint.drained, signal);
-        return ErrorCode.nothing;
+      if (!this.keepsFound()) {
+        const drained = Atomics.load(bus.i32, word + BusEndpoint.drained);
+        const signal = Atomics.load(bus.i32, word + BusEndpoint.signal);
+        if (signal === drained) return ErrorCode.nothing;
+        if (!this.find(true)) {
+          if (this.settle(drained, signal, true)) return ErrorCode.nothing;
+          continue;
+        }
       }
+      const writer = this.at;
+      if (writer === undefined) continue;
       const { slot, sequence } = this;
-      const frame = Atomics.load(bus.i32, slot + 1);
-      const length = Atomics.load(bus.i32, slot + 2);
-      if (!this.holds(writer)) continue;
-      if (length > capacity) return length;
+      // Read plainly: the slot is looked at again before they are used.
+      const frame = bus.i32[slot + 1]!;
+      const length = bus.i32[slot + 2]!;
       // From here to the release no writer touches the frame: it looks at the hazard before it writes.
       Atomics.store(bus.i32, word + BusEndpoint.hazard, frame);
-      if (!this.holds(writer)) {
-        Atomics.store(bus.i32, word + BusEndpoint.hazard, 0);
+      const held = this.holds(writer);
+      if (!held || length > capacity) {
+        this.release(writer, sequence, sequence);
+        if (held) return length;
         continue;
       }
       const offset = frame * unit;
@@ -117,14 +156,25 @@ export class SharedReader {
       const from = bus.i32;
       const header = offset >> 2;
       const target = info >> 2;
-      for (let i = 0; i < 16; i += 1) heap.i32[target + i] = from[header + i]!;
-      copyBytes(bus.u8, from, offset + BusSizes.align, heap.u8, heap.i32, address, length);
-      this.passTo(writer, sequence, 1);
-      Atomics.store(from, word + BusEndpoint.hazard, 0);
-      if (Atomics.load(from, writer.word + BusEndpoint.blocked) !== 0) bus.bump(writer.participant);
+      const to = heap.i32;
+      for (let i = 0; i < 16; i += 1) to[target + i] = from[header + i]!;
+      copyBytes(bus.u8, from, offset + BusSizes.align, heap.u8, to, address, length);
+      const before = this.passTo(writer, sequence, 1);
+      this.release(writer, before, sequence);
       if (writer.lifespanNs > 0 && this.expired(heap, target, writer.lifespanNs)) continue;
       return length;
     }
+  }
+
+  /** Lets go of the frame, and wakes a writer that waits for that, or for the cursor to come as far as it has now. */
+  private release(writer: WriterRef, before: number, after: number): void {
+    const { bus, bus: { i32 } } = this;
+    Atomics.store(i32, this.word + BusEndpoint.hazard, 0);
+    const blocked = Atomics.load(i32, writer.word + BusEndpoint.blocked);
+    if (blocked === BusBlocked.no) return;
+    const room = Atomics.load(i32, writer.word + BusEndpoint.roomAt);
+    if (blocked === BusBlocked.room && (((before - room) | 0) >= 0 || ((after - room) | 0) < 0)) return;
+    bus.bump(writer.participant);
   }
 
   private expired(heap: Heap, info: number, lifespanNs: number): boolean {
@@ -165,7 +215,7 @@ export class SharedReader {
         const sequence = this.firstValid(writer, cursor, head, move);
         if (sequence === undefined) continue;
         total += (head - sequence + 1) | 0;
-        const order = Atomics.load(this.bus.i32, this.slot + 3);
+        const order = this.bus.i32[this.slot + 3]!;
         if (best === undefined || ((order - bestOrder) | 0) < 0) {
           best = writer;
           bestSequence = sequence;
@@ -204,8 +254,8 @@ export class SharedReader {
       const slot = slotWord(bus, ring, sequence);
       bus.reach((slot << 2) + BusSizes.slot);
       if (Atomics.load(bus.i32, slot) === sequence) {
-        const target = Atomics.load(bus.i32, slot + 4);
-        if (!this.filter || target === 0 || target === this.record.key) {
+        const target = this.filter ? bus.i32[slot + 4]! : 0;
+        if (target === 0 || target === this.record.key) {
           this.slot = slot;
           this.ring = ring;
           return sequence;
@@ -220,14 +270,20 @@ export class SharedReader {
     return undefined;
   }
 
-  /** Moves the cursor; of the samples that it passes, all but the last `taken` were overwritten before they were read. */
-  private passTo(writer: WriterRef, sequence: number, taken: number): void {
-    const lost = this.all ? (sequence - this.cursor(writer) - taken) | 0 : 0;
+  /**
+   * Moves the cursor; of the samples that it passes, all but the last `taken` were overwritten before they were read.
+   * Returns where it was.
+   */
+  private passTo(writer: WriterRef, sequence: number, taken: number): number {
+    this.findPair(writer);
+    const before = writer.pair < 0 ? 0 : this.bus.i32[writer.pair + 1]!;
+    const lost = this.all ? (sequence - before - taken) | 0 : 0;
     this.setCursor(writer, sequence);
-    if (lost <= 0) return;
+    if (lost <= 0) return before;
     Atomics.add(this.bus.i32, this.word + BusEndpoint.lostTotal, lost);
     this.bus.noteStatus(this.record.participant);
     this.bus.bump(this.record.participant);
+    return before;
   }
 
   private cursor(writer: WriterRef): number {
@@ -238,11 +294,15 @@ export class SharedReader {
     return writer.pair < 0 ? 0 : Atomics.load(this.bus.i32, writer.pair + 1);
   }
 
+  /** For the taker: nobody else changes the places meanwhile, so they are read plainly. */
+  private findPair(writer: WriterRef): void {
+    if (writer.pair >= 0 && this.bus.i32[writer.pair] === writer.key) return;
+    writer.pair = findCursor(this.bus, this.word, writer.key);
+  }
+
   /** False when the writer has no place yet, and there is no room for one. */
   private setCursor(writer: WriterRef, sequence: number): boolean {
-    if (writer.pair < 0 || Atomics.load(this.bus.i32, writer.pair) !== writer.key) {
-      writer.pair = findCursor(this.bus, this.word, writer.key);
-    }
+    this.findPair(writer);
     if (writer.pair < 0) writer.pair = this.addPair(writer.key, sequence);
     else Atomics.store(this.bus.i32, writer.pair + 1, sequence);
     return writer.pair >= 0;

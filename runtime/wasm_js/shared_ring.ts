@@ -81,6 +81,7 @@ export function findCursor(bus: Bus, reader: number, writerKey: number): number 
 
 /** True when someone outside the reader lists (the page's sampler) is reading the frame. */
 export function observed(bus: Bus, frameUnit: number, units: number): boolean {
+  if (Atomics.load(bus.i32, BusHeader.observing) === 0) return false;
   for (let i = 0; i < BusHeader.observerCount; i += 1) {
     const hazard = Atomics.load(bus.i32, BusHeader.observers + i);
     if (hazard >= frameUnit && hazard < frameUnit + units) return true;

@@ -3,7 +3,7 @@
 // may write; only the lists of matched readers are the thread's own.
 
 import {
-  BusEndpoint, BusHeader, BusParticipant, BusRing, BusSizes, Durability, EndpointKind, ErrorCode, History,
+  BusBlocked, BusEndpoint, BusHeader, BusParticipant, BusRing, BusSizes, Durability, EndpointKind, ErrorCode, History,
   keepAllLimit, maxSampleLength, Reliability, serviceLimit,
 } from '../protocol/generated/constants.ts';
 import type { Bus } from './bus.ts';
@@ -29,6 +29,8 @@ interface ReaderRef {
   /** Of a reader that asks for a deadline, which only a writer that offers one can match. */
   readonly deadline: { readonly ns: number; readonly cells: BusCells } | undefined;
   pair: number;
+  /** It has read as far as this, or further; undefined: not asked yet. */
+  known: number | undefined;
 }
 
 interface RetiredRun {
@@ -45,6 +47,8 @@ const minStride = 128;
 const maxStride = 64 + 2048;
 /** Slots looked at for a frame to use again. */
 const searchLimit = 64;
+/** A writer that had to wait goes on when so much is free: to be woken costs as much as many samples. */
+const roomAtOnce = keepAllLimit >> 2;
 
 export class SharedWriter {
   readonly record: EndpointRecord;
@@ -58,6 +62,8 @@ export class SharedWriter {
   private readers: ReaderRef[] = [];
   private participants: number[] = [];
   private retired: RetiredRun[] = [];
+  /** As claimFrame() left it. */
+  private ring = 0;
   /** Brings the reader list up to date; cheap when the graph's version has not moved. */
   private readonly sync: () => void;
   private readonly pause: Pause;
@@ -96,6 +102,7 @@ export class SharedWriter {
       reliable: reader.qos.reliability === Reliability.reliable,
       deadline: ns === 0 ? undefined : { ns, cells: new BusCells(this.bus, word) },
       pair: -1,
+      known: undefined,
     });
     this.listParticipants();
   }
@@ -114,8 +121,8 @@ export class SharedWriter {
     const { bus, word } = this;
     if (length > maxSampleLength) return ErrorCode.tooLarge;
     this.releaseRetired();
-    const head = Atomics.load(bus.i32, word + BusEndpoint.head);
-    const sequence = (head + 1) | 0;
+    // What only its writers change is read plainly: calls on one endpoint are serialised by the caller.
+    const sequence = (bus.i32[word + BusEndpoint.head]! + 1) | 0;
     let frame = this.claimFrame(sequence, length);
     while (frame === ErrorCode.outOfMemory) {
       // As it is before the search: who comes further meanwhile makes room that the search has not seen.
@@ -125,13 +132,13 @@ export class SharedWriter {
       frame = this.claimFrame(sequence, length);
     }
     if (frame < 0) return frame;
-    const slot = slotWord(bus, Atomics.load(bus.i32, word + BusEndpoint.ring), sequence);
+    const slot = slotWord(bus, this.ring, sequence);
     const target = this.fill(heap, address, length, info, sequence, frame);
     const i32 = bus.i32;
-    Atomics.store(i32, slot + 1, frame);
-    Atomics.store(i32, slot + 2, length);
-    Atomics.store(i32, slot + 3, Atomics.add(i32, BusHeader.order, 1));
-    Atomics.store(i32, slot + 4, target);
+    i32[slot + 1] = frame;
+    i32[slot + 2] = length;
+    i32[slot + 3] = Atomics.add(i32, BusHeader.order, 1);
+    i32[slot + 4] = target;
     Atomics.store(i32, slot, sequence);
     this.count(length);
     Atomics.store(i32, word + BusEndpoint.head, sequence);
@@ -144,17 +151,21 @@ export class SharedWriter {
 
   private noteTime(): void {
     const now = this.clock.steadyNs();
-    this.timing.wrote(now);
+    const revived = this.timing.wrote(now);
     for (const { deadline, word, generation } of this.readers) {
       if (deadline === undefined) continue;
       if (Atomics.load(this.bus.i32, word + BusEndpoint.generation) !== generation) continue;
       noteSample(deadline.cells, deadline.ns, now);
     }
+    if (revived) this.bumpReaders();
   }
 
   /** Tells the readers that hold this writer for dead. */
   assert(): void {
-    if (!this.timing.assert(this.clock.steadyNs())) return;
+    if (this.timing.assert(this.clock.steadyNs())) this.bumpReaders();
+  }
+
+  private bumpReaders(): void {
     for (const participant of this.participants) this.bus.bump(participant);
   }
 
@@ -163,7 +174,8 @@ export class SharedWriter {
     const { bus, word } = this;
     const room = this.makeRoom(sequence, length);
     if (room < 0) return room;
-    const ring = Atomics.load(bus.i32, word + BusEndpoint.ring);
+    const ring = bus.i32[word + BusEndpoint.ring]!;
+    this.ring = ring;
     const slot = slotWord(bus, ring, sequence);
     // Nobody expects sequence + 1 in this slot: from here on the old sample is not there. Readers that came since
     // the last look might have it in their hands, so look again.
@@ -206,29 +218,30 @@ export class SharedWriter {
   private awaitSlowest(lag: number): number {
     if (!this.mayBlock) return ErrorCode.outOfMemory;
     const head = Atomics.load(this.bus.i32, this.word + BusEndpoint.head);
-    if (lag > 0) return this.blockFor((head - lag + 1) | 0);
-    return this.retired.length === 0 ? ErrorCode.outOfMemory : this.blockWhile(() => this.retired.length > 0);
+    const next = (head - lag + 1) | 0;
+    if (lag > 0) return this.blockWhile(BusBlocked.release, () => this.keepAllWants(next, false));
+    if (this.retired.length === 0) return ErrorCode.outOfMemory;
+    return this.blockWhile(BusBlocked.release, () => this.retired.length > 0);
   }
 
+  /** Tells the readers that had nothing to read; the others look again before they rest. */
   private signal(target: number): void {
-    const { bus } = this;
+    const { bus, bus: { i32 } } = this;
     for (let i = 0; i < this.readers.length; i += 1) {
       const reader = this.readers[i]!;
       if (target !== 0 && reader.key !== target) continue;
-      Atomics.add(bus.i32, reader.word + BusEndpoint.signal, 1);
-      if (target !== 0) {
-        bus.bump(reader.participant);
-        return;
-      }
+      const signal = reader.word + BusEndpoint.signal;
+      if (Atomics.load(i32, signal) !== Atomics.load(i32, reader.word + BusEndpoint.drained)) continue;
+      Atomics.add(i32, signal, 1);
+      bus.bump(reader.participant);
     }
-    for (let i = 0; i < this.participants.length; i += 1) bus.bump(this.participants[i]!);
   }
 
   private count(length: number): void {
     const { bus, word } = this;
-    const low = Atomics.load(bus.i32, word + BusEndpoint.bytesLow) >>> 0;
+    const low = bus.i32[word + BusEndpoint.bytesLow]! >>> 0;
     if (low + length > 0xffffffff) Atomics.add(bus.i32, word + BusEndpoint.bytesHigh, 1);
-    Atomics.store(bus.i32, word + BusEndpoint.bytesLow, (low + length) | 0);
+    bus.i32[word + BusEndpoint.bytesLow] = (low + length) | 0;
   }
 
   /** Frame header and payload; the header goes back to the caller too. Returns whom the sample is for, 0: all. */
@@ -240,7 +253,7 @@ export class SharedWriter {
     bus.reach(offset + BusSizes.align + length);
     const { i32 } = bus;
     if (sequence === 0) Atomics.add(i32, word + BusEndpoint.headHigh, 1);
-    const high = Atomics.load(i32, word + BusEndpoint.headHigh);
+    const high = i32[word + BusEndpoint.headHigh]!;
     const source = info >> 2;
     const h = offset >> 2;
     const given = heap.i32;
@@ -270,7 +283,7 @@ export class SharedWriter {
   private makeRoom(sequence: number, length: number): number {
     const { bus, word } = this;
     const stride = Math.min(Math.max(minStride, (BusSizes.align + length + unit - 1) & -unit), maxStride);
-    let ring = Atomics.load(bus.i32, word + BusEndpoint.ring);
+    let ring = bus.i32[word + BusEndpoint.ring]!;
     if (ring === 0) {
       const made = this.newRing(firstLog2, stride, 0, sequence);
       if (made < 0) return made;
@@ -279,7 +292,7 @@ export class SharedWriter {
       this.reachRing(ring);
     }
     const fits = BusSizes.align + length <= maxStride;
-    const now = Atomics.load(bus.i32, (bus.pageOffset(ringPage(ring)) >> 2) + BusRing.stride);
+    const now = this.strideOf(ring);
     if (fits && stride > now) {
       let wider = now;
       while (wider < stride) wider *= 2;
@@ -291,20 +304,24 @@ export class SharedWriter {
       const size = 1 << ringLog2(ring);
       const old = (sequence - size) | 0;
       const slot = slotWord(bus, ring, sequence);
-      if (Atomics.load(bus.i32, slot) !== old || !this.wanted(old, size, Atomics.load(bus.i32, slot + 4))) return 0;
+      if (bus.i32[slot] !== old || !this.wanted(old, size, bus.i32[slot + 4]!)) return 0;
       if (size < this.sizeLimit(old)) {
-        const width = Atomics.load(bus.i32, (bus.pageOffset(ringPage(ring)) >> 2) + BusRing.stride);
-        const made = this.newRing(ringLog2(ring) + 1, width, ring, sequence);
+        const made = this.newRing(ringLog2(ring) + 1, this.strideOf(ring), ring, sequence);
         if (made < 0) return made;
         ring = made;
         continue;
       }
       if (!this.mayBlock) return 0;
       if (!this.keepAllWants(old, false)) return this.keepAllWants(old, true) ? ErrorCode.outOfMemory : 0;
-      const outcome = this.blockFor(old);
+      const outcome = this.awaitRoom((old + roomAtOnce - 1) | 0);
       if (outcome < 0) return outcome;
       ring = Atomics.load(bus.i32, word + BusEndpoint.ring);
     }
+  }
+
+  private strideOf(ring: number): number {
+    const { bus } = this;
+    return bus.i32[(bus.pageOffset(ringPage(ring)) >> 2) + BusRing.stride]!;
   }
 
   /** Another thread of the participant may have made the ring. */
@@ -312,7 +329,7 @@ export class SharedWriter {
     const { bus } = this;
     const offset = bus.pageOffset(ringPage(ring));
     bus.reach(offset + BusSizes.page);
-    bus.reach(offset + Atomics.load(bus.i32, (offset >> 2) + BusRing.pages) * BusSizes.page);
+    bus.reach(offset + bus.i32[(offset >> 2) + BusRing.pages]! * BusSizes.page);
   }
 
   /** Most slots, when `old` is the sample that gives way to the next. */
@@ -327,36 +344,45 @@ export class SharedWriter {
     for (let i = 0; i < this.readers.length; i += 1) {
       const reader = this.readers[i]!;
       if (target !== 0 && reader.key !== target) continue;
-      if (age < reader.depth && ((old - this.cursor(reader)) | 0) > 0) return true;
+      if (age < reader.depth && !this.hasRead(reader, old)) return true;
     }
     return false;
+  }
+
+  /** Asks the reader only when it was not known to be as far. */
+  private hasRead(reader: ReaderRef, sequence: number): boolean {
+    if (reader.known !== undefined && ((reader.known - sequence) | 0) >= 0) return true;
+    reader.known = this.cursor(reader);
+    return ((reader.known - sequence) | 0) >= 0;
   }
 
   /** Does a reliable keep_all reader, here or elsewhere, still have to read the sample? */
   private keepAllWants(old: number, local: boolean): boolean {
     return this.readers.some((reader) => reader.reliable && reader.local === local && reader.depth === Infinity
-      && ((old - this.cursor(reader)) | 0) > 0);
+      && !this.hasRead(reader, old));
   }
 
-  private blockFor(old: number): number {
-    return this.blockWhile(() => this.keepAllWants(old, false));
+  /** Sleeps until the readers that it waits for have read `last`. 0 or an ErrorCode. */
+  private awaitRoom(last: number): number {
+    Atomics.store(this.bus.i32, this.word + BusEndpoint.roomAt, last);
+    return this.blockWhile(BusBlocked.room, () => this.keepAllWants(last, false));
   }
 
   /** Sleeps while it is needed and no reader lets go of pages that were taken out of the slots. 0 or an ErrorCode. */
-  private blockWhile(needed: () => boolean): number {
+  private blockWhile(tell: number, needed: () => boolean): number {
     const { bus, word } = this;
     const wake = bus.participantWord(this.record.participant) + BusParticipant.wake;
-    Atomics.store(bus.i32, word + BusEndpoint.blocked, 1);
+    Atomics.store(bus.i32, word + BusEndpoint.blocked, tell);
     for (;;) {
       const token = Atomics.load(bus.i32, wake);
       this.sync();
       if (this.releaseRetired() || !needed()) break;
       const outcome = this.pause(token);
       if (outcome === 'again') continue;
-      Atomics.store(bus.i32, word + BusEndpoint.blocked, 0);
+      Atomics.store(bus.i32, word + BusEndpoint.blocked, BusBlocked.no);
       return outcome === 'stop' ? ErrorCode.stopped : ErrorCode.wouldBlock;
     }
-    Atomics.store(bus.i32, word + BusEndpoint.blocked, 0);
+    Atomics.store(bus.i32, word + BusEndpoint.blocked, BusBlocked.no);
     return 0;
   }
 
@@ -431,7 +457,7 @@ export class SharedWriter {
     const { bus } = this;
     const base = bus.pageOffset(ringPage(ring));
     const log2 = ringLog2(ring);
-    const stride = Atomics.load(bus.i32, (base >> 2) + BusRing.stride);
+    const stride = this.strideOf(ring);
     return (base + ringFramesOffset(log2) + (sequence & ((1 << log2) - 1)) * stride) / unit;
   }
 
@@ -439,11 +465,10 @@ export class SharedWriter {
   private frameFor(ring: number, slot: number, sequence: number, length: number): number {
     const { bus, record } = this;
     const bytes = BusSizes.align + length;
-    const base = bus.pageOffset(ringPage(ring));
-    const stride = Atomics.load(bus.i32, (base >> 2) + BusRing.stride);
+    const stride = this.strideOf(ring);
     if (bytes <= stride) {
       const frame = this.inlineFrame(ring, sequence);
-      if (!this.inUse(frame, stride / unit)) {
+      if (!this.inlineInUse(frame, stride / unit, (sequence - (1 << ringLog2(ring))) | 0)) {
         this.releaseExtent(slot);
         return frame;
       }
@@ -526,6 +551,14 @@ export class SharedWriter {
       return false;
     });
     return this.retired.length < before;
+  }
+
+  /** The same of an inline frame, whose last sample was `old`: who has read that one is done with the frame. */
+  private inlineInUse(frame: number, units: number, old: number): boolean {
+    for (let i = 0; i < this.readers.length; i += 1) {
+      if (!this.hasRead(this.readers[i]!, old)) return this.inUse(frame, units);
+    }
+    return observed(this.bus, frame, units);
   }
 
   /** Does a reader have a frame of this range in its hands? */

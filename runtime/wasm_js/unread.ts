@@ -20,7 +20,6 @@ export function unread(bus: Bus, key: number): boolean {
     const reader = bus.endpointWord(index);
     if ((Atomics.load(i32, reader) & 255) !== BusPhase.live) continue;
     if (!metBefore(bus, reader, word)) continue;
-    if (Atomics.load(i32, reader + BusEndpoint.drained) === Atomics.load(i32, reader + BusEndpoint.signal)) continue;
     // Saves reading the names of most.
     if (i32[reader + BusEndpoint.nameLength] !== length) continue;
     const record = readEndpoint(bus, index)?.record;

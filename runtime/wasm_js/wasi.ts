@@ -2,7 +2,7 @@
 // Descriptors beyond 2 are files, which the program keeps itself (wasm_cpp/src/file_calls.cpp).
 
 import { WaitResult } from '../protocol/generated/constants.ts';
-import type { SiteClock } from './clock.ts';
+import { putNanoseconds, type SiteClock } from './clock.ts';
 import type { ProgramMemory } from './program_memory.ts';
 
 const success = 0;
@@ -88,10 +88,10 @@ export function wasiImports(host: WasiHost): Record<string, WasiFunction> {
     });
     return success;
   };
-  const now = (clock: number): bigint | undefined => {
+  const now = (clock: number): number | undefined => {
     // Times of day; the others (process and thread time too) count steadily.
-    if (clock === 0) return BigInt(Math.floor(host.clock.systemNs()));
-    if (clock === 1 || clock === 2 || clock === 3) return BigInt(Math.floor(host.clock.steadyNs()));
+    if (clock === 0) return Math.floor(host.clock.systemNs());
+    if (clock === 1 || clock === 2 || clock === 3) return Math.floor(host.clock.steadyNs());
     return undefined;
   };
 
@@ -100,7 +100,7 @@ export function wasiImports(host: WasiHost): Record<string, WasiFunction> {
     const out = Number(rest[rest.length - 1]);
     const time = now(clock);
     if (time === undefined) return inval;
-    memory().setI64(out, time);
+    putNanoseconds(memory().i32, out >>> 2, time);
     return success;
   };
 
@@ -131,7 +131,7 @@ export function wasiImports(host: WasiHost): Record<string, WasiFunction> {
       if (kind !== 0) continue;
       const absolute = (memory().u32(at + 40) & 1) !== 0;
       const time = memory().i64(at + 24);
-      const wait = Number(absolute ? time - (now(memory().u32(at + 16)) ?? 0n) : time) / 1e6;
+      const wait = Number(absolute ? time - BigInt(now(memory().u32(at + 16)) ?? 0) : time) / 1e6;
       if (wait < shortest) {
         shortest = wait;
         clock = i;

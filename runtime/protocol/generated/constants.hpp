@@ -163,6 +163,7 @@ inline constexpr int32_t kOrder = 64;
 inline constexpr int32_t kPageHint = 96;
 inline constexpr int32_t kObservers = 112;
 inline constexpr int32_t kObserverCount = 8;
+inline constexpr int32_t kObserving = 120;
 inline constexpr int32_t kSiteTime = 128;
 inline constexpr int32_t kSize = 1024;
 }  // namespace bus_header
@@ -231,9 +232,9 @@ inline constexpr int32_t kHeadHigh = 34;
 inline constexpr int32_t kBytesLow = 35;
 inline constexpr int32_t kBytesHigh = 36;
 inline constexpr int32_t kBlocked = 37;
+inline constexpr int32_t kRoomAt = 38;
 inline constexpr int32_t kSignal = 48;
 inline constexpr int32_t kDrained = 49;
-inline constexpr int32_t kHazard = 50;
 inline constexpr int32_t kTable = 51;
 inline constexpr int32_t kMatchedTotal = 64;
 inline constexpr int32_t kMatchedCurrent = 65;
@@ -255,12 +256,21 @@ inline constexpr int32_t kLivelinessRead = 83;
 inline constexpr int32_t kAliveRead = 84;
 inline constexpr int32_t kDied = 85;
 inline constexpr int32_t kWatched = 86;
+inline constexpr int32_t kHazard = 92;
 inline constexpr int32_t kInlineTable = 96;
 inline constexpr int32_t kInlineEntries = 8;
 inline constexpr int32_t kNameBytes = 448;
 inline constexpr int32_t kTypeBytes = 704;
 inline constexpr int32_t kHashBytes = 960;
 }  // namespace bus_endpoint
+
+/// Values of BusEndpoint.blocked: what a waiting writer is to be told of.
+namespace bus_blocked
+{
+inline constexpr int32_t kNo = 0;
+inline constexpr int32_t kRelease = 1;
+inline constexpr int32_t kRoom = 2;
+}  // namespace bus_blocked
 
 /// Low byte of a node's or endpoint's state; the rest is participant index + 1.
 namespace bus_phase

@@ -154,6 +154,7 @@ export const BusHeader = {
   pageHint: 96,
   observers: 112,
   observerCount: 8,
+  observing: 120,
   siteTime: 128,
   size: 1024,
 } as const;
@@ -218,9 +219,9 @@ export const BusEndpoint = {
   bytesLow: 35,
   bytesHigh: 36,
   blocked: 37,
+  roomAt: 38,
   signal: 48,
   drained: 49,
-  hazard: 50,
   table: 51,
   matchedTotal: 64,
   matchedCurrent: 65,
@@ -242,11 +243,19 @@ export const BusEndpoint = {
   aliveRead: 84,
   died: 85,
   watched: 86,
+  hazard: 92,
   inlineTable: 96,
   inlineEntries: 8,
   nameBytes: 448,
   typeBytes: 704,
   hashBytes: 960,
+} as const;
+
+/** Values of BusEndpoint.blocked: what a waiting writer is to be told of. */
+export const BusBlocked = {
+  no: 0,
+  release: 1,
+  room: 2,
 } as const;
 
 /** Low byte of a node's or endpoint's state; the rest is participant index + 1. */

@@ -195,6 +195,7 @@ void Executor::refresh_entries() {
   entries_.clear();
   ready_.clear();
   next_ready_ = 0;
+  asked_at_.reset();
   nodes_.erase(std::remove_if(nodes_.begin(), nodes_.end(),
                               [](const NodeRecord& record) { return record.node.expired(); }),
                nodes_.end());
@@ -230,22 +231,36 @@ void Executor::refresh_entries() {
   }
 }
 
-std::chrono::nanoseconds Executor::collect_ready() {
+void Executor::ask_bus(std::optional<int32_t> token) {
+  ros2wasm::ready_endpoints(ready_endpoints_);
+  ready_entries_.clear();
+  asked_at_ = token;
+  for (const uint32_t id : ready_endpoints_) {
+    const auto found = entry_of_endpoint_.find(static_cast<int32_t>(id));
+    if (found != entry_of_endpoint_.end()) {
+      ready_entries_.push_back(found->second);
+    } else {
+      detail::run_background(id);
+      asked_at_.reset();
+    }
+  }
+}
+
+nanoseconds Executor::collect_ready(std::optional<int32_t> token) {
   ready_.clear();
   next_ready_ = 0;
   ready_marks_.assign(entries_.size(), 0);
-  ros2wasm::ready_endpoints(ready_endpoints_);
-  for (const uint32_t id : ready_endpoints_) {
-    const auto found = entry_of_endpoint_.find(static_cast<int32_t>(id));
-    if (found == entry_of_endpoint_.end()) {
-      detail::run_background(id);
-    } else {
-      ready_marks_[found->second] = 1;
-    }
+  bool status_changed = false;
+  spared_ = token && asked_at_ == token && !ready_entries_.empty();
+  if (!spared_) {
+    ask_bus(token);
+    const int32_t status = ros2wasm::status_version();
+    status_changed = status != seen_status_;
+    seen_status_ = status;
   }
-  const int32_t status = ros2wasm::status_version();
-  const bool status_changed = status != seen_status_;
-  seen_status_ = status;
+  for (const size_t i : ready_entries_) {
+    ready_marks_[i] = 1;
+  }
   nanoseconds next_timer = nanoseconds::max();
   for (size_t i = 0; i < entries_.size(); ++i) {
     Entry& entry = entries_[i];
@@ -321,8 +336,13 @@ bool Executor::get_next_executable(AnyExecutable& any_executable, nanoseconds ti
       if (take_ready(any_executable)) {
         return true;
       }
-      limit = collect_ready();
-      if (take_ready(any_executable)) {
+      limit = collect_ready(token);
+      bool found = take_ready(any_executable);
+      if (!found && spared_) {
+        limit = collect_ready(std::nullopt);
+        found = take_ready(any_executable);
+      }
+      if (found) {
         return true;
       }
     }
@@ -337,16 +357,26 @@ bool Executor::get_next_executable(AnyExecutable& any_executable, nanoseconds ti
   }
 }
 
-void Executor::execute_any_executable(AnyExecutable& any_executable) {
-  if (any_executable.entity) {
-    any_executable.entity->run(any_executable.data);
+bool Executor::execute_any_executable(AnyExecutable& any_executable) {
+  if (any_executable.entity && any_executable.entity->run(any_executable.data)) {
+    return true;
   }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  asked_at_.reset();
+  return false;
 }
 
 void Executor::spin_once_impl(nanoseconds timeout) {
-  AnyExecutable any_executable;
-  if (get_next_executable(any_executable, timeout)) {
-    execute_any_executable(any_executable);
+  const bool limited = timeout.count() > 0;
+  const nanoseconds until = limited ? steady_now() + timeout : nanoseconds(0);
+  while (true) {
+    AnyExecutable any_executable;
+    if (!get_next_executable(any_executable, timeout) || execute_any_executable(any_executable)) {
+      return;
+    }
+    if (limited) {
+      timeout = std::max(until - steady_now(), nanoseconds(0));
+    }
   }
 }
 
@@ -383,7 +413,7 @@ void Executor::spin_some_impl(nanoseconds max_duration, bool exhaustive) {
       refresh_entries();
       found = collected && take_ready(any_executable);
       if (!found && (!collected || exhaustive)) {
-        collect_ready();
+        collect_ready(std::nullopt);
         collected = true;
         found = take_ready(any_executable);
       }

@@ -150,8 +150,8 @@ void PublisherBase::publish_object(const void* ros_message) const {
 }
 
 void PublisherBase::publish_bytes(const uint8_t* bytes, size_t size) const {
+  // Without a time: the bus gives it the one at which it is written.
   ros2wasm::SampleInfo info{};
-  info.source_timestamp_ns = ros2wasm::system_now_ns();
   const int32_t result = endpoint_->write(bytes, size, info);
   if (result < 0 && context_->is_valid()) {
     const std::string text = "the bus refused the message, error " + std::to_string(result);

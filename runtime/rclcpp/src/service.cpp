@@ -120,12 +120,14 @@ int32_t ServiceBase::ready_endpoint() const {
   return endpoint_->id();
 }
 
-void ServiceBase::run(std::shared_ptr<void>&) {
+bool ServiceBase::run(std::shared_ptr<void>&) {
   auto request = create_request();
   auto header = create_request_header();
-  if (take_type_erased_request(request.get(), *header)) {
+  const bool taken = take_type_erased_request(request.get(), *header);
+  if (taken) {
     handle_request(std::move(header), std::move(request));
   }
+  return taken;
 }
 
 ClientBase::ClientBase(node_interfaces::NodeBaseInterface* node_base,
@@ -218,12 +220,14 @@ int32_t ClientBase::ready_endpoint() const {
   return endpoint_->id();
 }
 
-void ClientBase::run(std::shared_ptr<void>&) {
+bool ClientBase::run(std::shared_ptr<void>&) {
   auto response = create_response();
   auto header = create_request_header();
-  if (take_type_erased_response(response.get(), *header)) {
+  const bool taken = take_type_erased_response(response.get(), *header);
+  if (taken) {
     handle_response(std::move(header), std::move(response));
   }
+  return taken;
 }
 
 }  // namespace rclcpp

@@ -14,10 +14,11 @@
 namespace rclcpp {
 namespace {
 
-rmw_message_info_t to_rmw(const ros2wasm::SampleInfo& info, uint64_t received_count) {
+rmw_message_info_t to_rmw(const ros2wasm::SampleInfo& info, uint64_t received_count,
+                          int64_t received_ns) {
   rmw_message_info_t result{};
   result.source_timestamp = info.source_timestamp_ns;
-  result.received_timestamp = ros2wasm::system_now_ns();
+  result.received_timestamp = received_ns;
   result.publication_sequence_number = static_cast<uint64_t>(info.sequence);
   result.reception_sequence_number = received_count;
   result.publisher_gid.implementation_identifier = rmw_get_implementation_identifier();
@@ -107,7 +108,8 @@ const char* SubscriptionBase::type_name() const {
   return detail::callbacks_of(type_support_).type_name;
 }
 
-bool SubscriptionBase::take_bytes(ros2wasm::Bytes& bytes, rclcpp::MessageInfo& info) {
+bool SubscriptionBase::take_bytes(ros2wasm::Bytes& bytes, rclcpp::MessageInfo& info,
+                                  bool with_time) {
   ros2wasm::SampleInfo sample{};
   const auto filter = this->filter();
   while (endpoint_->take(bytes, sample)) {
@@ -117,7 +119,8 @@ bool SubscriptionBase::take_bytes(ros2wasm::Bytes& bytes, rclcpp::MessageInfo& i
     if (filter != nullptr && !filter->passes(bytes.data(), bytes.size())) {
       continue;
     }
-    info = rclcpp::MessageInfo(to_rmw(sample, ++received_count_));
+    const int64_t received_ns = with_time ? ros2wasm::system_now_ns() : 0;
+    info = rclcpp::MessageInfo(to_rmw(sample, ++received_count_, received_ns));
     return true;
   }
   return false;
@@ -125,7 +128,7 @@ bool SubscriptionBase::take_bytes(ros2wasm::Bytes& bytes, rclcpp::MessageInfo& i
 
 bool SubscriptionBase::take_type_erased(void* message_out, rclcpp::MessageInfo& message_info_out) {
   ros2wasm::Bytes bytes;
-  while (take_bytes(bytes, message_info_out)) {
+  while (take_bytes(bytes, message_info_out, true)) {
     if (detail::callbacks_of(type_support_).deserialize(bytes.data(), bytes.size(), message_out)) {
       return true;
     }
@@ -137,7 +140,7 @@ bool SubscriptionBase::take_type_erased(void* message_out, rclcpp::MessageInfo& 
 bool SubscriptionBase::take_serialized(rclcpp::SerializedMessage& message_out,
                                        rclcpp::MessageInfo& message_info_out) {
   ros2wasm::Bytes bytes;
-  if (!take_bytes(bytes, message_info_out)) {
+  if (!take_bytes(bytes, message_info_out, true)) {
     return false;
   }
   if (message_out.capacity() < bytes.size()) {
@@ -300,22 +303,24 @@ bool SubscriptionBase::run_from_bus(rclcpp::MessageInfo& info) {
     return taken;
   }
   ros2wasm::Bytes bytes;
-  const bool taken = take_bytes(bytes, info);
+  const bool taken = take_bytes(bytes, info, reads_info());
   if (taken) {
     handle_bytes(bytes.data(), bytes.size(), info);
   }
   return taken;
 }
 
-void SubscriptionBase::run(std::shared_ptr<void>&) {
+bool SubscriptionBase::run(std::shared_ptr<void>&) {
   if (intra_process_ && run_local()) {
-    return;
+    return true;
   }
   const rclcpp::Time received(topic_statistics_ == nullptr ? 0 : ros2wasm::system_now_ns());
   rclcpp::MessageInfo info;
-  if (run_from_bus(info) && topic_statistics_ != nullptr) {
+  const bool taken = run_from_bus(info);
+  if (taken && topic_statistics_ != nullptr) {
     topic_statistics_->handle_message(info.get_rmw_message_info(), received);
   }
+  return taken;
 }
 
 }  // namespace rclcpp

@@ -120,8 +120,9 @@ bool TimerBase::claim(std::shared_ptr<void>& data) {
   return data != nullptr;
 }
 
-void TimerBase::run(std::shared_ptr<void>& data) {
+bool TimerBase::run(std::shared_ptr<void>& data) {
   execute_callback(data);
+  return true;
 }
 
 void TimerBase::on_jump(const rcl_time_jump_t& jump) {

@@ -110,6 +110,11 @@ export function takeAsItComes(hands: Hands, endpoint: number, received: Received
   }
 }
 
+/** Looks whether there is something, `times` over, and leaves it to others. */
+export function glance(hands: Hands, times: number): void {
+  for (let i = 0; i < times; i += 1) hands.link.ready();
+}
+
 /** A writer that comes and writes. */
 export function joinAndPublish(hands: Hands, description: EndpointDescription, messages: readonly Message[]): void {
   const endpoint = hands.link.endpointCreate(description);

@@ -173,6 +173,23 @@ export const scenes: readonly ExploredScene[] = [
     },
   },
   {
+    name: 'two threads of a reader look, but only one of them takes',
+    make(laboratory) {
+      const { world, a, b, pub, sub, written, received } = pair(laboratory, { before: 1 });
+      const { publish, listen, glance } = laboratory.code;
+      const other = world.thread(b);
+      world.process('writer', () => publish(a, pub, numbered(2, 2), written));
+      world.process('taker', () => listen(b, sub, received, upTo(3)));
+      world.process('other thread', () => glance(other, 2));
+      world.finally(() => {
+        equal(sequences(received), '1,2,3', 'received');
+        world.closeAll([a, b]);
+      });
+      return world.run();
+    },
+    limits: { interruptions: 2, focus: signals },
+  },
+  {
     name: 'two writers, one reader',
     make(laboratory) {
       const world = new SceneWorld(laboratory);
@@ -342,9 +359,9 @@ export const scenes: readonly ExploredScene[] = [
       laboratory.now(publish(a, pubs[0]!, numbered(2, keepAllLimit), []));
       const [received, written] = [world.log<Received>(), world.log<number>()];
       world.process('writer', () => publish(a, pubs[0]!, numbered(keepAllLimit + 2, 1), written));
-      world.process('reader', () => listen(b, sub, received, many(2)));
+      world.process('reader', () => listen(b, sub, received, many(3)));
       world.finally(() => {
-        equal(sequences(received), '1,2', 'received');
+        equal(sequences(received), '1,2,3', 'received');
         equal(written, keepAllLimit + 2, 'written');
         world.closeAll([a, b]);
       });
@@ -378,6 +395,13 @@ function handovers(word: number): boolean {
   if (word >= sceneLayout.pages >> 2) return (word & 7) === 0;
   const field = at % (BusSizes.endpoint >> 2);
   return at >= 0 && (field === BusEndpoint.hazard || field === BusEndpoint.state);
+}
+
+/** Where writers and readers tell each other that there is something to read. */
+function signals(word: number): boolean {
+  const field = (word - (sceneLayout.endpoints >> 2)) % (BusSizes.endpoint >> 2);
+  if (word < sceneLayout.endpoints >> 2 || word >= sceneLayout.pages >> 2) return false;
+  return field === BusEndpoint.signal || field === BusEndpoint.drained || field === BusEndpoint.head;
 }
 
 /** A reader becomes visible while a writer writes, which then leaves. */

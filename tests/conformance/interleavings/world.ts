@@ -90,12 +90,19 @@ export class SceneWorld {
   join(): programs.Hands & { readonly node: number; readonly participant: number } {
     const { laboratory, broker } = this;
     const participant = laboratory.now(broker.bus.claimParticipant());
+    const hands = this.thread({ participant });
+    return { ...hands, participant, node: laboratory.now(hands.link.nodeCreate(`n${participant}`, '/')) };
+  }
+
+  /** One more thread of a participant. */
+  thread({ participant }: { participant: number }): programs.Hands {
+    const { laboratory, broker } = this;
     const bus = new laboratory.code.Bus(broker.bus.sab);
     const link = new laboratory.code.SharedLink({ bus, participant, mayBlock: true });
     const buffer = new ArrayBuffer(heapBytes);
     const heap = { u8: new Uint8Array(buffer), i32: new Int32Array(buffer) };
     this.state.push(link);
-    return { link, heap, participant, node: laboratory.now(link.nodeCreate(`n${participant}`, '/')) };
+    return { link, heap };
   }
 
   describe({ node }: { node: number }, kind: number, qos: Partial<EndpointQos> = {}, name = '/x'): EndpointDescription {

@@ -123,6 +123,7 @@ class AnySubscriptionCallback {
 
   bool is_serialized() const { return static_cast<bool>(serialized_); }
   bool takes_ownership() const { return takes_ownership_; }
+  bool reads_info() const { return reads_info_; }
 
  private:
   void call(detail::InHand<ROSMessageType>& message, const MessageInfo& info) {
@@ -135,6 +136,7 @@ class AnySubscriptionCallback {
   template <typename T, typename... InfoT, typename CallbackT>
   void set_message(CallbackT callback) {
     takes_ownership_ = detail::wants_ownership<T, CallbackT, InfoT...>();
+    reads_info_ = sizeof...(InfoT) != 0;
     function_ = [callback = std::move(callback)](detail::InHand<T>& message,
                                                  const MessageInfo& info) mutable {
       if constexpr (sizeof...(InfoT) == 0) {
@@ -147,6 +149,7 @@ class AnySubscriptionCallback {
 
   template <typename... InfoT, typename CallbackT>
   void set_custom(CallbackT callback) {
+    reads_info_ = sizeof...(InfoT) != 0;
     function_ = [callback = std::move(callback)](detail::InHand<ROSMessageType>& message,
                                                  const MessageInfo& info) mutable {
       detail::InHand<SubscribedType> custom;
@@ -162,6 +165,7 @@ class AnySubscriptionCallback {
 
   template <typename... InfoT, typename CallbackT>
   void set_serialized(CallbackT callback) {
+    reads_info_ = sizeof...(InfoT) != 0;
     serialized_ = [callback = std::move(callback)](detail::InHand<SerializedMessage>& message,
                                                    const MessageInfo& info) mutable {
       if constexpr (sizeof...(InfoT) == 0) {
@@ -175,6 +179,7 @@ class AnySubscriptionCallback {
   std::function<void(detail::InHand<ROSMessageType>&, const MessageInfo&)> function_;
   std::function<void(detail::InHand<SerializedMessage>&, const MessageInfo&)> serialized_;
   bool takes_ownership_ = false;
+  bool reads_info_ = false;
 };
 
 }  // namespace rclcpp

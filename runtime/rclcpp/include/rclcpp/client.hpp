@@ -104,7 +104,7 @@ class ClientBase : public detail::Executable, public std::enable_shared_from_thi
                                rcl_service_introspection_state_t introspection_state);
 
   int32_t ready_endpoint() const override;
-  void run(std::shared_ptr<void>& data) override;
+  bool run(std::shared_ptr<void>& data) override;
 
  protected:
   bool wait_for_service_nanoseconds(std::chrono::nanoseconds timeout);

@@ -9,6 +9,7 @@
 #include <future>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -111,7 +112,8 @@ class Executor {
   /// Waits until something can run. False: timeout, cancelled or shut down. Negative: no limit.
   bool get_next_executable(AnyExecutable& any_executable,
                            std::chrono::nanoseconds timeout = std::chrono::nanoseconds(-1));
-  void execute_any_executable(AnyExecutable& any_executable);
+  /// False: there was nothing to do after all.
+  bool execute_any_executable(AnyExecutable& any_executable);
 
   std::atomic_bool spinning{false};
   const rclcpp::Context::SharedPtr context_;
@@ -125,8 +127,11 @@ class Executor {
 
   void refresh_entries();
   void add_entries_of(const rclcpp::CallbackGroup::SharedPtr& group);
-  /// Notes what is ready. Returns the time until the next timer, or max.
-  std::chrono::nanoseconds collect_ready();
+  /// Notes what is ready. Returns the time until the next timer, or max. While no event has come
+  /// since `token`, what had something to read may have more, and nothing else has: then the bus is
+  /// not asked again. Without a token it is.
+  std::chrono::nanoseconds collect_ready(std::optional<int32_t> token);
+  void ask_bus(std::optional<int32_t> token);
   bool take_ready(AnyExecutable& any_executable);
   void release_group(const rclcpp::CallbackGroup::WeakPtr& weak);
 
@@ -142,6 +147,11 @@ class Executor {
   std::vector<size_t> ready_;
   size_t next_ready_ = 0;
   std::vector<uint32_t> ready_endpoints_;
+  std::vector<size_t> ready_entries_;
+  // The token before the bus was asked; none: it must be asked again.
+  std::optional<int32_t> asked_at_;
+  // The last collect_ready() did without.
+  bool spared_ = false;
   rclcpp::OnShutdownCallbackHandle shutdown_callback_;
 };
 

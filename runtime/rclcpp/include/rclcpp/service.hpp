@@ -57,7 +57,7 @@ class ServiceBase : public detail::Executable, public std::enable_shared_from_th
                                rcl_service_introspection_state_t introspection_state);
 
   int32_t ready_endpoint() const override;
-  void run(std::shared_ptr<void>& data) override;
+  bool run(std::shared_ptr<void>& data) override;
 
  protected:
   void send_response_object(const rmw_request_id_t& request_id, const void* response);

@@ -69,6 +69,8 @@ class Subscription : public SubscriptionBase {
   bool takes_ownership() const override { return callback_.takes_ownership(); }
 
  protected:
+  bool reads_info() const override { return callback_.reads_info(); }
+
   void handle_bytes(const uint8_t* bytes, size_t size,
                     const rclcpp::MessageInfo& message_info) override {
     auto message = std::make_unique<ROSMessageT>();

@@ -112,7 +112,7 @@ class SubscriptionBase : public detail::Executable,
   int32_t ready_endpoint() const override;
   bool polls() const override { return intra_process_; }
   bool is_ready_now() override;
-  void run(std::shared_ptr<void>& data) override;
+  bool run(std::shared_ptr<void>& data) override;
 
  protected:
   /// The bytes are taken; makes the message and calls back.
@@ -120,6 +120,8 @@ class SubscriptionBase : public detail::Executable,
                             const rclcpp::MessageInfo& message_info) = 0;
   virtual void handle_local(detail::LocalMessage message,
                             const rclcpp::MessageInfo& message_info) = 0;
+  /// Whether its callback is told what came with a message.
+  virtual bool reads_info() const { return true; }
   /// Logs what could not be read; the message is dropped.
   void report_malformed() const;
 
@@ -128,7 +130,8 @@ class SubscriptionBase : public detail::Executable,
   void add_events(const SubscriptionOptionsBase& options);
   void use_filter(const ContentFilterOptions& options, const char* failure);
   std::shared_ptr<const detail::ContentFilter> filter() const;
-  bool take_bytes(ros2wasm::Bytes& bytes, rclcpp::MessageInfo& info);
+  /// `with_time`: notes when it was taken; to ask for the time costs as much as to take a message.
+  bool take_bytes(ros2wasm::Bytes& bytes, rclcpp::MessageInfo& info, bool with_time);
   bool run_local();
   bool run_from_bus(rclcpp::MessageInfo& info);
 

@@ -52,7 +52,7 @@ class TimerBase : public detail::Executable, public std::enable_shared_from_this
   bool polls() const override { return true; }
   bool is_ready_now() override { return is_ready(); }
   bool claim(std::shared_ptr<void>& data) override;
-  void run(std::shared_ptr<void>& data) override;
+  bool run(std::shared_ptr<void>& data) override;
 
  protected:
   TimerInfo info_of(const std::shared_ptr<void>& data) const;

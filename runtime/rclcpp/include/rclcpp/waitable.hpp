@@ -43,7 +43,10 @@ class Waitable : public detail::Executable {
     data = take_data();
     return true;
   }
-  void run(std::shared_ptr<void>& data) override { execute(data); }
+  bool run(std::shared_ptr<void>& data) override {
+    execute(data);
+    return true;
+  }
 
  private:
   std::function<void(size_t, int)> on_ready_callback_;

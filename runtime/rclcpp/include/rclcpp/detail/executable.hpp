@@ -24,8 +24,8 @@ class Executable {
     (void)data;
     return true;
   }
-  /// Takes one piece of work and calls back.
-  virtual void run(std::shared_ptr<void>& data) = 0;
+  /// Takes one piece of work and calls back. False: there was none.
+  virtual bool run(std::shared_ptr<void>& data) = 0;
 };
 
 /// Grows whenever nodes, groups or entities come or go anywhere: executors then look again.

@@ -21,6 +21,9 @@ export const texts = {
     length: (ms: number): string => (ms < 1000 ? `${ms}\u00a0ms` : `${ms / 1000}\u00a0s`),
     times: (rate: number): string => `${rate}\u00d7`,
     state: { running: '', stepping: 'Stepping', paused: 'Paused' },
+    seed: (seed: number): string => `Seed ${seed}`,
+    trace: (seed: number, messages: number, hash: string): string =>
+      `Seed ${seed}: ${messages} messages, sha256 ${hash}\u2026`,
   },
 
   theme: {

@@ -51,6 +51,11 @@ export interface SharedBrokerOptions extends BusOptions {
   readonly stepped?: boolean;
 }
 
+/** Of a stepped run. With a random session the gids, and what programs make of them, would differ from run to run. */
+export function steppedBus(seed: number): SharedBrokerOptions {
+  return { session: [0, seed], stepped: true };
+}
+
 export class SharedBroker implements Broker {
   readonly kind = 'shared';
   readonly bus: Bus;

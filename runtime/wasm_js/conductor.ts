@@ -22,10 +22,11 @@ export class Conductor {
     this.setTime();
   }
 
-  /** Nobody gets a turn after `ns` of site time; `then` is called instead. */
-  endAfter(ns: number, then: () => void): void {
+  /** Nobody gets a turn after `ns` of site time since the begin; when all turns before are over, `then` is called. */
+  runUntil(ns: number, then: () => void): void {
     this.endNs = beginNs + ns;
     this.ended = then;
+    this.conduct();
   }
 
   /** A participant that is about to start: all others rest until it has reached its first rest. */
@@ -51,13 +52,15 @@ export class Conductor {
     let next = order.find((place) => this.ready(place));
     if (next === undefined) {
       const earliest = Math.min(...[...this.resting.values()].map((rest) => rest?.untilNs ?? Infinity));
-      if (earliest === Infinity) return;
-      if (earliest > this.endNs) {
+      const end = earliest > this.endNs;
+      const until = Math.min(earliest, this.endNs);
+      if (until === Infinity) return;
+      this.nowNs = until;
+      this.setTime();
+      if (end) {
         this.ended();
         return;
       }
-      this.nowNs = earliest;
-      this.setTime();
       next = order.find((place) => this.ready(place));
     }
     if (next === undefined) return;

@@ -6,8 +6,8 @@ import { createHash } from 'node:crypto';
 import { writeFileSync } from 'node:fs';
 import { isMainThread, parentPort, workerData } from 'node:worker_threads';
 import { parseArgs } from 'node:util';
-import { type Broker, PortBroker, SharedBroker } from './broker.ts';
-import type { SentMessage } from './message_trace.ts';
+import { type Broker, PortBroker, SharedBroker, steppedBus } from './broker.ts';
+import { MessageTrace } from './message_trace.ts';
 import { nodePlatform, readFileNow, workerMark } from './node_platform.ts';
 import { serveWorker, type WorkerOrder } from './node_worker.ts';
 import type { NodeView } from './session.ts';
@@ -80,23 +80,7 @@ function allEnded(nodes: readonly NodeView[]): boolean | undefined {
 
 function brokerFor({ link, stepped }: Options): Broker {
   if (link === 'port') return new PortBroker();
-  // With a random session the gids, and what programs make of them, would differ from run to run.
-  return stepped === undefined ? new SharedBroker() : new SharedBroker({ session: [0, stepped.seed], stepped: true });
-}
-
-/** The messages of a run, one line each. */
-class Trace {
-  private readonly lines: string[] = [];
-
-  add(node: string, message: SentMessage): void {
-    this.lines.push(JSON.stringify({ node, ...message }));
-  }
-
-  write(file: string): { messages: number; sha256: string } {
-    const text = this.lines.map((line) => `${line}\n`).join('');
-    writeFileSync(file, text);
-    return { messages: this.lines.length, sha256: createHash('sha256').update(text).digest('hex') };
-  }
+  return new SharedBroker(stepped === undefined ? {} : steppedBus(stepped.seed));
 }
 
 /** Runs to the end and returns the exit code. */
@@ -111,7 +95,7 @@ export async function runHeadless(options: Options, entry: URL): Promise<number>
     finish = resolve;
   });
   let met = false;
-  const trace = new Trace();
+  const trace = new MessageTrace();
 
   const session = new SiteSession({
     site,
@@ -171,7 +155,7 @@ export async function runHeadless(options: Options, entry: URL): Promise<number>
   };
   const { forMs } = options;
   const timer = forMs === undefined || options.stepped !== undefined ? undefined : setTimeout(timeIsOver, forMs);
-  if (forMs !== undefined && broker instanceof SharedBroker) broker.conductor?.endAfter(forMs * 1e6, timeIsOver);
+  if (forMs !== undefined && broker instanceof SharedBroker) broker.conductor?.runUntil(forMs * 1e6, timeIsOver);
 
   session.startAll();
   const code = await finished;
@@ -179,7 +163,10 @@ export async function runHeadless(options: Options, entry: URL): Promise<number>
   process.off('SIGINT', stop);
   process.off('SIGTERM', stop);
   if (options.trace !== undefined) {
-    const { messages, sha256 } = trace.write(options.trace);
+    const { messages } = trace;
+    const text = trace.text();
+    writeFileSync(options.trace, text);
+    const sha256 = createHash('sha256').update(text).digest('hex');
     if (options.json) event({ event: 'trace', messages, sha256 });
     else process.stderr.write(`trace: ${messages} messages, sha256 ${sha256}\n`);
   }

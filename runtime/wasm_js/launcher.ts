@@ -1,6 +1,6 @@
 // Starts a site in a browser page.
 
-import { type Broker, PortBroker, SharedBroker } from './broker.ts';
+import { type Broker, PortBroker, SharedBroker, type SharedBrokerOptions, steppedBus } from './broker.ts';
 import { browserPlatform } from './browser_platform.ts';
 import { isolate, keepOffline } from './isolation.ts';
 import { namedNodes } from './named_nodes.ts';
@@ -8,7 +8,8 @@ import { promiseIntegration } from './program.ts';
 import type { LinkKind, Session } from './session.ts';
 import { SiteError } from './site_error.ts';
 import { readSite } from './site_reader.ts';
-import { SiteSession } from './site_session.ts';
+import { type SessionOptions, SiteSession } from './site_session.ts';
+import { SteppedTime } from './stepped_time.ts';
 
 export interface LaunchOptions {
   /** Where site.json lies; the page's own folder when left out. */
@@ -24,16 +25,35 @@ const longestWaitMs = 250;
 const ceilings = [1 << 30, 512 << 20, 256 << 20, 128 << 20];
 
 /** A bus as large as the machine allows, or undefined. */
-function sharedBroker(): SharedBroker | undefined {
+function sharedBroker(options: SharedBrokerOptions = {}): SharedBroker | undefined {
   if (typeof SharedArrayBuffer === 'undefined' || !('grow' in SharedArrayBuffer.prototype)) return undefined;
   for (const ceiling of ceilings) {
     try {
-      return new SharedBroker({ ceiling });
+      return new SharedBroker({ ...options, ceiling });
     } catch (error) {
       if (!(error instanceof RangeError)) throw error;
     }
   }
   return undefined;
+}
+
+/** What `?seed=` of the page's address asks for. */
+function steppedOptions(text: string): Pick<SessionOptions, 'broker' | 'stepped'> {
+  if (!/^\d{1,9}$/.test(text)) {
+    throw new SiteError('R2W0711', `the address asks for a stepped run with the seed \`${text}\``, {
+      why: 'a seed is a whole number below 1,000,000,000',
+      fix: 'correct `seed=` in the address, or leave it out to start the site as it was made',
+    });
+  }
+  const seed = Number(text);
+  const broker = sharedBroker(steppedBus(seed));
+  if (broker?.conductor === undefined) {
+    throw new SiteError('R2W0711', 'this page has no shared memory, which a stepped run needs', {
+      why: 'nobody can tell what is on its way in a message port',
+      fix: 'open the page in a tab of its own over https:// or localhost, or leave out `seed=`',
+    });
+  }
+  return { broker, stepped: { seed, time: new SteppedTime(broker, broker.conductor) } };
 }
 
 function chooseBroker(wanted: LinkKind | undefined): Broker {
@@ -76,7 +96,9 @@ export async function startSession(options: LaunchOptions = {}): Promise<Session
   const nodes = asked.get('nodes');
   // Before anything is begun that would have to be ended.
   const named = nodes === null ? undefined : namedNodes(nodes, site.nodes.map(({ id }) => id));
-  const session = new SiteSession({ site, platform, broker: chooseBroker(options.link) });
+  const seed = asked.get('seed');
+  const run = seed === null ? { broker: chooseBroker(options.link) } : steppedOptions(seed);
+  const session = new SiteSession({ site, platform, ...run });
   const graph = asked.get('graph');
   if (graph !== null && graph !== '') await session.joinTabs(graph);
   if (named !== undefined) {

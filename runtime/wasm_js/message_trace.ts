@@ -36,3 +36,20 @@ export function sentMessage(
     hash: hashBytes(memory.u8.subarray(data, data + length)),
   };
 }
+
+/** The messages of a run, one line each. */
+export class MessageTrace {
+  private readonly lines: string[] = [];
+
+  add(node: string, message: SentMessage): void {
+    this.lines.push(`${JSON.stringify({ node, ...message })}\n`);
+  }
+
+  get messages(): number {
+    return this.lines.length;
+  }
+
+  text(): string {
+    return this.lines.join('');
+  }
+}

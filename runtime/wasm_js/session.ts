@@ -157,10 +157,19 @@ export interface SiteTime {
   onChange(listener: (view: TimeView) => void): Unsubscribe;
 }
 
+/** A run in which one node runs at a time and time is held at first: every run of a seed sends the same messages. */
+export interface SteppedRun {
+  readonly seed: number;
+  /** What was sent so far: as many messages, and the sha256 of the file that `ros2wasm run --trace` writes. */
+  trace(): Promise<{ readonly messages: number; readonly sha256: string }>;
+}
+
 export interface Session {
   readonly site: SiteDescription;
   readonly link: LinkKind;
   readonly time: SiteTime;
+  /** undefined: nodes run side by side. */
+  readonly stepped: SteppedRun | undefined;
   /** In launch order. */
   nodes(): readonly NodeView[];
   /** undefined while this tab is by itself. */

@@ -3,16 +3,18 @@
 import type { Broker } from './broker.ts';
 import { NodeConsole } from './console_log.ts';
 import type { SentLine } from './console_sender.ts';
-import type { SentMessage } from './message_trace.ts';
+import { MessageTrace, type SentMessage } from './message_trace.ts';
 import { NodeRunner } from './node_runner.ts';
 import type { Platform } from './platform.ts';
 import { Sampler } from './sampler.ts';
 import type {
-  ConsoleLog, LastMessage, LinkKind, NodeView, Session, SiteDescription, SiteNode, TabView, TopicView, Unsubscribe,
+  ConsoleLog, LastMessage, LinkKind, NodeView, Session, SiteDescription, SiteNode, SiteTime, SteppedRun, TabView, TopicView,
+  Unsubscribe,
 } from './session.ts';
 import { siteEnvironment, siteFiles } from './site_files.ts';
 import { SiteTimeControl } from './site_time.ts';
 import { InputWriter } from './standard_input.ts';
+import type { SteppedTime } from './stepped_time.ts';
 import { Tabs } from './tabs.ts';
 
 const sampleMs = 250;
@@ -21,18 +23,24 @@ export interface SessionOptions {
   readonly site: SiteDescription;
   readonly platform: Platform;
   readonly broker: Broker;
-  /** A stepped run; the broker must be made for it. */
-  readonly stepped?: { readonly seed: number };
+  /** A stepped run; the broker must be made for it. `time`: its time is in the page's hand. */
+  readonly stepped?: { readonly seed: number; readonly time?: SteppedTime };
   /** Called with each message that a node sends, in order. */
   readonly onSent?: (node: SiteNode, message: SentMessage) => void;
   /** Called with each batch of lines as it comes. */
   readonly onLines?: (node: SiteNode, lines: readonly SentLine[], dropped: number) => void;
 }
 
+async function sha256Of(text: string): Promise<string> {
+  const digest = new Uint8Array(await crypto.subtle.digest('SHA-256', new TextEncoder().encode(text)));
+  return Array.from(digest, (byte) => byte.toString(16).padStart(2, '0')).join('');
+}
+
 export class SiteSession implements Session {
   readonly site: SiteDescription;
   readonly link: LinkKind;
-  readonly time: SiteTimeControl;
+  readonly time: SiteTime & { close(): void };
+  readonly stepped: SteppedRun | undefined;
   private readonly platform: Platform;
   private readonly broker: Broker;
   private readonly runners = new Map<string, NodeRunner>();
@@ -53,9 +61,15 @@ export class SiteSession implements Session {
     this.platform = platform;
     this.broker = broker;
     this.link = broker.kind;
-    this.time = new SiteTimeControl(broker, () => {
+    this.time = stepped?.time ?? new SiteTimeControl(broker, () => {
       for (const runner of this.runners.values()) runner.timeChanged();
     });
+    const trace = new MessageTrace();
+    const traced = stepped?.time !== undefined;
+    this.stepped = !traced ? undefined : {
+      seed: stepped.seed,
+      trace: async () => ({ messages: trace.messages, sha256: await sha256Of(trace.text()) }),
+    };
     this.sampler = new Sampler(broker);
     this.input = new InputWriter(broker.link);
     const unsettled = new Set(site.nodes);
@@ -79,8 +93,8 @@ export class SiteSession implements Session {
           if (unsettled.size === 0) allSettled();
         },
         left: () => this.lookAtTopics(),
-        stepped,
-        sent: onSent,
+        stepped: stepped === undefined ? undefined : { seed: stepped.seed },
+        sent: traced ? (of, message) => trace.add(of.id, message) : onSent,
         resetInput: (id) => this.input.reset(id),
         lines: (of, { lines, dropped }) => {
           console.add(lines, dropped);

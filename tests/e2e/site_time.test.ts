@@ -4,25 +4,29 @@
 // wall and ROS timers, `sleep_for`, `usleep`, `nanosleep`, rates, deadlines, lifespans, leases;
 // condition variables, futures and timed mutexes, of threads too
 
-// Compatibility, works: stepped runs (`ros2wasm run --stepped --seed N --trace FILE`): every run
-// of a seed sends the same messages at the same times, with the same random numbers
+// Compatibility, works: stepped runs (`ros2wasm run --stepped --seed N --trace FILE`, and a page
+// opened with `?seed=N`): every run of a seed sends the same messages at the same times, with the
+// same random numbers
 
 // Compatibility, differs: held time on a page without shared memory -> a node learns of it when it
 // next waits
 
-// Compatibility, differs: stepped runs -> headless, on the shared link, without programs that use
-// threads (R2W0711); what comes from outside (typed input, a stop, a respawn) comes when it comes.
+// Compatibility, differs: stepped runs -> on the shared link, without programs that use threads
+// (R2W0711); what comes from outside (typed input, a stop, a respawn) comes when it comes.
 // A program that only reads clocks and never waits holds time
 
 import assert from 'node:assert/strict';
 import { cpSync, readFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { after, before, test } from 'node:test';
+import { chromium } from 'playwright-core';
 
 import { PortBroker, SharedBroker } from '../../runtime/wasm_js/broker.ts';
 import { nodePlatform } from '../../runtime/wasm_js/node_platform.ts';
 import { readSite } from '../../runtime/wasm_js/site_reader.ts';
 import { SiteSession } from '../../runtime/wasm_js/site_session.ts';
+import { serveFolder } from '../support/static_server.ts';
+import { chromiumOptions } from './chromium.ts';
 import { PackWorkspace } from './pack_workspace.ts';
 
 const name = 'site_time_checks';
@@ -150,6 +154,34 @@ test('two stepped runs of a seed send the same messages, another seed others', w
   assert.ok(Math.abs(sums - 3 * thrown.length) < 10, `${sums} sums of ${thrown.length} throws`);
   const last = Number(BigInt(messages.at(-1)?.stamp ?? 0) - BigInt(messages[0]?.stamp ?? 0)) / 1e9;
   assert.ok(last > 4.8 && last <= 5, `${last} s`);
+});
+
+test('a page with a seed goes in steps, and has then sent what a headless run sends', watchdog, async () => {
+  const { hash } = await steppedRun(7);
+  const expected = hash.replace(/^.* /, '');
+  const server = await serveFolder(join(workspace.root, 'dice'), { isolated: true });
+  const browser = await chromium.launch(chromiumOptions());
+  try {
+    const page = await browser.newPage();
+    await page.goto(`${server.url}?seed=7`);
+    await page.selectOption('select[aria-label="Length of a step"]', '1000');
+    const held = page.locator('.time[data-state=paused]');
+    for (let second = 0; second < 5; second += 1) {
+      await held.waitFor();
+      await page.click('button[aria-label^="Let time run for"]');
+    }
+    await held.waitFor();
+    const seen = page.locator('.time [data-sha256]');
+    await page.waitForFunction((wanted) => document.querySelector('.time [data-sha256]')?.getAttribute('data-sha256') === wanted, expected)
+      .catch(async () => assert.equal(await seen.getAttribute('data-sha256'), expected));
+    assert.match(await seen.innerText(), /^Seed 7: \d+ messages, sha256 [0-9a-f]{8}…$/);
+
+    await page.goto(`${server.url}?seed=seven`);
+    await page.getByText('R2W0711').first().waitFor();
+  } finally {
+    await browser.close();
+    await server.close();
+  }
 });
 
 test('a program with threads is refused in a stepped run', watchdog, async () => {

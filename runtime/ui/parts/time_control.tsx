@@ -1,7 +1,7 @@
 // Time of the whole site: holds it, lets it run for a chosen while, sets its speed.
 
-import { useState } from 'preact/hooks';
-import type { Session } from '../../wasm_js/session.ts';
+import { useEffect, useState } from 'preact/hooks';
+import type { Session, SteppedRun } from '../../wasm_js/session.ts';
 import { texts } from '../texts.ts';
 import { IconButton } from './button.tsx';
 import { useTime } from './watch.ts';
@@ -54,6 +54,29 @@ export function TimeControl({ session }: { readonly session: Session }) {
       <span class="time-state" role="status">
         {texts.time.state[state]}
       </span>
+      {session.stepped === undefined ? null : (
+        <Trace stepped={session.stepped} settled={state === 'paused'} />
+      )}
     </div>
+  );
+}
+
+/** What a stepped run has sent by the time that it is held. */
+function Trace({ stepped, settled }: { readonly stepped: SteppedRun; readonly settled: boolean }) {
+  const [trace, setTrace] = useState<Awaited<ReturnType<SteppedRun['trace']>>>();
+  useEffect(() => {
+    let current = settled;
+    setTrace(undefined);
+    if (settled) void stepped.trace().then((made) => current && setTrace(made));
+    return () => {
+      current = false;
+    };
+  }, [stepped, settled]);
+  return (
+    <span class="time-state" title={trace?.sha256 ?? ''} data-sha256={trace?.sha256 ?? ''}>
+      {trace === undefined
+        ? texts.time.seed(stepped.seed)
+        : texts.time.trace(stepped.seed, trace.messages, trace.sha256.slice(0, 8))}
+    </span>
   );
 }

@@ -112,6 +112,7 @@ class FakeTime implements SiteTime {
 
 export class FakeSession implements Session {
   readonly time = new FakeTime();
+  readonly stepped = undefined;
   private joined: TabView | undefined;
   readonly site: SiteDescription;
   readonly link: LinkKind;

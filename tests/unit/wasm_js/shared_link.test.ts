@@ -64,6 +64,30 @@ test('a keep_last subscription in another node limits no keep_all publisher', ()
   });
 });
 
+test('a flood is one event for its reader, and the next message after it was drained is one more', () => {
+  among(2, (_, [a, b]) => {
+    const pub = a!.make(publisher, { depth: 200 });
+    const sub = b!.make(subscription, { depth: 200 });
+    assert.equal(a!.write(pub), 0);
+    assert.deepEqual(b!.link.ready(), [sub]);
+    assert.equal(b!.take(sub), length);
+    assert.deepEqual(b!.link.ready(), []);
+    const before = b!.link.wakeToken();
+    for (let i = 0; i < 100; i += 1) assert.equal(a!.write(pub), 0);
+    assert.equal(b!.link.wakeToken() - before, 1);
+    for (let i = 0; i < 100; i += 1) {
+      assert.deepEqual(b!.link.ready(), [sub]);
+      assert.equal(b!.take(sub), length);
+    }
+    assert.equal(b!.take(sub), ErrorCode.nothing);
+    assert.deepEqual(b!.link.ready(), []);
+    assert.equal(b!.link.wakeToken() - before, 1);
+    assert.equal(a!.write(pub), 0);
+    assert.equal(b!.link.wakeToken() - before, 2);
+    assert.deepEqual(b!.link.ready(), [sub]);
+  });
+});
+
 test('wrong types are no incompatible QoS, and who comes again counts again', () => {
   among(2, (_, [a, b]) => {
     const pub = a!.make(publisher);

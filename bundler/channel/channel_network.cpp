@@ -157,8 +157,9 @@ Outcome<std::string> channel_address(std::string_view text, ChannelNetwork& netw
           .message = "`" + *name + "` names a channel, but not where it is",
           .why = {"there is no folder of that name beside the manifest, and nothing says "
                   "what bare names are below"},
-          .fix = {"write its whole address, or `channel_alias:` with the address of the "
-                  "host that has it"}};
+          .fix = {"write its whole address",
+                  "say what bare names are below: `channel_alias:` in workspace.yaml, or the "
+                  "variable ROS2WASM_CHANNEL_ALIAS"}};
     }
     auto alias = with_variables(network.alias, network);
     if (!alias) return alias;

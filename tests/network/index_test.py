@@ -229,12 +229,19 @@ class Addresses(IndexCase):
         self.fail_with("R2W0237", "solve", "-c", self.server.url + "/t/${TOKEN}/channel", "a")
 
     def test_netrc_and_variable(self) -> None:
-        (self.folder / ".netrc").write_text("machine 127.0.0.1 login anna password word\n")
-        self.solution(self.url, "a")
-        self.assertEqual(self.server.behaviour.seen[0].headers["authorization"], "Basic YW5uYTp3b3Jk")
-        self.server.forget()
-        self.solution(self.url, "a", ROS2WASM_AUTH_127_0_0_1="bearer abc")
-        self.assertEqual(self.server.behaviour.seen[0].headers["authorization"], "Bearer abc")
+        (self.folder / ".netrc").write_text("machine 127.0.0.1 login anna password s3cret-word\n")
+        of_netrc: dict[str, str] = {}
+        for variables, header in ((of_netrc, "Basic YW5uYTpzM2NyZXQtd29yZA=="),
+                                  ({"ROS2WASM_AUTH_127_0_0_1": "bearer s3cret"}, "Bearer s3cret")):
+            with self.subTest(header=header):
+                self.server.forget()
+                shown = self.succeed("solve", "--json", "-c", self.url, "a", **variables)
+                self.assertEqual(self.server.behaviour.seen[0].headers["authorization"], header)
+                shown += self.fail_with("R2W0201", "solve", "-c", self.url + "/x", "a", **variables)
+                kept = "".join(file.read_text(errors="replace")
+                               for file in (self.folder / "cache").rglob("*") if file.is_file())
+                for secret in ("s3cret", header.split(" ")[1]):
+                    self.assertNotIn(secret, shown + kept)
 
     def test_proxy(self) -> None:
         found = self.solution("http://channel.test/channel", "a", http_proxy=self.server.url)

@@ -10,6 +10,7 @@
 #include "bundler/build/exception_encoding.hpp"
 #include "bundler/build/kept_header.hpp"
 #include "bundler/build/quick_link.hpp"
+#include "bundler/build/wasm_module.hpp"
 #include "bundler/channel/channel_index.hpp"
 #include "bundler/channel/transport.hpp"
 #include "bundler/emit/folder_output.hpp"
@@ -328,17 +329,21 @@ Outcome<SitePlan> plan(const PackRequest& request, const BuiltWorkspace& workspa
   for (const LaunchNode& node : input.nodes) {
     if (input.programs.contains(node.program)) continue;
     auto bytes = read_file(node.program);
+    const fs::path names = fs::path(node.program).replace_extension(".names");
+    std::error_code error;
+    if (fs::is_regular_file(names, error)) {
+      auto text = read_file(names);
+      if (!text) return std::move(text).errors();
+      input.names[node.program] = std::move(text).value();
+    } else if (auto split = bytes ? split_names(*bytes) : std::nullopt) {  // a channel's program
+      bytes = std::move(split->program);
+      if (!split->names.empty()) input.names[node.program] = std::move(split->names);
+    }
     if (bytes && standard) {
       bytes = with_standard_exceptions(*bytes, request.executable, workspace.cache, cancellation);
     }
     if (!bytes) return std::move(bytes).errors();
     input.programs[node.program] = std::move(bytes).value();
-    const fs::path names = fs::path(node.program).replace_extension(".names");
-    std::error_code error;
-    if (!fs::is_regular_file(names, error)) continue;
-    auto text = read_file(names);
-    if (!text) return std::move(text).errors();
-    input.names[node.program] = std::move(text).value();
   }
   for (const InstalledPackage& package : workspace.installed) {
     collect_interfaces(package.prefix, package.name, input.interfaces);

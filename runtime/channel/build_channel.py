@@ -21,7 +21,7 @@ from typing import Any
 
 sys.dont_write_bytecode = True
 
-from fingerprint import Compiler, find_compiler, package_keys, packer_digest  # noqa: E402
+from fingerprint import Compiler, find_compiler, linker_digest, package_keys, packer_digest  # noqa: E402
 from metadata import ABI_PACKAGE, abi_record, record  # noqa: E402
 from package_source import PackageSource, find_packages  # noqa: E402
 from stage import BuildFailure, Workshop, build_package  # noqa: E402
@@ -119,10 +119,12 @@ def run(options: argparse.Namespace) -> int:
     state = read_state(state_file)
     channel = Channel(options.cli, options.out)
 
-    packer = packer_digest(ROOT)
+    packer, linker = packer_digest(ROOT), linker_digest(ROOT)
 
     def is_built(name: str) -> bool:
-        return name in state and state[name]["key"] == keys[name] and workshop.tree(name).is_dir()
+        tree = workshop.tree(name)
+        return (name in state and state[name]["key"] == keys[name] and tree.is_dir()
+                and (state[name]["linker"] == linker or not any(tree.glob("lib/*/*.wasm"))))
 
     def is_packed(name: str) -> bool:
         return state[name]["packer"] == packer and archive_of(options.out, state[name]["meta"]).exists()
@@ -144,7 +146,7 @@ def run(options: argparse.Namespace) -> int:
         meta["license_files"] = [str(path) for path in (ROOT / "LICENSE", tree / "share" / name / "copyright")
                                  if path.exists()]
         channel.add(meta, tree, workshop.folder / "meta" / f"{name}.json")
-        state[name] = {"key": keys[name], "packer": packer, "meta": meta}
+        state[name] = {"key": keys[name], "packer": packer, "linker": linker, "meta": meta}
         write_state(state_file, state)
         say(f"[{count}/{len(changed) + len(unpacked)}] {name} {meta['version']}")
 
@@ -153,7 +155,7 @@ def run(options: argparse.Namespace) -> int:
     empty = workshop.folder / "trees" / "empty"
     empty.mkdir(parents=True, exist_ok=True)
     channel.add(abi, empty, workshop.folder / "meta" / f"{ABI_PACKAGE}.json")
-    state[ABI_PACKAGE] = {"key": compiler.version, "packer": packer, "meta": abi}
+    state[ABI_PACKAGE] = {"key": compiler.version, "packer": packer, "linker": linker, "meta": abi}
     for name in unpacked:
         packed(name, workshop.tree(name))
     try:

@@ -75,6 +75,14 @@ def packer_digest(repository: Path) -> str:
     return hashlib.sha256(b"\0".join(file.read_bytes() for file in files)).hexdigest()
 
 
+def linker_digest(repository: Path) -> str:
+    """Hashes the code that links programs: when it changes, packages with programs are built again."""
+    folder = repository / "bundler" / "build"
+    patterns = ("link_*", "single_link_object*", "wasm_module*")
+    files = sorted(file for pattern in patterns for file in folder.glob(pattern))
+    return hashlib.sha256(b"\0".join(file.read_bytes() for file in files)).hexdigest()
+
+
 def package_keys(packages: dict[str, PackageSource], compiler: Compiler, recipe: Path,
                  toolchain: Path) -> dict[str, str]:
     """Returns a key for each package: its sources, the keys of its needs, tools and this recipe."""

@@ -10,7 +10,26 @@ import { PackWorkspace } from './pack_workspace.ts';
 
 const PACKAGES = resolve(import.meta.dirname, '../packages');
 /** Each says that its checks hold, and ends. */
-const CHECKS = ['camera', 'documents', 'geometry', 'viewer'];
+const CHECKS = ['camera', 'documents', 'geometry', 'robot', 'viewer'];
+const ROBOT = `<?xml version="1.0"?>
+<!-- a column, two arms, a hand that slides, and a wheel that follows the elbow -->
+<robot name="arm">
+  <material name="grey"><color rgba="0.5 0.5 0.5 1"/></material>
+  <link name="base">
+    <inertial><mass value="2.5"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>
+    <visual><geometry><box size="1 2 3"/></geometry><material name="grey"/></visual>
+  </link>
+  <link name="column"/> <link name="upper"/> <link name="fore"/> <link name="hand"/> <link name="rim"/>
+  <joint name="mount" type="fixed"><parent link="base"/><child link="column"/><origin xyz="0 0 0.5"/></joint>
+  <joint name="shoulder" type="revolute"><parent link="column"/><child link="upper"/><origin xyz="0 0 0.1"/>
+    <axis xyz="0 0 1"/><limit lower="-1" upper="1" effort="1" velocity="1"/></joint>
+  <joint name="elbow" type="revolute"><parent link="upper"/><child link="fore"/><origin xyz="1 0 0"/>
+    <axis xyz="0 1 0"/><limit lower="-2" upper="2" effort="1" velocity="1"/></joint>
+  <joint name="slide" type="prismatic"><parent link="fore"/><child link="hand"/>
+    <limit lower="0.2" upper="0.4" effort="1" velocity="1"/></joint>
+  <joint name="wheel" type="continuous"><parent link="column"/><child link="rim"/>
+    <axis xyz="0 0 1"/><mimic joint="elbow" multiplier="2" offset="0.1"/></joint>
+</robot>`;
 const MANIFEST = `schema: 1
 name: libraries
 distro: jazzy
@@ -22,6 +41,16 @@ ${CHECKS.map((program) => `  - {package: library_checks, executable: ${program}}
     executable: republish
     parameters: {in_transport: raw, out_transport: raw}
     remappings: {in: front/image_raw, out: again}
+  - package: robot_state_publisher
+    executable: robot_state_publisher
+    parameters:
+      robot_description: ${JSON.stringify(ROBOT)}
+  - package: tf2_ros
+    executable: static_transform_publisher
+    arguments: [--x, 2, --yaw, 1.5707963267948966, --frame-id, map, --child-frame-id, base]
+  - package: joint_state_publisher
+    executable: joint_state_publisher
+    parameters: {rate: 50, publish_default_velocities: true, source_list: [told], zeros.elbow: 0.5}
 `;
 
 let workspace: PackWorkspace;

@@ -1,11 +1,13 @@
 // A small YAML reader: block structure by indentation, flow collections, plain and quoted scalars.
 #include "ros2wasm/yaml.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace ros2wasm {
 namespace {
@@ -331,8 +333,8 @@ class Parser {
         return value;
       }
       if (quote == '"' && c == '\\') {
-        value += unescape(peek(1));
-        at_ += 2;
+        ++at_;
+        value += unescape();
         continue;
       }
       value += c;
@@ -340,23 +342,43 @@ class Parser {
     }
   }
 
-  char unescape(char c) const {
-    switch (c) {
-      case 'n':
-        return '\n';
-      case 't':
-        return '\t';
-      case 'r':
-        return '\r';
-      case '0':
-        return '\0';
-      case '"':
-      case '\\':
-      case '/':
-        return c;
-      default:
-        fail(std::string("unknown escape '\\") + c + "'");
+  /// What stands for the escape after the backslash; steps over it.
+  std::string unescape() {
+    static constexpr std::pair<char, char> kOne[] = {
+        {'n', '\n'},  {'t', '\t'}, {'r', '\r'}, {'0', '\0'},   {'a', '\a'},
+        {'b', '\b'},  {'f', '\f'}, {'v', '\v'}, {'e', '\x1b'}, {'"', '"'},
+        {'\\', '\\'}, {'/', '/'},  {' ', ' '}};
+    const char c = peek();
+    for (const auto& [key, meant] : kOne) {
+      if (c == key) {
+        ++at_;
+        return std::string(1, meant);
+      }
     }
+    const size_t digits = c == 'x' ? 2 : c == 'u' ? 4 : c == 'U' ? 8 : 0;
+    const std::string code(text_.substr(std::min(at_ + 1, text_.size()), digits));
+    if (digits == 0 || code.size() != digits ||
+        code.find_first_not_of("0123456789abcdefABCDEF") != std::string::npos) {
+      fail(std::string("unknown escape '\\") + c + "'");
+    }
+    at_ += 1 + digits;
+    return utf8(std::stoul(code, nullptr, 16));
+  }
+
+  std::string utf8(unsigned long code) const {
+    if (code > 0x10FFFF || (code >= 0xD800 && code < 0xE000)) {
+      fail("an escape stands for no character");
+    }
+    if (code < 0x80) {
+      return std::string(1, static_cast<char>(code));
+    }
+    std::string result;
+    int more = code < 0x800 ? 1 : code < 0x10000 ? 2 : 3;
+    result += static_cast<char>((0xF00 >> (more + 1) & 0xFF) | code >> 6 * more);
+    while (more-- > 0) {
+      result += static_cast<char>(0x80 | (code >> 6 * more & 0x3F));
+    }
+    return result;
   }
 
   std::string_view text_;

@@ -28,6 +28,8 @@ TEST(YamlValue, HasTheTypesOfRosParameters) {
   EXPECT_EQ(std::get<std::string>(value("'5'")), "5");
   EXPECT_EQ(std::get<std::string>(value("!!str true")), "true");
   EXPECT_EQ(std::get<std::string>(value("\"a\\n\\\"b\\\"\"")), "a\n\"b\"");
+  EXPECT_EQ(std::get<std::string>(value(R"("\x0a\e\u00e4\u20ac\U0001f916")")),
+            "\n\x1b\u00e4\u20ac\U0001f916");
   EXPECT_EQ(std::get<std::string>(value("'it''s'")), "it's");
   EXPECT_TRUE(std::holds_alternative<std::monostate>(value("")));
   EXPECT_TRUE(std::holds_alternative<std::monostate>(value("null")));

@@ -1,0 +1,32 @@
+// What a robot's description says of its frames.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "urdf/model.h"
+#include "urdf_model/pose.h"
+
+namespace robot_state_publisher {
+
+/// From one link to the next.
+struct Segment {
+  std::string root;
+  std::string tip;
+  urdf::JointConstSharedPtr joint;
+
+  /// Of the tip in the root, with the joint at a position (radians or metres).
+  urdf::Pose pose(double position) const;
+};
+
+struct Kinematics {
+  std::map<std::string, Segment> moving;  ///< by joint
+  std::map<std::string, Segment> fixed;   ///< by joint
+  std::map<std::string, urdf::JointMimic> mimic;
+};
+
+/// Throws std::runtime_error when the text is no description. Floating joints are left out: their
+/// frames come from elsewhere.
+Kinematics read_kinematics(const std::string& urdf_xml);
+
+}  // namespace robot_state_publisher

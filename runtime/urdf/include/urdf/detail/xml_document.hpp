@@ -1,0 +1,45 @@
+// XML as a tree of elements: all that descriptions of robots need, and nothing that can be used
+// against the reader. It knows neither namespaces nor document types, and does not recurse.
+#pragma once
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace urdf::detail {
+
+/// A text that is no XML, with the line where it stops being so.
+class XmlError : public std::runtime_error {
+ public:
+  XmlError(const std::string& what, std::size_t line)
+      : std::runtime_error("line " + std::to_string(line) + ": " + what) {}
+};
+
+struct XmlElement {
+  std::string name;
+  std::vector<std::pair<std::string, std::string>> attributes;  ///< in the order of the text
+  std::string text;                                             ///< between its children
+  std::vector<std::size_t> children;                            ///< indices of the document
+
+  /// The value, or null when there is no such attribute.
+  const std::string* attribute(const std::string& key) const;
+};
+
+class XmlDocument {
+ public:
+  /// Throws XmlError.
+  explicit XmlDocument(const std::string& text);
+
+  const XmlElement& root() const { return elements_.front(); }
+  /// The children with a name, or all of them.
+  std::vector<const XmlElement*> children(const XmlElement& of, const std::string& name = "") const;
+  /// The first of them, or null.
+  const XmlElement* child(const XmlElement& of, const std::string& name) const;
+
+ private:
+  std::vector<XmlElement> elements_;  ///< in the order of the text, so the first is the root
+};
+
+}  // namespace urdf::detail

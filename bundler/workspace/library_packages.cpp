@@ -14,6 +14,7 @@ struct LibraryPackage {
 
 constexpr auto kLibraryPackages = std::to_array<LibraryPackage>({
     {"eigen", "eigen"},
+    {"fmt", "fmt"},
     {"nlohmann-json-dev", "nlohmann_json"},
 });
 

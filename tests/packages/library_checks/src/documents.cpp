@@ -1,7 +1,10 @@
 // Documents that nodes read and write.
 
 // Compatibility, works: JSON for Modern C++ (`nlohmann-json-dev`, `find_package(nlohmann_json)`),
-// its exceptions too
+// its exceptions too; fmt (`find_package(fmt)`)
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <map>
 #include <nlohmann/json.hpp>
@@ -38,11 +41,18 @@ void check_json(Checks& checks) {
   CHECK_THROWS(json::out_of_range, static_cast<void>(mission.at("goal")));
 }
 
+void check_fmt(Checks& checks) {
+  CHECK(fmt::format("{:>6.2f}|{:#x}|{}", 3.14159, 255, "x") == "  3.14|0xff|x");
+  CHECK(fmt::format("{1} of {0}: {2}", 3, "two", std::vector<int>{1, 2}) == "two of 3: [1, 2]");
+  CHECK_THROWS(fmt::format_error, static_cast<void>(fmt::format(fmt::runtime("{:d}"), "text")));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   rclcpp::init(argc, argv);
   Checks checks("documents");
   check_json(checks);
+  check_fmt(checks);
   return checks.finish();
 }

@@ -71,6 +71,13 @@ string(CONCAT _ros2wasm_flags "-fwasm-exceptions -pthread "
   "-include \"${ROS2WASM_TOOLCHAIN_DIR}/include/ros2wasm/exception_context.h\" "
   "-ffile-prefix-map=${CMAKE_SOURCE_DIR}=. -ffile-prefix-map=${CMAKE_BINARY_DIR}=build")
 set(CMAKE_C_FLAGS_INIT "${_ros2wasm_flags}")
+# Parts of C++20 that the compiler's library lacks stand before it.
+foreach(_prefix IN LISTS CMAKE_PREFIX_PATH)
+  if(IS_DIRECTORY "${_prefix}/include/ros2wasm_std")
+    string(APPEND _ros2wasm_flags " -isystem \"${_prefix}/include/ros2wasm_std\"")
+    break()
+  endif()
+endforeach()
 set(CMAKE_CXX_FLAGS_INIT "${_ros2wasm_flags}")
 if(NOT DEFINED CMAKE_BUILD_TYPE OR CMAKE_BUILD_TYPE STREQUAL "")
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type")

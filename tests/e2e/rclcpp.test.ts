@@ -12,8 +12,8 @@ import { after, before, test } from 'node:test';
 import { PackWorkspace } from './pack_workspace.ts';
 
 const PACKAGES = resolve(import.meta.dirname, '../packages');
-const SINGLE = ['topics', 'services', 'parameters', 'actions', 'waiting', 'quality', 'sim_clock', 'sim_time', 'every_node', 'exceptions', 'component', 'lifecycle', 'introspection', 'content_filter', 'statistics'];
-const THREADED = ['threads', 'plain_threads'];
+const SINGLE = ['topics', 'services', 'parameters', 'actions', 'waiting', 'quality', 'sim_clock', 'sim_time', 'every_node', 'exceptions', 'component', 'lifecycle', 'introspection', 'content_filter', 'statistics', 'newer_cpp'];
+const THREADED = ['threads', 'plain_threads', 'newer_threads'];
 /** The port link has no memory for threads. */
 const PROGRAMS = { shared: [...SINGLE, ...THREADED], port: SINGLE };
 /** Values that the program `parameters` checks. */

@@ -1,0 +1,84 @@
+// C++20 as Jazzy's own compilers have it.
+
+// Compatibility, works: of the C++20 library also std::format (with formatters of the user's own), bit_cast,
+// source_location, the common algorithms of std::ranges with projections, jthread, stop_token and stop_callback
+
+// Compatibility, differs: the rest of the newer C++ library -> the site's compiler has no views beyond all, common, drop and
+// transform, no ranges::to, coroutines, expected, pmr or from_chars of floating point: the build names what is missing
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <format>
+#include <iterator>
+#include <source_location>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "checks.hpp"
+#include "rclcpp/version.h"
+
+namespace {
+
+struct Reading {
+  int id = 0;
+  std::string name;
+};
+
+int line(const std::source_location& here = std::source_location::current()) {
+  return static_cast<int>(here.line());
+}
+
+}  // namespace
+
+template <>
+struct std::formatter<Reading> : std::formatter<std::string> {
+  auto format(const Reading& reading, std::format_context& context) const {
+    return std::formatter<std::string>::format("<" + reading.name + ">", context);
+  }
+};
+
+int main(int argc, char** argv) {
+  rclcpp::init(argc, argv);
+  Checks checks("newer_cpp");
+  std::vector<Reading> readings = {{3, "c"}, {1, "a"}, {2, "b"}};
+  CHECK(std::format("{:.2f} {:>4}|{:04d} {:#x} {}", 2.5, "ab", 7, 255, readings[1]) ==
+        "2.50   ab|0007 0xff <a>");
+  CHECK_THROWS(std::format_error, (void)std::vformat("{:d}", std::make_format_args("text")));
+  std::string text;
+  std::format_to(std::back_inserter(text), "{1} {0}", 1, 2);
+  CHECK(text == "2 1" && std::formatted_size("{}", 1000) == 4);
+
+  std::ranges::sort(readings, {}, &Reading::id);
+  CHECK(readings.front().name == "a" && std::ranges::is_sorted(readings, {}, &Reading::name));
+  std::ranges::sort(readings, std::ranges::greater{}, &Reading::id);
+  CHECK(readings.front().id == 3);
+  CHECK(std::ranges::find(readings, 2, &Reading::id)->name == "b");
+  CHECK(std::ranges::find_if(readings, [](int id) { return id > 9; }, &Reading::id) ==
+        readings.end());
+  CHECK(std::ranges::count_if(readings, [](const Reading& one) { return one.id > 1; }) == 2);
+  CHECK(std::ranges::any_of(readings, [](const Reading& one) { return one.name == "c"; }));
+  CHECK(std::ranges::none_of(readings, [](int id) { return id == 0; }, &Reading::id));
+  const std::array<double, 4> values = {1.5, 0.5, 2.5, 2.0};
+  const std::span<const double> span(values);
+  const auto [least, most] = std::ranges::minmax_element(span);
+  CHECK(*least == 0.5 && *most == 2.5 && *std::ranges::min_element(span) == 0.5);
+  CHECK(std::ranges::max(3, 5) == 5 && std::ranges::min({4, 2, 8}) == 2 &&
+        std::ranges::max(values) == 2.5);
+  std::vector<int> ids;
+  std::ranges::transform(readings, std::back_inserter(ids), &Reading::id);
+  std::ranges::reverse(ids);
+  CHECK((ids == std::vector<int>{1, 2, 3}));
+  std::vector<int> large;
+  std::ranges::copy_if(ids, std::back_inserter(large), [](int id) { return id > 1; });
+  int sum = 0;
+  std::ranges::for_each(large, [&sum](int id) { sum += id; });
+  CHECK(sum == 5 && std::ranges::equal(large, std::array{2, 3}));
+
+  CHECK(std::bit_cast<std::uint64_t>(1.0) == 0x3ff0000000000000U);
+  CHECK(line() == __LINE__);
+  CHECK(RCLCPP_VERSION_GTE(28, 0, 0) && !RCLCPP_VERSION_GTE(29, 0, 0));
+  return checks.finish();
+}

@@ -22,6 +22,7 @@ const rows = [
   { file: 'start.js', from: 'runtime/ui/start.ts', kind: 'modules', role: 'script' },
   { file: 'boot.js', from: 'runtime/ui/boot.ts', kind: 'classic', role: 'script' },
   { file: 'node_worker.js', from: 'runtime/wasm_js/node_worker_main.ts', kind: 'classic', role: 'worker' },
+  { file: 'python_worker.js', from: 'runtime/wasm_js/python_worker_main.ts', kind: 'classic', role: 'python_worker' },
   { file: 'service_worker.js', from: 'runtime/wasm_js/service_worker.ts', kind: 'classic', role: 'service_worker' },
   { file: 'headless.js', from: 'runtime/wasm_js/headless.ts', kind: 'node', role: 'headless' },
   { file: 'styles.css', from: 'runtime/ui/styles/index.css', kind: 'style', role: 'style' },

@@ -15,6 +15,8 @@ namespace {
 
 /// The headless entry runs from the ros2wasm installation and is not part of sites.
 constexpr std::string_view kHeadlessRole = "headless";
+/// For Python nodes, which `pack` does not make yet.
+constexpr std::string_view kPythonRole = "python_worker";
 constexpr std::string_view kPageRole = "page";
 
 std::string program_path(const LaunchNode& node) {
@@ -64,7 +66,7 @@ Outcome<SitePlan> plan_site(PlanInput input) {
   const auto chosen = manifest.ui.find("theme");
   const std::string theme = chosen == manifest.ui.end() ? "auto" : chosen->second;
   for (RuntimeAsset& asset : input.runtime) {
-    if (asset.role == kHeadlessRole) continue;
+    if (asset.role == kHeadlessRole || asset.role == kPythonRole) continue;
     if (asset.role == kPageRole) {
       asset.bytes = page_html(std::move(asset.bytes),
                               manifest.title.empty() ? manifest.name.value : manifest.title, theme,

@@ -1,4 +1,4 @@
-// Writes generated/constants.{hpp,ts,py} from constants.json.
+// Writes generated/constants.{hpp,ts} and ../rclpy/ros2wasm/constants.py from constants.json.
 // `--check` writes nothing and exits 1 when a generated file is not current.
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 
@@ -105,8 +105,10 @@ function py() {
 const check = process.argv.includes('--check');
 let stale = 0;
 mkdirSync(new URL('generated/', here), { recursive: true });
-for (const [file, text] of [['constants.hpp', cpp()], ['constants.ts', ts()], ['constants.py', py()]]) {
-  const url = new URL(`generated/${file}`, here);
+for (const [file, text] of [
+  ['protocol/generated/constants.hpp', cpp()], ['protocol/generated/constants.ts', ts()], ['rclpy/ros2wasm/constants.py', py()],
+]) {
+  const url = new URL(`../${file}`, here);
   if (!check) {
     writeFileSync(url, text);
     continue;
@@ -118,7 +120,7 @@ for (const [file, text] of [['constants.hpp', cpp()], ['constants.ts', ts()], ['
     // A missing file is a stale file.
   }
   if (old !== text) {
-    console.error(`runtime/protocol/generated/${file} is not current: node runtime/protocol/generate.mjs`);
+    console.error(`runtime/${file} is not current: node runtime/protocol/generate.mjs`);
     stale = 1;
   }
 }

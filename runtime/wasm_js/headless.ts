@@ -8,7 +8,7 @@ import { isMainThread, parentPort, workerData } from 'node:worker_threads';
 import { parseArgs } from 'node:util';
 import { type Broker, PortBroker, SharedBroker, steppedBus } from './broker.ts';
 import { MessageTrace } from './message_trace.ts';
-import { nodePlatform, readFileNow, workerMark } from './node_platform.ts';
+import { nodeFiles, nodePlatform, readFileNow, workerMark } from './node_platform.ts';
 import { serveWorker, type WorkerOrder } from './node_worker.ts';
 import type { NodeView } from './session.ts';
 import { SiteError } from './site_error.ts';
@@ -199,6 +199,9 @@ if (isMainThread) {
   if (import.meta.main) await main();
 } else if (workerData === workerMark && parentPort !== null) {
   const port = parentPort;
-  const handle = serveWorker((report) => port.postMessage(report), readFileNow);
+  const handle = serveWorker((report) => port.postMessage(report), readFileNow, {
+    files: nodeFiles,
+    python: async () => (await import('./python_program.ts')).runPython,
+  });
   port.on('message', (order: WorkerOrder) => handle(order));
 }

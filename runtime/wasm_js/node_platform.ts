@@ -3,9 +3,12 @@
 import { readFileSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
 import { Worker } from 'node:worker_threads';
+import type { loadPyodide } from 'pyodide';
 import type { WorkerReport } from './node_worker.ts';
 import type { Platform, WorkerEvents, WorkerHandle } from './platform.ts';
+import type { WorkerFiles } from './python_program.ts';
 import { SiteError } from './site_error.ts';
 import type { ReadNow } from './site_files.ts';
 
@@ -29,6 +32,18 @@ export const readFileNow: ReadNow = (place, path) => {
   } catch {
     return undefined;
   }
+};
+
+/** For the worker threads. */
+export const nodeFiles: WorkerFiles = {
+  pyodide: async (home) => {
+    const { default: module } = await import(pathToFileURL(`${home}pyodide.js`).href) as { default: { loadPyodide: typeof loadPyodide } };
+    return module.loadPyodide;
+  },
+  bytes: async (place) => {
+    const { buffer, byteOffset, byteLength } = await readFile(place);
+    return new Uint8Array(buffer, byteOffset, byteLength);
+  },
 };
 
 /** `entry`: the script that serves nodes when it is started as a worker thread. */

@@ -7,6 +7,7 @@ import type { WorkerReport, WorkerStart } from './node_worker.ts';
 import { functionsIn, withNames } from './function_names.ts';
 import type { Platform, WorkerHandle } from './platform.ts';
 import type { ProgramEnd } from './program.ts';
+import type { PythonStart } from './python_program.ts';
 import type { NodeState, NodeView, SiteNode } from './session.ts';
 import { SiteError } from './site_error.ts';
 import type { SiteFiles } from './site_files.ts';
@@ -163,6 +164,7 @@ export class NodeRunner {
       }
       const start: WorkerStart = {
         module,
+        python: this.python(),
         ticket,
         id: this.node.id,
         arguments: [this.node.executable, ...this.node.arguments],
@@ -178,6 +180,13 @@ export class NodeRunner {
       const code = error instanceof SiteError ? error.code : 'R2W0708';
       this.set({ kind: 'crashed', code, message: error instanceof Error ? error.message : String(error) });
     }
+  }
+
+  private python(): PythonStart | undefined {
+    const { python, program } = this.node;
+    if (python === undefined) return undefined;
+    const { place } = this.host.platform;
+    return { ...python, base: place.endsWith('/') ? place : `${place}/`, home: program.slice(0, program.lastIndexOf('/') + 1) };
   }
 
   private worker(participant: number, attempt: number): WorkerHandle {

@@ -5,7 +5,8 @@ import type { ThreadRequest } from './env_imports.ts';
 import type { Link } from './link.ts';
 import type { SentMessage } from './message_trace.ts';
 import { type LinkTicket, openLink } from './open_link.ts';
-import { type ProgramEnd, runProgram, type ThreadStart } from './program.ts';
+import { type ProgramEnd, type ProgramHost, runProgram, type ThreadStart } from './program.ts';
+import type { PythonStart, RunPython, WorkerFiles } from './python_program.ts';
 import { seededRandom } from './seeded_random.ts';
 import type { ReadNow, SiteFiles } from './site_files.ts';
 import type { ThreadMemory } from './thread_waits.ts';
@@ -16,6 +17,8 @@ import { bridgeTabs } from './tab_bridge.ts';
 /** To a worker: what to run. */
 export interface WorkerStart {
   readonly module: WebAssembly.Module;
+  /** Of a Python program, whose module is Pyodide's. */
+  readonly python: PythonStart | undefined;
   readonly ticket: LinkTicket;
   readonly id: string;
   readonly arguments: readonly string[];
@@ -54,8 +57,29 @@ export type WorkerOrder =
   /** Runs no program, but carries to and from another tab. */
   | { readonly t: 'bridge'; readonly ticket: LinkTicket; readonly channel: string };
 
+async function runStart(start: WorkerStart, host: ProgramHost, place: WorkerPlace): Promise<ProgramEnd> {
+  const { module, python, thread } = start;
+  if (python === undefined) return runProgram(module, host, thread);
+  let runPython: RunPython;
+  try {
+    runPython = await place.python(python.base);
+  } catch (error) {
+    return { kind: 'crash', code: 'R2W0706', message: error instanceof Error ? error.message : String(error) };
+  }
+  return runPython(module, python, host, place.files);
+}
+
+/** What a worker has beside its messages. */
+export interface WorkerPlace {
+  readonly files: WorkerFiles;
+  /** Fetched only for a node that is a Python program. `base`: as in PythonStart. */
+  readonly python: (base: string) => Promise<RunPython>;
+}
+
 /** Connects the worker's messages with a program. Returns what to call with each message. */
-export function serveWorker(post: (report: WorkerReport) => void, readNow: ReadNow): (order: WorkerOrder) => void {
+export function serveWorker(
+  post: (report: WorkerReport) => void, readNow: ReadNow, place: WorkerPlace,
+): (order: WorkerOrder) => void {
   const run = async (start: WorkerStart): Promise<void> => {
     let link: Link;
     try {
@@ -70,7 +94,7 @@ export function serveWorker(post: (report: WorkerReport) => void, readNow: ReadN
     let waited = start.thread !== undefined;
     if (start.thread === undefined) post({ t: 'running' });
     link.awaitTurn?.();
-    const end = await runProgram(start.module, {
+    const host: ProgramHost = {
       link,
       arguments: start.arguments,
       environment: start.environment,
@@ -89,7 +113,8 @@ export function serveWorker(post: (report: WorkerReport) => void, readNow: ReadN
       loaded: (memory) => post({ t: 'memory', memory }),
       stepped: start.stepped !== undefined,
       startThread: (request, memory) => post({ t: 'thread', request, memory }),
-    }, start.thread);
+    };
+    const end = await runStart(start, host, place);
     // A program that ended by itself takes leave, so that what it sent last is still delivered.
     if (end.kind === 'exit') link.close();
     console.flush();

@@ -10,17 +10,27 @@ export interface SourcePlace {
   readonly column: number;
 }
 
+/** What a node of kind "python" runs. Paths are relative to site.json. */
+export interface PythonProgram {
+  /** Zip files, unpacked over each other into one installation. */
+  readonly archives: readonly string[];
+  /** `module:function`, or the path of a script in the installation. */
+  readonly entry: string;
+}
+
 export interface SiteNode {
   /** `<executable>-<n>`, the process name that `ros2 launch` prints. */
   readonly id: string;
   readonly package: string;
   readonly executable: string;
   readonly label: string;
-  readonly kind: 'cpp';
-  /** Path of the program, relative to site.json. */
+  readonly kind: 'cpp' | 'python';
+  /** Path of the program, relative to site.json; of a Python node, of Pyodide's wasm file beside its others. */
   readonly program: string;
   /** Path of the names of the program's functions, for crash reports; fetched only then. */
   readonly names?: string;
+  /** Of kind "python". */
+  readonly python?: PythonProgram;
   readonly threads: boolean;
   readonly arguments: readonly string[];
   readonly environment: Readonly<Record<string, string>>;

@@ -2,7 +2,7 @@
 
 import { protocolVersion } from '../protocol/generated/constants.ts';
 import { SiteError } from './site_error.ts';
-import type { SiteDescription, SiteFile, SiteNode, SourcePlace } from './session.ts';
+import type { PythonProgram, SiteDescription, SiteFile, SiteNode, SourcePlace } from './session.ts';
 
 type Json = Readonly<Record<string, unknown>>;
 
@@ -54,10 +54,19 @@ function readSource(json: Json): SourcePlace | undefined {
   return { file: text(source, 'file', 'source'), line: number(source, 'line', 'source'), column: number(source, 'column', 'source', 1) };
 }
 
+function readPython(value: unknown, what: string): PythonProgram {
+  const json = object(value, what);
+  const archive = (item: unknown, where: string): string => path(typeof item === 'string' ? item : '', where);
+  const entry = text(json, 'entry', what);
+  // A module and a function of it, or a path.
+  if (!entry.includes(':')) path(entry, `${what}.entry`);
+  return { archives: list(json, 'archives', what, archive), entry };
+}
+
 function readNode(value: unknown, what: string): SiteNode {
   const json = object(value, what);
   const kind = text(json, 'kind', what, 'cpp');
-  if (kind !== 'cpp') fail(`${what}.kind is ${kind}: this runtime runs programs of kind cpp`);
+  if (kind !== 'cpp' && kind !== 'python') fail(`${what}.kind is ${kind}: this runtime runs programs of kind cpp and python`);
   const environment = object(json['environment'] ?? {}, `${what}.environment`);
   const source = readSource(json);
   const names = text(json, 'names', what, '');
@@ -66,9 +75,10 @@ function readNode(value: unknown, what: string): SiteNode {
     package: text(json, 'package', what),
     executable: text(json, 'executable', what),
     label: text(json, 'label', what, text(json, 'id', what)),
-    kind: 'cpp',
+    kind,
     program: path(text(json, 'program', what), `${what}.program`),
     ...(names === '' ? {} : { names: path(names, `${what}.names`) }),
+    ...(kind === 'python' ? { python: readPython(json['python'], `${what}.python`) } : {}),
     threads: flag(json, 'threads'),
     arguments: list(json, 'arguments', what, (item) => (typeof item === 'string' ? item : fail(`${what}.arguments`))),
     environment: Object.fromEntries(Object.keys(environment).map((key) => [key, text(environment, key, what)])),

@@ -7,6 +7,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { buildProgram } from '../unit/wasm_js/programs.ts';
+import { addPythonFiles, describePython, type PythonNode } from '../support/python_nodes.ts';
 import { splitNames } from '../unit/wasm_js/site_fixture.ts';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
@@ -18,9 +19,16 @@ export interface TestNode {
   readonly respawn?: boolean;
 }
 
+export interface PythonPart {
+  readonly nodes: readonly PythonNode[];
+  /** Folder -> place in the installation. */
+  readonly packages: Readonly<Record<string, string>>;
+}
+
 /** A temporary folder with a whole site. `more`: further files; `ui`: as in the manifest. */
 export function makeSite(
   nodes: readonly TestNode[], more: Readonly<Record<string, string>> = {}, ui: Readonly<Record<string, unknown>> = {},
+  python?: PythonPart,
 ): string {
   const folder = mkdtempSync(join(tmpdir(), 'ros2wasm-site-'));
   const assets = join(folder, 'assets');
@@ -30,7 +38,7 @@ export function makeSite(
   }
   rmSync(assets, { recursive: true });
   mkdirSync(join(folder, 'programs'));
-  const described = nodes.map(({ program, threads = false, respawn = false }, i) => {
+  const described: Record<string, unknown>[] = nodes.map(({ program, threads = false, respawn = false }, i) => {
     const name = program.replace(/\..*/, '');
     const split = splitNames(readFileSync(buildProgram(program, { threads })));
     writeFileSync(join(folder, 'programs', `${name}.wasm`), split.program);
@@ -41,6 +49,10 @@ export function makeSite(
       source: { file: 'workspace.yaml', line: 3 + i, column: 5 },
     };
   });
+  if (python !== undefined) {
+    addPythonFiles(folder, python.packages);
+    described.push(...python.nodes.map((node, i) => describePython(node, nodes.length + i + 1)));
+  }
   for (const [file, text] of Object.entries(more)) writeFileSync(join(folder, file), text);
   const files = readdirSync(folder, { recursive: true, withFileTypes: true })
     .filter((entry) => entry.isFile())

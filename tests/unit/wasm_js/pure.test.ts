@@ -179,6 +179,11 @@ test('site.json: what may be left out has a value', () => {
   });
 });
 
+test('site.json: a Python node', () => {
+  const python = { archives: ['python/a.zip'], entry: 'm.n:main' };
+  assert.deepEqual(readSite({ ...site, nodes: [{ ...node, kind: 'python', python }] }).nodes[0]?.python, python);
+});
+
 const broken: readonly [string, unknown, RegExp][] = [
   ['no object', [], /not an object/],
   ['another schema', { ...site, schema: 2 }, /schema 2/],
@@ -188,6 +193,9 @@ const broken: readonly [string, unknown, RegExp][] = [
   ['a program above', { ...site, nodes: [{ ...node, program: '../y.wasm' }] }, /inside the site/],
   ['an absolute program', { ...site, nodes: [{ ...node, program: '/y.wasm' }] }, /inside the site/],
   ['another kind', { ...site, nodes: [{ ...node, kind: 'cobol' }] }, /cobol/],
+  ['a Python node that is not described', { ...site, nodes: [{ ...node, kind: 'python' }] }, /nodes\[0\]\.python/],
+  ['an archive elsewhere', { ...site, nodes: [{ ...node, kind: 'python', python: { archives: ['../a.zip'], entry: 'm:f' } }] }, /inside the site/],
+  ['a script elsewhere', { ...site, nodes: [{ ...node, kind: 'python', python: { archives: [], entry: '/etc/x' } }] }, /inside the site/],
 ];
 
 for (const [what, value, message] of broken) {

@@ -1,0 +1,150 @@
+"""Service clients."""
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from types import TracebackType
+from typing import Any
+
+from rclpy.callback_groups import CallbackGroup
+from rclpy.context import Context
+from rclpy.exceptions import InvalidHandle
+from rclpy.qos import QoSProfile
+from rclpy.task import Future
+from ros2wasm import background, host
+from ros2wasm.entities import changes
+
+NS = 1_000_000_000
+
+
+class Client:
+    """Made by Node.create_client."""
+
+    def __init__(
+        self, context: Context, endpoint: host.Endpoint, srv_type: Any, srv_name: str, qos_profile: QoSProfile,
+        callback_group: CallbackGroup, logger_name: str = ''
+    ) -> None:
+        self.context = context
+        self._endpoint = endpoint
+        self._destroyed = False
+        self._logger_name = logger_name
+        self.srv_type = srv_type
+        self.srv_name = srv_name
+        self.qos_profile = qos_profile
+        #: By the sequence number of the request.
+        self._pending_requests: dict[int, Future] = {}
+        self.callback_group = callback_group
+        self._executor_event = False
+        #: The executor of the client's node, for calls that wait within a callback.
+        self._find_executor: Callable[[], Any] = lambda: None
+
+    @property
+    def handle(self) -> Client:
+        return self
+
+    @property
+    def service_name(self) -> str:
+        return self.srv_name
+
+    @property
+    def logger_name(self) -> str:
+        return self._logger_name
+
+    def _check(self) -> None:
+        if self._destroyed:
+            raise InvalidHandle('cannot use Destroyable because destruction was requested')
+
+    def call(self, request: Any, timeout_sec: float | None = None) -> Any:
+        """
+        Ask, and wait for the answer.
+
+        Callbacks of other groups run meanwhile, as they do natively in other threads. TimeoutError after timeout_sec.
+        """
+        if not isinstance(request, self.srv_type.Request):
+            raise TypeError()
+        future = self.call_async(request)
+        end = None if timeout_sec is None or timeout_sec < 0 else time.monotonic_ns() + int(timeout_sec * NS)
+        while not future.done() and self.context.ok():
+            token = host.wake_token()
+            if self._receive():
+                continue
+            left = -1 if end is None else end - time.monotonic_ns()
+            if end is not None and left <= 0:
+                self.remove_pending_request(future)
+                raise TimeoutError()
+            executor = self._find_executor()
+            if executor is not None and executor._run_meanwhile(token):
+                continue
+            background.run()
+            host.wait(token, left)
+        return future.result()
+
+    def call_async(self, request: Any) -> Future:
+        """Ask; a Future of the answer."""
+        self._check()
+        if not isinstance(request, self.srv_type.Request):
+            raise TypeError()
+        info = self._endpoint.write(self.srv_type.Request._codec, request)
+        future = Future(executor=self._find_executor())
+        self._pending_requests[info.sequence] = future
+        future.add_done_callback(self.remove_pending_request)
+        return future
+
+    def get_pending_request(self, sequence_number: int) -> Future:
+        return self._pending_requests[sequence_number]
+
+    def remove_pending_request(self, future: Future) -> None:
+        """Forget a request: its answer is dropped."""
+        for sequence, pending in self._pending_requests.items():
+            if pending is future:
+                del self._pending_requests[sequence]
+                return
+
+    def service_is_ready(self) -> bool:
+        """Does a server match?"""
+        self._check()
+        return self._endpoint.matched() > 0
+
+    def wait_for_service(self, timeout_sec: float | None = None) -> bool:
+        """Wait for a server. False: the time was over before."""
+        end = None if timeout_sec is None or timeout_sec < 0 else time.monotonic_ns() + int(timeout_sec * NS)
+        while self.context.ok():
+            token = host.wake_token()
+            if self.service_is_ready():
+                return True
+            left = -1 if end is None else end - time.monotonic_ns()
+            if end is not None and left <= 0:
+                return False
+            background.run()
+            host.wait(token, left)
+        return False
+
+    def _take_call(self) -> Callable[[], Any] | None:
+        return (lambda: None) if self._receive() else None
+
+    def _receive(self) -> bool:
+        """Give one response to its future. False: there is none."""
+        taken = self._endpoint.take(self.srv_type.Response._codec)
+        if taken is None:
+            return False
+        response, info = taken
+        future = self._pending_requests.get(info.related_sequence)
+        # The request may have been cancelled meanwhile.
+        if future is not None:
+            future.set_result(response)
+        return True
+
+    def destroy(self) -> None:
+        if self._destroyed:
+            return
+        self._destroyed = True
+        self._endpoint.destroy()
+        changes.add()
+
+    def __enter__(self) -> Client:
+        return self
+
+    def __exit__(
+        self, exc_type: type[BaseException] | None, exc_val: BaseException | None, exc_tb: TracebackType | None
+    ) -> None:
+        self.destroy()

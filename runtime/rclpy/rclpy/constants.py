@@ -1,0 +1,3 @@
+"""Numbers of rclpy."""
+
+S_TO_NS = 1000 * 1000 * 1000

@@ -1,0 +1,386 @@
+"""
+Executors: they wait for work and call back.
+
+One turn: read the wake token, look what is ready (tasks, timers, subscriptions, services, clients, waitables), else
+wait until the token changes or a timer is due. No turn polls.
+"""
+from __future__ import annotations
+
+import inspect
+import time
+from collections import deque
+from collections.abc import Callable, Coroutine
+from functools import partial
+from types import TracebackType
+from typing import Any
+
+from rclpy.context import Context
+from rclpy.guard_condition import GuardCondition
+from rclpy.task import Future, Task
+from rclpy.timer import Timer
+from rclpy.utilities import get_default_context, timeout_sec_to_nsec
+from ros2wasm import background, host
+from ros2wasm.entities import changes
+
+
+class TimeoutException(Exception):
+    """The time is over."""
+
+
+class ShutdownException(Exception):
+    """The executor has ended."""
+
+
+class ExternalShutdownException(Exception):
+    """The context ended while somebody spun."""
+
+    def __init__(self) -> None:
+        super().__init__()
+
+
+class ConditionReachedException(Exception):
+    """What was waited for holds."""
+
+
+class TimeoutObject:
+    """A timeout that its owner may change."""
+
+    def __init__(self, timeout: float) -> None:
+        self._timeout = timeout
+
+    @property
+    def timeout(self) -> float:
+        return self._timeout
+
+    @timeout.setter
+    def timeout(self, timeout: float) -> None:
+        self._timeout = timeout
+
+
+async def await_or_execute(callback: Any, *args: Any) -> Any:
+    """Call, and await what is a coroutine function."""
+    if inspect.iscoroutinefunction(callback):
+        return await callback(*args)
+    return callback(*args)
+
+
+#: What is done for an entity that is ready; None: somebody else was quicker. May give a coroutine.
+Call = Callable[[], Any]
+
+
+class Work:
+    """One call of a callback, with what it belongs to."""
+
+    __slots__ = ('call', 'entity', 'node')
+
+    def __init__(self, call: Call, entity: Any, node: Any) -> None:
+        self.call = call
+        self.entity = entity
+        self.node = node
+
+
+class Executor:
+    """The base class of executors."""
+
+    def __init__(self, *, context: Context | None = None) -> None:
+        self._context = get_default_context() if context is None else context
+        self._nodes: list[Any] = []
+        #: Tasks that are not done, with the wake token of their last step.
+        self._tasks: list[tuple[Task, Any, Any, list[int | None]]] = []
+        self._is_shutdown = False
+        self._queue: deque[tuple[Any, Any]] = deque()
+        self._seen = -1
+        self._readers: dict[int, tuple[Any, Any]] = {}
+        self._timers: list[tuple[Timer, Any]] = []
+        self._guards: list[tuple[GuardCondition, Any]] = []
+        self._waitables: list[tuple[Any, Any]] = []
+        self._context.on_shutdown(self.wake)
+
+    @property
+    def context(self) -> Context:
+        return self._context
+
+    # ---- nodes
+
+    def add_node(self, node: Any) -> bool:
+        """Call back for this node too. False: it was there already."""
+        if node in self._nodes:
+            return False
+        self._nodes.append(node)
+        node.executor = self
+        changes.add()
+        host.wake()
+        return True
+
+    def remove_node(self, node: Any) -> None:
+        """Call back for it no more."""
+        if node in self._nodes:
+            self._nodes.remove(node)
+            changes.add()
+            host.wake()
+
+    def get_nodes(self) -> list[Any]:
+        return list(self._nodes)
+
+    def wake(self) -> None:
+        """End its wait."""
+        host.wake()
+
+    def shutdown(self, timeout_sec: float | None = None) -> bool:
+        """End: nothing is called any more."""
+        self._is_shutdown = True
+        self._nodes = []
+        self._tasks = []
+        self._queue.clear()
+        changes.add()
+        host.wake()
+        return True
+
+    def __enter__(self) -> Executor:
+        return self
+
+    def __exit__(
+        self, exc_type: type[BaseException] | None, exc_val: BaseException | None, exc_tb: TracebackType | None
+    ) -> None:
+        self.shutdown()
+
+    # ---- tasks
+
+    def create_future(self) -> Future:
+        return Future(executor=self)
+
+    def create_task(
+        self, callback: Callable[..., Any] | Coroutine[Any, Any, Any], *args: Any, **kwargs: Any
+    ) -> Task:
+        """Call it, or step it, while spinning; a Future of its result."""
+        task = Task(callback, args, kwargs, executor=self)
+        self._add_task(task, None, None)
+        return task
+
+    def _add_task(self, task: Task, entity: Any, node: Any) -> None:
+        self._tasks.append((task, entity, node, [None]))
+        host.wake()
+
+    # ---- what is ready
+
+    def _refresh(self) -> None:
+        """Learn what the nodes have, when that changed."""
+        if self._seen == changes.count:
+            return
+        self._seen = changes.count
+        self._readers = {}
+        self._timers, self._guards, self._waitables = [], [], []
+        for node in self._nodes:
+            for timer in node.timers:
+                self._timers.append((timer, node))
+            for reader in (*node.subscriptions, *node.services, *node.clients):
+                self._readers[reader._endpoint.handle] = (reader, node)
+            for guard in node.guards:
+                self._guards.append((guard, node))
+            for waitable in node.waitables:
+                self._waitables.append((waitable, node))
+                for handle in waitable._handles():
+                    self._readers[handle] = (waitable, node)
+
+    def can_execute(self, entity: Any) -> bool:
+        """Whether its group allows a call now."""
+        group = entity.callback_group
+        return group is None or bool(group.can_execute(entity))
+
+    def _collect(self, token: int) -> None:
+        """Queue all that can be executed now. A task is stepped anew only when something happened meanwhile."""
+        for entry in self._tasks:
+            task, _, _, stepped = entry
+            if stepped[0] != token and not task.executing():
+                self._queue.append((entry, None))
+        for timer, node in self._timers:
+            if not timer._destroyed and timer.is_ready() and self.can_execute(timer):
+                self._queue.append((timer, node))
+        for guard, node in self._guards:
+            if guard._triggered and self.can_execute(guard):
+                self._queue.append((guard, node))
+        ready = host.ready()
+        for handle in ready:
+            found = self._readers.get(handle)
+            if found is not None:
+                if self.can_execute(found[0]):
+                    self._queue.append(found)
+            elif handle in background.readers:
+                background.readers[handle]()
+        for waitable, node in self._waitables:
+            if (waitable, node) not in self._queue and self.can_execute(waitable) and waitable._ready():
+                self._queue.append((waitable, node))
+
+    def _pop(self, token: int) -> Work | None:
+        """The next call of the queue that is still due."""
+        while self._queue:
+            entity, node = self._queue.popleft()
+            if isinstance(entity, tuple):
+                task, owner, of, stepped = entity
+                if task.done():
+                    continue
+                stepped[0] = token
+                return Work(partial(self._step, entity), owner, of)
+            group = entity.callback_group
+            if entity._destroyed or (group is not None and not group.beginning_execution(entity)):
+                continue
+            try:
+                call: Call | None = self._take(entity)
+            except BaseException:
+                if group is not None:
+                    group.ending_execution(entity)
+                raise
+            if call is None:
+                if group is not None:
+                    group.ending_execution(entity)
+                continue
+            return Work(partial(self._execute, entity, node, call), entity, node)
+        return None
+
+    def _step(self, entry: tuple[Task, Any, Any, list[int | None]]) -> None:
+        task, entity, _, _ = entry
+        task()
+        if not task.done():
+            return
+        self._tasks.remove(entry)
+        if entity is not None:
+            if entity.callback_group is not None:
+                entity.callback_group.ending_execution(entity)
+            task.result()
+
+    def _take(self, entity: Any) -> Call | None:
+        """Take what an entity has, so that nobody else does."""
+        if isinstance(entity, Timer):
+            if not entity.is_ready():
+                return None
+            entity.call()
+            return entity.callback
+        if isinstance(entity, GuardCondition):
+            if not entity._triggered:
+                return None
+            entity._triggered = False
+            return entity.callback
+        call: Call | None = entity._take_call()
+        return call
+
+    def _execute(self, entity: Any, node: Any, call: Call) -> None:
+        group = entity.callback_group
+        held = group is not None
+        try:
+            result = call()
+            if result is not None and inspect.iscoroutine(result):
+                # The group stays taken until the coroutine ends.
+                task = Task(result, executor=self)
+                entry: tuple[Task, Any, Any, list[int | None]] = (task, entity, node, [None])
+                self._tasks.append(entry)
+                held = False
+                self._step(entry)
+        finally:
+            if held:
+                group.ending_execution(entity)
+
+    def _next_work(self, timeout_ns: int, condition: Callable[[], bool]) -> Work:
+        """Wait for work. Raises TimeoutException, ShutdownException or ConditionReachedException."""
+        end = None if timeout_ns < 0 else time.monotonic_ns() + timeout_ns
+        while True:
+            token = host.wake_token()
+            if self._is_shutdown:
+                raise ShutdownException()
+            if not self._context.ok():
+                raise ExternalShutdownException()
+            self._refresh()
+            work = self._pop(token)
+            if work is None:
+                self._collect(token)
+                work = self._pop(token)
+            if work is not None:
+                return work
+            if condition():
+                raise ConditionReachedException()
+            wait = -1
+            if end is not None:
+                wait = end - time.monotonic_ns()
+                if wait <= 0 and timeout_ns != 0:
+                    raise TimeoutException()
+                wait = max(wait, 0)
+            for timer, _ in self._timers:
+                until = None if timer._destroyed or not self.can_execute(timer) else timer._wait_ns()
+                if until is not None and (wait < 0 or until < wait):
+                    wait = until
+            result = host.wait(token, wait)
+            if timeout_ns == 0 and result == host.TIMEOUT:
+                raise TimeoutException()
+
+    def _run_meanwhile(self, token: int) -> bool:
+        """For a callback that waits: execute one of another group. False: nothing is to do."""
+        return False
+
+    # ---- spinning
+
+    def spin(self) -> None:
+        """Call back until the end."""
+        while self._context.ok() and not self._is_shutdown:
+            self.spin_once()
+
+    def spin_until_future_complete(self, future: Future, timeout_sec: float | None = None) -> None:
+        """Call back until the future is done or the time is over."""
+        future.add_done_callback(lambda _: self.wake())
+        end = None if timeout_sec is None or timeout_sec < 0 else time.monotonic() + timeout_sec
+        while self._context.ok() and not future.done() and not self._is_shutdown:
+            left = None if end is None else end - time.monotonic()
+            if left is not None and left < 0:
+                return
+            self.spin_once_until_future_complete(future, left)
+
+    def spin_once(self, timeout_sec: float | None = None) -> None:
+        """Call back once."""
+        self._spin_once_impl(timeout_sec)
+
+    def spin_once_until_future_complete(
+        self, future: Future, timeout_sec: float | TimeoutObject | None = None
+    ) -> None:
+        """Call back once, unless the future is done before."""
+        seconds = timeout_sec.timeout if isinstance(timeout_sec, TimeoutObject) else timeout_sec
+        self._spin_once_impl(seconds, future.done)
+
+    def _spin_once_impl(
+        self, timeout_sec: float | None = None, condition: Callable[[], bool] = lambda: False
+    ) -> None:
+        try:
+            work = self._next_work(timeout_sec_to_nsec(timeout_sec), condition)
+        except (ShutdownException, TimeoutException, ConditionReachedException):
+            return
+        work.call()
+
+    def wait_for_ready_callbacks(
+        self, timeout_sec: float | None = None, nodes: Any = None, condition: Callable[[], bool] = lambda: False
+    ) -> tuple[Callable[[], None], Any, Any]:
+        """Wait for a call: the call, what it is of, and the node."""
+        work = self._next_work(timeout_sec_to_nsec(timeout_sec), condition)
+        return work.call, work.entity, work.node
+
+
+class SingleThreadedExecutor(Executor):
+    """One callback after the other."""
+
+
+class MultiThreadedExecutor(Executor):
+    """
+    Runs callbacks of different groups side by side.
+
+    There is one thread: a callback that waits, for a service or in a sleep, lets those of other groups run meanwhile.
+    """
+
+    def __init__(self, num_threads: int | None = None, *, context: Context | None = None) -> None:
+        super().__init__(context=context)
+        self._num_threads = num_threads
+
+    def _run_meanwhile(self, token: int) -> bool:
+        self._refresh()
+        work = self._pop(token)
+        if work is None:
+            self._collect(token)
+            work = self._pop(token)
+        if work is not None:
+            work.call()
+        return work is not None

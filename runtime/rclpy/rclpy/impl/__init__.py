@@ -1,0 +1,1 @@
+"""Parts of the implementation that user code imports nevertheless."""

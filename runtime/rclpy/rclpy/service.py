@@ -1,0 +1,83 @@
+"""Services."""
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable
+from types import TracebackType
+from typing import Any
+
+from rclpy.callback_groups import CallbackGroup
+from rclpy.exceptions import InvalidHandle
+from rclpy.qos import QoSProfile
+from ros2wasm import host
+from ros2wasm.entities import changes
+
+
+class Service:
+    """Made by Node.create_service."""
+
+    def __init__(
+        self, endpoint: host.Endpoint, srv_type: Any, srv_name: str, callback: Callable[[Any, Any], Any],
+        callback_group: CallbackGroup, qos_profile: QoSProfile, logger_name: str = ''
+    ) -> None:
+        self._endpoint = endpoint
+        self._destroyed = False
+        self._logger_name = logger_name
+        self.srv_type = srv_type
+        self.srv_name = srv_name
+        self.callback = callback
+        self.callback_group = callback_group
+        self._executor_event = False
+        self.qos_profile = qos_profile
+
+    @property
+    def handle(self) -> Service:
+        return self
+
+    @property
+    def service_name(self) -> str:
+        return self.srv_name
+
+    @property
+    def logger_name(self) -> str:
+        return self._logger_name
+
+    def send_response(self, response: Any, header: Any) -> None:
+        """Answer. `header`: the SampleInfo of the request."""
+        if self._destroyed:
+            raise InvalidHandle('cannot use Destroyable because destruction was requested')
+        if not isinstance(response, self.srv_type.Response):
+            raise TypeError()
+        self._endpoint.write(self.srv_type.Response._codec, response, header.related_sequence, header.related_gid)
+
+    def _take_call(self) -> Callable[[], Any] | None:
+        taken = self._endpoint.take(self.srv_type.Request._codec)
+        if taken is None:
+            return None
+        request, header = taken
+        return lambda: self._answer(request, header)
+
+    def _answer(self, request: Any, header: Any) -> Any:
+        response = self.callback(request, self.srv_type.Response())
+        if inspect.iscoroutine(response):
+            return self._answer_later(response, header)
+        self.send_response(response, header)
+        return None
+
+    async def _answer_later(self, response: Any, header: Any) -> None:
+        self.send_response(await response, header)
+
+    def destroy(self) -> None:
+        if self._destroyed:
+            return
+        self._destroyed = True
+        self._endpoint.destroy()
+        changes.add()
+
+    def __enter__(self) -> Service:
+        return self
+
+    def __exit__(
+        self, exc_type: type[BaseException] | None, exc_val: BaseException | None, exc_tb: TracebackType | None
+    ) -> None:
+        self.destroy()

@@ -1,0 +1,13 @@
+"""Checks full names of topics and services."""
+from __future__ import annotations
+
+from rclpy.exceptions import InvalidServiceNameException, InvalidTopicNameException
+from ros2wasm import names
+
+
+def validate_full_topic_name(name: str, *, is_service: bool = False) -> bool:
+    """Return True, or raise InvalidTopicNameException or InvalidServiceNameException."""
+    problem = names.check_full_topic_name(name)
+    if problem is not None:
+        raise (InvalidServiceNameException if is_service else InvalidTopicNameException)(name, *problem)
+    return True

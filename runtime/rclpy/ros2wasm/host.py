@@ -1,0 +1,396 @@
+"""The functions of the host (SPEC.md section 3), for Python. The one file that knows the JavaScript module of the site.
+
+Places in memory are those of bytearrays that live as long as the program.
+"""
+from __future__ import annotations
+
+import signal
+import struct
+import sys
+import time
+from typing import Any, NamedTuple
+
+import ros2wasm_host as js
+from pyodide.ffi import run_sync
+
+from ros2wasm.constants import (
+    ENDPOINT_DESC_FORMAT, ENDPOINT_STATUS_FORMAT, SAMPLE_INFO_FORMAT, EndpointKind, ErrorCode, StatusKind, WaitResult,
+)
+
+WOKEN, TIMEOUT, STOP = int(WaitResult.WOKEN), int(WaitResult.TIMEOUT), int(WaitResult.STOP)
+NOTHING = int(ErrorCode.NOTHING)
+#: A message begins behind the 4 bytes of its CDR header, at a multiple of 8.
+HEADER_AT, PAYLOAD_AT = 4, 8
+CDR_HEADER = b'\x00\x01\x00\x00'
+INFO_SIZE = struct.calcsize(SAMPLE_INFO_FORMAT)
+NO_INFO = bytes(INFO_SIZE)
+FIRST_CAPACITY = 1 << 16
+MOST_READY = 1024
+LOW = 0xFFFFFFFF
+
+suspends: bool = js.suspends
+
+
+class BusError(RuntimeError):
+    """A function of the host refused."""
+
+    def __init__(self, what: str, code: int) -> None:
+        super().__init__(f'{what}: {ErrorCode(code).name.lower()}')
+        self.code = ErrorCode(code)
+
+
+class Buffer:
+    """Bytes whose place in memory the host knows; it only grows."""
+
+    def __init__(self, capacity: int) -> None:
+        self.reserve(capacity)
+
+    def reserve(self, capacity: int) -> None:
+        bytes_ = bytearray(capacity)
+        self.capacity = capacity
+        self.view = memoryview(bytes_)
+        self.address: int = js.address(bytes_)
+
+
+_out = Buffer(FIRST_CAPACITY)
+_in = Buffer(FIRST_CAPACITY)
+_info = Buffer(INFO_SIZE)
+_ready = Buffer(4 * MOST_READY)
+_ready_words = _ready.view.cast('I')
+_info_struct = struct.Struct(SAMPLE_INFO_FORMAT)
+_out.view[HEADER_AT:PAYLOAD_AT] = CDR_HEADER
+
+
+class SampleInfo(NamedTuple):
+    length: int
+    flags: int
+    sequence: int
+    source_timestamp_ns: int
+    related_sequence: int
+    related_gid: bytes
+    writer_gid: bytes
+
+
+class Qos(NamedTuple):
+    """As EndpointDesc has it; times in ns, 0: none."""
+
+    reliability: int
+    durability: int
+    history: int
+    depth: int
+    liveliness: int
+    deadline_ns: int
+    lifespan_ns: int
+    lease_ns: int
+
+
+class Status(NamedTuple):
+    total_count: int
+    total_change: int
+    current_count: int
+    current_change: int
+    last_policy: int
+
+
+class GraphNode(NamedTuple):
+    participant: int
+    namespace: str
+    name: str
+
+
+class GraphEndpoint(NamedTuple):
+    kind: int
+    node: GraphNode
+    name: str
+    type: str
+    hash: str
+    qos: Qos
+    gid: bytes
+
+
+def interrupt() -> None:
+    """What Ctrl-C does: the handler of SIGINT runs here."""
+    handler = signal.getsignal(signal.SIGINT)
+    if callable(handler):
+        handler(signal.SIGINT, sys._getframe(1))
+
+
+def _told(result: int) -> int:
+    if result == STOP:
+        interrupt()
+    return result
+
+
+def _stopped() -> None:
+    """A stop is delivered once, whoever hears of it first."""
+    if js.take_stop():
+        interrupt()
+
+
+def wake_token() -> int:
+    token: int = js.wake_token()
+    return token
+
+
+def wait(token: int, timeout_ns: int) -> int:
+    """Wait for an event after the token, a stop, or so long. Negative: without end."""
+    result = js.wait(token, timeout_ns & LOW, timeout_ns >> 32)
+    return _told(run_sync(result) if suspends else result)
+
+
+def sleep(duration_ns: int) -> int:
+    result = js.sleep(duration_ns & LOW, duration_ns >> 32)
+    return _told(run_sync(result) if suspends else result)
+
+
+def wake() -> None:
+    js.wake()
+
+
+def stop_requested() -> bool:
+    return bool(js.stop_requested())
+
+
+def read_input(capacity: int) -> bytes | None:
+    """Wait for standard input. Empty: there will be no more; None: a stop."""
+    result = js.read_input(capacity)
+    if suspends and hasattr(result, 'then'):
+        result = run_sync(result)
+    if result is None:
+        _stopped()
+        return None
+    return bytes(result.to_bytes())
+
+
+def ready() -> list[int]:
+    """The own readers that have something."""
+    count = js.ready(_ready.address, MOST_READY)
+    return _ready_words[:min(count, MOST_READY)].tolist()
+
+
+def _words(*texts: str) -> list[int]:
+    """Lay texts down for the host: address and length of each."""
+    places, at = [], PAYLOAD_AT
+    for text in texts:
+        data = text.encode()
+        _in.view[at:at + len(data)] = data
+        places += [_in.address + at, len(data)]
+        at += len(data)
+    return places
+
+
+def _checked(what: str, result: int) -> int:
+    if result < 0:
+        raise BusError(what, result)
+    return result
+
+
+def node_create(name: str, namespace: str) -> int:
+    return _checked('the node cannot be made', js.node_create(*_words(name, namespace)))
+
+
+def node_destroy(node: int) -> None:
+    js.node_destroy(node)
+
+
+def status_version() -> int:
+    version: int = js.status_version()
+    return version
+
+
+def graph_version() -> int:
+    version: int = js.graph_version()
+    return version
+
+
+class Endpoint:
+    """A publisher, subscription, client or server on the bus."""
+
+    def __init__(
+        self, kind: EndpointKind, node: int, name: str, type_name: str, type_hash: str, qos: Qos, flags: int = 0
+    ) -> None:
+        texts = _words(name, type_name, type_hash)
+        desc = struct.pack(
+            ENDPOINT_DESC_FORMAT, kind, node, *texts, qos.reliability, qos.durability, qos.history, qos.depth,
+            qos.liveliness, flags, 0, 0, qos.deadline_ns, qos.lifespan_ns, qos.lease_ns, 0, 0, 0)
+        at = (PAYLOAD_AT + sum(texts[1::2]) + 7) & -8
+        _in.view[at:at + len(desc)] = desc
+        self.handle = _checked(f'{name} cannot be made', js.endpoint_create(_in.address + at))
+        js.endpoint_gid(self.handle, _info.address)
+        self.gid = bytes(_info.view[:16])
+
+    def destroy(self) -> None:
+        js.endpoint_destroy(self.handle)
+        self.handle = -1
+
+    def matched(self) -> int:
+        count: int = js.matched(self.handle)
+        return max(0, count)
+
+    def assert_liveliness(self) -> None:
+        js.assert_liveliness(self.handle)
+
+    def status(self, kind: StatusKind) -> Status | None:
+        """None: the endpoint has no such status."""
+        if js.endpoint_status(self.handle, int(kind), _info.address) < 0:
+            return None
+        return Status(*struct.unpack_from(ENDPOINT_STATUS_FORMAT, _info.view)[:5])
+
+    def write(self, codec: Any, message: Any, related_sequence: int = 0, related_gid: bytes = bytes(16)) -> SampleInfo:
+        """Serialise and send a message."""
+        end = encode(codec, message)
+        _info_struct.pack_into(_info.view, 0, 0, 0, 0, 0, related_sequence, related_gid, bytes(16))
+        return self._send(_out.address + HEADER_AT, end - HEADER_AT)
+
+    def publish(self, codec: Any, message: Any) -> None:
+        """As write, for messages that are not part of an exchange."""
+        try:
+            end = codec.write(message, _out.view, PAYLOAD_AT)
+        except (struct.error, ValueError):
+            end = encode(codec, message)
+        _info.view[:] = NO_INFO
+        result = js.write(self.handle, _out.address + HEADER_AT, end - HEADER_AT, _info.address)
+        if result.__class__ is not int:
+            result = run_sync(result)
+        if result < 0:
+            self._refused(result)
+
+    def write_bytes(self, data: bytes) -> SampleInfo:
+        """Send what is serialised already."""
+        if len(data) + HEADER_AT > _out.capacity:
+            _grow(_out, len(data) + HEADER_AT)
+        _out.view[HEADER_AT:HEADER_AT + len(data)] = data
+        _info.view[:] = NO_INFO
+        try:
+            return self._send(_out.address + HEADER_AT, len(data))
+        finally:
+            _out.view[HEADER_AT:PAYLOAD_AT] = CDR_HEADER
+
+    def _send(self, address: int, length: int) -> SampleInfo:
+        result = js.write(self.handle, address, length, _info.address)
+        if result.__class__ is not int:
+            result = run_sync(result)
+        if result < 0:
+            self._refused(result)
+        return SampleInfo(*_info_struct.unpack_from(_info.view))
+
+    def _refused(self, code: int) -> None:
+        if code == ErrorCode.STOPPED:
+            _stopped()
+        raise BusError('the message cannot be sent', code)
+
+    def take(self, codec: Any) -> tuple[Any, SampleInfo] | None:
+        """The next message; None: there is none."""
+        length = self._take()
+        if length < 0:
+            return None
+        message = codec.read(_in.view[:HEADER_AT + length], PAYLOAD_AT)[0] if _in.view[HEADER_AT + 1] == 1 \
+            else decode(codec, bytes(_in.view[HEADER_AT:HEADER_AT + length]))
+        return message, SampleInfo(*_info_struct.unpack_from(_info.view))
+
+    def take_bytes(self) -> tuple[bytes, SampleInfo] | None:
+        length = self._take()
+        if length < 0:
+            return None
+        return bytes(_in.view[HEADER_AT:HEADER_AT + length]), SampleInfo(*_info_struct.unpack_from(_info.view))
+
+    def _take(self) -> int:
+        while True:
+            length: int = js.take(self.handle, _in.address + HEADER_AT, _in.capacity - HEADER_AT, _info.address)
+            if length <= _in.capacity - HEADER_AT:
+                return length
+            _grow(_in, length + HEADER_AT)
+
+
+def _grow(buffer: Buffer, least: int) -> None:
+    buffer.reserve(max(2 * buffer.capacity, least + PAYLOAD_AT))
+    if buffer is _out:
+        _out.view[HEADER_AT:PAYLOAD_AT] = CDR_HEADER
+
+
+MOST_CAPACITY = 1 << 30
+
+
+def encode(codec: Any, message: Any) -> int:
+    """Serialise into the buffer that goes out; returns the end. What does not fit is tried in a larger one."""
+    while True:
+        try:
+            return int(codec.write(message, _out.view, PAYLOAD_AT))
+        except (struct.error, ValueError):
+            # Too small a buffer, or a value that is wrong: the latter fails in a larger buffer too.
+            if _out.capacity >= _largest(codec, message) or _out.capacity >= MOST_CAPACITY:
+                raise
+            _grow(_out, 0)
+
+
+def _largest(codec: Any, message: Any) -> int:
+    """Bytes in which the message fits for sure, if its values are right."""
+    size = 64
+    for field in codec.structure.fields:
+        value = getattr(message, f'_{field.name}')
+        items = value if field.type.container else (value,)
+        if field.type.is_message:
+            inner = codec.find(field.type.base)
+            size += 8 + sum(_largest(inner, one) for one in items)
+        elif isinstance(value, (str, bytes)) or (len(items) and isinstance(items[0], str)):
+            size += 8 + sum(16 + 4 * len(one) for one in items)
+        else:
+            size += 16 + 8 * len(items)
+    return size
+
+
+def serialize(codec: Any, message: Any) -> bytes:
+    return bytes(_out.view[HEADER_AT:encode(codec, message)])
+
+
+def decode(codec: Any, data: bytes) -> Any:
+    """A message out of its bytes, which begin with the CDR header."""
+    if data[:2] != CDR_HEADER[:2]:
+        raise BusError('only little-endian CDR is read', int(ErrorCode.UNSUPPORTED))
+    view = memoryview(bytes(HEADER_AT) + data)
+    return codec.read(view, PAYLOAD_AT)[0]
+
+
+class _Cursor:
+    def __init__(self, view: memoryview) -> None:
+        self.view, self.at = view, 0
+
+    def numbers(self, format_: str) -> tuple[Any, ...]:
+        found = struct.unpack_from('<' + format_, self.view, self.at)
+        self.at += struct.calcsize('<' + format_)
+        return found
+
+    def text(self) -> str:
+        length, = self.numbers('I')
+        self.at += length
+        return str(self.view[self.at - length:self.at], 'utf-8')
+
+
+def graph() -> tuple[list[GraphNode], list[GraphEndpoint]]:
+    """All nodes and endpoints that can be seen."""
+    size = js.graph_snapshot(_in.address, _in.capacity)
+    while size > _in.capacity:
+        _grow(_in, size)
+        size = js.graph_snapshot(_in.address, _in.capacity)
+    cursor = _Cursor(_in.view)
+    nodes = []
+    for _ in range(cursor.numbers('I')[0]):
+        participant, = cursor.numbers('I')
+        namespace = cursor.text()
+        nodes.append(GraphNode(participant, namespace, cursor.text()))
+    endpoints = []
+    for _ in range(cursor.numbers('I')[0]):
+        kind, node = cursor.numbers('II')
+        name, type_, hash_ = cursor.text(), cursor.text(), cursor.text()
+        qos = Qos(*cursor.numbers('IIIIIqqq'))
+        endpoints.append(GraphEndpoint(kind, nodes[node], name, type_, hash_, qos, cursor.numbers('16s')[0]))
+    return nodes, endpoints
+
+
+def system_ns() -> int:
+    """Time of day of the site."""
+    return time.time_ns()
+
+
+def steady_ns() -> int:
+    return time.monotonic_ns()

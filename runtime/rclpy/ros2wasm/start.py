@@ -1,0 +1,125 @@
+"""Starts a Python program of a site and tells how it ended. What blocks natively waits on the link here."""
+from __future__ import annotations
+
+import atexit
+import builtins
+import importlib
+import io
+import os
+import runpy
+import signal
+import sys
+import threading
+import time
+from types import TracebackType
+from typing import Any
+
+from ros2wasm import host, import_hook
+
+NS = 1_000_000_000
+INTERRUPTED = -int(signal.SIGINT)
+#: Frames of these are ours: a traceback begins with the user's.
+OWN_FILES = (__file__, importlib.__file__, runpy.__file__, '<frozen importlib', '<frozen runpy')
+
+
+def sleep(seconds: float, /) -> None:
+    """In place of time.sleep."""
+    if seconds < 0:
+        raise ValueError('sleep length must be non-negative')
+    end = time.monotonic_ns() + int(seconds * NS)
+    # A stop ends it by raising; when its handler does not raise, the rest is slept.
+    while host.sleep(max(0, end - time.monotonic_ns())) == host.STOP:
+        pass
+
+
+class StandardInput(io.RawIOBase):
+    """The node's stdin, which the page writes."""
+
+    def readable(self) -> bool:
+        return True
+
+    def readinto(self, buffer: Any) -> int:
+        data = host.read_input(len(buffer))
+        if data is None:
+            raise InterruptedError('stopped')
+        buffer[:len(data)] = data
+        return len(data)
+
+
+def ask(prompt: object = '', /) -> str:
+    """In place of input."""
+    sys.stdout.write(str(prompt))
+    sys.stdout.flush()
+    line = sys.stdin.readline()
+    if not line:
+        raise EOFError('EOF when reading a line')
+    return line.rstrip('\n')
+
+
+def refuse_thread(_thread: threading.Thread) -> None:
+    """In place of Thread.start."""
+    raise RuntimeError(
+        "error[R2W0714]: can't start new thread: a Python node runs in one thread here. Give the work to a timer, "
+        'to a callback group of a MultiThreadedExecutor, or to a node of its own')
+
+
+def install() -> None:
+    """Put what waits on the link in place of what would block the worker or fail."""
+    setattr(time, 'sleep', sleep)
+    setattr(threading.Thread, 'start', refuse_thread)
+    sys.stdin = io.TextIOWrapper(io.BufferedReader(StandardInput()), encoding='utf-8')
+    builtins.input = ask
+    sys.dont_write_bytecode = True
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(line_buffering=True)
+    import_hook.install()
+
+
+def run_entry(entry: str, prefix: str) -> None:
+    """As the script of an entry point, or as `python3 FILE`."""
+    module, _, function = entry.partition(':')
+    if function:
+        main: Any = importlib.import_module(module)
+        for name in function.split('.'):
+            main = getattr(main, name)
+        sys.exit(main())
+    path = f'{prefix}/{entry}'
+    sys.path.insert(0, os.path.dirname(path))
+    runpy.run_path(path, run_name='__main__')
+
+
+def exit_code(reason: object) -> int:
+    """What SystemExit means."""
+    if reason is None:
+        return 0
+    if isinstance(reason, int):
+        return reason & 0xFF
+    print(reason, file=sys.stderr)
+    return 1
+
+
+def users_part(traceback: TracebackType | None) -> TracebackType | None:
+    """Without our frames at its begin; all of it when there is nothing else."""
+    part = traceback
+    while part is not None and part.tb_frame.f_code.co_filename.startswith(OWN_FILES):
+        part = part.tb_next
+    return part or traceback
+
+
+def run(entry: str, prefix: str, arguments: Any) -> int:
+    """Run to the end. `arguments`: sys.argv, the executable's name first."""
+    install()
+    sys.argv = [str(one) for one in arguments]
+    code = 0
+    try:
+        run_entry(entry, prefix)
+    except SystemExit as reason:
+        code = exit_code(reason.code)
+    except BaseException as error:
+        sys.excepthook(type(error), error, users_part(error.__traceback__))
+        code = INTERRUPTED if isinstance(error, KeyboardInterrupt) else 1
+    atexit._run_exitfuncs()
+    sys.stdout.flush()
+    sys.stderr.flush()
+    return code

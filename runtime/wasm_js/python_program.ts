@@ -1,0 +1,225 @@
+// Loads and runs one program of kind "python": Pyodide, the archives of Python files, the node's entry. Python calls the
+// same functions as a wasm program (host_imports.ts), with addresses in Pyodide's memory.
+
+import type { loadPyodide, PyodideInterface } from 'pyodide';
+import type { PyBuffer, PyCallable, PyDict, PyProxy } from 'pyodide/ffi';
+import { WaitResult } from '../protocol/generated/constants.ts';
+import { hostImports } from './host_imports.ts';
+import { LineWriter } from './line_writer.ts';
+import { type ProgramEnd, type ProgramHost, promiseIntegration } from './program.ts';
+import { ProgramMemory } from './program_memory.ts';
+import type { PythonProgram } from './session.ts';
+
+/** What a worker needs to run a Python program. */
+export interface PythonStart extends PythonProgram {
+  /** The folder of the site: a URL, or under Node.js a path; with "/" at the end. */
+  readonly base: string;
+  /** Pyodide's folder in the site, with "/" at the end. */
+  readonly home: string;
+}
+
+/** Where a worker finds the files of the site. */
+export interface WorkerFiles {
+  readonly pyodide: (home: string) => Promise<typeof loadPyodide>;
+  readonly bytes: (place: string) => Promise<Uint8Array<ArrayBuffer>>;
+}
+
+/** How python_worker.js is called in a browser. */
+export type RunPython = (
+  module: WebAssembly.Module, start: PythonStart, host: ProgramHost, files: WorkerFiles,
+) => Promise<ProgramEnd>;
+
+/** Where the archives are unpacked: an installation, as colcon makes it. */
+const prefix = '/ros';
+const sitePackages = `${prefix}/lib/python3.12/site-packages`;
+const interrupt = 2;
+/** As Python ends when nobody catches KeyboardInterrupt. */
+const interruptedCode = -interrupt;
+
+function crash(code: string, message: string): ProgramEnd {
+  return { kind: 'crash', code, message };
+}
+
+type ModuleImports = Record<string, WebAssembly.ImportValue>;
+
+/** Python's clocks are the site's, and its random numbers the run's, from the first instruction on. */
+function followHost(imports: WebAssembly.Imports, host: ProgramHost, memory: ProgramMemory): void {
+  const { clock } = host.link;
+  const env = imports['env'] as ModuleImports;
+  const wasi = imports['wasi_snapshot_preview1'] as ModuleImports;
+  env['emscripten_get_now'] = () => clock.steadyNs() / 1e6;
+  env['emscripten_date_now'] = () => clock.systemNs() / 1e6;
+  wasi['clock_time_get'] = (id: number, ...rest: readonly (number | bigint)[]): number => {
+    const time = id === 0 ? clock.systemNs() : clock.steadyNs();
+    memory.setI64(Number(rest.at(-1)), BigInt(Math.floor(time)));
+    return 0;
+  };
+  const { random } = host;
+  if (random === undefined) return;
+  env['getentropy'] = (address: number, length: number): number => {
+    const bytes = new Uint8Array(length);
+    random(bytes);
+    memory.u8.set(bytes, address);
+    return 0;
+  };
+}
+
+/**
+ * Calls `load` while whoever asks for Pyodide's own wasm file gets the module that the page has compiled already.
+ * Pyodide has no option for it.
+ */
+async function withModule<T>(
+  module: WebAssembly.Module, prepare: (imports: WebAssembly.Imports) => void, load: () => Promise<T>,
+): Promise<T> {
+  const wasm = WebAssembly as { instantiate: unknown; instantiateStreaming: unknown };
+  const scope = globalThis as { fetch: unknown };
+  const kept = { instantiate: wasm.instantiate, instantiateStreaming: wasm.instantiateStreaming, fetch: scope.fetch };
+  const given = async (_source: unknown, imports: WebAssembly.Imports): Promise<WebAssembly.WebAssemblyInstantiatedSource> => {
+    prepare(imports);
+    return { module, instance: new WebAssembly.Instance(module, imports) };
+  };
+  wasm.instantiate = given;
+  wasm.instantiateStreaming = given;
+  const fetchOther = fetch;
+  scope.fetch = (what: URL | string, ...rest: readonly RequestInit[]) =>
+    String(what).endsWith('/pyodide.asm.wasm') ? Promise.resolve(new Response()) : fetchOther(what, ...rest);
+  try {
+    return await load();
+  } finally {
+    Object.assign(WebAssembly, { instantiate: kept.instantiate, instantiateStreaming: kept.instantiateStreaming });
+    scope.fetch = kept.fetch;
+  }
+}
+
+/** Tells Python of a stop while it computes: Pyodide looks at [0] now and then, and stores 0 there after each look. */
+class StopFlag {
+  private readonly asked: () => boolean;
+  private shown = false;
+  private told = false;
+  /** Python waits in a suspension, out of which nobody may be interrupted: the wait itself tells. */
+  suspended = false;
+
+  constructor(asked: () => boolean) {
+    this.asked = asked;
+  }
+
+  get 0(): number {
+    if (this.told || this.suspended || !this.asked()) return 0;
+    this.shown = true;
+    return interrupt;
+  }
+
+  set 0(_seen: number) {
+    if (this.shown) this.told = true;
+  }
+
+  /** Whether a stop that a wait tells of is news; it is none from then on. */
+  take(): boolean {
+    const news = !this.told;
+    this.told = true;
+    return news;
+  }
+}
+
+/** The module `ros2wasm_host` of Python. */
+function hostModule(host: ProgramHost, memory: ProgramMemory, stop: StopFlag): Record<string, unknown> {
+  const { link } = host;
+  const imports = hostImports(link, () => memory, host.idle, host.sent);
+  const buffers: PyBuffer[] = [];
+  const suspending = (f: (...args: never[]) => unknown) => (...args: never[]): unknown => {
+    const result = f(...args);
+    if (!(result instanceof Promise)) return result;
+    stop.suspended = true;
+    return result.finally(() => {
+      stop.suspended = false;
+    });
+  };
+  // Here and not in Python: an interrupt between the end of a suspension and Python's look at its result would be lost.
+  const told = (result: number): number => result === WaitResult.stop && !stop.take() ? WaitResult.woken : result;
+  const telling = (f: (...args: never[]) => unknown) => (...args: never[]): unknown => {
+    const result = f(...args) as number | Promise<number>;
+    return typeof result === 'number' ? told(result) : result.then(told);
+  };
+  return {
+    ...imports,
+    wait: suspending(telling(imports['wait']!)),
+    sleep: suspending(telling(imports['sleep']!)),
+    write: suspending(imports['write']!),
+    read_input: suspending((capacity: number) => {
+      host.idle();
+      return host.input.read(capacity);
+    }),
+    /** Results of the four above may be promises. */
+    suspends: link.kind === 'port',
+    take_stop: () => stop.take(),
+    /** Where the bytes of a bytearray lie, which stay there for good. */
+    address: (bytes: PyProxy): number => {
+      const buffer = (bytes as PyProxy & { getBuffer(type: string): PyBuffer }).getBuffer('u8');
+      buffers.push(buffer);
+      return (buffer['data'] as Uint8Array).byteOffset;
+    },
+  };
+}
+
+interface Loaded {
+  readonly python: PyodideInterface;
+  readonly memory: ProgramMemory;
+}
+
+async function load(
+  module: WebAssembly.Module, start: PythonStart, host: ProgramHost, files: WorkerFiles,
+): Promise<Loaded> {
+  const home = start.base + start.home;
+  const open = await files.pyodide(home);
+  let memory: ProgramMemory | undefined;
+  const prepare = (imports: WebAssembly.Imports): void => {
+    memory = new ProgramMemory((imports['env'] as ModuleImports)['memory'] as WebAssembly.Memory);
+    followHost(imports, host, memory);
+  };
+  const python = await withModule(module, prepare, () => open({
+    indexURL: home,
+    env: { HOME: '/home', ...host.environment, AMENT_PREFIX_PATH: prefix },
+  }));
+  if (memory === undefined) throw new TypeError('Pyodide took another wasm file');
+  return { python, memory };
+}
+
+/** Runs the entry to its end. */
+export const runPython: RunPython = async (module, start, host, files) => {
+  const suspends = host.link.kind === 'port';
+  if (suspends && promiseIntegration() === undefined) {
+    return crash('R2W0705', 'this browser can neither share memory with this page nor suspend a program');
+  }
+  const out = { stdout: new LineWriter((l) => host.line('stdout', l)), stderr: new LineWriter((l) => host.line('stderr', l)) };
+  const archives = start.archives.map((path) => files.bytes(start.base + path));
+  try {
+    const { python, memory } = await load(module, start, host, files);
+    const writer = (stream: 'stdout' | 'stderr') => ({
+      isatty: false,
+      write: (bytes: Uint8Array): number => {
+        out[stream].write(bytes.slice());
+        return bytes.length;
+      },
+    });
+    python.setStdout(writer('stdout'));
+    python.setStderr(writer('stderr'));
+    const stop = new StopFlag(() => host.link.stopRequested());
+    python.registerJsModule('ros2wasm_host', hostModule(host, memory, stop));
+    for (const bytes of await Promise.all(archives)) python.unpackArchive(bytes, 'zip', { extractDir: prefix });
+    const globals = python.toPy({ path: sitePackages }) as PyDict;
+    python.runPython('import sys; sys.path.insert(0, path); from ros2wasm.start import run', { globals });
+    const run = globals.get('run') as PyCallable;
+    const args = python.toPy(host.arguments) as PyProxy;
+    // A stop that came meanwhile: nothing of the user's has begun.
+    if (host.link.stopRequested()) return { kind: 'exit', code: interruptedCode };
+    python.setInterruptBuffer(stop as unknown as Uint8Array<ArrayBuffer>);
+    const code = (suspends ? await run.callPromising(start.entry, prefix, args) : run(start.entry, prefix, args)) as number;
+    return { kind: 'exit', code };
+  } catch (error) {
+    if (error instanceof RangeError) return crash('R2W0710', `there is no memory for one more program: ${error.message}`);
+    return crash('R2W0701', error instanceof Error ? error.message : String(error));
+  } finally {
+    out.stdout.flush();
+    out.stderr.flush();
+  }
+};

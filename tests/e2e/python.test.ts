@@ -1,0 +1,90 @@
+// Unchanged Python nodes in a site, beside each other and beside compiled ones: on both links, in Node.js and in
+// Chromium under the page's policy.
+
+import assert from 'node:assert/strict';
+import { spawn } from 'node:child_process';
+import { rmSync } from 'node:fs';
+import { createInterface } from 'node:readline';
+import { after, before, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { type Browser, chromium } from 'playwright-core';
+import { chromiumOptions } from './chromium.ts';
+import { makeSite } from './runtime_site.ts';
+import { ownPackage } from '../support/python_nodes.ts';
+import { serveFolder } from '../support/static_server.ts';
+
+const watchdog = { timeout: 240_000 };
+const headless = fileURLToPath(new URL('../../runtime/wasm_js/headless.ts', import.meta.url));
+let folder = '';
+let browser: Browser | undefined;
+
+before(async () => {
+  // Compiled: talker-1, listener-2; Python: talker-3, listener-4, one_thread-5.
+  folder = makeSite([{ program: 'talker.c' }, { program: 'listener.c' }], {}, {}, {
+    nodes: [
+      { entry: 'chatter_py.talker:main', executable: 'talker' },
+      { entry: 'chatter_py.listener:main', executable: 'listener', arguments: ['--ros-args', '-r', '__node:=ears'] },
+      { entry: 'lib/chatter_py/one_thread', executable: 'one_thread' },
+    ],
+    packages: ownPackage('chatter_py'),
+  });
+  browser = await chromium.launch(chromiumOptions());
+});
+
+after(async () => {
+  await browser?.close();
+  if (folder !== '') rmSync(folder, { recursive: true });
+});
+
+/** Lines that must come, whatever comes between them. */
+const wanted: Readonly<Record<string, RegExp>> = {
+  'Python hears Python': /^\[listener-4\] \[INFO\] \[\d+\.\d{9}\] \[ears\]: I heard: \[Hello from Python: \d+\]$/,
+  'Python hears the compiled one': /^\[listener-4\] .*I heard: \[Hello World: \d+\]$/,
+  'R2W0714: a thread is refused': /^\[one_thread-5\] error\[R2W0714\]: can't start new thread/,
+  'a script sleeps and reads the clocks': /^\[one_thread-5\] slept True True$/,
+  'the compiled one hears Python': /^\[listener-2\] I heard: \[Hello from Python: \d+\]/,
+};
+
+for (const link of ['shared', 'port']) {
+  test(`${link}, Node.js: Python and compiled nodes hear each other, and a stop ends them`, watchdog, async () => {
+    const child = spawn(process.execPath, [headless, folder, '--link', link], { stdio: ['ignore', 'pipe', 'pipe'] });
+    const missing = new Set(Object.keys(wanted));
+    const said: string[] = [];
+    let err = '';
+    child.stderr.on('data', (bytes: Buffer) => {
+      err += bytes.toString();
+    });
+    createInterface({ input: child.stdout }).on('line', (line) => {
+      if (line.startsWith('[listener-4]')) said.push(line);
+      if (missing.size === 0) return;
+      for (const what of missing) if (wanted[what]?.test(line) === true) missing.delete(what);
+      if (missing.size === 0) child.kill('SIGINT');
+    });
+    const code = await new Promise((resolve) => child.on('close', resolve));
+    assert.deepEqual([...missing], [], err);
+    assert.equal(code, 130, err);
+    // As natively: KeyboardInterrupt comes out of spin, and who caught it ends well.
+    assert.equal(said.at(-1), '[listener-4] stopped by hand', said.slice(-30).join('\n'));
+    for (const node of ['talker-3', 'listener-4']) assert.match(err, new RegExp(`\\[${node}\\] process has finished cleanly`));
+  });
+}
+
+for (const [link, isolated] of [['shared', true], ['port', false]] as const) {
+  test(`${link}, Chromium: Python nodes run under the page's policy`, watchdog, async () => {
+    assert.ok(browser);
+    const host = await serveFolder(folder, { isolated });
+    const context = await browser.newContext({ serviceWorkers: 'block' });
+    try {
+      const page = await context.newPage();
+      await page.goto(host.url);
+      await page.waitForFunction(
+        () => /\[ears\]: I heard: \[Hello from Python: \d+\]/.test(document.body?.textContent ?? ''), null, { timeout: 200_000 });
+      assert.equal(await page.evaluate(() => crossOriginIsolated), isolated);
+      // Compiled once by the page: no worker asks for it again.
+      assert.equal(host.requests.filter((path) => path.endsWith('pyodide.asm.wasm')).length, 1);
+    } finally {
+      await context.close();
+      await host.close();
+    }
+  });
+}

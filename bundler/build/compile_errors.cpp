@@ -180,7 +180,7 @@ Diagnostics configure_errors(std::string_view cmake_output, const BuildPlace& pl
     result.code = "R2W0507";
     result.message =
         "package `" + place.package + "` asks CMake for `" + wanted + "`, which is not there";
-    result.why.push_back("only what package.xml names is brought from the channels");
+    result.why.push_back("it is not among what the channels and the workspace brought");
     const auto& known = place.channel_packages;
     if (std::binary_search(known.begin(), known.end(), wanted)) {
       result.fix.push_back("add `<depend>" + wanted + "</depend>` to package.xml");

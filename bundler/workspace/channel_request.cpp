@@ -15,6 +15,46 @@ bool has(const std::vector<std::string>& sorted, std::string_view name) {
   return std::binary_search(sorted.begin(), sorted.end(), name, std::less<>());
 }
 
+/// What CMakeLists.txt asks for, a channel has, and package.xml forgets. Where all of ROS 2 is
+/// installed nobody notices.
+std::vector<const Spanned<std::string>*> forgotten(const LocalPackage& package,
+                                                   const std::vector<LocalPackage>& packages,
+                                                   const KnownNames& known,
+                                                   std::string_view distro) {
+  std::vector<const Spanned<std::string>*> result;
+  const auto is_local = [&](const std::string& name) {
+    return std::any_of(packages.begin(), packages.end(),
+                       [&](const LocalPackage& one) { return one.xml.name.value == name; });
+  };
+  const auto is_named = [&](const std::string& wanted) {
+    return std::any_of(
+        package.xml.dependencies.begin(), package.xml.dependencies.end(),
+        [&](const PackageDependency& one) { return conda_name(one.name.value, distro) == wanted; });
+  };
+  for (const Spanned<std::string>& one : package.cmake_packages) {
+    const std::string wanted = conda_name(one.value, distro);
+    if (!host_package_reason(one.value).empty() || is_local(one.value) || is_named(wanted))
+      continue;
+    if (has(known.names, wanted)) result.push_back(&one);
+  }
+  return result;
+}
+
+Diagnostic forgotten_warning(const LocalPackage& package,
+                             const std::vector<const Spanned<std::string>*>& names) {
+  std::string lines;
+  for (const Spanned<std::string>* one : names) lines += "<depend>" + one->value + "</depend>";
+  return Diagnostic{.code = "R2W0515",
+                    .severity = Severity::kWarning,
+                    .message = "package `" + package.xml.name.value + "` uses " +
+                               (names.size() == 1 ? "a package" : "packages") +
+                               " that its package.xml does not name",
+                    .span = names.front()->span,
+                    .label = "asked for here",
+                    .why = {"it is taken from the channels all the same"},
+                    .fix = {"add `" + lines + "` to package.xml"}};
+}
+
 }  // namespace
 
 std::string dependency_spec(const std::string& text, std::string_view distro,
@@ -50,6 +90,16 @@ Outcome<ChannelRequest> channel_request(const Manifest& manifest,
     request.specs.push_back({.text = dependency.match_spec,
                              .origin = dependency.places.front().file,
                              .span = dependency.places.front()});
+  }
+  for (const LocalPackage& package : packages) {
+    const auto names = forgotten(package, packages, known, manifest.distro);
+    if (names.empty()) continue;
+    request.warnings.push_back(forgotten_warning(package, names));
+    for (const Spanned<std::string>* one : names) {
+      request.specs.push_back({.text = conda_name(one->value, manifest.distro),
+                               .origin = one->span.file,
+                               .span = one->span});
+    }
   }
   for (const Spanned<std::string>& dependency : manifest.dependencies) {
     if (!host_package_reason(dependency.value).empty()) continue;

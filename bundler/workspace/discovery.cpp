@@ -8,6 +8,7 @@
 #include <set>
 
 #include "bundler/io/files.hpp"
+#include "bundler/workspace/cmake_packages.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
@@ -131,7 +132,12 @@ Outcome<std::vector<LocalPackage>> discover_packages(
     auto xml = text ? parse_package_xml(*text, shown_path(file, base, shown_base), variables)
                     : text.errors();
     if (xml) {
-      packages.push_back({.xml = std::move(xml).value(), .directory = folder});
+      const fs::path lists = folder / "CMakeLists.txt";
+      const auto cmake = fs::exists(lists, error) ? read_file(lists) : Outcome<std::string>("");
+      packages.push_back({.xml = std::move(xml).value(),
+                          .directory = folder,
+                          .cmake_packages = cmake_packages(cmake ? *cmake : "",
+                                                           shown_path(lists, base, shown_base))});
     } else {
       errors.insert(errors.end(), xml.errors().begin(), xml.errors().end());
     }

@@ -14,6 +14,8 @@ namespace ros2wasm {
 struct LocalPackage {
   PackageXml xml;
   std::filesystem::path directory;  ///< absolute
+  /// What its CMakeLists.txt asks for, whether package.xml names it or not.
+  std::vector<Spanned<std::string>> cmake_packages;
 };
 
 /// Folders with a package.xml at or below `root`, sorted. A package's own folder is not searched

@@ -8,14 +8,16 @@ namespace ros2wasm {
 namespace {
 
 struct LibraryPackage {
-  std::string_view rosdep_key;
+  std::string_view rosdep_key;  // or CMake's name
   std::string_view conda_name;
 };
 
 constexpr auto kLibraryPackages = std::to_array<LibraryPackage>({
+    {"Eigen3", "eigen"},
     {"eigen", "eigen"},
     {"fmt", "fmt"},
     {"nlohmann-json-dev", "nlohmann_json"},
+    {"nlohmann_json", "nlohmann_json"},
 });
 
 }  // namespace

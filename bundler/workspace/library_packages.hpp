@@ -6,7 +6,8 @@
 
 namespace ros2wasm {
 
-/// Conda's name of the library with this rosdep key, or an empty text when the key is none of them.
+/// Conda's name of the library with this rosdep key or name for find_package(), or an empty text
+/// when the key is none of them.
 [[nodiscard]] std::string_view library_package(std::string_view rosdep_key);
 
 }  // namespace ros2wasm

@@ -26,8 +26,8 @@ std::string read(const std::filesystem::path& path) {
 /// Codes in string literals and JSON of the program and of the site, each with one file that has
 /// it.
 std::map<std::string, std::string> codes_in_sources() {
-  static const std::set<std::string> kExtensions{".cpp", ".hpp", ".ts",  ".tsx",
-                                                 ".mjs", ".h",   ".html"};
+  static const std::set<std::string> kExtensions{".cpp", ".hpp", ".ts",   ".tsx",
+                                                 ".mjs", ".h",   ".html", ".py"};
   static const std::regex kLiteral("[\"'`>[](R2W[0-9]{4})");
   std::map<std::string, std::string> codes;
   for (const char* folder : {"cli", "bundler", "workspace_schema", "runtime"}) {

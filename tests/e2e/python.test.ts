@@ -19,11 +19,11 @@ let folder = '';
 let browser: Browser | undefined;
 
 before(async () => {
-  // Compiled: talker-1, listener-2; Python: talker-3, listener-4, one_thread-5.
+  // Compiled: talker-1, listener-2; Python: count-3, hear-4, one_thread-5.
   folder = makeSite([{ program: 'talker.c' }, { program: 'listener.c' }], {}, {}, {
     nodes: [
-      { entry: 'chatter_py.talker:main', executable: 'talker' },
-      { entry: 'chatter_py.listener:main', executable: 'listener', arguments: ['--ros-args', '-r', '__node:=ears'] },
+      { entry: 'chatter_py.count:main', executable: 'count' },
+      { entry: 'chatter_py.hear:main', executable: 'hear', arguments: ['--ros-args', '-r', '__node:=ears'] },
       { entry: 'lib/chatter_py/one_thread', executable: 'one_thread' },
     ],
     packages: ownPackage('chatter_py'),
@@ -38,11 +38,11 @@ after(async () => {
 
 /** Lines that must come, whatever comes between them. */
 const wanted: Readonly<Record<string, RegExp>> = {
-  'Python hears Python': /^\[listener-4\] \[INFO\] \[\d+\.\d{9}\] \[ears\]: I heard: \[Hello from Python: \d+\]$/,
-  'Python hears the compiled one': /^\[listener-4\] .*I heard: \[Hello World: \d+\]$/,
+  'Python hears Python': /^\[hear-4\] \[INFO\] \[\d+\.\d{9}\] \[ears\]: heard <Python counts \d+>$/,
+  'Python hears the compiled one': /^\[hear-4\] .*heard <Hello World: \d+>$/,
   'R2W0714: a thread is refused': /^\[one_thread-5\] error\[R2W0714\]: can't start new thread/,
   'a script sleeps and reads the clocks': /^\[one_thread-5\] slept True True$/,
-  'the compiled one hears Python': /^\[listener-2\] I heard: \[Hello from Python: \d+\]/,
+  'the compiled one hears Python': /^\[listener-2\] I heard: \[Python counts \d+\]/,
 };
 
 for (const link of ['shared', 'port']) {
@@ -55,7 +55,7 @@ for (const link of ['shared', 'port']) {
       err += bytes.toString();
     });
     createInterface({ input: child.stdout }).on('line', (line) => {
-      if (line.startsWith('[listener-4]')) said.push(line);
+      if (line.startsWith('[hear-4]')) said.push(line);
       if (missing.size === 0) return;
       for (const what of missing) if (wanted[what]?.test(line) === true) missing.delete(what);
       if (missing.size === 0) child.kill('SIGINT');
@@ -64,8 +64,8 @@ for (const link of ['shared', 'port']) {
     assert.deepEqual([...missing], [], err);
     assert.equal(code, 130, err);
     // As natively: KeyboardInterrupt comes out of spin, and who caught it ends well.
-    assert.equal(said.at(-1), '[listener-4] stopped by hand', said.slice(-30).join('\n'));
-    for (const node of ['talker-3', 'listener-4']) assert.match(err, new RegExp(`\\[${node}\\] process has finished cleanly`));
+    assert.equal(said.at(-1), '[hear-4] stopped by hand, something heard', said.slice(-30).join('\n'));
+    for (const node of ['count-3', 'hear-4']) assert.match(err, new RegExp(`\\[${node}\\] process has finished cleanly`));
   });
 }
 
@@ -78,7 +78,7 @@ for (const [link, isolated] of [['shared', true], ['port', false]] as const) {
       const page = await context.newPage();
       await page.goto(host.url);
       await page.waitForFunction(
-        () => /\[ears\]: I heard: \[Hello from Python: \d+\]/.test(document.body?.textContent ?? ''), null, { timeout: 200_000 });
+        () => /\[ears\]: heard <Python counts \d+>/.test(document.body?.textContent ?? ''), null, { timeout: 200_000 });
       assert.equal(await page.evaluate(() => crossOriginIsolated), isolated);
       // Compiled once by the page: no worker asks for it again.
       assert.equal(host.requests.filter((path) => path.endsWith('pyodide.asm.wasm')).length, 1);

@@ -129,7 +129,7 @@ class Client:
             return False
         response, info = taken
         future = self._pending_requests.get(info.related_sequence)
-        # The request may have been cancelled meanwhile.
+        # Nobody may want the answer any more.
         if future is not None:
             future.set_result(response)
         return True

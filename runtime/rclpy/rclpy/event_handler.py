@@ -15,7 +15,7 @@ from ros2wasm.entities import changes
 
 
 class QoSPublisherEventType(IntEnum):
-    """Enum for types of QoS events that a Publisher can receive."""
+    """What can happen to a publisher; the numbers are those of rcl."""
 
     RCL_PUBLISHER_OFFERED_DEADLINE_MISSED = 0
     RCL_PUBLISHER_LIVELINESS_LOST = 1
@@ -25,7 +25,7 @@ class QoSPublisherEventType(IntEnum):
 
 
 class QoSSubscriptionEventType(IntEnum):
-    """Enum for types of QoS events that a Subscription can receive."""
+    """What can happen to a subscription; the numbers are those of rcl."""
 
     RCL_SUBSCRIPTION_REQUESTED_DEADLINE_MISSED = 0
     RCL_SUBSCRIPTION_LIVELINESS_CHANGED = 1
@@ -101,7 +101,7 @@ class QoSPublisherMatchedInfo(MatchedInfo):
 
 
 class UnsupportedEventTypeError(RuntimeError):
-    """Raised for an event that the middleware has not."""
+    """The middleware has no such event."""
 
 
 def _simple(kind: type[Any]) -> Callable[[host.Status], Any]:
@@ -142,7 +142,7 @@ _SUBSCRIPTION_EVENTS: dict[Any, tuple[StatusKind, Callable[[host.Status], Any]]]
 
 
 class EventHandler:
-    """Waitable type to handle QoS events."""
+    """Watches one status of an endpoint, and calls back when it changed."""
 
     def __init__(
         self, *, callback_group: CallbackGroup, callback: Callable[[Any], None], event_type: Any,
@@ -189,7 +189,7 @@ QoSEventHandler = EventHandler
 
 
 class SubscriptionEventCallbacks:
-    """Container to provide middleware event callbacks for a Subscription."""
+    """What to call when something happens to a subscription."""
 
     def __init__(
         self, *, deadline: Callable[[QoSRequestedDeadlineMissedInfo], None] | None = None,
@@ -235,7 +235,7 @@ class SubscriptionEventCallbacks:
 
 
 class PublisherEventCallbacks:
-    """Container to provide middleware event callbacks for a Publisher."""
+    """What to call when something happens to a publisher."""
 
     def __init__(
         self, *, deadline: Callable[[QoSOfferedDeadlineMissedInfo], None] | None = None,

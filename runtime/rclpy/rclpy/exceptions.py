@@ -31,12 +31,8 @@ class NameValidationException(Exception):
     def __init__(
         self, name_type: str, name: str, error_msg: str, invalid_index: int | None, *args: object
     ) -> None:
-        super().__init__(
-            f"""\
-Invalid {name_type}: {error_msg}:
-  '{name}'
-   {' ' * (invalid_index or 0)}^\
-""", name_type, name, error_msg, invalid_index, *args)
+        lines = (f'Invalid {name_type}: {error_msg}:', f"  '{name}'", '^'.rjust(4 + (invalid_index or 0)))
+        super().__init__('\n'.join(lines), name_type, name, error_msg, invalid_index, *args)
         self.name_type = name_type
         self.name = name
         self.error_msg = error_msg

@@ -9,7 +9,7 @@ from ros2wasm import names
 
 
 def expand_topic_name(topic_name: str, node_name: str, node_namespace: str) -> str:
-    """Expand a given topic name using given node name and namespace as well."""
+    """The full name of a topic that a node names. Exceptions say which of the three names is wrong."""
     validate_topic_name(topic_name)
     validate_node_name(node_name)
     validate_namespace(node_namespace or '/')

@@ -32,7 +32,7 @@ class Parameter:
 
         @classmethod
         def from_parameter_value(cls, parameter_value: Any) -> Parameter.Type:
-            """Get a Parameter.Type from a given variable. TypeError: no type fits."""
+            """Which type a Python value has. TypeError: no type fits."""
             if parameter_value is None:
                 return cls.NOT_SET
             for type_, python in ((cls.BOOL, bool), (cls.INTEGER, int), (cls.DOUBLE, float), (cls.STRING, str)):
@@ -50,7 +50,7 @@ class Parameter:
                 f"The given value is not one of the allowed types '{parameter_value}'.")
 
         def check(self, parameter_value: Any) -> bool:
-            """Check if the given variable is of this type."""
+            """Whether a Python value fits this type."""
             if self is Parameter.Type.NOT_SET:
                 return parameter_value is None
             python = _ELEMENTS[self]
@@ -67,7 +67,6 @@ class Parameter:
 
     def __init__(self, name: str, type_: Parameter.Type | None = None, value: Any = None) -> None:
         if type_ is None:
-            # This will raise a TypeError if it is not possible to get a type from the value.
             type_ = Parameter.Type.from_parameter_value(value)
         if not isinstance(type_, Parameter.Type):
             raise TypeError("type must be an instance of '{}'".format(repr(Parameter.Type)))
@@ -121,7 +120,7 @@ _ELEMENTS: dict[Parameter.Type, type] = {
 
 
 def get_parameter_value(string_value: str) -> Any:
-    """Guess the desired type of the parameter based on the string value."""
+    """What a text means: read as YAML; a text that is no value stays a string."""
     try:
         value = parse_value(string_value)
         return Parameter('', value=string_value if value is None else value).get_parameter_value()
@@ -130,7 +129,7 @@ def get_parameter_value(string_value: str) -> Any:
 
 
 def parameter_value_to_python(parameter_value: Any) -> Any:
-    """Get the value for the Python builtin type from a rcl_interfaces/msg/ParameterValue object."""
+    """The Python value of a message."""
     try:
         type_ = Parameter.Type(parameter_value.type)
     except ValueError:
@@ -144,7 +143,7 @@ def parameter_value_to_python(parameter_value: Any) -> Any:
 def parameter_dict_from_yaml_file(
     parameter_file: str, use_wildcard: bool = False, target_nodes: list[str] | None = None, namespace: str = ''
 ) -> dict[str, ParameterMsg]:
-    """Build a dict of parameters from a YAML file: of the nodes that are asked for, or of all."""
+    """What a parameter file sets, by name: for the nodes that are asked for, or for all."""
     with open(parameter_file, encoding='utf-8') as file:
         document = parse(file.read())
     found: dict[str, Any] = {}

@@ -65,20 +65,17 @@ class ParameterService:
             self._node.get_logger().warning(f'Failed to list parameters: {error}')
         return response
 
+    def _try(self, messages: Any) -> Any:
+        """Set all or none of them."""
+        try:
+            return self._node.set_parameters_atomically([Parameter.from_parameter_msg(one) for one in messages])
+        except ParameterNotDeclaredException as error:
+            return SetParametersResult(successful=False, reason=str(error))
+
     def _set_parameters_callback(self, request: Any, response: Any) -> Any:
-        for message in request.parameters:
-            parameter = Parameter.from_parameter_msg(message)
-            try:
-                result = self._node.set_parameters_atomically([parameter])
-            except ParameterNotDeclaredException as error:
-                result = SetParametersResult(successful=False, reason=str(error))
-            response.results.append(result)
+        response.results = [self._try([one]) for one in request.parameters]
         return response
 
     def _set_parameters_atomically_callback(self, request: Any, response: Any) -> Any:
-        try:
-            response.result = self._node.set_parameters_atomically(
-                [Parameter.from_parameter_msg(message) for message in request.parameters])
-        except ParameterNotDeclaredException as error:
-            response.result = SetParametersResult(successful=False, reason=str(error))
+        response.result = self._try(request.parameters)
         return response

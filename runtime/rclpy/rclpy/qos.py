@@ -37,7 +37,7 @@ class InvalidQoSProfileException(Exception):
 
 
 class QoSPolicyEnum(IntEnum):
-    """Base for QoS Policy enumerations; the numbers are those of rmw."""
+    """What the enumerations of policies share; the numbers are those of rmw."""
 
     @classmethod
     def short_keys(cls) -> list[str]:

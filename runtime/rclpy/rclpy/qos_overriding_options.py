@@ -16,7 +16,7 @@ from rclpy.qos import (
 
 
 class InvalidQosOverridesError(Exception):
-    """Raised when the callback refuses the profile."""
+    """The callback refuses the profile."""
 
 
 @dataclass
@@ -29,7 +29,7 @@ QosCallbackType = Callable[[QoSProfile], Any]
 
 
 class QoSOverridingOptions:
-    """Options to customize QoS parameter overrides."""
+    """Which policies of an endpoint parameters may change, and who checks the outcome."""
 
     def __init__(
         self, policy_kinds: Iterable[QoSPolicyKind], *, callback: QosCallbackType | None = None,

@@ -18,7 +18,7 @@ class TopicEndpointTypeEnum(IntEnum):
 
 
 class TopicEndpointInfo:
-    """Information on a topic endpoint."""
+    """What the graph knows of one endpoint."""
 
     def __init__(
         self, node_name: str = '', node_namespace: str = '', topic_type: str = '',

@@ -12,7 +12,7 @@ g_default_context: Context | None = None
 
 
 class UnknownROSArgsError(RuntimeError):
-    """Raised when there are ROS arguments that nobody knows."""
+    """Between --ros-args and -- stands what nobody knows."""
 
     def __init__(self, arguments: Sequence[str]) -> None:
         super().__init__(f"Found unknown ROS arguments: {list(arguments)}")

@@ -207,9 +207,7 @@ class Message(metaclass=MessageMeta):
         return copy(cls._fields_and_field_types)
 
     def __repr__(self) -> str:
-        typename = self.__class__.__module__.split('.')
-        typename.pop()
-        typename.append(self.__class__.__name__)
+        package_and_kind = type(self).__module__.rpartition('.')[0]
         parts = []
         for field in self._structure.fields:
             value = getattr(self, field.name)
@@ -218,7 +216,7 @@ class Message(metaclass=MessageMeta):
                 # The elements alone, without the name of the array's type.
                 text = text[len("array('X', "):-1] if len(value) else '[]'
             parts.append(f'{field.name}={text}')
-        return f"{'.'.join(typename)}({', '.join(parts)})"
+        return f"{package_and_kind}.{type(self).__name__}({', '.join(parts)})"
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, self._message_class):

@@ -1,23 +1,14 @@
-from setuptools import find_packages, setup
-
-package_name = 'chatter_py'
+from setuptools import setup
 
 setup(
-    name=package_name,
+    name='chatter_py',
     version='0.1.0',
-    packages=find_packages(exclude=['test']),
-    data_files=[
-        ('share/ament_index/resource_index/packages', ['resource/' + package_name]),
-        ('share/' + package_name, ['package.xml']),
-    ],
-    install_requires=['setuptools'],
-    zip_safe=True,
-    scripts=['scripts/one_thread'],
     license='Apache-2.0',
-    entry_points={
-        'console_scripts': [
-            'talker = chatter_py.talker:main',
-            'listener = chatter_py.listener:main',
-        ],
-    },
+    packages=['chatter_py'],
+    scripts=['scripts/one_thread'],
+    data_files=[
+        ('share/chatter_py', ['package.xml']),
+        ('share/ament_index/resource_index/packages', ['resource/chatter_py']),
+    ],
+    entry_points={'console_scripts': ['count = chatter_py.count:main', 'hear = chatter_py.hear:main']},
 )

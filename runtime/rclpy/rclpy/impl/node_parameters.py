@@ -142,7 +142,7 @@ class NodeParameters(NodeBase):
             parameter = self._parameters[name]
             if parameter.type_ != Parameter.Type.NOT_SET or self._descriptors[name].dynamic_typing:
                 return parameter
-            # Statically typed, uninitialized parameter
+            # Declared with a type alone: there is nothing to give yet.
             raise ParameterUninitializedException(name)
         if self._allow_undeclared_parameters:
             return Parameter(name, Parameter.Type.NOT_SET, None)

@@ -10,8 +10,9 @@ namespace ros2wasm {
 namespace fs = std::filesystem;
 namespace {
 
-/// In share/<package>/, what the build and shells read.
-constexpr std::array<std::string_view, 3> kBuildFolders = {"cmake", "environment", "hook"};
+/// In share/<package>/, what the build and shells read: by folder and ending.
+constexpr std::string_view kCmakeFolder = "cmake";
+constexpr std::array<std::string_view, 2> kShellFolders = {"environment", "hook"};
 /// Has a file of its own in the site.
 constexpr std::array<std::string_view, 3> kInterfaceFolders = {"msg", "srv", "action"};
 constexpr std::array<std::string_view, 4> kInterfaceEndings = {".msg", ".srv", ".action", ".idl"};
@@ -35,8 +36,9 @@ bool is_for_builds(const fs::path& path) {
   const std::string first = path.begin()->string();
   const std::string ending = path.extension().string();
   if (path.has_parent_path()) {
-    return has(kBuildFolders, first) ||
-           (has(kInterfaceFolders, first) && (has(kInterfaceEndings, ending) || ending == ".json"));
+    return (first == kCmakeFolder && ending == ".cmake") ||
+           (has(kShellFolders, first) && has(kShellEndings, ending)) ||
+           (has(kInterfaceFolders, first) && has(kInterfaceEndings, ending));
   }
   return first == "package.xml" || first == "copyright" ||
          (has(kShellEndings, ending) && has(kShellStems, path.stem().string()));

@@ -3,59 +3,98 @@
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
+#include <utility>
 
 namespace ros2wasm {
 namespace {
 
 constexpr std::string_view kCommand = "find_package";
+constexpr std::string_view kRequired = "REQUIRED";
 
 bool is_name_character(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '+' ||
          c == '.';
 }
 
-/// CMake's commands may be written in capitals.
-bool starts_command(std::string_view line, std::size_t at) {
-  if (at > 0 && is_name_character(line[at - 1])) return false;
-  return std::equal(
-      kCommand.begin(), kCommand.end(), line.begin() + static_cast<std::ptrdiff_t>(at),
-      [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
+/// Comments become blanks, so that all else keeps its place.
+std::string without_comments(std::string text) {
+  for (std::size_t at = text.find('#'); at != std::string::npos; at = text.find('#', at)) {
+    std::size_t end = text.find('\n', at);
+    if (text.compare(at, 3, "#[[") == 0) {
+      end = text.find("]]", at);
+      if (end != std::string::npos) end += 2;
+    }
+    end = std::min(end, text.size());
+    for (; at < end; ++at) {
+      if (text[at] != '\n') text[at] = ' ';
+    }
+  }
+  return text;
 }
 
-std::size_t skip_blanks(std::string_view line, std::size_t at) {
-  return std::min(line.find_first_not_of(" \t\r", at), line.size());
+/// A command with its arguments, as CMake sees them: words, quotes as they are.
+struct Command {
+  std::string name;  ///< in small letters
+  std::vector<std::pair<std::string, std::size_t>> words;
+};
+
+/// The command that starts at `at`, which then stands behind it; none: `at` stands behind the word.
+std::optional<Command> read_command(std::string_view text, std::size_t& at) {
+  Command command;
+  for (; at < text.size() && is_name_character(text[at]); ++at)
+    command.name += static_cast<char>(std::tolower(static_cast<unsigned char>(text[at])));
+  const std::size_t open = text.find_first_not_of(" \t\r", at);
+  if (open == std::string_view::npos || text[open] != '(') return std::nullopt;
+  std::size_t depth = 1;
+  std::string word;
+  for (at = open + 1; at < text.size() && depth > 0; ++at) {
+    const char c = text[at];
+    depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+    const bool ends = depth == 0 || std::isspace(static_cast<unsigned char>(c)) != 0;
+    if (!ends) word += c;
+    if (ends && !word.empty()) {
+      command.words.emplace_back(word, at - word.size());
+      word.clear();
+    }
+  }
+  return command;
+}
+
+SourceSpan span_at(std::string_view text, std::size_t at, std::size_t length,
+                   const std::string& file) {
+  const std::size_t before = at == 0 ? std::string_view::npos : text.rfind('\n', at - 1);
+  const std::size_t start = before == std::string_view::npos ? 0 : before + 1;
+  return {.file = file,
+          .line = static_cast<std::uint32_t>(
+              1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n')),
+          .column = static_cast<std::uint32_t>(at - start + 1),
+          .length = static_cast<std::uint32_t>(length),
+          .line_text = std::string(text.substr(start, text.find('\n', start) - start))};
 }
 
 }  // namespace
 
 std::vector<Spanned<std::string>> cmake_packages(std::string_view text, const std::string& file) {
+  const std::string code = without_comments(std::string(text));
   std::vector<Spanned<std::string>> found;
-  std::uint32_t number = 0;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    const std::string_view whole = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
-    ++number;
-    const std::string_view line = whole.substr(0, whole.find('#'));
-    for (std::size_t at = 0; at + kCommand.size() < line.size(); ++at) {
-      if (!starts_command(line, at)) continue;
-      std::size_t first = skip_blanks(line, at + kCommand.size());
-      if (first == line.size() || line[first] != '(') continue;
-      first = skip_blanks(line, first + 1);
-      std::size_t last = first;
-      while (last < line.size() && is_name_character(line[last])) ++last;
-      const bool is_name = last > first && (last == line.size() || line[last] == ')' ||
-                                            line[last] == ' ' || line[last] == '\t');
-      const std::string name(line.substr(first, last - first));
-      const auto same = [&](const Spanned<std::string>& one) { return one.value == name; };
-      if (!is_name || std::any_of(found.begin(), found.end(), same)) continue;
-      found.push_back({.value = name,
-                       .span = {.file = file,
-                                .line = number,
-                                .column = static_cast<std::uint32_t>(first + 1),
-                                .length = static_cast<std::uint32_t>(name.size()),
-                                .line_text = std::string(whole)}});
+  int inside = 0;
+  for (std::size_t at = 0; at < code.size();) {
+    if (!is_name_character(code[at])) {
+      ++at;
+      continue;
     }
+    const auto command = read_command(code, at);
+    if (!command) continue;
+    inside += command->name == "if" ? 1 : command->name == "endif" ? -1 : 0;
+    if (inside > 0 || command->name != kCommand || command->words.empty()) continue;
+    const auto& [name, place] = command->words.front();
+    const bool is_name = std::all_of(name.begin(), name.end(), is_name_character);
+    const bool is_required = std::any_of(command->words.begin(), command->words.end(),
+                                         [](const auto& word) { return word.first == kRequired; });
+    const auto same = [&](const Spanned<std::string>& one) { return one.value == name; };
+    if (!is_name || !is_required || std::any_of(found.begin(), found.end(), same)) continue;
+    found.push_back({.value = name, .span = span_at(text, place, name.size(), file)});
   }
   return found;
 }

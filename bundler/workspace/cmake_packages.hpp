@@ -10,7 +10,8 @@
 
 namespace ros2wasm {
 
-/// Names in the order of the file, each once; those that a variable makes are not told. `file` is
+/// Names that are REQUIRED, in the order of the file, each once; those that a variable makes and
+/// those inside if() are not told. `file` is
 /// only for messages.
 [[nodiscard]] std::vector<Spanned<std::string>> cmake_packages(std::string_view text,
                                                                const std::string& file);

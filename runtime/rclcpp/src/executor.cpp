@@ -19,6 +19,9 @@
 namespace rclcpp {
 namespace {
 
+// A busy executor looks for statuses that time changes once in so many rounds.
+constexpr unsigned kSparedRounds = 8;
+
 using std::chrono::nanoseconds;
 
 // Sets a flag for as long as it lives; throws when it is set already.
@@ -254,6 +257,10 @@ nanoseconds Executor::collect_ready(std::optional<int32_t> token) {
   spared_ = token && asked_at_ == token && !ready_entries_.empty();
   if (!spared_) {
     ask_bus(token);
+  }
+  // Statuses that time alone changes tell nobody: they are looked for however busy it is.
+  spared_rounds_ = spared_ ? spared_rounds_ + 1 : 0;
+  if (spared_rounds_ % kSparedRounds == 0) {
     const int32_t status = ros2wasm::status_version();
     status_changed = status != seen_status_;
     seen_status_ = status;

@@ -35,14 +35,19 @@ struct BackgroundSpin::State {
     if (is_mine()) {
       return;
     }
-    const std::unique_lock<std::mutex> lock(running, std::try_to_lock);
-    if (!lock || ended) {
-      return;
+    asked = true;
+    // Whoever finds it running leaves the rest to that thread, which looks again.
+    while (asked) {
+      const std::unique_lock<std::mutex> lock(running, std::try_to_lock);
+      if (!lock || ended) {
+        return;
+      }
+      asked = false;
+      runner = std::this_thread::get_id();
+      is_running = true;
+      RCPPUTILS_SCOPE_EXIT(is_running = false;);
+      executor.spin_all(std::chrono::nanoseconds(0));
     }
-    runner = std::this_thread::get_id();
-    is_running = true;
-    RCPPUTILS_SCOPE_EXIT(is_running = false;);
-    executor.spin_all(std::chrono::nanoseconds(0));
   }
 
   // Whether this thread is in a callback of the group.
@@ -52,6 +57,7 @@ struct BackgroundSpin::State {
   const rclcpp::CallbackGroup::SharedPtr group;
   rclcpp::executors::SingleThreadedExecutor executor;
   std::mutex running;
+  std::atomic<bool> asked{false};
   // A program without threads has no id that stands for none of them.
   std::atomic<bool> is_running{false};
   std::atomic<std::thread::id> runner{std::thread::id()};

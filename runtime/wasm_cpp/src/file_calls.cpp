@@ -44,8 +44,9 @@ enum Wasi : int {
 
 struct OpenFile {
   File file;
-  int64_t position = 0;  ///< bytes; of a folder: entries
+  int64_t position = 0;  ///< bytes; of a folder: entries told
   int flags = 0;
+  std::string last_told;  ///< of a folder: entries come and go while it is listed
 };
 
 struct Files {
@@ -121,7 +122,7 @@ long open_file(long folder, long path, long flags) {
   if (index >= kMostOpen) {
     return -EMFILE;
   }
-  OpenFile opened{file, 0, static_cast<int>(flags)};
+  OpenFile opened{file, 0, static_cast<int>(flags), {}};
   if (free_place == all.open.end()) {
     all.open.push_back(std::move(opened));
   } else {
@@ -377,14 +378,25 @@ long __syscall_getdents64(long fd, long buffer, long size) {
   }
   constexpr int64_t kDots = 2;
   const auto& children = open->file->children;
+  if (open->position <= kDots) {
+    open->last_told.clear();
+  }
+  auto next =
+      std::upper_bound(children.begin(), children.end(), open->last_told,
+                       [](const std::string& last, const File& one) { return last < one->name; });
   long used = 0;
-  while (used + static_cast<long>(sizeof(dirent)) <= size &&
-         open->position < kDots + static_cast<int64_t>(children.size())) {
-    dirent told{};
+  while (used + static_cast<long>(sizeof(dirent)) <= size) {
     const bool dots = open->position < kDots;
-    const ros2wasm::FileNode& file =
-        dots ? *open->file : *children[static_cast<size_t>(open->position - kDots)];
+    if (!dots && next == children.end()) {
+      break;
+    }
+    const ros2wasm::FileNode& file = dots ? *open->file : **next;
     const std::string name = !dots ? file.name : open->position == 0 ? "." : "..";
+    if (!dots) {
+      open->last_told = name;
+      ++next;
+    }
+    dirent told{};
     told.d_ino = file.number;
     told.d_off = ++open->position;
     told.d_reclen = sizeof(dirent);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <new>
 #include <utility>
 
 #include "ros2wasm/host.h"
@@ -114,6 +115,7 @@ Found FileTree::find(std::string_view path, const File& from) const {
   if (path.size() >= kLongestPath) {
     return {ENAMETOOLONG, nullptr, nullptr, {}};
   }
+  const bool wants_folder = path.back() == '/';
   Found found;
   found.file = path.front() == '/' ? root_ : from ? from : here;
   while (!path.empty()) {
@@ -147,6 +149,8 @@ Found FileTree::find(std::string_view path, const File& from) const {
   }
   if (!found.file) {
     found.error = ENOENT;
+  } else if (wants_folder && !found.file->is_folder()) {
+    return {ENOTDIR, nullptr, nullptr, {}};
   } else {
     found.folder = found.file->parent.lock();
     found.name = found.file->name;
@@ -193,7 +197,12 @@ int FileTree::load(FileNode& file) {
   if (file.in_site.empty()) {
     return 0;
   }
-  std::string bytes(file.size_in_site, '\0');
+  std::string bytes;
+  try {
+    bytes.resize(file.size_in_site);
+  } catch (const std::bad_alloc&) {
+    return ENOMEM;
+  }
   const std::string& path = file.in_site;
   const int32_t got = ros2wasm_file_read(path.data(), path.size(), bytes.data(), bytes.size());
   if (got < 0) {

@@ -152,6 +152,7 @@ class Executor {
   std::optional<int32_t> asked_at_;
   // The last collect_ready() did without.
   bool spared_ = false;
+  unsigned spared_rounds_ = 0;  // in a row
   rclcpp::OnShutdownCallbackHandle shutdown_callback_;
 };
 

@@ -53,6 +53,16 @@ int main(int argc, char** argv) {
   CHECK(std::remove("copy.csv") == 0 && access("copy.csv", F_OK) == -1 && errno == ENOENT);
   CHECK(fs::remove_all("/home/user/logs") == 3 && !fs::exists("/home/user/logs"));
 
+  for (int i = 0; i < 40; ++i) {
+    std::ofstream("/tmp/many/" + std::to_string(i)) << i;
+  }
+  CHECK(!fs::exists("/tmp/many"));
+  fs::create_directory("/tmp/many");
+  for (int i = 0; i < 40; ++i) {
+    std::ofstream("/tmp/many/" + std::to_string(i)) << i;
+  }
+  CHECK(fs::remove_all("/tmp/many") == 41 && !fs::exists("/tmp/many"));
+
   std::FILE* const kept = std::fopen("/tmp/kept", "w+");
   CHECK(kept != nullptr && std::remove("/tmp/kept") == 0 && std::fputs("still here", kept) >= 0);
   std::rewind(kept);

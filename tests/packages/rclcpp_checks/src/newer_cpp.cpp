@@ -1,10 +1,11 @@
 // C++20 as Jazzy's own compilers have it.
 
-// Compatibility, works: of the C++20 library also std::format (with formatters of the user's own), bit_cast,
-// source_location, the common algorithms of std::ranges with projections, jthread, stop_token and stop_callback
+// Compatibility, works: of the C++20 library also std::format (with `template <> struct std::formatter<T>` of the user's own,
+// not inside `namespace std`), bit_cast, source_location, the common algorithms of std::ranges with projections, jthread,
+// stop_token and stop_callback
 
 // Compatibility, differs: the rest of the newer C++ library -> the site's compiler has no views beyond all, common, drop and
-// transform, no ranges::to, coroutines, expected, pmr or from_chars of floating point: the build names what is missing
+// transform, no ranges::to, condition_variable_any with a stop_token, format of chrono, coroutines, expected, pmr or from_chars of floating point: the build names what is missing
 
 #include <algorithm>
 #include <array>
@@ -67,6 +68,7 @@ int main(int argc, char** argv) {
   CHECK(*least == 0.5 && *most == 2.5 && *std::ranges::min_element(span) == 0.5);
   CHECK(std::ranges::max(3, 5) == 5 && std::ranges::min({4, 2, 8}) == 2 &&
         std::ranges::max(values) == 2.5);
+  CHECK(std::ranges::max(std::string("a"), std::string("b")) == "b");
   std::vector<int> ids;
   std::ranges::transform(readings, std::back_inserter(ids), &Reading::id);
   std::ranges::reverse(ids);

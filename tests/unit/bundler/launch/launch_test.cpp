@@ -168,6 +168,7 @@ TEST(ShareTree, HasWhatProgramsReadAndNothingFromOutside) {
   tree.write("prefix/share/demo/config/gains.yaml", "p: 1\n");
   tree.write("prefix/share/demo/srv/notes.txt", "mine");
   tree.write("prefix/share/demo/package.txt", "too");
+  tree.write("prefix/share/demo/environment/room.yaml", "walls");
   tree.write("prefix/share/ament_index/resource_index/robots/demo", "arm");
   for (const char* const for_builds :
        {"demo/cmake/demoConfig.cmake", "demo/package.xml", "demo/local_setup.bash",
@@ -180,6 +181,7 @@ TEST(ShareTree, HasWhatProgramsReadAndNothingFromOutside) {
   ASSERT_TRUE(collect_shared_files(tree / "prefix", "demo", files));
   EXPECT_EQ(files, (SharedFiles{{"share/ament_index/resource_index/robots/demo", "arm"},
                                 {"share/demo/config/gains.yaml", "p: 1\n"},
+                                {"share/demo/environment/room.yaml", "walls"},
                                 {"share/demo/in", "p: 1\n"},
                                 {"share/demo/package.txt", "nearer"},
                                 {"share/demo/srv/notes.txt", "mine"}}));

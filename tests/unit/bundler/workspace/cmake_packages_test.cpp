@@ -12,25 +12,33 @@ std::vector<std::string> names(std::string_view text) {
 }
 
 TEST(CmakePackages, TellsNamesOnceInTheirOrder) {
-  EXPECT_EQ(names("find_package(rclcpp REQUIRED)\n  FIND_PACKAGE ( std_msgs )\n"
-                  "if(X) find_package(tf2) find_package(rclcpp)"),
+  EXPECT_EQ(names("find_package(rclcpp REQUIRED)\n  FIND_PACKAGE (\n  std_msgs\n  REQUIRED )\n"
+                  "find_package(tf2 0.1 REQUIRED COMPONENTS a) find_package(rclcpp REQUIRED)"),
             (std::vector<std::string>{"rclcpp", "std_msgs", "tf2"}));
 }
 
-TEST(CmakePackages, LeavesOutCommentsVariablesAndOtherCommands) {
+TEST(CmakePackages, LeavesOutWhatMayBeAbsent) {
   EXPECT_EQ(
-      names("# find_package(a)\nmy_find_package(b)\nfind_package(${c})\nfind_package(${d}_msgs)\n"
-            "find_package(e${f})\nfind_package(\nfind_package"),
-      std::vector<std::string>());
+      names("find_package(a)\nfind_package(b QUIET)\nif(BUILD_TESTING)\n"
+            "  if(X)\n endif()\n find_package(c REQUIRED)\nendif()\nfind_package(d REQUIRED)"),
+      std::vector<std::string>{"d"});
+}
+
+TEST(CmakePackages, LeavesOutCommentsVariablesAndOtherCommands) {
+  EXPECT_EQ(names("# find_package(a REQUIRED)\nmy_find_package(b REQUIRED)\n"
+                  "find_package(${c} REQUIRED)\n#[[ x\nfind_package(d REQUIRED)\n]]\n"
+                  "find_package(\"e\" REQUIRED)\nfind_package()\nfind_package( REQUIRED"),
+            std::vector<std::string>());
 }
 
 TEST(CmakePackages, KnowsThePlace) {
-  const auto found = cmake_packages("project(x)\n  find_package(demo REQUIRED)  # why\r\n", "a/b");
+  const auto found = cmake_packages("project(x)\n  find_package(demo REQUIRED)  # why\n", "a/b");
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].span.file, "a/b");
   EXPECT_EQ(found[0].span.line, 2U);
   EXPECT_EQ(found[0].span.column, 16U);
   EXPECT_EQ(found[0].span.length, 4U);
+  EXPECT_EQ(found[0].span.line_text, "  find_package(demo REQUIRED)  # why");
 }
 
 }  // namespace

@@ -85,8 +85,8 @@ class Executor:
     def __init__(self, *, context: Context | None = None) -> None:
         self._context = get_default_context() if context is None else context
         self._nodes: list[Any] = []
-        #: Tasks that are not done, with the wake token of their last step.
-        self._tasks: list[tuple[Task, Any, Any, list[int | None]]] = []
+        #: Tasks that are not done, with entity and node.
+        self._tasks: list[tuple[Task, Any, Any]] = []
         self._is_shutdown = False
         self._queue: deque[tuple[Any, Any]] = deque()
         self._seen = -1
@@ -158,7 +158,7 @@ class Executor:
         return task
 
     def _add_task(self, task: Task, entity: Any, node: Any) -> None:
-        self._tasks.append((task, entity, node, [None]))
+        self._tasks.append((task, entity, node))
         host.wake()
 
     # ---- what is ready
@@ -187,11 +187,10 @@ class Executor:
         group = entity.callback_group
         return group is None or bool(group.can_execute(entity))
 
-    def _collect(self, token: int) -> None:
-        """Queue all that can be executed now. A task is stepped anew only when something happened meanwhile."""
+    def _collect(self) -> None:
+        """Queue all that can be executed now."""
         for entry in self._tasks:
-            task, _, _, stepped = entry
-            if stepped[0] != token and not task.executing():
+            if entry[0]._is_due():
                 self._queue.append((entry, None))
         for timer, node in self._timers:
             if not timer._destroyed and timer.is_ready() and self.can_execute(timer):
@@ -211,15 +210,15 @@ class Executor:
             if (waitable, node) not in self._queue and self.can_execute(waitable) and waitable._ready():
                 self._queue.append((waitable, node))
 
-    def _pop(self, token: int) -> Work | None:
+    def _pop(self) -> Work | None:
         """The next call of the queue that is still due."""
         while self._queue:
             entity, node = self._queue.popleft()
             if isinstance(entity, tuple):
-                task, owner, of, stepped = entity
+                task, owner, of = entity
                 if task.done():
+                    self._forget((task, owner, of))
                     continue
-                stepped[0] = token
                 return Work(partial(self._step, entity), owner, of)
             group = entity.callback_group
             if entity._destroyed or (group is not None and not group.beginning_execution(entity)):
@@ -237,16 +236,35 @@ class Executor:
             return Work(partial(self._execute, entity, node, call), entity, node)
         return None
 
-    def _step(self, entry: tuple[Task, Any, Any, list[int | None]]) -> None:
-        task, entity, _, _ = entry
+    def _pop_or_collect(self) -> Work | None:
+        work = self._pop()
+        if work is None:
+            self._collect()
+            work = self._pop()
+        return work
+
+    def _step(self, entry: tuple[Task, Any, Any]) -> None:
+        task = entry[0]
         task()
-        if not task.done():
+        if task.done():
+            self._forget(entry)
+            task.result()
+
+    def _forget(self, entry: tuple[Task, Any, Any]) -> None:
+        """Be done with a task. It may be gone already: a shutdown forgets all."""
+        if entry not in self._tasks:
             return
         self._tasks.remove(entry)
-        if entity is not None:
-            if entity.callback_group is not None:
-                entity.callback_group.ending_execution(entity)
-            task.result()
+        entity = entry[1]
+        if entity is not None and entity.callback_group is not None:
+            entity.callback_group.ending_execution(entity)
+
+    def _end_giving_way(self) -> bool:
+        """Let tasks go on that gave way without waiting for anything. False: there are none."""
+        gave_way = [task for task, _, _ in self._tasks if task._gave_way]
+        for task in gave_way:
+            task._gave_way = False
+        return bool(gave_way)
 
     def _take(self, entity: Any) -> Call | None:
         """Take what an entity has, so that nobody else does."""
@@ -271,13 +289,14 @@ class Executor:
             if result is not None and inspect.iscoroutine(result):
                 # The group stays taken until the coroutine ends.
                 task = Task(result, executor=self)
-                entry: tuple[Task, Any, Any, list[int | None]] = (task, entity, node, [None])
+                entry: tuple[Task, Any, Any] = (task, entity, node)
                 self._tasks.append(entry)
                 held = False
                 self._step(entry)
         finally:
             if held:
                 group.ending_execution(entity)
+            self._end_giving_way()
 
     def _next_work(self, timeout_ns: int, condition: Callable[[], bool]) -> Work:
         """Wait for work. Raises TimeoutException, ShutdownException or ConditionReachedException."""
@@ -289,14 +308,14 @@ class Executor:
             if not self._context.ok():
                 raise ExternalShutdownException()
             self._refresh()
-            work = self._pop(token)
-            if work is None:
-                self._collect(token)
-                work = self._pop(token)
+            work = self._pop_or_collect()
             if work is not None:
                 return work
             if condition():
                 raise ConditionReachedException()
+            if self._end_giving_way():
+                host.wait(token, 0)
+                continue
             wait = -1
             if end is not None:
                 wait = end - time.monotonic_ns()
@@ -368,7 +387,8 @@ class MultiThreadedExecutor(Executor):
     """
     Runs callbacks of different groups side by side.
 
-    There is one thread: a callback that waits, for a service or in a sleep, lets those of other groups run meanwhile.
+    There is one thread: a callback that waits for a service lets those of other groups run meanwhile, one that sleeps
+    does not.
     """
 
     def __init__(self, num_threads: int | None = None, *, context: Context | None = None) -> None:
@@ -377,10 +397,11 @@ class MultiThreadedExecutor(Executor):
 
     def _run_meanwhile(self, token: int) -> bool:
         self._refresh()
-        work = self._pop(token)
-        if work is None:
-            self._collect(token)
-            work = self._pop(token)
+        work = self._pop_or_collect()
         if work is not None:
             work.call()
-        return work is not None
+            return True
+        if self._end_giving_way():
+            host.wait(token, 0)
+            return True
+        return False

@@ -9,6 +9,8 @@ from collections.abc import Callable, Coroutine, Generator
 from enum import Enum
 from typing import Any
 
+from ros2wasm import host
+
 
 class FutureState(Enum):
     PENDING = 'PENDING'
@@ -32,9 +34,10 @@ class Future:
         if self._exception is not None and not self._exception_fetched:
             print(f'The following exception was never retrieved: {self._exception}', file=sys.stderr)
 
-    def __await__(self) -> Generator[None, None, Any]:
+    def __await__(self) -> Generator[Future, None, Any]:
         while self._state is FutureState.PENDING:
-            yield
+            # Tells the task what it waits for.
+            yield self
         return self.result()
 
     def cancel(self) -> None:
@@ -78,13 +81,14 @@ class Future:
     def _schedule_or_invoke_done_callbacks(self) -> None:
         executor = self._executor() if self._executor is not None else None
         callbacks, self._callbacks = self._callbacks, []
+        # Whoever waits for it can go on.
+        host.wake()
         if executor is None:
             for callback in callbacks:
                 self._invoke(callback)
             return
         for callback in callbacks:
             executor.create_task(callback, self)
-        executor.wake()
 
     def _invoke(self, callback: Callable[[Future], Any]) -> None:
         try:
@@ -129,6 +133,9 @@ class Task(Future):
             self._args = args or []
             self._kwargs = kwargs or {}
         self._executing = False
+        #: What its last step yielded: a future, or anything else to give way once.
+        self._yielded: Any = None
+        self._gave_way = False
 
     def __call__(self) -> None:
         """Call it, or step it."""
@@ -138,7 +145,8 @@ class Task(Future):
         try:
             if inspect.iscoroutine(self._handler):
                 try:
-                    self._handler.send(None)
+                    self._yielded = self._handler.send(None)
+                    self._gave_way = not isinstance(self._yielded, Future)
                 except StopIteration as end:
                     self.set_result(end.value)
                     self._complete_task()
@@ -155,6 +163,16 @@ class Task(Future):
         self._handler = None
         self._args = None
         self._kwargs = None
+
+    def _is_due(self) -> bool:
+        """Can it be stepped, or forgotten, now?"""
+        if self._executing:
+            return False
+        if self.done():
+            return True
+        if self._gave_way:
+            return False
+        return not isinstance(self._yielded, Future) or self._yielded.done()
 
     def executing(self) -> bool:
         """Is it in the middle of a step?"""

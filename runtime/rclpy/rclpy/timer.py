@@ -6,8 +6,9 @@ from types import TracebackType
 from typing import Any
 
 from rclpy.callback_groups import CallbackGroup
-from rclpy.clock import Clock
+from rclpy.clock import Clock, JumpThreshold, TimeJump
 from rclpy.context import Context
+from rclpy.duration import Duration
 from rclpy.exceptions import InvalidHandle, ROSInterruptException
 from rclpy.utilities import get_default_context
 from ros2wasm import background, host
@@ -26,8 +27,9 @@ class Timer:
         self._context = get_default_context() if context is None else context
         self._clock = clock
         self._period_ns = int(timer_period_ns)
-        self._last_ns = clock._now_ns()
-        self._next_ns = self._last_ns + self._period_ns
+        self._start()
+        self._jumps = clock.create_jump_callback(
+            JumpThreshold(min_forward=None, min_backward=Duration(nanoseconds=-1)), post_callback=self._start)
         self._canceled = not autostart
         self._destroyed = False
         self.callback = callback
@@ -38,8 +40,14 @@ class Timer:
     def handle(self) -> Timer:
         return self
 
+    def _start(self, _: TimeJump | None = None) -> None:
+        """Count the period from now: at first, and when what was counted means nothing any more."""
+        self._last_ns = self._clock._now_ns()
+        self._next_ns = self._last_ns + self._period_ns
+
     def destroy(self) -> None:
         self._destroyed = True
+        self._jumps.unregister()
         changes.add()
 
     @property

@@ -126,17 +126,23 @@ class Encoder(Writer):
         self.fixed('I', value)
         self.flush()
 
+    def bound(self, length: str, type_: FieldType) -> None:
+        if type_.string_bound:
+            self.limit(f'{length} > {type_.string_bound}', f'a string is longer than {type_.string_bound}')
+
     def text(self, value: str, type_: FieldType) -> None:
         bytes_ = self.local('text')
         self.flush()
         if type_.base == 'wstring':
             self.line(f'{bytes_} = {self.name(encode_wide, "wide")}({value})')
+            self.bound(f'len({bytes_}) >> 2', type_)
             self.count(f'len({bytes_}) >> 2')
             self.line(f'buf[at:at + len({bytes_})] = {bytes_}')
             self.line(f'at += len({bytes_})')
             self.forget_alignment(4)
             return
         self.line(f"{bytes_} = {value}.encode() + b'\\0'")
+        self.bound(f'len({bytes_}) - 1', type_)
         self.count(f'len({bytes_})')
         self.line(f'end = at + len({bytes_})')
         self.line(f'buf[at:end] = {bytes_}')
@@ -223,7 +229,7 @@ class Decoder(Writer):
             self.forget_alignment(4)
             return
         self.line(f'end = at + {count}')
-        self.line(f"{target} = str(buf[at:end - 1], 'utf-8') if {count} else ''")
+        self.line(f"{target} = str(buf[at:end - 1], 'utf-8', 'replace') if {count} else ''")
         self.line('at = end')
         self.forget_alignment()
 

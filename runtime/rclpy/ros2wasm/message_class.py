@@ -314,10 +314,11 @@ def make_class(structure: Structure, module: str, short: str, find: Callable[[st
         if '_checked' not in cls.__dict__:
             checked: dict[str, Any] = {field.name: checked_property(
                 field.name, Checks(field.name, field.type, find), conversion(field.type)) for field in fields}
-            body: dict[str, Any] = {'__module__': module, '__qualname__': short, '__slots__': (), **checked}
+            body: dict[str, Any] = {
+                '__module__': module, '__qualname__': short, '__doc__': cls.__doc__, '__slots__': (), **checked}
             made: Any = MessageMeta(short, (cls,), body)
             made.__slots__ = cls.__slots__
             cls._checked = made
         return cls._checked
     cls._checked_class = staticmethod(checked_class)
-    return cls
+    return checked_class() if CHECKED else cls

@@ -95,6 +95,7 @@ class LazyParts(type):
 
 @lru_cache(maxsize=None)
 def find_service(name: str) -> Any:
+    find_structure(name)
     package, kind, short = name.split('/')
     module = f'{package}.{kind}._{snake(definition_of(name).split("/")[-1])}'
     parts = {part: f'{name}_{part}' for part in ('Request', 'Response', 'Event')}
@@ -103,6 +104,7 @@ def find_service(name: str) -> Any:
 
 @lru_cache(maxsize=None)
 def find_action(name: str) -> Any:
+    find_structure(name)
     package, _, short = name.split('/')
     module = f'{package}.action._{snake(short)}'
     parts = {part: f'{name}_{part}' for part in ('Goal', 'Result', 'Feedback')}
@@ -115,7 +117,7 @@ def find_action(name: str) -> Any:
 
 
 def find_interface(name: str) -> Any:
-    """The class of pkg/msg/X, pkg/srv/X (also X_Request and the like) or pkg/action/X."""
+    """The class of pkg/msg/X, pkg/srv/X (also X_Request and the like) or pkg/action/X. KeyError: there is none."""
     kind = name.split('/')[1]
     whole = definition_of(name) == name
     if kind == 'srv' and whole:

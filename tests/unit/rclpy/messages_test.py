@@ -2,16 +2,12 @@
 from __future__ import annotations
 
 import importlib
-import os
-import sys
-import tempfile
 import unittest
 from array import array
-from pathlib import Path
 from typing import Any
 from unittest import mock
 
-ROOT = Path(__file__).resolve().parents[3]
+from tests.unit.rclpy.installation import ROOT, install
 
 
 class MessagesTest(unittest.TestCase):
@@ -19,14 +15,8 @@ class MessagesTest(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls) -> None:
-        prefix = cls.enterClassContext(tempfile.TemporaryDirectory())
-        (Path(prefix) / 'share').symlink_to(ROOT / 'runtime/interfaces')
-        cls.enterClassContext(mock.patch.dict(os.environ, AMENT_PREFIX_PATH=prefix))
-        cls.enterClassContext(mock.patch.object(sys, 'path', [str(ROOT / 'runtime/rclpy'), *sys.path]))
+        install(cls)
         cls.types = importlib.import_module('ros2wasm.types')
-        hook = importlib.import_module('ros2wasm.import_hook')
-        cls.enterClassContext(mock.patch.object(sys, 'meta_path', [*sys.meta_path]))
-        hook.install()
 
     def encode(self, message: Any) -> bytes:
         view = memoryview(bytearray(1 << 12))
@@ -59,6 +49,27 @@ class MessagesTest(unittest.TestCase):
         self.assertEqual(service.Request(a=1).b, 0)
         action = importlib.import_module('example_interfaces.action').Fibonacci
         self.assertEqual(list(action.Result().sequence), [])
+
+    def test_what_nobody_defines_cannot_be_imported(self) -> None:
+        for line in ('from std_msgs.msg import Nope', 'from example_interfaces.srv import Nope',
+                     'from example_interfaces.action import Nope'):
+            with self.assertRaises(ImportError, msg=line):
+                exec(line)
+
+    def test_assignments_are_checked_when_the_environment_says_so(self) -> None:
+        classes = importlib.import_module('ros2wasm.message_class')
+        structure = self.types.find_structure('std_msgs/msg/String')
+        make = classes.make_class
+        arguments = (structure, 'std_msgs.msg._string', 'String', self.types.find_message)
+        make(*arguments)().data = 5
+        with mock.patch.object(classes, 'CHECKED', True):
+            cls = make(*arguments)
+            message = cls()
+            with self.assertRaisesRegex(AssertionError, "The 'data' field must be of type 'str'"):
+                message.data = 5
+            message.data = 'x'
+        self.assertEqual(message, cls(data='x'))
+        self.assertEqual(repr(message), "std_msgs.msg.String(data='x')")
 
     def test_bytes_are_those_of_the_wire(self) -> None:
         vectors: list[tuple[str, str, dict[str, Any]]] = [
@@ -96,9 +107,17 @@ class MessagesTest(unittest.TestCase):
         ranges = [self.types.find_message('rcl_interfaces/msg/IntegerRange')() for _ in range(2)]
         with self.assertRaises(ValueError):
             self.encode(cls(integer_range=ranges))
+        field = self.types.find_message('type_description_interfaces/msg/FieldType')
+        self.encode(field(nested_type_name='x' * 255))
+        with self.assertRaises(ValueError):
+            self.encode(field(nested_type_name='x' * 256))
         pose = self.types.find_message('geometry_msgs/msg/Pose')
         with self.assertRaises(Exception):
             self.decode(pose, self.encode(pose())[:-1])
+
+    def test_a_text_that_is_no_utf_8_is_read_all_the_same(self) -> None:
+        cls = self.types.find_message('std_msgs/msg/String')
+        self.assertEqual(self.decode(cls, b'\x03\0\0\0a\xff\0').data, 'a\ufffd')
 
     def test_hashes_are_those_of_ros(self) -> None:
         self.assertEqual(

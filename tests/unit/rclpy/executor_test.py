@@ -1,0 +1,138 @@
+"""Executors, tasks and timers on a host that only counts wakes: a wait that nothing would end fails the test."""
+from __future__ import annotations
+
+import importlib
+import sys
+import types
+import unittest
+from collections.abc import Generator
+from typing import Any
+from unittest import mock
+
+from tests.unit.rclpy.installation import install
+
+WOKEN, TIMEOUT = 0, 1
+
+
+class FakeHost(types.ModuleType):
+    suspends = False
+
+    def __init__(self) -> None:
+        super().__init__('ros2wasm_host')
+        self.wakes = 0
+
+    def address(self, _: Any) -> int:
+        return 0
+
+    def ready(self, *_: int) -> int:
+        return 0
+
+    def wake(self) -> None:
+        self.wakes += 1
+
+    def wake_token(self) -> int:
+        return self.wakes
+
+    def wait(self, token: int, low: int, high: int) -> int:
+        if token != self.wakes:
+            return WOKEN
+        if high < 0:
+            raise AssertionError('nothing would end this wait')
+        return TIMEOUT
+
+
+class GiveWay:
+    def __await__(self) -> Generator[None, None, None]:
+        yield
+
+
+class ExecutorTest(unittest.TestCase):
+    rclpy: Any
+
+    @classmethod
+    def setUpClass(cls) -> None:
+        install(cls)
+        ffi = types.ModuleType('pyodide.ffi')
+        setattr(ffi, 'run_sync', lambda result: result)
+        cls.enterClassContext(mock.patch.dict(
+            sys.modules, {'ros2wasm_host': FakeHost(), 'pyodide': types.ModuleType('pyodide'), 'pyodide.ffi': ffi}))
+        cls.rclpy = importlib.import_module('rclpy')
+
+    def setUp(self) -> None:
+        context = importlib.import_module('rclpy.context').Context()
+        context.init([])
+        self.addCleanup(context.try_shutdown)
+        self.executor = self.rclpy.executors.SingleThreadedExecutor(context=context)
+
+    def spin(self, future: Any) -> Any:
+        self.executor.spin_until_future_complete(future, 5)
+        self.assertTrue(future.done())
+        return future.result()
+
+    def test_an_exception_of_a_task_comes_out_of_spin(self) -> None:
+        async def fail() -> None:
+            raise ZeroDivisionError('of the task')
+        self.executor.create_task(fail)
+        with self.assertRaisesRegex(ZeroDivisionError, 'of the task'):
+            self.executor.spin()
+
+    def test_a_task_goes_on_when_what_it_awaits_is_done(self) -> None:
+        future = self.rclpy.task.Future()
+
+        async def ask() -> int:
+            return 1 + int(await future)
+        waiting = self.executor.create_task(ask)
+        self.executor.spin_once(timeout_sec=0)
+        self.executor.create_task(future.set_result, 4)
+        self.assertEqual(self.spin(waiting), 5)
+
+    def test_the_end_of_a_future_ends_a_wait(self) -> None:
+        host = importlib.import_module('ros2wasm.host')
+        token = host.wake_token()
+        self.rclpy.task.Future().set_result(None)
+        self.assertEqual(host.wait(token, -1), host.WOKEN)
+
+    def test_a_task_that_gives_way_goes_on_by_itself(self) -> None:
+        said: list[str] = []
+
+        async def count(name: str) -> str:
+            for i in range(3):
+                said.append(f'{name}{i}')
+                await GiveWay()
+            return name
+        first, second = (self.executor.create_task(count, name) for name in 'ab')
+        future = self.rclpy.task.Future(executor=self.executor)
+        second.add_done_callback(lambda _: future.set_result(first.done()))
+        self.assertTrue(self.spin(future))
+        self.assertEqual(said, ['a0', 'b0', 'a1', 'b1', 'a2', 'b2'])
+
+    def test_a_task_may_end_its_executor(self) -> None:
+        self.executor.create_task(self.executor.shutdown)
+        self.executor.spin()
+        self.assertEqual(self.executor._tasks, [])
+
+    def test_a_cancelled_task_is_forgotten(self) -> None:
+        self.executor.create_task(print).cancel()
+        self.executor.spin_once(timeout_sec=0)
+        self.assertEqual(self.executor._tasks, [])
+
+    def test_a_timer_starts_anew_when_time_jumps_back_or_comes_from_elsewhere(self) -> None:
+        clock = importlib.import_module('rclpy.clock').ROSClock()
+        time = importlib.import_module('rclpy.time').Time
+        timer = self.rclpy.timer.Timer(None, None, 10, clock, context=self.executor.context)
+
+        def tell(now: int) -> None:
+            clock.set_ros_time_override(time(nanoseconds=now, clock_type=clock.clock_type))
+        tell(1000)
+        clock._set_ros_time_is_active(True)
+        self.assertEqual(timer.time_until_next_call(), 10)
+        tell(1009)
+        self.assertEqual(timer.time_until_next_call(), 1)
+        tell(100)
+        self.assertEqual((timer.time_until_next_call(), timer.time_since_last_call()), (10, 0))
+        timer.destroy()
+        self.assertEqual(clock._jump_handles, [])
+
+
+if __name__ == '__main__':
+    unittest.main()

@@ -11,6 +11,10 @@
 namespace ros2wasm {
 namespace {
 
+/// Parts of the C++ library that the site's compiler lacks. Every package may use them, and none
+/// names them.
+constexpr std::string_view kLibraryParts = "ros2wasm_std";
+
 bool has(const std::vector<std::string>& sorted, std::string_view name) {
   return std::binary_search(sorted.begin(), sorted.end(), name, std::less<>());
 }
@@ -117,6 +121,10 @@ Outcome<ChannelRequest> channel_request(const Manifest& manifest,
     if (is_local(node.package.value) || !has(known.names, name)) continue;
     request.specs.push_back({.text = name, .origin = manifest.file, .span = node.package.span});
   }
+  const std::string parts = conda_name(kLibraryParts, manifest.distro);
+  if (!packages.empty() && has(known.names, parts))
+    request.specs.push_back(
+        {.text = parts, .origin = "the toolchain of sites", .span = std::nullopt});
   if (!compiler_version.empty() && has(known.names, kCompilerPackage)) {
     request.specs.push_back({.text = std::string(kCompilerPackage) + " " + compiler_version + ".*",
                              .origin = "Emscripten " + compiler_version + " of this machine",

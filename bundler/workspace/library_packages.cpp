@@ -16,8 +16,10 @@ constexpr auto kLibraryPackages = std::to_array<LibraryPackage>({
     {"Eigen3", "eigen"},
     {"eigen", "eigen"},
     {"fmt", "fmt"},
+    {"libyaml-cpp-dev", "yaml-cpp"},
     {"nlohmann-json-dev", "nlohmann_json"},
     {"nlohmann_json", "nlohmann_json"},
+    {"yaml-cpp", "yaml-cpp"},
 });
 
 }  // namespace

@@ -5,6 +5,7 @@ import xml.etree.ElementTree as ElementTree
 from dataclasses import dataclass
 from pathlib import Path
 
+ROOT = Path(__file__).resolve().parents[2]
 # What a package needs when it is used, as opposed to when it is built.
 USE_TAGS = ("depend", "exec_depend", "build_export_depend", "buildtool_export_depend")
 BUILD_TAGS = ("depend", "build_depend", "buildtool_depend", "build_export_depend", "buildtool_export_depend")
@@ -15,7 +16,7 @@ class PackageSource:
     """One folder with a package.xml. Dependencies name packages of ours only.
 
     A library that others made has in <export> its name in channels (<conda_name>), as it is no ROS package,
-    and the folders of this machine that it is packed from (<host_folder>).
+    and the folders that it is packed from (<host_folder>): of this machine, or below the repository.
     """
 
     name: str
@@ -54,7 +55,7 @@ def _read(folder: Path, root: ElementTree.Element, names: set[str]) -> PackageSo
         build_needs=tuple(sorted({*needs(BUILD_TAGS), *needs(USE_TAGS)})),
         use_needs=needs(USE_TAGS),
         conda_name=root.findtext("export/conda_name"),
-        host_folders=tuple(element.text or "" for element in root.findall("export/host_folder")),
+        host_folders=tuple(str(ROOT / (element.text or "")) for element in root.findall("export/host_folder")),
     )
 
 

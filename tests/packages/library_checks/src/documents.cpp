@@ -1,17 +1,23 @@
 // Documents that nodes read and write.
 
 // Compatibility, works: JSON for Modern C++ (`nlohmann-json-dev`, `find_package(nlohmann_json)`),
-// its exceptions too; fmt (`find_package(fmt)`)
+// its exceptions too; fmt (`find_package(fmt)`); yaml-cpp (`yaml-cpp`, `libyaml-cpp-dev`,
+// `yaml_cpp_vendor`, `find_package(yaml-cpp)`), also its files and exceptions; tl::expected (tl_expected)
+
+// Compatibility, differs: yaml-cpp -> version 0.7, the one of the machine that builds; Jazzy's own systems have 0.8
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <yaml-cpp/yaml.h>
 
+#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "checks.hpp"
+#include "tl_expected/expected.hpp"
 
 using json = nlohmann::json;
 
@@ -47,6 +53,56 @@ void check_fmt(Checks& checks) {
   CHECK_THROWS(fmt::format_error, static_cast<void>(fmt::format(fmt::runtime("{:d}"), "text")));
 }
 
+void check_yaml(Checks& checks) {
+  const YAML::Node mission = YAML::Load(R"(
+name: patrol
+speed: 0.5
+loop: yes
+waypoints:
+  - &dock {name: dock, pose: [1, -2.5]}
+  - {name: gate, pose: [4e1, 0]}
+home: *dock
+)");
+  CHECK(mission.IsMap() && mission["name"].as<std::string>() == "patrol" && mission["loop"].as<bool>());
+  CHECK(mission["speed"].as<double>() == 0.5 && mission["retries"].as<int>(3) == 3);
+  std::vector<std::string> names;
+  for (const YAML::Node& waypoint : mission["waypoints"]) {
+    names.push_back(waypoint["name"].as<std::string>());
+  }
+  CHECK(names == (std::vector<std::string>{"dock", "gate"}));
+  CHECK(mission["home"]["pose"].as<std::vector<double>>() == (std::vector<double>{1, -2.5}));
+  CHECK(mission["home"].is(mission["waypoints"][0]) && !mission["goal"].IsDefined());
+  YAML::Emitter out;
+  out << YAML::BeginMap << YAML::Key << "gains" << YAML::Value << YAML::Flow << std::vector<int>{1, 2}
+      << YAML::Key << "note" << YAML::Value << "a: b" << YAML::EndMap;
+  CHECK(std::string(out.c_str()) == "gains: [1, 2]\nnote: \"a: b\"");
+  std::ofstream("/tmp/gains.yaml") << out.c_str();
+  YAML::Node read = YAML::LoadFile("/tmp/gains.yaml");
+  read["gains"].push_back(3);
+  CHECK(read["gains"].size() == 3 && YAML::Dump(read["gains"]) == "[1, 2, 3]");
+  CHECK_THROWS(YAML::BadFile, YAML::LoadFile("/tmp/absent.yaml"));
+  CHECK_THROWS(YAML::TypedBadConversion<int>, static_cast<void>(mission["name"].as<int>()));
+  try {
+    YAML::Load("a: [1, 2\nb: 3");
+    CHECK(false);
+  } catch (const YAML::ParserException& error) {
+    CHECK(error.mark.line == 1 && error.msg == YAML::ErrorMsg::END_OF_SEQ_FLOW);
+  }
+}
+
+tl::expected<int, std::string> halved(int number) {
+  if (number % 2 != 0) {
+    return tl::make_unexpected("odd");
+  }
+  return number / 2;
+}
+
+void check_expected(Checks& checks) {
+  CHECK(halved(8).and_then(halved).value() == 2);
+  CHECK(halved(6).and_then(halved).error() == "odd");
+  CHECK_THROWS(tl::bad_expected_access<std::string>, static_cast<void>(halved(1).value()));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -54,5 +110,7 @@ int main(int argc, char** argv) {
   Checks checks("documents");
   check_json(checks);
   check_fmt(checks);
+  check_yaml(checks);
+  check_expected(checks);
   return checks.finish();
 }

@@ -142,14 +142,14 @@ TEST(ChannelRequest, HasPackagesNodesAndTheCompiler) {
   const auto request =
       channel_request(manifest, packages, *order,
                       {.names = {"emscripten-abi", "ros-jazzy-demo-nodes", "ros-jazzy-nav-msgs",
-                                 "ros-jazzy-std-msgs", "zlib"}},
+                                 "ros-jazzy-ros2wasm-std", "ros-jazzy-std-msgs", "zlib"}},
                       "3.1.6");
   ASSERT_TRUE(request);
   std::vector<std::string> texts;
   for (const RequestedSpec& spec : request->specs) texts.push_back(spec.text);
-  EXPECT_EQ(texts,
-            (std::vector<std::string>{"emscripten-abi 3.1.6.*", "ros-jazzy-demo-nodes",
-                                      "ros-jazzy-nav-msgs >=5", "ros-jazzy-std-msgs", "zlib"}));
+  EXPECT_EQ(texts, (std::vector<std::string>{"emscripten-abi 3.1.6.*", "ros-jazzy-demo-nodes",
+                                             "ros-jazzy-nav-msgs >=5", "ros-jazzy-ros2wasm-std",
+                                             "ros-jazzy-std-msgs", "zlib"}));
   ASSERT_EQ(request->warnings.size(), 1U);
   EXPECT_EQ(request->warnings[0].severity, Severity::kWarning);
 }
@@ -161,6 +161,7 @@ TEST(ChannelRequest, OnlyNamesOfRosPackagesAreTakenForSuch) {
   EXPECT_EQ(spec("nav_msgs >=5"), "ros-jazzy-nav-msgs >=5");
   EXPECT_EQ(spec("my_nodes"), "ros-jazzy-my-nodes");
   EXPECT_EQ(spec("nlohmann-json-dev >=3"), "nlohmann_json >=3");
+  EXPECT_EQ(spec("libyaml-cpp-dev"), "yaml-cpp");
   for (const std::string same :
        {"_openmp_mutex", "https://host/c/noarch/more-1.0-h_0.conda", "more-1.0-h_0.conda",
         "./here/noarch/more-1.0-h_0.tar.bz2", "./my_channel::lib", "numpy"})

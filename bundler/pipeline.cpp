@@ -120,11 +120,14 @@ std::optional<Diagnostic> refuse_own_channel(const PackRequest& request,
 Outcome<RepoIndex> locked_index(const fs::path& lock_file) {
   auto lock = read_lock_file(lock_file);
   if (!lock) return std::move(lock).errors();
-  RepoIndex index{.channels = lock->channels, .records = {}, .left_out = {}, .names = {}};
-  for (const PackageRecord& record : lock->packages) index.names.push_back(record.name);
-  std::sort(index.names.begin(), index.names.end());
-  index.records = std::move(lock->packages);
-  return index;
+  std::vector<std::string> names;
+  for (const PackageRecord& record : lock->packages) names.push_back(record.name);
+  std::sort(names.begin(), names.end());
+  return RepoIndex{.channels = std::move(lock->channels),
+                   .records = std::move(lock->packages),
+                   .left_out = {},
+                   .names = [names = std::move(names)] { return names; },
+                   .elsewhere = {}};
 }
 
 /// Steps 1 to 3, up to the request to the channels, which a frozen lock fulfils (R2W0311).
@@ -166,7 +169,7 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
   if (request.frozen) {
     index = locked_index((workspace.shown_folder / kLockFileName).lexically_normal());
     if (!index) return std::move(index).errors();
-    known.names = index->names;
+    known.names = index->names();
     for (const PackageRecord& record : index->records)
       if (record.name == kCompilerPackage) packaged.insert(record.version);
   } else {

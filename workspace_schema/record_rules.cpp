@@ -103,8 +103,8 @@ std::optional<std::string> record_fault(const PackageRecord& record, Strictness 
   if (!is_subdir(record.subdir))
     return quoted("the subdirectory", record.subdir) + " is none of conda's";
   const bool harmless = all_of(record.file_name, [](char c) {
-    return lower(c) || upper(c) || digit(c) ||
-           std::string_view("._-+!~").find(c) != std::string_view::npos;
+    return lower(c) || upper(c) || digit(c) || c == '.' || c == '_' || c == '-' || c == '+' ||
+           c == '!' || c == '~';
   });
   if (archive_stem(record.file_name).empty() || !harmless || record.file_name[0] == '.') {
     return quoted("the file name", record.file_name) + " is no archive's";

@@ -285,10 +285,11 @@ bool TextPattern::matches(std::string_view value) const {
 std::string hex_text(std::string_view bytes) {
   constexpr std::string_view kHex = "0123456789abcdef";
   std::string text(2 * bytes.size(), '\0');
-  for (std::size_t i = 0; i < bytes.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(bytes[i]);
-    text[2 * i] = kHex[byte >> 4U];
-    text[2 * i + 1] = kHex[byte & 0xFU];
+  char* digit = text.data();  // one lookup of the text's place, not two for each byte
+  for (const char c : bytes) {
+    const auto byte = static_cast<unsigned char>(c);
+    *digit++ = kHex[byte >> 4U];
+    *digit++ = kHex[byte & 0xFU];
   }
   return text;
 }

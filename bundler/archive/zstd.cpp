@@ -9,6 +9,8 @@
 namespace ros2wasm {
 namespace {
 
+constexpr std::uint64_t kMostPromised = 64ULL << 20U;
+
 Diagnostic damaged(const std::string& name, const std::string& why) {
   return Diagnostic{.code = "R2W0202",
                     .kind = FailureKind::kEnvironment,
@@ -57,6 +59,9 @@ Outcome<Done> zstd_decompress(std::string_view bytes, std::uint64_t limit_bytes,
 Outcome<std::string> zstd_decompressed(std::string_view bytes, std::uint64_t limit_bytes,
                                        const std::string& name) {
   std::string out;
+  // As far as it is known how much comes; what an attacker promises is not made room for.
+  const std::uint64_t promised = ZSTD_getFrameContentSize(bytes.data(), bytes.size());
+  if (promised <= std::min(limit_bytes, kMostPromised)) out.reserve(promised);
   auto done = zstd_decompress(bytes, limit_bytes, name, [&out](std::string_view piece) {
     out += piece;
     return Outcome<Done>(Done{});

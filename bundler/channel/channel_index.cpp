@@ -101,7 +101,6 @@ struct OpenChannels::State {
 
   std::vector<Channel> channels;
   ChannelRoots roots;
-  std::vector<std::string> names;
   SpecTable checked;
   SpecTable unchecked{false};
 
@@ -112,13 +111,15 @@ struct OpenChannels::State {
     std::inplace_merge(all.begin(), all.begin() + before, all.end());
   }
 
-  void collect_names() {
+  /// Most requests are fulfilled without a look at them.
+  const std::vector<std::string>& names() {
+    if (names_) return *names_;
     std::vector<std::string_view> all;
     for (const Channel& channel : channels) {
       for (const auto& subdir : channel.subdirs) add_sorted(all, subdir->names());
     }
     all.erase(std::unique(all.begin(), all.end()), all.end());
-    names.assign(all.begin(), all.end());
+    return names_.emplace(all.begin(), all.end());
   }
 
   /// Names that no channel has for sites: do they have them for people's own machines? What cannot
@@ -152,33 +153,38 @@ struct OpenChannels::State {
     return all;
   }
 
-  [[nodiscard]] RepoIndex nothing_yet() const {
+  [[nodiscard]] static RepoIndex nothing_yet(const std::shared_ptr<State>& state) {
     RepoIndex index;
-    index.channels = channel_names();
-    index.names = names;
+    index.channels = state->channel_names();
+    index.names = [state] { return state->names(); };
     return index;
   }
+
+ private:
+  std::optional<std::vector<std::string>> names_;
 };
 
 namespace {
 
+struct TextHash {
+  using is_transparent = void;
+  std::size_t operator()(std::string_view text) const {
+    return std::hash<std::string_view>()(text);
+  }
+};
+
 /// Reads records name by name, from the specs of a request outwards.
 class Reach {
  public:
-  Reach(SpecTable& table, const std::vector<std::string>& names) : table_(table), names_(names) {}
+  using AllNames = std::function<const std::vector<std::string>&()>;
+  Reach(SpecTable& table, AllNames names) : table_(table), names_(std::move(names)) {}
 
   void begin(const std::string& text) {
     const auto& spec = table_.parsed(text);
     if (!spec) return;
     const auto name = spec->exact_name();
-    if (name) {
-      add(*name);
-      if (spec->channel()) named_channel_.insert(*name);
-      return;
-    }
-    for (const std::string& there : names_) {
-      if (spec->name().matches(there)) add(there);
-    }
+    if (name && spec->channel()) named_channel_.insert(*name);
+    add_names(*spec);
   }
 
   /// The names that were found since the last time, sorted.
@@ -191,11 +197,10 @@ class Reach {
   void follow(const RepoIndex& index, std::size_t first) {
     for (std::size_t i = first; i < index.records.size(); ++i) {
       for (const std::string& text : index.records[i].depends) {
-        if (!followed_.insert(text).second) continue;
-        if (const auto name = table_.exact_name(text)) {
+        if (const auto name = plain_name(text)) {
           add(*name);
-        } else {
-          begin(text);
+        } else if (followed_.insert(text).second) {
+          if (const auto& spec = table_.parsed(text)) add_names(*spec);
         }
       }
     }
@@ -207,14 +212,25 @@ class Reach {
   }
 
  private:
-  void add(const std::string& name) {
-    if (seen_.insert(name).second) waiting_.push_back(name);
+  void add_names(const MatchSpec& spec) {
+    if (const auto name = spec.exact_name()) {
+      add(*name);
+      return;
+    }
+    for (const std::string& there : names_()) {
+      if (spec.name().matches(there)) add(there);
+    }
+  }
+
+  void add(std::string_view name) {
+    if (seen_.contains(name)) return;
+    waiting_.push_back(*seen_.emplace(name).first);
   }
 
   SpecTable& table_;
-  const std::vector<std::string>& names_;
-  std::unordered_set<std::string> seen_;
-  std::unordered_set<std::string> followed_;  ///< texts of dependencies
+  AllNames names_;
+  std::unordered_set<std::string, TextHash, std::equal_to<>> seen_;
+  std::unordered_set<std::string> followed_;  ///< texts of dependencies that had to be parsed
   std::set<std::string> named_channel_;
   std::vector<std::string> waiting_;
 };
@@ -222,7 +238,7 @@ class Reach {
 }  // namespace
 
 const std::vector<std::string>& OpenChannels::names() const {
-  return state_->names;
+  return state_->names();
 }
 
 std::vector<std::string> OpenChannels::channels() const {
@@ -232,11 +248,12 @@ std::vector<std::string> OpenChannels::channels() const {
 Outcome<RepoIndex> OpenChannels::reachable(std::span<const std::string> specs,
                                            ChannelPriority priority,
                                            const Cancellation& cancellation) const {
-  RepoIndex index = state_->nothing_yet();
+  RepoIndex index = State::nothing_yet(state_);
   index.elsewhere = [state = state_, cancellation](std::span<const std::string> names) {
     return state->elsewhere(names, cancellation);
   };
-  Reach reach(state_->unchecked, state_->names);
+  Reach reach(state_->unchecked,
+              [this]() -> const std::vector<std::string>& { return state_->names(); });
   for (const std::string& text : specs) reach.begin(text);
   for (std::vector<std::string> wave = reach.next(); !wave.empty(); wave = reach.next()) {
     const std::size_t wave_begin = index.records.size();
@@ -262,7 +279,7 @@ Outcome<RepoIndex> OpenChannels::reachable(std::span<const std::string> specs,
 }
 
 Outcome<RepoIndex> OpenChannels::everything(const Cancellation& cancellation) const {
-  RepoIndex index = state_->nothing_yet();
+  RepoIndex index = State::nothing_yet(state_);
   for (const State::Channel& channel : state_->channels) {
     for (const auto& subdir : channel.subdirs) {
       const std::vector<std::string> all(subdir->names().begin(), subdir->names().end());
@@ -377,7 +394,6 @@ Outcome<OpenChannels> open_channels(std::span<const ChannelSource> channels,
     }
   }
   if (!errors.empty()) return errors;
-  open.state_->collect_names();
   report({}, channels.size());
   return open;
 }

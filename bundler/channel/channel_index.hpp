@@ -55,8 +55,9 @@ struct RepoIndex {
   std::vector<std::string> channels;   ///< in the order of priority
   std::vector<PackageRecord> records;  ///< in no order that matters
   std::vector<LeftOutRecord> left_out;
-  std::vector<std::string>
-      names;  ///< of all packages of the channels, sorted; records may be fewer
+  /// Of all packages of the channels, sorted; records may be fewer. For explaining what is missing;
+  /// may be empty.
+  std::function<std::vector<std::string>()> names;
   /// Which of these names another platform has: "linux-64 in CHANNEL". Reads more of the channels,
   /// so it is for explaining what is missing; may be empty.
   std::function<std::map<std::string, std::string>(std::span<const std::string> names)> elsewhere;

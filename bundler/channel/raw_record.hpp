@@ -36,8 +36,13 @@ enum class RecordMember : unsigned char {
 
 using Texts = std::vector<std::string_view>;
 
-/// Not there, a text, a list of nothing but texts, or anything else.
-using RawMember = std::variant<std::monostate, std::string_view, Texts, JsonValue>;
+/// A hash that is not written as text.
+struct HashBytes {
+  std::string_view bytes;
+};
+
+/// Not there, a text, a list of nothing but texts, a hash as bytes, or anything else.
+using RawMember = std::variant<std::monostate, std::string_view, Texts, HashBytes, JsonValue>;
 
 /// As an array of JSON is; views are valid as long as the items.
 [[nodiscard]] RawMember raw_member(const JsonValue& value);

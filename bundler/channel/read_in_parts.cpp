@@ -34,6 +34,9 @@ Outcome<Done> read_in_parts(std::size_t count, SpecTable& specs, RepoIndex& into
       });
     }
   }
+  std::size_t records = into.records.size();
+  for (const Part& part : all) records += part.index.records.size();
+  into.records.reserve(records);
   for (Part& part : all) {
     if (!part.outcome) return std::move(part.outcome);
     std::move(part.index.records.begin(), part.index.records.end(),

@@ -2,12 +2,12 @@
 #include "bundler/channel/repodata_index.hpp"
 
 #include <algorithm>
-#include <map>
 #include <optional>
 #include <set>
 
 #include "bundler/archive/zstd.hpp"
 #include "bundler/channel/channel_address.hpp"
+#include "bundler/channel/in_order.hpp"
 #include "bundler/channel/kept_index.hpp"
 #include "bundler/channel/read_in_parts.hpp"
 #include "bundler/channel/record_json.hpp"
@@ -128,7 +128,7 @@ class RepodataIndex : public SubdirIndex {
     return ready();
   }
 
-  [[nodiscard]] std::span<const std::string_view> names() const override { return index_.names(); }
+  [[nodiscard]] std::span<const std::string_view> names() override { return index_.names(); }
 
   [[nodiscard]] Outcome<Done> read(std::span<const std::string> names, SpecTable& specs,
                                    RepoIndex& into, const Cancellation& cancellation) override {
@@ -225,14 +225,17 @@ class RepodataIndex : public SubdirIndex {
   /// Those of one name. A `.tar.bz2` is not needed where the same is there as a good `.conda`.
   void add(const std::vector<KeptIndex::Record>& records, RecordJson& json, SpecTable& specs,
            RepoIndex& into) const {
-    std::map<std::string, const KeptIndex::Record*> by_file;  // a repeated key keeps the last value
+    std::vector<std::pair<std::string, const KeptIndex::Record*>> by_file;
+    bool tar = false;
     for (const KeptIndex::Record& record : records) {
+      tar = tar || !record.conda;
       if (auto file_name = file_name_of(record.text)) {
-        if (!removed_.contains(*file_name)) by_file[std::move(*file_name)] = &record;
+        if (!removed_.contains(*file_name)) by_file.emplace_back(std::move(*file_name), &record);
       } else {
         leave_out(std::string(record.text.substr(0, 80)), "its file name is not JSON", into);
       }
     }
+    put_in_order(by_file, [](const auto& entry) { return std::string_view(std::get<0>(entry)); });
     std::set<std::string, std::less<>> stems;
     for (const bool conda : {true, false}) {
       for (const auto& [file_name, record] : by_file) {
@@ -245,7 +248,7 @@ class RepodataIndex : public SubdirIndex {
         }
         auto parsed = parse_record(*raw, file_name, place_, specs);
         if (auto* good = std::get_if<PackageRecord>(&parsed)) {
-          if (conda) stems.emplace(archive_stem(file_name));
+          if (conda && tar) stems.emplace(archive_stem(file_name));
           into.records.push_back(std::move(*good));
         } else {
           leave_out(file_name, std::move(std::get<std::string>(parsed)), into);
@@ -327,7 +330,7 @@ Outcome<RepoIndex> parse_repodata(std::string_view text, const std::string& chan
   const std::vector<std::string> names((*source)->names().begin(), (*source)->names().end());
   RepoIndex index;
   index.channels.push_back(channel);
-  index.names = names;
+  index.names = [names] { return names; };
   SpecTable specs;
   auto read = (*source)->read(names, specs, index, {});
   if (!read) return std::move(read).errors();

@@ -97,8 +97,13 @@ constexpr auto kHexDigits = [] {
   return digits;
 }();
 
-/// False when the text is there and does not have this many hexadecimal digits.
-bool read_hash(std::string_view text, std::size_t digits, std::string& hash) {
+/// False when the hash is there and does not have this many hexadecimal digits.
+bool read_hash(const RawRecord& raw, RecordMember member, std::size_t digits, std::string& hash) {
+  if (const auto* known = std::get_if<HashBytes>(&raw[member])) {
+    hash = hex_text(known->bytes);
+    return hash.empty() || hash.size() == digits;
+  }
+  const std::string_view text = raw.text_of(member);
   if (text.empty()) return true;
   if (text.size() != digits) return false;
   hash.resize(digits);
@@ -119,9 +124,9 @@ std::int64_t timestamp_ms(std::int64_t value) {
 }
 
 std::optional<std::string> read_hashes(const RawRecord& raw, PackageRecord& record) {
-  if (!read_hash(raw.text_of(RecordMember::kSha256), 64, record.sha256))
+  if (!read_hash(raw, RecordMember::kSha256, 64, record.sha256))
     return "`sha256` is not 64 hexadecimal digits";
-  if (!read_hash(raw.text_of(RecordMember::kMd5), 32, record.md5))
+  if (!read_hash(raw, RecordMember::kMd5, 32, record.md5))
     return "`md5` is not 32 hexadecimal digits";
   return std::nullopt;
 }
@@ -153,8 +158,10 @@ std::variant<PackageRecord, std::string> parse_record(const RawRecord& raw,
                        .subdir = place.subdir,
                        .channel = place.channel,
                        .file_name = file_name,
-                       .url = place.base_url + "/" + file_name,
+                       .url = {},
                        .license = std::string(raw.text_of(RecordMember::kLicense))};
+  record.url.reserve(place.base_url.size() + 1 + file_name.size());
+  record.url.append(place.base_url).append("/").append(file_name);
   if (const auto own = raw.text_of(RecordMember::kSubdir); own != record.subdir && is_subdir(own))
     record.subdir = own;
   if (auto fault = record_fault(record, Strictness::kReading)) return *fault;

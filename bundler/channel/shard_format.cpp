@@ -2,13 +2,13 @@
 #include "bundler/channel/shard_format.hpp"
 
 #include <algorithm>
-#include <map>
 #include <optional>
 #include <set>
 #include <utility>
 #include <variant>
 
 #include "bundler/archive/zstd.hpp"
+#include "bundler/channel/in_order.hpp"
 #include "bundler/channel/msgpack_reader.hpp"
 #include "bundler/channel/repodata_index.hpp"
 #include "workspace_schema/record_rules.hpp"
@@ -51,8 +51,11 @@ bool each_member(MsgpackReader& reader, const Take& take) {
   return pairs.has_value();
 }
 
-/// By file name: the bytes of a record. A repeated name keeps the last value.
-using RawRecords = std::map<std::string_view, std::string_view>;
+struct RawEntry {
+  std::string_view file_name;
+  std::string_view bytes;  ///< of its record
+};
+using RawRecords = std::vector<RawEntry>;
 
 struct RawShard {
   RawRecords conda;
@@ -67,7 +70,7 @@ std::optional<RawShard> raw_shard(std::string_view bytes) {
   const auto read_records = [&](RawRecords& into) {
     return each_member(reader, [&](std::string_view file_name) {
       const auto record = reader.skipped();
-      if (record) into[file_name] = *record;
+      if (record) into.push_back({.file_name = file_name, .bytes = *record});
       return record && ++archives <= kMostArchives;
     });
   };
@@ -86,7 +89,10 @@ std::optional<RawShard> raw_shard(std::string_view bytes) {
     if (key == "removed") return read_removed();
     return reader.skipped().has_value();
   });
-  return whole && reader.at_end() ? std::optional(std::move(shard)) : std::nullopt;
+  if (!whole || !reader.at_end()) return std::nullopt;
+  for (RawRecords* records : {&shard.conda, &shard.tar})
+    put_in_order(*records, [](const RawEntry& entry) { return entry.file_name; });
+  return shard;
 }
 
 /// A list of texts; nothing when it is something else, which may not be read further then.
@@ -102,14 +108,19 @@ std::optional<Texts> text_list(MsgpackReader& reader) {
   return texts;
 }
 
-bool read_member(MsgpackReader& reader, RawMember& into) {
+bool read_member(MsgpackReader& reader, RecordMember member, RawMember& into) {
   const MsgpackReader before = reader;
   if (const auto text = reader.key()) {
     into = *text;
     return true;
   }
   reader = before;
-  if (auto texts = text_list(reader)) {
+  if (member == RecordMember::kSha256 || member == RecordMember::kMd5) {
+    if (const auto bytes = reader.content()) {
+      into = HashBytes{*bytes};
+      return true;
+    }
+  } else if (auto texts = text_list(reader)) {
     into = std::move(*texts);
     return true;
   }
@@ -125,7 +136,7 @@ std::optional<RawRecord> raw_record(std::string_view bytes) {
   MsgpackReader reader(bytes);
   const bool whole = each_member(reader, [&](std::string_view key) {
     const auto member = record_member(key);
-    return member ? read_member(reader, record[*member]) : reader.skipped().has_value();
+    return member ? read_member(reader, *member, record[*member]) : reader.skipped().has_value();
   });
   return whole ? std::optional(std::move(record)) : std::nullopt;
 }
@@ -142,7 +153,7 @@ void add_records(const RawShard& shard, const RecordPlace& place, SpecTable& spe
       auto parsed = raw ? parse_record(*raw, file_name, place, specs)
                         : std::variant<PackageRecord, std::string>("it is not a map of texts");
       if (auto* good = std::get_if<PackageRecord>(&parsed)) {
-        stems.emplace(archive_stem(file_name));
+        if (!shard.tar.empty()) stems.emplace(archive_stem(file_name));
         into.records.push_back(std::move(*good));
       } else {
         into.left_out.push_back({.channel = place.channel,
@@ -154,22 +165,10 @@ void add_records(const RawShard& shard, const RecordPlace& place, SpecTable& spe
   }
 }
 
-/// Sorted; of those with one name the last.
-std::vector<ListedShard> in_order(std::vector<ListedShard> shards) {
-  const auto by_name = [](const ListedShard& a, const ListedShard& b) { return a.name < b.name; };
-  if (!std::is_sorted(shards.begin(), shards.end(), by_name))
-    std::stable_sort(shards.begin(), shards.end(), by_name);
-  const auto same = [](const ListedShard& a, const ListedShard& b) { return a.name == b.name; };
-  // unique() keeps the first of a run; from behind that is the last.
-  const auto kept = std::unique(shards.rbegin(), shards.rend(), same);
-  shards.erase(shards.begin(), kept.base());
-  return shards;
-}
-
 }  // namespace
 
-std::string ListedShard::sha256() const {
-  return hash.size() == 32 ? hex_text(hash) : std::string(hash);
+std::string ShardHash::hex() const {
+  return bytes.size() == 32 ? hex_text(bytes) : std::string(bytes);
 }
 
 Outcome<ShardList> read_shard_list(std::string_view bytes, const std::string& url) {
@@ -178,12 +177,13 @@ Outcome<ShardList> read_shard_list(std::string_view bytes, const std::string& ur
   ShardList list;
   list.listed = std::make_unique<std::string>(std::move(*text));
   MsgpackReader reader(*list.listed);
-  std::optional<std::vector<ListedShard>> shards;
+  bool listed = false;
   std::optional<std::string_view> without_hash;
   std::int64_t version = 1;
   const bool whole = each_member(reader, [&](std::string_view key) {
     if (key == "shards") {
-      shards.emplace();
+      listed = true;
+      list.shards.clear();
       return each_member(reader, [&](std::string_view name) {
         const auto hash = reader.content();
         if (!hash) return false;
@@ -191,7 +191,7 @@ Outcome<ShardList> read_shard_list(std::string_view bytes, const std::string& ur
           without_hash = name;
           return false;
         }
-        shards->push_back({.name = name, .hash = *hash});
+        list.shards.insert_or_assign(name, ShardHash{*hash});  // a repeated name keeps the last
         return true;
       });
     }
@@ -209,9 +209,8 @@ Outcome<ShardList> read_shard_list(std::string_view bytes, const std::string& ur
   if (without_hash)
     return no_index(url, "the shard of `" + std::string(*without_hash) + "` has no sha256");
   if (!whole || !reader.at_end()) return no_msgpack(url);
-  if (!shards) return no_index(url, "it lists no shards");
+  if (!listed) return no_index(url, "it lists no shards");
   if (version != 1) return no_index(url, "its version is not 1");
-  list.shards = in_order(std::move(*shards));
   return list;
 }
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <vector>
+#include <unordered_map>
 
 #include "bundler/channel/channel_index.hpp"
 #include "bundler/channel/repodata_record.hpp"
@@ -14,18 +14,17 @@
 
 namespace ros2wasm {
 
-struct ListedShard {
-  std::string_view name;  ///< of the package
-  std::string_view hash;  ///< sha256 of the shard's file: 32 bytes, or 64 digits of lower-case hex
+/// The sha256 of a shard's file.
+struct ShardHash {
+  std::string_view bytes;  ///< 32 of them, or 64 digits of lower-case hex
 
-  [[nodiscard]] std::string sha256() const;  ///< hex
-  auto operator<=>(const ListedShard&) const = default;
+  [[nodiscard]] std::string hex() const;
 };
 
 struct ShardList {
-  std::string base_url;                 ///< of archives; absolute or below the folder of the list
-  std::string shards_base_url;          ///< of the shards' files; likewise
-  std::vector<ListedShard> shards;      ///< sorted
+  std::string base_url;         ///< of archives; absolute or below the folder of the list
+  std::string shards_base_url;  ///< of the shards' files; likewise
+  std::unordered_map<std::string_view, ShardHash> shards;  ///< by the name of the package
   std::unique_ptr<std::string> listed;  ///< what the shards' names and hashes are views of
 };
 

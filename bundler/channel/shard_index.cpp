@@ -35,21 +35,24 @@ class ShardIndex : public SubdirIndex {
     shards_base_ = with_base_url(std::move(list->shards_base_url), here);
     source_.place.base_url = with_base_url(std::move(list->base_url), here);
     list_ = std::move(*list);
-    names_.reserve(list_.shards.size());
-    for (const ListedShard& shard : list_.shards) names_.push_back(shard.name);
     return Done{};
   }
 
-  [[nodiscard]] std::span<const std::string_view> names() const override { return names_; }
+  [[nodiscard]] std::span<const std::string_view> names() override {
+    if (names_.empty()) {
+      for (const auto& [name, hash] : list_.shards) names_.push_back(name);
+      std::sort(names_.begin(), names_.end());
+    }
+    return names_;
+  }
 
   [[nodiscard]] Outcome<Done> read(std::span<const std::string> names, SpecTable& specs,
                                    RepoIndex& into, const Cancellation& cancellation) override {
     std::vector<Shard> wanted;
     for (const std::string& name : names) {
-      const auto found = std::lower_bound(names_.begin(), names_.end(), name);
-      if (found == names_.end() || *found != name) continue;
-      const std::string sha256 =
-          list_.shards[static_cast<std::size_t>(found - names_.begin())].sha256();
+      const auto found = list_.shards.find(name);
+      if (found == list_.shards.end()) continue;
+      const std::string sha256 = found->second.hex();
       wanted.push_back(
           {.name = name, .url = shards_base_ + "/" + sha256 + ".msgpack.zst", .sha256 = sha256});
     }
@@ -124,7 +127,7 @@ class ShardIndex : public SubdirIndex {
   ChannelRoots roots_;
   std::string shards_base_;
   ShardList list_;
-  std::vector<std::string_view> names_;  ///< of list_.shards, at the same places
+  std::vector<std::string_view> names_;  ///< once they were asked for
 };
 
 }  // namespace

@@ -2,32 +2,45 @@
 #include "bundler/channel/spec_table.hpp"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 #include "workspace_schema/version.hpp"
 
 namespace ros2wasm {
 namespace {
 
-bool is_plain(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
-}
+/// What a name in its plainest form has.
+constexpr auto kPlain = [] {
+  std::array<bool, 256> plain{};
+  for (const char c : std::string_view("abcdefghijklmnopqrstuvwxyz0123456789-_."))
+    plain.at(static_cast<unsigned char>(c)) = true;
+  return plain;
+}();
+
+/// What follows a name can say that the name is another: a channel, an address, members.
+constexpr auto kRenaming = [] {
+  std::array<bool, 256> renaming{};
+  for (const char c : std::string_view(":/[(")) renaming.at(static_cast<unsigned char>(c)) = true;
+  return renaming;
+}();
 
 }  // namespace
+
+std::optional<std::string_view> plain_name(std::string_view text) {
+  const auto is = [](const std::array<bool, 256>& which) {
+    return [&which](char c) { return which[static_cast<unsigned char>(c)]; };
+  };
+  const auto* const end = std::find_if_not(text.begin(), text.end(), is(kPlain));
+  if (end == text.begin() || (end != text.end() && *end != ' ')) return std::nullopt;
+  if (std::any_of(end, text.end(), is(kRenaming))) return std::nullopt;
+  return text.substr(0, static_cast<std::size_t>(end - text.begin()));
+}
 
 const Outcome<MatchSpec>& SpecTable::parsed(const std::string& text) {
   const auto known = parsed_.find(text);
   if (known != parsed_.end()) return known->second;
   return parsed_.emplace(text, MatchSpec::parse(text)).first->second;
-}
-
-std::optional<std::string> SpecTable::exact_name(const std::string& text) {
-  const auto end = std::find_if_not(text.begin(), text.end(), is_plain);
-  // Nearly all texts are a name, then nothing or a space and more: no need to parse the rest.
-  const bool url_or_path = text.find_first_of("/:*^") != std::string::npos;
-  if (end != text.begin() && (end == text.end() || *end == ' ') && !url_or_path)
-    return std::string(text.begin(), end);
-  const auto& spec = parsed(text);
-  return spec ? spec->exact_name() : std::nullopt;
 }
 
 const std::optional<std::string>& SpecTable::version_fault(const std::string& text) {

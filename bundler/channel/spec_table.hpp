@@ -12,6 +12,10 @@
 
 namespace ros2wasm {
 
+/// The exact name in a match spec that is written in the plainest form, as nearly all are: the
+/// name, then nothing or a space and more. Others must be parsed.
+[[nodiscard]] std::optional<std::string_view> plain_name(std::string_view text);
+
 class SpecTable {
  public:
   SpecTable() = default;
@@ -22,10 +26,6 @@ class SpecTable {
 
   /// The spec, or what is wrong with the text. Valid as long as this table.
   const Outcome<MatchSpec>& parsed(const std::string& text);
-
-  /// The exact name that the text asks for; nothing when it is no match spec or has a pattern
-  /// there.
-  std::optional<std::string> exact_name(const std::string& text);
 
   /// What is wrong with the text as a version; nothing when it is one. Valid as long as this table.
   const std::optional<std::string>& version_fault(const std::string& text);

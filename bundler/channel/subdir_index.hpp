@@ -20,8 +20,8 @@ class SubdirIndex {
   virtual ~SubdirIndex() = default;
 
   /// Every name that has a record here, sorted; lower case unless the channel is at fault. Valid as
-  /// long as this object.
-  [[nodiscard]] virtual std::span<const std::string_view> names() const = 0;
+  /// long as this object. Not needed to read records, so it may be made when it is asked for.
+  [[nodiscard]] virtual std::span<const std::string_view> names() = 0;
 
   /// Adds the records of these names to `into`, sorted by file name within a name, and those that
   /// cannot be used to its `left_out`. Names that are not here are passed over. A caller asks for

@@ -196,7 +196,7 @@ std::vector<LeftOutRecord> Universe::unusable() const {
 }
 
 std::vector<std::string> names_there(const Universe& universe, const RepoIndex& index) {
-  std::vector<std::string> names = index.names;
+  std::vector<std::string> names = index.names ? index.names() : std::vector<std::string>();
   for (const auto& [name, ids] : universe.by_name) {
     if (!is_virtual(*universe.candidates[ids.front()].record)) names.push_back(name);
   }

@@ -37,7 +37,7 @@ Answer answer_of(const testing::TemporaryTree& tree) {
   if (!resolution) return {};
   std::sort(resolution->packages.begin(), resolution->packages.end(),
             [](const PackageRecord& a, const PackageRecord& b) { return a.name < b.name; });
-  return {.names = index->names,
+  return {.names = index->names(),
           .lock = write_lock({.platform = roots.platform,
                               .channels = index->channels,
                               .specs = {"zlib"},

@@ -9,6 +9,7 @@ add_executable(bundler_channel_test
   channel/msgpack_reader_test.cpp
   channel/repodata_index_test.cpp
   channel/shard_index_test.cpp
+  channel/spec_table_test.cpp
   io/files_test.cpp
   io/kept_folder_test.cpp
   io/part_file_test.cpp

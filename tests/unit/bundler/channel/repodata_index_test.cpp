@@ -100,7 +100,7 @@ class KeptIndexTest : public ::testing::Test {
 
   void expect_all_is_well(const std::string& version) const {
     const RepoIndex index = read({"p0"});
-    EXPECT_EQ(index.names.size(), 2500U);
+    EXPECT_EQ(index.names().size(), 2500U);
     ASSERT_EQ(index.records.size(), 39U);  // p0 to p9, less the one that was removed
     for (const PackageRecord& record : index.records) EXPECT_EQ(record.version, version);
     EXPECT_EQ(index.records[0].url, "./c/noarch/p0-" + version + "-0.conda");

@@ -9,6 +9,7 @@
 
 #include "bundler/build/exception_encoding.hpp"
 #include "bundler/build/kept_header.hpp"
+#include "bundler/build/plugin_link.hpp"
 #include "bundler/build/quick_link.hpp"
 #include "bundler/build/wasm_module.hpp"
 #include "bundler/channel/channel_index.hpp"
@@ -278,7 +279,7 @@ std::string build_remark(const std::vector<BuiltPackage>& packages) {
   return "built " + name_list(fresh);
 }
 
-/// Step 6: nodes of the manifest; without any, every program of the workspace.
+/// Step 7: nodes of the manifest; without any, every program of the workspace.
 Outcome<std::vector<LaunchNode>> launch(BuiltWorkspace& workspace) {
   Manifest& manifest = workspace.manifest;
   if (manifest.nodes.empty()) {
@@ -309,8 +310,8 @@ Outcome<std::vector<LaunchNode>> launch(BuiltWorkspace& workspace) {
   return nodes;
 }
 
-/// Step 7: read what the plan is made of.
-Outcome<SitePlan> plan(const PackRequest& request, const BuiltWorkspace& workspace,
+/// Step 8: read what the plan is made of.
+Outcome<SitePlan> plan(const PackRequest& request, BuiltWorkspace& workspace,
                        std::vector<LaunchNode> nodes, const Cancellation& cancellation) {
   const auto list =
       find_own_data(request.executable, "runtime/runtime_assets.json", "the runtime of sites");
@@ -350,8 +351,9 @@ Outcome<SitePlan> plan(const PackRequest& request, const BuiltWorkspace& workspa
   }
   for (const InstalledPackage& package : workspace.installed) {
     collect_interfaces(package.prefix, package.name, input.interfaces);
-    if (auto read = collect_shared_files(package.prefix, package.name, input.shared); !read)
-      return std::move(read).errors();
+    const auto left_out = collect_shared_files(package.prefix, package.name, input.shared);
+    if (!left_out) return left_out.errors();
+    for (const std::string& one : *left_out) workspace.remarks.push_back("left out " + one);
   }
   for (const BuiltPackage& package : workspace.packages) input.packages.push_back(package.name);
   return plan_site(std::move(input));
@@ -400,27 +402,39 @@ Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& ca
   const BuildTools tools{
       .compiler = compiler,
       .compiler_environment = compiler_environment(request.variables),
+      .link_environment = link_environment(request.variables, compiler.cxx),
       .toolchain = fs::canonical(*toolchain),
       .cli = request.executable,
       .jobs = request.jobs != 0 ? request.jobs : std::max(1U, std::thread::hardware_concurrency()),
       .quick_links = request.quick ? quick_links_folder(workspace->cache, compiler) : fs::path(),
       .kept_headers = user_launcher ? fs::path() : kept_headers_folder(workspace->cache, compiler)};
   begin_step(progress, "build");
-  auto built = build_workspace(question->packages, question->order, tools,
-                               {.cache = workspace->cache,
-                                .environment_prefix = environment->prefix,
-                                .environment_key = environment->key,
-                                .base = workspace->folder,
-                                .shown_base = workspace->shown_folder,
-                                .channel_packages = question->all_packages},
-                               cancellation, progress);
+  const BuildSettings settings{.cache = workspace->cache,
+                               .environment_prefix = environment->prefix,
+                               .environment_key = environment->key,
+                               .base = workspace->folder,
+                               .shown_base = workspace->shown_folder,
+                               .channel_packages = question->all_packages};
+  auto built =
+      build_workspace(question->packages, question->order, tools, settings, cancellation, progress);
   if (!built) return std::move(built).errors();
   append(workspace->warnings, built->warnings);
   workspace->packages = std::move(built->packages);
   if (!workspace->packages.empty()) workspace->remarks.push_back(build_remark(workspace->packages));
 
-  // 5. what is installed now
+  // 5. programs with the plugins that they load
+  const auto linked = link_plugins(question->packages, workspace->packages, tools, settings,
+                                   cancellation, progress);
+  if (!linked) return linked.errors();
+
+  // 6. what is installed now
   workspace->installed = all_installed(workspace->packages, environment->prefix);
+  for (InstalledPackage& package : workspace->installed) {
+    for (InstalledProgram& program : package.programs) {
+      const auto found = linked->find(program.file);
+      if (found != linked->end()) program.file = found->second;
+    }
+  }
   return std::move(*workspace);
 }
 
@@ -458,7 +472,7 @@ Outcome<PackReport> pack(const PackRequest& request, const Cancellation& cancell
   auto workspace = build(request, cancellation, progress);
   if (!workspace) return std::move(workspace).errors();
 
-  // 6. what runs
+  // 7. what runs
   auto nodes = launch(*workspace);
   if (!nodes) {
     // What was left out may be the reason, so the warnings are told too.
@@ -467,13 +481,13 @@ Outcome<PackReport> pack(const PackRequest& request, const Cancellation& cancell
     return errors;
   }
 
-  // 7. every file of the site
+  // 8. every file of the site
   begin_step(progress, "plan");
   auto planned = plan(request, *workspace, std::move(nodes).value(), cancellation);
   if (!planned) return std::move(planned).errors();
   planned->channel = std::move(workspace->channel);
 
-  // 8. write it
+  // 9. write it
   if (!request.plan_only) {
     begin_step(progress, "emit");
     if (auto emitted = emit_folder(*planned, request.output, cancellation); !emitted) {

@@ -5,6 +5,7 @@
 #include "bundler/build/compiler.hpp"
 #include "bundler/build/diagnostic_json.hpp"
 #include "bundler/build/link_driver.hpp"
+#include "bundler/build/link_kit.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/installation.hpp"
 #include "bundler/io/sha256.hpp"
@@ -42,12 +43,14 @@ int link(Context& context, const Options& options) {
       find_own_data(context.executable, "templates/toolchain/src/thread_support.cpp",
                     "what programs with threads need");
   if (!support) return context.console.fail(support.errors());
+  const auto kits = context.environment.find(kLinkKitsVariable);
   const auto quick = context.environment.find(kQuickLinkVariable);
   const auto linked =
       link_program({.package = options.package,
                     .command = options.command,
                     .environment = link_environment(context.environment, options.command.front()),
                     .thread_support = support->string(),
+                    .kits = kits == context.environment.end() ? "" : kits->second,
                     .quick_folder = quick == context.environment.end() ? "" : quick->second},
                    context.cancellation);
   if (linked) return 0;

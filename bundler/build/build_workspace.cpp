@@ -12,8 +12,9 @@
 #include <optional>
 #include <thread>
 
+#include "bundler/build/link_kit.hpp"
 #include "bundler/build/source_hash.hpp"
-#include "bundler/build/wasm_module.hpp"
+#include "bundler/build/split_programs.hpp"
 #include "bundler/io/file_lock.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/kept_folder.hpp"
@@ -39,25 +40,6 @@ Outcome<std::string> hash_of(const LocalPackage& package,
   for (const BuiltPackage* need : needs) hash.add(need->name, need->hash);
   hash.add("sources", *sources);
   return hash.finish();
-}
-
-/// Programs go into sites without their function names; the names stay beside them for crash
-/// reports.
-Outcome<Done> split_programs(const fs::path& prefix, const std::string& package) {
-  std::error_code error;
-  for (fs::directory_iterator it(prefix / "lib" / package, error), end; !error && it != end;
-       it.increment(error)) {
-    if (it->path().extension() != ".wasm") continue;
-    const auto bytes = read_file(it->path());
-    if (!bytes) return bytes.errors();
-    const auto split = split_names(*bytes);
-    if (!split) continue;
-    if (auto done = write_file(it->path(), split->program); !done) return done;
-    if (split->names.empty()) continue;
-    fs::path names = it->path();
-    if (auto done = write_file(names.replace_extension(".names"), split->names); !done) return done;
-  }
-  return Done{};
 }
 
 /// How much there is to compile, roughly: sources, and interfaces, which become sources.
@@ -229,6 +211,7 @@ class WorkspaceBuilder {
 
     if (auto done = language.build(request, tools_, cancellation_, progress_); !done) return done;
     if (auto done = split_programs(staging->path(), name); !done) return done;
+    if (auto done = install_link_kits(work / kLinkKits, staging->path(), name); !done) return done;
     return keep_folder(staging->path(), prefix, result.hash);
   }
 

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "bundler/build/compile_errors.hpp"
+#include "bundler/build/link_kit.hpp"
 #include "bundler/build/quick_link.hpp"
 #include "bundler/build/single_link_object.hpp"
 #include "bundler/io/files.hpp"
@@ -109,6 +110,12 @@ Diagnostics undefined_symbols(const LinkRequest& request, const LinkLine& line,
 Outcome<LinkReport> link_program(const LinkRequest& request, const Cancellation& cancellation) {
   LinkLine line = parse_link_line(expanded(request.command));
   line.thread_support = request.thread_support;
+  if (plugins_of(line)) {
+    if (!request.kits.empty())
+      if (auto kept = write_link_kit(request.kits, line); !kept) return std::move(kept).errors();
+    if (auto made = write_file(line.output, ""); !made) return std::move(made).errors();
+    return LinkReport{.program = line.output};
+  }
   const fs::path output = fs::absolute(line.output);
   const auto folder =
       TemporaryDirectory::make(output.parent_path(), output.stem().string() + ".link-");
@@ -160,6 +167,8 @@ Outcome<LinkReport> link_program(const LinkRequest& request, const Cancellation&
   std::error_code error;
   fs::rename(stem + ".wasm", output, error);
   if (error) return link_failed(request, line, error.message());
+  if (!request.kits.empty() && loads_plugins(line))
+    if (auto kept = write_link_kit(request.kits, line); !kept) return std::move(kept).errors();
   return report;
 }
 

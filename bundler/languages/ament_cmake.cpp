@@ -7,6 +7,7 @@
 #include "bundler/build/diagnostic_json.hpp"
 #include "bundler/build/kept_header.hpp"
 #include "bundler/build/link_driver.hpp"
+#include "bundler/build/link_kit.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/process.hpp"
 #include "bundler/languages/language.hpp"
@@ -36,6 +37,7 @@ EnvironmentVariables child_environment(const PackageBuild& request, const BuildT
   EnvironmentVariables result = tools.compiler_environment;
   result["NINJA_STATUS"] = "[%f/%t] ";
   result["ROS2WASM_LINK_DIAGNOSTICS"] = (request.work / kLinkDiagnostics).string();
+  result[kLinkKitsVariable] = (request.work / kLinkKits).string();
   result[kQuickLinkVariable] = tools.quick_links.string();
   result[kKeptHeadersVariable] = tools.kept_headers.string();
   // A native ROS installation that was sourced must not leak its packages in.

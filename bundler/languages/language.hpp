@@ -22,6 +22,7 @@ namespace ros2wasm {
 struct BuildTools {
   Compiler compiler;
   EnvironmentVariables compiler_environment;
+  EnvironmentVariables link_environment;
   std::filesystem::path toolchain;     ///< ros2wasm-toolchain.cmake
   std::filesystem::path cli;           ///< this program, for compile-source and link-program
   unsigned jobs = 1;                   ///< compilers at once, of all packages
@@ -41,6 +42,9 @@ struct PackageBuild {
   std::filesystem::path final_prefix;  ///< what `install` will be called later
   unsigned jobs = 1;                   ///< compilers at once, of this package
 };
+
+/// In the folder of work, what link-program leaves for a second link (link_kit.hpp).
+inline constexpr const char* kLinkKits = "link-kits";
 
 struct Language {
   std::string_view build_type;

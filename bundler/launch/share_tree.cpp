@@ -57,8 +57,17 @@ bool has_address(const std::string& path) {
   return path.find('\\') == std::string::npos;
 }
 
-Outcome<Done> add_file(const fs::path& prefix, const std::string& path, SharedFiles& into) {
-  if (into.contains(path) || !is_inside(prefix / path, prefix) || !has_address(path)) return Done{};
+Outcome<Done> add_file(const fs::path& prefix, const std::string& path, SharedFiles& into,
+                       std::vector<std::string>& left_out) {
+  if (into.contains(path)) return Done{};
+  if (!is_inside(prefix / path, prefix)) {
+    left_out.push_back(path + ", a link to a folder or out of the installed packages");
+    return Done{};
+  }
+  if (!has_address(path)) {
+    left_out.push_back(path + ", whose name with a backslash is no address");
+    return Done{};
+  }
   auto bytes = read_file(prefix / path);
   if (!bytes) return std::move(bytes).errors();
   into.emplace(path, std::move(bytes).value());
@@ -67,9 +76,11 @@ Outcome<Done> add_file(const fs::path& prefix, const std::string& path, SharedFi
 
 }  // namespace
 
-Outcome<Done> collect_shared_files(const fs::path& prefix, const std::string& package,
-                                   SharedFiles& into) {
-  if (package.starts_with(kGenerators)) return Done{};
+Outcome<std::vector<std::string>> collect_shared_files(const fs::path& prefix,
+                                                       const std::string& package,
+                                                       SharedFiles& into) {
+  std::vector<std::string> left_out;
+  if (package.starts_with(kGenerators)) return left_out;
   const std::string share = "share/" + package;
   std::error_code error;
   if (fs::is_directory(prefix / share, error)) {
@@ -78,7 +89,8 @@ Outcome<Done> collect_shared_files(const fs::path& prefix, const std::string& pa
     for (const TreeEntry& entry : *tree) {
       const bool is_file = entry.kind == FileKind::kFile || entry.kind == FileKind::kLink;
       if (!is_file || is_for_builds(entry.path)) continue;
-      if (auto added = add_file(prefix, share + "/" + entry.path, into); !added) return added;
+      if (auto added = add_file(prefix, share + "/" + entry.path, into, left_out); !added)
+        return std::move(added).errors();
     }
   }
   for (fs::directory_iterator it(prefix / kIndex, error), end; !error && it != end;
@@ -88,9 +100,10 @@ Outcome<Done> collect_shared_files(const fs::path& prefix, const std::string& pa
     if (has(kBuildResources, kind) || kind.starts_with(kGenerators) ||
         !fs::is_regular_file(prefix / path, error))
       continue;
-    if (auto added = add_file(prefix, path, into); !added) return added;
+    if (auto added = add_file(prefix, path, into, left_out); !added)
+      return std::move(added).errors();
   }
-  return Done{};
+  return left_out;
 }
 
 }  // namespace ros2wasm

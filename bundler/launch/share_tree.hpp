@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "workspace_schema/outcome.hpp"
 
@@ -15,8 +16,9 @@ using SharedFiles = std::map<std::string, std::string>;
 
 /// Adds what `package` has in share/<package>/ of `prefix` and its own resources in the ament
 /// index, without what only builds need (CMake files, shell hooks, interface definitions) and
-/// without links that lead out of the prefix. A file that is known stays. R2W0210.
-[[nodiscard]] Outcome<Done> collect_shared_files(const std::filesystem::path& prefix,
-                                                 const std::string& package, SharedFiles& into);
+/// without what cannot come along, of which it says for people what and why. A file that is known
+/// stays. R2W0210.
+[[nodiscard]] Outcome<std::vector<std::string>> collect_shared_files(
+    const std::filesystem::path& prefix, const std::string& package, SharedFiles& into);
 
 }  // namespace ros2wasm

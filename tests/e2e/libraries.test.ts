@@ -1,5 +1,6 @@
 // The libraries that nodes use beside rclcpp, and the programs that packages of the channel bring, through
-// pack and run: one site with all programs of tests/packages/library_checks, side by side.
+// pack and run: one site with all programs of tests/packages/library_checks, side by side,
+// and one that loads plugins.
 
 import assert from 'node:assert/strict';
 import { cpSync } from 'node:fs';
@@ -9,8 +10,12 @@ import { after, before, test } from 'node:test';
 import { PackWorkspace } from './pack_workspace.ts';
 
 const PACKAGES = resolve(import.meta.dirname, '../packages');
-/** Each says that its checks hold, and ends. */
-const CHECKS = ['camera', 'documents', 'geometry', 'robot', 'viewer'];
+/** Each says that its checks hold, and ends. Program -> its package. */
+const PROGRAMS = new Map([
+  ...['camera', 'documents', 'geometry', 'robot', 'viewer'].map((one): [string, string] => [one, 'library_checks']),
+  ['loader', 'plugin_checks'],
+]);
+const CHECKS = [...PROGRAMS.keys()];
 const ROBOT = `<?xml version="1.0"?>
 <!-- a column, two arms, a hand that slides, and a wheel that follows the elbow -->
 <robot name="arm">
@@ -35,8 +40,10 @@ name: libraries
 distro: jazzy
 packages:
   - src/library_checks
+  - src/plugin_checks
+  - src/plugin_shapes
 launch:
-${CHECKS.map((program) => `  - {package: library_checks, executable: ${program}}`).join('\n')}
+${[...PROGRAMS].map(([program, of]) => `  - {package: ${of}, executable: ${program}}`).join('\n')}
   - package: image_transport
     executable: republish
     parameters: {in_transport: raw, out_transport: raw}
@@ -56,7 +63,9 @@ ${CHECKS.map((program) => `  - {package: library_checks, executable: ${program}}
 let workspace: PackWorkspace;
 before(() => {
   workspace = new PackWorkspace();
-  cpSync(join(PACKAGES, 'library_checks'), join(workspace.root, 'src/library_checks'), { recursive: true });
+  for (const name of ['library_checks', 'plugin_checks', 'plugin_shapes']) {
+    cpSync(join(PACKAGES, name), join(workspace.root, 'src', name), { recursive: true });
+  }
   cpSync(join(PACKAGES, 'rclcpp_checks/src'), join(workspace.root, 'src/rclcpp_checks/src'), { recursive: true });
 });
 after(() => workspace.close());

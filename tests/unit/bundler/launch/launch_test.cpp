@@ -177,8 +177,16 @@ TEST(ShareTree, HasWhatProgramsReadAndNothingFromOutside) {
     tree.write(std::string("prefix/share/") + for_builds, "");
   std::filesystem::create_symlink("../../../outside", tree / "prefix/share/demo/out");
   std::filesystem::create_symlink("config/gains.yaml", tree / "prefix/share/demo/in");
+  std::filesystem::create_directory_symlink("config", tree / "prefix/share/demo/same");
+  tree.write("prefix/share/demo/a\\b", "");
   SharedFiles files = {{"share/demo/package.txt", "nearer"}};
-  ASSERT_TRUE(collect_shared_files(tree / "prefix", "demo", files));
+  const auto left_out = collect_shared_files(tree / "prefix", "demo", files);
+  ASSERT_TRUE(left_out);
+  EXPECT_EQ(*left_out,
+            (std::vector<std::string>{
+                "share/demo/a\\b, whose name with a backslash is no address",
+                "share/demo/out, a link to a folder or out of the installed packages",
+                "share/demo/same, a link to a folder or out of the installed packages"}));
   EXPECT_EQ(files, (SharedFiles{{"share/ament_index/resource_index/robots/demo", "arm"},
                                 {"share/demo/config/gains.yaml", "p: 1\n"},
                                 {"share/demo/environment/room.yaml", "walls"},

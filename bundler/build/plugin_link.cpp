@@ -1,0 +1,155 @@
+// See plugin_link.hpp.
+#include "bundler/build/plugin_link.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "bundler/build/link_driver.hpp"
+#include "bundler/build/link_kit.hpp"
+#include "bundler/build/source_hash.hpp"
+#include "bundler/build/split_programs.hpp"
+#include "bundler/io/files.hpp"
+#include "bundler/io/kept_folder.hpp"
+
+namespace ros2wasm {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* kWhole = "-Wl,--whole-archive";
+constexpr const char* kNotWhole = "-Wl,--no-whole-archive";
+
+/// A library of plugins, with the package that has it.
+struct Plugins {
+  LinkKit kit;
+  const BuiltPackage* package = nullptr;
+};
+
+/// The package and all that it needs, by name.
+std::set<std::string> needs_of(const std::string& name, const std::vector<LocalPackage>& packages) {
+  std::set<std::string> result;
+  std::vector<std::string> open = {name};
+  while (!open.empty()) {
+    const std::string one = std::move(open.back());
+    open.pop_back();
+    if (!result.insert(one).second) continue;
+    for (const LocalPackage& package : packages) {
+      if (package.xml.name.value != one) continue;
+      for (const PackageDependency& needed : package.xml.dependencies)
+        open.push_back(needed.name.value);
+    }
+  }
+  return result;
+}
+
+/// The libraries first, whole, so that each class registers itself: what the program or another
+/// library links of them too is there already.
+std::vector<std::string> link_arguments(const LinkKit& program,
+                                        const std::vector<const Plugins*>& plugins) {
+  std::vector<std::string> whole;
+  std::vector<std::string> rest = program.arguments;
+  std::set<std::string> seen;
+  const auto is_whole = [](const std::vector<std::string>& arguments, const std::string& name) {
+    for (std::size_t i = 1; i < arguments.size(); ++i)
+      if (arguments[i - 1] == kWhole && fs::path(arguments[i]).filename() == name) return true;
+    return false;
+  };
+  for (const Plugins* one : plugins) {
+    const auto& given = one->kit.arguments;
+    const auto library = std::find_if(given.begin(), given.end(),
+                                      [](const std::string& text) { return text.ends_with(".a"); });
+    for (const std::string& argument : given)
+      if (!argument.ends_with(".o")) rest.push_back(argument);
+    if (library == given.end()) continue;
+    const std::string name = fs::path(*library).filename().string();
+    if (!seen.insert(name).second || is_whole(rest, name)) continue;
+    whole.insert(whole.end(), {kWhole, *library, kNotWhole});
+  }
+  whole.insert(whole.end(), rest.begin(), rest.end());
+  return whole;
+}
+
+std::string hash_of(const BuiltPackage& package, const LinkKit& program,
+                    const std::vector<const Plugins*>& plugins, const BuildTools& tools) {
+  HashBuilder hash;
+  hash.add("package", package.hash).add("program", program.name);
+  hash.add("link", tools.quick_links.empty() ? "small" : "quick");
+  for (const Plugins* one : plugins)
+    hash.add(one->package->name, one->package->hash).add(one->kit.base, one->kit.name);
+  return hash.finish();
+}
+
+Outcome<fs::path> linked(const BuiltPackage& package, const LinkKit& program,
+                         const std::vector<const Plugins*>& plugins, const BuildTools& tools,
+                         const fs::path& cache, const Cancellation& cancellation,
+                         const ProgressSink& progress) {
+  const std::string hash = hash_of(package, program, plugins, tools);
+  const fs::path prefix =
+      cache / "built" / (package.name + "-" + program.name + "-" + hash.substr(0, 20));
+  const fs::path file = fs::path("lib") / package.name / (program.name + ".wasm");
+  if (is_kept(prefix, hash)) return prefix / file;
+  if (progress)
+    progress({.step = "build", .item = package.name, .done = 0, .total = 0, .unit = {}});
+  const auto staging =
+      TemporaryDirectory::make(cache / "built", "." + package.name + "-" + program.name + "-");
+  if (!staging) return staging.errors();
+  if (auto made = make_directories((staging->path() / file).parent_path()); !made)
+    return std::move(made).errors();
+  std::vector<std::string> command = {tools.compiler.cxx.string()};
+  for (std::string& argument : link_arguments(program, plugins))
+    command.push_back(std::move(argument));
+  command.insert(command.end(), {"-o", (staging->path() / file).string()});
+  const auto done = link_program(
+      {.package = package.name,
+       .command = std::move(command),
+       .environment = tools.link_environment,
+       .thread_support = (tools.toolchain.parent_path() / "src/thread_support.cpp").string(),
+       .quick_folder = tools.quick_links.string()},
+      cancellation);
+  if (!done) return done.errors();
+  if (auto split = split_programs(staging->path(), package.name); !split)
+    return std::move(split).errors();
+  if (auto kept = keep_folder(staging->path(), prefix, hash); !kept)
+    return std::move(kept).errors();
+  return prefix / file;
+}
+
+}  // namespace
+
+Outcome<std::map<fs::path, fs::path>> link_plugins(const std::vector<LocalPackage>& packages,
+                                                   const std::vector<BuiltPackage>& built,
+                                                   const BuildTools& tools,
+                                                   const BuildSettings& settings,
+                                                   const Cancellation& cancellation,
+                                                   const ProgressSink& progress) {
+  std::vector<Plugins> all;
+  for (const BuiltPackage& package : built) {
+    auto kits = plugin_kits(package.prefix);
+    if (!kits) return std::move(kits).errors();
+    for (LinkKit& kit : *kits) all.push_back({.kit = std::move(kit), .package = &package});
+  }
+  std::map<fs::path, fs::path> result;
+  if (all.empty()) return result;
+  Diagnostics errors;
+  for (const BuiltPackage& package : built) {
+    const auto programs = program_kits(package.prefix);
+    if (!programs) return programs.errors();
+    if (programs->empty()) continue;
+    const std::set<std::string> needs = needs_of(package.name, packages);
+    std::vector<const Plugins*> wanted;
+    for (const Plugins& one : all)
+      if (needs.contains(one.kit.base)) wanted.push_back(&one);
+    if (wanted.empty()) continue;
+    for (const LinkKit& program : *programs) {
+      auto file = linked(package, program, wanted, tools, settings.cache, cancellation, progress);
+      if (!file) {
+        for (Diagnostic& one : std::move(file).errors()) errors.push_back(std::move(one));
+        continue;
+      }
+      result[package.prefix / "lib" / package.name / (program.name + ".wasm")] = std::move(*file);
+    }
+  }
+  if (!errors.empty()) return errors;
+  return result;
+}
+
+}  // namespace ros2wasm

@@ -1,0 +1,11 @@
+# The functions of this package, for those that find it.
+
+macro(_pluginlib_register_package_hook)
+  if(NOT DEFINED _PLUGINLIB_PACKAGE_HOOK_REGISTERED)
+    set(_PLUGINLIB_PACKAGE_HOOK_REGISTERED TRUE)
+    find_package(ament_cmake_core QUIET REQUIRED)
+    ament_register_extension("ament_package" "pluginlib" "pluginlib_package_hook.cmake")
+  endif()
+endmacro()
+
+include("${pluginlib_DIR}/pluginlib_export_plugin_description_file.cmake")

@@ -24,3 +24,10 @@ def check_is_valid_srv_type(srv_type: Any) -> None:
     if any(getattr(srv_type, name, None) is None for name in ('Response', 'Request', 'Event')):
         raise RuntimeError(
             f'The service type provided is not valid ({srv_type}), this might be a message or action')
+
+
+def check_is_valid_action_type(action_type: Any) -> None:
+    check_for_type_support(action_type)
+    if any(getattr(action_type, name, None) is None for name in ('Goal', 'Result', 'Feedback', 'Impl')):
+        raise RuntimeError(
+            f'The action type provided is not valid ({action_type}), this might be a service or message')

@@ -1,0 +1,397 @@
+"""Servers of actions."""
+from __future__ import annotations
+
+import inspect
+import traceback
+from collections.abc import Callable
+from enum import Enum
+from functools import partial
+from types import TracebackType
+from typing import Any
+
+from action_msgs.msg import GoalInfo, GoalStatus
+from action_msgs.srv import CancelGoal
+from rclpy.callback_groups import CallbackGroup
+from rclpy.executors import await_or_execute
+from rclpy.qos import (
+    QoSProfile, qos_profile_action_status_default, qos_profile_default, qos_profile_services_default,
+)
+from rclpy.task import Future
+from rclpy.time import Time
+from rclpy.type_support import check_is_valid_action_type
+from rclpy.waitable import Waitable
+from ros2wasm.constants import EndpointKind
+
+NS = 1_000_000_000
+OVER = (GoalStatus.STATUS_SUCCEEDED, GoalStatus.STATUS_CANCELED, GoalStatus.STATUS_ABORTED)
+NO_ID = bytes(16)
+
+
+class GoalResponse(Enum):
+    """Whether a goal is taken on."""
+
+    REJECT = 1
+    ACCEPT = 2
+
+
+class CancelResponse(Enum):
+    """Whether a goal is to be cancelled."""
+
+    REJECT = 1
+    ACCEPT = 2
+
+
+class GoalEvent(Enum):
+    """What brings a goal from one state to the next."""
+
+    EXECUTE = 1
+    CANCEL_GOAL = 2
+    SUCCEED = 3
+    ABORT = 4
+    CANCELED = 5
+
+
+_S = GoalStatus
+#: (state, event) -> state. What is not here is no transition.
+TRANSITIONS = {
+    (_S.STATUS_ACCEPTED, GoalEvent.EXECUTE): _S.STATUS_EXECUTING,
+    (_S.STATUS_ACCEPTED, GoalEvent.CANCEL_GOAL): _S.STATUS_CANCELING,
+    (_S.STATUS_EXECUTING, GoalEvent.CANCEL_GOAL): _S.STATUS_CANCELING,
+    (_S.STATUS_EXECUTING, GoalEvent.SUCCEED): _S.STATUS_SUCCEEDED,
+    (_S.STATUS_EXECUTING, GoalEvent.ABORT): _S.STATUS_ABORTED,
+    (_S.STATUS_CANCELING, GoalEvent.SUCCEED): _S.STATUS_SUCCEEDED,
+    (_S.STATUS_CANCELING, GoalEvent.ABORT): _S.STATUS_ABORTED,
+    (_S.STATUS_CANCELING, GoalEvent.CANCELED): _S.STATUS_CANCELED,
+}
+
+
+class ServerGoalHandle:
+    """A goal that was accepted."""
+
+    def __init__(self, action_server: ActionServer, goal_info: Any, goal_request: Any) -> None:
+        self._action_server = action_server
+        self._goal_info = goal_info
+        self._goal_request = goal_request
+        self._status = int(GoalStatus.STATUS_ACCEPTED)
+        #: When it came to its end, in ns; 0: it has not.
+        self._ended_ns = 0
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, ServerGoalHandle) and bool(self.goal_id == other.goal_id)
+
+    __hash__ = None  # type: ignore[assignment]
+
+    @property
+    def request(self) -> Any:
+        return self._goal_request
+
+    @property
+    def goal_id(self) -> Any:
+        return self._goal_info.goal_id
+
+    @property
+    def is_active(self) -> bool:
+        return self._status not in OVER
+
+    @property
+    def is_cancel_requested(self) -> bool:
+        return self._status == GoalStatus.STATUS_CANCELING
+
+    @property
+    def status(self) -> int:
+        return self._status
+
+    def _update_state(self, event: GoalEvent) -> None:
+        after = TRANSITIONS.get((self._status, event))
+        if after is None:
+            raise RuntimeError(
+                f'Failed to update goal state: goal_handle attempted invalid transition from state '
+                f'{self._action_server._state_name(self._status)} with event {event.name}')
+        self._status = int(after)
+        if not self.is_active:
+            self._ended_ns = self._action_server._now_ns()
+        self._action_server._publish_status()
+
+    def execute(self, execute_callback: Callable[[ServerGoalHandle], Any] | None = None) -> None:
+        """Have the callback run; the server's own when none is given."""
+        # A goal that is being cancelled stays so; its callback is to find out.
+        if not self.is_cancel_requested:
+            self._update_state(GoalEvent.EXECUTE)
+        self._action_server.notify_execute(self, execute_callback)
+
+    def publish_feedback(self, feedback: Any) -> None:
+        """Tell the client how far it is."""
+        if not isinstance(feedback, self._action_server.action_type.Feedback):
+            raise TypeError()
+        message = self._action_server.action_type.Impl.FeedbackMessage()
+        message.goal_id = self.goal_id
+        message.feedback = feedback
+        self._action_server._publish_feedback(message)
+
+    def succeed(self) -> None:
+        self._update_state(GoalEvent.SUCCEED)
+
+    def abort(self) -> None:
+        self._update_state(GoalEvent.ABORT)
+
+    def canceled(self) -> None:
+        self._update_state(GoalEvent.CANCELED)
+
+    def destroy(self) -> None:
+        """Nothing is held for it."""
+
+
+def default_handle_accepted_callback(goal_handle: ServerGoalHandle) -> None:
+    """Execute it at once."""
+    goal_handle.execute()
+
+
+def default_goal_callback(goal_request: Any) -> GoalResponse:
+    """Accept all goals."""
+    return GoalResponse.ACCEPT
+
+
+def default_cancel_callback(cancel_request: Any) -> CancelResponse:
+    """Cancel no goal."""
+    return CancelResponse.REJECT
+
+
+class ActionServer(Waitable):
+    """Takes goals. Three services and two topics, which the executor sees as one."""
+
+    def __init__(
+        self, node: Any, action_type: Any, action_name: str, execute_callback: Callable[[ServerGoalHandle], Any], *,
+        callback_group: CallbackGroup | None = None, goal_callback: Callable[[Any], Any] = default_goal_callback,
+        handle_accepted_callback: Callable[[ServerGoalHandle], Any] = default_handle_accepted_callback,
+        cancel_callback: Callable[[Any], Any] = default_cancel_callback,
+        goal_service_qos_profile: QoSProfile = qos_profile_services_default,
+        result_service_qos_profile: QoSProfile = qos_profile_services_default,
+        cancel_service_qos_profile: QoSProfile = qos_profile_services_default,
+        feedback_pub_qos_profile: QoSProfile = qos_profile_default,
+        status_pub_qos_profile: QoSProfile = qos_profile_action_status_default, result_timeout: float = 10
+    ) -> None:
+        super().__init__(callback_group or node.default_callback_group)
+        check_is_valid_action_type(action_type)
+        self.register_handle_accepted_callback(handle_accepted_callback)
+        self.register_goal_callback(goal_callback)
+        self.register_cancel_callback(cancel_callback)
+        self.register_execute_callback(execute_callback)
+        self._node = node
+        self._logger = node.get_logger().get_child('action_server')
+        self._action_type = action_type
+        self._action_name = action_name
+        self._result_timeout_ns = int(result_timeout * NS)
+        self._goal_handles: dict[bytes, ServerGoalHandle] = {}
+        self._result_futures: dict[bytes, Future] = {}
+        impl = action_type.Impl
+        full = node.resolve_service_name(action_name)
+
+        def make(kind: EndpointKind, interface: Any, part: str, qos: QoSProfile) -> Any:
+            return node._endpoint(kind, interface, f'{full}/_action/{part}', qos)
+        server, publisher = EndpointKind.SERVER, EndpointKind.PUBLISHER
+        self._goal_service = make(server, impl.SendGoalService, 'send_goal', goal_service_qos_profile)
+        self._cancel_service = make(server, impl.CancelGoalService, 'cancel_goal', cancel_service_qos_profile)
+        self._result_service = make(server, impl.GetResultService, 'get_result', result_service_qos_profile)
+        self._feedback = make(publisher, impl.FeedbackMessage, 'feedback', feedback_pub_qos_profile)
+        self._statuses = make(publisher, impl.GoalStatusMessage, 'status', status_pub_qos_profile)
+        self._services = {
+            self._goal_service.handle: (self._goal_service, impl.SendGoalService, self._on_goal),
+            self._cancel_service.handle: (self._cancel_service, impl.CancelGoalService, self._on_cancel),
+            self._result_service.handle: (self._result_service, impl.GetResultService, self._on_result),
+        }
+        self.callback_group.add_entity(self)
+        node.add_waitable(self)
+
+    @property
+    def action_type(self) -> Any:
+        return self._action_type
+
+    # ---- callbacks
+
+    def _checked(self, callback: Any, what: str) -> Any:
+        if not callable(callback):
+            raise TypeError(f"Failed to register {what} callback: not callable")
+        return callback
+
+    def register_handle_accepted_callback(self, handle_accepted_callback: Any) -> None:
+        """What is called with a goal that was accepted. None: it is executed at once."""
+        callback = default_handle_accepted_callback if handle_accepted_callback is None else handle_accepted_callback
+        self._handle_accepted_callback = self._checked(callback, 'handle accepted')
+
+    def register_goal_callback(self, goal_callback: Any) -> None:
+        """What says whether a goal is accepted. None: all are."""
+        callback = default_goal_callback if goal_callback is None else goal_callback
+        self._goal_callback = self._checked(callback, 'goal')
+
+    def register_cancel_callback(self, cancel_callback: Any) -> None:
+        """What says whether a goal is cancelled. None: none is."""
+        callback = default_cancel_callback if cancel_callback is None else cancel_callback
+        self._cancel_callback = self._checked(callback, 'cancel')
+
+    def register_execute_callback(self, execute_callback: Any) -> None:
+        """What does the work of a goal and returns its result."""
+        self._execute_callback = self._checked(execute_callback, 'execute')
+
+    # ---- for the executor
+
+    def _handles(self) -> list[int]:
+        return list(self._services)
+
+    def _ready(self) -> bool:
+        return False
+
+    def _take_call(self) -> Callable[[], Any] | None:
+        for endpoint, service, act in self._services.values():
+            taken = endpoint.take(service.Request._codec)
+            if taken is not None:
+                return partial(act, *taken)
+        return None
+
+    def _reply(self, endpoint: Any, service: Any, response: Any, header: Any) -> None:
+        if not self._destroyed:
+            endpoint.write(service.Response._codec, response, header.related_sequence, header.related_gid)
+
+    # ---- goals
+
+    def _now_ns(self) -> int:
+        return int(self._node.get_clock().now().nanoseconds)
+
+    def _state_name(self, status: int) -> str:
+        for name in ('ACCEPTED', 'EXECUTING', 'CANCELING', 'SUCCEEDED', 'CANCELED', 'ABORTED'):
+            if getattr(GoalStatus, f'STATUS_{name}') == status:
+                return name
+        return 'UNKNOWN'
+
+    async def _on_goal(self, request: Any, header: Any) -> None:
+        self._forget_old_goals()
+        service = self._action_type.Impl.SendGoalService
+        key = bytes(request.goal_id.uuid)
+        handle: ServerGoalHandle | None = None
+        info = GoalInfo(goal_id=request.goal_id)
+        if key not in self._goal_handles:
+            said = await await_or_execute(self._goal_callback, request.goal)
+            if not isinstance(said, GoalResponse):
+                self._logger.warning('Goal request callback did not return a GoalResponse type. Rejecting goal.')
+            elif said is GoalResponse.ACCEPT:
+                info.stamp = self._node.get_clock().now().to_msg()
+                handle = ServerGoalHandle(self, info, request.goal)
+                self._goal_handles[key] = handle
+                self._result_futures[key] = Future()
+        self._reply(
+            self._goal_service, service, service.Response(accepted=handle is not None, stamp=info.stamp), header)
+        if handle is None:
+            self._logger.debug(f'New goal rejected: {request.goal_id.uuid}')
+            return
+        self._logger.debug(f'New goal accepted: {request.goal_id.uuid}')
+        await await_or_execute(self._handle_accepted_callback, handle)
+
+    def notify_execute(self, goal_handle: ServerGoalHandle, execute_callback: Any) -> None:
+        """Have the executor run a goal's callback."""
+        callback = self._execute_callback if execute_callback is None else self._checked(execute_callback, 'execute')
+        self._node.executor.create_task(self._execute_goal, callback, goal_handle)
+
+    async def _execute_goal(self, execute_callback: Any, goal_handle: ServerGoalHandle) -> None:
+        goal_uuid = goal_handle.goal_id.uuid
+        self._logger.debug(f'Executing goal with ID {goal_uuid}')
+        try:
+            result = await await_or_execute(execute_callback, goal_handle)
+        except Exception as error:
+            # The client hears of the end all the same.
+            result = self._action_type.Result()
+            self._logger.error(f'Error raised in execute callback: {error}')
+            traceback.print_exc()
+        if goal_handle.is_active:
+            self._logger.warning(f'Goal state not set, assuming aborted. Goal ID: {goal_uuid}')
+            if goal_handle.status == GoalStatus.STATUS_ACCEPTED:
+                goal_handle._update_state(GoalEvent.EXECUTE)
+            goal_handle.abort()
+        self._logger.debug(f'Goal with ID {goal_uuid} finished with state {goal_handle.status}')
+        response = self._action_type.Impl.GetResultService.Response(status=goal_handle.status)
+        if result is not None:
+            response.result = result
+        future = self._result_futures.get(bytes(goal_uuid))
+        if future is not None:
+            future.set_result(response)
+
+    def _on_result(self, request: Any, header: Any) -> None:
+        service = self._action_type.Impl.GetResultService
+        future = self._result_futures.get(bytes(request.goal_id.uuid))
+        if future is None:
+            self._logger.debug(f'Sending result response for unknown goal ID: {request.goal_id.uuid}')
+            unknown = service.Response(status=GoalStatus.STATUS_UNKNOWN)
+            self._reply(self._result_service, service, unknown, header)
+            return
+
+        def answer(done: Future) -> None:
+            self._reply(self._result_service, service, done.result(), header)
+        future.add_done_callback(answer)
+
+    def _forget_old_goals(self) -> None:
+        """The result of a goal is kept for some time after its end."""
+        if self._result_timeout_ns < 0:
+            return
+        now = self._now_ns()
+        for key, handle in list(self._goal_handles.items()):
+            if handle._ended_ns and now - handle._ended_ns > self._result_timeout_ns:
+                del self._goal_handles[key], self._result_futures[key]
+
+    # ---- cancelling
+
+    def _asked_to_cancel(self, info: Any) -> list[ServerGoalHandle]:
+        """An id names one goal, a stamp all that were accepted until then, both the union, none all."""
+        wanted, until = bytes(info.goal_id.uuid), Time.from_msg(info.stamp).nanoseconds
+        if wanted == NO_ID and until == 0:
+            return list(self._goal_handles.values())
+        return [handle for key, handle in self._goal_handles.items() if key == wanted or
+                (until and Time.from_msg(handle._goal_info.stamp).nanoseconds <= until)]
+
+    async def _on_cancel(self, request: Any, header: Any) -> None:
+        response = CancelGoal.Response()
+        wanted = bytes(request.goal_info.goal_id.uuid)
+        asked = self._asked_to_cancel(request.goal_info)
+        for handle in [one for one in asked if one.is_active]:
+            said = self._cancel_callback(handle)
+            if inspect.isawaitable(said):
+                said = await said
+            # It may have come to its end meanwhile.
+            if said is not CancelResponse.ACCEPT or not handle.is_active:
+                continue
+            if not handle.is_cancel_requested:
+                handle._update_state(GoalEvent.CANCEL_GOAL)
+            response.goals_canceling.append(handle._goal_info)
+        if not response.goals_canceling:
+            own = self._goal_handles.get(wanted)
+            if wanted != NO_ID and own is None and not asked:
+                response.return_code = CancelGoal.Response.ERROR_UNKNOWN_GOAL_ID
+            elif own is not None and not own.is_active:
+                response.return_code = CancelGoal.Response.ERROR_GOAL_TERMINATED
+            else:
+                response.return_code = CancelGoal.Response.ERROR_REJECTED
+        self._reply(self._cancel_service, CancelGoal, response, header)
+
+    # ---- what clients are told
+
+    def _publish_feedback(self, message: Any) -> None:
+        self._feedback.publish(self._action_type.Impl.FeedbackMessage._codec, message)
+
+    def _publish_status(self) -> None:
+        kind = self._action_type.Impl.GoalStatusMessage
+        self._statuses.publish(kind._codec, kind(status_list=[
+            GoalStatus(goal_info=handle._goal_info, status=handle.status) for handle in self._goal_handles.values()]))
+
+    def destroy(self) -> None:
+        if self._destroyed:
+            return
+        self._destroyed = True
+        if self in self._node.waitables:
+            self._node.remove_waitable(self)
+        for endpoint in (self._goal_service, self._cancel_service, self._result_service, self._feedback, self._statuses):
+            endpoint.destroy()
+
+    def __enter__(self) -> ActionServer:
+        return self
+
+    def __exit__(
+        self, exc_type: type[BaseException] | None, exc_val: BaseException | None, exc_tb: TracebackType | None
+    ) -> None:
+        self.destroy()

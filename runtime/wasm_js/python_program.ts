@@ -9,6 +9,7 @@ import { LineWriter } from './line_writer.ts';
 import { type ProgramEnd, type ProgramHost, promiseIntegration } from './program.ts';
 import { ProgramMemory } from './program_memory.ts';
 import type { PythonProgram } from './session.ts';
+import type { Arrival } from './wasi.ts';
 
 /** What a worker needs to run a Python program. */
 export interface PythonStart extends PythonProgram {
@@ -91,22 +92,42 @@ async function withModule<T>(
   }
 }
 
-/** Tells Python of a stop while it computes: Pyodide looks at [0] now and then, and stores 0 there after each look. */
-class StopFlag {
+/** As long a thread computes before others get their turn, as in CPython. */
+const sliceMs = 5;
+/** SIGVTALRM: Python's handler lets other threads go on (threads.py). */
+const sliceSignal = 26;
+
+/**
+ * Interrupts Python while it computes: Pyodide looks at [0] now and then, and stores 0 there after each look. For a stop,
+ * which only the main thread hears of, and when a thread has run for its slice of time.
+ */
+class Interrupts {
   private readonly asked: () => boolean;
+  private readonly sliced: boolean;
   private shown = false;
   private told = false;
+  private threads = 1;
+  private mainRuns = true;
+  private sliceEnd = 0;
   /** Python waits in a suspension, out of which nobody may be interrupted: the wait itself tells. */
   suspended = false;
 
-  constructor(asked: () => boolean) {
+  /** `sliced`: threads are interrupted by time. */
+  constructor(asked: () => boolean, sliced: boolean) {
     this.asked = asked;
+    this.sliced = sliced;
   }
 
   get 0(): number {
-    if (this.told || this.suspended || !this.asked()) return 0;
-    this.shown = true;
-    return interrupt;
+    if (this.suspended) return 0;
+    if (!this.told && this.mainRuns && this.asked()) {
+      this.shown = true;
+      return interrupt;
+    }
+    if (this.threads === 1 || !this.sliceIsOver()) return 0;
+    // In the middle of our own code nobody is interrupted: it is tried again soon.
+    this.sliceEnd = performance.now() + sliceMs / 8;
+    return sliceSignal;
   }
 
   set 0(_seen: number) {
@@ -119,20 +140,59 @@ class StopFlag {
     this.told = true;
     return news;
   }
+
+  setThreads(count: number): void {
+    this.threads = count;
+  }
+
+  threadRuns(isMain: boolean): void {
+    this.mainRuns = isMain;
+    this.suspended = false;
+    this.sliceEnd = performance.now() + sliceMs;
+  }
+
+  sliceIsOver(): boolean {
+    return this.sliced && performance.now() > this.sliceEnd;
+  }
+}
+
+/** Stacks of one Python program: one runs, the others are suspended until somebody lets them go on. */
+function threadFunctions(interrupts: Interrupts): Record<string, unknown> {
+  const parked = new Map<number, () => void>();
+  return {
+    set_threads: (count: number) => interrupts.setThreads(count),
+    thread_runs: (_ident: number, isMain: boolean) => interrupts.threadRuns(isMain),
+    slice_is_over: () => interrupts.sliceIsOver(),
+    begin_thread: (begin: PyCallable) => {
+      const kept = begin.copy() as PyCallable;
+      queueMicrotask(() => void kept.callPromising().then(() => kept.destroy()));
+    },
+    park: (ident: number) => {
+      interrupts.suspended = true;
+      return new Promise<void>((resolve) => parked.set(ident, resolve));
+    },
+    unpark: (ident: number) => {
+      parked.get(ident)?.();
+      parked.delete(ident);
+    },
+  };
+}
+
+/** 1: input is there, 0: none is, 2: a stop came. */
+function arrived(arrival: Arrival): number {
+  return { input: 1, timeout: 0, stop: 2 }[arrival];
 }
 
 /** The module `ros2wasm_host` of Python. */
-function hostModule(host: ProgramHost, memory: ProgramMemory, stop: StopFlag): Record<string, unknown> {
+function hostModule(host: ProgramHost, memory: ProgramMemory, stop: Interrupts): Record<string, unknown> {
   const { link } = host;
   const imports = hostImports(link, () => memory, host.idle, host.sent);
   const buffers: PyBuffer[] = [];
   const suspending = (f: (...args: never[]) => unknown) => (...args: never[]): unknown => {
     const result = f(...args);
-    if (!(result instanceof Promise)) return result;
-    stop.suspended = true;
-    return result.finally(() => {
-      stop.suspended = false;
-    });
+    // Until Python is back (`resumed`): Pyodide runs code of its own when a promise is kept.
+    if (result instanceof Promise) stop.suspended = true;
+    return result;
   };
   // Here and not in Python: an interrupt between the end of a suspension and Python's look at its result would be lost.
   const told = (result: number): number => result === WaitResult.stop && !stop.take() ? WaitResult.woken : result;
@@ -149,8 +209,15 @@ function hostModule(host: ProgramHost, memory: ProgramMemory, stop: StopFlag): R
       host.idle();
       return host.input.read(capacity);
     }),
-    /** Results of the four above may be promises. */
-    suspends: link.kind === 'port',
+    /** Results of the four above may be promises, and of this one. */
+    input_is_there: suspending(() => {
+      const there = host.input.arrives(0);
+      return there instanceof Promise ? there.then(arrived) : arrived(there);
+    }),
+    ...threadFunctions(stop),
+    resumed: () => {
+      stop.suspended = false;
+    },
     take_stop: () => stop.take(),
     /** Where the bytes of a bytearray lie, which stay there for good. */
     address: (bytes: PyProxy): number => {
@@ -186,8 +253,8 @@ async function load(
 
 /** Runs the entry to its end. */
 export const runPython: RunPython = async (module, start, host, files) => {
-  const suspends = host.link.kind === 'port';
-  if (suspends && promiseIntegration() === undefined) {
+  const suspends = promiseIntegration() !== undefined;
+  if (host.link.kind === 'port' && !suspends) {
     return crash('R2W0705', 'this browser can neither share memory with this page nor suspend a program');
   }
   const out = { stdout: new LineWriter((l) => host.line('stdout', l)), stderr: new LineWriter((l) => host.line('stderr', l)) };
@@ -203,7 +270,7 @@ export const runPython: RunPython = async (module, start, host, files) => {
     });
     python.setStdout(writer('stdout'));
     python.setStderr(writer('stderr'));
-    const stop = new StopFlag(() => host.link.stopRequested());
+    const stop = new Interrupts(() => host.link.stopRequested(), !host.stepped);
     python.registerJsModule('ros2wasm_host', hostModule(host, memory, stop));
     for (const bytes of await Promise.all(archives)) python.unpackArchive(bytes, 'zip', { extractDir: prefix });
     const globals = python.toPy({ path: sitePackages }) as PyDict;

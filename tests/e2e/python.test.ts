@@ -19,12 +19,13 @@ let folder = '';
 let browser: Browser | undefined;
 
 before(async () => {
-  // Compiled: talker-1, listener-2; Python: count-3, hear-4, one_thread-5.
+  // Compiled: talker-1, listener-2; Python: count-3, hear-4, threads-5, errands-6.
   folder = makeSite([{ program: 'talker.c' }, { program: 'listener.c' }], {}, {}, {
     nodes: [
       { entry: 'chatter_py.count:main', executable: 'count' },
       { entry: 'chatter_py.hear:main', executable: 'hear', arguments: ['--ros-args', '-r', '__node:=ears'] },
-      { entry: 'lib/chatter_py/one_thread', executable: 'one_thread' },
+      { entry: 'lib/chatter_py/threads', executable: 'threads' },
+      { entry: 'chatter_py.errands:main', executable: 'errands' },
     ],
     packages: ownPackage('chatter_py'),
   });
@@ -40,8 +41,19 @@ after(async () => {
 const wanted: Readonly<Record<string, RegExp>> = {
   'Python hears Python': /^\[hear-4\] \[INFO\] \[\d+\.\d{9}\] \[ears\]: heard <Python counts \d+>$/,
   'Python hears the compiled one': /^\[hear-4\] .*heard <Hello World: \d+>$/,
-  'R2W0714: a thread is refused': /^\[one_thread-5\] error\[R2W0714\]: can't start new thread/,
-  'a script sleeps and reads the clocks': /^\[one_thread-5\] slept True True$/,
+  'threads sleep side by side': /^\[threads-5\] slept side by side True$/,
+  'threads wait for each other': /^\[threads-5\] a queue hands over \[\('taker', 1\), \('taker', 2\), \('taker', 3\)\]$/,
+  'threads that only compute let each other go on': /^\[threads-5\] both compute True$/,
+  'a pool of threads': /^\[threads-5\] a pool maps \[0, 1, 4, 9, 16\]$/,
+  'conditions, and data of one thread': /^\[threads-5\] a condition is told True \[False\]$/,
+  'a traceback of a thread': /^\[threads-5\] LookupError: nothing here$/,
+  'a script sleeps and reads the clocks': /^\[threads-5\] slept True True$/,
+  'the program ends with its last thread': /^\[threads-5\] the last thread ends the program$/,
+  'a goal is rejected': /^\[errands-6\] rejected True$/,
+  'a goal is deferred, tells how far it is, and succeeds':
+    /^\[errands-6\] done True 4 \[0, 1, 1, 2, 3\] \[3, 4, 5\]$/,
+  'a goal is cancelled while it sleeps': /^\[errands-6\] cancelled 1 5$/,
+  'an executor and its threads end': /^\[errands-6\] errands are done$/,
   'the compiled one hears Python': /^\[listener-2\] I heard: \[Python counts \d+\]/,
 };
 
@@ -65,7 +77,7 @@ for (const link of ['shared', 'port']) {
     assert.equal(code, 130, err);
     // As natively: KeyboardInterrupt comes out of spin, and who caught it ends well.
     assert.equal(said.at(-1), '[hear-4] stopped by hand, something heard', said.slice(-30).join('\n'));
-    for (const node of ['count-3', 'hear-4']) assert.match(err, new RegExp(`\\[${node}\\] process has finished cleanly`));
+    for (const node of ['count-3', 'hear-4', 'threads-5', 'errands-6']) assert.match(err, new RegExp(`\\[${node}\\] process has finished cleanly`));
   });
 }
 
@@ -80,6 +92,10 @@ for (const [link, isolated] of [['shared', true], ['port', false]] as const) {
       await page.waitForFunction(
         () => /\[ears\]: heard <Python counts \d+>/.test(document.body?.textContent ?? ''), null, { timeout: 200_000 });
       assert.equal(await page.evaluate(() => crossOriginIsolated), isolated);
+      // Threads suspend each other here too.
+      await page.waitForFunction(
+        () => ['the last thread ends the program', 'errands are done'].every((line) => document.body?.textContent?.includes(line)),
+        null, { timeout: 200_000 });
       // Compiled once by the page: no worker asks for it again.
       assert.equal(host.requests.filter((path) => path.endsWith('pyodide.asm.wasm')).length, 1);
     } finally {

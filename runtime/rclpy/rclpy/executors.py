@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import inspect
 import time
+import warnings
 from collections import deque
 from collections.abc import Callable, Coroutine
 from functools import partial
@@ -94,6 +95,8 @@ class Executor:
         self._timers: list[tuple[Timer, Any]] = []
         self._guards: list[tuple[GuardCondition, Any]] = []
         self._waitables: list[tuple[Any, Any]] = []
+        #: Calls are made in other threads than the one that spins.
+        self._in_threads = False
         self._context.on_shutdown(self.wake)
 
     @property
@@ -219,6 +222,7 @@ class Executor:
                 if task.done():
                     self._forget((task, owner, of))
                     continue
+                task._claimed = True
                 return Work(partial(self._step, entity), owner, of)
             group = entity.callback_group
             if entity._destroyed or (group is not None and not group.beginning_execution(entity)):
@@ -245,6 +249,7 @@ class Executor:
 
     def _step(self, entry: tuple[Task, Any, Any]) -> None:
         task = entry[0]
+        task._claimed = False
         task()
         if task.done():
             self._forget(entry)
@@ -297,6 +302,9 @@ class Executor:
             if held:
                 group.ending_execution(entity)
             self._end_giving_way()
+            if self._in_threads:
+                # Others of the group may be called now, by whoever spins.
+                host.wake()
 
     def _next_work(self, timeout_ns: int, condition: Callable[[], bool]) -> Work:
         """Wait for work. Raises TimeoutException, ShutdownException or ConditionReachedException."""
@@ -383,23 +391,66 @@ class SingleThreadedExecutor(Executor):
     """One callback after the other."""
 
 
+#: As many as on a machine of the usual size: there is no other number here.
+DEFAULT_THREADS = 4
+
+
 class MultiThreadedExecutor(Executor):
     """
-    Runs callbacks of different groups side by side.
+    Runs callbacks of different groups side by side, in threads of its own.
 
-    There is one thread: a callback that waits for a service lets those of other groups run meanwhile, one that sleeps
-    does not.
+    Where the browser cannot suspend a program there is one thread: a callback that waits for a service lets those of
+    other groups run meanwhile, one that sleeps does not.
     """
 
     def __init__(self, num_threads: int | None = None, *, context: Context | None = None) -> None:
         super().__init__(context=context)
-        self._num_threads = num_threads
+        self._num_threads = DEFAULT_THREADS if num_threads is None else num_threads
+        if self._num_threads == 1:
+            warnings.warn('MultiThreadedExecutor is used with a single thread.\n'
+                          'Use the SingleThreadedExecutor instead.', stacklevel=2)
+        self._in_threads = host.can_switch()
+        self._futures: list[Any] = []
+        self._executor: Any = None
+        if self._in_threads:
+            from concurrent.futures import ThreadPoolExecutor
+            self._executor = ThreadPoolExecutor(self._num_threads)
+        #: Callbacks that wait for a service, one within the other.
+        self._depth = 0
+
+    def _spin_once_impl(
+        self, timeout_sec: float | None = None, condition: Callable[[], bool] = lambda: False
+    ) -> None:
+        if not self._in_threads:
+            super()._spin_once_impl(timeout_sec, condition)
+            return
+        try:
+            work = self._next_work(timeout_sec_to_nsec(timeout_sec), condition)
+        except (ExternalShutdownException, ShutdownException, TimeoutException, ConditionReachedException):
+            return
+        self._futures.append(self._executor.submit(work.call))
+        for future in [one for one in self._futures if one.done()]:
+            self._futures.remove(future)
+            # What a callback raised comes out here.
+            future.result()
+
+    def shutdown(self, timeout_sec: float | None = None, *, wait_for_threads: bool = True) -> bool:
+        done = super().shutdown(timeout_sec)
+        if self._executor is not None:
+            self._executor.shutdown(wait=wait_for_threads)
+        return done
 
     def _run_meanwhile(self, token: int) -> bool:
+        if self._in_threads or self._depth >= self._num_threads:
+            return False
         self._refresh()
         work = self._pop_or_collect()
         if work is not None:
-            work.call()
+            self._depth += 1
+            try:
+                work.call()
+            finally:
+                self._depth -= 1
             return True
         if self._end_giving_way():
             host.wait(token, 0)

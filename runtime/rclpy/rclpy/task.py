@@ -133,6 +133,8 @@ class Task(Future):
             self._args = args or []
             self._kwargs = kwargs or {}
         self._executing = False
+        #: A thread is about to step it.
+        self._claimed = False
         #: What its last step yielded: a future, or anything else to give way once.
         self._yielded: Any = None
         self._gave_way = False
@@ -166,7 +168,7 @@ class Task(Future):
 
     def _is_due(self) -> bool:
         """Can it be stepped, or forgotten, now?"""
-        if self._executing:
+        if self._executing or self._claimed:
             return False
         if self.done():
             return True

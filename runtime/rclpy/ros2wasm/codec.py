@@ -108,7 +108,7 @@ class Writer:
     def compile(self, name: str, parameters: str, result: str) -> Callable[..., Any]:
         self.flush()
         text = '\n'.join([f'def {name}({parameters}):', *self.lines, f'    return {result}'])
-        exec(compile(text, f'<{name}>', 'exec'), self.names)
+        exec(compile(text, f'<ros2wasm {name}>', 'exec'), self.names)
         made: Callable[..., Any] = self.names[name]
         return made
 

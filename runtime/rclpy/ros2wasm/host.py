@@ -11,13 +11,15 @@ import time
 from typing import Any, NamedTuple
 
 import ros2wasm_host as js
-from pyodide.ffi import run_sync
+from pyodide.ffi import can_run_sync, run_sync
 
 from ros2wasm.constants import (
     ENDPOINT_DESC_FORMAT, ENDPOINT_STATUS_FORMAT, SAMPLE_INFO_FORMAT, EndpointKind, ErrorCode, StatusKind, WaitResult,
 )
 
 WOKEN, TIMEOUT, STOP = int(WaitResult.WOKEN), int(WaitResult.TIMEOUT), int(WaitResult.STOP)
+#: What js.input_is_there says.
+INPUT, INPUT_STOP = 1, 2
 NOTHING = int(ErrorCode.NOTHING)
 #: A message begins behind the 4 bytes of its CDR header, at a multiple of 8.
 HEADER_AT, PAYLOAD_AT = 4, 8
@@ -28,7 +30,8 @@ FIRST_CAPACITY = 1 << 16
 MOST_READY = 1024
 LOW = 0xFFFFFFFF
 
-suspends: bool = js.suspends
+#: The program's threads, once they are installed (threads.py).
+threads: Any = None
 
 
 class BusError(RuntimeError):
@@ -123,7 +126,7 @@ def _told(result: int) -> int:
 
 def _stopped() -> None:
     """A stop is delivered once, whoever hears of it first."""
-    if js.take_stop():
+    if take_stop():
         interrupt()
 
 
@@ -132,15 +135,78 @@ def wake_token() -> int:
     return token
 
 
+def _settled(result: Any) -> int:
+    """What the link says at once, or after a suspension."""
+    settled: int = result if result.__class__ is int else suspend(result)
+    return settled
+
+
+def suspend(promise: Any) -> Any:
+    """Wait for a promise of the host; nobody is interrupted meanwhile."""
+    try:
+        return run_sync(promise)
+    finally:
+        js.resumed()
+
+
+def wait_on_link(token: int, timeout_ns: int) -> int:
+    """As wait, for the whole program; a stop is only told of."""
+    return _settled(js.wait(token, timeout_ns & LOW, timeout_ns >> 32))
+
+
 def wait(token: int, timeout_ns: int) -> int:
     """Wait for an event after the token, a stop, or so long. Negative: without end."""
-    result = js.wait(token, timeout_ns & LOW, timeout_ns >> 32)
-    return _told(run_sync(result) if suspends else result)
+    if threads is not None and threads.count > 1:
+        return _told(threads.wait(token, timeout_ns))
+    return _told(wait_on_link(token, timeout_ns))
 
 
 def sleep(duration_ns: int) -> int:
-    result = js.sleep(duration_ns & LOW, duration_ns >> 32)
-    return _told(run_sync(result) if suspends else result)
+    if threads is not None and threads.count > 1:
+        return _told(threads.sleep(duration_ns))
+    return _told(_settled(js.sleep(duration_ns & LOW, duration_ns >> 32)))
+
+
+def look_up() -> None:
+    """Let other threads go on when this one has run for long."""
+    if threads is not None and threads.count > 1:
+        threads.look_up()
+
+
+def can_switch() -> bool:
+    """Whether the present stack can rest while others run."""
+    return bool(can_run_sync())
+
+
+def set_threads(count: int) -> None:
+    js.set_threads(count)
+
+
+def thread_runs(ident: int, is_main: bool) -> None:
+    js.thread_runs(ident, is_main)
+
+
+def begin_thread(begin: Any) -> None:
+    """Call it on a stack of its own as soon as the present one rests."""
+    js.begin_thread(begin)
+
+
+def park(ident: int) -> None:
+    """Rest until unpark says so."""
+    run_sync(js.park(ident))
+
+
+def unpark(ident: int) -> None:
+    js.unpark(ident)
+
+
+def slice_is_over() -> bool:
+    return bool(js.slice_is_over())
+
+
+def take_stop() -> bool:
+    """Whether a stop is news; it is none from then on."""
+    return bool(js.take_stop())
 
 
 def wake() -> None:
@@ -153,9 +219,18 @@ def stop_requested() -> bool:
 
 def read_input(capacity: int) -> bytes | None:
     """Wait for standard input. Empty: there will be no more; None: a stop."""
+    while threads is not None and threads.count > 1:
+        token = wake_token()
+        arrived = _settled(js.input_is_there())
+        if arrived == INPUT:
+            break
+        if arrived == INPUT_STOP:
+            threads.stopped()
+        elif wait(token, -1) == STOP:
+            return None
     result = js.read_input(capacity)
-    if suspends and hasattr(result, 'then'):
-        result = run_sync(result)
+    if result is not None and hasattr(result, 'then'):
+        result = suspend(result)
     if result is None:
         _stopped()
         return None
@@ -251,9 +326,10 @@ class Endpoint:
         _info.view[:] = NO_INFO
         result = js.write(self.handle, _out.address + HEADER_AT, end - HEADER_AT, _info.address)
         if result.__class__ is not int:
-            result = run_sync(result)
+            result = suspend(result)
         if result < 0:
             self._refused(result)
+        look_up()
 
     def write_bytes(self, data: bytes) -> SampleInfo:
         """Send what is serialised already."""
@@ -267,9 +343,7 @@ class Endpoint:
             _out.view[HEADER_AT:PAYLOAD_AT] = CDR_HEADER
 
     def _send(self, address: int, length: int) -> SampleInfo:
-        result = js.write(self.handle, address, length, _info.address)
-        if result.__class__ is not int:
-            result = run_sync(result)
+        result = _settled(js.write(self.handle, address, length, _info.address))
         if result < 0:
             self._refused(result)
         return SampleInfo(*_info_struct.unpack_from(_info.view))

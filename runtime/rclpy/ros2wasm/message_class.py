@@ -123,10 +123,10 @@ class Checks:
 
 
 def as_array(code: str) -> Callable[[Any], Any]:
-    """What a sequence field of numbers makes of a value: always an array of its own."""
+    """What a sequence field of numbers makes of a value: an array, the given one if it is of the kind."""
     def convert(value: Any) -> Any:
         if isinstance(value, array) and value.typecode == code:
-            return value[:]
+            return value
         if code == 'B' and isinstance(value, (bytes, bytearray, memoryview)):
             return array('B', bytes(value))
         if hasattr(value, 'astype'):
@@ -142,7 +142,7 @@ def as_fixed_array(code: str) -> Callable[[Any], Any]:
 
     def convert_fixed(value: Any) -> Any:
         numpy = find_numpy()
-        return convert(value) if numpy is None else numpy.array(value, dtype=numpy.dtype(code))
+        return convert(value) if numpy is None else numpy.asarray(value, dtype=numpy.dtype(code))
     return convert_fixed
 
 
@@ -267,7 +267,7 @@ def constructor(structure: Structure, find: Callable[[str], Any]) -> Callable[..
             lines.append(f'    self._{field.name} = d{i}()')
     lines += ['    if kwargs:', '        fill(self, kwargs)']
     names['fill'] = fill
-    exec('\n'.join(lines), names)
+    exec(compile('\n'.join(lines), '<ros2wasm __init__>', 'exec'), names)
     made: Callable[..., None] = names['__init__']
     return made
 

@@ -11,10 +11,11 @@ import signal
 import sys
 import threading
 import time
+import traceback
 from types import TracebackType
 from typing import Any
 
-from ros2wasm import host, import_hook
+from ros2wasm import host, import_hook, threads
 
 NS = 1_000_000_000
 INTERRUPTED = -int(signal.SIGINT)
@@ -56,17 +57,10 @@ def ask(prompt: object = '', /) -> str:
     return line.rstrip('\n')
 
 
-def refuse_thread(_thread: threading.Thread) -> None:
-    """In place of Thread.start."""
-    raise RuntimeError(
-        "error[R2W0714]: can't start new thread: a Python node runs in one thread here. Give the work to a timer, "
-        'to a callback group of a MultiThreadedExecutor, or to a node of its own')
-
-
 def install() -> None:
     """Put what waits on the link in place of what would block the worker or fail."""
     setattr(time, 'sleep', sleep)
-    setattr(threading.Thread, 'start', refuse_thread)
+    threads.install()
     sys.stdin = io.TextIOWrapper(io.BufferedReader(StandardInput()), encoding='utf-8')
     builtins.input = ask
     sys.dont_write_bytecode = True
@@ -99,12 +93,21 @@ def exit_code(reason: object) -> int:
     return 1
 
 
-def users_part(traceback: TracebackType | None) -> TracebackType | None:
+def users_part(whole: TracebackType | None) -> TracebackType | None:
     """Without our frames at its begin; all of it when there is nothing else."""
-    part = traceback
+    part = whole
     while part is not None and part.tb_frame.f_code.co_filename.startswith(OWN_FILES):
         part = part.tb_next
-    return part or traceback
+    return part or whole
+
+
+def wait_for_threads() -> None:
+    """Those that are no daemons go on to their end, as natively."""
+    try:
+        getattr(threading, '_shutdown')()
+    except KeyboardInterrupt as error:
+        sys.stderr.write(f'Exception ignored in: {threading!r}\n')
+        traceback.print_exception(error)
 
 
 def run(entry: str, prefix: str, arguments: Any) -> int:
@@ -119,6 +122,7 @@ def run(entry: str, prefix: str, arguments: Any) -> int:
     except BaseException as error:
         sys.excepthook(type(error), error, users_part(error.__traceback__))
         code = INTERRUPTED if isinstance(error, KeyboardInterrupt) else 1
+    wait_for_threads()
     atexit._run_exitfuncs()
     sys.stdout.flush()
     sys.stderr.flush()

@@ -54,6 +54,7 @@ class ExecutorTest(unittest.TestCase):
         install(cls)
         ffi = types.ModuleType('pyodide.ffi')
         setattr(ffi, 'run_sync', lambda result: result)
+        setattr(ffi, 'can_run_sync', lambda: False)
         cls.enterClassContext(mock.patch.dict(
             sys.modules, {'ros2wasm_host': FakeHost(), 'pyodide': types.ModuleType('pyodide'), 'pyodide.ffi': ffi}))
         cls.rclpy = importlib.import_module('rclpy')
@@ -105,6 +106,35 @@ class ExecutorTest(unittest.TestCase):
         second.add_done_callback(lambda _: future.set_result(first.done()))
         self.assertTrue(self.spin(future))
         self.assertEqual(said, ['a0', 'b0', 'a1', 'b1', 'a2', 'b2'])
+
+    def test_a_thread_is_refused_where_nothing_can_be_suspended(self) -> None:
+        threads = importlib.import_module('ros2wasm.threads').threads
+        with self.assertRaisesRegex(RuntimeError, 'R2W0714.*start new thread'):
+            threads.start(print, ())
+
+    def test_a_lock_is_taken_and_given_back(self) -> None:
+        lock = importlib.import_module('ros2wasm.threads').Lock()
+        self.assertTrue(lock.acquire())
+        self.assertFalse(lock.acquire(blocking=False))
+        self.assertFalse(lock.acquire(timeout=0))
+        lock.release()
+        self.assertFalse(lock.locked())
+        with self.assertRaisesRegex(RuntimeError, 'release unlocked lock'):
+            lock.release()
+        with self.assertRaises(ValueError):
+            lock.acquire(False, 1)
+
+    def test_callbacks_that_wait_nest_as_deep_as_there_are_threads(self) -> None:
+        executor = self.rclpy.executors.MultiThreadedExecutor(2, context=self.executor.context)
+        depths: list[int] = []
+
+        def wait() -> None:
+            depths.append(executor._depth)
+            executor._run_meanwhile(0)
+        for _ in range(4):
+            executor.create_task(wait)
+        executor.spin_once(timeout_sec=0)
+        self.assertEqual(depths, [0, 1, 2])
 
     def test_a_task_may_end_its_executor(self) -> None:
         self.executor.create_task(self.executor.shutdown)

@@ -41,6 +41,9 @@ class MessagesTest(unittest.TestCase):
         module = importlib.import_module('sensor_msgs.msg')
         scan = module.LaserScan(ranges=[1, 2])
         self.assertEqual(scan.ranges, array('f', [1, 2]))
+        ranges = array('f', [3])
+        scan.ranges = ranges
+        self.assertIs(scan.ranges, ranges)
         self.assertIs(importlib.import_module('sensor_msgs.msg._laser_scan').LaserScan, module.LaserScan)
         self.assertEqual(module.BatteryState.POWER_SUPPLY_STATUS_FULL, 4)
         with self.assertRaises(AttributeError):

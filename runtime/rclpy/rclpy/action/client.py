@@ -174,8 +174,9 @@ class ActionClient(Waitable):
         future = Future(executor=self._node.executor)
 
         def answered(response: Future) -> None:
-            if response.exception() is not None:
-                future.set_exception(response.exception())
+            error = response.exception()
+            if error is not None:
+                future.set_exception(error)
                 return
             handle = ClientGoalHandle(self, request.goal_id, response.result())
             if handle.accepted:
@@ -214,8 +215,9 @@ class ActionClient(Waitable):
         future = Future(executor=self._node.executor)
 
         def answered(response: Future) -> None:
-            if response.exception() is not None:
-                future.set_exception(response.exception())
+            error = response.exception()
+            if error is not None:
+                future.set_exception(error)
                 return
             goal_handle._status = response.result().status
             self._feedback_callbacks.pop(key, None)

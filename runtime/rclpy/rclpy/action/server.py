@@ -23,7 +23,7 @@ from rclpy.waitable import Waitable
 from ros2wasm.constants import EndpointKind
 
 NS = 1_000_000_000
-OVER = (GoalStatus.STATUS_SUCCEEDED, GoalStatus.STATUS_CANCELED, GoalStatus.STATUS_ABORTED)
+OVER: tuple[int, ...] = (GoalStatus.STATUS_SUCCEEDED, GoalStatus.STATUS_CANCELED, GoalStatus.STATUS_ABORTED)
 NO_ID = bytes(16)
 
 
@@ -95,7 +95,8 @@ class ServerGoalHandle:
 
     @property
     def is_cancel_requested(self) -> bool:
-        return self._status == GoalStatus.STATUS_CANCELING
+        canceling: int = GoalStatus.STATUS_CANCELING
+        return self._status == canceling
 
     @property
     def status(self) -> int:
@@ -385,7 +386,9 @@ class ActionServer(Waitable):
         self._destroyed = True
         if self in self._node.waitables:
             self._node.remove_waitable(self)
-        for endpoint in (self._goal_service, self._cancel_service, self._result_service, self._feedback, self._statuses):
+        for endpoint in (
+            self._goal_service, self._cancel_service, self._result_service, self._feedback, self._statuses
+        ):
             endpoint.destroy()
 
     def __enter__(self) -> ActionServer:

@@ -35,6 +35,8 @@ export interface Broker {
   rests(participant: number, rest: Rest): void;
   /** The page itself has written. */
   wrote(): void;
+  /** Calls `then` when the time has passed, in a stepped run that of the site; the result takes it back. */
+  after(ms: number, then: () => void): () => void;
   /** As SIGINT. */
   stop(participant: number): void;
   /** The worker is terminated: its endpoints vanish. `closed`: it took its leave itself. */
@@ -54,6 +56,11 @@ export interface SharedBrokerOptions extends BusOptions {
 /** Of a stepped run. With a random session the gids, and what programs make of them, would differ from run to run. */
 export function steppedBus(seed: number): SharedBrokerOptions {
   return { session: [0, seed], stepped: true };
+}
+
+function afterRealTime(ms: number, then: () => void): () => void {
+  const timer = setTimeout(then, ms);
+  return () => clearTimeout(timer);
 }
 
 export class SharedBroker implements Broker {
@@ -90,6 +97,10 @@ export class SharedBroker implements Broker {
 
   wrote(): void {
     this.conductor?.conduct();
+  }
+
+  after(ms: number, then: () => void): () => void {
+    return this.conductor === undefined ? afterRealTime(ms, then) : this.conductor.after(ms * 1e6, then);
   }
 
   stop(participant: number): void {
@@ -282,6 +293,10 @@ export class PortBroker implements Broker {
   rests(): void {}
 
   wrote(): void {}
+
+  after(ms: number, then: () => void): () => void {
+    return afterRealTime(ms, then);
+  }
 
   stop(participant: number): void {
     this.controls.get(participant)?.postMessage({ t: 'stop' });

@@ -8,10 +8,16 @@ import type { Rest } from './turns.ts';
 /** Steady time at which every stepped run begins: 1,700,000,001 s after 1970. */
 const beginNs = 1e9;
 
+interface Alarm {
+  readonly atNs: number;
+  readonly ring: () => void;
+}
+
 export class Conductor {
   private readonly bus: Bus;
   /** By participant, in the order of their places; undefined: is starting or has its turn. */
   private readonly resting = new Map<number, Rest | undefined>();
+  private readonly alarms = new Set<Alarm>();
   private last = -1;
   private nowNs = beginNs;
   private endNs = Infinity;
@@ -22,7 +28,8 @@ export class Conductor {
     this.setTime();
   }
 
-  /** Nobody gets a turn after `ns` of site time since the begin; when all turns before are over, `then` is called. */
+  /** Nobody gets a turn after `ns` of site time since the begin; when all turns before are over, `then` is called:
+   * at once when nobody is there. */
   runUntil(ns: number, then: () => void): void {
     this.endNs = beginNs + ns;
     this.ended = then;
@@ -39,6 +46,13 @@ export class Conductor {
     this.conduct();
   }
 
+  /** Calls `ring` when `ns` of site time have passed and everybody rests; the result takes it back. */
+  after(ns: number, ring: () => void): () => void {
+    const alarm = { atNs: this.nowNs + ns, ring };
+    this.alarms.add(alarm);
+    return () => void this.alarms.delete(alarm);
+  }
+
   /** The participant has ended. */
   leaves(participant: number): void {
     if (this.resting.delete(participant)) this.conduct();
@@ -46,29 +60,42 @@ export class Conductor {
 
   /** Gives the next turn when nobody has one. To be called after everything that comes from outside of the site. */
   conduct(): void {
-    const places = [...this.resting.keys()].sort((a, b) => a - b);
-    if (places.length === 0 || [...this.resting.values()].includes(undefined)) return;
-    const order = [...places.filter((place) => place > this.last), ...places.filter((place) => place <= this.last)];
-    let next = order.find((place) => this.ready(place));
-    if (next === undefined) {
-      const earliest = Math.min(...[...this.resting.values()].map((rest) => rest?.untilNs ?? Infinity));
-      const end = earliest > this.endNs;
+    while (![...this.resting.values()].includes(undefined)) {
+      const next = this.nextReady();
+      if (next !== undefined) {
+        this.last = next;
+        this.resting.set(next, undefined);
+        const word = this.bus.participantWord(next) + BusParticipant.turn;
+        Atomics.add(this.bus.i32, word, 1);
+        Atomics.notify(this.bus.i32, word);
+        return;
+      }
+      const earliest = this.earliest();
       const until = Math.min(earliest, this.endNs);
       if (until === Infinity) return;
       this.nowNs = until;
       this.setTime();
-      if (end) {
+      if (earliest > this.endNs) {
         this.ended();
         return;
       }
-      next = order.find((place) => this.ready(place));
+      for (const alarm of [...this.alarms]) {
+        if (alarm.atNs <= this.nowNs && this.alarms.delete(alarm)) alarm.ring();
+      }
     }
-    if (next === undefined) return;
-    this.last = next;
-    this.resting.set(next, undefined);
-    const word = this.bus.participantWord(next) + BusParticipant.turn;
-    Atomics.add(this.bus.i32, word, 1);
-    Atomics.notify(this.bus.i32, word);
+  }
+
+  /** In turn, beginning behind the one that was last. */
+  private nextReady(): number | undefined {
+    const places = [...this.resting.keys()].sort((a, b) => a - b);
+    const order = [...places.filter((place) => place > this.last), ...places.filter((place) => place <= this.last)];
+    return order.find((place) => this.ready(place));
+  }
+
+  /** What anybody waits for; Infinity: only for what others do, or nobody is there. */
+  private earliest(): number {
+    const rests = [...this.resting.values()].map((rest) => rest?.untilNs ?? Infinity);
+    return Math.min(...rests, ...[...this.alarms].map(({ atNs }) => atNs));
   }
 
   private ready(participant: number): boolean {

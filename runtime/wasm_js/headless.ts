@@ -2,7 +2,6 @@
 // [--stepped [--seed N]] [--trace FILE]
 // stdout is what the nodes print, as `ros2 launch` shows it. Exit code: 0 met, 1 not met, 2 command line, 130 Ctrl-C.
 
-import { createHash } from 'node:crypto';
 import { writeFileSync } from 'node:fs';
 import { isMainThread, parentPort, workerData } from 'node:worker_threads';
 import { parseArgs } from 'node:util';
@@ -96,13 +95,14 @@ export async function runHeadless(options: Options, entry: URL): Promise<number>
   });
   let met = false;
   const trace = new MessageTrace();
+  const traceLines: string[] = [];
 
   const session = new SiteSession({
     site,
     platform,
     broker,
     ...(options.stepped === undefined ? {} : { stepped: options.stepped }),
-    ...(options.trace === undefined ? {} : { onSent: (node, message) => trace.add(node.id, message) }),
+    ...(options.trace === undefined ? {} : { onSent: (node, message) => void traceLines.push(trace.add(node.id, message)) }),
     onLines: (node, lines, dropped) => {
       if (met) return;
       if (dropped > 0) process.stderr.write(`[${node.id}] ... ${dropped} lines were dropped\n`);
@@ -155,18 +155,17 @@ export async function runHeadless(options: Options, entry: URL): Promise<number>
   };
   const { forMs } = options;
   const timer = forMs === undefined || options.stepped !== undefined ? undefined : setTimeout(timeIsOver, forMs);
-  if (forMs !== undefined && broker instanceof SharedBroker) broker.conductor?.runUntil(forMs * 1e6, timeIsOver);
 
   session.startAll();
+  if (forMs !== undefined && broker instanceof SharedBroker) broker.conductor?.runUntil(forMs * 1e6, timeIsOver);
   const code = await finished;
   clearTimeout(timer);
   process.off('SIGINT', stop);
   process.off('SIGTERM', stop);
   if (options.trace !== undefined) {
     const { messages } = trace;
-    const text = trace.text();
-    writeFileSync(options.trace, text);
-    const sha256 = createHash('sha256').update(text).digest('hex');
+    const sha256 = trace.sha256();
+    writeFileSync(options.trace, traceLines.join(''));
     if (options.json) event({ event: 'trace', messages, sha256 });
     else process.stderr.write(`trace: ${messages} messages, sha256 ${sha256}\n`);
   }

@@ -2,6 +2,7 @@
 
 import { SampleInfoLayout } from '../protocol/generated/constants.ts';
 import type { ProgramMemory } from './program_memory.ts';
+import { RunningSha256 } from './running_sha256.ts';
 
 export interface SentMessage {
   /** Of the topic or service. */
@@ -37,19 +38,22 @@ export function sentMessage(
   };
 }
 
-/** The messages of a run, one line each. */
+/** The messages of a run, one line each: how many, and the hash of the lines, which are not kept. */
 export class MessageTrace {
-  private readonly lines: string[] = [];
+  messages = 0;
+  private readonly hash = new RunningSha256();
+  private readonly encoder = new TextEncoder();
 
-  add(node: string, message: SentMessage): void {
-    this.lines.push(`${JSON.stringify({ node, ...message })}\n`);
+  /** Returns the line. */
+  add(node: string, message: SentMessage): string {
+    const line = `${JSON.stringify({ node, ...message })}\n`;
+    this.messages += 1;
+    this.hash.add(this.encoder.encode(line));
+    return line;
   }
 
-  get messages(): number {
-    return this.lines.length;
-  }
-
-  text(): string {
-    return this.lines.join('');
+  /** Of all lines so far. */
+  sha256(): string {
+    return this.hash.hex();
   }
 }

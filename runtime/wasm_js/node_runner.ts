@@ -63,7 +63,9 @@ export class NodeRunner {
   private attempt = 0;
   private stopping = false;
   private again = false;
+  /** Of the grace after a stop. */
   private timer: ReturnType<typeof setTimeout> | undefined;
+  private keepFromRespawn: (() => void) | undefined;
 
   constructor(node: SiteNode, console: NodeConsole, host: RunnerHost) {
     this.node = node;
@@ -264,24 +266,24 @@ export class NodeRunner {
   }
 
   private finish(state: NodeState, closed: boolean): void {
-    const { run } = this;
+    const { run, again } = this;
+    const respawns = this.node.respawn && !this.stopping && !again;
     this.run = undefined;
+    this.clearTimer();
+    // Before the others of a stepped run go on.
+    if (respawns) {
+      const delay = Math.max(leastRespawnMs, this.node.respawnDelay * 1000);
+      this.keepFromRespawn = this.host.broker.after(delay, () => this.start());
+    }
     if (run !== undefined && !run.over) {
       run.over = true;
       this.bury(run.participant, [run.main, ...run.threads], closed);
     }
-    this.clearTimer();
-    const asked = this.stopping;
-    const again = this.again;
     this.stopping = false;
     this.again = false;
     this.attempt += 1;
     this.set(state);
     if (again) this.start();
-    else if (this.node.respawn && !asked) {
-      const delay = Math.max(leastRespawnMs, this.node.respawnDelay * 1000);
-      this.timer = setTimeout(() => this.start(), delay);
-    }
   }
 
   /** The graph loses the program at once; its place and its memory are free when none of its workers runs any more. */
@@ -293,8 +295,10 @@ export class NodeRunner {
   }
 
   private clearTimer(): void {
-    if (this.timer !== undefined) clearTimeout(this.timer);
+    clearTimeout(this.timer);
     this.timer = undefined;
+    this.keepFromRespawn?.();
+    this.keepFromRespawn = undefined;
   }
 
   private set(state: NodeState): void {

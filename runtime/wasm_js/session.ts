@@ -171,7 +171,7 @@ export interface SiteTime {
 export interface SteppedRun {
   readonly seed: number;
   /** What was sent so far: as many messages, and the sha256 of the file that `ros2wasm run --trace` writes. */
-  trace(): Promise<{ readonly messages: number; readonly sha256: string }>;
+  trace(): { readonly messages: number; readonly sha256: string };
 }
 
 export interface Session {

@@ -31,11 +31,6 @@ export interface SessionOptions {
   readonly onLines?: (node: SiteNode, lines: readonly SentLine[], dropped: number) => void;
 }
 
-async function sha256Of(text: string): Promise<string> {
-  const digest = new Uint8Array(await crypto.subtle.digest('SHA-256', new TextEncoder().encode(text)));
-  return Array.from(digest, (byte) => byte.toString(16).padStart(2, '0')).join('');
-}
-
 export class SiteSession implements Session {
   readonly site: SiteDescription;
   readonly link: LinkKind;
@@ -68,7 +63,7 @@ export class SiteSession implements Session {
     const traced = stepped?.time !== undefined;
     this.stepped = !traced ? undefined : {
       seed: stepped.seed,
-      trace: async () => ({ messages: trace.messages, sha256: await sha256Of(trace.text()) }),
+      trace: () => ({ messages: trace.messages, sha256: trace.sha256() }),
     };
     this.sampler = new Sampler(broker);
     this.input = new InputWriter(broker.link);
@@ -94,7 +89,7 @@ export class SiteSession implements Session {
         },
         left: () => this.lookAtTopics(),
         stepped: stepped === undefined ? undefined : { seed: stepped.seed },
-        sent: traced ? (of, message) => trace.add(of.id, message) : onSent,
+        sent: traced ? (of, message) => void trace.add(of.id, message) : onSent,
         resetInput: (id) => this.input.reset(id),
         lines: (of, { lines, dropped }) => {
           console.add(lines, dropped);

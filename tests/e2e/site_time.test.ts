@@ -12,8 +12,8 @@
 // next waits
 
 // Compatibility, differs: stepped runs -> on the shared link, without programs that use threads
-// (R2W0711); what comes from outside (typed input, a stop, a respawn) comes when it comes.
-// A program that only reads clocks and never waits holds time
+// (R2W0711); what comes from outside (typed input, a stop) comes when it comes; a respawn
+// waits in site time. A program that only reads clocks and never waits holds time
 
 import assert from 'node:assert/strict';
 import { cpSync, readFileSync } from 'node:fs';

@@ -1,6 +1,6 @@
 // Time of the whole site: holds it, lets it run for a chosen while, sets its speed.
 
-import { useEffect, useState } from 'preact/hooks';
+import { useState } from 'preact/hooks';
 import type { Session, SteppedRun } from '../../wasm_js/session.ts';
 import { texts } from '../texts.ts';
 import { IconButton } from './button.tsx';
@@ -63,15 +63,7 @@ export function TimeControl({ session }: { readonly session: Session }) {
 
 /** What a stepped run has sent by the time that it is held. */
 function Trace({ stepped, settled }: { readonly stepped: SteppedRun; readonly settled: boolean }) {
-  const [trace, setTrace] = useState<Awaited<ReturnType<SteppedRun['trace']>>>();
-  useEffect(() => {
-    let current = settled;
-    setTrace(undefined);
-    if (settled) void stepped.trace().then((made) => current && setTrace(made));
-    return () => {
-      current = false;
-    };
-  }, [stepped, settled]);
+  const trace = settled ? stepped.trace() : undefined;
   return (
     <span class="time-state" title={trace?.sha256 ?? ''} data-sha256={trace?.sha256 ?? ''}>
       {trace === undefined

@@ -18,6 +18,7 @@ function steppedRun() {
   return {
     broker,
     conductor,
+    participant,
     rest: (untilNs: number): void => broker.rests(participant, { untilNs, token: undefined, stops: 0 }),
     turns: (): number => Atomics.load(bus.i32, bus.participantWord(participant) + BusParticipant.turn),
     now: (): number => broker.link.clock.steadyNs() - beginNs,
@@ -34,6 +35,40 @@ test('a stepped run ends with its time though every node waits for ever', () => 
   rest(Infinity);
   assert.equal(ended, 1);
   assert.equal(now(), 5000 * ms);
+  broker.close();
+});
+
+test('time of a stepped run passes when nobody is left, too', () => {
+  const { broker, conductor, participant, now } = steppedRun();
+  let ended = 0;
+  conductor.runUntil(20 * ms, () => {
+    ended += 1;
+  });
+  assert.equal(ended, 0);
+  broker.end(participant);
+  assert.deepEqual([ended, now()], [1, 20 * ms]);
+  const time = new SteppedTime(broker, conductor);
+  time.step(30 * ms);
+  assert.deepEqual([now(), time.view().state], [30 * ms, 'paused']);
+  time.close();
+  broker.close();
+});
+
+test('what is to be done after a time of a stepped run is done at that time, before anybody goes on', () => {
+  const { broker, conductor, participant, rest, turns, now } = steppedRun();
+  const begun: number[] = [];
+  let place: number | undefined;
+  broker.after(10, () => {
+    begun.push(now());
+    place = broker.admit()?.participant;
+  });
+  broker.after(5, () => assert.fail('it was taken back'))();
+  conductor.runUntil(20 * ms, () => undefined);
+  rest(beginNs + 10 * ms);
+  assert.deepEqual([begun, turns(), now()], [[10 * ms], 0, 10 * ms]);
+  assert.ok(place !== undefined && place !== participant);
+  broker.rests(place, { untilNs: Infinity, token: undefined, stops: 0 });
+  assert.deepEqual([begun, turns()], [[10 * ms], 1]);
   broker.close();
 });
 

@@ -20,9 +20,11 @@
 #include "bundler/launch/installed_tree.hpp"
 #include "bundler/launch/launch_graph.hpp"
 #include "bundler/launch/parameter_sources.hpp"
+#include "bundler/launch/python_tree.hpp"
 #include "bundler/plan/runtime_assets.hpp"
 #include "bundler/plan/shipped_channel.hpp"
 #include "bundler/resolve/locked_solve.hpp"
+#include "bundler/run/node_js.hpp"
 #include "bundler/store/build_place.hpp"
 #include "bundler/store/environment.hpp"
 #include "bundler/store/link_scripts.hpp"
@@ -269,6 +271,25 @@ std::vector<InstalledPackage> all_installed(const std::vector<BuiltPackage>& bui
   return result;
 }
 
+bool reads_setup_py(const LocalPackage& package) {
+  return package.xml.build_type == kPythonBuildType;
+}
+
+/// What reads setup.py files.
+Outcome<Done> add_python_tools(const PackRequest& request, BuildTools& tools,
+                               const Cancellation& cancellation) {
+  const auto path = request.variables.find("PATH");
+  auto node = find_node_js(request.executable, path == request.variables.end() ? "" : path->second,
+                           cancellation);
+  if (!node) return std::move(node).errors();
+  const auto templates =
+      find_own_data(request.executable, "templates/python", "the reader of setup.py files");
+  if (!templates) return templates.errors();
+  tools.node_js = std::move(*node);
+  tools.python_templates = fs::canonical(*templates);
+  return Done{};
+}
+
 std::string build_remark(const std::vector<BuiltPackage>& packages) {
   std::vector<std::string> fresh;
   for (const BuiltPackage& one : packages) {
@@ -310,6 +331,28 @@ Outcome<std::vector<LaunchNode>> launch(BuiltWorkspace& workspace) {
   return nodes;
 }
 
+/// What Python nodes find installed.
+Outcome<PythonInput> read_python(const BuiltWorkspace& workspace) {
+  PythonInput input;
+  if (auto read = collect_python_modules(workspace.environment, input.channels); !read)
+    return std::move(read).errors();
+  for (const InstalledPackage& package : workspace.installed) {
+    const bool is_local = package.prefix != workspace.environment;
+    PythonFiles& part = is_local ? input.workspace : input.channels;
+    auto read = is_local ? collect_python_modules(package.prefix, part) : Outcome<Done>(Done{});
+    if (read) read = collect_python_scripts(package.prefix, package.name, part);
+    if (!read) return std::move(read).errors();
+  }
+  const fs::path pyodide = workspace.environment / kPyodideFolder;
+  for (const char* name : {"pyodide.asm.js", "pyodide.asm.wasm", "pyodide-lock.json", "pyodide.js",
+                           "python_stdlib.zip"}) {
+    auto bytes = read_file(pyodide / name);
+    if (!bytes) return std::move(bytes).errors();
+    input.pyodide.emplace(name, std::move(bytes).value());
+  }
+  return input;
+}
+
 /// Step 8: read what the plan is made of.
 Outcome<SitePlan> plan(const PackRequest& request, BuiltWorkspace& workspace,
                        std::vector<LaunchNode> nodes, const Cancellation& cancellation) {
@@ -329,9 +372,13 @@ Outcome<SitePlan> plan(const PackRequest& request, BuiltWorkspace& workspace,
                   .runtime = std::move(runtime).value(),
                   .interfaces = {},
                   .shared = {},
-                  .packages = {}};
+                  .packages = {},
+                  .python = {},
+                  .python_index = {}};
+  bool has_python = false;
   for (const LaunchNode& node : input.nodes) {
-    if (input.programs.contains(node.program)) continue;
+    has_python = has_python || node.kind == ProgramKind::kPython;
+    if (node.kind == ProgramKind::kPython || input.programs.contains(node.program)) continue;
     auto bytes = read_file(node.program);
     const fs::path names = fs::path(node.program).replace_extension(".names");
     std::error_code error;
@@ -356,6 +403,13 @@ Outcome<SitePlan> plan(const PackRequest& request, BuiltWorkspace& workspace,
     for (const std::string& one : *left_out) workspace.remarks.push_back("left out " + one);
   }
   for (const BuiltPackage& package : workspace.packages) input.packages.push_back(package.name);
+  if (has_python) {
+    auto python = read_python(workspace);
+    if (!python) return std::move(python).errors();
+    input.python = std::move(*python);
+    for (const InstalledPackage& package : workspace.installed)
+      input.python_index.push_back(package.name);
+  }
   return plan_site(std::move(input));
 }
 
@@ -396,10 +450,11 @@ Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& ca
       request.executable, "templates/toolchain/ros2wasm-toolchain.cmake", "the CMake toolchain");
   if (!toolchain) return toolchain.errors();
   workspace->cache = build_place(roots.cache);
+  workspace->environment = environment->prefix;
   // One of the user's own, such as ccache, keeps its place.
   const auto launcher = request.variables.find("CMAKE_CXX_COMPILER_LAUNCHER");
   const bool user_launcher = launcher != request.variables.end() && !launcher->second.empty();
-  const BuildTools tools{
+  BuildTools tools{
       .compiler = compiler,
       .compiler_environment = compiler_environment(request.variables),
       .link_environment = link_environment(request.variables, compiler.cxx),
@@ -407,7 +462,13 @@ Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& ca
       .cli = request.executable,
       .jobs = request.jobs != 0 ? request.jobs : std::max(1U, std::thread::hardware_concurrency()),
       .quick_links = request.quick ? quick_links_folder(workspace->cache, compiler) : fs::path(),
-      .kept_headers = user_launcher ? fs::path() : kept_headers_folder(workspace->cache, compiler)};
+      .kept_headers = user_launcher ? fs::path() : kept_headers_folder(workspace->cache, compiler),
+      .node_js = {},
+      .python_templates = {}};
+  if (std::any_of(question->packages.begin(), question->packages.end(), reads_setup_py)) {
+    auto added = add_python_tools(request, tools, cancellation);
+    if (!added) return std::move(added).errors();
+  }
   begin_step(progress, "build");
   const BuildSettings settings{.cache = workspace->cache,
                                .environment_prefix = environment->prefix,

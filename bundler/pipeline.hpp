@@ -41,8 +41,9 @@ struct BuiltWorkspace {
   std::filesystem::path shown_folder;  ///< the same as the person named it
   std::vector<BuiltPackage> packages;  ///< of the workspace, in build order
   std::vector<InstalledPackage>
-      installed;                     ///< of workspace and channels; the workspace comes first
-  std::vector<ChannelFile> channel;  ///< what lies beside the site, if it was asked for
+      installed;                      ///< of workspace and channels; the workspace comes first
+  std::filesystem::path environment;  ///< the prefix with the packages of the channels
+  std::vector<ChannelFile> channel;   ///< what lies beside the site, if it was asked for
   std::vector<std::filesystem::path> watched;  ///< files and folders that a rebuild depends on
   std::filesystem::path cache;
   Diagnostics warnings;

@@ -20,6 +20,7 @@
 #include "bundler/io/kept_folder.hpp"
 #include "bundler/io/sha256.hpp"
 #include "bundler/store/build_place.hpp"
+#include "bundler/workspace/channel_request.hpp"
 #include "workspace_schema/suggestion.hpp"
 
 namespace ros2wasm {
@@ -28,7 +29,8 @@ namespace {
 
 Outcome<std::string> hash_of(const LocalPackage& package,
                              const std::vector<const BuiltPackage*>& needs,
-                             const std::string& toolchain_hash, const BuildTools& tools,
+                             const std::string& toolchain_hash,
+                             const std::string& setup_reader_hash, const BuildTools& tools,
                              const BuildSettings& settings) {
   const auto sources = hash_of_tree(package.directory);
   if (!sources) return sources.errors();
@@ -36,6 +38,7 @@ Outcome<std::string> hash_of(const LocalPackage& package,
   hash.add("format", kBuildFormat).add("ros2wasm", ROS2WASM_VERSION);
   hash.add("toolchain", toolchain_hash).add("compiler", tools.compiler.identity);
   if (!tools.quick_links.empty()) hash.add("link", "quick");
+  if (package.xml.build_type == kPythonBuildType) hash.add("setup", setup_reader_hash);
   hash.add("environment", settings.environment_key);
   for (const BuiltPackage* need : needs) hash.add(need->name, need->hash);
   hash.add("sources", *sources);
@@ -62,8 +65,8 @@ class WorkspaceBuilder {
  public:
   WorkspaceBuilder(const std::vector<LocalPackage>& packages, const BuildOrder& order,
                    const BuildTools& tools, std::string toolchain_hash,
-                   const BuildSettings& settings, const Cancellation& cancellation,
-                   const ProgressSink& progress)
+                   std::string setup_reader_hash, const BuildSettings& settings,
+                   const Cancellation& cancellation, const ProgressSink& progress)
       : packages_(packages),
         order_(order),
         tools_(tools),
@@ -73,6 +76,7 @@ class WorkspaceBuilder {
         built_(packages.size()),
         state_(packages.size(), State::kWaiting),
         toolchain_hash_(std::move(toolchain_hash)),
+        setup_reader_hash_(std::move(setup_reader_hash)),
         free_jobs_(std::max(1U, tools.jobs)),
         left_out_(left_out_packages(packages, order)) {
     for (const auto& [index, cause] : left_out_) state_[index] = State::kNotBuilt;
@@ -161,7 +165,8 @@ class WorkspaceBuilder {
     const Language& language = *find_language(package.xml.build_type);
     std::vector<const BuiltPackage*> needs;
     for (const std::size_t need : order_.needs[index]) needs.push_back(&*built_[need]);
-    const auto hash = hash_of(package, needs, toolchain_hash_, tools_, settings_);
+    const auto hash =
+        hash_of(package, needs, toolchain_hash_, setup_reader_hash_, tools_, settings_);
     if (!hash) return hash.errors();
     const std::string& name = package.xml.name.value;
     BuiltPackage result{.name = name,
@@ -257,6 +262,7 @@ class WorkspaceBuilder {
   std::vector<std::optional<BuiltPackage>> built_;
   std::vector<State> state_;
   std::string toolchain_hash_;
+  std::string setup_reader_hash_;
   std::vector<std::size_t> sizes_;
   std::vector<std::pair<std::size_t, Diagnostics>> errors_;
   unsigned free_jobs_;  ///< that no running package has
@@ -288,8 +294,11 @@ Outcome<WorkspaceBuild> build_workspace(const std::vector<LocalPackage>& package
   if (packages.empty()) return WorkspaceBuild{};
   auto toolchain = hash_of_tree(tools.toolchain.parent_path());
   if (!toolchain) return std::move(toolchain).errors();
-  return WorkspaceBuilder(packages, order, tools, std::move(*toolchain), settings, cancellation,
-                          progress)
+  auto setup_reader = tools.python_templates.empty() ? Outcome<std::string>(std::string())
+                                                     : hash_of_tree(tools.python_templates);
+  if (!setup_reader) return std::move(setup_reader).errors();
+  return WorkspaceBuilder(packages, order, tools, std::move(*toolchain), std::move(*setup_reader),
+                          settings, cancellation, progress)
       .run();
 }
 

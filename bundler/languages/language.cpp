@@ -11,6 +11,7 @@ namespace {
 
 constexpr auto kLanguages = std::to_array<Language>({
     {.build_type = "ament_cmake", .build = build_with_cmake},
+    {.build_type = "ament_python", .build = build_with_setup_py},
     {.build_type = "cmake", .build = build_with_cmake},
 });
 

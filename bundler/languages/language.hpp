@@ -29,6 +29,8 @@ struct BuildTools {
   std::filesystem::path quick_links;   ///< programs are linked quickly, with the help of what lies
                                        ///< in this folder; may be empty
   std::filesystem::path kept_headers;  ///< for compile-source; empty: the compiler is called itself
+  std::filesystem::path node_js;       ///< reads setup.py files; empty when no package has one
+  std::filesystem::path python_templates;  ///< templates/python, likewise
 };
 
 /// One package to build.
@@ -69,5 +71,8 @@ struct Language {
 
 Outcome<Done> build_with_cmake(const PackageBuild& request, const BuildTools& tools,
                                const Cancellation& cancellation, const ProgressSink& progress);
+
+Outcome<Done> build_with_setup_py(const PackageBuild& request, const BuildTools& tools,
+                                  const Cancellation& cancellation, const ProgressSink& progress);
 
 }  // namespace ros2wasm

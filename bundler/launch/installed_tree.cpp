@@ -5,6 +5,7 @@
 #include <array>
 
 #include "bundler/io/files.hpp"
+#include "bundler/launch/python_tree.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
@@ -19,6 +20,14 @@ void each_entry(const fs::path& folder, Visit visit) {
     visit(*it);
 }
 
+/// As natively: who may not be run is none, whatever its first line says.
+bool runs_python(const fs::directory_entry& entry) {
+  std::error_code error;
+  if ((entry.status(error).permissions() & fs::perms::owner_exec) == fs::perms::none) return false;
+  const auto text = read_file(entry.path());
+  return text && is_python_script(*text);
+}
+
 }  // namespace
 
 std::vector<InstalledProgram> installed_programs(const fs::path& prefix,
@@ -28,14 +37,17 @@ std::vector<InstalledProgram> installed_programs(const fs::path& prefix,
     std::error_code error;
     const fs::path& file = entry.path();
     if (!entry.is_regular_file(error) || file.extension() == ".names") return;
-    const bool is_program = file.extension() == ".wasm";
+    const bool is_wasm = file.extension() == ".wasm";
     const bool is_note = file.extension() == ".left_out";
-    const fs::path name = is_program || is_note ? file.stem() : file.filename();
+    const fs::path name = is_wasm || is_note ? file.stem() : file.filename();
     const Outcome<std::string> note = is_note ? read_file(file) : std::string();
+    const auto kind = is_wasm              ? ProgramKind::kWasm
+                      : runs_python(entry) ? ProgramKind::kPython
+                                           : ProgramKind::kNone;
     result.push_back({.package = package,
                       .executable = name.string(),
                       .file = file,
-                      .is_program = is_program,
+                      .kind = kind,
                       .left_out = note ? *note : "a library"});
   });
   std::sort(result.begin(), result.end(), [](const InstalledProgram& a, const InstalledProgram& b) {

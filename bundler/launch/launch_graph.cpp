@@ -60,7 +60,7 @@ Diagnostic not_a_program(const NodeEntry& entry, const InstalledProgram& program
   const std::string why =
       program.left_out.empty()
           ? "lib/" + program.package + "/" + program.file.filename().string() +
-                " is not a WebAssembly program"
+                " is neither a WebAssembly program nor a Python script"
           : "it was left out of the build: it needs " + program.left_out + ", which no site has";
   return Diagnostic{.code = "R2W0405",
                     .message = "`" + program.executable + "` of package `" + program.package +
@@ -111,7 +111,7 @@ Outcome<std::vector<LaunchNode>> launch_nodes(const std::vector<NodeEntry>& entr
       errors.push_back(no_such_executable(entry, *package));
       continue;
     }
-    if (!program->is_program) {
+    if (program->kind == ProgramKind::kNone) {
       errors.push_back(not_a_program(entry, *program));
       continue;
     }
@@ -131,6 +131,7 @@ Outcome<std::vector<LaunchNode>> launch_nodes(const std::vector<NodeEntry>& entr
                      .executable = entry.executable.value,
                      .label = node_label(entry),
                      .program = program->file,
+                     .kind = program->kind,
                      .arguments = node_arguments(entry, files),
                      .output = entry.output,
                      .respawn = entry.respawn,

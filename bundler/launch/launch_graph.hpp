@@ -12,13 +12,20 @@
 
 namespace ros2wasm {
 
+/// What a site can run.
+enum class ProgramKind {
+  kNone,    ///< a script or data that is no program of a site
+  kWasm,    ///< a WebAssembly program
+  kPython,  ///< a Python script
+};
+
 /// A file in lib/<package>/ of an installed tree that a node entry can name.
 struct InstalledProgram {
   std::string package;
   std::string executable;  ///< name without `.wasm`
   std::filesystem::path file;
-  bool is_program = false;  ///< a WebAssembly program; else a script or data
-  std::string left_out;     ///< the library without which it was not built; mostly empty
+  ProgramKind kind = ProgramKind::kNone;
+  std::string left_out;  ///< the library without which it was not built; mostly empty
 };
 
 struct InstalledPackage {
@@ -33,7 +40,8 @@ struct LaunchNode {
   std::string package;
   std::string executable;
   std::string label;  ///< for people: the node's full name when it is known, else the executable
-  std::filesystem::path program;       ///< the installed file
+  std::filesystem::path program;  ///< the installed file
+  ProgramKind kind = ProgramKind::kWasm;
   std::vector<std::string> arguments;  ///< after argv[0], as ros2 launch would pass them
   NodeOutput output = NodeOutput::kScreen;
   bool respawn = false;

@@ -15,11 +15,16 @@ namespace {
 
 /// The headless entry runs from the ros2wasm installation and is not part of sites.
 constexpr std::string_view kHeadlessRole = "headless";
-/// For Python nodes, which `pack` does not make yet.
+/// For Python nodes only.
 constexpr std::string_view kPythonRole = "python_worker";
 constexpr std::string_view kPageRole = "page";
 
+bool is_python(const LaunchNode& node) {
+  return node.kind == ProgramKind::kPython;
+}
+
 std::string program_path(const LaunchNode& node) {
+  if (is_python(node)) return kPythonProgram;
   return "programs/" + node.package + "/" + node.executable + ".wasm";
 }
 
@@ -44,13 +49,6 @@ std::string reason_of_program(const std::vector<LaunchNode>& nodes, const Launch
   return "program of " + users;
 }
 
-/// "share/demo/config/gains.yaml", or "share/ament_index/resource_index/plugins/demo".
-std::string package_of_shared(const std::string& path) {
-  const std::filesystem::path parts = path;
-  const std::string folder = std::next(parts.begin())->string();
-  return folder == "ament_index" ? parts.filename().string() : folder;
-}
-
 std::string reason_of_asset(std::string_view role) {
   return "runtime " + std::string(role == "service_worker" ? "service worker" : role);
 }
@@ -62,11 +60,12 @@ Outcome<SitePlan> plan_site(PlanInput input) {
   Diagnostics errors;
   std::set<std::string> paths;
   for (const LaunchNode& node : input.nodes) paths.insert(program_path(node));
+  const bool has_python = std::any_of(input.nodes.begin(), input.nodes.end(), is_python);
   const Manifest& manifest = input.manifest;
   const auto chosen = manifest.ui.find("theme");
   const std::string theme = chosen == manifest.ui.end() ? "auto" : chosen->second;
   for (RuntimeAsset& asset : input.runtime) {
-    if (asset.role == kHeadlessRole || asset.role == kPythonRole) continue;
+    if (asset.role == kHeadlessRole || (asset.role == kPythonRole && !has_python)) continue;
     if (asset.role == kPageRole) {
       asset.bytes = page_html(std::move(asset.bytes),
                               manifest.title.empty() ? manifest.name.value : manifest.title, theme,
@@ -77,6 +76,15 @@ Outcome<SitePlan> plan_site(PlanInput input) {
   std::map<std::string, bool> threads_of;
   for (const LaunchNode& node : input.nodes) {
     const std::string path = program_path(node);
+    if (is_python(node)) {
+      plan.nodes.push_back(
+          {.node = node,
+           .program = path,
+           .names = {},
+           .threads = false,
+           .script = "lib/" + node.package + "/" + node.program.filename().string()});
+      continue;
+    }
     const auto names = input.names.find(node.program);
     if (!threads_of.contains(path)) {
       const std::string& bytes = input.programs.at(node.program);
@@ -98,9 +106,17 @@ Outcome<SitePlan> plan_site(PlanInput input) {
     plan.nodes.push_back({.node = node,
                           .program = path,
                           .names = names == input.names.end() ? "" : names_path(node),
-                          .threads = threads_of[path]});
+                          .threads = threads_of[path],
+                          .script = {}});
   }
   if (!errors.empty()) return errors;
+  if (has_python) {
+    PythonSite python = python_site(std::move(input.python), input.interfaces, input.shared,
+                                    input.packages, input.python_index);
+    plan.python_archives = std::move(python.archives);
+    for (PythonSiteFile& file : python.files)
+      add(plan, std::move(file.path), std::move(file.reason), std::move(file.bytes));
+  }
   std::set<std::string> packages(input.packages.begin(), input.packages.end());
   for (auto& [path, bytes] : input.shared) {
     const std::string package = package_of_shared(path);

@@ -11,6 +11,7 @@
 
 #include "bundler/launch/launch_graph.hpp"
 #include "bundler/launch/share_tree.hpp"
+#include "bundler/plan/python_site.hpp"
 #include "workspace_schema/manifest.hpp"
 #include "workspace_schema/outcome.hpp"
 
@@ -38,13 +39,15 @@ struct PlannedNode {
   std::string program;  ///< path in the site
   std::string names;    ///< path in the site of its functions' names; empty when there are none
   bool threads = false;
+  std::string script;  ///< of a Python node: path in what is installed
 };
 
 struct SitePlan {
-  std::vector<PlannedFile> files;     ///< sorted by path; the last step adds site.json
-  std::vector<PlannedNode> nodes;     ///< in launch order
-  std::vector<std::string> packages;  ///< that the programs' index of packages has, sorted
-  std::vector<ChannelFile> channel;   ///< sorted by path; empty unless it was asked for
+  std::vector<PlannedFile> files;            ///< sorted by path; the last step adds site.json
+  std::vector<PlannedNode> nodes;            ///< in launch order
+  std::vector<std::string> packages;         ///< that the programs' index of packages has, sorted
+  std::vector<std::string> python_archives;  ///< what Python nodes unpack, in order
+  std::vector<ChannelFile> channel;          ///< sorted by path; empty unless it was asked for
 };
 
 /// A file that the built runtime brings to every site.
@@ -54,9 +57,6 @@ struct RuntimeAsset {
   std::string bytes;
 };
 
-/// Interface definitions by type: "std_msgs/msg/String" -> text.
-using InterfaceTexts = std::map<std::string, std::string>;
-
 /// What the plan is made of.
 struct PlanInput {
   const Manifest& manifest;
@@ -65,8 +65,10 @@ struct PlanInput {
   std::map<std::filesystem::path, std::string> names;     ///< by program file, where there are any
   std::vector<RuntimeAsset> runtime;
   InterfaceTexts interfaces;
-  SharedFiles shared;                 ///< of all packages
-  std::vector<std::string> packages;  ///< of the workspace
+  SharedFiles shared;                     ///< of all packages
+  std::vector<std::string> packages;      ///< of the workspace
+  PythonInput python;                     ///< empty without Python nodes
+  std::vector<std::string> python_index;  ///< all packages that Python nodes can find
 };
 
 /// R2W0606 a program is not WebAssembly.

@@ -14,6 +14,8 @@ namespace {
 /// Parts of the C++ library that the site's compiler lacks. Every package may use them, and none
 /// names them.
 constexpr std::string_view kLibraryParts = "ros2wasm_std";
+/// Reads the setup.py of Python packages, and runs their nodes.
+constexpr std::string_view kPyodidePackage = "pyodide";
 
 bool has(const std::vector<std::string>& sorted, std::string_view name) {
   return std::binary_search(sorted.begin(), sorted.end(), name, std::less<>());
@@ -104,6 +106,12 @@ Outcome<ChannelRequest> channel_request(const Manifest& manifest,
                                .origin = one->span.file,
                                .span = one->span});
     }
+  }
+  for (const LocalPackage& package : packages) {
+    if (package.xml.build_type != kPythonBuildType || !has(known.names, kPyodidePackage)) continue;
+    request.specs.push_back({.text = std::string(kPyodidePackage),
+                             .origin = package.xml.name.span.file,
+                             .span = package.xml.name.span});
   }
   for (const Spanned<std::string>& dependency : manifest.dependencies) {
     if (!host_package_reason(dependency.value).empty()) continue;

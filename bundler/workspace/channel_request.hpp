@@ -11,6 +11,9 @@
 
 namespace ros2wasm {
 
+/// Of Python packages that have a setup.py.
+inline constexpr std::string_view kPythonBuildType = "ament_python";
+
 struct ChannelRequest {
   std::vector<RequestedSpec> specs;  ///< sorted by text, each once
   Diagnostics warnings;              ///< wished for at run time, but in no channel

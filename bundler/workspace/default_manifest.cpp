@@ -36,7 +36,7 @@ std::vector<NodeEntry> default_nodes(const std::vector<InstalledPackage>& local)
   std::vector<NodeEntry> nodes;
   for (const InstalledPackage& package : local) {
     for (const InstalledProgram& program : package.programs) {
-      if (!program.is_program) continue;
+      if (program.kind == ProgramKind::kNone) continue;
       NodeEntry node;
       node.package.value = package.name;
       node.executable.value = program.executable;

@@ -38,6 +38,7 @@ constexpr auto kHostPackages = std::to_array<HostPackage>({
     {"ament_cmake_version", kBuildTool},
     {"ament_lint*", kTestTool},
     {"ament_package", kBuildTool},
+    {"ament_python", kBuildTool},
     {"cmake", kBuildTool},
     {"cv_bridge", kLeftOut},
     {"git", kBuildTool},
@@ -50,6 +51,8 @@ constexpr auto kHostPackages = std::to_array<HostPackage>({
     {"libopencv-dev", kLeftOut},
     {"pkg-config", kBuildTool},
     {"python3", kBuildTool},
+    {"python3-pytest", kTestTool},
+    {"python3-setuptools", kBuildTool},
     {"python_cmake_module", kBuildTool},
     {"rmw_cyclonedds_cpp", kOwnMiddleware},
     {"rmw_fastrtps_cpp", kOwnMiddleware},
@@ -70,6 +73,7 @@ constexpr auto kHostPackages = std::to_array<HostPackage>({
     {"rosidl_generator_c", kBuildTool},
     {"rosidl_generator_cpp", kBuildTool},
     {"rosidl_generator_py", kBuildTool},
+    {"setuptools", kBuildTool},
 });
 
 bool matches(std::string_view pattern, std::string_view name) {

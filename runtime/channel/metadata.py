@@ -28,7 +28,7 @@ def record(package: PackageSource, packages: dict[str, PackageSource], tree: Pat
 
     The build string comes of the files: the same files have the same name, wherever they were made.
     """
-    compiled = is_compiled(tree)
+    compiled = is_compiled(tree) and not package.any_compiler
     depends = [f"{conda_name(packages[need])} >={packages[need].version}" for need in package.use_needs]
     if compiled:
         depends.append(f"{ABI_PACKAGE} {compiler.version}.*")

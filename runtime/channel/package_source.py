@@ -17,6 +17,7 @@ class PackageSource:
 
     A library that others made has in <export> its name in channels (<conda_name>), as it is no ROS package,
     and the folders that it is packed from (<host_folder>): of this machine, or below the repository.
+    <any_compiler/> marks WebAssembly that does not care which Emscripten made the rest of a site.
     """
 
     name: str
@@ -28,6 +29,7 @@ class PackageSource:
     use_needs: tuple[str, ...]
     conda_name: str | None = None
     host_folders: tuple[str, ...] = ()
+    any_compiler: bool = False
 
 
 def find_packages(runtime: Path) -> dict[str, PackageSource]:
@@ -56,6 +58,7 @@ def _read(folder: Path, root: ElementTree.Element, names: set[str]) -> PackageSo
         use_needs=needs(USE_TAGS),
         conda_name=root.findtext("export/conda_name"),
         host_folders=tuple(str(ROOT / (element.text or "")) for element in root.findall("export/host_folder")),
+        any_compiler=root.find("export/any_compiler") is not None,
     )
 
 

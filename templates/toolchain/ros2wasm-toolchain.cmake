@@ -113,6 +113,8 @@ file(GLOB _ros2wasm_host_packages
   "${ROS2WASM_HOST_SHARE}/rosidl_parser" "${ROS2WASM_HOST_SHARE}/rosidl_cli"
   "${ROS2WASM_HOST_SHARE}/rosidl_pycommon" "${ROS2WASM_HOST_SHARE}/rosidl_generator_c"
   "${ROS2WASM_HOST_SHARE}/rosidl_generator_cpp" "${ROS2WASM_HOST_SHARE}/python_cmake_module")
+# The host's would install for the host's Python.
+list(REMOVE_ITEM _ros2wasm_host_packages "${ROS2WASM_HOST_SHARE}/ament_cmake_python")
 # What the host lacks comes last.
 file(GLOB _ros2wasm_own_packages "${ROS2WASM_TOOLCHAIN_DIR}/packages/*")
 foreach(_folder IN LISTS _ros2wasm_host_packages _ros2wasm_own_packages)

@@ -126,7 +126,7 @@ TEST_F(WorkspaceBuildTest, ABigOneTakesAllOfFewJobsAndComesFirst) {
 TEST_F(WorkspaceBuildTest, WhatNeedsALeftOutPackageIsLeftOutToo) {
   package("good", "");
   package("listener", "talker");
-  package("py", "", "ament_python");
+  package("py", "", "ament_cargo");
   package("talker", "py");
   const auto built = build(2);
   ASSERT_TRUE(built);
@@ -137,6 +137,18 @@ TEST_F(WorkspaceBuildTest, WhatNeedsALeftOutPackageIsLeftOutToo) {
             "package `listener` is left out: it needs `py`, which is left out");
   EXPECT_EQ(built->warnings[2].message,
             "package `talker` is left out: it needs `py`, which is left out");
+}
+
+TEST_F(WorkspaceBuildTest, APythonPackageNeedsSetupPyAndPyodide) {
+  package("py", "", "ament_python");
+  const auto without_setup = build(1);
+  ASSERT_FALSE(without_setup);
+  EXPECT_EQ(without_setup.errors()[0].code, "R2W0516");
+  tree_.write("src/py/setup.py", "");
+  const auto without_pyodide = build(1);
+  ASSERT_FALSE(without_pyodide);
+  EXPECT_EQ(without_pyodide.errors()[0].code, "R2W0517");
+  EXPECT_EQ(without_pyodide.errors()[0].kind, FailureKind::kEnvironment);
 }
 
 TEST_F(WorkspaceBuildTest, AFailureStopsOnlyWhatNeedsIt) {

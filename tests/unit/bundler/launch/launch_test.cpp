@@ -23,20 +23,21 @@ NodeEntry node(const std::string& package, const std::string& executable) {
 }
 
 std::vector<InstalledPackage> installed() {
-  return {
-      {.name = "demo",
-       .version = "1.2.3",
-       .programs =
-           {{.package = "demo",
-             .executable = "listener",
-             .file = "/p/listener.wasm",
-             .is_program = true},
-            {.package = "demo", .executable = "tool.py", .file = "/p/tool.py", .is_program = false},
-            {.package = "demo",
-             .executable = "talker",
-             .file = "/p/talker.wasm",
-             .is_program = true}}},
-      {.name = "std_msgs"}};
+  return {{.name = "demo",
+           .version = "1.2.3",
+           .programs = {{.package = "demo",
+                         .executable = "listener",
+                         .file = "/p/listener.wasm",
+                         .kind = ProgramKind::kWasm},
+                        {.package = "demo",
+                         .executable = "tool.py",
+                         .file = "/p/tool.py",
+                         .kind = ProgramKind::kNone},
+                        {.package = "demo",
+                         .executable = "talker",
+                         .file = "/p/talker.wasm",
+                         .kind = ProgramKind::kWasm}}},
+          {.name = "std_msgs"}};
 }
 
 TEST(NodeArguments, AreThoseOfRos2Launch) {
@@ -155,7 +156,7 @@ TEST(InstalledTree, FindsProgramsAndDefinitions) {
   ASSERT_EQ(packages.size(), 1U);
   ASSERT_EQ(packages[0].programs.size(), 2U);
   EXPECT_EQ(packages[0].programs[0].executable, "script.py");
-  EXPECT_FALSE(packages[0].programs[0].is_program);
+  EXPECT_EQ(packages[0].programs[0].kind, ProgramKind::kNone);
   EXPECT_EQ(packages[0].programs[1].executable, "talker");
   InterfaceTexts texts = {{"demo/srv/Add", "nearer"}};
   collect_interfaces(tree.root(), "demo", texts);

@@ -211,8 +211,8 @@ TEST(DefaultManifest, IsNamedAfterTheFolder) {
   EXPECT_EQ(default_manifest("/home/me/2024").name.value, "workspace");
   const std::vector<InstalledPackage> local = {
       {.name = "a",
-       .programs = {{.package = "a", .executable = "run.py", .is_program = false},
-                    {.package = "a", .executable = "talker", .is_program = true}}}};
+       .programs = {{.package = "a", .executable = "run.py", .kind = ProgramKind::kNone},
+                    {.package = "a", .executable = "talker", .kind = ProgramKind::kWasm}}}};
   const auto nodes = default_nodes(local);
   ASSERT_EQ(nodes.size(), 1U);
   EXPECT_EQ(nodes[0].executable.value, "talker");

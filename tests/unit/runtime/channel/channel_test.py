@@ -126,9 +126,11 @@ class Record(Scratch):
         self.assertEqual(record(library, {}, self.root / "tree", COMPILER)["name"], "yaml-cpp")
 
 
-def debian_version_of(folder: str) -> str:
-    """The version of the Debian package that a folder is from."""
-    owner = subprocess.check_output(["dpkg-query", "-S", folder], text=True).split(":")[0]
+def version_of(folder: Path) -> str:
+    """The version of the npm or Debian package that a folder is from."""
+    if "node_modules" in folder.parts:
+        return str(json.loads((folder / "package.json").read_text(encoding="utf-8"))["version"])
+    owner = subprocess.check_output(["dpkg-query", "-S", str(folder)], text=True).split(":")[0]
     return subprocess.check_output(["dpkg-query", "-W", "-f=${Version}", owner], text=True)
 
 
@@ -143,7 +145,7 @@ class Repository(unittest.TestCase):
                 if not package.host_folders:
                     self.assertEqual(package.version, table[name]["version"] if name in table else own)
                 for folder in package.host_folders:
-                    self.assertIn(package.version, debian_version_of(folder))
+                    self.assertIn(package.version, version_of(Path(folder)))
 
     def test_the_page_of_versions_is_current(self) -> None:
         table = json.loads((ROOT / "runtime" / "versions.json").read_text(encoding="utf-8"))

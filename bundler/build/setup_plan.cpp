@@ -1,0 +1,142 @@
+// See setup_plan.hpp.
+#include "bundler/build/setup_plan.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
+#include "workspace_schema/json_reader.hpp"
+
+namespace ros2wasm {
+namespace {
+
+constexpr const char* kCode = "R2W0516";
+constexpr std::string_view kPrograms = "console_scripts";
+
+Diagnostic refused(const BuildPlace& place, const std::string& file, std::uint32_t line,
+                   std::string why) {
+  return Diagnostic{
+      .code = kCode,
+      .message = file + " of package `" + place.package + "` fails",
+      .span = SourceSpan{.file = (std::filesystem::path(place.display) / file).string(),
+                         .line = line,
+                         .line_text = {}},
+      .why = {std::move(why)}};
+}
+
+/// Neither absolute nor out of its folder.
+bool stays_below(const std::string& path) {
+  const std::filesystem::path normal = std::filesystem::path(path).lexically_normal();
+  return !path.empty() && normal.is_relative() && *normal.begin() != ".." && normal != ".";
+}
+
+std::vector<SetupFile> files_of(const JsonValue& json, std::string_view key,
+                                const BuildPlace& place, Diagnostics& errors) {
+  std::vector<SetupFile> result;
+  const JsonValue* list = json.find(key);
+  if (list == nullptr) return result;
+  for (const JsonValue& pair : list->items()) {
+    const auto& items = pair.items();
+    const std::string* from = items.size() == 2 ? items[0].string() : nullptr;
+    const std::string* to = items.size() == 2 ? items[1].string() : nullptr;
+    if (from == nullptr || to == nullptr) continue;
+    for (const std::string* path : {from, to}) {
+      if (!stays_below(*path))
+        errors.push_back(refused(place, "setup.py", 0, "`" + *path + "` leads out of its folder"));
+    }
+    result.push_back({.from = *from, .to = *to});
+  }
+  return result;
+}
+
+std::string trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return std::string(text.substr(first, text.find_last_not_of(" \t") - first + 1));
+}
+
+bool is_dotted_name(std::string_view text) {
+  return !text.empty() && text.front() != '.' && text.back() != '.' &&
+         std::all_of(text.begin(), text.end(), [](char c) {
+           return c == '_' || c == '.' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') ||
+                  (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
+         });
+}
+
+std::optional<EntryPoint> entry_point(const std::string& line) {
+  const auto equals = line.find('=');
+  if (equals == std::string::npos) return std::nullopt;
+  std::string target = line.substr(equals + 1);
+  target = trimmed(std::string_view(target).substr(0, target.find('[')));  // extras
+  const auto colon = target.find(':');
+  if (colon == std::string::npos) return std::nullopt;
+  EntryPoint entry{.name = trimmed(std::string_view(line).substr(0, equals)),
+                   .module = trimmed(std::string_view(target).substr(0, colon)),
+                   .function = trimmed(std::string_view(target).substr(colon + 1))};
+  const bool is_file_name = stays_below(entry.name) && entry.name.find('/') == std::string::npos;
+  if (!is_file_name || !is_dotted_name(entry.module) || !is_dotted_name(entry.function))
+    return std::nullopt;
+  return entry;
+}
+
+}  // namespace
+
+Outcome<SetupPlan> read_setup_plan(std::string_view json, const BuildPlace& place) {
+  const auto parsed = parse_json(json, "what setup.py would install", kCode);
+  if (!parsed) return parsed.errors();
+  if (const JsonValue* error = parsed->find("error")) {
+    const JsonValue* line = error->find("line");
+    return refused(place, error->text_of("file"),
+                   line == nullptr ? 0U : static_cast<std::uint32_t>(line->integer().value_or(0)),
+                   error->text_of("message"));
+  }
+  Diagnostics errors;
+  SetupPlan plan{.name = parsed->text_of("name"),
+                 .version = parsed->text_of("version"),
+                 .modules = files_of(*parsed, "modules", place, errors),
+                 .data = files_of(*parsed, "data", place, errors),
+                 .scripts = files_of(*parsed, "scripts", place, errors),
+                 .script_folder = parsed->text_of("script_folder"),
+                 .programs = {},
+                 .entry_points = {}};
+  if (!stays_below(plan.script_folder))
+    errors.push_back(
+        refused(place, "setup.cfg", 0, "`" + plan.script_folder + "` leads out of its folder"));
+  if (const JsonValue* groups = parsed->find("entry_points")) {
+    for (const auto& [group, lines] : groups->members()) {
+      for (const JsonValue& item : lines.items()) {
+        const std::string line = item.string() == nullptr ? "" : *item.string();
+        plan.entry_points[group].push_back(line);
+        if (group != kPrograms) continue;
+        if (auto entry = entry_point(line)) {
+          plan.programs.push_back(std::move(*entry));
+        } else {
+          errors.push_back(
+              refused(place, "setup.py", 0,
+                      "the entry point `" + line + "` is not `NAME = MODULE:FUNCTION`"));
+        }
+      }
+    }
+  }
+  if (!errors.empty()) return errors;
+  return plan;
+}
+
+std::string entry_point_script(const EntryPoint& entry, const std::string& package) {
+  const auto dot = entry.function.find('.');
+  const std::string first = entry.function.substr(0, dot);
+  return "#!/usr/bin/env python3\n# The entry point `" + entry.name + " = " + entry.module + ":" +
+         entry.function + "` of " + package + ".\nimport sys\n\nfrom " + entry.module + " import " +
+         first + "\n\nsys.exit(" + entry.function + "())\n";
+}
+
+std::string entry_points_text(const SetupPlan& plan) {
+  std::string text;
+  for (const auto& [group, lines] : plan.entry_points) {
+    text += (text.empty() ? "[" : "\n[") + group + "]\n";
+    for (const std::string& line : lines) text += line + "\n";
+  }
+  return text;
+}
+
+}  // namespace ros2wasm

@@ -1,0 +1,33 @@
+// The Python files of installed packages: modules, and scripts that are programs. An edge: reads
+// folders and files.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "workspace_schema/outcome.hpp"
+
+namespace ros2wasm {
+
+/// Where Python looks for modules, below a prefix. The toolchain's ament_cmake_python says the same
+/// to CMake.
+inline constexpr const char* kPythonModules = "lib/python3.12/site-packages";
+/// Where the package `pyodide` of a channel has its files, below the prefix.
+inline constexpr const char* kPyodideFolder = "share/pyodide";
+
+/// Bytes by path below the prefix: "lib/python3.12/site-packages/demo/talker.py".
+using PythonFiles = std::map<std::string, std::string>;
+
+/// Does a file with this first line run as a Python script?
+[[nodiscard]] bool is_python_script(std::string_view text);
+
+/// Adds the modules of a prefix, and what `package` has in lib/<package>/ but compiled programs; a
+/// file that is known stays. R2W0210.
+[[nodiscard]] Outcome<Done> collect_python_modules(const std::filesystem::path& prefix,
+                                                   PythonFiles& into);
+[[nodiscard]] Outcome<Done> collect_python_scripts(const std::filesystem::path& prefix,
+                                                   const std::string& package, PythonFiles& into);
+
+}  // namespace ros2wasm

@@ -1,0 +1,46 @@
+// The files that Python nodes need in a site: Pyodide, and archives of what is installed. Pure.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "bundler/launch/python_tree.hpp"
+#include "bundler/launch/share_tree.hpp"
+
+namespace ros2wasm {
+
+/// Interface definitions by type: "std_msgs/msg/String" -> text.
+using InterfaceTexts = std::map<std::string, std::string>;
+
+/// Pyodide's wasm file in a site: the program of every Python node.
+inline constexpr const char* kPythonProgram = "pyodide/pyodide.asm.wasm";
+
+/// What Python nodes find installed.
+struct PythonInput {
+  PythonFiles pyodide;    ///< by name
+  PythonFiles channels;   ///< modules and scripts of the packages of channels
+  PythonFiles workspace;  ///< and of the workspace's
+};
+
+struct PythonSiteFile {
+  std::string path;
+  std::string reason;
+  std::string bytes;
+};
+
+struct PythonSite {
+  std::vector<PythonSiteFile> files;
+  std::vector<std::string> archives;  ///< paths of those among `files` that nodes unpack, in order
+};
+
+/// "share/demo/config/gains.yaml" or "share/ament_index/resource_index/plugins/demo": of "demo".
+[[nodiscard]] std::string package_of_shared(const std::string& path);
+
+/// `local`: the packages of the workspace. The same files give the same bytes.
+[[nodiscard]] PythonSite python_site(PythonInput input, const InterfaceTexts& interfaces,
+                                     const SharedFiles& shared,
+                                     const std::vector<std::string>& local,
+                                     const std::vector<std::string>& packages);
+
+}  // namespace ros2wasm

@@ -1,0 +1,46 @@
+# Installs Python files for the Python of sites, and runs none: no setuptools, no compiling. In place of the host's
+# package, which asks the host's Python for its folder and its version.
+if(COMMAND ament_python_install_package)
+  return()
+endif()
+set(ament_cmake_python_FOUND_AMENT_PACKAGE TRUE)
+set(PYTHON_INSTALL_DIR "lib/python3.12/site-packages" CACHE INTERNAL "Where Python looks for modules")
+
+function(ament_get_python_install_dir variable)
+  set(${variable} "${PYTHON_INSTALL_DIR}" PARENT_SCOPE)
+endfunction()
+
+function(_ros2wasm_python_destination variable destination)
+  if(NOT destination)
+    set(destination "${PYTHON_INSTALL_DIR}")
+  endif()
+  set(${variable} "${destination}" PARENT_SCOPE)
+endfunction()
+
+# ament_python_install_package(NAME [PACKAGE_DIR DIR] [VERSION V] [SETUP_CFG FILE] [DESTINATION DIR]
+#                              [SCRIPTS_DESTINATION DIR] [SKIP_COMPILE])
+function(ament_python_install_package name)
+  cmake_parse_arguments(ARG "SKIP_COMPILE" "PACKAGE_DIR;VERSION;SETUP_CFG;DESTINATION;SCRIPTS_DESTINATION" "" ${ARGN})
+  if(ARG_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "ament_python_install_package(): what is `${ARG_UNPARSED_ARGUMENTS}`?")
+  endif()
+  if(NOT ARG_PACKAGE_DIR)
+    set(ARG_PACKAGE_DIR "${name}")
+  endif()
+  get_filename_component(folder "${ARG_PACKAGE_DIR}" ABSOLUTE)
+  if(NOT EXISTS "${folder}/__init__.py")
+    message(FATAL_ERROR "ament_python_install_package(): there is no __init__.py in ${folder}")
+  endif()
+  if(ARG_SCRIPTS_DESTINATION)
+    message(WARNING "ament_python_install_package(): entry points of setup.cfg get no scripts in a site")
+  endif()
+  _ros2wasm_python_destination(destination "${ARG_DESTINATION}")
+  install(DIRECTORY "${folder}/" DESTINATION "${destination}/${name}"
+    PATTERN "*.pyc" EXCLUDE PATTERN "__pycache__" EXCLUDE)
+endfunction()
+
+# ament_python_install_module(FILE [DESTINATION_SUFFIX DIR] [SKIP_COMPILE])
+function(ament_python_install_module file)
+  cmake_parse_arguments(ARG "SKIP_COMPILE" "DESTINATION_SUFFIX" "" ${ARGN})
+  install(FILES "${file}" DESTINATION "${PYTHON_INSTALL_DIR}/${ARG_DESTINATION_SUFFIX}")
+endfunction()

@@ -1,0 +1,85 @@
+// Python packages through pack and run, as their users write them: ament_python and mixed ones in one site.
+
+import assert from 'node:assert/strict';
+import { cpSync, rmSync } from 'node:fs';
+import { join, resolve } from 'node:path';
+import { after, before, test } from 'node:test';
+
+import { PackWorkspace, finished } from './pack_workspace.ts';
+
+const PACKAGES = resolve(import.meta.dirname, '../packages');
+const MANIFEST = `schema: 1
+name: both
+distro: jazzy
+packages: [src/*]
+launch:
+  - {package: chatter_py, executable: count, remappings: {chatter: counted}}
+  - {package: chatter_py, executable: hear, name: ears, remappings: {chatter: counted}}
+  - {package: chatter_py, executable: threads}
+  - {package: mixed_nodes, executable: sensor}
+  - {package: mixed_nodes, executable: judge.py}
+`;
+
+interface Site {
+  readonly nodes: readonly { readonly id: string; readonly kind: string; readonly python?: { readonly entry: string } }[];
+  readonly files: readonly { readonly path: string }[];
+}
+
+let workspace: PackWorkspace;
+before(async () => {
+  workspace = new PackWorkspace();
+  for (const name of ['chatter_py', 'mixed_nodes']) cpSync(join(PACKAGES, name), join(workspace.root, 'src', name), { recursive: true });
+  workspace.write('workspace.yaml', MANIFEST);
+  const packed = await workspace.run(['pack']);
+  assert.equal(packed.code, 0, packed.stderr);
+});
+after(() => workspace.close());
+
+const site = (folder: string): Site => JSON.parse(workspace.read(`${folder}/site.json`).toString()) as Site;
+const pythonFiles = (of: Site): string[] => of.files.map((file) => file.path).filter((path) => /^(python|pyodide)/.test(path));
+
+test('entry points and scripts are programs of kind python', () => {
+  assert.deepEqual(site('site').nodes.map((node) => [node.id, node.kind, node.python?.entry]), [
+    ['count-1', 'python', 'lib/chatter_py/count'],
+    ['hear-2', 'python', 'lib/chatter_py/hear'],
+    ['threads-3', 'python', 'lib/chatter_py/threads'],
+    ['sensor-4', 'cpp', undefined],
+    ['judge.py-5', 'python', 'lib/mixed_nodes/judge.py'],
+  ]);
+  assert.deepEqual(pythonFiles(site('site')), [
+    'pyodide/pyodide-lock.json', 'pyodide/pyodide.asm.js', 'pyodide/pyodide.asm.wasm', 'pyodide/pyodide.js',
+    'pyodide/python_stdlib.zip', 'python/channels.zip', 'python/workspace.zip', 'python_worker.js',
+  ]);
+});
+
+test('they run: entry points, scripts, messages of the package itself, share files, both languages', async () => {
+  const wanted = [
+    /^\[hear-2\] .*\[ears\]: heard <Python counts \d+>$/m,
+    /^\[threads-3\] slept True True$/m,
+    /^\[judge\.py-5\] .*\[judge\]: left: 1 of 3 above 2\.5$/m,
+  ];
+  const child = workspace.start(['run', 'site', '--for', '120s']);
+  let said = '';
+  child.stdout?.on('data', (bytes: Buffer) => {
+    said += bytes.toString();
+    if (wanted.every((line) => line.test(said))) child.kill('SIGINT');
+  });
+  const ran = await finished(child);
+  assert.equal(ran.code, 130, `${ran.stderr}\n${ran.stdout.slice(-4000)}`);
+});
+
+test('packing again runs no setup.py and gives the same bytes', async () => {
+  const before = workspace.files('site');
+  const again = await workspace.run(['pack']);
+  assert.match(again.stderr, /nothing to build: 2 packages are as before/);
+  assert.deepEqual([...workspace.files('site')], [...before]);
+});
+
+test('a site without Python nodes has nothing of Python, whatever the workspace has', async () => {
+  workspace.write('compiled.yaml', MANIFEST.replace(/^ {2}- .*(chatter_py|judge).*\n/gm, ''));
+  const packed = await workspace.run(['pack', 'compiled.yaml', '-o', 'compiled']);
+  assert.equal(packed.code, 0, packed.stderr);
+  assert.equal(site('compiled').nodes.length, 1);
+  assert.deepEqual(pythonFiles(site('compiled')), []);
+  rmSync(join(workspace.root, 'compiled'), { recursive: true });
+});

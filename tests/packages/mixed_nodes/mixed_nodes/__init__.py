@@ -1,0 +1,1 @@
+"""What the Python nodes of the package share."""

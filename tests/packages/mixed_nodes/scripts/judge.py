@@ -1,0 +1,31 @@
+#!/usr/bin/env python3
+"""Hears the readings of a compiled node and says which are too high."""
+import rclpy
+from rclpy.node import Node
+
+from mixed_nodes.limits import highest
+from mixed_nodes.msg import Reading
+
+
+class Judge(Node):
+
+    def __init__(self) -> None:
+        super().__init__('judge')
+        self.limit = highest()
+        self.create_subscription(Reading, 'readings', self.judge, 10)
+
+    def judge(self, reading: Reading) -> None:
+        high = [value for value in reading.values if value > self.limit]
+        self.get_logger().info(f'{reading.sensor}: {len(high)} of {len(reading.values)} above {self.limit}')
+
+
+def main() -> None:
+    rclpy.init()
+    try:
+        rclpy.spin(Judge())
+    except KeyboardInterrupt:
+        pass
+
+
+if __name__ == '__main__':
+    main()

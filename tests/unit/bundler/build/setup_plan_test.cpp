@@ -1,0 +1,66 @@
+#include "bundler/build/setup_plan.hpp"
+
+#include <gtest/gtest.h>
+
+namespace ros2wasm {
+namespace {
+
+const BuildPlace kPlace{.package = "demo",
+                        .source = "/w/src/demo",
+                        .display = "src/demo",
+                        .compiler_version = {},
+                        .channel_packages = {}};
+
+TEST(SetupPlan, HasFilesProgramsAndEntryPoints) {
+  const auto plan = read_setup_plan(
+      R"({"name": "demo", "version": "1.2", "script_folder": "lib/demo",
+          "modules": [["src/demo/a.py", "demo/a.py"]], "data": [["package.xml", "share/demo/package.xml"]],
+          "scripts": [["tools/run", "lib/demo/run"]],
+          "entry_points": {"console_scripts": ["talk = demo.a:Talker.main [extra]"], "demo.plugins": ["x = demo.x"]}})",
+      kPlace);
+  ASSERT_TRUE(plan);
+  EXPECT_EQ(plan->name, "demo");
+  ASSERT_EQ(plan->modules.size(), 1U);
+  EXPECT_EQ(plan->modules[0].from, "src/demo/a.py");
+  EXPECT_EQ(plan->modules[0].to, "demo/a.py");
+  ASSERT_EQ(plan->scripts.size(), 1U);
+  ASSERT_EQ(plan->programs.size(), 1U);
+  EXPECT_EQ(entry_point_script(plan->programs[0], "demo"),
+            "#!/usr/bin/env python3\n# The entry point `talk = demo.a:Talker.main` of demo.\n"
+            "import sys\n\nfrom demo.a import Talker\n\nsys.exit(Talker.main())\n");
+  EXPECT_EQ(entry_points_text(*plan),
+            "[console_scripts]\ntalk = demo.a:Talker.main [extra]\n\n[demo.plugins]\nx = demo.x\n");
+}
+
+TEST(SetupPlan, TellsWhereSetupFailed) {
+  const auto plan = read_setup_plan(
+      R"({"error": {"file": "setup.py", "line": 7, "message": "NameError: name 'x' is not defined"}})",
+      kPlace);
+  ASSERT_FALSE(plan);
+  const Diagnostic& error = plan.errors().front();
+  EXPECT_EQ(error.code, "R2W0516");
+  ASSERT_TRUE(error.span);
+  EXPECT_EQ(error.span->file, "src/demo/setup.py");
+  EXPECT_EQ(error.span->line, 7U);
+  EXPECT_EQ(error.why.front(), "NameError: name 'x' is not defined");
+}
+
+TEST(SetupPlan, RefusesWhatLeavesItsFolderOrIsNoEntryPoint) {
+  const auto refused = [](const std::string& part) {
+    const auto plan =
+        read_setup_plan(R"({"name": "demo", "script_folder": "lib/demo", )" + part + "}", kPlace);
+    return plan ? std::string() : plan.errors().front().why.front();
+  };
+  EXPECT_EQ(refused(R"("data": [["a", "../x"]])"), "`../x` leads out of its folder");
+  EXPECT_EQ(refused(R"("modules": [["/etc/passwd", "x"]])"),
+            "`/etc/passwd` leads out of its folder");
+  for (const char* line :
+       {"talk", "talk = demo", "../talk = demo:main", "talk = demo:main()", " = a:b"}) {
+    EXPECT_EQ(refused(R"("entry_points": {"console_scripts": [")" + std::string(line) + R"("]})"),
+              "the entry point `" + std::string(line) + "` is not `NAME = MODULE:FUNCTION`");
+  }
+  EXPECT_EQ(refused(R"("data": [["a", "share/demo/a"]])"), "");
+}
+
+}  // namespace
+}  // namespace ros2wasm

@@ -157,7 +157,7 @@ class Interrupts {
 }
 
 /** Stacks of one Python program: one runs, the others are suspended until somebody lets them go on. */
-function threadFunctions(interrupts: Interrupts): Record<string, unknown> {
+function threadFunctions(interrupts: Interrupts, wait: (promise: Promise<void>) => void): Record<string, unknown> {
   const parked = new Map<number, () => void>();
   return {
     set_threads: (count: number) => interrupts.setThreads(count),
@@ -167,16 +167,16 @@ function threadFunctions(interrupts: Interrupts): Record<string, unknown> {
       const kept = begin.copy() as PyCallable;
       queueMicrotask(() => void kept.callPromising().then(() => kept.destroy()));
     },
-    park: (ident: number) => {
-      interrupts.suspended = true;
-      return new Promise<void>((resolve) => parked.set(ident, resolve));
-    },
+    park: (ident: number) => wait(new Promise<void>((resolve) => parked.set(ident, resolve))),
     unpark: (ident: number) => {
       parked.get(ident)?.();
       parked.delete(ident);
     },
   };
 }
+
+/** In place of a promise, which Pyodide would wrap: `pending` has it. */
+const promised = -(2 ** 31);
 
 /** 1: input is there, 0: none is, 2: a stop came. */
 function arrived(arrival: Arrival): number {
@@ -188,11 +188,16 @@ function hostModule(host: ProgramHost, memory: ProgramMemory, stop: Interrupts):
   const { link } = host;
   const imports = hostImports(link, () => memory, host.idle, host.sent);
   const buffers: PyBuffer[] = [];
+  let pending: Promise<unknown> | undefined;
+  /** Until Python is back (`resumed`) nobody interrupts it: Pyodide runs code of its own when a promise is kept. */
+  const wait = (promise: Promise<unknown>): number => {
+    stop.suspended = true;
+    pending = promise;
+    return promised;
+  };
   const suspending = (f: (...args: never[]) => unknown) => (...args: never[]): unknown => {
     const result = f(...args);
-    // Until Python is back (`resumed`): Pyodide runs code of its own when a promise is kept.
-    if (result instanceof Promise) stop.suspended = true;
-    return result;
+    return result instanceof Promise ? wait(result) : result;
   };
   // Here and not in Python: an interrupt between the end of a suspension and Python's look at its result would be lost.
   const told = (result: number): number => result === WaitResult.stop && !stop.take() ? WaitResult.woken : result;
@@ -209,12 +214,13 @@ function hostModule(host: ProgramHost, memory: ProgramMemory, stop: Interrupts):
       host.idle();
       return host.input.read(capacity);
     }),
-    /** Results of the four above may be promises, and of this one. */
+    // Of the four above, and of this, the result may be a promise.
     input_is_there: suspending(() => {
       const there = host.input.arrives(0);
       return there instanceof Promise ? there.then(arrived) : arrived(there);
     }),
-    ...threadFunctions(stop),
+    ...threadFunctions(stop, wait),
+    pending: () => pending,
     resumed: () => {
       stop.suspended = false;
     },
@@ -226,6 +232,28 @@ function hostModule(host: ProgramHost, memory: ProgramMemory, stop: Interrupts):
       return (buffer['data'] as Uint8Array).byteOffset;
     },
   };
+}
+
+/** The part of Emscripten's file system that is used here. */
+interface FileSystem {
+  readonly mkdirTree: (path: string) => void;
+  readonly createFile: (folder: string, name: string, properties: object, read: boolean, write: boolean) => object;
+}
+
+/** Puts the site's share files in place; the bytes of one come when it is first read. */
+function mountShare(python: PyodideInterface, { files, readNow }: ProgramHost): void {
+  const system = python['FS'] as unknown as FileSystem;
+  for (const [path, size] of files.files) {
+    const whole = `${files.prefix}/${path}`;
+    const at = whole.lastIndexOf('/');
+    system.mkdirTree(whole.slice(0, at));
+    const node = system.createFile(whole.slice(0, at), whole.slice(at + 1), {}, true, false);
+    let bytes: Uint8Array | undefined;
+    Object.defineProperties(node, {
+      contents: { get: () => (bytes ??= readNow(files.place, path) ?? new Uint8Array(size)) },
+      usedBytes: { get: () => size },
+    });
+  }
 }
 
 interface Loaded {
@@ -245,7 +273,7 @@ async function load(
   };
   const python = await withModule(module, prepare, () => open({
     indexURL: home,
-    env: { HOME: '/home', ...host.environment, AMENT_PREFIX_PATH: prefix },
+    env: { HOME: '/home', ...host.environment, AMENT_PREFIX_PATH: `${prefix}:${host.files.prefix}` },
   }));
   if (memory === undefined) throw new TypeError('Pyodide took another wasm file');
   return { python, memory };
@@ -273,6 +301,7 @@ export const runPython: RunPython = async (module, start, host, files) => {
     const stop = new Interrupts(() => host.link.stopRequested(), !host.stepped);
     python.registerJsModule('ros2wasm_host', hostModule(host, memory, stop));
     for (const bytes of await Promise.all(archives)) python.unpackArchive(bytes, 'zip', { extractDir: prefix });
+    mountShare(python, host);
     const globals = python.toPy({ path: sitePackages }) as PyDict;
     python.runPython('import sys; sys.path.insert(0, path); from ros2wasm.start import run', { globals });
     const run = globals.get('run') as PyCallable;

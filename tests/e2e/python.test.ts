@@ -19,13 +19,19 @@ let folder = '';
 let browser: Browser | undefined;
 
 before(async () => {
-  // Compiled: talker-1, listener-2; Python: count-3, hear-4, threads-5, errands-6.
-  folder = makeSite([{ program: 'talker.c' }, { program: 'listener.c' }], {}, {}, {
+  // Compiled: talker-1, listener-2; Python: count-3, hear-4, threads-5, errands-6, life-7, cloud-8.
+  const share = {
+    'share/test_share/words.txt': 'words of a package',
+    'share/ament_index/resource_index/packages/test_share': '',
+  };
+  folder = makeSite([{ program: 'talker.c' }, { program: 'listener.c' }], share, {}, {
     nodes: [
       { entry: 'chatter_py.count:main', executable: 'count' },
       { entry: 'chatter_py.hear:main', executable: 'hear', arguments: ['--ros-args', '-r', '__node:=ears'] },
       { entry: 'lib/chatter_py/threads', executable: 'threads' },
       { entry: 'chatter_py.errands:main', executable: 'errands' },
+      { entry: 'chatter_py.life:main', executable: 'life' },
+      { entry: 'lib/chatter_py/cloud', executable: 'cloud', numpy: true },
     ],
     packages: ownPackage('chatter_py'),
   });
@@ -41,7 +47,7 @@ after(async () => {
 const wanted: Readonly<Record<string, RegExp>> = {
   'Python hears Python': /^\[hear-4\] \[INFO\] \[\d+\.\d{9}\] \[ears\]: heard <Python counts \d+>$/,
   'Python hears the compiled one': /^\[hear-4\] .*heard <Hello World: \d+>$/,
-  'threads sleep side by side': /^\[threads-5\] slept side by side True$/,
+  'threads sleep side by side': /^\[threads-5\] slept side by side True True$/,
   'threads wait for each other': /^\[threads-5\] a queue hands over \[\('taker', 1\), \('taker', 2\), \('taker', 3\)\]$/,
   'threads that only compute let each other go on': /^\[threads-5\] both compute True$/,
   'a pool of threads': /^\[threads-5\] a pool maps \[0, 1, 4, 9, 16\]$/,
@@ -53,6 +59,19 @@ const wanted: Readonly<Record<string, RegExp>> = {
   'a goal is deferred, tells how far it is, and succeeds':
     /^\[errands-6\] done True 4 \[0, 1, 1, 2, 3\] \[3, 4, 5\]$/,
   'a goal is cancelled while it sleeps': /^\[errands-6\] cancelled 1 5$/,
+  'a node is configured, activated, deactivated, and its error handled':
+    /^\[life-7\] managed \[True, False, True, True, False\] \['shines'\] \['white', 'red'\]$/,
+  'its transitions are told':
+    /^\[life-7\] states configuring inactive activating active deactivating inactive cleaningup errorprocessing unconfigured$/,
+  'calls of a service are told': /^\[life-7\] calls \[\(0, 1\), \(3, 0\)\]$/,
+  'messages become bytes and come back': /^\[life-7\] bytes bytes$/,
+  'one message is waited for': /^\[life-7\] waited True$/,
+  'a message does not come': /^\[life-7\] nothing \(False, None\)$/,
+  'asyncio and rclpy take turns': /^\[life-7\] asyncio slept spun$/,
+  'share files of the site': /^\[life-7\] share words of a package$/,
+  'the index knows what there is, and a home': /^\[life-7\] index package 'no_such_package' not found \/home\/user$/,
+  'point clouds are arrays, and arrays point clouds':
+    /^\[cloud-8\] 2 x 1, step 12; \[0\.0, 4\.0\]; Point\(x=np\.float32\(3\.0\), .*\); \[\[1\.0\], \[4\.0\]\]$/,
   'an executor and its threads end': /^\[errands-6\] errands are done$/,
   'the compiled one hears Python': /^\[listener-2\] I heard: \[Python counts \d+\]/,
 };
@@ -77,7 +96,7 @@ for (const link of ['shared', 'port']) {
     assert.equal(code, 130, err);
     // As natively: KeyboardInterrupt comes out of spin, and who caught it ends well.
     assert.equal(said.at(-1), '[hear-4] stopped by hand, something heard', said.slice(-30).join('\n'));
-    for (const node of ['count-3', 'hear-4', 'threads-5', 'errands-6']) assert.match(err, new RegExp(`\\[${node}\\] process has finished cleanly`));
+    for (const node of ['count-3', 'hear-4', 'threads-5', 'errands-6', 'life-7', 'cloud-8']) assert.match(err, new RegExp(`\\[${node}\\] process has finished cleanly`));
   });
 }
 

@@ -4,10 +4,10 @@ import { execFileSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { copyFileSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
-import { join } from 'node:path';
+import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { buildProgram } from '../unit/wasm_js/programs.ts';
-import { addPythonFiles, describePython, type PythonNode } from '../support/python_nodes.ts';
+import { addNumpy, addPythonFiles, describePython, type PythonNode } from '../support/python_nodes.ts';
 import { splitNames } from '../unit/wasm_js/site_fixture.ts';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
@@ -51,9 +51,13 @@ export function makeSite(
   });
   if (python !== undefined) {
     addPythonFiles(folder, python.packages);
+    if (python.nodes.some(({ numpy }) => numpy)) addNumpy(folder);
     described.push(...python.nodes.map((node, i) => describePython(node, nodes.length + i + 1)));
   }
-  for (const [file, text] of Object.entries(more)) writeFileSync(join(folder, file), text);
+  for (const [file, text] of Object.entries(more)) {
+    mkdirSync(dirname(join(folder, file)), { recursive: true });
+    writeFileSync(join(folder, file), text);
+  }
   const files = readdirSync(folder, { recursive: true, withFileTypes: true })
     .filter((entry) => entry.isFile())
     .map((entry) => join(entry.parentPath, entry.name).slice(folder.length + 1))

@@ -2,7 +2,8 @@
 // of a test.
 
 import { execFileSync } from 'node:child_process';
-import { copyFileSync, mkdirSync, readdirSync } from 'node:fs';
+import { copyFileSync, mkdirSync, mkdtempSync, readdirSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
@@ -15,6 +16,7 @@ export interface PythonNode {
   readonly entry: string;
   readonly executable: string;
   readonly arguments?: readonly string[];
+  readonly numpy?: boolean;
   readonly environment?: Readonly<Record<string, string>>;
 }
 
@@ -30,9 +32,21 @@ export function addPythonFiles(folder: string, packages: Readonly<Record<string,
   const rclpy = join(root, 'runtime/rclpy');
   make('rclpy.zip', [
     ...readdirSync(rclpy).filter((name) => !name.includes('.')).sort().map((name) => `${join(rclpy, name)}=${sitePackages}/${name}`),
+    ...['ament_index_python', 'sensor_msgs_py'].map((name) => `${join(root, 'runtime', name, name)}=${sitePackages}/${name}`),
     `${interfaces}=share`,
   ]);
   make('packages.zip', Object.entries(packages).map(([from, place]) => `${from}=${place}`));
+}
+
+/** An archive with numpy, for the nodes that say so. */
+export function addNumpy(folder: string): void {
+  const unpacked = mkdtempSync(join(tmpdir(), 'ros2wasm-numpy-'));
+  const packed = join(root, 'node_modules/@emscripten-forge/numpy/pkg');
+  for (const file of readdirSync(packed)) execFileSync('tar', ['xzf', join(packed, file), '-C', unpacked]);
+  execFileSync('python3', [
+    join(root, 'tests/support/make_archive.py'), join(folder, 'python/numpy.zip'), `${join(unpacked, sitePackages)}=${sitePackages}`,
+  ]);
+  rmSync(unpacked, { recursive: true });
 }
 
 /** A Python package among the tests' own: its modules, and its scripts as they are. */
@@ -44,9 +58,10 @@ export function ownPackage(name: string): Record<string, string> {
 /** The node as site.json has it. */
 export function describePython(node: PythonNode, index: number): Record<string, unknown> {
   const { entry, executable } = node;
+  const archives = ['python/rclpy.zip', 'python/packages.zip', ...(node.numpy === true ? ['python/numpy.zip'] : [])];
   return {
     id: `${executable}-${index}`, package: 'test', executable, label: `/${executable}`, kind: 'python',
-    program: 'pyodide/pyodide.asm.wasm', python: { archives: ['python/rclpy.zip', 'python/packages.zip'], entry },
+    program: 'pyodide/pyodide.asm.wasm', python: { archives, entry },
     threads: false, respawn: false, arguments: node.arguments ?? [], environment: node.environment ?? {}, output: 'screen',
     source: { file: 'workspace.yaml', line: 2 + index, column: 5 },
   };

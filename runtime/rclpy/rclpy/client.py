@@ -7,9 +7,11 @@ from types import TracebackType
 from typing import Any
 
 from rclpy.callback_groups import CallbackGroup
+from rclpy.clock import Clock
 from rclpy.context import Context
 from rclpy.exceptions import InvalidHandle
 from rclpy.qos import QoSProfile
+from rclpy.service_introspection import ServiceEvents, ServiceIntrospectionState
 from rclpy.task import Future
 from ros2wasm import background, host
 from ros2wasm.entities import changes
@@ -37,6 +39,8 @@ class Client:
         self._executor_event = False
         #: The executor of the client's node, for calls that wait within a callback.
         self._find_executor: Callable[[], Any] = lambda: None
+        #: Set by the node.
+        self._events: ServiceEvents | None = None
 
     @property
     def handle(self) -> Client:
@@ -87,6 +91,8 @@ class Client:
         info = self._endpoint.write(self.srv_type.Request._codec, request)
         future = Future(executor=self._find_executor())
         self._pending_requests[info.sequence] = future
+        if self._events is not None:
+            self._events.tell('REQUEST_SENT', self._endpoint.gid, info.sequence, request)
         future.add_done_callback(self.remove_pending_request)
         return future
 
@@ -128,16 +134,28 @@ class Client:
         if taken is None:
             return False
         response, info = taken
+        if self._events is not None:
+            self._events.tell('RESPONSE_RECEIVED', self._endpoint.gid, info.related_sequence, response)
         future = self._pending_requests.get(info.related_sequence)
         # Nobody may want the answer any more.
         if future is not None:
             future.set_result(response)
         return True
 
+    def configure_introspection(
+        self, clock: Clock, service_event_qos_profile: QoSProfile, introspection_state: ServiceIntrospectionState
+    ) -> None:
+        """Tell others of the calls, or no more."""
+        self._check()
+        assert self._events is not None
+        self._events.configure(clock, service_event_qos_profile, introspection_state)
+
     def destroy(self) -> None:
         if self._destroyed:
             return
         self._destroyed = True
+        if self._events is not None:
+            self._events.destroy()
         self._endpoint.destroy()
         changes.add()
 

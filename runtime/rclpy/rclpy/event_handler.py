@@ -164,13 +164,17 @@ class EventHandler:
         return []
 
     def _ready(self) -> bool:
+        if self._is_empty():
+            self._found = None
         version = host.status_version()
         if self._found is None and version != self._version and not self._destroyed:
             self._version = version
             self._found = self._endpoint.status(self._kind)
-        if self._found is not None and not (self._found.total_change or self._found.current_change):
-            self._found = None
-        return self._found is not None
+        return self._found is not None and not self._is_empty()
+
+    def _is_empty(self) -> bool:
+        """What was read tells of no change."""
+        return self._found is not None and not (self._found.total_change or self._found.current_change)
 
     def _take_call(self) -> Callable[[], Any] | None:
         if not self._ready() or self._found is None:

@@ -23,6 +23,7 @@ from rclpy.qos import (
 )
 from rclpy.qos_overriding_options import QoSOverridingOptions, declare_qos_parameters
 from rclpy.service import Service
+from rclpy.service_introspection import ServiceEvents
 from rclpy.subscription import Subscription
 from rclpy.time_source import TimeSource
 from rclpy.timer import Rate, Timer
@@ -231,6 +232,7 @@ class Node(NodeParameters, NodeGraph):
         endpoint = self._endpoint(EndpointKind.CLIENT, srv_type, full, qos_profile)
         client = Client(self._context, endpoint, srv_type, full, qos_profile, group, self._logger.name)
         client._find_executor = lambda: self._executor
+        client._events = ServiceEvents(self, srv_type, full)
         self._add(self._clients, client, group)
         return client
 
@@ -243,6 +245,7 @@ class Node(NodeParameters, NodeGraph):
         full = self._resolve(srv_name, True)
         endpoint = self._endpoint(EndpointKind.SERVER, srv_type, full, qos_profile)
         service = Service(endpoint, srv_type, full, callback, group, qos_profile, self._logger.name)
+        service._events = ServiceEvents(self, srv_type, full)
         self._add(self._services, service, group)
         return service
 

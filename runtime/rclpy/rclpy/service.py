@@ -7,8 +7,10 @@ from types import TracebackType
 from typing import Any
 
 from rclpy.callback_groups import CallbackGroup
+from rclpy.clock import Clock
 from rclpy.exceptions import InvalidHandle
 from rclpy.qos import QoSProfile
+from rclpy.service_introspection import ServiceEvents, ServiceIntrospectionState
 from ros2wasm import host
 from ros2wasm.entities import changes
 
@@ -29,6 +31,8 @@ class Service:
         self.callback_group = callback_group
         self._executor_event = False
         self.qos_profile = qos_profile
+        #: Set by the node.
+        self._events: ServiceEvents | None = None
 
     @property
     def handle(self) -> Service:
@@ -49,12 +53,16 @@ class Service:
         if not isinstance(response, self.srv_type.Response):
             raise TypeError()
         self._endpoint.write(self.srv_type.Response._codec, response, header.related_sequence, header.related_gid)
+        if self._events is not None:
+            self._events.tell('RESPONSE_SENT', header.related_gid, header.related_sequence, response)
 
     def _take_call(self) -> Callable[[], Any] | None:
         taken = self._endpoint.take(self.srv_type.Request._codec)
         if taken is None:
             return None
         request, header = taken
+        if self._events is not None:
+            self._events.tell('REQUEST_RECEIVED', header.related_gid, header.related_sequence, request)
         return lambda: self._answer(request, header)
 
     def _answer(self, request: Any, header: Any) -> Any:
@@ -67,10 +75,19 @@ class Service:
     async def _answer_later(self, response: Any, header: Any) -> None:
         self.send_response(await response, header)
 
+    def configure_introspection(
+        self, clock: Clock, service_event_qos_profile: QoSProfile, introspection_state: ServiceIntrospectionState
+    ) -> None:
+        """Tell others of the calls, or no more."""
+        assert self._events is not None
+        self._events.configure(clock, service_event_qos_profile, introspection_state)
+
     def destroy(self) -> None:
         if self._destroyed:
             return
         self._destroyed = True
+        if self._events is not None:
+            self._events.destroy()
         self._endpoint.destroy()
         changes.add()
 

@@ -5,6 +5,7 @@ import inspect
 import sys
 import warnings
 import weakref
+from asyncio import events
 from collections.abc import Callable, Coroutine, Generator
 from enum import Enum
 from typing import Any
@@ -34,10 +35,10 @@ class Future:
         if self._exception is not None and not self._exception_fetched:
             print(f'The following exception was never retrieved: {self._exception}', file=sys.stderr)
 
-    def __await__(self) -> Generator[Future, None, Any]:
+    def __await__(self) -> Generator[Future | None, None, Any]:
         while self._state is FutureState.PENDING:
-            # Tells the task what it waits for.
-            yield self
+            # Tells the task what it waits for; a task of asyncio only lets others go on.
+            yield self if events._get_running_loop() is None or Task._stepping else None
         return self.result()
 
     def cancel(self) -> None:
@@ -116,6 +117,9 @@ class Future:
 class Task(Future):
     """A function to call, or a coroutine to step."""
 
+    #: How many are in the middle of a step, one within the other.
+    _stepping = 0
+
     def __init__(
         self, handler: Callable[..., Any] | Coroutine[Any, Any, Any], args: Any = None, kwargs: Any = None,
         executor: Any = None
@@ -146,12 +150,15 @@ class Task(Future):
         self._executing = True
         try:
             if inspect.iscoroutine(self._handler):
+                Task._stepping += 1
                 try:
                     self._yielded = self._handler.send(None)
                     self._gave_way = not isinstance(self._yielded, Future)
                 except StopIteration as end:
                     self.set_result(end.value)
                     self._complete_task()
+                finally:
+                    Task._stepping -= 1
             else:
                 self.set_result(self._handler(*self._args, **self._kwargs))
                 self._complete_task()

@@ -8,6 +8,7 @@ import signal
 import struct
 import sys
 import time
+from asyncio import events
 from typing import Any, NamedTuple
 
 import ros2wasm_host as js
@@ -18,6 +19,8 @@ from ros2wasm.constants import (
 )
 
 WOKEN, TIMEOUT, STOP = int(WaitResult.WOKEN), int(WaitResult.TIMEOUT), int(WaitResult.STOP)
+#: The host's result is a promise, which it keeps for suspend.
+PENDING = -1 << 31
 #: What js.input_is_there says.
 INPUT, INPUT_STOP = 1, 2
 NOTHING = int(ErrorCode.NOTHING)
@@ -30,6 +33,8 @@ FIRST_CAPACITY = 1 << 16
 MOST_READY = 1024
 LOW = 0xFFFFFFFF
 
+#: Pyodide's event loop, on which its suspensions run.
+own_loop: Any = None
 #: The program's threads, once they are installed (threads.py).
 threads: Any = None
 
@@ -137,15 +142,18 @@ def wake_token() -> int:
 
 def _settled(result: Any) -> int:
     """What the link says at once, or after a suspension."""
-    settled: int = result if result.__class__ is int else suspend(result)
+    settled: int = suspend() if result == PENDING else result
     return settled
 
 
-def suspend(promise: Any) -> Any:
-    """Wait for a promise of the host; nobody is interrupted meanwhile."""
+def suspend() -> Any:
+    """Wait for the promise that the host has for us; nobody is interrupted meanwhile."""
+    running = events._get_running_loop()
+    events._set_running_loop(own_loop)
     try:
-        return run_sync(promise)
+        return run_sync(js.pending())
     finally:
+        events._set_running_loop(running)
         js.resumed()
 
 
@@ -193,7 +201,8 @@ def begin_thread(begin: Any) -> None:
 
 def park(ident: int) -> None:
     """Rest until unpark says so."""
-    run_sync(js.park(ident))
+    js.park(ident)
+    suspend()
 
 
 def unpark(ident: int) -> None:
@@ -229,8 +238,8 @@ def read_input(capacity: int) -> bytes | None:
         elif wait(token, -1) == STOP:
             return None
     result = js.read_input(capacity)
-    if result is not None and hasattr(result, 'then'):
-        result = suspend(result)
+    if result == PENDING:
+        result = suspend()
     if result is None:
         _stopped()
         return None
@@ -325,8 +334,8 @@ class Endpoint:
             end = encode(codec, message)
         _info.view[:] = NO_INFO
         result = js.write(self.handle, _out.address + HEADER_AT, end - HEADER_AT, _info.address)
-        if result.__class__ is not int:
-            result = suspend(result)
+        if result == PENDING:
+            result = suspend()
         if result < 0:
             self._refused(result)
         look_up()

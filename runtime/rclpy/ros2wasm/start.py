@@ -15,7 +15,7 @@ import traceback
 from types import TracebackType
 from typing import Any
 
-from ros2wasm import host, import_hook, threads
+from ros2wasm import event_loop, host, import_hook, threads
 
 NS = 1_000_000_000
 INTERRUPTED = -int(signal.SIGINT)
@@ -61,6 +61,7 @@ def install() -> None:
     """Put what waits on the link in place of what would block the worker or fail."""
     setattr(time, 'sleep', sleep)
     threads.install()
+    event_loop.install()
     sys.stdin = io.TextIOWrapper(io.BufferedReader(StandardInput()), encoding='utf-8')
     builtins.input = ask
     sys.dont_write_bytecode = True

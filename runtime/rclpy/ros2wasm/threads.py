@@ -13,6 +13,7 @@ import sys
 import threading
 import time
 from _threading_local import local
+from asyncio import events
 from collections import deque
 from collections.abc import Callable
 from functools import partial
@@ -36,7 +37,7 @@ REFUSED = (
 class Stack:
     """One thread."""
 
-    __slots__ = ('ident', 'begin', 'reason', 'blocked', 'deadline', 'token', 'sentinel', 'loop')
+    __slots__ = ('ident', 'begin', 'reason', 'blocked', 'deadline', 'token', 'sentinel')
 
     def __init__(self, ident: int) -> None:
         self.ident = ident
@@ -49,8 +50,6 @@ class Stack:
         #: It goes on when the link's token is another; None: that means nothing to it.
         self.token: int | None = None
         self.sentinel: Lock | None = None
-        #: The running loop of asyncio, which the interpreter keeps once only.
-        self.loop: Any = None
 
 
 class Threads:
@@ -83,6 +82,7 @@ class Threads:
 
     def _run(self, stack: Stack, function: Callable[..., Any], args: tuple[Any, ...], kwargs: dict[str, Any]) -> None:
         self._now_runs(stack)
+        events._set_running_loop(None)
         try:
             function(*args, **kwargs)
         except SystemExit:
@@ -121,20 +121,12 @@ class Threads:
         after = self.ready.popleft()
         if after is me:
             return
-        events = sys.modules.get('asyncio.events')
-        if events is not None:
-            me.loop = events._get_running_loop()
-            events._set_running_loop(None)
         self._resume(after)
         host.park(me.ident)
         self._now_runs(me)
-        if me.loop is not None:
-            assert events is not None
-            events._set_running_loop(me.loop)
-            me.loop = None
 
     def block(self, deadline: int | None = None, token: int | None = None) -> int:
-        """Rest until woken, until a steady time, or while the link's token is this. A stop wakes the main stack only."""
+        """Rest until woken, until a time, or while the link's token is this. A stop wakes the main stack only."""
         me = self.current
         me.blocked, me.deadline, me.token = True, deadline, token
         if deadline is not None or token is not None:

@@ -5,12 +5,13 @@ setup(
     version='0.1.0',
     license='Apache-2.0',
     packages=['chatter_py'],
-    scripts=['scripts/threads'],
+    scripts=['scripts/cloud', 'scripts/threads'],
     data_files=[
         ('share/chatter_py', ['package.xml']),
         ('share/ament_index/resource_index/packages', ['resource/chatter_py']),
     ],
     entry_points={'console_scripts': [
         'count = chatter_py.count:main', 'errands = chatter_py.errands:main', 'hear = chatter_py.hear:main',
+        'life = chatter_py.life:main',
     ]},
 )

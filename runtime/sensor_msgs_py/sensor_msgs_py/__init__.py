@@ -1,0 +1,1 @@
+"""What Python programs do with sensor messages. Needs numpy."""

@@ -279,6 +279,14 @@ async function load(
   return { python, memory };
 }
 
+/** How what Python could not catch reads. */
+export function failure(error: unknown): ProgramEnd {
+  const message = error instanceof Error ? error.message : String(error);
+  if (error instanceof RangeError && /stack/i.test(message)) return crash('R2W0701', 'the stack is full: too deep a recursion?');
+  if (error instanceof RangeError) return crash('R2W0710', `there is no memory for one more program: ${message}`);
+  return crash('R2W0701', message);
+}
+
 /** Runs the entry to its end. */
 export const runPython: RunPython = async (module, start, host, files) => {
   const suspends = promiseIntegration() !== undefined;
@@ -312,8 +320,7 @@ export const runPython: RunPython = async (module, start, host, files) => {
     const code = (suspends ? await run.callPromising(start.entry, prefix, args) : run(start.entry, prefix, args)) as number;
     return { kind: 'exit', code };
   } catch (error) {
-    if (error instanceof RangeError) return crash('R2W0710', `there is no memory for one more program: ${error.message}`);
-    return crash('R2W0701', error instanceof Error ? error.message : String(error));
+    return failure(error);
   } finally {
     out.stdout.flush();
     out.stderr.flush();

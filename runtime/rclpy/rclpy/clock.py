@@ -149,17 +149,16 @@ class Clock:
         if until.clock_type != self._clock_type:
             raise ValueError("until's clock type does not match this clock's type")
         changes: list[TimeJump] = []
-        threshold = JumpThreshold(
-            min_forward=Duration(nanoseconds=1), min_backward=Duration(nanoseconds=-1), on_clock_change=True)
-        handle = self.create_jump_callback(threshold, post_callback=changes.append)
+        # Each new time ends a wait; only a change of the source is noted.
+        handle = self.create_jump_callback(
+            JumpThreshold(min_forward=None, min_backward=None, on_clock_change=True), post_callback=changes.append)
         try:
             while True:
                 token = host.wake_token()
                 if not context.ok():
                     return False
                 background.run()
-                if any(one.clock_change in (ClockChange.ROS_TIME_ACTIVATED, ClockChange.ROS_TIME_DEACTIVATED)
-                       for one in changes):
+                if changes:
                     return False
                 left = until.nanoseconds - self._now_ns()
                 if left <= 0:

@@ -91,9 +91,14 @@ class Context:
         if not self._valid:
             callback()
         elif isinstance(callback, MethodType):
-            self._callbacks.append(weakref.WeakMethod(callback))
+            self._callbacks.append(weakref.WeakMethod(callback, self._forget))
         else:
             self._callbacks.append(callback)
+
+    def _forget(self, callback: Any) -> None:
+        """Its object is gone."""
+        if callback in self._callbacks:
+            self._callbacks.remove(callback)
 
     def get_domain_id(self) -> int:
         """The number that was given; all of a site are in one domain."""

@@ -28,9 +28,10 @@ def sleep(seconds: float, /) -> None:
     if seconds < 0:
         raise ValueError('sleep length must be non-negative')
     end = time.monotonic_ns() + int(seconds * NS)
-    # A stop ends it by raising; when its handler does not raise, the rest is slept.
-    while host.sleep(max(0, end - time.monotonic_ns())) == host.STOP:
-        pass
+    # A stop ends it by raising; when its handler does not raise, or has run before, the rest is slept.
+    host.sleep(max(0, end - time.monotonic_ns()))
+    while (left := end - time.monotonic_ns()) > 0:
+        host.sleep(left)
 
 
 class StandardInput(io.RawIOBase):

@@ -136,6 +136,44 @@ class ExecutorTest(unittest.TestCase):
         executor.spin_once(timeout_sec=0)
         self.assertEqual(depths, [0, 1, 2])
 
+    def test_a_sleep_lasts_to_its_end_whatever_wakes_it(self) -> None:
+        start = importlib.import_module('ros2wasm.start')
+        now, slept = [0], list[int]()
+
+        def sleep(duration_ns: int) -> int:
+            slept.append(duration_ns)
+            now[0] += min(duration_ns, 400_000_000)
+            return WOKEN
+        with mock.patch.object(start.host, 'sleep', sleep), \
+                mock.patch.object(start, 'time', types.SimpleNamespace(monotonic_ns=lambda: now[0])):
+            start.sleep(1)
+        self.assertEqual(slept, [1_000_000_000, 600_000_000, 200_000_000])
+
+    def test_a_context_forgets_whose_methods_it_was_to_call(self) -> None:
+        context = self.executor.context
+        before = len(context._callbacks)
+        executor = self.rclpy.executors.SingleThreadedExecutor(context=context)
+        self.assertEqual(len(context._callbacks), before + 1)
+        del executor
+        self.assertEqual(len(context._callbacks), before)
+
+    def test_a_sleep_by_a_clock_that_is_told_notes_no_jumps(self) -> None:
+        clock = importlib.import_module('rclpy.clock').ROSClock()
+        time = importlib.import_module('rclpy.time').Time
+        clock._set_ros_time_is_active(True)
+        host = importlib.import_module('ros2wasm.host')
+
+        def tell(_token: int, _timeout_ns: int) -> int:
+            self.assertEqual(len(clock._jump_handles), 1)
+            clock.set_ros_time_override(time(nanoseconds=clock._now_ns() + 1, clock_type=clock.clock_type))
+            return WOKEN
+        with mock.patch.object(host, 'wait', tell):
+            until = time(nanoseconds=1000, clock_type=clock.clock_type)
+            self.assertTrue(clock.sleep_until(until, self.executor.context))
+        with mock.patch.object(host, 'wait', lambda *_: clock._set_ros_time_is_active(False)):
+            until = time(nanoseconds=2000, clock_type=clock.clock_type)
+            self.assertFalse(clock.sleep_until(until, self.executor.context))
+
     def test_a_task_may_end_its_executor(self) -> None:
         self.executor.create_task(self.executor.shutdown)
         self.executor.spin()

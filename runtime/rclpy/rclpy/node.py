@@ -12,7 +12,7 @@ from rclpy.constants import S_TO_NS
 from rclpy.context import Context
 from rclpy.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks
 from rclpy.guard_condition import GuardCondition
-from rclpy.impl import rosout
+from rclpy.impl import best_available, rosout
 from rclpy.impl.node_graph import NodeGraph
 from rclpy.impl.node_parameters import NodeParameters
 from rclpy.parameter import Parameter
@@ -166,6 +166,13 @@ class Node(NodeParameters, NodeGraph):
         self._used_types[hash_] = name
         return host.Endpoint(kind, self._bus_node, full_name, name, hash_, to_bus(qos))
 
+    def _closed(self, qos: QoSProfile, topic: str, others: EndpointKind) -> QoSProfile:
+        """Without open policies: they are chosen by those who are on the topic already."""
+        if not best_available.is_open(qos):
+            return qos
+        found = [one.qos for one in host.graph()[1] if one.kind == others and one.name == topic]
+        return best_available.choose(qos, found, others == EndpointKind.PUBLISHER)
+
     def _validate_qos_or_depth_parameter(self, qos_or_depth: QoSProfile | int) -> QoSProfile:
         if isinstance(qos_or_depth, QoSProfile):
             return qos_or_depth
@@ -185,6 +192,7 @@ class Node(NodeParameters, NodeGraph):
         full = self._resolve(topic, False)
         if qos_overriding_options is not None:
             qos = declare_qos_parameters(Publisher, self, full, qos, qos_overriding_options)
+        qos = self._closed(qos, full, EndpointKind.SUBSCRIPTION)
         endpoint = self._endpoint(EndpointKind.PUBLISHER, msg_type, full, qos)
         publisher = publisher_class(
             endpoint, msg_type, full, qos, event_callbacks or PublisherEventCallbacks(),
@@ -204,6 +212,7 @@ class Node(NodeParameters, NodeGraph):
         if qos_overriding_options is not None:
             qos = declare_qos_parameters(Subscription, self, full, qos, qos_overriding_options)
         group = callback_group or self.default_callback_group
+        qos = self._closed(qos, full, EndpointKind.PUBLISHER)
         endpoint = self._endpoint(EndpointKind.SUBSCRIPTION, msg_type, full, qos)
         subscription = Subscription(
             endpoint, msg_type, full, callback, group, qos, raw, event_callbacks or SubscriptionEventCallbacks(),

@@ -174,6 +174,24 @@ class ExecutorTest(unittest.TestCase):
             until = time(nanoseconds=2000, clock_type=clock.clock_type)
             self.assertFalse(clock.sleep_until(until, self.executor.context))
 
+    def test_open_policies_are_chosen_by_those_who_are_there(self) -> None:
+        best = importlib.import_module('rclpy.impl.best_available')
+        qos = importlib.import_module('rclpy.qos')
+        bus = importlib.import_module('ros2wasm.host').Qos
+        open_ = qos.qos_profile_best_available
+        self.assertTrue(best.is_open(open_))
+        weak = bus(2, 2, 1, 5, 1, 30, 0, 0)
+        strong = bus(1, 1, 1, 5, 3, 20, 0, 7)
+
+        def chosen(others: list[Any], for_subscription: bool) -> tuple[Any, ...]:
+            found = best.choose(open_, others, for_subscription)
+            self.assertFalse(best.is_open(found))
+            return tuple(map(int, qos.to_bus(found)[:2])) + tuple(qos.to_bus(found)[4:6]) + (qos.to_bus(found)[7],)
+        self.assertEqual(chosen([weak, strong], True), (2, 2, 1, 30, 7))
+        self.assertEqual(chosen([strong], True), (1, 1, 3, 20, 7))
+        self.assertEqual(chosen([weak, strong], False), (1, 1, 3, 20, 7))
+        self.assertEqual(chosen([], False), (1, 1, 1, 0, 0))
+
     def test_a_task_may_end_its_executor(self) -> None:
         self.executor.create_task(self.executor.shutdown)
         self.executor.spin()

@@ -90,10 +90,10 @@ export class SharedLink implements Link {
     });
     this.seen = new Int32Array(bus.endpointCount);
     this.seenNodes = new Int32Array(bus.nodeCount);
-    this.pause = (token) => {
+    this.pause = (token, mostMs) => {
       if (!mayBlock) return 'cannot';
-      if (this.waits.wait(token, Infinity) === WaitResult.stop) return 'stop';
-      return 'again';
+      const result = mostMs === Infinity ? this.waits.wait(token, Infinity) : this.waits.waitReally(token, mostMs);
+      return result === WaitResult.stop ? 'stop' : 'again';
     };
     this.sync();
   }

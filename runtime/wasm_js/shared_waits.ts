@@ -85,6 +85,11 @@ export class SharedWaits {
     }
   }
 
+  /** As wait(), by real time, which matters to nobody else; so it is no wait in a stepped run. */
+  waitReally(token: number, timeoutMs: number): WaitResult {
+    return this.turns === undefined ? this.blockOnce(token, timeoutMs) : WaitResult.timeout;
+  }
+
   /** When a wait or sleep of this length is over, steady ns. */
   private endOf(durationMs: number): number {
     const least = this.turns === undefined ? 0 : lookNs;

@@ -39,7 +39,7 @@ interface RetiredRun {
 }
 
 /** What the thread does when a writer must wait for a reader: 'stop' ends the wait, 'cannot' forbids it. */
-export type Pause = (token: number) => 'again' | 'stop' | 'cannot';
+export type Pause = (token: number, mostMs: number) => 'again' | 'stop' | 'cannot';
 
 const maxLog2 = 15;
 const firstLog2 = 3;
@@ -47,8 +47,11 @@ const minStride = 128;
 const maxStride = 64 + 2048;
 /** Slots looked at for a frame to use again. */
 const searchLimit = 64;
-/** A writer that had to wait goes on when so much is free: to be woken costs as much as many samples. */
-const roomAtOnce = keepAllLimit >> 2;
+/**
+ * A writer that had to wait gives its readers so long to make more room: to be woken costs as much as many samples. It
+ * does not wait for any number of them, as a reader may take one and then wait for what this program does next.
+ */
+const momentMs = 1;
 
 export class SharedWriter {
   readonly record: EndpointRecord;
@@ -313,7 +316,7 @@ export class SharedWriter {
       }
       if (!this.mayBlock) return 0;
       if (!this.keepAllWants(old, false)) return this.keepAllWants(old, true) ? ErrorCode.outOfMemory : 0;
-      const outcome = this.awaitRoom((old + roomAtOnce - 1) | 0);
+      const outcome = this.awaitRoom(old);
       if (outcome < 0) return outcome;
       ring = Atomics.load(bus.i32, word + BusEndpoint.ring);
     }
@@ -362,10 +365,14 @@ export class SharedWriter {
       && !this.hasRead(reader, old));
   }
 
-  /** Sleeps until the readers that it waits for have read `last`. 0 or an ErrorCode. */
-  private awaitRoom(last: number): number {
-    Atomics.store(this.bus.i32, this.word + BusEndpoint.roomAt, last);
-    return this.blockWhile(BusBlocked.room, () => this.keepAllWants(last, false));
+  /** Sleeps until the readers that it waits for have read `old`, and a moment. 0 or an ErrorCode. */
+  private awaitRoom(old: number): number {
+    const { bus, word } = this;
+    Atomics.store(bus.i32, word + BusEndpoint.roomAt, old);
+    const outcome = this.blockWhile(BusBlocked.room, () => this.keepAllWants(old, false));
+    if (outcome < 0) return outcome;
+    const wake = bus.participantWord(this.record.participant) + BusParticipant.wake;
+    return this.pause(Atomics.load(bus.i32, wake), momentMs) === 'stop' ? ErrorCode.stopped : 0;
   }
 
   /** Sleeps while it is needed and no reader lets go of pages that were taken out of the slots. 0 or an ErrorCode. */
@@ -377,7 +384,7 @@ export class SharedWriter {
       const token = Atomics.load(bus.i32, wake);
       this.sync();
       if (this.releaseRetired() || !needed()) break;
-      const outcome = this.pause(token);
+      const outcome = this.pause(token, Infinity);
       if (outcome === 'again') continue;
       Atomics.store(bus.i32, word + BusEndpoint.blocked, BusBlocked.no);
       return outcome === 'stop' ? ErrorCode.stopped : ErrorCode.wouldBlock;

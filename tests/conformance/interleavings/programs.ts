@@ -97,6 +97,21 @@ export function listen(hands: Hands, endpoint: number, received: Received[], eno
   }
 }
 
+/** Writes, and then one message more with another endpoint. */
+export function publishThen(hands: Hands, endpoint: number, messages: readonly Message[], written: number[], next: number): void {
+  publish(hands, endpoint, messages, written);
+  publish(hands, next, [{ mark: 1, length: 8 }], []);
+}
+
+/** Listens to one endpoint, and then, without another look at it, to the next. */
+export function listenThen(
+  hands: Hands, endpoint: number, received: Received[], enough: (received: readonly Received[]) => boolean,
+  next: number, after: Received[],
+): void {
+  listen(hands, endpoint, received, enough);
+  takeAsItComes(hands, next, after);
+}
+
 /** Takes without looking first, and sleeps when there is nothing. */
 export function takeAsItComes(hands: Hands, endpoint: number, received: Received[]): void {
   for (;;) {

@@ -138,6 +138,25 @@ export const scenes: readonly ExploredScene[] = [
     },
   },
   {
+    name: 'keep_all: a reader takes one sample and then waits for what its writer does next',
+    make(laboratory) {
+      const { world, a, b, pub, sub, written, received } = pair(laboratory, { before: keepAllLimit, qos: keepAll });
+      const [next, nextSub] = [world.publisher(a, {}, '/next'), world.subscription(b, {}, '/next')];
+      const after = world.log<Received>();
+      const { publishThen, listenThen } = laboratory.code;
+      world.process('writer', () => publishThen(a, pub, numbered(keepAllLimit + 1, 1), written, next));
+      world.process('reader', () => listenThen(b, sub, received, many(1), nextSub, after));
+      world.finally(() => {
+        equal(sequences(received), '1', 'received');
+        equal(written, keepAllLimit + 1, 'written');
+        equal(sequences(after), '1', 'received after it');
+        world.closeAll([a, b]);
+      });
+      return world.run();
+    },
+    limits: { interruptions: 1 },
+  },
+  {
     name: 'a reader appears while small messages are written',
     make: (laboratory) => appearing(laboratory, { before: ringSlots, length: 8, qos: {}, more: 1 }),
   },

@@ -245,12 +245,14 @@ export class Stepper {
     this.memoryToo ^= mix(mix(place, 91), old) ^ mix(mix(place, 91), now);
   }
 
-  *wait(array: Int32Array, at: number, expected: number, _timeout?: number): Generator<undefined, string> {
+  *wait(array: Int32Array, at: number, expected: number, timeout = Infinity): Generator<undefined, string> {
     const process = this.current;
     if (process === undefined) throw new Error('setup must not wait');
     this.accesses.note(at, process.index, false);
     yield;
     if (this.read(array[at]!) !== expected) return 'not-equal';
+    // A time that ends is no reason to rely on it: here it is over at once.
+    if (timeout !== Infinity) return 'timed-out';
     process.state = 'asleep';
     process.asleepOn = at;
     yield;

@@ -4,6 +4,7 @@ set(rosidl_typesupport_wasm_cpp_GENERATOR "${rosidl_typesupport_wasm_cpp_DIR}/..
 
 macro(rosidl_typesupport_wasm_cpp_register)
   find_package(ament_cmake_core QUIET REQUIRED)
+  list(PREPEND rosidl_generator_cpp_BIN "${rosidl_typesupport_wasm_cpp_GENERATOR}/own_constants.py")
   ament_register_extension(
     "rosidl_generate_idl_interfaces"
     "rosidl_typesupport_wasm_cpp"

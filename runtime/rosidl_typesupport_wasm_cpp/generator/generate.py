@@ -15,6 +15,7 @@ from rosidl_pycommon import convert_camel_case_to_lower_case_underscore as snake
 
 from cpp_source import NAME, header, source
 from layout import LayoutTable
+import own_constants  # noqa: F401: the parser is mended
 import type_description as td
 
 

@@ -3,6 +3,7 @@
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <stdarg.h>
 #include <stdint.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -84,7 +85,21 @@ Found find(Files& all, long folder, long path) {
   return all.tree.find(text(path), from);
 }
 
-long open_file(long folder, long path, long flags) {
+/// What asks for memory: -ENOMEM where there is none.
+template <typename Action>
+long within_memory(Action action) {
+  try {
+    return action();
+  } catch (const std::bad_alloc&) {
+    return -ENOMEM;
+  }
+}
+
+constexpr uint32_t kModeBits = 07777;
+constexpr uint32_t kMask = 022;  ///< umask, which nobody changes
+
+/// `mode`: of a file that is made.
+long open_file(long folder, long path, long flags, uint32_t mode) {
   Files& all = files();
   const Lock lock(all.mutex);
   Found found = find(all, folder, path);
@@ -100,12 +115,13 @@ long open_file(long folder, long path, long flags) {
       return -EISDIR;
     }
     found.file = all.tree.make(found, FileKind::kFile);
+    found.file->mode = mode & kModeBits & ~kMask;
   }
   const File file = found.file;
   if (file->kind == FileKind::kConsole) {
     return file->fd;
   }
-  if (file->is_folder() && writes) {
+  if (file->is_folder() && (writes || (flags & O_CREAT) != 0)) {
     return -EISDIR;
   }
   if (!file->is_folder() && (flags & O_DIRECTORY) != 0) {
@@ -132,16 +148,8 @@ long open_file(long folder, long path, long flags) {
 }
 
 mode_t mode_of(const ros2wasm::FileNode& file) {
-  switch (file.kind) {
-    case FileKind::kFolder:
-      return S_IFDIR | 0755;
-    case FileKind::kFile:
-      return S_IFREG | 0755;
-    case FileKind::kNull:
-    case FileKind::kConsole:
-      break;
-  }
-  return S_IFCHR | 0666;
+  const mode_t kind = file.is_folder() ? S_IFDIR : file.kind == FileKind::kFile ? S_IFREG : S_IFCHR;
+  return kind | file.mode;
 }
 
 long describe(const ros2wasm::FileNode& file, long out) {
@@ -167,7 +175,7 @@ long describe_path(long folder, long path, long out) {
   return found.error != 0 ? -found.error : describe(*found.file, out);
 }
 
-long make_folder(long folder, long path) {
+long make_folder(long folder, long path, long mode) {
   Files& all = files();
   const Lock lock(all.mutex);
   const Found found = find(all, folder, path);
@@ -177,7 +185,7 @@ long make_folder(long folder, long path) {
   if (found.error != ENOENT || !found.folder) {
     return -found.error;
   }
-  all.tree.make(found, FileKind::kFolder);
+  all.tree.make(found, FileKind::kFolder)->mode = static_cast<uint32_t>(mode) & kModeBits & ~kMask;
   return 0;
 }
 
@@ -246,6 +254,31 @@ long link_target(long folder, long path) {
   return error != 0 ? error : -EINVAL;
 }
 
+long change_mode(long folder, long path, long mode) {
+  Files& all = files();
+  const Lock lock(all.mutex);
+  const Found found = find(all, folder, path);
+  if (found.error == 0) {
+    found.file->mode = static_cast<uint32_t>(mode) & kModeBits;
+  }
+  return -found.error;
+}
+
+/// `times`: of the last access, which nobody keeps, and of the last change; null: now.
+long change_time(ros2wasm::FileNode& file, long times) {
+  constexpr int64_t kSecond = 1000000000;
+  const auto* const told = reinterpret_cast<const timespec*>(times);
+  if (told == nullptr || told[1].tv_nsec == UTIME_NOW) {
+    file.changed_ns = ros2wasm::time_of_day_ns();
+  } else if (told[1].tv_nsec != UTIME_OMIT) {
+    if (told[1].tv_nsec < 0 || told[1].tv_nsec >= kSecond) {
+      return -EINVAL;
+    }
+    file.changed_ns = told[1].tv_sec * kSecond + told[1].tv_nsec;
+  }
+  return 0;
+}
+
 int64_t whole(long low, long high) {
   return (static_cast<int64_t>(high) << 32) | static_cast<uint32_t>(low);
 }
@@ -256,10 +289,18 @@ extern "C" {
 
 // NOLINTBEGIN(bugprone-reserved-identifier, cert-dcl50-cpp): the C library's own names
 long __syscall_open(long path, long flags, ...) {
-  return open_file(AT_FDCWD, path, flags);
+  va_list rest;
+  va_start(rest, flags);
+  const uint32_t mode = (flags & O_CREAT) != 0 ? va_arg(rest, mode_t) : 0;
+  va_end(rest);
+  return within_memory([&] { return open_file(AT_FDCWD, path, flags, mode); });
 }
 long __syscall_openat(long folder, long path, long flags, ...) {
-  return open_file(folder, path, flags);
+  va_list rest;
+  va_start(rest, flags);
+  const uint32_t mode = (flags & O_CREAT) != 0 ? va_arg(rest, mode_t) : 0;
+  va_end(rest);
+  return within_memory([&] { return open_file(folder, path, flags, mode); });
 }
 long __syscall_stat64(long path, long out) {
   return describe_path(AT_FDCWD, path, out);
@@ -290,11 +331,11 @@ long __syscall_access(long path, long) {
 long __syscall_faccessat(long folder, long path, long, long) {
   return access_path(folder, path);
 }
-long __syscall_mkdir(long path, long) {
-  return make_folder(AT_FDCWD, path);
+long __syscall_mkdir(long path, long mode) {
+  return within_memory([&] { return make_folder(AT_FDCWD, path, mode); });
 }
-long __syscall_mkdirat(long folder, long path, long) {
-  return make_folder(folder, path);
+long __syscall_mkdirat(long folder, long path, long mode) {
+  return within_memory([&] { return make_folder(folder, path, mode); });
 }
 long __syscall_rmdir(long path) {
   return remove_path(AT_FDCWD, path, true);
@@ -306,10 +347,10 @@ long __syscall_unlinkat(long folder, long path, long flags) {
   return remove_path(folder, path, (flags & AT_REMOVEDIR) != 0);
 }
 long __syscall_rename(long from, long to) {
-  return rename_path(AT_FDCWD, from, AT_FDCWD, to);
+  return within_memory([&] { return rename_path(AT_FDCWD, from, AT_FDCWD, to); });
 }
 long __syscall_renameat(long from_folder, long from, long to_folder, long to) {
-  return rename_path(from_folder, from, to_folder, to);
+  return within_memory([&] { return rename_path(from_folder, from, to_folder, to); });
 }
 long __syscall_readlink(long path, long, long) {
   return link_target(AT_FDCWD, path);
@@ -329,18 +370,33 @@ long __syscall_ftruncate64(long fd, long low, long high) {
   const OpenFile* const open = all.at(static_cast<int>(fd));
   return open == nullptr ? -EBADF : resize(*open->file, whole(low, high));
 }
-/// Everybody may do everything; times are those of the last change.
-long __syscall_chmod(long path, long) {
-  return access_path(AT_FDCWD, path);
+/// Everybody may do everything, whatever the mode.
+long __syscall_chmod(long path, long mode) {
+  return change_mode(AT_FDCWD, path, mode);
 }
-long __syscall_fchmodat(long folder, long path, long, ...) {
-  return access_path(folder, path);
+long __syscall_fchmodat(long folder, long path, long mode, ...) {
+  return change_mode(folder, path, mode);
 }
-long __syscall_fchmod(long, long) {
+long __syscall_fchmod(long fd, long mode) {
+  Files& all = files();
+  const Lock lock(all.mutex);
+  OpenFile* const open = all.at(static_cast<int>(fd));
+  if (open == nullptr) {
+    return -EBADF;
+  }
+  open->file->mode = static_cast<uint32_t>(mode) & kModeBits;
   return 0;
 }
-long __syscall_utimensat(long folder, long path, long, long) {
-  return path == 0 ? 0 : access_path(folder, path);
+/// Without a path: of the open file.
+long __syscall_utimensat(long folder, long path, long times, long) {
+  Files& all = files();
+  const Lock lock(all.mutex);
+  if (path == 0) {
+    OpenFile* const open = all.at(static_cast<int>(folder));
+    return open == nullptr ? -EBADF : change_time(*open->file, times);
+  }
+  const Found found = find(all, folder, path);
+  return found.error != 0 ? -found.error : change_time(*found.file, times);
 }
 long __syscall_chdir(long path) {
   Files& all = files();

@@ -16,6 +16,9 @@ namespace {
 
 constexpr size_t kLongestName = 255;
 constexpr size_t kLongestPath = 4096;
+constexpr uint32_t kFolderMode = 0755;
+constexpr uint32_t kFileMode = 0644;
+constexpr uint32_t kDeviceMode = 0666;
 constexpr const char* kHome = "/home/user";
 
 auto place_of(const File& folder, std::string_view name) {
@@ -37,6 +40,19 @@ uint32_t word_at(const std::string& text, size_t at) {
 
 }  // namespace
 
+uint32_t usual_mode(FileKind kind) {
+  switch (kind) {
+    case FileKind::kFolder:
+      return kFolderMode;
+    case FileKind::kFile:
+      return kFileMode;
+    case FileKind::kNull:
+    case FileKind::kConsole:
+      break;
+  }
+  return kDeviceMode;
+}
+
 int64_t time_of_day_ns() {
   timespec now{};
   clock_gettime(CLOCK_REALTIME, &now);
@@ -46,6 +62,7 @@ int64_t time_of_day_ns() {
 
 FileTree::FileTree() : root_(std::make_shared<FileNode>()) {
   root_->kind = FileKind::kFolder;
+  root_->mode = usual_mode(root_->kind);
   root_->changed_ns = time_of_day_ns();
   here = folder_at(kHome);
   folder_at("/tmp");
@@ -85,6 +102,7 @@ void FileTree::add_site_files() {
 File FileTree::add(const File& folder, std::string name, FileKind kind) {
   auto file = std::make_shared<FileNode>();
   file->kind = kind;
+  file->mode = usual_mode(kind);
   file->parent = folder;
   file->number = ++last_number_;
   file->changed_ns = time_of_day_ns();

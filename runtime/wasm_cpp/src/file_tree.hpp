@@ -24,6 +24,7 @@ struct FileNode {
   uint32_t size_in_site = 0;
   uint32_t number = 0;     ///< st_ino
   int64_t changed_ns = 0;  ///< since 1970
+  uint32_t mode = 0;       ///< who may do what: told to who asks, and kept to by nobody
 
   [[nodiscard]] bool is_folder() const { return kind == FileKind::kFolder; }
   [[nodiscard]] size_t size() const { return in_site.empty() ? bytes.size() : size_in_site; }
@@ -46,7 +47,7 @@ class FileTree {
 
   /// A relative path starts at `from`, or where the program stands when there is none.
   [[nodiscard]] Found find(std::string_view path, const File& from = nullptr) const;
-  /// The new file stands in the folder of `found`.
+  /// The new file stands in the folder of `found`. Throws bad_alloc.
   File make(const Found& found, FileKind kind);
   void remove(const Found& found);
   /// 0, or an errno. What stands at the new place goes, when it may.
@@ -65,6 +66,9 @@ class FileTree {
   uint32_t last_number_ = 0;
   File root_;
 };
+
+/// Of a new file.
+[[nodiscard]] uint32_t usual_mode(FileKind kind);
 
 /// ns since 1970.
 [[nodiscard]] int64_t time_of_day_ns();

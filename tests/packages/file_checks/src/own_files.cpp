@@ -1,8 +1,9 @@
 // Files that a program writes: its own, for as long as it runs.
 
 // Compatibility, differs: files that a node writes -> live in its memory as long as it runs; no other node sees them, and
-// the share files of packages are as packed again at its next start
+// the share files of packages are as packed again at its next start. The mode of a file is kept, and nobody asks for it
 
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -78,6 +79,20 @@ int main(int argc, char** argv) {
   large.close();
   CHECK(large.good() && fs::file_size("/tmp/large") == 64U << 20U);
   CHECK(truncate("/tmp/large", 0) == 0 && fs::file_size("/tmp/large") == 0);
+
+  struct stat told {};
+  CHECK(stat("/tmp/large", &told) == 0 && (told.st_mode & 07777) == 0644);
+  const int secret = open("/tmp/secret", O_WRONLY | O_CREAT | O_EXCL, 0666);
+  CHECK(secret > 2 && fstat(secret, &told) == 0 && (told.st_mode & 07777) == 0644);
+  CHECK(fchmod(secret, 0600) == 0 && close(secret) == 0 && fchmod(secret, 0600) == -1 && errno == EBADF);
+  CHECK(fs::status("/tmp/secret").permissions() == fs::perms(0600));
+  CHECK(mkdir("/tmp/closed", 0700) == 0 && fs::status("/tmp/closed").permissions() == fs::perms(0700));
+  fs::permissions("/tmp/closed", fs::perms::owner_all | fs::perms::others_read);
+  CHECK(fs::status("/tmp/closed").permissions() == fs::perms(0704));
+  const timespec times[2] = {{1, 0}, {1700000000, 250000000}};
+  CHECK(utimensat(AT_FDCWD, "/tmp/secret", times, 0) == 0 && stat("/tmp/secret", &told) == 0);
+  CHECK(told.st_mtim.tv_sec == 1700000000 && told.st_mtim.tv_nsec == 250000000);
+  CHECK(utimensat(AT_FDCWD, "/tmp/absent", times, 0) == -1 && errno == ENOENT);
 
   std::ofstream nothing("/dev/null");
   nothing << "gone" << std::flush;

@@ -70,7 +70,9 @@ int main(int argc, char** argv) {
   CHECK(fd > 2 && fstat(fd, &told) == 0 && S_ISREG(told.st_mode) && told.st_size == 25);
   CHECK(lseek(fd, 0, SEEK_END) == 25 && read(fd, word, 1) == 0 && close(fd) == 0);
   CHECK(close(fd) == -1 && errno == EBADF);
+  CHECK((told.st_mode & 07777) == 0644);
   CHECK(open("/opt/ros", O_WRONLY) == -1 && errno == EISDIR);
+  CHECK(open("/opt/ros", O_RDONLY | O_CREAT, 0644) == -1 && errno == EISDIR);
   CHECK(open((share + "/config/gains.yaml/x").c_str(), O_RDONLY) == -1 && errno == ENOTDIR);
   CHECK(rmdir("/opt/ros") == -1 && errno == ENOTEMPTY);
   return checks.finish();

@@ -2,9 +2,11 @@
 
 // Compatibility, works: JSON for Modern C++ (`nlohmann-json-dev`, `find_package(nlohmann_json)`),
 // its exceptions too; fmt (`find_package(fmt)`); yaml-cpp (`yaml-cpp`, `libyaml-cpp-dev`,
-// `yaml_cpp_vendor`, `find_package(yaml-cpp)`), also its files and exceptions; tl::expected (tl_expected)
+// `yaml_cpp_vendor`, `find_package(yaml-cpp)`), also its files and exceptions; tl::expected
+// (tl_expected)
 
-// Compatibility, differs: yaml-cpp -> version 0.7, the one of the machine that builds; Jazzy's own systems have 0.8
+// Compatibility, differs: yaml-cpp -> version 0.7, the one of the machine that builds; Jazzy's own
+// systems have 0.8
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -63,7 +65,8 @@ waypoints:
   - {name: gate, pose: [4e1, 0]}
 home: *dock
 )");
-  CHECK(mission.IsMap() && mission["name"].as<std::string>() == "patrol" && mission["loop"].as<bool>());
+  CHECK(mission.IsMap() && mission["name"].as<std::string>() == "patrol" &&
+        mission["loop"].as<bool>());
   CHECK(mission["speed"].as<double>() == 0.5 && mission["retries"].as<int>(3) == 3);
   std::vector<std::string> names;
   for (const YAML::Node& waypoint : mission["waypoints"]) {
@@ -73,8 +76,8 @@ home: *dock
   CHECK(mission["home"]["pose"].as<std::vector<double>>() == (std::vector<double>{1, -2.5}));
   CHECK(mission["home"].is(mission["waypoints"][0]) && !mission["goal"].IsDefined());
   YAML::Emitter out;
-  out << YAML::BeginMap << YAML::Key << "gains" << YAML::Value << YAML::Flow << std::vector<int>{1, 2}
-      << YAML::Key << "note" << YAML::Value << "a: b" << YAML::EndMap;
+  out << YAML::BeginMap << YAML::Key << "gains" << YAML::Value << YAML::Flow
+      << std::vector<int>{1, 2} << YAML::Key << "note" << YAML::Value << "a: b" << YAML::EndMap;
   CHECK(std::string(out.c_str()) == "gains: [1, 2]\nnote: \"a: b\"");
   std::ofstream("/tmp/gains.yaml") << out.c_str();
   YAML::Node read = YAML::LoadFile("/tmp/gains.yaml");

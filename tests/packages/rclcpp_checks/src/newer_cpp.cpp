@@ -1,11 +1,14 @@
 // C++20 as Jazzy's own compilers have it.
 
-// Compatibility, works: of the C++20 library also std::format (with `template <> struct std::formatter<T>` of the user's own,
-// not inside `namespace std`), bit_cast, source_location, the common algorithms of std::ranges with projections, jthread,
+// Compatibility, works: of the C++20 library also std::format (with `std::formatter<T>` of the
+// user's own), bit_cast, source_location, the common algorithms of std::ranges with projections,
+// std::views filter, transform, take, drop, reverse, iota, elements, keys and values, jthread,
 // stop_token and stop_callback
 
-// Compatibility, differs: the rest of the newer C++ library -> the site's compiler has no views beyond all, common, drop and
-// transform, no ranges::to, condition_variable_any with a stop_token, format of chrono, coroutines, expected, pmr or from_chars of floating point: the build names what is missing
+// Compatibility, differs: the rest of the newer C++ library -> the site's compiler has no views
+// beyond those and all and common, no ranges::to, condition_variable_any with a stop_token, format
+// of chrono, coroutines, expected, pmr or from_chars of floating point: the build names what is
+// missing
 
 #include <algorithm>
 #include <array>
@@ -13,6 +16,9 @@
 #include <cstdint>
 #include <format>
 #include <iterator>
+#include <map>
+#include <numeric>
+#include <ranges>
 #include <source_location>
 #include <span>
 #include <string>
@@ -32,7 +38,29 @@ int line(const std::source_location& here = std::source_location::current()) {
   return static_cast<int>(here.line());
 }
 
+enum class Level { kLow, kHigh };
+struct Place {
+  int x = 0;
+  int y = 0;
+};
+
 }  // namespace
+
+namespace std {
+template <>
+struct formatter<Level> : formatter<string_view> {
+  auto format(Level level, format_context& context) const {
+    return formatter<string_view>::format(level == Level::kLow ? "low" : "high", context);
+  }
+};
+template <>
+struct formatter<Place> {
+  constexpr auto parse(format_parse_context& context) { return context.begin(); }
+  auto format(const Place& place, format_context& context) const {
+    return std::format_to(context.out(), "({}, {})", place.x, place.y);
+  }
+};
+}  // namespace std
 
 template <>
 struct std::formatter<Reading> : std::formatter<std::string> {
@@ -40,6 +68,49 @@ struct std::formatter<Reading> : std::formatter<std::string> {
     return std::formatter<std::string>::format("<" + reading.name + ">", context);
   }
 };
+
+namespace {
+
+template <class R>
+std::vector<int> list(R&& range) {
+  return {std::ranges::begin(range), std::ranges::end(range)};
+}
+
+void check_views(Checks& checks) {
+  namespace views = std::views;
+  std::vector<int> numbers = {1, 2, 3, 4, 5, 6};
+  int divisor = 2;
+  const auto holds = [&divisor](int one) { return one % divisor == 0; };
+  auto even = numbers | views::filter(holds);
+  CHECK(list(even) == (std::vector<int>{2, 4, 6}) && *std::ranges::min_element(even) == 2);
+  CHECK(list(even | views::transform([](int one) { return one * one; })) ==
+        (std::vector<int>{4, 16, 36}));
+  CHECK(list(even | views::reverse | views::take(2)) == (std::vector<int>{6, 4}));
+  CHECK(std::ranges::distance(even) == 3 && std::accumulate(even.begin(), even.end(), 0) == 12);
+  divisor = 7;
+  CHECK(even.empty() &&
+        views::filter(numbers, holds).begin() == views::filter(numbers, holds).end());
+  const auto middle = views::drop(1) | views::take(3);
+  CHECK(list(numbers | middle) == (std::vector<int>{2, 3, 4}) &&
+        list(numbers | views::take(99)).size() == 6);
+  CHECK(list(views::iota(3, 6)) == (std::vector<int>{3, 4, 5}) &&
+        list(std::ranges::views::iota(8) | views::take(2)) == (std::vector<int>{8, 9}));
+  for (int& one : numbers | views::filter([](int number) { return number > 5; })) {
+    one = 0;
+  }
+  CHECK(numbers.back() == 0);
+  std::map<std::string, int> heights = {{"a", 3}, {"b", 4}};
+  for (int& height : heights | views::values) {
+    height += 1;
+  }
+  std::string names;
+  for (const std::string& name : heights | views::keys) {
+    names += name;
+  }
+  CHECK(names == "ab" && heights["b"] == 5);
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   rclcpp::init(argc, argv);
@@ -57,11 +128,12 @@ int main(int argc, char** argv) {
   std::ranges::sort(readings, std::ranges::greater{}, &Reading::id);
   CHECK(readings.front().id == 3);
   CHECK(std::ranges::find(readings, 2, &Reading::id)->name == "b");
-  CHECK(std::ranges::find_if(readings, [](int id) { return id > 9; }, &Reading::id) ==
-        readings.end());
+  CHECK(std::ranges::find_if(
+            readings, [](int id) { return id > 9; }, &Reading::id) == readings.end());
   CHECK(std::ranges::count_if(readings, [](const Reading& one) { return one.id > 1; }) == 2);
   CHECK(std::ranges::any_of(readings, [](const Reading& one) { return one.name == "c"; }));
-  CHECK(std::ranges::none_of(readings, [](int id) { return id == 0; }, &Reading::id));
+  CHECK(std::ranges::none_of(
+      readings, [](int id) { return id == 0; }, &Reading::id));
   const std::array<double, 4> values = {1.5, 0.5, 2.5, 2.0};
   const std::span<const double> span(values);
   const auto [least, most] = std::ranges::minmax_element(span);
@@ -79,6 +151,9 @@ int main(int argc, char** argv) {
   std::ranges::for_each(large, [&sum](int id) { sum += id; });
   CHECK(sum == 5 && std::ranges::equal(large, std::array{2, 3}));
 
+  check_views(checks);
+  CHECK(std::format("{:>5}|{:_<4}|{}", Level::kHigh, Level::kLow, Place{1, -2}) ==
+        " high|low_|(1, -2)");
   CHECK(std::bit_cast<std::uint64_t>(1.0) == 0x3ff0000000000000U);
   CHECK(line() == __LINE__);
   CHECK(RCLCPP_VERSION_GTE(28, 0, 0) && !RCLCPP_VERSION_GTE(29, 0, 0));

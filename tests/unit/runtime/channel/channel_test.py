@@ -127,9 +127,12 @@ class Record(Scratch):
 
 
 def version_of(folder: Path) -> str:
-    """The version of the npm or Debian package that a folder is from."""
+    """The version of the npm or Debian package that a folder is from, of the latter installed or its source."""
     if "node_modules" in folder.parts:
         return str(json.loads((folder / "package.json").read_text(encoding="utf-8"))["version"])
+    changelog = folder / "debian" / "changelog"
+    if changelog.exists():
+        return changelog.read_text(encoding="utf-8").partition("(")[2].partition(")")[0]
     owner = subprocess.check_output(["dpkg-query", "-S", str(folder)], text=True).split(":")[0]
     return subprocess.check_output(["dpkg-query", "-W", "-f=${Version}", owner], text=True)
 
@@ -142,8 +145,10 @@ class Repository(unittest.TestCase):
         own = (ROOT / "VERSION").read_text(encoding="utf-8").split()[0]
         for name, package in find_packages(ROOT / "runtime").items():
             with self.subTest(name):
-                if not package.host_folders:
+                # A package of ROS has the version of ROS, whosever files are in it.
+                if name in table or not package.host_folders:
                     self.assertEqual(package.version, table[name]["version"] if name in table else own)
+                    continue
                 for folder in package.host_folders:
                     self.assertIn(package.version, version_of(Path(folder)))
 

@@ -23,6 +23,7 @@
 #include "bundler/launch/python_tree.hpp"
 #include "bundler/plan/runtime_assets.hpp"
 #include "bundler/plan/shipped_channel.hpp"
+#include "bundler/python_nodes.hpp"
 #include "bundler/resolve/locked_solve.hpp"
 #include "bundler/run/node_js.hpp"
 #include "bundler/store/build_place.hpp"
@@ -200,6 +201,7 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
     return faults;
   }
   append(workspace.warnings, wanted->warnings);
+  workspace.channel_names = known.names;
   std::vector<std::string> all_packages = ros_names(known.names, manifest.distro);
   return Question{.workspace = std::move(workspace),
                   .packages = std::move(*packages),
@@ -303,7 +305,8 @@ std::string build_remark(const std::vector<BuiltPackage>& packages) {
 /// Step 7: nodes of the manifest; without any, every program of the workspace.
 Outcome<std::vector<LaunchNode>> launch(BuiltWorkspace& workspace) {
   Manifest& manifest = workspace.manifest;
-  if (manifest.nodes.empty()) {
+  workspace.nodes_by_default = manifest.nodes.empty();
+  if (workspace.nodes_by_default) {
     const auto local_end =
         workspace.installed.begin() + static_cast<std::ptrdiff_t>(workspace.packages.size());
     manifest.nodes = default_nodes({workspace.installed.begin(), local_end});
@@ -329,28 +332,6 @@ Outcome<std::vector<LaunchNode>> launch(BuiltWorkspace& workspace) {
   // The same site whatever folder the pack was started in.
   for (LaunchNode& node : *nodes) node.source.file = fs::path(node.source.file).filename().string();
   return nodes;
-}
-
-/// What Python nodes find installed.
-Outcome<PythonInput> read_python(const BuiltWorkspace& workspace) {
-  PythonInput input;
-  if (auto read = collect_python_modules(workspace.environment, input.channels); !read)
-    return std::move(read).errors();
-  for (const InstalledPackage& package : workspace.installed) {
-    const bool is_local = package.prefix != workspace.environment;
-    PythonFiles& part = is_local ? input.workspace : input.channels;
-    auto read = is_local ? collect_python_modules(package.prefix, part) : Outcome<Done>(Done{});
-    if (read) read = collect_python_scripts(package.prefix, package.name, part);
-    if (!read) return std::move(read).errors();
-  }
-  const fs::path pyodide = workspace.environment / kPyodideFolder;
-  for (const char* name : {"pyodide.asm.js", "pyodide.asm.wasm", "pyodide-lock.json", "pyodide.js",
-                           "python_stdlib.zip"}) {
-    auto bytes = read_file(pyodide / name);
-    if (!bytes) return std::move(bytes).errors();
-    input.pyodide.emplace(name, std::move(bytes).value());
-  }
-  return input;
 }
 
 /// Step 8: read what the plan is made of.
@@ -406,6 +387,8 @@ Outcome<SitePlan> plan(const PackRequest& request, BuiltWorkspace& workspace,
   if (has_python) {
     auto python = read_python(workspace);
     if (!python) return std::move(python).errors();
+    if (auto met = check_python_imports(workspace, *python, input.interfaces, input.nodes); !met)
+      return std::move(met).errors();
     input.python = std::move(*python);
     for (const InstalledPackage& package : workspace.installed)
       input.python_index.push_back(package.name);

@@ -37,9 +37,11 @@ struct PackRequest {
 struct BuiltWorkspace {
   Manifest manifest;
   bool has_manifest = true;
-  std::filesystem::path folder;        ///< of the manifest, absolute
-  std::filesystem::path shown_folder;  ///< the same as the person named it
-  std::vector<BuiltPackage> packages;  ///< of the workspace, in build order
+  bool nodes_by_default = false;           ///< the manifest names none, so all programs run
+  std::vector<std::string> channel_names;  ///< of all packages there, sorted
+  std::filesystem::path folder;            ///< of the manifest, absolute
+  std::filesystem::path shown_folder;      ///< the same as the person named it
+  std::vector<BuiltPackage> packages;      ///< of the workspace, in build order
   std::vector<InstalledPackage>
       installed;                      ///< of workspace and channels; the workspace comes first
   std::filesystem::path environment;  ///< the prefix with the packages of the channels

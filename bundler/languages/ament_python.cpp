@@ -103,12 +103,7 @@ Outcome<Done> build_with_setup_py(const PackageBuild& request, const BuildTools&
   const fs::path pyodide =
       request.prefixes.empty() ? fs::path() : request.prefixes.back() / kPyodideFolder;
   if (!fs::is_directory(pyodide, error)) {
-    return Diagnostic{.code = "R2W0517",
-                      .kind = FailureKind::kEnvironment,
-                      .message = "no channel has Pyodide, which reads and runs Python packages",
-                      .why = {"package `" + request.place.package +
-                              "` is of build type "
-                              "ament_python"}};
+    return no_pyodide("package `" + request.place.package + "` is of build type ament_python");
   }
   const auto json = run_setup(request, tools, fs::canonical(pyodide, error), cancellation);
   if (!json) return json.errors();

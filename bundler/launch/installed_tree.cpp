@@ -5,7 +5,7 @@
 #include <array>
 
 #include "bundler/io/files.hpp"
-#include "bundler/launch/python_tree.hpp"
+#include "bundler/workspace/python_imports.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;

@@ -71,6 +71,10 @@ Diagnostic not_a_program(const NodeEntry& entry, const InstalledProgram& program
 
 }  // namespace
 
+std::string python_script(const LaunchNode& node) {
+  return "lib/" + node.package + "/" + node.program.filename().string();
+}
+
 std::optional<Diagnostic> refuse_launch_file(const Manifest& manifest) {
   if (!manifest.launch_file) return std::nullopt;
   return Diagnostic{.code = "R2W0404",
@@ -132,6 +136,7 @@ Outcome<std::vector<LaunchNode>> launch_nodes(const std::vector<NodeEntry>& entr
                      .label = node_label(entry),
                      .program = program->file,
                      .kind = program->kind,
+                     .compiled_modules = {},
                      .arguments = node_arguments(entry, files),
                      .output = entry.output,
                      .respawn = entry.respawn,

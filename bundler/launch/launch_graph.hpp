@@ -42,11 +42,15 @@ struct LaunchNode {
   std::string label;  ///< for people: the node's full name when it is known, else the executable
   std::filesystem::path program;  ///< the installed file
   ProgramKind kind = ProgramKind::kWasm;
-  std::vector<std::string> arguments;  ///< after argv[0], as ros2 launch would pass them
+  std::vector<std::string> compiled_modules;  ///< that a Python program imports: "numpy"
+  std::vector<std::string> arguments;         ///< after argv[0], as ros2 launch would pass them
   NodeOutput output = NodeOutput::kScreen;
   bool respawn = false;
   SourceSpan source;
 };
+
+/// Where a Python node's script lies, below the prefix.
+[[nodiscard]] std::string python_script(const LaunchNode& node);
 
 /// A parameter file that was read, by the path the manifest gives.
 using ParameterFiles = std::map<std::string, std::string>;

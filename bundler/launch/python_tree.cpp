@@ -32,11 +32,6 @@ Outcome<Done> collect(const fs::path& prefix, const std::string& folder, PythonF
 
 }  // namespace
 
-bool is_python_script(std::string_view text) {
-  if (!text.starts_with("#!")) return false;
-  return text.substr(0, text.find('\n')).find("python") != std::string_view::npos;
-}
-
 Outcome<Done> collect_python_modules(const fs::path& prefix, PythonFiles& into) {
   return collect(prefix, kPythonModules, into);
 }
@@ -44,6 +39,13 @@ Outcome<Done> collect_python_modules(const fs::path& prefix, PythonFiles& into) 
 Outcome<Done> collect_python_scripts(const fs::path& prefix, const std::string& package,
                                      PythonFiles& into) {
   return collect(prefix, "lib/" + package, into);
+}
+
+Diagnostic no_pyodide(std::string why) {
+  return Diagnostic{.code = "R2W0517",
+                    .kind = FailureKind::kEnvironment,
+                    .message = "no channel has Pyodide, which reads and runs Python packages",
+                    .why = {std::move(why)}};
 }
 
 }  // namespace ros2wasm

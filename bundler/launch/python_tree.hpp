@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <map>
 #include <string>
-#include <string_view>
 
 #include "workspace_schema/outcome.hpp"
 
@@ -20,14 +19,14 @@ inline constexpr const char* kPyodideFolder = "share/pyodide";
 /// Bytes by path below the prefix: "lib/python3.12/site-packages/demo/talker.py".
 using PythonFiles = std::map<std::string, std::string>;
 
-/// Does a file with this first line run as a Python script?
-[[nodiscard]] bool is_python_script(std::string_view text);
-
 /// Adds the modules of a prefix, and what `package` has in lib/<package>/ but compiled programs; a
 /// file that is known stays. R2W0210.
 [[nodiscard]] Outcome<Done> collect_python_modules(const std::filesystem::path& prefix,
                                                    PythonFiles& into);
 [[nodiscard]] Outcome<Done> collect_python_scripts(const std::filesystem::path& prefix,
                                                    const std::string& package, PythonFiles& into);
+
+/// R2W0517. `why`: what needs it.
+[[nodiscard]] Diagnostic no_pyodide(std::string why);
 
 }  // namespace ros2wasm

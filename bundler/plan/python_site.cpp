@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "bundler/archive/zip_writer.hpp"
+#include "bundler/launch/import_check.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -17,6 +18,20 @@ std::string zipped(const PythonFiles& files) {
   ZipWriter zip;
   for (const auto& [path, bytes] : files) zip.member(path, bytes);
   return zip.finish();
+}
+
+/// The files of a top-level module, which are gone from `files` then.
+PythonFiles taken_out(PythonFiles& files, const std::string& module) {
+  PythonFiles taken;
+  const std::string base = std::string(kPythonModules) + "/" + module;
+  for (auto it = files.lower_bound(base); it != files.end() && it->first.starts_with(base);) {
+    const bool is_of_it = it->first.size() > base.size() &&
+                          (it->first[base.size()] == '/' || it->first[base.size()] == '.');
+    const auto next = std::next(it);
+    if (is_of_it) taken.insert(files.extract(it));
+    it = next;
+  }
+  return taken;
 }
 
 /// "std_msgs/msg/String" -> "share/std_msgs/msg/String.msg".
@@ -35,7 +50,8 @@ std::string package_of_shared(const std::string& path) {
 }
 
 PythonSite python_site(PythonInput input, const InterfaceTexts& interfaces,
-                       const SharedFiles& shared, const std::vector<std::string>& local,
+                       const SharedFiles& shared, const std::set<std::string>& needed,
+                       const std::vector<std::string>& local,
                        const std::vector<std::string>& packages) {
   const auto part_of = [&](const std::string& package) -> PythonFiles& {
     const bool is_local = std::find(local.begin(), local.end(), package) != local.end();
@@ -52,13 +68,24 @@ PythonSite python_site(PythonInput input, const InterfaceTexts& interfaces,
     site.files.push_back(
         {.path = "pyodide/" + name, .reason = "Python of Python nodes", .bytes = std::move(bytes)});
   }
-  const auto add = [&](const char* name, const char* reason, const PythonFiles& files) {
-    if (files.empty()) return;
-    site.archives.push_back(std::string(kFolder) + name);
-    site.files.push_back({.path = site.archives.back(), .reason = reason, .bytes = zipped(files)});
+  const auto add = [&](const std::string& name, const std::string& reason,
+                       const PythonFiles& files) {
+    site.files.push_back(
+        {.path = std::string(kFolder) + name, .reason = reason, .bytes = zipped(files)});
+    return site.files.back().path;
   };
-  add("channels.zip", "what Python nodes find installed of channels' packages", input.channels);
-  add("workspace.zip", "what Python nodes find installed of the workspace", input.workspace);
+  for (const std::string& module : compiled_modules(input.channels)) {
+    const PythonFiles files = taken_out(input.channels, module);
+    if (!needed.contains(module)) continue;
+    site.compiled[module] = add(module + ".zip", "module " + module + " of Python nodes", files);
+  }
+  const auto add_part = [&](const std::string& name, const PythonFiles& files) {
+    if (files.empty()) return;
+    site.archives.push_back(
+        add(name + ".zip", "what Python nodes find installed of the " + name, files));
+  };
+  add_part("channels", input.channels);
+  add_part("workspace", input.workspace);
   return site;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -31,15 +32,17 @@ struct PythonSiteFile {
 
 struct PythonSite {
   std::vector<PythonSiteFile> files;
-  std::vector<std::string> archives;  ///< paths of those among `files` that nodes unpack, in order
+  std::vector<std::string> archives;  ///< paths of those among `files` that all nodes unpack
+  std::map<std::string, std::string> compiled;  ///< and of those for who imports a compiled module
 };
 
 /// "share/demo/config/gains.yaml" or "share/ament_index/resource_index/plugins/demo": of "demo".
 [[nodiscard]] std::string package_of_shared(const std::string& path);
 
-/// `local`: the packages of the workspace. The same files give the same bytes.
+/// `needed`: the compiled modules that some node imports. `local`: the packages of the workspace.
+/// The same files give the same bytes.
 [[nodiscard]] PythonSite python_site(PythonInput input, const InterfaceTexts& interfaces,
-                                     const SharedFiles& shared,
+                                     const SharedFiles& shared, const std::set<std::string>& needed,
                                      const std::vector<std::string>& local,
                                      const std::vector<std::string>& packages);
 

@@ -77,12 +77,12 @@ Outcome<SitePlan> plan_site(PlanInput input) {
   for (const LaunchNode& node : input.nodes) {
     const std::string path = program_path(node);
     if (is_python(node)) {
-      plan.nodes.push_back(
-          {.node = node,
-           .program = path,
-           .names = {},
-           .threads = false,
-           .script = "lib/" + node.package + "/" + node.program.filename().string()});
+      plan.nodes.push_back({.node = node,
+                            .program = path,
+                            .names = {},
+                            .threads = false,
+                            .script = python_script(node),
+                            .archives = {}});
       continue;
     }
     const auto names = input.names.find(node.program);
@@ -107,13 +107,22 @@ Outcome<SitePlan> plan_site(PlanInput input) {
                           .program = path,
                           .names = names == input.names.end() ? "" : names_path(node),
                           .threads = threads_of[path],
-                          .script = {}});
+                          .script = {},
+                          .archives = {}});
   }
   if (!errors.empty()) return errors;
   if (has_python) {
+    std::set<std::string> compiled;
+    for (const LaunchNode& node : input.nodes)
+      compiled.insert(node.compiled_modules.begin(), node.compiled_modules.end());
     PythonSite python = python_site(std::move(input.python), input.interfaces, input.shared,
-                                    input.packages, input.python_index);
-    plan.python_archives = std::move(python.archives);
+                                    compiled, input.packages, input.python_index);
+    for (PlannedNode& planned : plan.nodes) {
+      if (!is_python(planned.node)) continue;
+      planned.archives = python.archives;
+      for (const std::string& module : planned.node.compiled_modules)
+        planned.archives.push_back(python.compiled.at(module));
+    }
     for (PythonSiteFile& file : python.files)
       add(plan, std::move(file.path), std::move(file.reason), std::move(file.bytes));
   }

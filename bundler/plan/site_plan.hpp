@@ -39,15 +39,15 @@ struct PlannedNode {
   std::string program;  ///< path in the site
   std::string names;    ///< path in the site of its functions' names; empty when there are none
   bool threads = false;
-  std::string script;  ///< of a Python node: path in what is installed
+  std::string script;                 ///< of a Python node: path in what is installed
+  std::vector<std::string> archives;  ///< of a Python node: what it unpacks, in order
 };
 
 struct SitePlan {
-  std::vector<PlannedFile> files;            ///< sorted by path; the last step adds site.json
-  std::vector<PlannedNode> nodes;            ///< in launch order
-  std::vector<std::string> packages;         ///< that the programs' index of packages has, sorted
-  std::vector<std::string> python_archives;  ///< what Python nodes unpack, in order
-  std::vector<ChannelFile> channel;          ///< sorted by path; empty unless it was asked for
+  std::vector<PlannedFile> files;     ///< sorted by path; the last step adds site.json
+  std::vector<PlannedNode> nodes;     ///< in launch order
+  std::vector<std::string> packages;  ///< that the programs' index of packages has, sorted
+  std::vector<ChannelFile> channel;   ///< sorted by path; empty unless it was asked for
 };
 
 /// A file that the built runtime brings to every site.

@@ -21,8 +21,7 @@ std::string_view output_name(NodeOutput output) {
   return "screen";
 }
 
-void write_node(JsonWriter& json, const PlannedNode& planned,
-                const std::vector<std::string>& archives) {
+void write_node(JsonWriter& json, const PlannedNode& planned) {
   const LaunchNode& node = planned.node;
   json.begin_object().field("id", node.id).field("package", node.package);
   json.field("executable", node.executable).field("label", node.label);
@@ -30,7 +29,7 @@ void write_node(JsonWriter& json, const PlannedNode& planned,
   json.field("program", planned.program);
   if (!planned.script.empty()) {
     json.key("python").begin_object().key("archives").begin_array();
-    for (const std::string& archive : archives) json.string(archive);
+    for (const std::string& archive : planned.archives) json.string(archive);
     json.end_array().field("entry", planned.script).end_object();
   }
   if (!planned.names.empty()) json.field("names", planned.names);
@@ -83,7 +82,7 @@ std::string site_json(const Manifest& manifest, const SitePlan& plan) {
   }
   json.end_array();
   json.key("nodes").begin_array();
-  for (const PlannedNode& node : plan.nodes) write_node(json, node, plan.python_archives);
+  for (const PlannedNode& node : plan.nodes) write_node(json, node);
   json.end_array();
   json.field("interfaces", "interfaces.json");
   json.key("packages").begin_array();

@@ -21,8 +21,8 @@ bool has(const std::vector<std::string>& sorted, std::string_view name) {
   return std::binary_search(sorted.begin(), sorted.end(), name, std::less<>());
 }
 
-/// What CMakeLists.txt asks for, a channel has, and package.xml forgets. Where all of ROS 2 is
-/// installed nobody notices.
+/// What CMakeLists.txt asks for or Python imports, a channel has, and package.xml forgets. Where
+/// all of ROS 2 is installed nobody notices.
 std::vector<const Spanned<std::string>*> forgotten(const LocalPackage& package,
                                                    const std::vector<LocalPackage>& packages,
                                                    const KnownNames& known,
@@ -37,19 +37,28 @@ std::vector<const Spanned<std::string>*> forgotten(const LocalPackage& package,
         package.xml.dependencies.begin(), package.xml.dependencies.end(),
         [&](const PackageDependency& one) { return conda_name(one.name.value, distro) == wanted; });
   };
-  for (const Spanned<std::string>& one : package.cmake_packages) {
-    const std::string wanted = conda_name(one.value, distro);
-    if (!host_package_reason(one.value).empty() || is_local(one.value) || is_named(wanted))
-      continue;
-    if (has(known.names, wanted)) result.push_back(&one);
+  std::set<std::string> asked;
+  for (const auto* list : {&package.cmake_packages, &package.python_packages}) {
+    for (const Spanned<std::string>& one : *list) {
+      const std::string wanted = conda_name(one.value, distro);
+      if (!host_package_reason(one.value).empty() || is_local(one.value) || is_named(wanted))
+        continue;
+      if (has(known.names, wanted) && asked.insert(wanted).second) result.push_back(&one);
+    }
   }
   return result;
+}
+
+/// How package.xml names a library that is imported as `name`.
+std::string rosdep_key(const std::string& name) {
+  return name == "numpy" ? "python3-" + name : name;
 }
 
 Diagnostic forgotten_warning(const LocalPackage& package,
                              const std::vector<const Spanned<std::string>*>& names) {
   std::string lines;
-  for (const Spanned<std::string>* one : names) lines += "<depend>" + one->value + "</depend>";
+  for (const Spanned<std::string>* one : names)
+    lines += "<depend>" + rosdep_key(one->value) + "</depend>";
   return Diagnostic{.code = "R2W0515",
                     .severity = Severity::kWarning,
                     .message = "package `" + package.xml.name.value + "` uses " +

@@ -4,11 +4,13 @@
 #include <fnmatch.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 
 #include "bundler/io/files.hpp"
 #include "bundler/workspace/cmake_packages.hpp"
+#include "bundler/workspace/python_imports.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
@@ -77,6 +79,62 @@ void expand(const fs::path& base, const std::vector<std::string>& parts, std::si
   }
 }
 
+/// Folders of a package whose Python files no node imports.
+constexpr auto kOtherFolders = std::to_array<std::string_view>(
+    {"build", "doc", "docs", "install", "launch", "log", "test", "tests"});
+constexpr std::uintmax_t kBiggestScript = 1'000'000;  // bytes
+
+/// A module of a node, or a script that names Python; not what builds, tests or launches it.
+bool may_be_of_a_node(const fs::directory_entry& entry) {
+  const std::string name = entry.path().filename().string();
+  std::error_code error;
+  if (name == "setup.py" || name == "conftest.py" || name.ends_with(".launch.py") ||
+      !entry.is_regular_file(error) || entry.file_size(error) > kBiggestScript)
+    return false;
+  return entry.path().extension() == ".py" || !entry.path().has_extension();
+}
+
+/// Files of Python code below a package's folder, sorted; `own` gets the names that they may import
+/// of each other.
+std::vector<fs::path> python_sources(const fs::path& folder, std::set<std::string>& own) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (fs::recursive_directory_iterator it(folder, error), end; !error && it != end;
+       it.increment(error)) {
+    const std::string name = it->path().filename().string();
+    const bool is_folder = it->is_directory(error);
+    const bool is_other = is_folder && std::find(kOtherFolders.begin(), kOtherFolders.end(),
+                                                 name) != kOtherFolders.end();
+    if (is_other || name.starts_with('.')) {
+      if (is_folder) it.disable_recursion_pending();
+    } else if (is_folder) {
+      own.insert(name);
+    } else if (may_be_of_a_node(*it)) {
+      own.insert(it->path().stem().string());
+      files.push_back(it->path());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::vector<Spanned<std::string>> python_packages(const fs::path& folder, const fs::path& base,
+                                                  const fs::path& shown_base) {
+  std::vector<Spanned<std::string>> result;
+  std::set<std::string> known;
+  for (const fs::path& file : python_sources(folder, known)) {
+    const auto text = read_file(file);
+    if (!text || (!file.has_extension() && !is_python_script(*text))) continue;
+    for (PythonImport& one : python_imports(*text, shown_path(file, base, shown_base))) {
+      std::string name = one.module.substr(0, one.module.find('.'));
+      if (!one.needed || name.empty() || is_python_module(name) || !known.insert(name).second)
+        continue;
+      result.push_back({.value = std::move(name), .span = std::move(one.span)});
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 std::vector<fs::path> find_package_folders(const fs::path& root) {
@@ -137,7 +195,8 @@ Outcome<std::vector<LocalPackage>> discover_packages(
       packages.push_back({.xml = std::move(xml).value(),
                           .directory = folder,
                           .cmake_packages = cmake_packages(cmake ? *cmake : "",
-                                                           shown_path(lists, base, shown_base))});
+                                                           shown_path(lists, base, shown_base)),
+                          .python_packages = python_packages(folder, base, shown_base)});
     } else {
       errors.insert(errors.end(), xml.errors().begin(), xml.errors().end());
     }

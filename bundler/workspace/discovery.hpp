@@ -16,6 +16,8 @@ struct LocalPackage {
   std::filesystem::path directory;  ///< absolute
   /// What its CMakeLists.txt asks for, whether package.xml names it or not.
   std::vector<Spanned<std::string>> cmake_packages;
+  /// What its Python files need that neither Python nor its own folder has: top-level modules.
+  std::vector<Spanned<std::string>> python_packages;
 };
 
 /// Folders with a package.xml at or below `root`, sorted. A package's own folder is not searched

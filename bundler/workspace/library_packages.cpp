@@ -19,6 +19,7 @@ constexpr auto kLibraryPackages = std::to_array<LibraryPackage>({
     {"libyaml-cpp-dev", "yaml-cpp"},
     {"nlohmann-json-dev", "nlohmann_json"},
     {"nlohmann_json", "nlohmann_json"},
+    {"numpy", "numpy"},
     {"python3-numpy", "numpy"},
     {"yaml-cpp", "yaml-cpp"},
 });

@@ -1,7 +1,7 @@
 // Python packages through pack and run, as their users write them: ament_python and mixed ones in one site.
 
 import assert from 'node:assert/strict';
-import { cpSync, rmSync } from 'node:fs';
+import { cpSync, readFileSync, rmSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { after, before, test } from 'node:test';
 
@@ -20,8 +20,13 @@ launch:
   - {package: mixed_nodes, executable: judge.py}
 `;
 
+interface Python {
+  readonly entry: string;
+  readonly archives: readonly string[];
+}
+
 interface Site {
-  readonly nodes: readonly { readonly id: string; readonly kind: string; readonly python?: { readonly entry: string } }[];
+  readonly nodes: readonly { readonly id: string; readonly kind: string; readonly python?: Python }[];
   readonly files: readonly { readonly path: string }[];
 }
 
@@ -32,6 +37,8 @@ before(async () => {
   workspace.write('workspace.yaml', MANIFEST);
   const packed = await workspace.run(['pack']);
   assert.equal(packed.code, 0, packed.stderr);
+  // numpy, which package.xml forgets
+  assert.match(packed.stderr, /warning\[R2W0515\]: package `mixed_nodes` uses a package .*\n --> src\/mixed_nodes\/scripts\/judge.py:3:8/);
 });
 after(() => workspace.close());
 
@@ -48,8 +55,14 @@ test('entry points and scripts are programs of kind python', () => {
   ]);
   assert.deepEqual(pythonFiles(site('site')), [
     'pyodide/pyodide-lock.json', 'pyodide/pyodide.asm.js', 'pyodide/pyodide.asm.wasm', 'pyodide/pyodide.js',
-    'pyodide/python_stdlib.zip', 'python/channels.zip', 'python/workspace.zip', 'python_worker.js',
+    'pyodide/python_stdlib.zip', 'python/channels.zip', 'python/numpy.zip', 'python/workspace.zip', 'python_worker.js',
   ]);
+});
+
+test('compiled modules come to those who import them', () => {
+  const common = ['python/channels.zip', 'python/workspace.zip'];
+  const archives = site('site').nodes.map((node) => node.python?.archives);
+  assert.deepEqual(archives, [common, common, common, undefined, [...common, 'python/numpy.zip']]);
 });
 
 test('they run: entry points, scripts, messages of the package itself, share files, both languages', async () => {
@@ -66,6 +79,17 @@ test('they run: entry points, scripts, messages of the package itself, share fil
   });
   const ran = await finished(child);
   assert.equal(ran.code, 130, `${ran.stderr}\n${ran.stdout.slice(-4000)}`);
+});
+
+test('example 02 shows what it promises', async () => {
+  const example = resolve(import.meta.dirname, '../../examples/02_python');
+  cpSync(example, join(workspace.root, 'example'), { recursive: true });
+  const packed = await workspace.run(['pack', 'example/workspace.yaml', '-o', 'example_site']);
+  assert.equal(packed.code, 0, packed.stderr);
+  const ran = await workspace.run(['run', 'example_site', '--for', '120s', '--until', 'I heard: .* [1-9]']);
+  assert.equal(ran.code, 0, ran.stderr);
+  const wanted = readFileSync(join(example, 'expected.txt'), 'utf8').trimEnd().split('\n').join('\n(?:.*\n)*');
+  assert.match(ran.stdout, new RegExp(wanted));
 });
 
 test('packing again runs no setup.py and gives the same bytes', async () => {

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Hears the readings of a compiled node and says which are too high."""
+import numpy as np
 import rclpy
 from rclpy.node import Node
 
@@ -15,8 +16,8 @@ class Judge(Node):
         self.create_subscription(Reading, 'readings', self.judge, 10)
 
     def judge(self, reading: Reading) -> None:
-        high = [value for value in reading.values if value > self.limit]
-        self.get_logger().info(f'{reading.sensor}: {len(high)} of {len(reading.values)} above {self.limit}')
+        high = np.asarray(reading.values) > self.limit
+        self.get_logger().info(f'{reading.sensor}: {high.sum()} of {high.size} above {self.limit}')
 
 
 def main() -> None:

@@ -1,0 +1,244 @@
+// See import_check.hpp.
+#include "bundler/launch/import_check.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "bundler/workspace/build_order.hpp"
+#include "bundler/workspace/python_imports.hpp"
+
+namespace ros2wasm {
+namespace {
+
+constexpr std::string_view kInit = "/__init__.py";
+constexpr std::array<std::string_view, 3> kKinds = {"msg", "srv", "action"};
+
+struct Hint {
+  std::string_view module;
+  std::string_view why;
+};
+
+constexpr std::string_view kHardware = "a browser reaches no hardware of this kind";
+constexpr std::string_view kNoWindows = "a node has no window: its output is its console";
+
+/// What people ask for and no site can have.
+constexpr auto kHints = std::to_array<Hint>({
+    {"RPi", kHardware},
+    {"cv2", "OpenCV is not there for the Python of sites; numpy is, for what can be done by hand"},
+    {"cv_bridge", "OpenCV is not there for the Python of sites; an image's `data` is its bytes"},
+    {"matplotlib", "it is not there for the Python of sites; the page plots what a node publishes"},
+    {"pygame", kNoWindows},
+    {"rosbag2_py", "nodes read and write no bags in a site"},
+    {"serial", kHardware},
+    {"smbus", kHardware},
+    {"smbus2", kHardware},
+    {"spidev", kHardware},
+    {"tkinter", kNoWindows},
+    {"turtle", kNoWindows},
+});
+
+std::string top_level(const std::string& module) {
+  return module.substr(0, module.find('.'));
+}
+
+bool is_below(const PythonFiles& files, const std::string& prefix) {
+  const auto next = files.lower_bound(prefix);
+  return next != files.end() && next->first.starts_with(prefix);
+}
+
+class Walk {
+ public:
+  explicit Walk(const PythonWorld& world)
+      : world_(world), compiled_(compiled_modules(world.channels)) {}
+
+  ImportReport run(const std::string& script) {
+    const auto file = world_.workspace.find(script);
+    if (file != world_.workspace.end()) {
+      script_folder_ = script.substr(0, script.rfind('/') + 1);
+      visit(script, true);
+    }
+    return std::move(report_);
+  }
+
+ private:
+  /// `needed`: the program does not start without it.
+  void visit(const std::string& path, bool needed) {
+    const auto [seen, is_new] = visited_.emplace(path, needed);
+    if (!is_new && (seen->second || !needed)) return;
+    seen->second = needed;
+    const auto file = world_.workspace.find(path);
+    if (file == world_.workspace.end()) return;
+    for (const PythonImport& one : python_imports(file->second, path))
+      follow(one, path, needed && one.needed);
+  }
+
+  void follow(const PythonImport& one, const std::string& path, bool needed) {
+    const std::string module = absolute(one.module, path);
+    if (module.empty() || module.starts_with('.'))
+      return add(one, "`" + one.module + "` leads out of the package", {}, needed);
+    const std::string top = top_level(module);
+    if (compiled_.contains(top)) report_.compiled.insert(top);
+    if (is_python_module(top) && !is_lacking_python_module(top)) return;
+    for (std::size_t dot = module.find('.');; dot = module.find('.', dot + 1)) {
+      const std::string part = module.substr(0, dot);
+      if (!import_module(part, needed)) return missing(one, module, part, needed);
+      if (dot == std::string::npos) break;
+    }
+    for (const std::string& name : one.names) {
+      const std::string inner = module + "." + name;
+      if (find_file(world_.workspace, inner)) import_module(inner, needed);
+      if (is_interface_module(module) && name != "*" && !has_interface(module, name))
+        missing_interface(one, module, name, needed);
+    }
+  }
+
+  /// Is there such a module? One of the workspace is read.
+  bool import_module(const std::string& module, bool needed) {
+    if (const auto file = find_file(world_.workspace, module)) {
+      visit(*file, needed);
+      return true;
+    }
+    const std::string base = place(module);
+    return is_below(world_.workspace, base + "/") || is_below(world_.channels, base + "/") ||
+           is_below(world_.channels, base + ".") || is_interface_module(module);
+  }
+
+  [[nodiscard]] std::optional<std::string> find_file(const PythonFiles& files,
+                                                     const std::string& module) const {
+    const std::string base = place(module);
+    // Beside a script are its own modules.
+    for (const std::string& path :
+         {base + std::string(kInit), base + ".py", script_folder_ + module + ".py"}) {
+      if (files.contains(path)) return path;
+    }
+    return std::nullopt;
+  }
+
+  static std::string place(const std::string& module) {
+    std::string path = module;
+    std::replace(path.begin(), path.end(), '.', '/');
+    return std::string(kPythonModules) + "/" + path;
+  }
+
+  /// The package that a relative name begins at is that of the file.
+  static std::string absolute(const std::string& module, const std::string& path) {
+    if (!module.starts_with('.')) return module;
+    const std::string root = std::string(kPythonModules) + "/";
+    if (!path.starts_with(root)) return module;
+    const auto dots = module.find_first_not_of('.');
+    std::string folder = path.substr(root.size());
+    for (std::size_t i = 0; i < std::min(dots, module.size()); ++i)
+      folder.erase(folder.rfind('/') == std::string::npos ? 0 : folder.rfind('/'));
+    std::replace(folder.begin(), folder.end(), '/', '.');
+    if (dots == std::string::npos) return folder;
+    return folder + "." + module.substr(dots);
+  }
+
+  /// `pkg`, `pkg.msg` or `pkg.msg._string`, of packages with definitions.
+  [[nodiscard]] bool is_interface_module(const std::string& module) const {
+    std::string path = module;
+    std::replace(path.begin(), path.end(), '.', '/');
+    const auto first = path.find('/');
+    if (first == std::string::npos) return has_type(path + "/");
+    const auto second = path.find('/', first + 1);
+    const std::string kind = path.substr(first + 1, second - first - 1);
+    return std::find(kKinds.begin(), kKinds.end(), kind) != kKinds.end() &&
+           has_type(path.substr(0, second) + "/");
+  }
+
+  [[nodiscard]] bool has_type(const std::string& prefix) const {
+    const auto next = world_.interfaces.lower_bound(prefix);
+    return next != world_.interfaces.end() && next->first.starts_with(prefix);
+  }
+
+  /// `name`: also a part of a type, such as `Trigger_Request`, or a submodule.
+  [[nodiscard]] bool has_interface(const std::string& module, const std::string& name) const {
+    if (name.starts_with('_') || module.find('.') == std::string::npos) return true;
+    std::string type = module + "/" + name.substr(0, name.find('_'));
+    std::replace(type.begin(), type.end(), '.', '/');
+    return world_.interfaces.contains(type);
+  }
+
+  void add(const PythonImport& one, std::string message, std::vector<std::string> why,
+           bool needed) {
+    report_.missing.push_back(Diagnostic{.code = "R2W0518",
+                                         .severity = needed ? Severity::kError : Severity::kWarning,
+                                         .message = std::move(message),
+                                         .span = one.span,
+                                         .label = "imported here",
+                                         .why = std::move(why)});
+  }
+
+  void missing_interface(const PythonImport& one, const std::string& module,
+                         const std::string& name, bool needed) {
+    add(one, "`" + module + "` has no `" + name + "`",
+        {"share/" + top_level(module) + " has no definition of it"}, needed);
+  }
+
+  void missing(const PythonImport& one, const std::string& module, const std::string& part,
+               bool needed) {
+    const std::string top = top_level(module);
+    if (is_lacking_python_module(top)) {
+      return add(one, "`" + module + "` is not there in a site",
+                 {"it is a part of Python that Python in a browser lacks", hint_for(top)}, needed);
+    }
+    if (part != top) {
+      return add(one, "`" + part + "` is not there",
+                 {"`" + top + "` is there, but has no such module in this version"}, needed);
+    }
+    std::vector<std::string> why;
+    std::vector<std::string> wanted = {conda_name(top, world_.distro), lower_case(top)};
+    wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
+    std::string tried;
+    for (const std::string& name : wanted) {
+      tried += (tried.empty() ? "`" : " or `") + name + "`";
+      if (!std::binary_search(world_.channel_names.begin(), world_.channel_names.end(), name))
+        continue;
+      why.push_back("a channel has `" + name + "`, but what is installed of it has no such module");
+    }
+    if (why.empty())
+      why.push_back("no channel has " + tried + ", nor has the workspace a module of that name");
+    if (std::string hint = hint_for(top); !hint.empty()) why.push_back(std::move(hint));
+    add(one, "no package of the site has the module `" + top + "`", std::move(why), needed);
+  }
+
+  static std::string lower_case(std::string text) {
+    for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return text;
+  }
+
+  static std::string hint_for(const std::string& module) {
+    const auto found = std::find_if(kHints.begin(), kHints.end(),
+                                    [&](const Hint& row) { return row.module == module; });
+    return found == kHints.end() ? std::string() : std::string(found->why);
+  }
+
+  const PythonWorld& world_;
+  const std::set<std::string> compiled_;
+  std::string script_folder_;
+  std::map<std::string, bool> visited_;  ///< file -> whether it is needed
+  ImportReport report_;
+};
+
+}  // namespace
+
+std::set<std::string> compiled_modules(const PythonFiles& channels) {
+  std::set<std::string> result;
+  const std::string root = std::string(kPythonModules) + "/";
+  for (auto it = channels.lower_bound(root); it != channels.end() && it->first.starts_with(root);
+       ++it) {
+    if (!it->first.ends_with(".so")) continue;
+    const std::string below = it->first.substr(root.size());
+    result.insert(below.substr(0, below.find_first_of("/.")));
+  }
+  return result;
+}
+
+ImportReport check_imports(const std::string& script, const PythonWorld& world) {
+  ImportReport report = Walk(world).run(script);
+  for (Diagnostic& one : report.missing) std::erase(one.why, std::string());
+  return report;
+}
+
+}  // namespace ros2wasm

@@ -1,0 +1,35 @@
+// What a Python program imports, followed through the modules of the workspace: what is missing,
+// and what compiled modules it needs. Pure.
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "bundler/launch/python_tree.hpp"
+#include "workspace_schema/diagnostic_list.hpp"
+
+namespace ros2wasm {
+
+/// Where modules can come from.
+struct PythonWorld {
+  const PythonFiles& workspace;
+  const PythonFiles& channels;
+  const std::map<std::string, std::string>& interfaces;  ///< by type: "std_msgs/msg/String"
+  const std::vector<std::string>& channel_names;         ///< of all packages there, sorted
+  std::string distro;
+};
+
+struct ImportReport {
+  Diagnostics missing;  ///< R2W0518: errors, and warnings for what a program can do without; files
+                        ///< are named as they are installed
+  std::set<std::string> compiled;  ///< top-level modules with compiled parts, of the channels
+};
+
+/// Top-level modules of the channels that have compiled parts: "numpy".
+[[nodiscard]] std::set<std::string> compiled_modules(const PythonFiles& channels);
+
+/// `script`: path of the program, "lib/demo/talker". What a channel's modules import is theirs.
+[[nodiscard]] ImportReport check_imports(const std::string& script, const PythonWorld& world);
+
+}  // namespace ros2wasm

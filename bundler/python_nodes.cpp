@@ -1,0 +1,98 @@
+// See python_nodes.hpp.
+#include "bundler/python_nodes.hpp"
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+
+#include "bundler/io/files.hpp"
+#include "bundler/launch/import_check.hpp"
+#include "bundler/workspace/discovery.hpp"
+
+namespace ros2wasm {
+namespace fs = std::filesystem;
+namespace {
+
+/// The file of the workspace that was installed as `path`, as people name it: one of that name and
+/// these bytes; else `path` itself.
+std::string source_of(const BuiltWorkspace& workspace, const std::string& path,
+                      const std::string& bytes) {
+  std::vector<fs::path> same;
+  std::error_code error;
+  for (const fs::path& folder : workspace.watched) {
+    for (fs::recursive_directory_iterator it(folder, error), end; !error && it != end;
+         it.increment(error)) {
+      if (it->path().filename() != fs::path(path).filename() || !it->is_regular_file(error))
+        continue;
+      const auto text = read_file(it->path());
+      if (text && *text == bytes) same.push_back(it->path());
+    }
+  }
+  const auto first = std::min_element(same.begin(), same.end());
+  if (first == same.end()) return path;
+  return shown_path(*first, workspace.folder, workspace.shown_folder);
+}
+
+}  // namespace
+
+Outcome<PythonInput> read_python(const BuiltWorkspace& workspace) {
+  PythonInput input;
+  if (auto read = collect_python_modules(workspace.environment, input.channels); !read)
+    return std::move(read).errors();
+  for (const InstalledPackage& package : workspace.installed) {
+    const bool is_local = package.prefix != workspace.environment;
+    PythonFiles& part = is_local ? input.workspace : input.channels;
+    auto read = is_local ? collect_python_modules(package.prefix, part) : Outcome<Done>(Done{});
+    if (read) read = collect_python_scripts(package.prefix, package.name, part);
+    if (!read) return std::move(read).errors();
+  }
+  const fs::path pyodide = workspace.environment / kPyodideFolder;
+  std::error_code error;
+  if (!fs::is_directory(pyodide, error)) return no_pyodide("nodes of the site are Python programs");
+  for (const char* name : {"pyodide.asm.js", "pyodide.asm.wasm", "pyodide-lock.json", "pyodide.js",
+                           "python_stdlib.zip"}) {
+    auto bytes = read_file(pyodide / name);
+    if (!bytes) return std::move(bytes).errors();
+    input.pyodide.emplace(name, std::move(bytes).value());
+  }
+  return input;
+}
+
+Outcome<Done> check_python_imports(BuiltWorkspace& workspace, const PythonInput& python,
+                                   const InterfaceTexts& interfaces,
+                                   std::vector<LaunchNode>& nodes) {
+  const PythonWorld world{.workspace = python.workspace,
+                          .channels = python.channels,
+                          .interfaces = interfaces,
+                          .channel_names = workspace.channel_names,
+                          .distro = workspace.manifest.distro};
+  Diagnostics errors;
+  std::set<std::tuple<std::string, std::uint32_t, std::string>> told;
+  std::vector<LaunchNode> kept;
+  for (LaunchNode& node : nodes) {
+    if (node.kind != ProgramKind::kPython) {
+      kept.push_back(std::move(node));
+      continue;
+    }
+    ImportReport report = check_imports(python_script(node), world);
+    node.compiled_modules.assign(report.compiled.begin(), report.compiled.end());
+    bool can_run = true;
+    for (Diagnostic& one : report.missing) {
+      can_run = can_run && one.severity != Severity::kError;
+      if (!told.emplace(one.span->file, one.span->line, one.message).second) continue;
+      one.span->file = source_of(workspace, one.span->file, python.workspace.at(one.span->file));
+      const bool is_warning = one.severity != Severity::kError || workspace.nodes_by_default;
+      if (is_warning && one.severity == Severity::kError)
+        one.why.push_back("`" + node.executable + "` of package `" + node.package +
+                          "` is left out for that, as the manifest names no nodes");
+      one.severity = is_warning ? Severity::kWarning : Severity::kError;
+      (is_warning ? workspace.warnings : errors).push_back(std::move(one));
+    }
+    if (can_run || !workspace.nodes_by_default) kept.push_back(std::move(node));
+  }
+  if (!errors.empty()) return errors;
+  nodes = std::move(kept);
+  return Done{};
+}
+
+}  // namespace ros2wasm

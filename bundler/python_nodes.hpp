@@ -1,0 +1,21 @@
+// What Python nodes of a site need: the files that they find installed, and whether their imports
+// can be met.
+#pragma once
+
+#include <vector>
+
+#include "bundler/pipeline.hpp"
+
+namespace ros2wasm {
+
+/// Pyodide, and all modules and scripts of the workspace and its channels' packages. R2W0210.
+[[nodiscard]] Outcome<PythonInput> read_python(const BuiltWorkspace& workspace);
+
+/// R2W0518 for what programs import and nobody has. Nodes that nobody named are left out for that,
+/// with warnings; each of the others gets its `compiled_modules`.
+[[nodiscard]] Outcome<Done> check_python_imports(BuiltWorkspace& workspace,
+                                                 const PythonInput& python,
+                                                 const InterfaceTexts& interfaces,
+                                                 std::vector<LaunchNode>& nodes);
+
+}  // namespace ros2wasm

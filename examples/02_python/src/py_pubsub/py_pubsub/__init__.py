@@ -1,0 +1,1 @@
+"""A talker and a listener."""

@@ -1,0 +1,27 @@
+"""Prints what it hears."""
+import rclpy
+from rclpy.executors import ExternalShutdownException
+from rclpy.node import Node
+from std_msgs.msg import String
+
+
+class Listener(Node):
+
+    def __init__(self) -> None:
+        super().__init__('listener')
+        self.subscription = self.create_subscription(String, 'topic', self.hear, 10)
+
+    def hear(self, message: String) -> None:
+        self.get_logger().info(f"I heard: '{message.data}'")
+
+
+def main() -> None:
+    rclpy.init()
+    try:
+        rclpy.spin(Listener())
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+
+
+if __name__ == '__main__':
+    main()

@@ -1,0 +1,87 @@
+#include "bundler/launch/import_check.hpp"
+
+#include <gtest/gtest.h>
+
+namespace ros2wasm {
+namespace {
+
+constexpr const char* kScript = "lib/demo/run";
+
+class ImportCheckTest : public testing::Test {
+ protected:
+  void module(const std::string& path, const std::string& text) {
+    workspace_[std::string(kPythonModules) + "/" + path] = text;
+  }
+
+  std::vector<std::string> messages(const std::string& script) {
+    workspace_[kScript] = script;
+    report_ = check_imports(kScript, {.workspace = workspace_,
+                                      .channels = channels_,
+                                      .interfaces = interfaces_,
+                                      .channel_names = names_,
+                                      .distro = "jazzy"});
+    std::vector<std::string> result;
+    for (const Diagnostic& one : report_.missing)
+      result.push_back((one.severity == Severity::kError ? "" : "warning: ") + one.message);
+    return result;
+  }
+
+  using Lines = std::vector<std::string>;
+  PythonFiles workspace_;
+  PythonFiles channels_{
+      {std::string(kPythonModules) + "/rclpy/__init__.py", "import nowhere"},
+      {std::string(kPythonModules) + "/rclpy/node.py", ""},
+      {std::string(kPythonModules) + "/numpy/__init__.py", ""},
+      {std::string(kPythonModules) + "/numpy/core.cpython-312-wasm32-emscripten.so", ""}};
+  std::map<std::string, std::string> interfaces_{{"std_msgs/msg/String", ""},
+                                                 {"demo/srv/Trigger", ""}};
+  std::vector<std::string> names_{"opencv", "ros-jazzy-rclpy"};
+  ImportReport report_;
+};
+
+TEST_F(ImportCheckTest, FollowsTheModulesOfTheWorkspaceOnly) {
+  module("demo/__init__.py", "");
+  module("demo/talker.py",
+         "import rclpy, json\nfrom rclpy.node import Node\nfrom .parts import part\n"
+         "from . import other\nfrom std_msgs.msg import String\n"
+         "from demo.srv import Trigger, Trigger_Request\n");
+  module("demo/parts.py", "import not_there\n");
+  module("demo/other.py", "from .. import away\nimport demo.gone\n");
+  module("demo/unused.py", "import never\n");
+  EXPECT_EQ(messages("from demo.talker import main"),
+            (Lines{"no package of the site has the module `not_there`",
+                   "`..` leads out of the package", "`demo.gone` is not there"}));
+  EXPECT_EQ(report_.missing[0].span->file, std::string(kPythonModules) + "/demo/parts.py");
+  EXPECT_EQ(report_.missing[0].span->line, 1U);
+  EXPECT_EQ(
+      report_.missing[0].why[0],
+      "no channel has `ros-jazzy-not-there` or `not_there`, nor has the workspace a module of "
+      "that name");
+}
+
+TEST_F(ImportCheckTest, WhatCanBeDoneWithoutIsAWarning) {
+  EXPECT_EQ(messages("try:\n  import cv2\nexcept ImportError:\n  cv2 = None\n"),
+            Lines{"warning: no package of the site has the module `cv2`"});
+  EXPECT_EQ(report_.missing[0].why.size(), 2U);
+}
+
+TEST_F(ImportCheckTest, KnowsPartsOfPackagesAndOfPython) {
+  EXPECT_EQ(messages("import rclpy.lifecycle\nimport sqlite3\nfrom std_msgs.msg import Strin\n"
+                     "from std_msgs.srv import A\n"),
+            (Lines{"`rclpy.lifecycle` is not there", "`sqlite3` is not there in a site",
+                   "`std_msgs.msg` has no `Strin`", "`std_msgs.srv` is not there"}));
+}
+
+TEST_F(ImportCheckTest, CompiledModulesAreTold) {
+  module("demo/__init__.py", "def f():\n  from numpy import array\n");
+  EXPECT_EQ(messages("import demo\nimport beside"),
+            Lines{"no package of the site has the module `beside`"});
+  EXPECT_EQ(report_.compiled, std::set<std::string>{"numpy"});
+  workspace_["lib/demo/beside.py"] = "";
+  EXPECT_EQ(messages("import beside"), Lines());
+  EXPECT_TRUE(report_.compiled.empty());
+  EXPECT_EQ(compiled_modules(channels_), std::set<std::string>{"numpy"});
+}
+
+}  // namespace
+}  // namespace ros2wasm

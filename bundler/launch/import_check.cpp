@@ -73,6 +73,25 @@ class Walk {
       follow(one, path, needed && one.needed);
   }
 
+  /// Of a channel's modules only what they cannot do without matters: are there compiled ones?
+  void visit_channel(const std::string& path) {
+    if (!visited_.emplace(path, true).second) return;
+    for (const PythonImport& one : python_imports(world_.channels.at(path), path)) {
+      const std::string module = absolute(one.module, path);
+      const std::string top = top_level(module);
+      if (!one.needed || is_python_module(top)) continue;
+      if (compiled_.contains(top)) {
+        report_.compiled.insert(top);
+        continue;
+      }
+      std::vector<std::string> inner = {module};
+      for (const std::string& name : one.names) inner.push_back(module + "." + name);
+      for (const std::string& name : inner) {
+        if (const auto file = find_file(world_.channels, name)) visit_channel(*file);
+      }
+    }
+  }
+
   void follow(const PythonImport& one, const std::string& path, bool needed) {
     const std::string module = absolute(one.module, path);
     if (module.empty() || module.starts_with('.'))
@@ -87,7 +106,8 @@ class Walk {
     }
     for (const std::string& name : one.names) {
       const std::string inner = module + "." + name;
-      if (find_file(world_.workspace, inner)) import_module(inner, needed);
+      if (find_file(world_.workspace, inner) || find_file(world_.channels, inner))
+        import_module(inner, needed);
       if (is_interface_module(module) && name != "*" && !has_interface(module, name))
         missing_interface(one, module, name, needed);
     }
@@ -99,6 +119,7 @@ class Walk {
       visit(*file, needed);
       return true;
     }
+    if (const auto file = find_file(world_.channels, module)) visit_channel(*file);
     const std::string base = place(module);
     return is_below(world_.workspace, base + "/") || is_below(world_.channels, base + "/") ||
            is_below(world_.channels, base + ".") || is_interface_module(module);

@@ -29,7 +29,8 @@ struct ImportReport {
 /// Top-level modules of the channels that have compiled parts: "numpy".
 [[nodiscard]] std::set<std::string> compiled_modules(const PythonFiles& channels);
 
-/// `script`: path of the program, "lib/demo/talker". What a channel's modules import is theirs.
+/// `script`: path of the program, "lib/demo/talker". Of a channel's modules, what is missing is not
+/// told.
 [[nodiscard]] ImportReport check_imports(const std::string& script, const PythonWorld& world);
 
 }  // namespace ros2wasm

@@ -81,6 +81,15 @@ TEST_F(ImportCheckTest, CompiledModulesAreTold) {
   EXPECT_EQ(messages("import beside"), Lines());
   EXPECT_TRUE(report_.compiled.empty());
   EXPECT_EQ(compiled_modules(channels_), std::set<std::string>{"numpy"});
+  const std::string clouds = std::string(kPythonModules) + "/clouds/";
+  channels_[clouds + "__init__.py"] = "";
+  channels_[clouds + "reading.py"] = "from . import arrays\nimport gone\n";
+  channels_[clouds + "arrays.py"] = "import numpy as np\n";
+  EXPECT_EQ(messages("from clouds import reading"), Lines());
+  EXPECT_EQ(report_.compiled, std::set<std::string>{"numpy"});
+  channels_[clouds + "arrays.py"] = "try:\n  import numpy\nexcept ImportError:\n  pass\n";
+  EXPECT_EQ(messages("from clouds import reading"), Lines());
+  EXPECT_TRUE(report_.compiled.empty());
 }
 
 }  // namespace

@@ -14,6 +14,7 @@ CommandBody explain_command(Arguments& arguments);
 CommandBody inspect_command(Arguments& arguments);
 CommandBody init_command(Arguments& arguments);
 CommandBody compile_source_command(Arguments& arguments);
+CommandBody launch_command(Arguments& arguments);
 CommandBody link_program_command(Arguments& arguments);
 CommandBody lock_command(Arguments& arguments);
 CommandBody pack_command(Arguments& arguments);
@@ -42,6 +43,9 @@ constexpr auto kCommands = std::to_array<CommandRow>({
     {.name = "build",
      .help = "Compile a workspace, without making a site",
      .declare = build_command},
+    {.name = "launch",
+     .help = "Show what a launch file comes to",
+     .declare = launch_command},
     {.name = "why",
      .help = "Say why a file is in a site, or a package in the lock",
      .declare = why_command},

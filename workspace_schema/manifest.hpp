@@ -59,6 +59,7 @@ struct NodeEntry {
   std::vector<ParameterEntry> parameters;
   std::vector<Spanned<std::string>> parameter_files;  ///< relative to the manifest
   std::vector<std::string> arguments;                 ///< passed before --ros-args
+  std::vector<std::string> ros_arguments;             ///< right behind it; of launch files
   NodeOutput output = NodeOutput::kScreen;
   bool respawn = false;
 };

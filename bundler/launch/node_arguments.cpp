@@ -74,7 +74,7 @@ std::string parameter_text(const ParameterValue& value) {
 std::vector<std::string> node_arguments(const NodeEntry& entry,
                                         const std::vector<FileRules>& files) {
   std::vector<std::string> result = entry.arguments;
-  std::vector<std::string> ros;
+  std::vector<std::string> ros = entry.ros_arguments;
   const auto add = [&ros](const char* option, std::string value) {
     ros.emplace_back(option);
     ros.push_back(std::move(value));

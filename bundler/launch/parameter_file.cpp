@@ -1,8 +1,10 @@
 // See parameter_file.hpp.
 #include "bundler/launch/parameter_file.hpp"
 
+#include <algorithm>
 #include <optional>
 
+#include "bundler/launch/launch_values.hpp"
 #include "workspace_schema/source_text.hpp"
 #include "workspace_schema/yaml_reader.hpp"
 #include "workspace_schema/yaml_scalar.hpp"
@@ -28,16 +30,10 @@ std::optional<ParameterValue> typed(const YamlNode& node) {
   return std::nullopt;
 }
 
-/// A list whose items are all of type T.
-template <typename T>
-std::optional<ParameterValue> list_of(const std::vector<ParameterValue>& items) {
-  std::vector<T> result;
-  for (const ParameterValue& item : items) {
-    const T* one = std::get_if<T>(&item);
-    if (one == nullptr) return std::nullopt;
-    result.push_back(*one);
-  }
-  return ParameterValue(std::move(result));
+bool same_type(const std::vector<ParameterValue>& items) {
+  return std::all_of(items.begin(), items.end(), [&](const ParameterValue& item) {
+    return item.index() == items.front().index();
+  });
 }
 
 class Reader {
@@ -94,10 +90,8 @@ class Reader {
       }
       items.push_back(std::move(*value));
     }
-    auto list = list_of<std::string>(items);  // an empty list is one of these too
-    if (!list) list = list_of<std::int64_t>(items);
-    if (!list) list = list_of<double>(items);
-    if (!list) list = list_of<bool>(items);
+    // Unlike launch, rcl takes no whole numbers among others.
+    auto list = same_type(items) ? list_parameter(items) : std::nullopt;
     if (!list)
       fail(node.range, "parameter `" + name + "`: all items of a list must have the same type");
     return list;
@@ -114,6 +108,19 @@ class Reader {
 };
 
 }  // namespace
+
+std::optional<ParameterValue> parameter_value(const YamlNode& node) {
+  if (node.kind == YamlKind::kNull) return ParameterValue(std::string());
+  if (node.kind == YamlKind::kScalar) return typed(node);
+  if (node.kind != YamlKind::kSequence) return std::nullopt;
+  std::vector<ParameterValue> items;
+  for (const YamlNode& item : node.items) {
+    auto value = item.kind == YamlKind::kScalar ? typed(item) : std::nullopt;
+    if (!value) return std::nullopt;
+    items.push_back(std::move(*value));
+  }
+  return list_parameter(items);
+}
 
 Outcome<std::vector<ParameterRule>> read_parameter_file(std::string_view text,
                                                         const std::string& file) {

@@ -1,0 +1,75 @@
+// What a launch file comes to: processes with all that was decided for them, launch arguments, what
+// is said and when, what a site cannot start. Plain values, each with its place in the source.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bundler/launch/launch_graph.hpp"
+#include "workspace_schema/manifest.hpp"
+
+namespace ros2wasm {
+
+struct LaunchArgument {
+  std::string name;
+  std::optional<std::string> default_value;  ///< none: it must be given
+  std::string description;
+  std::vector<std::string> choices;  ///< empty: any value
+  std::string value;                 ///< given or by default
+  bool given = false;
+  SourceSpan span;
+};
+
+/// A component that is loaded into a container when that has started.
+struct LaunchComponent {
+  Spanned<std::string> package;
+  std::string plugin;
+  std::optional<std::string> name;
+  std::optional<std::string> name_space;
+  std::vector<std::pair<std::string, std::string>> remappings;
+  std::vector<ParameterEntry> parameters;
+  std::vector<std::pair<std::string, std::string>> extra_arguments;
+};
+
+struct LaunchProcess {
+  NodeEntry node;  ///< parameter files are keys of LaunchDescription::parameter_files
+  std::map<std::string, std::string> environment;
+  double start_after_s = 0;  ///< of timers that it stands in
+  double respawn_delay_s = 0;
+  bool shutdown_on_exit = false;  ///< when it ends, all ends
+  std::vector<LaunchComponent> components;
+};
+
+struct LaunchLine {
+  std::string level;  ///< "info", "warning", "error" or "debug"
+  std::string text;
+  double after_s = 0;
+  SourceSpan span;
+};
+
+/// What stands in the file and does not run in a site.
+struct LaunchLeftOut {
+  std::string what;     ///< "rviz2 (package rviz2)", or a command line
+  std::string instead;  ///< what stands in for it, or why it cannot run; a sentence's end
+  SourceSpan span;
+};
+
+struct LaunchShutdown {
+  double after_s = 0;
+  std::string reason;
+};
+
+struct LaunchDescription {
+  std::vector<LaunchArgument> arguments;  ///< in the order of declaration
+  std::vector<LaunchProcess> processes;   ///< in the order of the file
+  std::vector<LaunchLine> lines;
+  std::vector<LaunchLeftOut> left_out;
+  std::optional<LaunchShutdown> shutdown;
+  ParameterFiles parameter_files;
+  std::vector<std::string> files;  ///< launch and parameter files that were read, sorted
+  Diagnostics warnings;
+};
+
+}  // namespace ros2wasm

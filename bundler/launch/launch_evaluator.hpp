@@ -1,0 +1,105 @@
+// Walks the entities of launch files and does what they say. Its actions are in
+// launch_evaluation.cpp, those that start processes in launch_processes.cpp.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bundler/launch/launch_description.hpp"
+#include "bundler/launch/launch_entity.hpp"
+#include "bundler/launch/launch_scope.hpp"
+
+namespace ros2wasm {
+
+/// One kind of action: its attributes, a `!` before those that must be there, and the parts that
+/// may stand in it.
+struct LaunchActionRow;
+
+class LaunchEvaluator {
+ public:
+  LaunchEvaluator(const LaunchWorld& world, const std::map<std::string, std::string>& given);
+
+  /// Reads and evaluates a file. `from`: where it is named; the first file is named nowhere.
+  void file(const std::string& path, const std::optional<SourceSpan>& from);
+  void finish();
+
+  [[nodiscard]] LaunchDescription& description() { return description_; }
+  [[nodiscard]] Diagnostics& errors() { return errors_; }
+
+ private:
+  friend struct LaunchActionRow;
+  using Entities = std::vector<LaunchEntity>;
+
+  void actions(const Entities& entities);
+  void action(const LaunchEntity& entity);
+  bool applies(const LaunchEntity& entity);
+  bool check(const LaunchEntity& entity, const LaunchActionRow& row);
+
+  // The actions.
+  void declare_argument(const LaunchEntity& entity);
+  void let(const LaunchEntity& entity);
+  void include(const LaunchEntity& entity);
+  void group(const LaunchEntity& entity);
+  void set_environment(const LaunchEntity& entity);
+  void unset_environment(const LaunchEntity& entity);
+  void append_environment(const LaunchEntity& entity);
+  void reset_environment(const LaunchEntity& entity);
+  void reset(const LaunchEntity& entity);
+  void timer(const LaunchEntity& entity);
+  void log(const LaunchEntity& entity);
+  void shutdown(const LaunchEntity& entity);
+  void push_namespace(const LaunchEntity& entity);
+  void set_parameter(const LaunchEntity& entity);
+  void set_parameter_file(const LaunchEntity& entity);
+  void set_remap(const LaunchEntity& entity);
+  void set_sim_time(const LaunchEntity& entity);
+  void ignore(const LaunchEntity& entity);
+  void for_each(const LaunchEntity& entity);
+  void count(const LaunchEntity& entity);
+  void node(const LaunchEntity& entity);
+  void container(const LaunchEntity& entity);
+  void load_components(const LaunchEntity& entity);
+  void executable(const LaunchEntity& entity);
+
+  // Processes.
+  std::optional<LaunchProcess> process_of(const LaunchEntity& entity);
+  void process_options(const LaunchEntity& entity, LaunchProcess& process);
+  void parameters_of(const LaunchEntity& entity, NodeEntry& node);
+  void parameter(const LaunchEntity& entity, const std::string& prefix, NodeEntry& node);
+  std::optional<std::string> parameter_file(const LaunchEntity& entity, const LaunchAttribute& from,
+                                            bool substituted);
+  std::optional<std::vector<std::pair<std::string, std::string>>> remappings_of(
+      const LaunchEntity& entity);
+  std::vector<LaunchComponent> components_of(const LaunchEntity& entity);
+  std::optional<std::string> namespace_for(const std::string& own) const;
+
+  // Attributes. What is wrong is noted, and nothing comes back.
+  std::optional<std::string> text(const LaunchEntity& entity, std::string_view name);
+  std::optional<std::string> needed_text(const LaunchEntity& entity, std::string_view name);
+  std::optional<std::string> evaluated(const std::string& text, const SourceSpan& span);
+  bool flag(const LaunchEntity& entity, std::string_view name, bool otherwise);
+  double seconds(const LaunchEntity& entity, std::string_view name, double otherwise);
+  std::optional<ParameterValue> value(const LaunchAttribute& attribute, const std::string& type,
+                                      const std::string& separator);
+  std::optional<std::vector<std::string>> command_line(const LaunchEntity& entity,
+                                                       std::string_view name);
+  void fail(const char* code, std::string message, const SourceSpan& span,
+            std::vector<std::string> why = {});
+
+  const LaunchWorld& world_;
+  const std::map<std::string, std::string>& given_;
+  LaunchDescription description_;
+  Diagnostics errors_;
+  LaunchScope scope_;
+  LaunchFilePlace place_;
+  std::vector<std::string> open_files_;  ///< the ones that include the present one, and itself
+  std::set<std::string> files_;
+  double after_s_ = 0;
+  int depth_ = 0;
+};
+
+}  // namespace ros2wasm

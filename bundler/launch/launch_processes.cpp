@@ -1,0 +1,359 @@
+// See launch_evaluator.hpp: the actions that start processes, and what belongs to a process.
+#include <algorithm>
+#include <charconv>
+#include <utility>
+
+#include "bundler/launch/launch_evaluator.hpp"
+#include "bundler/launch/launch_values.hpp"
+#include "bundler/launch/node_arguments.hpp"
+#include "workspace_schema/names.hpp"
+#include "workspace_schema/suggestion.hpp"
+
+namespace ros2wasm {
+namespace {
+
+/// Puts words together as a shell splits them.
+class Words {
+ public:
+  /// Text of the file: spaces divide, quotes hold together.
+  void plain(const std::string& text) {
+    for (const char c : text) {
+      if (quote_ != '\0') {
+        if (c == quote_) {
+          quote_ = '\0';
+        } else {
+          word_ += c;
+        }
+      } else if (c == '\'' || c == '"') {
+        quote_ = c;
+        begun_ = true;
+      } else if (c == ' ' || c == '\t' || c == '\n' || c == '\r') {
+        end();
+      } else {
+        word_ += c;
+        begun_ = true;
+      }
+    }
+  }
+  /// What a substitution came to is never divided.
+  void whole(const std::string& text) {
+    word_ += text;
+    begun_ = true;
+  }
+  [[nodiscard]] bool open() const { return quote_ != '\0'; }
+  std::vector<std::string> finish() {
+    end();
+    return std::move(words_);
+  }
+
+ private:
+  void end() {
+    if (begun_) words_.push_back(std::exchange(word_, {}));
+    begun_ = false;
+  }
+
+  std::vector<std::string> words_;
+  std::string word_;
+  char quote_ = '\0';
+  bool begun_ = false;
+};
+
+std::optional<NodeOutput> output_of(const std::string& text) {
+  if (text == "screen") return NodeOutput::kScreen;
+  if (text == "log" || text == "own_log") return NodeOutput::kLog;
+  if (text == "both" || text == "full") return NodeOutput::kBoth;
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::vector<std::string>> LaunchEvaluator::command_line(const LaunchEntity& entity,
+                                                                      std::string_view name) {
+  const LaunchAttribute* attribute = entity.attribute(name);
+  if (attribute == nullptr) return std::vector<std::string>();
+  const auto* written = std::get_if<std::string>(&attribute->value);
+  if (written == nullptr) {
+    const auto plain = text(entity, name);
+    return plain ? std::optional(std::vector<std::string>{*plain}) : std::nullopt;
+  }
+  const auto parsed = parse_launch_text(*written, attribute->span);
+  if (!parsed) {
+    errors_.insert(errors_.end(), parsed.errors().begin(), parsed.errors().end());
+    return std::nullopt;
+  }
+  Words words;
+  for (const LaunchPiece& piece : *parsed) {
+    if (const auto* plain = std::get_if<std::string>(&piece)) {
+      words.plain(*plain);
+      continue;
+    }
+    auto part = evaluate_text({piece}, attribute->span, scope_, place_, world_);
+    if (!part) {
+      errors_.insert(errors_.end(), part.errors().begin(), part.errors().end());
+      return std::nullopt;
+    }
+    words.whole(*part);
+  }
+  if (words.open()) {
+    fail("R2W0410", "a quote in `" + std::string(name) + "` is not closed", attribute->span);
+    return std::nullopt;
+  }
+  return words.finish();
+}
+
+std::optional<ParameterValue> LaunchEvaluator::value(const LaunchAttribute& attribute,
+                                                     const std::string& type,
+                                                     const std::string& separator) {
+  const auto typed = [&](const std::string& written) -> std::optional<ParameterValue> {
+    const auto plain = evaluated(written, attribute.span);
+    if (!plain) return std::nullopt;
+    auto result = typed_parameter(*plain, type, separator, attribute.span);
+    if (result) return std::move(*result);
+    errors_.insert(errors_.end(), result.errors().begin(), result.errors().end());
+    return std::nullopt;
+  };
+  if (const auto* written = std::get_if<std::string>(&attribute.value)) return typed(*written);
+  if (const auto* list = std::get_if<std::vector<LaunchScalar>>(&attribute.value)) {
+    std::vector<ParameterValue> items;
+    for (const LaunchScalar& one : *list) {
+      if (const auto* written = std::get_if<std::string>(&one)) {
+        auto item = typed(*written);
+        if (!item) return std::nullopt;
+        items.push_back(std::move(*item));
+      } else {
+        std::visit([&](const auto& held) { items.emplace_back(held); }, one);
+      }
+    }
+    if (auto result = list_parameter(items)) return result;
+    fail("R2W0410", "the items of a parameter's list must have one type", attribute.span);
+    return std::nullopt;
+  }
+  if (!type.empty()) return typed(*launch_value_text(attribute.value));
+  if (const bool* one = std::get_if<bool>(&attribute.value)) return *one;
+  if (const auto* one = std::get_if<std::int64_t>(&attribute.value)) return *one;
+  return std::get<double>(attribute.value);
+}
+
+std::optional<std::string> LaunchEvaluator::parameter_file(const LaunchEntity& entity,
+                                                           const LaunchAttribute& from,
+                                                           bool substituted) {
+  const auto named = text(entity, from.name);
+  if (!named) return std::nullopt;
+  const std::string path = named->starts_with('/') ? *named : place_.directory() + "/" + *named;
+  auto content = world_.read(path);
+  if (!content) {
+    fail("R2W0403", "the parameter file `" + path + "` cannot be read", from.span,
+         content.errors().front().why);
+    return std::nullopt;
+  }
+  files_.insert(path);
+  std::string key = path;
+  if (substituted) {
+    auto text = evaluated(*content, from.span);
+    if (!text) return std::nullopt;
+    content = std::move(*text);
+    // The same file may come to something else in another place.
+    for (int i = 2; description_.parameter_files.contains(key) &&
+                    description_.parameter_files[key] != *content;
+         ++i)
+      key = path + "#" + std::to_string(i);
+  }
+  description_.parameter_files[key] = std::move(*content);
+  return key;
+}
+
+void LaunchEvaluator::parameter(const LaunchEntity& entity, const std::string& prefix,
+                                NodeEntry& node) {
+  const LaunchAttribute* from = entity.attribute("from");
+  if (from != nullptr) {
+    if (auto key = parameter_file(entity, *from, flag(entity, "allow_substs", false)))
+      node.parameter_files.push_back({std::move(*key), from->span});
+    return;
+  }
+  const auto name = needed_text(entity, "name");
+  if (!name) return;
+  const LaunchAttribute* set = entity.attribute("value");
+  const bool nested = !entity.children.empty();
+  if ((set != nullptr) == nested) {
+    fail("R2W0410", "`param` has either a value or params of its own", entity.span);
+    return;
+  }
+  if (nested) {
+    for (const LaunchEntity& part : entity.children) {
+      if (part.tag == "param") {
+        parameter(part, prefix + *name + ".", node);
+      } else {
+        fail("R2W0410", "`" + part.tag + "` cannot stand in `param`", part.span);
+      }
+    }
+    return;
+  }
+  const std::string type = text(entity, "type").value_or("");
+  const std::string separator = text(entity, "value_sep").value_or("");
+  if (auto one = value(*set, type, separator))
+    node.parameters.push_back({.name = prefix + *name,
+                               .value = std::move(*one),
+                               .files_before = node.parameter_files.size()});
+}
+
+void LaunchEvaluator::parameters_of(const LaunchEntity& entity, NodeEntry& node) {
+  for (const LaunchParameter& one : scope_.parameters) {
+    if (one.file) {
+      node.parameter_files.push_back(*one.file);
+    } else {
+      node.parameters.push_back(
+          {.name = one.name, .value = one.value, .files_before = node.parameter_files.size()});
+    }
+  }
+  for (const LaunchEntity& part : entity.children)
+    if (part.tag == "param") parameter(part, "", node);
+}
+
+std::optional<std::vector<std::pair<std::string, std::string>>> LaunchEvaluator::remappings_of(
+    const LaunchEntity& entity) {
+  std::vector<std::pair<std::string, std::string>> result = scope_.remappings;
+  for (const LaunchEntity& part : entity.children) {
+    if (part.tag != "remap") continue;
+    auto from = needed_text(part, "from");
+    auto to = needed_text(part, "to");
+    if (!from || !to) return std::nullopt;
+    result.emplace_back(std::move(*from), std::move(*to));
+  }
+  return result;
+}
+
+void LaunchEvaluator::process_options(const LaunchEntity& entity, LaunchProcess& process) {
+  process.start_after_s = after_s_;
+  process.environment = scope_.environment;
+  for (const LaunchEntity& part : entity.children) {
+    if (part.tag != "env") continue;
+    const auto name = needed_text(part, "name");
+    auto set = needed_text(part, "value");
+    if (name && set) process.environment[*name] = std::move(*set);
+  }
+  process.node.respawn = flag(entity, "respawn", false);
+  process.respawn_delay_s = seconds(entity, "respawn_delay", 0);
+  if (const auto output = text(entity, "output")) {
+    if (const auto kind = output_of(*output)) {
+      process.node.output = *kind;
+    } else {
+      fail("R2W0410", "`output` is screen, log, both, own_log or full, found `" + *output + "`",
+           entity.attribute("output")->span);
+    }
+  }
+  if (const auto on_exit = text(entity, "on_exit")) {
+    process.shutdown_on_exit = *on_exit == "shutdown";
+    if (!process.shutdown_on_exit)
+      fail("R2W0410", "`on_exit` is shutdown, found `" + *on_exit + "`",
+           entity.attribute("on_exit")->span);
+  }
+}
+
+std::optional<LaunchProcess> LaunchEvaluator::process_of(const LaunchEntity& entity) {
+  const std::size_t errors_before = errors_.size();
+  LaunchProcess process;
+  NodeEntry& node = process.node;
+  node.span = entity.span;
+  const auto executable = text(entity, "exec");
+  const auto package = needed_text(entity, "pkg");
+  if (!executable || !package) return std::nullopt;
+  node.executable = {*executable, entity.attribute("exec")->span};
+  node.package = {*package, entity.attribute("pkg")->span};
+  const char* named = entity.attribute("name") != nullptr ? "name" : "node_name";
+  if (auto name = text(entity, named); name && !name->empty()) {
+    if (const auto fault = node_name_fault(*name))
+      fail("R2W0104", "`" + *name + "` cannot be a node's name: " + fault->why,
+           entity.attribute(named)->span, {fault->rule});
+    node.name = {std::move(*name), entity.attribute(named)->span};
+  }
+  if (auto whole = namespace_for(text(entity, "namespace").value_or(""))) {
+    const LaunchAttribute* at = entity.attribute("namespace");
+    const SourceSpan& span = at != nullptr ? at->span : entity.span;
+    if (const auto fault = namespace_fault(*whole))
+      fail("R2W0104", "`" + *whole + "` cannot be a namespace: " + fault->why, span, {fault->rule});
+    node.name_space = {std::move(*whole), span};
+  }
+  if (auto words = command_line(entity, "args")) node.arguments = std::move(*words);
+  if (auto words = command_line(entity, "ros_args")) node.ros_arguments = std::move(*words);
+  if (auto remappings = remappings_of(entity)) node.remappings = std::move(*remappings);
+  parameters_of(entity, node);
+  process_options(entity, process);
+  if (errors_.size() != errors_before) return std::nullopt;
+  return process;
+}
+
+void LaunchEvaluator::node(const LaunchEntity& entity) {
+  if (auto process = process_of(entity)) description_.processes.push_back(std::move(*process));
+}
+
+std::vector<LaunchComponent> LaunchEvaluator::components_of(const LaunchEntity& entity) {
+  std::vector<LaunchComponent> result;
+  for (const LaunchEntity& part : entity.children) {
+    if (part.tag != "composable_node" || !applies(part)) continue;
+    const auto package = needed_text(part, "pkg");
+    const auto plugin = needed_text(part, "plugin");
+    if (!package || !plugin) continue;
+    LaunchComponent one{.package = {*package, part.attribute("pkg")->span},
+                        .plugin = *plugin,
+                        .name = text(part, "name"),
+                        .name_space = namespace_for(text(part, "namespace").value_or("")),
+                        .remappings = {},
+                        .parameters = {},
+                        .extra_arguments = {}};
+    if (auto remappings = remappings_of(part)) one.remappings = std::move(*remappings);
+    NodeEntry held;
+    parameters_of(part, held);
+    one.parameters = std::move(held.parameters);
+    if (!held.parameter_files.empty())
+      fail("R2W0410", "a component's parameters cannot come from a file in this version",
+           part.span);
+    for (const LaunchEntity& extra : part.children) {
+      if (extra.tag != "extra_arg") continue;
+      auto name = needed_text(extra, "name");
+      auto set = needed_text(extra, "value");
+      if (name && set) one.extra_arguments.emplace_back(std::move(*name), std::move(*set));
+    }
+    result.push_back(std::move(one));
+  }
+  return result;
+}
+
+void LaunchEvaluator::container(const LaunchEntity& entity) {
+  auto process = process_of(entity);
+  auto components = components_of(entity);
+  if (!process) return;
+  process->components = std::move(components);
+  description_.processes.push_back(std::move(*process));
+}
+
+/// Into a container that stands before it, by its node's name.
+void LaunchEvaluator::load_components(const LaunchEntity& entity) {
+  const auto target = text(entity, "target");
+  auto components = components_of(entity);
+  if (!target) return;
+  const auto wanted = namespace_for(*target);
+  std::vector<std::string> names;
+  for (LaunchProcess& process : description_.processes) {
+    if (!process.node.name) continue;
+    const std::string full = node_label(process.node);
+    names.push_back(full);
+    if (full != wanted) continue;
+    for (LaunchComponent& one : components) process.components.push_back(std::move(one));
+    return;
+  }
+  fail("R2W0412", "there is no container `" + wanted.value_or(*target) + "` before this",
+       entity.attribute("target")->span,
+       {names.empty() ? "no process with a name stands before it"
+                      : "before it stand: " + name_list(names)});
+}
+
+void LaunchEvaluator::executable(const LaunchEntity& entity) {
+  const auto words = command_line(entity, "cmd");
+  if (!words) return;
+  std::string line;
+  for (const std::string& word : *words) line += (line.empty() ? "" : " ") + word;
+  description_.left_out.push_back(
+      {.what = line, .instead = "a site runs nodes of packages only", .span = entity.span});
+}
+
+}  // namespace ros2wasm

@@ -1,0 +1,61 @@
+// What substitutions can see: variables, the environment, the files of packages. Values, but for
+// LaunchWorld, through which the caller lets files in.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bundler/launch/launch_text.hpp"
+#include "workspace_schema/manifest.hpp"
+#include "workspace_schema/outcome.hpp"
+
+namespace ros2wasm {
+
+/// Paths are those of the site: `/opt/ros/<distro>/share/<package>/...` for what packages install.
+struct LaunchWorld {
+  std::function<Outcome<std::string>(const std::string& path)> read;
+  /// The prefix that a package is installed in; nothing when there is no such package.
+  std::function<std::optional<std::string>(const std::string& package)> prefix_of;
+  std::map<std::string, std::string> environment;  ///< of every process of the site
+  /// How messages name a file; empty: by its path.
+  std::function<std::string(const std::string& path)> shown = {};
+};
+
+/// A parameter, or a file of them, that is set for all nodes that follow.
+struct LaunchParameter {
+  std::string name;
+  ParameterValue value;
+  std::optional<Spanned<std::string>> file;  ///< instead of name and value
+};
+
+/// What a group gives back at its end.
+struct LaunchScope {
+  std::map<std::string, std::string> configurations;
+  std::map<std::string, std::string> environment;  ///< what the file sets
+  std::string ros_namespace;                       ///< pushed ones together; may be empty
+  std::vector<LaunchParameter> parameters;
+  std::vector<std::pair<std::string, std::string>> remappings;
+  std::map<std::string, std::string> loop;  ///< of for_each and for
+};
+
+struct LaunchFilePlace {
+  std::string path;
+  [[nodiscard]] std::string directory() const { return path.substr(0, path.rfind('/')); }
+  [[nodiscard]] std::string name() const { return path.substr(path.rfind('/') + 1); }
+};
+
+/// The text that the pieces come to. R2W0411 a substitution that cannot be, R2W0412 a variable that
+/// is not set, R2W0413 a package or file that is not there, R2W0414 a command.
+[[nodiscard]] Outcome<std::string> evaluate_text(const LaunchText& text, const SourceSpan& span,
+                                                 const LaunchScope& scope,
+                                                 const LaunchFilePlace& file,
+                                                 const LaunchWorld& world);
+
+/// true, false, 1 or 0 in any case; nothing otherwise.
+[[nodiscard]] std::optional<bool> condition_of(std::string_view text);
+
+}  // namespace ros2wasm

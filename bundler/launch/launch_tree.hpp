@@ -1,0 +1,17 @@
+// What a launch file comes to, for people (a tree) and for programs (JSON, docs/launch.md). Pure.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bundler/launch/launch_description.hpp"
+
+namespace ros2wasm {
+
+/// Lines without newlines.
+[[nodiscard]] std::vector<std::string> launch_tree(const LaunchDescription& description);
+
+/// One line of JSON. Times in seconds.
+[[nodiscard]] std::string launch_json(const LaunchDescription& description);
+
+}  // namespace ros2wasm

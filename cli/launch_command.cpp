@@ -1,0 +1,89 @@
+// `ros2wasm launch FILE [NAME:=VALUE ...]`: what a launch file comes to, without building anything.
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bundler/launch/launch_evaluation.hpp"
+#include "bundler/launch/launch_tree.hpp"
+#include "bundler/launch/launch_world.hpp"
+#include "bundler/workspace/discovery.hpp"
+#include "cli/arguments.hpp"
+#include "cli/console.hpp"
+#include "workspace_schema/manifest.hpp"
+
+namespace ros2wasm {
+namespace {
+namespace fs = std::filesystem;
+
+struct LaunchOptions {
+  std::string file;
+  std::vector<std::string> given;
+  std::string workspace = ".";
+  bool print = false;
+};
+
+Diagnostic refused(std::string message, std::vector<std::string> why) {
+  return {.code = "R2W0902",
+          .kind = FailureKind::kCommandLine,
+          .message = std::move(message),
+          .why = std::move(why)};
+}
+
+/// `name:=value`, each.
+Outcome<std::map<std::string, std::string>> arguments_of(const std::vector<std::string>& given) {
+  std::map<std::string, std::string> result;
+  for (const std::string& one : given) {
+    const std::size_t at = one.find(":=");
+    if (at == 0 || at == std::string::npos)
+      return refused("`" + one + "` is no launch argument", {"write it as name:=value"});
+    result[one.substr(0, at)] = one.substr(at + 2);
+  }
+  return result;
+}
+
+int run(Context& context, const LaunchOptions& options) {
+  const auto given = arguments_of(options.given);
+  if (!given) return context.console.fail(given.errors());
+  std::error_code error;
+  const fs::path folder = fs::canonical(options.workspace, error);
+  const fs::path file = fs::weakly_canonical(fs::absolute(options.file), error);
+  const fs::path inside = file.lexically_relative(folder);
+  if (inside.empty() || *inside.begin() == "..")
+    return context.console.fail(
+        {refused("`" + options.file + "` is not in the workspace `" + options.workspace + "`",
+                 {"name its folder with --workspace"})});
+  Spanned<std::string> everywhere{".", {}};
+  auto packages = discover_packages(folder, options.workspace, {everywhere},
+                                    ros_condition_variables(Manifest{}.distro));
+  const std::vector<LocalPackage> none;
+  const LaunchWorld world =
+      source_launch_world(folder, packages ? *packages : none, Manifest{}.distro);
+  const auto description =
+      evaluate_launch(std::string(kLaunchWorkspace) + "/" + inside.generic_string(), *given, world);
+  if (!description) return context.console.fail(description.errors());
+  for (const Diagnostic& warning : description->warnings) context.console.report(warning);
+  if (context.json) {
+    context.console.result(launch_json(*description));
+  } else {
+    for (const std::string& line : launch_tree(*description)) context.console.result(line);
+  }
+  return 0;
+}
+
+}  // namespace
+
+CommandBody launch_command(Arguments& arguments) {
+  const auto options = std::make_shared<LaunchOptions>();
+  arguments.required("FILE", options->file, "a launch file in XML or YAML");
+  arguments.rest("NAME:=VALUE", options->given, "launch arguments");
+  arguments.value("-w,--workspace", options->workspace, "FOLDER",
+                  "the folder with the workspace's packages [the current one]");
+  arguments.flag("--print", options->print, "show it as a tree, as is done anyway");
+  arguments.examples({"ros2wasm launch src/demo/launch/bringup.launch.xml",
+                      "ros2wasm launch bringup.launch.yaml robot:=r2 --json"});
+  return [options](Context& context) { return run(context, *options); };
+}
+
+}  // namespace ros2wasm

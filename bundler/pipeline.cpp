@@ -18,7 +18,9 @@
 #include "bundler/io/files.hpp"
 #include "bundler/io/installation.hpp"
 #include "bundler/launch/installed_tree.hpp"
+#include "bundler/launch/launch_file_nodes.hpp"
 #include "bundler/launch/launch_graph.hpp"
+#include "bundler/launch/launch_world.hpp"
 #include "bundler/launch/parameter_sources.hpp"
 #include "bundler/launch/python_tree.hpp"
 #include "bundler/plan/runtime_assets.hpp"
@@ -71,7 +73,6 @@ Outcome<BuiltWorkspace> read_workspace(const PackRequest& request) {
   if (!text) return text.errors();
   auto manifest = read_manifest(*text, file.string());
   if (!manifest) return std::move(manifest).errors();
-  if (auto refusal = refuse_launch_file(*manifest)) return std::move(*refusal);
   BuiltWorkspace workspace;
   workspace.manifest = std::move(manifest).value();
   workspace.folder = fs::canonical(file, error).parent_path();
@@ -302,9 +303,30 @@ std::string build_remark(const std::vector<BuiltPackage>& packages) {
   return "built " + name_list(fresh);
 }
 
-/// Step 7: nodes of the manifest; without any, every program of the workspace.
+/// The nodes of the manifest's launch file.
+Outcome<std::vector<LaunchNode>> launch_from_file(BuiltWorkspace& workspace,
+                                                  const Spanned<std::string>& file) {
+  workspace.watched.push_back(workspace.folder / file.value);
+  const LaunchWorld world = installed_launch_world(workspace.folder, workspace.installed,
+                                                   workspace.manifest.distro);
+  auto launched = launch_file_nodes(std::string(kLaunchWorkspace) + "/" + file.value, {}, world,
+                                    workspace.installed);
+  if (!launched) return std::move(launched).errors();
+  append(workspace.warnings, launched->warnings);
+  for (std::string& remark : launched->remarks) workspace.remarks.push_back(std::move(remark));
+  if (launched->nodes.empty()) {
+    return Diagnostic{.code = "R2W0406",
+                      .message = "the launch file starts nothing that a site can run",
+                      .span = file.span,
+                      .why = {"`ros2wasm launch " + file.value + "` shows what it comes to"}};
+  }
+  return std::move(launched->nodes);
+}
+
+/// Step 7: nodes of the launch file or of the manifest; without any, every program of the workspace.
 Outcome<std::vector<LaunchNode>> launch(BuiltWorkspace& workspace) {
   Manifest& manifest = workspace.manifest;
+  if (manifest.launch_file) return launch_from_file(workspace, *manifest.launch_file);
   workspace.nodes_by_default = manifest.nodes.empty();
   if (workspace.nodes_by_default) {
     const auto local_end =

@@ -4,7 +4,9 @@
 #include "bundler/channel/channel_index.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/languages/language.hpp"
+#include "bundler/launch/launch_evaluation.hpp"
 #include "bundler/launch/launch_graph.hpp"
+#include "bundler/launch/launch_world.hpp"
 #include "bundler/launch/parameter_file.hpp"
 #include "bundler/launch/parameter_sources.hpp"
 #include "bundler/workspace/build_order.hpp"
@@ -48,6 +50,17 @@ Diagnostics check_names(CheckReport& report, const BuildOrder& order,
   return errors;
 }
 
+/// What the launch file comes to before anything is built; what it warns of comes along.
+Diagnostics check_launch_file(CheckReport& report, const fs::path& folder) {
+  if (!report.manifest.launch_file) return {};
+  const LaunchWorld world = source_launch_world(folder, report.packages, report.manifest.distro);
+  auto description = evaluate_launch(
+      std::string(kLaunchWorkspace) + "/" + report.manifest.launch_file->value, {}, world);
+  if (!description) return std::move(description).errors();
+  append(report.warnings, description->warnings);
+  return {};
+}
+
 }  // namespace
 
 Outcome<CheckReport> check_workspace(const CheckRequest& request,
@@ -61,7 +74,6 @@ Outcome<CheckReport> check_workspace(const CheckRequest& request,
   const fs::path folder = fs::absolute(request.manifest).parent_path();
 
   Diagnostics errors;
-  if (auto refusal = refuse_launch_file(report.manifest)) errors.push_back(std::move(*refusal));
   auto packages =
       discover_packages(folder, request.manifest.parent_path(), report.manifest.packages,
                         ros_condition_variables(report.manifest.distro));
@@ -78,6 +90,7 @@ Outcome<CheckReport> check_workspace(const CheckRequest& request,
     append(errors, order.errors());
   }
   append(errors, check_parameters(report.manifest, folder));
+  append(errors, check_launch_file(report, folder));
 
   Manifest asked = report.manifest;  // the report keeps the dependencies as they are written
   const auto channels = workspace_channels(asked, folder, request.executable, request.variables);

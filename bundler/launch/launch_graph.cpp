@@ -75,14 +75,6 @@ std::string python_script(const LaunchNode& node) {
   return "lib/" + node.package + "/" + node.program.filename().string();
 }
 
-std::optional<Diagnostic> refuse_launch_file(const Manifest& manifest) {
-  if (!manifest.launch_file) return std::nullopt;
-  return Diagnostic{.code = "R2W0404",
-                    .message = "launch files are not read by this version",
-                    .span = manifest.launch_file->span,
-                    .why = {"the nodes can be listed under `launch:`"}};
-}
-
 Diagnostics missing_packages(const std::vector<NodeEntry>& entries,
                              const std::vector<std::string>& packages) {
   Diagnostics errors;

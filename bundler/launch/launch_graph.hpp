@@ -46,6 +46,10 @@ struct LaunchNode {
   std::vector<std::string> arguments;         ///< after argv[0], as ros2 launch would pass them
   NodeOutput output = NodeOutput::kScreen;
   bool respawn = false;
+  std::map<std::string, std::string> environment;  ///< beside the site's own
+  double start_after_s = 0;
+  double respawn_delay_s = 0;
+  bool shutdown_on_exit = false;  ///< when it ends, all ends
   SourceSpan source;
 };
 
@@ -54,9 +58,6 @@ struct LaunchNode {
 
 /// A parameter file that was read, by the path the manifest gives.
 using ParameterFiles = std::map<std::string, std::string>;
-
-/// R2W0404 for a manifest that names a launch file instead of nodes.
-[[nodiscard]] std::optional<Diagnostic> refuse_launch_file(const Manifest& manifest);
 
 /// R2W0401 for each node of a package that is not among these.
 [[nodiscard]] Diagnostics missing_packages(const std::vector<NodeEntry>& entries,

@@ -37,8 +37,13 @@ void write_node(JsonWriter& json, const PlannedNode& planned) {
   json.key("arguments").begin_array();
   for (const std::string& argument : node.arguments) json.string(argument);
   json.end_array();
-  json.key("environment").begin_object().end_object();
+  json.key("environment").begin_object();
+  for (const auto& [name, value] : node.environment) json.field(name, value);
+  json.end_object();
   json.field("output", output_name(node.output)).field_boolean("respawn", node.respawn);
+  if (node.respawn_delay_s > 0) json.key("respawn_delay").number(node.respawn_delay_s);
+  if (node.start_after_s > 0) json.key("start_after").number(node.start_after_s);
+  if (node.shutdown_on_exit) json.field("on_exit", "shutdown");
   if (!node.source.file.empty()) {
     json.key("source").begin_object().field("file", node.source.file);
     json.field_integer("line", node.source.line)

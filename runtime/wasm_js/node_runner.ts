@@ -38,6 +38,8 @@ export interface RunnerHost {
   /** Tells of every message; undefined: nobody asks. */
   readonly sent: ((node: SiteNode, message: SentMessage) => void) | undefined;
   readonly resetInput: (id: string) => void;
+  /** A node ended with which all shall end. */
+  readonly shutdown: () => void;
   /** A batch of lines was taken over from a worker of the participant. */
   readonly lines: (node: SiteNode, report: Extract<WorkerReport, { t: 'lines' }>) => void;
 }
@@ -65,7 +67,8 @@ export class NodeRunner {
   private again = false;
   /** Of the grace after a stop. */
   private timer: ReturnType<typeof setTimeout> | undefined;
-  private keepFromRespawn: (() => void) | undefined;
+  /** Calls off a start that is yet to come. */
+  private keepFromStart: (() => void) | undefined;
 
   constructor(node: SiteNode, console: NodeConsole, host: RunnerHost) {
     this.node = node;
@@ -90,7 +93,8 @@ export class NodeRunner {
     return this.state.kind === 'starting' || this.state.kind === 'running';
   }
 
-  start(): void {
+  /** `afterMs`: it is starting until then. */
+  start(afterMs = 0): void {
     if (this.active()) return;
     this.clearTimer();
     this.stopping = false;
@@ -98,7 +102,9 @@ export class NodeRunner {
     this.attempt += 1;
     this.host.resetInput(this.node.id);
     this.set({ kind: 'starting' });
-    void this.launch(this.attempt);
+    const { attempt } = this;
+    if (afterMs === 0) void this.launch(attempt);
+    else this.keepFromStart = this.host.broker.after(afterMs, () => void this.launch(attempt));
   }
 
   /** As Ctrl-C; a second time, or after the grace, the worker is killed. */
@@ -267,13 +273,14 @@ export class NodeRunner {
 
   private finish(state: NodeState, closed: boolean): void {
     const { run, again } = this;
-    const respawns = this.node.respawn && !this.stopping && !again;
+    const byItself = !this.stopping && !again;
+    const respawns = this.node.respawn && byItself;
     this.run = undefined;
     this.clearTimer();
     // Before the others of a stepped run go on.
     if (respawns) {
       const delay = Math.max(leastRespawnMs, this.node.respawnDelay * 1000);
-      this.keepFromRespawn = this.host.broker.after(delay, () => this.start());
+      this.keepFromStart = this.host.broker.after(delay, () => this.start());
     }
     if (run !== undefined && !run.over) {
       run.over = true;
@@ -283,6 +290,7 @@ export class NodeRunner {
     this.again = false;
     this.attempt += 1;
     this.set(state);
+    if (byItself && this.node.shutdownOnExit && !respawns) this.host.shutdown();
     if (again) this.start();
   }
 
@@ -297,8 +305,8 @@ export class NodeRunner {
   private clearTimer(): void {
     clearTimeout(this.timer);
     this.timer = undefined;
-    this.keepFromRespawn?.();
-    this.keepFromRespawn = undefined;
+    this.keepFromStart?.();
+    this.keepFromStart = undefined;
   }
 
   private set(state: NodeState): void {

@@ -36,7 +36,12 @@ export interface SiteNode {
   readonly environment: Readonly<Record<string, string>>;
   readonly output: string;
   readonly respawn: boolean;
+  /** Seconds. */
   readonly respawnDelay: number;
+  /** Seconds after all are started together. */
+  readonly startAfter: number;
+  /** When it ends by itself, all nodes are stopped. */
+  readonly shutdownOnExit: boolean;
   readonly source?: SourcePlace;
 }
 

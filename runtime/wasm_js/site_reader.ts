@@ -85,6 +85,8 @@ function readNode(value: unknown, what: string): SiteNode {
     output: text(json, 'output', what, 'screen'),
     respawn: flag(json, 'respawn'),
     respawnDelay: number(json, 'respawn_delay', what, 0),
+    startAfter: number(json, 'start_after', what, 0),
+    shutdownOnExit: text(json, 'on_exit', what, '') === 'shutdown',
     ...(source === undefined ? {} : { source }),
   };
 }

@@ -91,6 +91,7 @@ export class SiteSession implements Session {
         stepped: stepped === undefined ? undefined : { seed: stepped.seed },
         sent: traced ? (of, message) => void trace.add(of.id, message) : onSent,
         resetInput: (id) => this.input.reset(id),
+        shutdown: () => this.stopAll(),
         lines: (of, { lines, dropped }) => {
           console.add(lines, dropped);
           onLines?.(of, lines, dropped);
@@ -136,16 +137,17 @@ export class SiteSession implements Session {
       this.startAll();
       return;
     }
-    for (const id of this.runners.keys()) if (await tabs.claim(id)) this.start(id);
+    for (const { id, startAfter } of this.site.nodes) if (await tabs.claim(id)) this.start(id, startAfter);
   }
 
   private running(): string[] {
     return [...this.runners].filter(([, runner]) => runner.active()).map(([id]) => id);
   }
 
-  start(id: string): void {
+  /** `afterSeconds` of the site's time when the run is stepped, else of the real one. */
+  start(id: string, afterSeconds = 0): void {
     this.tabs?.claim(id).catch(() => undefined);
-    this.runner(id).start();
+    this.runner(id).start(afterSeconds * 1000);
   }
 
   stop(id: string): void {
@@ -159,7 +161,7 @@ export class SiteSession implements Session {
   }
 
   startAll(): void {
-    for (const id of this.runners.keys()) this.start(id);
+    for (const { id, startAfter } of this.site.nodes) this.start(id, startAfter);
   }
 
   stopAll(): void {

@@ -141,6 +141,8 @@ export class FakeSession implements Session {
       environment: {},
       output: 'screen',
       respawn: false,
+      startAfter: 0,
+      shutdownOnExit: false,
       respawnDelay: 0,
       source: node.source ?? { file: 'workspace.yaml', line: 13 + 2 * index, column: 5 },
     }));

@@ -175,7 +175,7 @@ test('site.json: what may be left out has a value', () => {
   const read = readSite(site);
   assert.deepEqual(read.nodes[0], {
     id: 'a-1', package: 'p', executable: 'a', label: 'a-1', kind: 'cpp', program: 'programs/p/a.wasm', threads: false,
-    arguments: [], environment: {}, output: 'screen', respawn: false, respawnDelay: 0,
+    arguments: [], environment: {}, output: 'screen', respawn: false, respawnDelay: 0, startAfter: 0, shutdownOnExit: false,
   });
 });
 

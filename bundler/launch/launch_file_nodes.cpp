@@ -1,0 +1,104 @@
+// See launch_file_nodes.hpp.
+#include "bundler/launch/launch_file_nodes.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "bundler/launch/launch_evaluation.hpp"
+
+namespace ros2wasm {
+namespace {
+
+/// Packages of programs that are no part of any site, and what stands in for them. A package that is
+/// installed is started, whatever its name.
+struct StandIn {
+  std::string_view package;  ///< ends with `*`: all that begin so
+  std::string_view instead;
+};
+
+constexpr StandIn kStandIns[] = {
+    {"gazebo*", "a site has no simulator"},
+    {"ros_gz*", "a site has no simulator"},
+    {"ros_ign*", "a site has no simulator"},
+    {"joint_state_publisher_gui", "joint_state_publisher publishes the joints' zero positions"},
+    {"plotjuggler*", "the page shows the messages of topics"},
+    {"rqt*", "the page shows nodes and topics"},
+    {"rviz*", "the page shows the messages of topics"},
+    {"xterm", "a site has no windows of programs"},
+};
+
+const StandIn* stand_in(const std::string& package) {
+  for (const StandIn& one : kStandIns) {
+    const bool begins = one.package.ends_with('*');
+    if (begins ? package.starts_with(one.package.substr(0, one.package.size() - 1))
+               : package == one.package)
+      return &one;
+  }
+  return nullptr;
+}
+
+Diagnostic left_out(const std::string& what, const std::string& why, const SourceSpan& span) {
+  return {.code = "R2W0415",
+          .severity = Severity::kWarning,
+          .message = "`" + what + "` is left out of the site",
+          .span = span,
+          .why = {why}};
+}
+
+}  // namespace
+
+Outcome<LaunchFileNodes> launch_file_nodes(const std::string& path,
+                                           const std::map<std::string, std::string>& given,
+                                           const LaunchWorld& world,
+                                           const std::vector<InstalledPackage>& installed) {
+  auto description = evaluate_launch(path, given, world);
+  if (!description) return std::move(description).errors();
+  LaunchFileNodes result;
+  result.warnings = std::move(description->warnings);
+  for (const LaunchLeftOut& one : description->left_out)
+    result.warnings.push_back(left_out(one.what, one.instead, one.span));
+
+  std::vector<LaunchProcess> processes;
+  std::vector<NodeEntry> entries;
+  Diagnostics errors;
+  for (LaunchProcess& process : description->processes) {
+    const std::string& package = process.node.package.value;
+    const bool is_installed = std::any_of(installed.begin(), installed.end(),
+                                          [&](const auto& one) { return one.name == package; });
+    const StandIn* instead = is_installed ? nullptr : stand_in(package);
+    if (instead != nullptr) {
+      result.warnings.push_back(left_out(package + "/" + process.node.executable.value,
+                                         std::string(instead->instead), process.node.span));
+      continue;
+    }
+    if (!process.components.empty()) {
+      errors.push_back({.code = "R2W0417",
+                        .message = "components of launch files are not loaded by this version",
+                        .span = process.node.span,
+                        .why = {"a component that its package registers as a node of its own "
+                                "(rclcpp_components_register_node) can be started as one"}});
+      continue;
+    }
+    entries.push_back(process.node);
+    processes.push_back(std::move(process));
+  }
+  auto nodes = launch_nodes(entries, installed, description->parameter_files);
+  if (!nodes) errors.insert(errors.end(), nodes.errors().begin(), nodes.errors().end());
+  if (!errors.empty()) return errors;
+
+  // launch_nodes() keeps the order and leaves none out.
+  for (std::size_t i = 0; i < processes.size(); ++i) {
+    LaunchNode& node = (*nodes)[i];
+    node.environment = std::move(processes[i].environment);
+    node.start_after_s = processes[i].start_after_s;
+    node.respawn_delay_s = processes[i].respawn_delay_s;
+    node.shutdown_on_exit = processes[i].shutdown_on_exit;
+  }
+  result.nodes = std::move(*nodes);
+  for (const LaunchLine& line : description->lines)
+    result.remarks.push_back("the launch file says: " + line.text);
+  return result;
+}
+
+}  // namespace ros2wasm

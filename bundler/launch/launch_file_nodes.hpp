@@ -1,0 +1,26 @@
+// The nodes that a launch file starts, as the site gets them. Pure but for what the world reads.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "bundler/launch/launch_graph.hpp"
+#include "bundler/launch/launch_scope.hpp"
+#include "workspace_schema/outcome.hpp"
+
+namespace ros2wasm {
+
+struct LaunchFileNodes {
+  std::vector<LaunchNode> nodes;
+  Diagnostics warnings;              ///< R2W0412, R2W0415
+  std::vector<std::string> remarks;  ///< what the file logs
+};
+
+/// `path` as evaluate_launch() takes it. What no site can start, such as rviz2, is left out with a
+/// warning (R2W0415). Errors of the launch files, and of nodes as in launch_nodes().
+[[nodiscard]] Outcome<LaunchFileNodes> launch_file_nodes(
+    const std::string& path, const std::map<std::string, std::string>& given,
+    const LaunchWorld& world, const std::vector<InstalledPackage>& installed);
+
+}  // namespace ros2wasm

@@ -1,0 +1,66 @@
+// A workspace whose launch file says what runs: example 02, headless on both links and in Chromium.
+
+import assert from 'node:assert/strict';
+import { cpSync, readFileSync } from 'node:fs';
+import { join, resolve } from 'node:path';
+import { after, before, test } from 'node:test';
+import { chromium } from 'playwright-core';
+
+import { serveFolder } from '../support/static_server.ts';
+import { chromiumOptions } from './chromium.ts';
+import { PackWorkspace } from './pack_workspace.ts';
+
+const EXAMPLE = resolve(import.meta.dirname, '../../examples/02_launch');
+const expected = readFileSync(join(EXAMPLE, 'expected.txt'), 'utf8').trimEnd().split('\n').map((line) => new RegExp(line));
+
+let workspace: PackWorkspace;
+before(async () => {
+  workspace = new PackWorkspace();
+  cpSync(EXAMPLE, workspace.root, { recursive: true });
+  const packed = await workspace.run(['pack']);
+  assert.equal(packed.code, 0, packed.stderr);
+  assert.match(packed.stderr, /R2W0415.*rviz2\/rviz2/);
+});
+after(() => workspace.close());
+
+function seenInOrder(text: string): void {
+  let from = 0;
+  for (const line of expected) {
+    const found = line.exec(text.slice(from));
+    assert.ok(found, `${line.source} is not in\n${text.slice(from)}`);
+    from += found.index + found[0].length;
+  }
+}
+
+test('nodes get what the launch file decides', () => {
+  const { nodes } = JSON.parse(workspace.read('site/site.json').toString()) as { nodes: unknown[] };
+  const robot = (n: number, name: string, speed: string): unknown => ({
+    id: `robot-${n}`, package: 'two_robots', executable: 'robot', label: 'robot', kind: 'cpp', program: 'programs/two_robots/robot.wasm',
+    names: 'programs/two_robots/robot.names', threads: false,
+    arguments: ['--ros-args', '-r', `__ns:=/${name}`, '-p', '/**:battery:=4', '-p', `speed:=${speed}`],
+    environment: {}, output: 'screen', respawn: true, respawn_delay: 1, source: { file: 'robot.launch.yaml', line: 5, column: 3 },
+  });
+  assert.deepEqual(nodes.slice(0, 2), [robot(1, 'alpha', '2.0'), robot(2, 'beta', '1.0')]);
+  assert.equal((nodes[2] as { start_after: number }).start_after, 1);
+  assert.equal(nodes.length, 3);
+});
+
+for (const link of ['shared', 'port']) {
+  test(`${link}: namespaces, parameters, a late start and respawn`, async () => {
+    const run = await workspace.run(['run', 'site', '--link', link, '--for', '8s']);
+    seenInOrder(run.stdout);
+  });
+}
+
+test('in Chromium', async () => {
+  const server = await serveFolder(join(workspace.root, 'site'), { isolated: true });
+  const browser = await chromium.launch(chromiumOptions());
+  try {
+    const page = await browser.newPage();
+    await page.goto(server.url);
+    await page.waitForFunction(() => /beta\.robot\]: the battery is empty[^]*beta\.robot\]: starting at 1\.0 m\/s/.test(document.body.innerText));
+  } finally {
+    await browser.close();
+    await server.close();
+  }
+});

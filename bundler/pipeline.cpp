@@ -307,10 +307,10 @@ std::string build_remark(const std::vector<BuiltPackage>& packages) {
 Outcome<std::vector<LaunchNode>> launch_from_file(BuiltWorkspace& workspace,
                                                   const Spanned<std::string>& file) {
   workspace.watched.push_back(workspace.folder / file.value);
-  const LaunchWorld world = installed_launch_world(workspace.folder, workspace.installed,
-                                                   workspace.manifest.distro);
+  const LaunchWorld world =
+      installed_launch_world(workspace.folder, workspace.installed, workspace.manifest.distro);
   auto launched = launch_file_nodes(std::string(kLaunchWorkspace) + "/" + file.value, {}, world,
-                                    workspace.installed);
+                                    workspace.installed, file.span);
   if (!launched) return std::move(launched).errors();
   append(workspace.warnings, launched->warnings);
   for (std::string& remark : launched->remarks) workspace.remarks.push_back(std::move(remark));
@@ -323,7 +323,8 @@ Outcome<std::vector<LaunchNode>> launch_from_file(BuiltWorkspace& workspace,
   return std::move(launched->nodes);
 }
 
-/// Step 7: nodes of the launch file or of the manifest; without any, every program of the workspace.
+/// Step 7: nodes of the launch file or of the manifest; without any, every program of the
+/// workspace.
 Outcome<std::vector<LaunchNode>> launch(BuiltWorkspace& workspace) {
   Manifest& manifest = workspace.manifest;
   if (manifest.launch_file) return launch_from_file(workspace, *manifest.launch_file);

@@ -54,8 +54,9 @@ Diagnostics check_names(CheckReport& report, const BuildOrder& order,
 Diagnostics check_launch_file(CheckReport& report, const fs::path& folder) {
   if (!report.manifest.launch_file) return {};
   const LaunchWorld world = source_launch_world(folder, report.packages, report.manifest.distro);
-  auto description = evaluate_launch(
-      std::string(kLaunchWorkspace) + "/" + report.manifest.launch_file->value, {}, world);
+  auto description =
+      evaluate_launch(std::string(kLaunchWorkspace) + "/" + report.manifest.launch_file->value, {},
+                      world, report.manifest.launch_file->span);
   if (!description) return std::move(description).errors();
   append(report.warnings, description->warnings);
   return {};

@@ -324,9 +324,10 @@ void LaunchEvaluator::fail(const char* code, std::string message, const SourceSp
 
 Outcome<LaunchDescription> evaluate_launch(const std::string& path,
                                            const std::map<std::string, std::string>& given,
-                                           const LaunchWorld& world) {
+                                           const LaunchWorld& world,
+                                           const std::optional<SourceSpan>& from) {
   LaunchEvaluator evaluator(world, given);
-  evaluator.file(path, std::nullopt);
+  evaluator.file(path, from);
   evaluator.finish();
   if (!evaluator.errors().empty()) return std::move(evaluator.errors());
   return std::move(evaluator.description());

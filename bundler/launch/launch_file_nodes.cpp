@@ -10,8 +10,8 @@
 namespace ros2wasm {
 namespace {
 
-/// Packages of programs that are no part of any site, and what stands in for them. A package that is
-/// installed is started, whatever its name.
+/// Packages of programs that are no part of any site, and what stands in for them. A package that
+/// is installed is started, whatever its name.
 struct StandIn {
   std::string_view package;  ///< ends with `*`: all that begin so
   std::string_view instead;
@@ -51,8 +51,9 @@ Diagnostic left_out(const std::string& what, const std::string& why, const Sourc
 Outcome<LaunchFileNodes> launch_file_nodes(const std::string& path,
                                            const std::map<std::string, std::string>& given,
                                            const LaunchWorld& world,
-                                           const std::vector<InstalledPackage>& installed) {
-  auto description = evaluate_launch(path, given, world);
+                                           const std::vector<InstalledPackage>& installed,
+                                           const SourceSpan& from) {
+  auto description = evaluate_launch(path, given, world, from);
   if (!description) return std::move(description).errors();
   LaunchFileNodes result;
   result.warnings = std::move(description->warnings);

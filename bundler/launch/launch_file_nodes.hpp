@@ -17,10 +17,12 @@ struct LaunchFileNodes {
   std::vector<std::string> remarks;  ///< what the file logs
 };
 
-/// `path` as evaluate_launch() takes it. What no site can start, such as rviz2, is left out with a
-/// warning (R2W0415). Errors of the launch files, and of nodes as in launch_nodes().
+/// `path`, `given` and `from` as evaluate_launch() takes them. What no site can start, such as
+/// rviz2, is left out with a warning (R2W0415). Errors of the launch files, and of nodes as in
+/// launch_nodes().
 [[nodiscard]] Outcome<LaunchFileNodes> launch_file_nodes(
     const std::string& path, const std::map<std::string, std::string>& given,
-    const LaunchWorld& world, const std::vector<InstalledPackage>& installed);
+    const LaunchWorld& world, const std::vector<InstalledPackage>& installed,
+    const SourceSpan& from);
 
 }  // namespace ros2wasm

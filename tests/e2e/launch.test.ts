@@ -38,7 +38,7 @@ test('nodes get what the launch file decides', () => {
     id: `robot-${n}`, package: 'two_robots', executable: 'robot', label: 'robot', kind: 'cpp', program: 'programs/two_robots/robot.wasm',
     names: 'programs/two_robots/robot.names', threads: false,
     arguments: ['--ros-args', '-r', `__ns:=/${name}`, '-p', '/**:battery:=4', '-p', `speed:=${speed}`],
-    environment: {}, output: 'screen', respawn: true, respawn_delay: 1, source: { file: 'robot.launch.yaml', line: 5, column: 3 },
+    environment: {}, output: 'screen', respawn: true, respawn_delay: 1, source: { file: 'share/two_robots/launch/robot.launch.yaml', line: 7, column: 11 },
   });
   assert.deepEqual(nodes.slice(0, 2), [robot(1, 'alpha', '2.0'), robot(2, 'beta', '1.0')]);
   assert.equal((nodes[2] as { start_after: number }).start_after, 1);

@@ -25,9 +25,10 @@ struct CheckReport {
   Diagnostics warnings;
 };
 
-/// Mistakes of the manifest first; then, all at once: launch files (R2W0410 to R2W0416), packages (R2W0510 to
-/// R2W0512, package.xml), parameter files (R2W0403), channels' names (R2W0237, R2W0240), and when
-/// all packages come from the workspace and the program, those that nobody has (R2W0401, R2W0513).
+/// Mistakes of the manifest first; then, all at once: launch files (R2W0410 to R2W0416), packages
+/// (R2W0510 to R2W0512, package.xml), parameter files (R2W0403), channels' names (R2W0237,
+/// R2W0240), and when all packages come from the workspace and the program, those that nobody has
+/// (R2W0401, R2W0513).
 [[nodiscard]] Outcome<CheckReport> check_workspace(const CheckRequest& request,
                                                    const Cancellation& cancellation);
 

@@ -82,7 +82,7 @@ test('they run: entry points, scripts, messages of the package itself, share fil
 });
 
 test('example 02 shows what it promises', async () => {
-  const example = resolve(import.meta.dirname, '../../examples/02_python');
+  const example = resolve(import.meta.dirname, '../../examples/07_python');
   cpSync(example, join(workspace.root, 'example'), { recursive: true });
   const packed = await workspace.run(['pack', 'example/workspace.yaml', '-o', 'example_site']);
   assert.equal(packed.code, 0, packed.stderr);

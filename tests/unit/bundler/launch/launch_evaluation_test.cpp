@@ -6,6 +6,7 @@
 
 #include <chrono>
 
+#include "bundler/launch/launch_file_nodes.hpp"
 #include "bundler/launch/launch_tree.hpp"
 
 namespace ros2wasm {
@@ -298,6 +299,40 @@ TEST(Launch, HostileFilesEnd) {
       "<launch><for len='10000' name='i'><for len='10000' name='j'><node pkg='a' exec='b'/></for>"
       "</for></launch>";
   EXPECT_NE(tree_of("a.launch.xml", loops).find("more than 10000"), std::string::npos);
+}
+
+TEST(Launch, WhatASiteCannotStartIsLeftOutOrRefused) {
+  const std::vector<InstalledPackage> installed{{.name = "demo",
+                                                 .programs = {{.package = "demo",
+                                                               .executable = "talker",
+                                                               .file = "/p/lib/demo/talker.wasm",
+                                                               .kind = ProgramKind::kWasm}}}};
+  const auto nodes_of = [&](const std::string& text) {
+    const LaunchWorld world = world_with("a.launch.xml", "<launch>" + text + "</launch>");
+    return launch_file_nodes("/f/a.launch.xml", {}, world, installed, {});
+  };
+  const auto some = nodes_of(
+      "<node pkg='rviz2' exec='rviz2'/><executable cmd='gz sim'/><timer period='2'>"
+      "<node pkg='demo' exec='talker' respawn='true' respawn_delay='3'/></timer>"
+      "<node pkg='demo' exec='talker' on_exit='shutdown'><env name='E' value='v'/></node>");
+  ASSERT_TRUE(some.ok());
+  ASSERT_EQ(some->nodes.size(), 2U);
+  EXPECT_EQ(some->nodes[0].start_after_s, 2);
+  EXPECT_EQ(some->nodes[0].respawn_delay_s, 3);
+  EXPECT_FALSE(some->nodes[0].shutdown_on_exit);
+  EXPECT_TRUE(some->nodes[1].shutdown_on_exit);
+  EXPECT_EQ(some->nodes[1].environment.at("E"), "v");
+  ASSERT_EQ(some->warnings.size(), 2U);
+  for (const Diagnostic& warning : some->warnings) EXPECT_EQ(warning.code, "R2W0415");
+
+  const auto refused = nodes_of(
+      "<node pkg='gone' exec='x'/><node pkg='demo' exec='x'/>"
+      "<node_container pkg='demo' exec='talker' name='box' namespace=''>"
+      "<composable_node pkg='demo' plugin='demo::A' name='a'/></node_container>");
+  ASSERT_FALSE(refused.ok());
+  std::vector<std::string> codes;
+  for (const Diagnostic& error : refused.errors()) codes.push_back(error.code);
+  EXPECT_EQ(codes, (std::vector<std::string>{"R2W0417", "R2W0401", "R2W0402"}));
 }
 
 TEST(Launch, TwoHundredNodesTakeNoTime) {

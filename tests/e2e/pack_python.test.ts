@@ -81,7 +81,7 @@ test('they run: entry points, scripts, messages of the package itself, share fil
   assert.equal(ran.code, 130, `${ran.stderr}\n${ran.stdout.slice(-4000)}`);
 });
 
-test('example 02 shows what it promises', async () => {
+test('example 07 shows what it promises', async () => {
   const example = resolve(import.meta.dirname, '../../examples/07_python');
   cpSync(example, join(workspace.root, 'example'), { recursive: true });
   const packed = await workspace.run(['pack', 'example/workspace.yaml', '-o', 'example_site']);

@@ -4,7 +4,7 @@ import { mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSyn
 import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
 
-const WATCHDOG_MS = 240_000;
+const WATCHDOG_MS = 600_000;
 export const CLI = resolve(process.env['ROS2WASM_CLI'] ?? 'build/ros2wasm');
 
 export interface Finished {

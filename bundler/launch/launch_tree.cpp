@@ -47,7 +47,7 @@ void add_process(const LaunchProcess& process, Lines& lines) {
   if (node.name) {
     head += "  " + node_label(node);
   } else if (node.name_space) {
-    head += "  in " + node.name_space->value;
+    head += " (" + node.name_space->value + ")";
   }
   lines.push_back(head + "  [" + place(node.span) + "]");
   if (process.start_after_s > 0) lines.push_back("  after " + seconds(process.start_after_s));

@@ -103,9 +103,9 @@ std::vector<std::string> node_arguments(const NodeEntry& entry,
 }
 
 std::string node_label(const NodeEntry& entry) {
-  if (!entry.name) return entry.executable.value;
   std::string space = entry.name_space ? entry.name_space->value : "/";
   if (!space.starts_with('/')) space.insert(0, "/");
+  if (!entry.name) return entry.executable.value + (space == "/" ? "" : " (" + space + ")");
   if (!space.ends_with('/')) space += '/';
   return space + entry.name->value;
 }

@@ -28,7 +28,7 @@ using FileRules = std::vector<ParameterRule>;
 [[nodiscard]] std::vector<std::string> node_arguments(const NodeEntry& entry,
                                                       const std::vector<FileRules>& files);
 
-/// `/namespace/name`, or the executable's name when the entry does not name the node.
+/// `/namespace/name`, or `executable (/namespace)` when the entry does not name the node.
 [[nodiscard]] std::string node_label(const NodeEntry& entry);
 
 }  // namespace ros2wasm

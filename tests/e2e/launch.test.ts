@@ -35,7 +35,7 @@ function seenInOrder(text: string): void {
 test('nodes get what the launch file decides', () => {
   const { nodes } = JSON.parse(workspace.read('site/site.json').toString()) as { nodes: unknown[] };
   const robot = (n: number, name: string, speed: string): unknown => ({
-    id: `robot-${n}`, package: 'two_robots', executable: 'robot', label: 'robot', kind: 'cpp', program: 'programs/two_robots/robot.wasm',
+    id: `robot-${n}`, package: 'two_robots', executable: 'robot', label: `robot (/${name})`, kind: 'cpp', program: 'programs/two_robots/robot.wasm',
     names: 'programs/two_robots/robot.names', threads: false,
     arguments: ['--ros-args', '-r', `__ns:=/${name}`, '-p', '/**:battery:=4', '-p', `speed:=${speed}`],
     environment: {}, output: 'screen', respawn: true, respawn_delay: 1, source: { file: 'share/two_robots/launch/robot.launch.yaml', line: 7, column: 11 },

@@ -54,6 +54,9 @@ TEST(NodeArguments, AreThoseOfRos2Launch) {
                                       "sub.label:='it''s'", "-r", "topic:=/b"}));
   EXPECT_EQ(node_label(entry), "/a/chatter");
   EXPECT_TRUE(node_arguments(node("demo", "talker"), {}).empty());
+  EXPECT_EQ(node_label(node("demo", "talker")), "talker");
+  entry.name.reset();
+  EXPECT_EQ(node_label(entry), "talker (/a)");
 }
 
 TEST(NodeArguments, WhatComesLaterWins) {

@@ -71,14 +71,12 @@ export class SiteTimeControl implements SiteTime {
     const siteNs = Math.round(clock.steadyNs());
     broker.setTime({ realNs: Math.round(realNanoseconds()), siteNs, rate, limitNs: this.limitNs });
     this.changed();
-    this.tell();
     clearTimeout(this.timer);
-    this.watchStep();
+    this.tell();
   }
 
-  /** Tells when a step is over. */
+  /** Tells when a step is over, which it may be by now. */
   private watchStep(): void {
-    if (this.view().state !== 'stepping') return;
     const left = this.broker.link.clock.realMsUntil(this.limitNs);
     this.timer = setTimeout(() => {
       if (this.view().state === 'stepping') this.watchStep();
@@ -88,7 +86,10 @@ export class SiteTimeControl implements SiteTime {
   }
 
   private tell(): void {
+    const { limitNs } = this;
     const view = this.view();
     for (const listener of [...this.listeners]) listener(view);
+    // A listener may have decided otherwise.
+    if (view.state === 'stepping' && this.limitNs === limitNs) this.watchStep();
   }
 }

@@ -55,6 +55,23 @@ for (const [kind, make] of Object.entries(makers)) {
   });
 }
 
+test('the end of a step is told whenever it comes', async () => {
+  for (let length = 1; length <= 12; length += 1) {
+    // A step ends at one look at the clock after another.
+    let now = 0;
+    const clock = new SiteClock();
+    clock.steadyNs = () => (now += 1);
+    const broker = { link: { clock }, setTime: () => undefined } as unknown as PortBroker;
+    const time = new SiteTimeControl(broker, () => undefined);
+    const over = new Promise<void>((resolve) => {
+      time.onChange(({ state }) => { if (state === 'paused') resolve(); });
+    });
+    time.step(length);
+    await over;
+    time.close();
+  }
+});
+
 test('a clock does not go back when time was held a moment ago', () => {
   const clock = new SiteClock();
   const now = clock.steadyNs();

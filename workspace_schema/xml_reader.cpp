@@ -4,6 +4,9 @@
 #include <tinyxml2.h>
 
 #include <algorithm>
+#include <optional>
+#include <set>
+#include <string>
 
 #include "workspace_schema/source_text.hpp"
 #include "workspace_schema/text_encoding.hpp"
@@ -20,20 +23,36 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kSpace) - first + 1);
 }
 
-/// Walks the library's tree in document order. It knows lines only; columns are found again in the
-/// text, from the last place on, so that equal tags on one line are told apart.
+/// The library knows lines only; columns are found again in the text, from the last place on, so
+/// that equal tags on one line are told apart. To be asked in the order of the document.
+class TagFinder {
+ public:
+  explicit TagFinder(const SourceText& source) : source_(source) {}
+
+  std::size_t find(const tinyxml2::XMLElement& element) {
+    const std::size_t line = static_cast<std::size_t>(std::max(1, element.GetLineNum()));
+    const std::size_t search_from = std::max(cursor_, source_.line_start(line));
+    std::size_t at = source_.text().find(std::string("<") + element.Name(), search_from);
+    if (at == std::string_view::npos) at = search_from;
+    cursor_ = std::min(at + 1, source_.text().size());
+    return at;
+  }
+  void go_on_from(std::size_t offset) { cursor_ = offset; }
+
+ private:
+  const SourceText& source_;
+  std::size_t cursor_ = 0;
+};
+
+/// Walks the library's tree in document order.
 class TreeBuilder {
  public:
-  explicit TreeBuilder(const SourceText& source) : source_(source) {}
+  explicit TreeBuilder(const SourceText& source) : source_(source), tags_(source) {}
 
   XmlElement build(const tinyxml2::XMLElement& from) {
     XmlElement element;
     element.name = from.Name();
-    const std::size_t line = static_cast<std::size_t>(std::max(1, from.GetLineNum()));
-    const std::size_t search_from = std::max(cursor_, source_.line_start(line));
-    std::size_t at = source_.text().find("<" + element.name, search_from);
-    if (at == std::string_view::npos) at = search_from;
-    cursor_ = std::min(at + 1, source_.text().size());
+    const std::size_t at = tags_.find(from);
     element.span = source_.span(at, element.name.size() + 1);
     element.text_span = element.span;
 
@@ -69,11 +88,11 @@ class TreeBuilder {
     if (start == std::string_view::npos || all[start] == '<') return;
     const std::size_t end = std::min(all.find('<', start), all.size());
     element.text_span = source_.span(start, trimmed(all.substr(start, end - start)).size());
-    cursor_ = end;
+    tags_.go_on_from(end);
   }
 
   const SourceText& source_;
-  std::size_t cursor_ = 0;
+  TagFinder tags_;
 };
 
 /// What the library's error means, in the reader's words.
@@ -126,15 +145,31 @@ std::string XmlElement::attribute(std::string_view wanted) const {
   return found == attributes.end() ? std::string() : found->second;
 }
 
-Outcome<XmlElement> parse_xml(std::string_view text, const std::string& file) {
-  const SourceText source(text, file);
+const std::string* XmlNode::attribute(std::string_view wanted) const {
+  const auto found = std::find_if(attributes.begin(), attributes.end(),
+                                  [wanted](const auto& one) { return one.first == wanted; });
+  return found == attributes.end() ? nullptr : &found->second;
+}
+
+void XmlNode::set_attribute(const std::string& name, std::string value) {
+  for (auto& [one, old] : attributes) {
+    if (one != name) continue;
+    old = std::move(value);
+    return;
+  }
+  attributes.emplace_back(name, std::move(value));
+}
+
+namespace {
+
+/// Whoever asks goes over the document before it is gone.
+std::optional<Diagnostic> load(const SourceText& source, tinyxml2::XMLDocument& document) {
+  const std::string_view text = source.text();
   if (text.size() > kLargestFile) return not_xml(source, 0, 0, "the file is larger than 4 MiB");
   if (const auto bad = first_invalid_utf8(text))
     return not_xml(source, *bad, 1, "this byte is not UTF-8");
-  if (const auto nul = text.find('\0'); nul != std::string_view::npos) {
+  if (const auto nul = text.find('\0'); nul != std::string_view::npos)
     return not_xml(source, nul, 1, "the file holds a NUL byte");
-  }
-  tinyxml2::XMLDocument document(true, tinyxml2::PRESERVE_WHITESPACE);
   const tinyxml2::XMLError error = document.Parse(text.data(), text.size());
   if (error != tinyxml2::XML_SUCCESS) {
     const auto line = static_cast<std::size_t>(std::max(1, document.ErrorLineNum()));
@@ -143,9 +178,131 @@ Outcome<XmlElement> parse_xml(std::string_view text, const std::string& file) {
     return not_xml(source, source.line_start(line) + indent, line_text.size() - indent,
                    reason_of(error));
   }
-  const tinyxml2::XMLElement* root = document.RootElement();
-  if (root == nullptr) return not_xml(source, 0, 0, "there is no element in the file");
-  return TreeBuilder(source).build(*root);
+  if (document.RootElement() == nullptr)
+    return not_xml(source, 0, 0, "there is no element in the file");
+  return std::nullopt;
+}
+
+std::string_view prefix_of(std::string_view name) {
+  const std::size_t colon = name.find(':');
+  return colon == std::string_view::npos ? std::string_view() : name.substr(0, colon);
+}
+
+class NodeBuilder {
+ public:
+  explicit NodeBuilder(const SourceText& source) : source_(source), tags_(source) {}
+
+  XmlNode build(const tinyxml2::XMLElement& from) {
+    const std::size_t at = tags_.find(from);
+    const SourceSpan span = source_.span(at, 0);
+    XmlNode node{.text = from.Name(), .line = span.line, .column = span.column};
+    const std::set<std::string, std::less<>> outer = prefixes_;
+    for (const tinyxml2::XMLAttribute* a = from.FirstAttribute(); a != nullptr; a = a->Next()) {
+      if (node.attribute(a->Name()) != nullptr)
+        fail(at, node, std::string("the attribute `") + a->Name() + "` stands here twice");
+      std::string value = a->Value();
+      std::replace_if(
+          value.begin(), value.end(), [](char c) { return c == '\n' || c == '\t' || c == '\r'; },
+          ' ');
+      if (prefix_of(a->Name()) == "xmlns") prefixes_.insert(std::string(a->Name()).substr(6));
+      node.attributes.emplace_back(a->Name(), std::move(value));
+    }
+    check_prefix(at, node, node.text);
+    for (const auto& [name, value] : node.attributes) check_prefix(at, node, name);
+    children(from, node);
+    prefixes_ = outer;
+    return node;
+  }
+
+  [[nodiscard]] Diagnostics& problems() { return problems_; }
+
+ private:
+  void children(const tinyxml2::XMLElement& from, XmlNode& node) {
+    const tinyxml2::XMLNode* first = from.FirstChild();
+    if (first != nullptr && first->GetLineNum() > from.GetLineNum() && first->ToText() == nullptr)
+      node.children.push_back(space(1));
+    for (const tinyxml2::XMLNode* n = first; n != nullptr; n = n->NextSibling()) {
+      if (const tinyxml2::XMLElement* element = n->ToElement()) {
+        node.children.push_back(build(*element));
+      } else {
+        node.children.push_back(leaf(*n));
+        if (n->ToUnknown() != nullptr) unexpected(*n);
+      }
+      const tinyxml2::XMLNode* next = n->NextSibling();
+      if (n->ToText() != nullptr || (next != nullptr && next->ToText() != nullptr)) continue;
+      node.children.push_back(space(breaks_between(*n, next)));
+    }
+  }
+
+  static XmlNode leaf(const tinyxml2::XMLNode& from) {
+    XmlNode node{.kind = XmlNodeKind::kComment, .text = from.Value()};
+    node.line = static_cast<std::uint32_t>(std::max(0, from.GetLineNum()));
+    if (const tinyxml2::XMLText* text = from.ToText())
+      node.kind = text->CData() ? XmlNodeKind::kCdata : XmlNodeKind::kText;
+    return node;
+  }
+
+  /// The library drops white space between tags; the lines of comments tell how much it was.
+  static int breaks_between(const tinyxml2::XMLNode& from, const tinyxml2::XMLNode* next) {
+    if (from.ToComment() == nullptr || next == nullptr) return 1;
+    const std::string_view text = from.Value();
+    const auto inside = static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+    return std::clamp(next->GetLineNum() - from.GetLineNum() - inside, 0, 1000);
+  }
+  static XmlNode space(int breaks) {
+    return {.kind = XmlNodeKind::kText,
+            .text = breaks == 0 ? " " : std::string(static_cast<std::size_t>(breaks), '\n')};
+  }
+
+  void check_prefix(std::size_t at, const XmlNode& node, const std::string& name) {
+    const std::string_view prefix = prefix_of(name);
+    if (!prefix.empty() && !prefixes_.contains(prefix))
+      fail(at, node,
+           "the prefix `" + std::string(prefix) +
+               "` is not declared by an xmlns:" + std::string(prefix));
+  }
+
+  void unexpected(const tinyxml2::XMLNode& from) {
+    const auto line = static_cast<std::size_t>(std::max(1, from.GetLineNum()));
+    if (problems_.empty())
+      problems_.push_back(
+          not_xml(source_, source_.line_start(line), 1, "`<!` begins nothing here"));
+  }
+
+  void fail(std::size_t at, const XmlNode& node, std::string reason) {
+    if (problems_.empty())
+      problems_.push_back(not_xml(source_, at, node.text.size() + 1, std::move(reason)));
+  }
+
+  const SourceText& source_;
+  TagFinder tags_;
+  std::set<std::string, std::less<>> prefixes_{"xml", "xmlns"};
+  Diagnostics problems_;
+};
+
+}  // namespace
+
+Outcome<XmlNode> parse_xml_nodes(std::string_view text, const std::string& file) {
+  const SourceText source(text, file);
+  tinyxml2::XMLDocument document(true, tinyxml2::PRESERVE_WHITESPACE);
+  if (auto problem = load(source, document)) return std::move(*problem);
+  const tinyxml2::XMLElement* second = document.RootElement()->NextSiblingElement();
+  if (second != nullptr) {
+    const std::size_t begin =
+        source.line_start(static_cast<std::size_t>(std::max(1, second->GetLineNum())));
+    return not_xml(source, begin, 1, "a file has one element at its top");
+  }
+  NodeBuilder builder(source);
+  XmlNode root = builder.build(*document.RootElement());
+  if (!builder.problems().empty()) return std::move(builder.problems());
+  return root;
+}
+
+Outcome<XmlElement> parse_xml(std::string_view text, const std::string& file) {
+  const SourceText source(text, file);
+  tinyxml2::XMLDocument document(true, tinyxml2::PRESERVE_WHITESPACE);
+  if (auto problem = load(source, document)) return std::move(*problem);
+  return TreeBuilder(source).build(*document.RootElement());
 }
 
 }  // namespace ros2wasm

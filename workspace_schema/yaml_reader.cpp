@@ -188,8 +188,8 @@ Outcome<RecordedEvents> record_events(const SourceText& source) {
 
 class TreeBuilder {
  public:
-  TreeBuilder(const SourceText& source, const std::vector<Event>& events)
-      : source_(source), text_(source.text()), events_(events) {}
+  TreeBuilder(const SourceText& source, const std::vector<Event>& events, DuplicateKeys duplicates)
+      : source_(source), text_(source.text()), events_(events), duplicates_(duplicates) {}
 
   Outcome<YamlDocument> build() {
     YamlDocument document;
@@ -340,7 +340,7 @@ class TreeBuilder {
       }
       YamlNode value = node(behind_colon(key.range));
       if (!keys.insert(key.text).second) {
-        duplicate(built, key);
+        duplicate(built, key, std::move(value));
         continue;
       }
       if (built.entries.empty()) built.range = key.range;
@@ -350,9 +350,13 @@ class TreeBuilder {
     return built;
   }
 
-  void duplicate(const YamlNode& map_node, const YamlNode& key) {
+  void duplicate(YamlNode& map_node, const YamlNode& key, YamlNode value) {
     const auto first = std::find_if(map_node.entries.begin(), map_node.entries.end(),
                                     [&](const YamlEntry& entry) { return entry.key == key.text; });
+    if (duplicates_ == DuplicateKeys::kLastCounts) {
+      first->value = std::move(value);
+      return;
+    }
     const SourceSpan before = source_.span(first->key_range.offset, first->key_range.length);
     problems_.push_back(Diagnostic{
         .code = "R2W0105",
@@ -433,13 +437,14 @@ class TreeBuilder {
   std::size_t at_ = 0;
   std::size_t count_ = 0;
   std::map<std::size_t, YamlNode> anchors_;
+  DuplicateKeys duplicates_;
   Diagnostics problems_;
   std::optional<Diagnostic> fatal_;
 };
 
 }  // namespace
 
-Outcome<YamlDocument> parse_yaml(const SourceText& source) {
+Outcome<YamlDocument> parse_yaml(const SourceText& source, DuplicateKeys duplicates) {
   if (auto problem = encoding_problem(source)) return *std::move(problem);
   Outcome<RecordedEvents> recorded = record_events(source);
   if (!recorded) return recorded.errors();
@@ -454,7 +459,7 @@ Outcome<YamlDocument> parse_yaml(const SourceText& source) {
                     "the second document begins here");
   }
   if (recorded->events.empty()) return YamlDocument{};
-  return TreeBuilder(source, recorded->events).build();
+  return TreeBuilder(source, recorded->events, duplicates).build();
 }
 
 }  // namespace ros2wasm

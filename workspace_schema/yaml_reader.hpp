@@ -47,8 +47,13 @@ struct YamlDocument {
   Diagnostics problems;  ///< duplicate keys (R2W0105): the first entry counts, reading goes on
 };
 
+/// What a key that stands twice in a mapping means. kLastCounts, as most readers take it, tells
+/// nobody.
+enum class DuplicateKeys { kFirstCounts, kLastCounts };
+
 /// R2W0101 not YAML, R2W0111 a text that is not read at all (encoding, size, depth, too many
 /// nodes).
-[[nodiscard]] Outcome<YamlDocument> parse_yaml(const SourceText& source);
+[[nodiscard]] Outcome<YamlDocument> parse_yaml(
+    const SourceText& source, DuplicateKeys duplicates = DuplicateKeys::kFirstCounts);
 
 }  // namespace ros2wasm

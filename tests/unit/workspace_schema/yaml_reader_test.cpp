@@ -98,6 +98,14 @@ TEST(YamlReader, DuplicateKeysAreReportedAndTheFirstCounts) {
   EXPECT_EQ(read("a: 1\n'a': 3"), "{a: 1@1:4+1} !R2W0105");
 }
 
+TEST(YamlReader, TheLastOfTwoKeysMayCount) {
+  const SourceText source("a: 1\nb: {c: 1, c: 2}\na: 3", "a.yaml");
+  const auto document = parse_yaml(source, DuplicateKeys::kLastCounts);
+  ASSERT_TRUE(document.ok());
+  EXPECT_TRUE(document->problems.empty());
+  EXPECT_EQ(shown(source, document->root), "{a: 3@3:4+1, b: {c: 2@2:14+1}}");
+}
+
 TEST(YamlReader, Refuses) {
   for (const std::string_view text :
        {"a: b: c", "a: [", "a: 'b", "a: \"b", "\ta: b\n- c", "a: }", "? [a]\n: b", "a: @b", "a: *b",

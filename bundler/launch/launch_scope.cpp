@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "bundler/launch/python_expression.hpp"
+#include "bundler/launch/xacro.hpp"
 #include "workspace_schema/suggestion.hpp"
 
 namespace ros2wasm {
@@ -46,10 +47,14 @@ Result variable(const Call& call) {
   return looked_up(call, call.scope.configurations, "launch configuration");
 }
 
-Result environment(const Call& call) {
+std::map<std::string, std::string> environment_of(const Call& call) {
   std::map<std::string, std::string> all = call.scope.environment;
   all.insert(call.world.environment.begin(), call.world.environment.end());
-  return looked_up(call, all, "environment variable");
+  return all;
+}
+
+Result environment(const Call& call) {
+  return looked_up(call, environment_of(call), "environment variable");
 }
 
 Result loop_value(const Call& call) {
@@ -118,17 +123,30 @@ Result file_content(const Call& call) {
                text.errors().front().why);
 }
 
+/// Nothing is run: the description is expanded here.
+Result expanded(const Call& call, XacroRequest request) {
+  request.environment = environment_of(call);
+  auto text = expand_xacro(request, call.world);
+  if (text) return text;
+  Diagnostics errors = std::move(text).errors();
+  errors.front().why.push_back("asked for by `$(command ...)` at " + call.span.file + ":" +
+                               std::to_string(call.span.line));
+  return errors;
+}
+
 Result command(const Call& call) {
   const std::string& line = call.arguments[0];
-  Texts why{"the command is: " + line, "a pack runs nothing of a workspace but compilers"};
-  if (line.find("xacro") != std::string::npos)
-    why.push_back(
-        "expand the file once with xacro, keep the result beside it, and load it by "
-        "$(file-content ...)");
-  return fault(call, "R2W0414", "`$(command ...)` is not run", std::move(why));
+  if (auto request = xacro_command(line, call.file.directory(), call.span)) {
+    if (!*request) return request->errors();
+    return expanded(call, std::move(**request));
+  }
+  return fault(call, "R2W0414", "`$(command ...)` is not run",
+               {"the command is: " + line,
+                "a pack runs nothing of a workspace but compilers; only `xacro` is known to it"});
 }
 
 Result find_executable(const Call& call) {
+  if (call.arguments[0] == "xacro") return call.arguments[0];
   return fault(call, "R2W0414",
                "`$(find-exec " + call.arguments[0] +
                    ")` finds nothing: a site has no programs besides its nodes");

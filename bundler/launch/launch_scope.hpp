@@ -49,7 +49,8 @@ struct LaunchFilePlace {
 };
 
 /// The text that the pieces come to. R2W0411 a substitution that cannot be, R2W0412 a variable that
-/// is not set, R2W0413 a package or file that is not there, R2W0414 a command.
+/// is not set, R2W0413 a package or file that is not there, R2W0414 a command,
+/// R2W0418 and R2W0120 a description that xacro cannot expand.
 [[nodiscard]] Outcome<std::string> evaluate_text(const LaunchText& text, const SourceSpan& span,
                                                  const LaunchScope& scope,
                                                  const LaunchFilePlace& file,

@@ -1,313 +1,70 @@
-// See python_expression.hpp. First the text becomes a tree, then the tree a value: what stands
-// behind a decided `or` or in the other branch of an `if` is read but never evaluated.
+// See python_expression.hpp. What stands behind a decided `or` or in the other branch of an `if`
+// is read but never evaluated.
 #include "bundler/launch/python_expression.hpp"
 
-#include <cctype>
-#include <charconv>
+#include <algorithm>
+#include <memory>
 #include <utility>
 
-#include "bundler/launch/python_value.hpp"
+#include "bundler/launch/python_functions.hpp"
+#include "bundler/launch/python_parser.hpp"
 
 namespace ros2wasm {
 namespace {
 
-constexpr int kDeepest = 100;
-/// `1+1+...` makes a tree as deep as it is long.
-constexpr std::size_t kLongest = 4096;
+using Form = PythonForm;
+using Expression = PythonExpression;
 
-enum class Form {
-  kValue,
-  kName,
-  kList,
-  kChoice,  ///< value, condition, other value
-  kOr,
-  kAnd,
-  kNot,
-  kComparison,  ///< operand, then pairs of the operator (a kName) and an operand
-  kArithmetic,
-  kNegated,
-  kItem,
-  kCall,
-  kMethod,  ///< the object, then the arguments
-};
+[[noreturn]] void fault(std::string message) {
+  throw PythonFault{std::move(message)};
+}
 
-struct Expression {
-  Form form = Form::kValue;
-  std::string text;  ///< a name or an operator
-  PythonValue value{PythonNone{}};
-  std::vector<Expression> parts;
-};
+void spend(const PythonScope& scope, std::size_t steps) {
+  scope.limits->steps_left -= static_cast<std::int64_t>(steps);
+  if (scope.limits->steps_left < 0) fault("TimeoutError: this is too much work");
+}
 
-class Parser {
+class Level {
  public:
-  explicit Parser(std::string_view text) : text_(text) {}
-
-  Expression whole() {
-    Expression result = choice();
-    if (skip(); at_ != text_.size()) syntax();
-    return result;
+  explicit Level(const PythonScope& scope) : left_(scope.limits->levels_left) {
+    if (--left_ < 0) fault("RecursionError: expressions lead too deep into each other");
   }
+  ~Level() { ++left_; }
+  Level(const Level&) = delete;
+  Level& operator=(const Level&) = delete;
 
  private:
-  /// Counts how deep the text nests, so that no text can exhaust the stack.
-  class Level {
-   public:
-    explicit Level(int& depth) : depth_(depth) {
-      if (++depth_ > kDeepest) throw PythonFault{"RecursionError: the expression is too deep"};
-    }
-    ~Level() { --depth_; }
-    Level(const Level&) = delete;
-    Level& operator=(const Level&) = delete;
-
-   private:
-    int& depth_;
-  };
-
-  [[noreturn]] void syntax() const {
-    const std::string rest(text_.substr(at_, 20));
-    throw PythonFault{"SyntaxError: invalid syntax " +
-                      (rest.empty() ? std::string("at the end") : "at `" + rest + "`")};
-  }
-
-  void skip() {
-    while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_])) != 0) ++at_;
-  }
-  static bool in_word(char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-  }
-  bool symbol(std::string_view wanted) {
-    skip();
-    if (!text_.substr(at_).starts_with(wanted)) return false;
-    at_ += wanted.size();
-    return true;
-  }
-  bool word(std::string_view wanted) {
-    skip();
-    const std::size_t end = at_ + wanted.size();
-    if (!text_.substr(at_).starts_with(wanted) || (end < text_.size() && in_word(text_[end])))
-      return false;
-    at_ = end;
-    return true;
-  }
-  void need(std::string_view wanted) {
-    if (!symbol(wanted)) syntax();
-  }
-
-  static Expression made(Form form, std::string text, std::vector<Expression> parts) {
-    return {.form = form, .text = std::move(text), .parts = std::move(parts)};
-  }
-
-  /// Moved, where braces would copy the whole tree so far.
-  template <typename... Parts>
-  static std::vector<Expression> of(Parts... parts) {
-    std::vector<Expression> result;
-    (result.push_back(std::move(parts)), ...);
-    return result;
-  }
-
-  Expression choice() {
-    const Level level(depth_);
-    Expression value = disjunction();
-    if (!word("if")) return value;
-    Expression condition = disjunction();
-    if (!word("else")) syntax();
-    Expression other = choice();
-    return made(Form::kChoice, {}, of(std::move(value), std::move(condition), std::move(other)));
-  }
-
-  Expression disjunction() {
-    Expression left = conjunction();
-    while (word("or")) left = made(Form::kOr, {}, of(std::move(left), conjunction()));
-    return left;
-  }
-
-  Expression conjunction() {
-    Expression left = negation();
-    while (word("and")) left = made(Form::kAnd, {}, of(std::move(left), negation()));
-    return left;
-  }
-
-  Expression negation() {
-    const Level level(depth_);
-    if (word("not")) return made(Form::kNot, {}, of(negation()));
-    return comparison();
-  }
-
-  std::string comparator() {
-    for (const char* op : {"==", "!=", "<=", ">=", "<", ">"})
-      if (symbol(op)) return op;
-    if (word("in")) return "in";
-    const std::size_t begin = at_;
-    if (word("not")) {
-      if (word("in")) return "not in";
-      at_ = begin;
-    }
-    if (word("is")) return word("not") ? "!=" : "==";
-    return {};
-  }
-
-  Expression comparison() {
-    Expression left = sum();
-    std::vector<Expression> parts;
-    for (std::string op = comparator(); !op.empty(); op = comparator()) {
-      if (parts.empty()) parts.push_back(std::move(left));
-      parts.push_back(made(Form::kName, std::move(op), {}));
-      parts.push_back(sum());
-    }
-    return parts.empty() ? left : made(Form::kComparison, {}, std::move(parts));
-  }
-
-  Expression sum() {
-    Expression left = product();
-    for (;;) {
-      const std::string op = symbol("+") ? "+" : symbol("-") ? "-" : "";
-      if (op.empty()) return left;
-      left = made(Form::kArithmetic, op, of(std::move(left), product()));
-    }
-  }
-
-  Expression product() {
-    Expression left = factor();
-    for (;;) {
-      const std::string op = symbol("//") ? "//" : symbol("/") ? "/" : symbol("%") ? "%" : times();
-      if (op.empty()) return left;
-      left = made(Form::kArithmetic, op, of(std::move(left), factor()));
-    }
-  }
-  std::string times() {
-    skip();
-    return !text_.substr(at_).starts_with("**") && symbol("*") ? "*" : "";
-  }
-
-  Expression factor() {
-    const Level level(depth_);
-    if (symbol("-")) return made(Form::kNegated, {}, of(factor()));
-    if (symbol("+")) return factor();
-    Expression base = postfix();
-    if (!symbol("**")) return base;
-    return made(Form::kArithmetic, "**", of(std::move(base), factor()));
-  }
-
-  Expression postfix() {
-    Expression value = atom();
-    for (;;) {
-      if (symbol("[")) {
-        value = made(Form::kItem, {}, of(std::move(value), choice()));
-        need("]");
-      } else if (symbol(".")) {
-        std::string method = name();
-        need("(");
-        std::vector<Expression> parts;
-        parts.push_back(std::move(value));
-        items_until(")", parts);
-        value = made(Form::kMethod, std::move(method), std::move(parts));
-      } else {
-        return value;
-      }
-    }
-  }
-
-  /// True when a comma stood among them.
-  bool items_until(std::string_view close, std::vector<Expression>& into) {
-    bool comma = false;
-    while (!symbol(close)) {
-      into.push_back(choice());
-      if (symbol(close)) break;
-      need(",");
-      comma = true;
-    }
-    return comma;
-  }
-
-  std::string name() {
-    skip();
-    std::string result;
-    while (at_ < text_.size() && in_word(text_[at_])) result += text_[at_++];
-    if (result.empty()) syntax();
-    return result;
-  }
-
-  Expression atom() {
-    skip();
-    if (at_ == text_.size()) syntax();
-    const char c = text_[at_];
-    std::vector<Expression> parts;
-    if (symbol("(")) {
-      const bool tuple = items_until(")", parts);
-      if (parts.size() == 1 && !tuple) return std::move(parts.front());
-      return made(Form::kList, {}, std::move(parts));
-    }
-    if (symbol("[")) {
-      items_until("]", parts);
-      return made(Form::kList, {}, std::move(parts));
-    }
-    if (c == '\'' || c == '"') return text();
-    if (std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '.') return number();
-    if (!in_word(c)) syntax();
-    std::string called = name();
-    if (called == "math" && symbol(".")) called = "math." + name();
-    if (!symbol("(")) return made(Form::kName, std::move(called), {});
-    items_until(")", parts);
-    return made(Form::kCall, std::move(called), std::move(parts));
-  }
-
-  /// Texts beside each other are one.
-  Expression text() {
-    std::string result;
-    while (at_ < text_.size() && (text_[at_] == '\'' || text_[at_] == '"')) {
-      const char quote = text_[at_++];
-      for (; at_ < text_.size() && text_[at_] != quote; ++at_) {
-        if (text_[at_] == '\\' && at_ + 1 < text_.size()) {
-          const char escaped = text_[++at_];
-          result += escaped == 'n' ? '\n' : escaped == 't' ? '\t' : escaped;
-        } else {
-          result += text_[at_];
-        }
-      }
-      if (at_ == text_.size()) throw PythonFault{"SyntaxError: unterminated string literal"};
-      ++at_;
-      skip();
-    }
-    return {.value = {std::move(result)}};
-  }
-
-  Expression number() {
-    const char* begin = text_.data() + at_;
-    const char* end = text_.data() + text_.size();
-    std::int64_t whole = 0;
-    const auto integer = std::from_chars(begin, end, whole);
-    double real = 0;
-    const auto decimal = std::from_chars(begin, end, real);
-    if (decimal.ec != std::errc()) syntax();
-    const bool is_whole = integer.ec == std::errc() && integer.ptr == decimal.ptr;
-    at_ = static_cast<std::size_t>(decimal.ptr - text_.data());
-    if (at_ < text_.size() && in_word(text_[at_])) syntax();
-    return {.value = is_whole ? PythonValue{whole} : PythonValue{real}};
-  }
-
-  std::string_view text_;
-  std::size_t at_ = 0;
-  int depth_ = 0;
+  int& left_;
 };
 
-PythonValue value_of(const Expression& expression);
-
-PythonList values_of(const std::vector<Expression>& parts, std::size_t from) {
-  PythonList result;
-  for (std::size_t i = from; i < parts.size(); ++i) result.push_back(value_of(parts[i]));
+/// What copying it costs, beside the one step of every expression.
+std::size_t weight(const PythonValue& value) {
+  if (const auto* text = std::get_if<std::string>(&value.held)) return text->size() / 64;
+  const PythonList* items = python_items(value);
+  std::size_t result = 0;
+  if (items != nullptr)
+    for (const PythonValue& one : *items) result += 1 + weight(one);
   return result;
 }
 
-PythonValue named(const std::string& name) {
-  PythonValue value{PythonNone{}};
-  if (!python_name(name, value)) throw PythonFault{"NameError: name '" + name + "' is not defined"};
-  return value;
+PythonValue value_of(const Expression& expression, const PythonScope& scope);
+
+PythonList values_of(const std::vector<Expression>& parts, const PythonScope& scope) {
+  PythonList result;
+  for (const Expression& one : parts) result.push_back(value_of(one, scope));
+  return result;
 }
 
-PythonValue compared(const std::vector<Expression>& parts) {
-  PythonValue left = value_of(parts[0]);
+PythonValue named(const std::string& name, const PythonScope& scope) {
+  auto value = scope.name(name);
+  if (!value) fault("NameError: name '" + name + "' is not defined");
+  return std::move(*value);
+}
+
+PythonValue compared(const std::vector<Expression>& parts, const PythonScope& scope) {
+  PythonValue left = value_of(parts[0], scope);
   for (std::size_t i = 1; i < parts.size(); i += 2) {
-    PythonValue right = value_of(parts[i + 1]);
+    PythonValue right = value_of(parts[i + 1], scope);
     const std::string& op = parts[i].text;
     const bool holds =
         op == "not in" ? !python_compare("in", left, right) : python_compare(op, left, right);
@@ -317,50 +74,167 @@ PythonValue compared(const std::vector<Expression>& parts) {
   return {true};
 }
 
-PythonValue value_of(const Expression& expression) {
-  const auto& [form, text, value, parts] = expression;
-  switch (form) {
+PythonValue calculated(const std::vector<Expression>& parts, const PythonScope& scope) {
+  PythonValue left = value_of(parts[0], scope);
+  for (std::size_t i = 1; i < parts.size(); i += 2) {
+    left = python_arithmetic(parts[i].text, left, value_of(parts[i + 1], scope));
+    spend(scope, weight(left));
+  }
+  return left;
+}
+
+/// The first whose truth is `wanted`, or the last.
+PythonValue decided(const std::vector<Expression>& parts, bool wanted, const PythonScope& scope) {
+  for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
+    PythonValue value = value_of(parts[i], scope);
+    if (truth(value) == wanted) return value;
+  }
+  return value_of(parts.back(), scope);
+}
+
+PythonValue dictionary(const std::vector<Expression>& parts, const PythonScope& scope) {
+  PythonList pairs;
+  for (std::size_t i = 0; i + 1 < parts.size(); i += 2)
+    pairs.push_back({PythonTuple{{value_of(parts[i], scope), value_of(parts[i + 1], scope)}}});
+  return python_called(*python_builtin("dict"), {.values = {{std::move(pairs)}}});
+}
+
+/// The arguments, the last of them by the call's names.
+PythonArguments arguments_of(const Expression& call, const PythonScope& scope) {
+  PythonArguments result;
+  const std::size_t first_named = call.parts.size() - call.names.size();
+  for (std::size_t i = 1; i < call.parts.size(); ++i) {
+    PythonValue value = value_of(call.parts[i], scope);
+    if (i < first_named) {
+      result.values.push_back(std::move(value));
+    } else {
+      result.named.emplace_back(call.names[i - first_named], std::move(value));
+    }
+  }
+  for (const PythonValue& one : result.values) spend(scope, weight(one));
+  return result;
+}
+
+PythonValue attribute(const Expression& expression, const PythonScope& scope) {
+  const PythonValue of = value_of(expression.parts[0], scope);
+  if (auto value = python_attribute(of, expression.text)) return std::move(*value);
+  fault("AttributeError: '" + std::string(python_type(of)) + "' object has no attribute '" +
+        expression.text + "'");
+}
+
+/// What the names of a loop stand for hides what is around it.
+PythonScope inside(const PythonScope& outer, const std::vector<std::string>& names,
+                   const PythonList& values) {
+  return {.name =
+              [&](const std::string& name) {
+                const auto at = std::find(names.begin(), names.end(), name);
+                return at == names.end()
+                           ? outer.name(name)
+                           : std::optional(values[static_cast<std::size_t>(at - names.begin())]);
+              },
+          .limits = outer.limits};
+}
+
+void loop(const Expression& loop_for, const PythonScope& scope, PythonList& into) {
+  const auto& parts = loop_for.parts;
+  for (const PythonValue& item : python_iterated(value_of(parts[0], scope))) {
+    const PythonList values = loop_for.names.size() == 1 ? PythonList{item} : python_iterated(item);
+    if (values.size() != loop_for.names.size())
+      fault("ValueError: the number of values to unpack differs from that of names");
+    const PythonScope inner = inside(scope, loop_for.names, values);
+    const bool holds = std::all_of(parts.begin() + 2, parts.end(), [&](const Expression& one) {
+      return truth(value_of(one, inner));
+    });
+    spend(scope, 1);
+    if (!holds) continue;
+    if (parts[1].form == Form::kFor) {
+      loop(parts[1], inner, into);
+    } else {
+      into.push_back(value_of(parts[1], inner));
+    }
+  }
+}
+
+PythonValue value_of(const Expression& expression, const PythonScope& scope) {
+  const std::vector<Expression>& parts = expression.parts;
+  const auto part = [&](std::size_t i) { return value_of(parts[i], scope); };
+  const Level level(scope);
+  spend(scope, 1);
+  switch (expression.form) {
     case Form::kValue:
-      return value;
-    case Form::kName:
-      return named(text);
+      return expression.value;
+    case Form::kName: {
+      PythonValue result = named(expression.text, scope);
+      spend(scope, weight(result));
+      return result;
+    }
     case Form::kList:
-      return {values_of(parts, 0)};
+      return {values_of(parts, scope)};
+    case Form::kTuple:
+      return {PythonTuple{values_of(parts, scope)}};
+    case Form::kDict:
+      return dictionary(parts, scope);
     case Form::kChoice:
-      return value_of(truth(value_of(parts[1])) ? parts[0] : parts[2]);
-    case Form::kOr: {
-      PythonValue left = value_of(parts[0]);
-      return truth(left) ? left : value_of(parts[1]);
-    }
-    case Form::kAnd: {
-      PythonValue left = value_of(parts[0]);
-      return truth(left) ? value_of(parts[1]) : left;
-    }
+      return part(truth(part(1)) ? 0 : 2);
+    case Form::kOr:
+      return decided(parts, true, scope);
+    case Form::kAnd:
+      return decided(parts, false, scope);
     case Form::kNot:
-      return {!truth(value_of(parts[0]))};
+      return {!truth(part(0))};
     case Form::kComparison:
-      return compared(parts);
+      return compared(parts, scope);
     case Form::kArithmetic:
-      return python_arithmetic(text, value_of(parts[0]), value_of(parts[1]));
+      return calculated(parts, scope);
     case Form::kNegated:
-      return python_negated(value_of(parts[0]));
-    case Form::kItem:
-      return python_item(value_of(parts[0]), value_of(parts[1]));
-    case Form::kCall:
-      return python_call(text, values_of(parts, 0));
-    case Form::kMethod:
-      return python_method(value_of(parts[0]), text, values_of(parts, 1));
+      return python_negated(part(0));
+    case Form::kItem: {
+      const PythonValue of = part(0);
+      return python_item(of, part(1));
+    }
+    case Form::kSlice: {
+      const PythonList all = values_of(parts, scope);
+      return python_slice(all[0], all[1], all[2], all[3]);
+    }
+    case Form::kAttribute:
+      return attribute(expression, scope);
+    case Form::kCall: {
+      const PythonValue function = part(0);
+      return python_called(function, arguments_of(expression, scope));
+    }
+    case Form::kMethod: {
+      const PythonValue of = part(0);
+      return python_method(of, expression.text, arguments_of(expression, scope));
+    }
+    case Form::kComprehension: {
+      PythonList result;
+      loop(parts[0], scope, result);
+      return {std::move(result)};
+    }
+    case Form::kFor:
+      break;
   }
   return {PythonNone{}};
 }
 
+std::optional<PythonValue> launch_name(const std::string& name) {
+  if (name == "math")
+    return PythonValue{std::make_shared<const PythonNamespace>(
+        PythonNamespace{.name = "math", .attribute = python_math})};
+  auto value = python_builtin(name);
+  return value ? value : python_math(name);
+}
+
 }  // namespace
+
+PythonValue python_evaluated(std::string_view expression, const PythonScope& scope) {
+  return value_of(parse_python(expression), scope);
+}
 
 Outcome<std::string> evaluate_python(std::string_view expression, const SourceSpan& span) {
   try {
-    if (expression.size() > kLongest)
-      throw PythonFault{"it is longer than " + std::to_string(kLongest) + " bytes"};
-    return python_text(value_of(Parser(expression).whole()));
+    PythonLimits limits;
+    return python_text(python_evaluated(expression, {.name = launch_name, .limits = &limits}));
   } catch (const PythonFault& fault) {
     return Diagnostic{.code = "R2W0411",
                       .message = "`$(eval ...)` cannot be evaluated: " + fault.message,

@@ -1,10 +1,14 @@
-// The values of python_expression.cpp and what can be done with them, as Python does it. Failures
-// are PythonFault, caught in python_expression.cpp.
+// The values of Python expressions, their texts, and what operators do with them, as Python does
+// it. Failures are PythonFault, which stays in this folder.
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -19,16 +23,61 @@ struct PythonNone {
 };
 struct PythonValue;
 using PythonList = std::vector<PythonValue>;
-
-struct PythonValue {
-  std::variant<PythonNone, bool, std::int64_t, double, std::string, PythonList> held;
+struct PythonTuple {
+  PythonList items;
 };
+struct PythonDict;
+struct PythonFunction;
+struct PythonNamespace;
+
+/// Nothing changes a value once it is made.
+struct PythonValue {
+  std::variant<PythonNone, bool, std::int64_t, double, std::string, PythonList, PythonTuple,
+               std::shared_ptr<const PythonDict>, std::shared_ptr<const PythonFunction>,
+               std::shared_ptr<const PythonNamespace>>
+      held;
+};
+
+struct PythonDict {
+  std::vector<std::pair<PythonValue, PythonValue>> entries;  ///< keys are unique
+  bool dotted = false;  ///< `d.key` is `d['key']`, as in dictionaries that xacro reads from YAML
+};
+
+struct PythonArguments {
+  PythonList values;
+  std::vector<std::pair<std::string, PythonValue>> named;
+};
+
+struct PythonFunction {
+  std::string name;
+  std::function<PythonValue(const PythonArguments&)> call;
+};
+
+/// What has attributes only: a module, a namespace of xacro.
+struct PythonNamespace {
+  std::string name;
+  std::function<std::optional<PythonValue>(const std::string& attribute)> attribute;
+};
+
+[[nodiscard]] PythonValue python_dict(PythonDict dict);
+/// The value of a key, or nullptr.
+[[nodiscard]] const PythonValue* python_entry(const PythonDict& dict, const PythonValue& key);
 
 [[nodiscard]] bool truth(const PythonValue& value);
 /// As str() writes it; `quoted`: as repr() does.
 [[nodiscard]] std::string python_text(const PythonValue& value, bool quoted = false);
 [[nodiscard]] std::string_view python_type(const PythonValue& value);
 [[nodiscard]] bool python_equal(const PythonValue& a, const PythonValue& b);
+
+/// Booleans count as 0 and 1.
+[[nodiscard]] std::optional<std::int64_t> python_integer(const PythonValue& value);
+[[nodiscard]] std::optional<double> python_number(const PythonValue& value);
+/// The items of a list or tuple, or nullptr.
+[[nodiscard]] const PythonList* python_items(const PythonValue& value);
+/// Whether lists, tuples and dictionaries stand in each other on more than so many levels.
+[[nodiscard]] bool python_nests_deeper(const PythonValue& value, int levels);
+/// What `for` goes over: items, keys, characters.
+[[nodiscard]] PythonList python_iterated(const PythonValue& value);
 
 /// `op` is one of + - * / // % **.
 [[nodiscard]] PythonValue python_arithmetic(std::string_view op, const PythonValue& a,
@@ -37,13 +86,12 @@ struct PythonValue {
 [[nodiscard]] bool python_compare(std::string_view op, const PythonValue& a, const PythonValue& b);
 [[nodiscard]] PythonValue python_negated(const PythonValue& value);
 [[nodiscard]] PythonValue python_item(const PythonValue& of, const PythonValue& index);
+/// `of[begin:end:step]`; None for a part that is left out.
+[[nodiscard]] PythonValue python_slice(const PythonValue& of, const PythonValue& begin,
+                                       const PythonValue& end, const PythonValue& step);
 
-/// Built-in functions, and those of math by `math.` or their bare names.
-[[nodiscard]] PythonValue python_call(std::string_view function, const PythonList& arguments);
-/// Methods of texts and lists.
-[[nodiscard]] PythonValue python_method(const PythonValue& of, std::string_view method,
-                                        const PythonList& arguments);
-/// True, False, None, pi, e, inf, nan, tau. False when there is no such name.
-[[nodiscard]] bool python_name(std::string_view name, PythonValue& into);
+/// int() and float() of one value.
+[[nodiscard]] PythonValue python_to_integer(const PythonValue& value);
+[[nodiscard]] PythonValue python_to_float(const PythonValue& value);
 
 }  // namespace ros2wasm

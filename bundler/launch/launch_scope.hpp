@@ -21,6 +21,8 @@ struct LaunchWorld {
   /// The prefix that a package is installed in; nothing when there is no such package.
   std::function<std::optional<std::string>(const std::string& package)> prefix_of;
   std::map<std::string, std::string> environment;  ///< of every process of the site
+  /// What is in a folder, sorted; nothing when it is none.
+  std::function<std::vector<std::string>(const std::string& folder)> names_in = {};
   /// How messages name a file; empty: by its path.
   std::function<std::string(const std::string& path)> shown = {};
 };

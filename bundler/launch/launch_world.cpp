@@ -1,6 +1,7 @@
 // See launch_world.hpp.
 #include "bundler/launch/launch_world.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 
@@ -17,19 +18,41 @@ Diagnostic unreadable(const std::string& path, std::string why) {
   return {.code = "R2W0413", .message = "`" + path + "` cannot be read", .why = {std::move(why)}};
 }
 
-/// `below` in `root`, if it is there and no link leads out.
-Outcome<std::string> read_within(const fs::path& root, const fs::path& below,
-                                 const std::string& shown) {
+/// What a path of the site is on this machine: something in `root`, a folder of it.
+struct Inside {
+  fs::path root;
+  fs::path below;
+};
+
+/// The real path, if it is there and no link leads out.
+Outcome<fs::path> real_path(const Inside& place, const std::string& shown) {
   std::error_code error;
-  const fs::path real_root = fs::canonical(root, error);
-  const fs::path real = error ? fs::path() : fs::canonical(root / below, error);
+  const fs::path real_root = fs::canonical(place.root, error);
+  const fs::path real = error ? fs::path() : fs::canonical(place.root / place.below, error);
   if (error) return unreadable(shown, "there is no such file");
   const fs::path inside = real.lexically_relative(real_root);
   if (inside.empty() || *inside.begin() == "..")
-    return unreadable(shown, "it leads out of " + root.filename().string());
-  auto text = read_file(real);
+    return unreadable(shown, "it leads out of " + place.root.filename().string());
+  return real;
+}
+
+Outcome<std::string> read_within(const Inside& place, const std::string& shown) {
+  const auto real = real_path(place, shown);
+  if (!real) return real.errors();
+  auto text = read_file(*real);
   if (!text) return unreadable(shown, text.errors().front().message);
   return text;
+}
+
+std::vector<std::string> names_within(const Inside& place) {
+  std::vector<std::string> names;
+  const auto real = real_path(place, {});
+  if (!real) return names;
+  std::error_code error;
+  for (fs::directory_iterator at(*real, error), end; !error && at != end; at.increment(error))
+    names.push_back(at->path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
 }
 
 /// A file of the workspace by its place there, one of a package as share/<package>/...
@@ -55,19 +78,27 @@ LaunchWorld world_of(const fs::path& folder, const std::string& distro, ShareOf 
     return exists(package) ? std::optional(prefix) : std::nullopt;
   };
   world.shown = [prefix](const std::string& path) { return shown_as(path, prefix); };
-  world.read = [folder, prefix,
-                share_of = std::move(share_of)](const std::string& path) -> Outcome<std::string> {
+  const auto place = [folder, prefix,
+                      share_of = std::move(share_of)](const std::string& path) -> Outcome<Inside> {
     const fs::path normal = fs::path(path).lexically_normal();
     const fs::path in_workspace = normal.lexically_relative(kLaunchWorkspace);
-    if (!in_workspace.empty() && *in_workspace.begin() != "..")
-      return read_within(folder, in_workspace, path);
+    if (!in_workspace.empty() && *in_workspace.begin() != "..") return Inside{folder, in_workspace};
     const fs::path in_share = normal.lexically_relative(fs::path(prefix) / "share");
     if (in_share.empty() || *in_share.begin() == "..")
       return unreadable(path, "a site has the files of packages only, below " + prefix + "/share");
     const std::string package = in_share.begin()->string();
     const auto share = share_of(package);
     if (!share) return unreadable(path, "there is no package `" + package + "`");
-    return read_within(*share, in_share.lexically_relative(package), path);
+    return Inside{*share, in_share.lexically_relative(package)};
+  };
+  world.read = [place](const std::string& path) -> Outcome<std::string> {
+    const auto inside = place(path);
+    if (!inside) return inside.errors();
+    return read_within(*inside, path);
+  };
+  world.names_in = [place](const std::string& path) {
+    const auto inside = place(path);
+    return inside ? names_within(*inside) : std::vector<std::string>();
   };
   return world;
 }

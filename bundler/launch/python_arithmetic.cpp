@@ -73,6 +73,20 @@ PythonValue of_integers(std::string_view op, std::int64_t a, std::int64_t b) {
   return {checked(op, a, b)};
 }
 
+/// `a // b` or `a % b`, the quotient by way of the exact rest.
+double divided(double a, double b, bool quotient) {
+  double rest = std::fmod(a, b);
+  double whole = (a - rest) / b;
+  if (rest == 0) {
+    rest = std::copysign(0.0, b);
+  } else if ((rest < 0) != (b < 0)) {
+    rest += b;
+    whole -= 1;
+  }
+  if (!quotient) return rest;
+  return whole == 0 ? std::copysign(0.0, a / b) : std::round(whole);
+}
+
 PythonValue of_numbers(std::string_view op, double a, double b) {
   if (op == "+") return {a + b};
   if (op == "-") return {a - b};
@@ -80,9 +94,7 @@ PythonValue of_numbers(std::string_view op, double a, double b) {
   if (op == "**") return {real_power(a, b)};
   if (b == 0) fault("ZeroDivisionError: float division by zero");
   if (op == "/") return {a / b};
-  if (op == "//") return {std::floor(a / b)};
-  const double rest = std::fmod(a, b);
-  return {rest != 0 && (rest < 0) != (b < 0) ? rest + b : rest};
+  return {divided(a, b, op == "//")};
 }
 
 template <typename T>

@@ -310,7 +310,8 @@ std::string python_percent(std::string_view format, const PythonValue& values) {
     result += c == '%' ? percent_one(reader, all, counter, values) : std::string(1, c);
     check_length(result);
   }
-  if (counter < all.size() && python_type(values) != "dict")
+  // One list or dictionary may go unused, as names could have asked for its parts.
+  if (counter < all.size() && python_type(values) != "dict" && python_type(values) != "list")
     fault("TypeError: not all arguments converted during string formatting");
   return result;
 }
@@ -321,11 +322,12 @@ std::string python_formatted(std::string_view format, const PythonArguments& arg
   std::size_t counter = 0;
   while (!reader.done()) {
     const char c = reader.next();
-    if ((c == '{' || c == '}') && reader.take(c)) {
+    const bool brace = c == '{' || c == '}';
+    if (!brace || reader.take(c)) {
       result += c;
     } else if (c == '}') {
       fault("ValueError: Single '}' encountered in format string");
-    } else if (c == '{') {
+    } else {
       const std::string all = reader.until('}');
       const std::size_t colon = std::min(all.find(':'), all.size());
       std::string field = all.substr(0, colon);
@@ -335,8 +337,6 @@ std::string python_formatted(std::string_view format, const PythonArguments& arg
       if (quoted) value = {python_text(value, true)};
       result += formatted_value(
           value, colon < all.size() ? std::string_view(all).substr(colon + 1) : std::string_view());
-    } else {
-      result += c;
     }
     check_length(result);
   }

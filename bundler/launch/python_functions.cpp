@@ -143,7 +143,7 @@ PythonValue range(const Arguments& a) {
   for (std::int64_t i = first; step > 0 ? i < last : i > last;) {
     if (static_cast<std::int64_t>(result.size()) == kLongestRange)
       fault("MemoryError: the range is too long");
-    result.push_back({i});
+    result.emplace_back().held = i;
     if (__builtin_add_overflow(i, step, &i)) break;
   }
   return {std::move(result)};

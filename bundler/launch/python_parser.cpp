@@ -151,14 +151,12 @@ class Parser {
   }
 
   Expression comparison() {
-    Expression left = sum();
-    std::vector<Expression> parts;
+    std::vector<Expression> parts = of(sum());
     for (std::string op = comparator(); !op.empty(); op = comparator()) {
-      if (parts.empty()) parts.push_back(std::move(left));
       parts.push_back(made(Form::kName, std::move(op), {}));
       parts.push_back(sum());
     }
-    return parts.empty() ? left : made(Form::kComparison, {}, std::move(parts));
+    return parts.size() == 1 ? std::move(parts[0]) : made(Form::kComparison, {}, std::move(parts));
   }
 
   Expression sum() {
@@ -373,21 +371,40 @@ class Parser {
     return {.value = {std::move(result)}};
   }
 
-  Expression number() {
-    std::string digits;
+  /// Digits, with `_` between them.
+  std::string digits(bool hexadecimal) {
+    const auto is_digit = [hexadecimal](char c) {
+      const auto one = static_cast<unsigned char>(c);
+      return (hexadecimal ? std::isxdigit(one) : std::isdigit(one)) != 0;
+    };
+    std::string result;
     for (; at_ < text_.size(); ++at_) {
       const char c = text_[at_];
-      const bool exponent_sign = (c == '+' || c == '-') &&
-                                 (digits.ends_with('e') || digits.ends_with('E')) &&
-                                 !digits.starts_with("0x");
-      if (c == '_' && !digits.empty() && std::isxdigit(static_cast<unsigned char>(ahead(1))) != 0)
-        continue;
-      if (!in_word(c) && c != '.' && !exponent_sign) break;
-      digits += c;
+      if (c == '_' && !result.empty() && is_digit(ahead(1))) continue;
+      if (!is_digit(c)) break;
+      result += c;
     }
-    const bool hexadecimal = digits.starts_with("0x") || digits.starts_with("0X");
-    const char* begin = digits.data() + (hexadecimal ? 2 : 0);
-    const char* end = digits.data() + digits.size();
+    return result;
+  }
+
+  Expression number() {
+    const bool hexadecimal = ahead(0) == '0' && (ahead(1) == 'x' || ahead(1) == 'X');
+    if (hexadecimal) at_ += 2;
+    std::string written = digits(hexadecimal);
+    if (!hexadecimal && ahead(0) == '.') {
+      written += text_[at_++];
+      written += digits(false);
+    }
+    const bool exponent = !hexadecimal && (ahead(0) == 'e' || ahead(0) == 'E');
+    const std::size_t sign = ahead(1) == '+' || ahead(1) == '-' ? 2 : 1;
+    if (exponent && std::isdigit(static_cast<unsigned char>(ahead(sign))) != 0) {
+      written += text_.substr(at_, sign);
+      at_ += sign;
+      written += digits(false);
+    }
+    const char* begin = written.data();
+    const char* end = begin + written.size();
+    if (in_word(ahead(0))) syntax();
     std::int64_t whole = 0;
     const auto integer = std::from_chars(begin, end, whole, hexadecimal ? 16 : 10);
     if (integer.ec == std::errc() && integer.ptr == end) return {.value = {whole}};

@@ -1,9 +1,11 @@
 // See xacro_expansion.hpp: what the elements of xacro do, but macros.
 #include <algorithm>
+#include <cctype>
 #include <iterator>
 #include <string_view>
 #include <tuple>
 
+#include "bundler/launch/file_pattern.hpp"
 #include "bundler/launch/python_parser.hpp"
 #include "bundler/launch/xacro_element_row.hpp"
 #include "bundler/launch/xacro_expansion.hpp"
@@ -20,6 +22,14 @@ void take_prefixes(const XmlNode& from, XmlNode& into) {
   for (const auto& [name, value] : from.attributes)
     if (name.starts_with("xmlns:") && name != "xmlns:xacro" && into.attribute(name) == nullptr)
       into.set_attribute(name, value);
+}
+
+bool is_xml_name(std::string_view text) {
+  const auto fits = [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '_' || c == ':' || c == '-' || c == '.' || c >= 0x80;
+  };
+  return !text.empty() && std::all_of(text.begin(), text.end(), fits) &&
+         std::string_view("0123456789-.").find(text.front()) == std::string_view::npos;
 }
 
 }  // namespace
@@ -66,12 +76,15 @@ void XacroExpansion::include(const XmlNode& from, Scope scope, XmlNode& into) {
   const bool may_lack = optional != nullptr && XacroEvaluator::condition({*optional}, *optional);
   const Scope inner = symbols ? Scope{*symbols, *macros} : scope;
   const std::string path = evaluator_.absolute(evaluator_.text(written, scope.symbols));
-  if (path.find_first_of("*[?") != std::string::npos)
-    fail("`" + path + "`: patterns of files are not followed here");
   XmlNode content_of_it;
   const auto before = std::tuple(depth_, at_, trail_.size(), evaluator_.files.size());
   try {
-    included(path, inner, content_of_it);
+    if (is_file_pattern(path)) {
+      for (const std::string& one : matching_paths(path, world_))
+        included(one, inner, content_of_it);
+    } else {
+      included(path, inner, content_of_it);
+    }
   } catch (const XacroFault& fault) {
     if (!may_lack || !fault.no_file) throw;
     depth_ = std::get<0>(before);
@@ -88,7 +101,8 @@ void XacroExpansion::included(const std::string& path, Scope scope, XmlNode& int
   if (evaluator_.files.size() >= kMostOpenFiles) fail("too many files include each other");
   evaluator_.files.push_back(path);
   trail_.push_back({.what = "included", .at = at_});
-  into = expanded(parsed(path), scope);
+  XmlNode root = expanded(parsed(path), scope);
+  xacro_take_content(root, into);
   trail_.pop_back();
   evaluator_.files.pop_back();
 }
@@ -152,7 +166,7 @@ void XacroExpansion::argument(const XmlNode& from, Scope scope, XmlNode& into) {
 void XacroExpansion::named_element(const XmlNode& from, Scope scope, XmlNode& into) {
   XmlNode renamed = from;
   renamed.text = evaluator_.text(needed(from, "xacro:name"), scope.symbols);
-  if (renamed.text.empty()) fail("the name of `xacro:element` is empty");
+  if (!is_xml_name(renamed.text)) fail("`" + renamed.text + "` is no name for an element");
   evaluator_.spend(1 + from.children.size());
   std::erase_if(renamed.attributes, [](const auto& one) { return one.first == "xacro:name"; });
   element(renamed, scope, into);
@@ -160,7 +174,7 @@ void XacroExpansion::named_element(const XmlNode& from, Scope scope, XmlNode& in
 
 void XacroExpansion::attribute(const XmlNode& from, Scope scope, XmlNode& into) {
   const std::string name = evaluator_.text(needed(from, "name"), scope.symbols);
-  if (name.empty()) fail("the name of `xacro:attribute` is empty");
+  if (!is_xml_name(name)) fail("`" + name + "` is no name for an attribute");
   into.set_attribute(name, evaluator_.text(needed(from, "value"), scope.symbols));
 }
 

@@ -219,6 +219,16 @@ constexpr Case kCases[] = {
     {"2 * 3 % 4", "2"},
     {"str(None) + repr('a')", "None'a'"},
     {"[x for x in 'ab']", "['a', 'b']"},
+    {"'' % [1]", ""},
+    {"1.0 // 0.1", "9.0"},
+    {"-0.0 % 4", "0.0"},
+    {"-1e-20 % 3 // 1", "3.0"},
+    {"5.5 // -2", "-3.0"},
+    {"0.5 // -1", "-1.0"},
+    {"-0.0 // 3", "-0.0"},
+    {"7.5 % -2", "-0.5"},
+    {"1 if 1 else 1e-3.split()", "1"},
+    {"1_0.5_0e0_1 + 1.e1", "115.0"},
 };
 
 TEST(PythonExpression, GivesWhatPythonGives) {
@@ -272,6 +282,9 @@ TEST(PythonExpression, FailsAsPythonDoes) {
            Case{"0.0 ** -1", "ZeroDivisionError"},
            Case{"[1][::0]", "ValueError"},
            Case{"for", "SyntaxError"},
+           Case{"1e", "SyntaxError"},
+           Case{"0x", "SyntaxError"},
+           Case{"1_", "SyntaxError"},
            Case{"math.nothing", "AttributeError"},
        }) {
     const auto result = evaluate_python(expression, {});

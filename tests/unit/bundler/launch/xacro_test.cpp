@@ -242,6 +242,12 @@ constexpr Case kCases[] = {
      R"x(<xacro:property name="f" value="$(find arm_pkg)/urdf/arm.xacro"/>
         <xacro:include filename="${f}"/><xacro:include filename="${xacro.abs_filename('hand.xacro')}"/>)x",
      "<from_package/><other_hand/>"},
+    {"includes by a pattern",
+     R"x(<a><xacro:include filename="parts/h*.xacro"/></a><b><xacro:include filename="h[a-c]n?.xacro"/></b>
+        <c><xacro:include filename="*/[!a]and.xacro"/></c><d><xacro:include filename="none*"/></d>
+        <e><xacro:include filename="*r*t*/hand.xacro"/><xacro:include filename="w*.xacro" ns="w"/></e>
+        ${w.radius})x",
+     "<a><hand/></a><b><other_hand/></b><c><hand/></c><d/><e><hand/><tyre/></e>0.25"},
     {"an include that may be missing",
      R"x(<a/><xacro:include filename="none.xacro" optional="true"/><b/>)x", "<a/><b/>"},
     {"namespaces",

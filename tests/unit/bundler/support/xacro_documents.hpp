@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "bundler/launch/xacro.hpp"
 
@@ -71,6 +72,16 @@ inline LaunchWorld world_with(const std::string& document) {
     const auto found = files().find(plain);
     if (found != files().end()) return found->second;
     return Diagnostic{.code = "R2W0413", .message = "", .why = {"there is no such file"}};
+  };
+  world.names_in = [](const std::string& folder) {
+    std::vector<std::string> names;
+    for (const auto& [path, text] : files()) {
+      if (!path.starts_with(folder + "/")) continue;
+      const std::string below = path.substr(folder.size() + 1);
+      names.push_back(below.substr(0, below.find('/')));
+      if (names.size() > 1 && names.back() == names[names.size() - 2]) names.pop_back();
+    }
+    return names;
   };
   world.prefix_of = [](const std::string& package) -> std::optional<std::string> {
     return package == "arm_pkg" ? std::optional<std::string>("/opt") : std::nullopt;

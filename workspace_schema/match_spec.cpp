@@ -7,6 +7,7 @@
 #include <map>
 
 #include "workspace_schema/match_spec_text.hpp"
+#include "workspace_schema/trimmed_text.hpp"
 
 namespace ros2wasm {
 namespace {

@@ -5,6 +5,8 @@
 #include <array>
 #include <utility>
 
+#include "workspace_schema/trimmed_text.hpp"
+
 namespace ros2wasm {
 namespace {
 
@@ -50,12 +52,6 @@ std::optional<std::pair<BracketPair, std::size_t>> pair_at(std::string_view text
 
 bool known_subdir(std::string_view text) {
   return std::find(kSubdirs.begin(), kSubdirs.end(), text) != kSubdirs.end();
-}
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && one_of(text.front(), " \t\r\n")) text.remove_prefix(1);
-  while (!text.empty() && one_of(text.back(), " \t\r\n")) text.remove_suffix(1);
-  return text;
 }
 
 std::optional<std::string> take_section(std::string& text, char open, char close) {

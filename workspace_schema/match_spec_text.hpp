@@ -12,8 +12,6 @@ namespace ros2wasm {
 /// A platform that conda knows.
 [[nodiscard]] bool known_subdir(std::string_view text);
 
-[[nodiscard]] std::string_view trimmed(std::string_view text);
-
 /// Takes the last "(...)" or "[...]" out of `text`, wherever it stands, and returns what is inside;
 /// nothing when there is none.
 [[nodiscard]] std::optional<std::string> take_section(std::string& text, char open, char close);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "workspace_schema/text_pattern.hpp"
+#include "workspace_schema/trimmed_text.hpp"
 
 namespace ros2wasm {
 
@@ -42,17 +43,12 @@ using NodePointer = std::shared_ptr<Node>;
 using Kind = Node::Kind;
 
 constexpr std::size_t kLongest = 8192;
+constexpr std::string_view kBlanks = " \t";
 
 Diagnostic bad_spec(std::string_view text, const std::string& why) {
   return Diagnostic{
       .code = "R2W0303",
       .message = "`" + std::string(text.substr(0, 100)) + "` says nothing about versions: " + why};
-}
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
-  while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
-  return text;
 }
 
 struct Relation {
@@ -94,7 +90,7 @@ Outcome<NodePointer> relation(std::string_view text) {
       std::find_if(kRelations.begin(), kRelations.end(),
                    [text](const Relation& row) { return text.starts_with(row.sign); });
   if (found == kRelations.end()) return bad_spec(text, "no such comparison");
-  std::string_view rest = trimmed(text.substr(found->sign.size()));
+  std::string_view rest = trimmed(text.substr(found->sign.size()), kBlanks);
   if (rest.empty())
     return bad_spec(text, "a version is missing behind `" + std::string(found->sign) + "`");
   if (std::string_view("=<>!~").find(rest.front()) != std::string_view::npos ||
@@ -157,7 +153,7 @@ std::vector<std::string_view> tokens_of(std::string_view text) {
     } else if (solid < text.size() && kSigns.find(text[solid]) != std::string_view::npos) {
       length = solid + 1;
     }
-    tokens.push_back(trimmed(text.substr(0, length)));
+    tokens.push_back(trimmed(text.substr(0, length), kBlanks));
     text.remove_prefix(length);
   }
   return tokens;
@@ -264,7 +260,7 @@ bool VersionSpec::Node::matches(const Version& candidate) const {
 }
 
 Outcome<VersionSpec> VersionSpec::parse(std::string_view given) {
-  const std::string_view text = trimmed(given);
+  const std::string_view text = trimmed(given, kBlanks);
   if (text.empty()) return bad_spec(given, "it is empty");
   if (text.size() > kLongest) return bad_spec(given, "it is too long");
   auto root = ExpressionReader(text).read();

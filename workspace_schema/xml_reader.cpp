@@ -10,18 +10,13 @@
 
 #include "workspace_schema/source_text.hpp"
 #include "workspace_schema/text_encoding.hpp"
+#include "workspace_schema/trimmed_text.hpp"
 
 namespace ros2wasm {
 namespace {
 
 constexpr std::size_t kLargestFile = 4U << 20U;
 constexpr std::string_view kSpace = " \t\r\n";
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(kSpace);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kSpace) - first + 1);
-}
 
 /// The library knows lines only; columns are found again in the text, from the last place on, so
 /// that equal tags on one line are told apart. To be asked in the order of the document.

@@ -4,8 +4,12 @@
 #include <algorithm>
 #include <charconv>
 
+#include "workspace_schema/trimmed_text.hpp"
+
 namespace ros2wasm {
 namespace {
+
+constexpr std::string_view kBlanks = " \t";
 
 int hex_digit(char c) {
   if (c >= '0' && c <= '9') return c - '0';
@@ -32,12 +36,6 @@ std::optional<std::string> decoded_segment(std::string_view text) {
   }
   if (decoded.empty() || decoded == "." || decoded == "..") return std::nullopt;
   return decoded;
-}
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
-  while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
-  return text;
 }
 
 std::optional<std::uint64_t> whole_number(std::string_view text) {
@@ -74,7 +72,7 @@ std::optional<std::string> site_path_of(std::string_view target) {
 }
 
 bool is_local_host(std::string_view host_header) {
-  std::string host(trimmed(host_header));
+  std::string host(trimmed(host_header, kBlanks));
   for (char& c : host) {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   }
@@ -86,7 +84,7 @@ bool is_local_host(std::string_view host_header) {
 bool matches_etag(std::string_view if_none_match, std::string_view etag) {
   while (!if_none_match.empty()) {
     const std::size_t comma = std::min(if_none_match.find(','), if_none_match.size());
-    std::string_view tag = trimmed(if_none_match.substr(0, comma));
+    std::string_view tag = trimmed(if_none_match.substr(0, comma), kBlanks);
     if (tag.starts_with("W/")) tag.remove_prefix(2);
     if (tag == etag || tag == "*") return true;
     if_none_match.remove_prefix(std::min(comma + 1, if_none_match.size()));
@@ -96,13 +94,13 @@ bool matches_etag(std::string_view if_none_match, std::string_view etag) {
 
 RangeResult range_of(std::string_view header, std::uint64_t size) {
   constexpr std::string_view kUnit = "bytes=";
-  header = trimmed(header);
+  header = trimmed(header, kBlanks);
   if (!header.starts_with(kUnit)) return {};
   header.remove_prefix(kUnit.size());
   const std::size_t dash = header.find('-');
   if (dash == std::string_view::npos || header.find(',') != std::string_view::npos) return {};
-  const std::string_view first_text = trimmed(header.substr(0, dash));
-  const std::string_view last_text = trimmed(header.substr(dash + 1));
+  const std::string_view first_text = trimmed(header.substr(0, dash), kBlanks);
+  const std::string_view last_text = trimmed(header.substr(dash + 1), kBlanks);
   const auto first = whole_number(first_text);
   const auto last = whole_number(last_text);
   if ((!first && !first_text.empty()) || (!last && !last_text.empty())) return {};

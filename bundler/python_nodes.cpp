@@ -35,16 +35,19 @@ std::string source_of(const BuiltWorkspace& workspace, const std::string& path,
 
 }  // namespace
 
-Outcome<PythonInput> read_python(const BuiltWorkspace& workspace) {
+Outcome<PythonInput> read_python(BuiltWorkspace& workspace) {
   PythonInput input;
-  if (auto read = collect_python_modules(workspace.environment, input.channels); !read)
-    return std::move(read).errors();
+  std::vector<Outcome<LeftOut>> parts;
+  parts.push_back(collect_python_modules(workspace.environment, input.channels));
   for (const InstalledPackage& package : workspace.installed) {
     const bool is_local = package.prefix != workspace.environment;
     PythonFiles& part = is_local ? input.workspace : input.channels;
-    auto read = is_local ? collect_python_modules(package.prefix, part) : Outcome<Done>(Done{});
-    if (read) read = collect_python_scripts(package.prefix, package.name, part);
-    if (!read) return std::move(read).errors();
+    if (is_local) parts.push_back(collect_python_modules(package.prefix, part));
+    parts.push_back(collect_python_scripts(package.prefix, package.name, part));
+  }
+  for (const auto& part : parts) {
+    if (!part) return part.errors();
+    for (const std::string& one : *part) workspace.remarks.push_back("left out " + one);
   }
   const fs::path pyodide = workspace.environment / kPyodideFolder;
   std::error_code error;

@@ -8,8 +8,9 @@
 
 namespace ros2wasm {
 
-/// Pyodide, and all modules and scripts of the workspace and its channels' packages. R2W0210.
-[[nodiscard]] Outcome<PythonInput> read_python(const BuiltWorkspace& workspace);
+/// Pyodide, and all modules and scripts of the workspace and its channels' packages. What is left
+/// out becomes a remark of the workspace. R2W0210.
+[[nodiscard]] Outcome<PythonInput> read_python(BuiltWorkspace& workspace);
 
 /// R2W0518 for what programs import and nobody has. Nodes that nobody named are left out for that,
 /// with warnings; each of the others gets its `compiled_modules`.

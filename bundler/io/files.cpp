@@ -155,6 +155,17 @@ Outcome<std::vector<TreeEntry>> list_tree(const fs::path& root) {
   return entries;
 }
 
+std::optional<fs::path> path_within(const fs::path& root, const fs::path& path) {
+  std::error_code error;
+  const fs::path real_root = fs::canonical(root, error);
+  if (error) return std::nullopt;
+  fs::path real = fs::canonical(path, error);
+  if (error) return std::nullopt;
+  const fs::path below = real.lexically_relative(real_root);
+  if (below.empty() || *below.begin() == "..") return std::nullopt;
+  return real;
+}
+
 Outcome<TemporaryDirectory> TemporaryDirectory::make(const fs::path& parent,
                                                      const std::string& prefix) {
   if (auto made = make_directories(parent); !made) return std::move(made).errors();

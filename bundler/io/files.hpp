@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,6 +38,11 @@ struct TreeEntry {
 /// All files, links and other things below `root` (directories only when empty), sorted by path as
 /// bytes. Links are not followed. R2W0210.
 [[nodiscard]] Outcome<std::vector<TreeEntry>> list_tree(const std::filesystem::path& root);
+
+/// The real path of `path`, with all links followed; nothing when that is not in `root` or nothing
+/// is there. What strangers made is read by this: a link must not lead to the reader's own files.
+[[nodiscard]] std::optional<std::filesystem::path> path_within(const std::filesystem::path& root,
+                                                               const std::filesystem::path& path);
 
 /// A new empty directory `<parent>/<prefix>XXXXXX` which removes itself, unless it was renamed
 /// away.

@@ -20,6 +20,19 @@ void each_entry(const fs::path& folder, Visit visit) {
     visit(*it);
 }
 
+/// The files of a folder of an installation, but links that lead out of it.
+template <typename Visit>
+void each_file(const fs::path& prefix, const fs::path& folder, Visit visit) {
+  if (!path_within(prefix, prefix / folder)) return;
+  each_entry(prefix / folder, [&](const fs::directory_entry& entry) {
+    std::error_code error;
+    const bool is_ours = entry.is_symlink(error)
+                             ? is_installed_file(prefix, folder / entry.path().filename())
+                             : entry.is_regular_file(error);
+    if (is_ours) visit(entry);
+  });
+}
+
 /// As natively: who may not be run is none, whatever its first line says.
 bool runs_python(const fs::directory_entry& entry) {
   std::error_code error;
@@ -30,13 +43,18 @@ bool runs_python(const fs::directory_entry& entry) {
 
 }  // namespace
 
+bool is_installed_file(const fs::path& prefix, const fs::path& path) {
+  std::error_code error;
+  const auto real = path_within(prefix, prefix / path);
+  return real && fs::is_regular_file(*real, error);
+}
+
 std::vector<InstalledProgram> installed_programs(const fs::path& prefix,
                                                  const std::string& package) {
   std::vector<InstalledProgram> result;
-  each_entry(prefix / "lib" / package, [&](const fs::directory_entry& entry) {
-    std::error_code error;
+  each_file(prefix, fs::path("lib") / package, [&](const fs::directory_entry& entry) {
     const fs::path& file = entry.path();
-    if (!entry.is_regular_file(error) || file.extension() == ".names") return;
+    if (file.extension() == ".names") return;
     const bool is_wasm = file.extension() == ".wasm";
     const bool is_note = file.extension() == ".left_out";
     const fs::path name = is_wasm || is_note ? file.stem() : file.filename();
@@ -74,7 +92,7 @@ std::vector<InstalledPackage> installed_packages(const fs::path& prefix) {
 
 void collect_interfaces(const fs::path& prefix, const std::string& package, InterfaceTexts& into) {
   for (const std::string_view kind : kInterfaceKinds) {
-    each_entry(prefix / "share" / package / kind, [&](const fs::directory_entry& entry) {
+    each_file(prefix, fs::path("share") / package / kind, [&](const fs::directory_entry& entry) {
       const fs::path& file = entry.path();
       if (file.extension() != "." + std::string(kind)) return;
       const std::string type = package + "/" + std::string(kind) + "/" + file.stem().string();

@@ -11,8 +11,16 @@
 
 namespace ros2wasm {
 
-/// What `package` put into lib/<package>/ of `prefix`, sorted by name. Names files (.names) do not
-/// count.
+/// Is it a file, and not by a link that leads out of `prefix`? `path`: below it.
+[[nodiscard]] bool is_installed_file(const std::filesystem::path& prefix,
+                                     const std::filesystem::path& path);
+
+/// What is said after the path of one that is not.
+inline constexpr const char* kLeadsElsewhere =
+    ", a link to a folder or out of the installed packages";
+
+/// What `package` put into lib/<package>/ of `prefix`, sorted by name. Names files (.names) and
+/// links that lead out do not count.
 [[nodiscard]] std::vector<InstalledProgram> installed_programs(const std::filesystem::path& prefix,
                                                                const std::string& package);
 

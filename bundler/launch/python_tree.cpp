@@ -2,6 +2,7 @@
 #include "bundler/launch/python_tree.hpp"
 
 #include "bundler/io/files.hpp"
+#include "bundler/launch/installed_tree.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
@@ -13,31 +14,38 @@ bool is_for_compiled(const fs::path& path) {
   return ending == ".wasm" || ending == ".names" || ending == ".left_out" || ending == ".a";
 }
 
-Outcome<Done> collect(const fs::path& prefix, const std::string& folder, PythonFiles& into) {
+Outcome<LeftOut> collect(const fs::path& prefix, const std::string& folder, PythonFiles& into) {
+  LeftOut left_out;
   std::error_code error;
-  if (!fs::is_directory(prefix / folder, error)) return Done{};
+  if (!fs::is_directory(prefix / folder, error)) return left_out;
+  if (!path_within(prefix, prefix / folder)) return LeftOut{folder + kLeadsElsewhere};
   const auto tree = list_tree(prefix / folder);
   if (!tree) return tree.errors();
   for (const TreeEntry& entry : *tree) {
     const std::string path = folder + "/" + entry.path;
-    const bool is_file = fs::is_regular_file(prefix / path, error);
-    if (!is_file || into.contains(path) || is_for_compiled(path) || path.ends_with(".pyc"))
+    const bool is_link = entry.kind == FileKind::kLink;
+    if ((!is_link && entry.kind != FileKind::kFile) || into.contains(path) ||
+        is_for_compiled(path) || path.ends_with(".pyc"))
       continue;
+    if (is_link && !is_installed_file(prefix, path)) {
+      left_out.push_back(path + kLeadsElsewhere);
+      continue;
+    }
     auto bytes = read_file(prefix / path);
     if (!bytes) return std::move(bytes).errors();
     into.emplace(path, std::move(bytes).value());
   }
-  return Done{};
+  return left_out;
 }
 
 }  // namespace
 
-Outcome<Done> collect_python_modules(const fs::path& prefix, PythonFiles& into) {
+Outcome<LeftOut> collect_python_modules(const fs::path& prefix, PythonFiles& into) {
   return collect(prefix, kPythonModules, into);
 }
 
-Outcome<Done> collect_python_scripts(const fs::path& prefix, const std::string& package,
-                                     PythonFiles& into) {
+Outcome<LeftOut> collect_python_scripts(const fs::path& prefix, const std::string& package,
+                                        PythonFiles& into) {
   return collect(prefix, "lib/" + package, into);
 }
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "workspace_schema/outcome.hpp"
 
@@ -19,12 +20,16 @@ inline constexpr const char* kPyodideFolder = "share/pyodide";
 /// Bytes by path below the prefix: "lib/python3.12/site-packages/demo/talker.py".
 using PythonFiles = std::map<std::string, std::string>;
 
+/// What cannot come along and why, for people.
+using LeftOut = std::vector<std::string>;
+
 /// Adds the modules of a prefix, and what `package` has in lib/<package>/ but compiled programs; a
 /// file that is known stays. R2W0210.
-[[nodiscard]] Outcome<Done> collect_python_modules(const std::filesystem::path& prefix,
-                                                   PythonFiles& into);
-[[nodiscard]] Outcome<Done> collect_python_scripts(const std::filesystem::path& prefix,
-                                                   const std::string& package, PythonFiles& into);
+[[nodiscard]] Outcome<LeftOut> collect_python_modules(const std::filesystem::path& prefix,
+                                                      PythonFiles& into);
+[[nodiscard]] Outcome<LeftOut> collect_python_scripts(const std::filesystem::path& prefix,
+                                                      const std::string& package,
+                                                      PythonFiles& into);
 
 /// R2W0517. `why`: what needs it.
 [[nodiscard]] Diagnostic no_pyodide(std::string why);

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "bundler/io/files.hpp"
+#include "bundler/launch/installed_tree.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
@@ -44,14 +45,6 @@ bool is_for_builds(const fs::path& path) {
          (has(kShellEndings, ending) && has(kShellStems, path.stem().string()));
 }
 
-bool is_inside(const fs::path& path, const fs::path& prefix) {
-  std::error_code error;
-  const fs::path real = fs::canonical(path, error);
-  if (error || !fs::is_regular_file(real, error)) return false;
-  const fs::path below = real.lexically_relative(fs::canonical(prefix, error));
-  return !error && !below.empty() && *below.begin() != "..";
-}
-
 /// Host and browser read a backslash in an address as a slash.
 bool has_address(const std::string& path) {
   return path.find('\\') == std::string::npos;
@@ -60,8 +53,8 @@ bool has_address(const std::string& path) {
 Outcome<Done> add_file(const fs::path& prefix, const std::string& path, SharedFiles& into,
                        std::vector<std::string>& left_out) {
   if (into.contains(path)) return Done{};
-  if (!is_inside(prefix / path, prefix)) {
-    left_out.push_back(path + ", a link to a folder or out of the installed packages");
+  if (!is_installed_file(prefix, path)) {
+    left_out.push_back(path + kLeadsElsewhere);
     return Done{};
   }
   if (!has_address(path)) {

@@ -5,7 +5,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdio>
 
@@ -43,14 +42,10 @@ HttpResponse text_response(int status, std::string text) {
 /// Follows links, and finds nothing when they lead out of the site.
 Found find_in_site(const std::filesystem::path& folder, const std::string& path) {
   std::error_code error;
-  const auto root = std::filesystem::canonical(folder, error);
-  if (error) return {};
-  const auto real = std::filesystem::canonical(root / path, error);
-  if (error) return {};
-  const auto outside = std::mismatch(root.begin(), root.end(), real.begin(), real.end()).first;
-  if (outside != root.end()) return {};
-  if (std::filesystem::is_directory(real, error)) return {.kind = Lookup::kFolder, .path = real};
-  if (std::filesystem::is_regular_file(real, error)) return {.kind = Lookup::kFile, .path = real};
+  const auto real = path_within(folder, folder / path);
+  if (!real) return {};
+  if (std::filesystem::is_directory(*real, error)) return {.kind = Lookup::kFolder, .path = *real};
+  if (std::filesystem::is_regular_file(*real, error)) return {.kind = Lookup::kFile, .path = *real};
   return {};
 }
 

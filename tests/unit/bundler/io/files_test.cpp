@@ -31,6 +31,22 @@ TEST(Files, AreReplacedWholeOrNotAtAll) {
   EXPECT_EQ(write_file(tree / "file/below", "x").errors().front().code, "R2W0211");
 }
 
+TEST(Files, APathWithinARootMayGoByLinksThatStayThere) {
+  const testing::TemporaryTree tree;
+  tree.write("root/deep/x", "");
+  tree.write("root_too/x", "");
+  fs::create_directory_symlink("deep", tree / "root/same");
+  fs::create_directory_symlink(tree / "root_too", tree / "root/out");
+  fs::create_directory_symlink("root", tree / "door");
+  const fs::path real = fs::canonical(tree / "root/deep/x");
+  EXPECT_EQ(path_within(tree / "root", tree / "root/same/x"), real);
+  EXPECT_EQ(path_within(tree / "door", tree / "door/deep/../deep/x"), real);
+  EXPECT_EQ(path_within(tree / "root", tree / "root"), fs::canonical(tree / "root"));
+  for (const char* path : {"root/out/x", "root/out", "root/../root_too/x", "root/absent", ""})
+    EXPECT_EQ(path_within(tree / "root", tree / path), std::nullopt) << path;
+  EXPECT_EQ(path_within(tree / "absent", tree / "absent"), std::nullopt);
+}
+
 TEST(Files, SameBytesAreNotWrittenAgain) {
   const testing::TemporaryTree tree;
   ASSERT_TRUE(write_file(tree / "x", "one").ok());

@@ -7,6 +7,7 @@
 
 #include "bundler/workspace/build_order.hpp"
 #include "bundler/workspace/python_imports.hpp"
+#include "workspace_schema/text_pattern.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -38,6 +39,10 @@ constexpr auto kHints = std::to_array<Hint>({
     {"turtle", kNoWindows},
 });
 
+std::string modules_folder() {
+  return std::string(kPythonModules) + "/";
+}
+
 std::string top_level(const std::string& module) {
   return module.substr(0, module.find('.'));
 }
@@ -53,10 +58,11 @@ class Walk {
       : world_(world), compiled_(compiled_modules(world.channels)) {}
 
   ImportReport run(const std::string& script) {
-    const auto file = world_.workspace.find(script);
-    if (file != world_.workspace.end()) {
-      script_folder_ = script.substr(0, script.rfind('/') + 1);
+    script_folder_ = script.substr(0, script.rfind('/') + 1);
+    if (world_.workspace.contains(script)) {
       visit(script, true);
+    } else if (world_.channels.contains(script)) {
+      visit_channel(script);
     }
     return std::move(report_);
   }
@@ -84,7 +90,7 @@ class Walk {
         report_.compiled.insert(top);
         continue;
       }
-      std::vector<std::string> inner = {module};
+      std::vector<std::string> inner = with_parents(module);
       for (const std::string& name : one.names) inner.push_back(module + "." + name);
       for (const std::string& name : inner) {
         if (const auto file = find_file(world_.channels, name)) visit_channel(*file);
@@ -99,11 +105,8 @@ class Walk {
     const std::string top = top_level(module);
     if (compiled_.contains(top)) report_.compiled.insert(top);
     if (is_python_module(top) && !is_lacking_python_module(top)) return;
-    for (std::size_t dot = module.find('.');; dot = module.find('.', dot + 1)) {
-      const std::string part = module.substr(0, dot);
+    for (const std::string& part : with_parents(module))
       if (!import_module(part, needed)) return missing(one, module, part, needed);
-      if (dot == std::string::npos) break;
-    }
     for (const std::string& name : one.names) {
       const std::string inner = module + "." + name;
       if (find_file(world_.workspace, inner) || find_file(world_.channels, inner))
@@ -120,32 +123,42 @@ class Walk {
       return true;
     }
     if (const auto file = find_file(world_.channels, module)) visit_channel(*file);
-    const std::string base = place(module);
+    const std::string base = modules_ + slashed(module);
     return is_below(world_.workspace, base + "/") || is_below(world_.channels, base + "/") ||
-           is_below(world_.channels, base + ".") || is_interface_module(module);
+           is_below(world_.channels, base + ".") || is_interface_module(module) ||
+           is_below(world_.workspace, script_folder_ + slashed(module) + "/");
   }
 
+  /// What lies beside the script comes first, as natively.
   [[nodiscard]] std::optional<std::string> find_file(const PythonFiles& files,
                                                      const std::string& module) const {
-    const std::string base = place(module);
-    // Beside a script are its own modules.
-    for (const std::string& path :
-         {base + std::string(kInit), base + ".py", script_folder_ + module + ".py"}) {
-      if (files.contains(path)) return path;
+    for (const std::string& folder : {script_folder_, modules_}) {
+      for (const std::string_view ending : {kInit, std::string_view(".py")}) {
+        std::string path = folder + slashed(module) + std::string(ending);
+        if (files.contains(path)) return path;
+      }
     }
     return std::nullopt;
   }
 
-  static std::string place(const std::string& module) {
-    std::string path = module;
-    std::replace(path.begin(), path.end(), '.', '/');
-    return std::string(kPythonModules) + "/" + path;
+  static std::string slashed(std::string module) {
+    std::replace(module.begin(), module.end(), '.', '/');
+    return module;
+  }
+
+  /// `a`, `a.b` and `a.b.c` of the last.
+  static std::vector<std::string> with_parents(const std::string& module) {
+    std::vector<std::string> result;
+    for (auto dot = module.find('.'); dot != std::string::npos; dot = module.find('.', dot + 1))
+      result.push_back(module.substr(0, dot));
+    result.push_back(module);
+    return result;
   }
 
   /// The package that a relative name begins at is that of the file.
-  static std::string absolute(const std::string& module, const std::string& path) {
+  [[nodiscard]] std::string absolute(const std::string& module, const std::string& path) const {
     if (!module.starts_with('.')) return module;
-    const std::string root = std::string(kPythonModules) + "/";
+    const std::string root = path.starts_with(modules_) ? modules_ : script_folder_;
     if (!path.starts_with(root)) return module;
     const auto dots = module.find_first_not_of('.');
     std::string folder = path.substr(root.size());
@@ -173,12 +186,13 @@ class Walk {
     return next != world_.interfaces.end() && next->first.starts_with(prefix);
   }
 
-  /// `name`: also a part of a type, such as `Trigger_Request`, or a submodule.
+  /// `module`: `pkg.msg`, or `pkg.msg._string` of one definition. `name`: also a part of a type,
+  /// such as `Trigger_Request`, or a submodule.
   [[nodiscard]] bool has_interface(const std::string& module, const std::string& name) const {
-    if (name.starts_with('_') || module.find('.') == std::string::npos) return true;
-    std::string type = module + "/" + name.substr(0, name.find('_'));
-    std::replace(type.begin(), type.end(), '.', '/');
-    return world_.interfaces.contains(type);
+    const auto dot = module.find('.');
+    if (name.starts_with('_') || dot == std::string::npos) return true;
+    const std::string kind = module.substr(0, module.find('.', dot + 1));
+    return world_.interfaces.contains(slashed(kind) + "/" + name.substr(0, name.find('_')));
   }
 
   void add(const PythonImport& one, std::string message, std::vector<std::string> why,
@@ -209,7 +223,7 @@ class Walk {
                  {"`" + top + "` is there, but has no such module in this version"}, needed);
     }
     std::vector<std::string> why;
-    std::vector<std::string> wanted = {conda_name(top, world_.distro), lower_case(top)};
+    std::vector<std::string> wanted = {conda_name(top, world_.distro), ascii_lower(top)};
     wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
     std::string tried;
     for (const std::string& name : wanted) {
@@ -224,11 +238,6 @@ class Walk {
     add(one, "no package of the site has the module `" + top + "`", std::move(why), needed);
   }
 
-  static std::string lower_case(std::string text) {
-    for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return text;
-  }
-
   static std::string hint_for(const std::string& module) {
     const auto found = std::find_if(kHints.begin(), kHints.end(),
                                     [&](const Hint& row) { return row.module == module; });
@@ -237,6 +246,7 @@ class Walk {
 
   const PythonWorld& world_;
   const std::set<std::string> compiled_;
+  const std::string modules_ = modules_folder();
   std::string script_folder_;
   std::map<std::string, bool> visited_;  ///< file -> whether it is needed
   ImportReport report_;
@@ -246,7 +256,7 @@ class Walk {
 
 std::set<std::string> compiled_modules(const PythonFiles& channels) {
   std::set<std::string> result;
-  const std::string root = std::string(kPythonModules) + "/";
+  const std::string root = modules_folder();
   for (auto it = channels.lower_bound(root); it != channels.end() && it->first.starts_with(root);
        ++it) {
     if (!it->first.ends_with(".so")) continue;

@@ -72,6 +72,41 @@ TEST_F(ImportCheckTest, KnowsPartsOfPackagesAndOfPython) {
                    "`std_msgs.msg` has no `Strin`", "`std_msgs.srv` is not there"}));
 }
 
+TEST_F(ImportCheckTest, KnowsTheModulesOfDefinitions) {
+  EXPECT_EQ(messages("from std_msgs.msg._string import String\n"
+                     "from demo.srv._trigger import Trigger, Trigger_Request\n"
+                     "import std_msgs.msg._string\n"),
+            Lines());
+  EXPECT_EQ(messages("from std_msgs.msg._string import Strin\n"),
+            Lines{"`std_msgs.msg._string` has no `Strin`"});
+}
+
+TEST_F(ImportCheckTest, KnowsModulesAndPackagesBesideTheScript) {
+  workspace_["lib/demo/helpers/__init__.py"] = "";
+  workspace_["lib/demo/helpers/motion.py"] = "from . import angles\nfrom .gone import x\n";
+  workspace_["lib/demo/helpers/angles.py"] = "import never\n";
+  workspace_["lib/demo/plain/inner.py"] = "";
+  EXPECT_EQ(messages("import helpers.motion\nfrom plain import inner\nimport plain.inner\n"
+                     "import helpers.none\n"),
+            (Lines{"no package of the site has the module `never`", "`helpers.gone` is not there",
+                   "`helpers.none` is not there"}));
+  EXPECT_EQ(messages("from . import helpers\n"), Lines{"`.` leads out of the package"});
+}
+
+TEST_F(ImportCheckTest, ProgramsOfChannelsGetTheirCompiledModules) {
+  const std::string clouds = std::string(kPythonModules) + "/clouds/";
+  channels_[clouds + "__init__.py"] = "from numpy import array\n";
+  channels_[clouds + "main.py"] = "";
+  channels_["lib/clouds/run"] = "from clouds.main import main\n";
+  const ImportReport report = check_imports("lib/clouds/run", {.workspace = workspace_,
+                                                               .channels = channels_,
+                                                               .interfaces = interfaces_,
+                                                               .channel_names = names_,
+                                                               .distro = "jazzy"});
+  EXPECT_EQ(report.compiled, std::set<std::string>{"numpy"});
+  EXPECT_TRUE(report.missing.empty());
+}
+
 TEST_F(ImportCheckTest, CompiledModulesAreTold) {
   module("demo/__init__.py", "def f():\n  from numpy import array\n");
   EXPECT_EQ(messages("import demo\nimport beside"),

@@ -112,7 +112,7 @@ Outcome<LinkReport> link_program(const LinkRequest& request, const Cancellation&
   line.thread_support = request.thread_support;
   if (plugins_of(line)) {
     if (!request.kits.empty())
-      if (auto kept = write_link_kit(request.kits, line); !kept) return std::move(kept).errors();
+      if (auto kept = keep_link_kit(request.kits, line); !kept) return std::move(kept).errors();
     if (auto made = write_file(line.output, ""); !made) return std::move(made).errors();
     return LinkReport{.program = line.output};
   }
@@ -167,8 +167,8 @@ Outcome<LinkReport> link_program(const LinkRequest& request, const Cancellation&
   std::error_code error;
   fs::rename(stem + ".wasm", output, error);
   if (error) return link_failed(request, line, error.message());
-  if (!request.kits.empty() && loads_plugins(line))
-    if (auto kept = write_link_kit(request.kits, line); !kept) return std::move(kept).errors();
+  if (!request.kits.empty())
+    if (auto kept = keep_link_kit(request.kits, line); !kept) return std::move(kept).errors();
   return report;
 }
 

@@ -1,4 +1,6 @@
-// See link_kit.hpp. In a kit lies the file `arguments`, one a line, beside the copies.
+// See link_kit.hpp. In a kit lies the file `arguments`, one a line, beside the copies. The folder
+// of a base class's package has the file `named`, which CMake writes when it configures
+// (pluginlib's package hook): the names of the kits, one a line.
 #include "bundler/build/link_kit.hpp"
 
 #include <algorithm>
@@ -16,6 +18,7 @@ constexpr const char* kInstalled = "link_kits";  // in a prefix
 constexpr const char* kPrograms = "programs";
 constexpr const char* kPlugins = "plugins";
 constexpr const char* kArguments = "arguments";
+constexpr const char* kNamed = "named";
 constexpr std::string_view kOfKit = "kit:";  // before the name of a copy
 
 fs::path index_entry(const std::string& base, const std::string& package) {
@@ -81,6 +84,22 @@ Outcome<Done> install_kit(const fs::path& from, const fs::path& to) {
   return Done{};
 }
 
+bool loads_plugins(const LinkLine& line) {
+  return std::any_of(line.arguments.begin(), line.arguments.end(), [](const std::string& one) {
+    return fs::path(one).filename() == kPluginLibrary;
+  });
+}
+
+/// A kit may be left from a time when the sources said otherwise: only what is named counts.
+Outcome<std::vector<std::string>> named_kits(const fs::path& folder) {
+  const auto text = read_file(folder / kNamed);
+  if (!text) return text.errors();
+  std::vector<std::string> result;
+  std::istringstream lines(*text);
+  for (std::string line; std::getline(lines, line);) result.push_back(line);
+  return result;
+}
+
 }  // namespace
 
 std::optional<std::string> plugins_of(const LinkLine& line) {
@@ -89,17 +108,12 @@ std::optional<std::string> plugins_of(const LinkLine& line) {
   return std::nullopt;
 }
 
-bool loads_plugins(const LinkLine& line) {
-  return std::any_of(line.arguments.begin(), line.arguments.end(), [](const std::string& one) {
-    return fs::path(one).filename() == kPluginLibrary;
-  });
-}
-
-Outcome<Done> write_link_kit(const fs::path& kits, const LinkLine& line) {
+Outcome<Done> keep_link_kit(const fs::path& kits, const LinkLine& line) {
   const auto base = plugins_of(line);
   const fs::path kit =
       (base ? kits / kPlugins / *base : kits / kPrograms) / fs::path(line.output).stem();
   if (auto cleared = remove_tree(kit); !cleared) return cleared;
+  if (!base && !loads_plugins(line)) return Done{};
   std::string text;
   for (std::size_t i = 0; i < line.arguments.size(); ++i) {
     if (line.arguments[i].starts_with(kPluginsOf)) continue;
@@ -121,9 +135,11 @@ Outcome<Done> install_link_kits(const fs::path& kits, const fs::path& prefix,
   }
   for (const fs::path& base : folders_in(kits / kPlugins)) {
     if (!fs::exists(prefix / index_entry(base.filename().string(), package), error)) continue;
-    for (const fs::path& kit : folders_in(base)) {
-      const fs::path to = prefix / kInstalled / kPlugins / base.filename() / kit.filename();
-      if (auto done = install_kit(kit, to); !done) return done;
+    const auto names = named_kits(base);
+    if (!names) return names.errors();
+    for (const std::string& name : *names) {
+      const fs::path to = prefix / kInstalled / kPlugins / base.filename() / name;
+      if (auto done = install_kit(base / name, to); !done) return done;
     }
   }
   return Done{};

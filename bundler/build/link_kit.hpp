@@ -20,13 +20,12 @@ inline constexpr const char* kLinkKitsVariable = "ROS2WASM_LINK_KITS";
 /// down and not linked.
 [[nodiscard]] std::optional<std::string> plugins_of(const LinkLine& line);
 
-/// Does a program of this line load plugins?
-[[nodiscard]] bool loads_plugins(const LinkLine& line);
+/// Writes the kit of a library of plugins, or of a program that loads plugins, below `kits`. A
+/// program that loads none has no kit afterwards. R2W0210, R2W0211.
+[[nodiscard]] Outcome<Done> keep_link_kit(const std::filesystem::path& kits, const LinkLine& line);
 
-/// Writes the kit of a line below `kits`: of a library of plugins, else of a program.
-[[nodiscard]] Outcome<Done> write_link_kit(const std::filesystem::path& kits, const LinkLine& line);
-
-/// The kits that a build left for what is installed in `prefix`, into that prefix.
+/// The kits that a build left for what is installed in `prefix`, into that prefix: of plugins those
+/// that the last configure named. R2W0210, R2W0211.
 [[nodiscard]] Outcome<Done> install_link_kits(const std::filesystem::path& kits,
                                               const std::filesystem::path& prefix,
                                               const std::string& package);

@@ -18,12 +18,6 @@ namespace {
 constexpr const char* kWhole = "-Wl,--whole-archive";
 constexpr const char* kNotWhole = "-Wl,--no-whole-archive";
 
-/// A library of plugins, with the package that has it.
-struct Plugins {
-  LinkKit kit;
-  const BuiltPackage* package = nullptr;
-};
-
 /// The package and all that it needs, by name.
 std::set<std::string> needs_of(const std::string& name, const std::vector<LocalPackage>& packages) {
   std::set<std::string> result;
@@ -41,45 +35,33 @@ std::set<std::string> needs_of(const std::string& name, const std::vector<LocalP
   return result;
 }
 
-/// The libraries first, whole, so that each class registers itself: what the program or another
-/// library links of them too is there already.
-std::vector<std::string> link_arguments(const LinkKit& program,
-                                        const std::vector<const Plugins*>& plugins) {
-  std::vector<std::string> whole;
-  std::vector<std::string> rest = program.arguments;
-  std::set<std::string> seen;
-  const auto is_whole = [](const std::vector<std::string>& arguments, const std::string& name) {
-    for (std::size_t i = 1; i < arguments.size(); ++i)
-      if (arguments[i - 1] == kWhole && fs::path(arguments[i]).filename() == name) return true;
-    return false;
-  };
-  for (const Plugins* one : plugins) {
-    const auto& given = one->kit.arguments;
-    const auto library = std::find_if(given.begin(), given.end(),
-                                      [](const std::string& text) { return text.ends_with(".a"); });
-    for (const std::string& argument : given)
-      if (!argument.ends_with(".o")) rest.push_back(argument);
-    if (library == given.end()) continue;
-    const std::string name = fs::path(*library).filename().string();
-    if (!seen.insert(name).second || is_whole(rest, name)) continue;
-    whole.insert(whole.end(), {kWhole, *library, kNotWhole});
+/// The name of a library, and the package that it lies with, as itself or as a copy of a kit; a
+/// library of none of them is one of its own folder.
+using LibraryName = std::pair<std::string, std::string>;
+
+LibraryName name_of(const fs::path& library, const std::vector<BuiltPackage>& built) {
+  std::error_code error;
+  const fs::path real = fs::weakly_canonical(library, error);
+  for (const BuiltPackage& package : built) {
+    const fs::path below = real.lexically_relative(fs::weakly_canonical(package.prefix, error));
+    if (!below.empty() && *below.begin() != "..") return {package.name, real.filename().string()};
   }
-  whole.insert(whole.end(), rest.begin(), rest.end());
-  return whole;
+  return {real.parent_path().string(), real.filename().string()};
 }
 
 std::string hash_of(const BuiltPackage& package, const LinkKit& program,
-                    const std::vector<const Plugins*>& plugins, const BuildTools& tools) {
+                    const std::vector<const PluginLibrary*>& plugins, const BuildTools& tools) {
   HashBuilder hash;
   hash.add("package", package.hash).add("program", program.name);
   hash.add("link", tools.quick_links.empty() ? "small" : "quick");
-  for (const Plugins* one : plugins)
+  for (const PluginLibrary* one : plugins)
     hash.add(one->package->name, one->package->hash).add(one->kit.base, one->kit.name);
   return hash.finish();
 }
 
 Outcome<fs::path> linked(const BuiltPackage& package, const LinkKit& program,
-                         const std::vector<const Plugins*>& plugins, const BuildTools& tools,
+                         const std::vector<const PluginLibrary*>& plugins,
+                         const std::vector<BuiltPackage>& built, const BuildTools& tools,
                          const fs::path& cache, const Cancellation& cancellation,
                          const ProgressSink& progress) {
   const std::string hash = hash_of(package, program, plugins, tools);
@@ -95,7 +77,7 @@ Outcome<fs::path> linked(const BuiltPackage& package, const LinkKit& program,
   if (auto made = make_directories((staging->path() / file).parent_path()); !made)
     return std::move(made).errors();
   std::vector<std::string> command = {tools.compiler.cxx.string()};
-  for (std::string& argument : link_arguments(program, plugins))
+  for (std::string& argument : arguments_with_plugins(program, plugins, built))
     command.push_back(std::move(argument));
   command.insert(command.end(), {"-o", (staging->path() / file).string()});
   const auto done = link_program(
@@ -115,13 +97,35 @@ Outcome<fs::path> linked(const BuiltPackage& package, const LinkKit& program,
 
 }  // namespace
 
+std::vector<std::string> arguments_with_plugins(const LinkKit& program,
+                                                const std::vector<const PluginLibrary*>& plugins,
+                                                const std::vector<BuiltPackage>& built) {
+  std::vector<std::string> whole;
+  std::vector<std::string> rest = program.arguments;
+  for (const PluginLibrary* one : plugins)
+    for (const std::string& argument : one->kit.arguments)
+      if (!argument.ends_with(".o")) rest.push_back(argument);
+  std::set<LibraryName> taken;  // which are whole already
+  for (std::size_t i = 1; i < rest.size(); ++i)
+    if (rest[i - 1] == kWhole) taken.insert(name_of(rest[i], built));
+  for (const PluginLibrary* one : plugins) {
+    const auto& given = one->kit.arguments;
+    const auto library = std::find_if(given.begin(), given.end(),
+                                      [](const std::string& text) { return text.ends_with(".a"); });
+    if (library == given.end() || !taken.insert(name_of(*library, built)).second) continue;
+    whole.insert(whole.end(), {kWhole, *library, kNotWhole});
+  }
+  whole.insert(whole.end(), rest.begin(), rest.end());
+  return whole;
+}
+
 Outcome<std::map<fs::path, fs::path>> link_plugins(const std::vector<LocalPackage>& packages,
                                                    const std::vector<BuiltPackage>& built,
                                                    const BuildTools& tools,
                                                    const BuildSettings& settings,
                                                    const Cancellation& cancellation,
                                                    const ProgressSink& progress) {
-  std::vector<Plugins> all;
+  std::vector<PluginLibrary> all;
   for (const BuiltPackage& package : built) {
     auto kits = plugin_kits(package.prefix);
     if (!kits) return std::move(kits).errors();
@@ -135,12 +139,13 @@ Outcome<std::map<fs::path, fs::path>> link_plugins(const std::vector<LocalPackag
     if (!programs) return programs.errors();
     if (programs->empty()) continue;
     const std::set<std::string> needs = needs_of(package.name, packages);
-    std::vector<const Plugins*> wanted;
-    for (const Plugins& one : all)
+    std::vector<const PluginLibrary*> wanted;
+    for (const PluginLibrary& one : all)
       if (needs.contains(one.kit.base)) wanted.push_back(&one);
     if (wanted.empty()) continue;
     for (const LinkKit& program : *programs) {
-      auto file = linked(package, program, wanted, tools, settings.cache, cancellation, progress);
+      auto file =
+          linked(package, program, wanted, built, tools, settings.cache, cancellation, progress);
       if (!file) {
         for (Diagnostic& one : std::move(file).errors()) errors.push_back(std::move(one));
         continue;

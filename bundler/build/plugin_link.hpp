@@ -4,11 +4,26 @@
 
 #include <filesystem>
 #include <map>
+#include <string>
 #include <vector>
 
 #include "bundler/build/build_workspace.hpp"
+#include "bundler/build/link_kit.hpp"
 
 namespace ros2wasm {
+
+/// A library of plugins, with the package that has it.
+struct PluginLibrary {
+  LinkKit kit;
+  const BuiltPackage* package = nullptr;
+};
+
+/// A program's arguments with those of the plugins. Their libraries come first, whole, so that each
+/// class registers itself: what the program or another library links of them too is there already.
+/// `built`: a library is one of a package and a name, as both kits may have copies of it.
+[[nodiscard]] std::vector<std::string> arguments_with_plugins(
+    const LinkKit& program, const std::vector<const PluginLibrary*>& plugins,
+    const std::vector<BuiltPackage>& built);
 
 /// The program with its plugins, by the one without. Each is kept in the cache under the hash of
 /// what it is linked from. R2W0504 and R2W0505 as for any program.

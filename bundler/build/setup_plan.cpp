@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "workspace_schema/json_reader.hpp"
+#include "workspace_schema/trimmed_text.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -49,10 +50,12 @@ std::vector<SetupFile> files_of(const JsonValue& json, std::string_view key,
   return result;
 }
 
-std::string trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return std::string(text.substr(first, text.find_last_not_of(" \t") - first + 1));
+/// What a name or a version consists of: both become part of a folder's name.
+bool is_plain(std::string_view text) {
+  return std::all_of(text.begin(), text.end(), [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+           std::string_view("._+!-").find(c) != std::string_view::npos;
+  });
 }
 
 bool is_dotted_name(std::string_view text) {
@@ -66,13 +69,13 @@ bool is_dotted_name(std::string_view text) {
 std::optional<EntryPoint> entry_point(const std::string& line) {
   const auto equals = line.find('=');
   if (equals == std::string::npos) return std::nullopt;
-  std::string target = line.substr(equals + 1);
-  target = trimmed(std::string_view(target).substr(0, target.find('[')));  // extras
+  std::string_view target = std::string_view(line).substr(equals + 1);
+  target = target.substr(0, target.find('['));  // extras
   const auto colon = target.find(':');
-  if (colon == std::string::npos) return std::nullopt;
-  EntryPoint entry{.name = trimmed(std::string_view(line).substr(0, equals)),
-                   .module = trimmed(std::string_view(target).substr(0, colon)),
-                   .function = trimmed(std::string_view(target).substr(colon + 1))};
+  if (colon == std::string_view::npos) return std::nullopt;
+  EntryPoint entry{.name = std::string(trimmed(std::string_view(line).substr(0, equals))),
+                   .module = std::string(trimmed(target.substr(0, colon))),
+                   .function = std::string(trimmed(target.substr(colon + 1)))};
   const bool is_file_name = stays_below(entry.name) && entry.name.find('/') == std::string::npos;
   if (!is_file_name || !is_dotted_name(entry.module) || !is_dotted_name(entry.function))
     return std::nullopt;
@@ -99,6 +102,12 @@ Outcome<SetupPlan> read_setup_plan(std::string_view json, const BuildPlace& plac
                  .script_folder = parsed->text_of("script_folder"),
                  .programs = {},
                  .entry_points = {}};
+  for (const auto& [what, text] : {std::pair("name", &plan.name), {"version", &plan.version}}) {
+    if (is_plain(*text)) continue;
+    errors.push_back(refused(place, "setup.py", 0,
+                             "the " + std::string(what) + " `" + *text +
+                                 "` has other characters than letters, digits and `._+!-`"));
+  }
   if (!stays_below(plan.script_folder))
     errors.push_back(
         refused(place, "setup.cfg", 0, "`" + plan.script_folder + "` leads out of its folder"));

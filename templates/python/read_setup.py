@@ -5,21 +5,26 @@ the prefix; `scripts`: the same for programs; `entry_points`: group -> lines; or
 """
 from __future__ import annotations
 
+import ast
 import configparser
 import fnmatch
 import glob
+import importlib
 import json
 import os
 import posixpath
 import runpy
 import sys
 import traceback
+from collections.abc import Iterator
 from typing import Any
 
 SETUP = 'setup.py'
 CONFIG = 'setup.cfg'
 BASE = '$base'
 DEFAULT_SCRIPTS = 'bin'
+#: Sections whose keys are folders, packages and groups, not options.
+OWN_NAMES = ('options.data_files', 'options.entry_points', 'options.extras_require', 'options.package_data')
 
 
 class SetupError(Exception):
@@ -27,11 +32,15 @@ class SetupError(Exception):
 
 
 def read_config(path: str) -> dict[str, dict[str, str]]:
-    """setup.cfg, with options named as setup() names them."""
+    """setup.cfg, with options named as setup() names them. What a package names itself stays as it is."""
     parser = configparser.ConfigParser(interpolation=None)
+    parser.optionxform = str  # type: ignore[assignment]
     if os.path.exists(path):
         parser.read(path, encoding='utf-8')
-    return {name: {key.replace('-', '_'): value for key, value in parser[name].items()} for name in parser.sections()}
+    result = {name: dict(parser[name]) for name in parser.sections()}
+    for name in set(result) - set(OWN_NAMES):
+        result[name] = {key.lower().replace('-', '_'): value for key, value in result[name].items()}
+    return result
 
 
 def lines_of(value: Any) -> list[str]:
@@ -41,25 +50,77 @@ def lines_of(value: Any) -> list[str]:
     return [str(one) for one in value or ()]
 
 
-def declared(config: dict[str, dict[str, str]]) -> dict[str, Any]:
-    """What setup.cfg says in place of arguments of setup()."""
+def text_of_files(names: str) -> str:
+    """`file: A, B` of setup.cfg, without `file:`."""
+    texts = []
+    for name in lines_of(names):
+        if not os.path.isfile(name):
+            raise SetupError(missing(name))
+        with open(name, encoding='utf-8') as stream:
+            texts.append(stream.read())
+    return '\n'.join(texts)
+
+
+def attribute(name: str, package_dir: dict[str, str]) -> Any:
+    """`attr: package.module.NAME` of setup.cfg, without `attr:`: read off the module's text, else by importing it."""
+    module, _, wanted = name.rpartition('.')
+    place = folder_of(module, package_dir) if module else package_dir.get('', '.')
+    for path in (f'{place}.py', f'{place}/__init__.py'):
+        if not os.path.isfile(path):
+            continue
+        with open(path, encoding='utf-8') as stream:
+            tree = ast.parse(stream.read(), path)
+        for statement in reversed(tree.body):
+            targets = statement.targets if isinstance(statement, ast.Assign) else (
+                [statement.target] if isinstance(statement, ast.AnnAssign) and statement.value else [])
+            if any(isinstance(target, ast.Name) and target.id == wanted for target in targets):
+                try:
+                    return ast.literal_eval(statement.value)  # type: ignore[attr-defined]
+                except (TypeError, ValueError):
+                    break
+    sys.path.insert(0, os.path.abspath(package_dir.get('', '.')))
+    try:
+        return getattr(importlib.import_module(module or '__init__'), wanted)
+    finally:
+        sys.path.pop(0)
+
+
+def version_of(value: str, package_dir: dict[str, str]) -> str:
+    """What setup.cfg says of the version."""
+    kind, _, rest = value.partition(':')
+    if kind.strip() == 'file':
+        return text_of_files(rest.strip()).strip()
+    if kind.strip() != 'attr':
+        return value
+    found = attribute(rest.strip(), package_dir)
+    found = found() if callable(found) else found
+    return '.'.join(map(str, found)) if isinstance(found, (list, tuple)) else str(found)
+
+
+def declared(config: dict[str, dict[str, str]], given: dict[str, Any]) -> dict[str, Any]:
+    """What setup.cfg says in place of arguments of setup(), which was given some."""
     import setuptools
 
     metadata = config.get('metadata', {})
     result: dict[str, Any] = {key: metadata[key] for key in ('name', 'version') if key in metadata}
     options = config.get('options', {})
-    if options.get('packages', '').strip() in ('find:', 'find_namespace:'):
+    if 'package_dir' in options:
+        pairs = (line.partition('=') for line in lines_of(options['package_dir']))
+        result['package_dir'] = {key.strip(): value.strip() for key, _, value in pairs}
+    if 'version' in result:
+        package_dir: dict[str, str] = given.get('package_dir') or result.get('package_dir') or {}
+        result['version'] = version_of(result['version'], package_dir)
+    wanted = options.get('packages', '').strip()
+    if wanted in ('find:', 'find_namespace:'):
         find = config.get('options.packages.find', {})
-        result['packages'] = setuptools.find_packages(
+        finder = setuptools.find_packages if wanted == 'find:' else setuptools.find_namespace_packages
+        result['packages'] = finder(
             find.get('where', '.'), lines_of(find.get('exclude')), lines_of(find.get('include')) or ('*',))
     elif 'packages' in options:
         result['packages'] = lines_of(options['packages'])
     for key in ('py_modules', 'scripts', 'install_requires'):
         if key in options:
             result[key] = lines_of(options[key])
-    if 'package_dir' in options:
-        pairs = (line.partition('=') for line in lines_of(options['package_dir']))
-        result['package_dir'] = {key.strip(): value.strip() for key, _, value in pairs}
     if 'options.package_data' in config:
         result['package_data'] = {
             '' if key == '*' else key: lines_of(value) for key, value in config['options.package_data'].items()}
@@ -86,13 +147,25 @@ def entry_points_of(value: Any) -> dict[str, list[str]]:
         for group, lines in value.items()}
 
 
+def below_root(path: str) -> str:
+    """A path of the package, relative to it, which is where setup.py runs."""
+    path = posixpath.normpath(path)
+    return posixpath.relpath(path, os.getcwd()) if posixpath.isabs(path) else path
+
+
+def missing(path: str) -> str:
+    if os.path.islink(path):
+        return f"'{path}' is a link that leads out of the workspace"
+    return f"can't copy '{path}': doesn't exist or not a regular file"
+
+
 def folder_of(package: str, package_dir: dict[str, str]) -> str:
     """Where the modules of a package lie: the longest part that package_dir names, then the rest of the name."""
     parts = package.split('.') if package else []
     for count in range(len(parts), -1, -1):
         name = '.'.join(parts[:count])
         if name in package_dir:
-            return posixpath.normpath(posixpath.join(package_dir[name], *parts[count:]))
+            return below_root(posixpath.join(package_dir[name], *parts[count:]))
     return posixpath.join(*parts) if parts else '.'
 
 
@@ -116,8 +189,8 @@ def modules_of(arguments: dict[str, Any]) -> list[tuple[str, str]]:
             wanted += [path for path in in_manifest() if path.startswith(f'{folder}/')]
         for path in wanted:
             if os.path.isfile(path) and path != SETUP:
-                result.append((path, posixpath.join(placed(package), posixpath.relpath(path, folder))))
-    root = package_dir.get('', '.')
+                result.append((below_root(path), posixpath.join(placed(package), posixpath.relpath(path, folder))))
+    root = below_root(package_dir.get('', '.'))
     for module in lines_of(arguments.get('py_modules')):
         path = posixpath.normpath(posixpath.join(root, placed(module) + '.py'))
         if not os.path.isfile(path):
@@ -126,11 +199,24 @@ def modules_of(arguments: dict[str, Any]) -> list[tuple[str, str]]:
     return sorted(set(result))
 
 
+def folders_once(root: str) -> Iterator[tuple[str, list[str]]]:
+    """All folders with their files. Links are followed; a folder that several lead to comes once."""
+    seen: set[str] = set()
+    for parent, folders, names in os.walk(root, followlinks=True):
+        real = os.path.realpath(parent)
+        if real in seen:
+            folders.clear()
+            continue
+        seen.add(real)
+        folders.sort()
+        yield parent, names
+
+
 def in_manifest() -> list[str]:
     """Files that MANIFEST.in names: `include`, `recursive-include`, `graft`."""
     if not os.path.exists('MANIFEST.in'):
         return []
-    files = sorted(posixpath.normpath(f'{parent}/{name}') for parent, _, names in os.walk('.') for name in names)
+    files = sorted(posixpath.normpath(f'{parent}/{name}') for parent, names in folders_once('.') for name in names)
     found: list[str] = []
     with open('MANIFEST.in', encoding='utf-8') as stream:
         rows = [line.split() for line in stream if line.strip() and not line.startswith('#')]
@@ -153,9 +239,9 @@ def data_of(arguments: dict[str, Any]) -> list[tuple[str, str]]:
         if isinstance(files, str):
             raise SetupError(f"data_files: the files of '{folder}' must be a list, not the text '{files}'")
         for file in files:
-            path = posixpath.normpath(str(file))
+            path = below_root(str(file))
             if not os.path.isfile(path):
-                raise SetupError(f"can't copy '{file}': doesn't exist or not a regular file")
+                raise SetupError(missing(str(file)))
             result.append((path, posixpath.join(str(folder), posixpath.basename(path))))
     return result
 
@@ -168,17 +254,17 @@ def script_folder(config: dict[str, dict[str, str]]) -> str:
 
 
 def planned(arguments: dict[str, Any], config: dict[str, dict[str, str]]) -> dict[str, Any]:
-    arguments = {**declared(config), **arguments}
+    arguments = {**declared(config, arguments), **arguments}
     if arguments.get('ext_modules'):
         raise SetupError('modules in C (ext_modules) cannot be built for sites')
     folder = script_folder(config)
     scripts = []
     for script in lines_of(arguments.get('scripts')):
         if not os.path.isfile(script):
-            raise SetupError(f"can't copy '{script}': doesn't exist or not a regular file")
-        scripts.append((posixpath.normpath(script), posixpath.join(folder, posixpath.basename(script))))
+            raise SetupError(missing(script))
+        scripts.append((below_root(script), posixpath.join(folder, posixpath.basename(script))))
     return {
-        'name': str(arguments.get('name') or ''),
+        'name': str(arguments.get('name') or 'UNKNOWN'),
         'version': str(arguments.get('version') or '0.0.0'),
         'modules': modules_of(arguments),
         'data': data_of(arguments),
@@ -212,8 +298,10 @@ def read(root: str) -> str:
     try:
         try:
             runpy.run_path(f'{root}/{SETUP}', run_name='__main__')
-        except SystemExit:
-            pass
+        except SystemExit as end:
+            if end.code not in (None, 0):
+                what = f'exit code {end.code}' if isinstance(end.code, int) else str(end.code)
+                raise SetupError(f'it ends itself: {what}').with_traceback(end.__traceback__) from None
         if not setuptools.CALLS:
             raise SetupError('it does not call setup()')
         arguments, line = setuptools.CALLS[-1]

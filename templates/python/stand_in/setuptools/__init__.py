@@ -34,8 +34,10 @@ def setup(**arguments: Any) -> Distribution:
 def _found(where: str, exclude: Iterable[str], include: Iterable[str], needs_init: bool) -> list[str]:
     excluded, included = tuple(exclude), tuple(include)
     result = []
-    for parent, folders, files in os.walk(where):
+    for parent, folders, files in os.walk(where, followlinks=True):
         name = os.path.relpath(parent, where).replace(os.sep, '.')
+        here = os.path.realpath(parent) + os.sep
+        folders[:] = [one for one in folders if not here.startswith(os.path.realpath(f'{parent}/{one}') + os.sep)]
         if name == '.':
             folders.sort()
             continue

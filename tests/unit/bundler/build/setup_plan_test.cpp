@@ -62,5 +62,20 @@ TEST(SetupPlan, RefusesWhatLeavesItsFolderOrIsNoEntryPoint) {
   EXPECT_EQ(refused(R"("data": [["a", "share/demo/a"]])"), "");
 }
 
+TEST(SetupPlan, RefusesNamesAndVersionsThatAreNoPartOfAFolderName) {
+  const auto refused = [](const std::string& name, const std::string& version) {
+    const auto plan = read_setup_plan(R"({"script_folder": "lib/demo", "name": ")" + name +
+                                          R"(", "version": ")" + version + R"("})",
+                                      kPlace);
+    return plan ? std::string() : plan.errors().front().why.front();
+  };
+  EXPECT_EQ(refused("demo-nodes_2", "1!2.0.0-rc.1+local"), "");
+  EXPECT_EQ(refused("../../evil", "1.0"),
+            "the name `../../evil` has other characters than letters, digits and `._+!-`");
+  for (const char* version : {"1/../../../evil", "attr: demo.__version__", "1 2", "1\\n2"}) {
+    EXPECT_TRUE(refused("demo", version).starts_with("the version `")) << version;
+  }
+}
+
 }  // namespace
 }  // namespace ros2wasm

@@ -1,0 +1,125 @@
+"""What setup.py and setup.cfg say, as templates/python/read_setup.py reads them; here in the Python of the tests."""
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+from typing import Any
+
+TEMPLATES = Path(__file__).resolve().parents[3] / 'templates/python'
+SETUP = 'from setuptools import setup\nsetup()\n'
+
+
+class ReadSetupTest(unittest.TestCase):
+    def setUp(self) -> None:
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.package = Path(folder.name, 'package')
+        self.write('setup.py', SETUP)
+
+    def write(self, path: str, text: str = '') -> None:
+        file = self.package / path
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text)
+
+    def read(self) -> dict[str, Any]:
+        program = 'import sys; from read_setup import read; print(read(sys.argv[1]))'
+        path = os.pathsep.join([str(TEMPLATES / 'stand_in'), str(TEMPLATES)])
+        done = subprocess.run(
+            [sys.executable, '-B', '-c', program, str(self.package)], capture_output=True, text=True, check=True,
+            env={'PYTHONPATH': path})
+        result: dict[str, Any] = json.loads(done.stdout.splitlines()[-1])
+        return result
+
+    def failure(self) -> tuple[str, int, str]:
+        error = self.read()['error']
+        return error['file'], error['line'], error['message']
+
+    def version(self, value: str, package_dir: str = '') -> str:
+        self.write('setup.cfg', f'[metadata]\nname = demo\nversion = {value}\n[options]\n{package_dir}')
+        return str(self.read()['version'])
+
+    def test_a_version_of_a_file_is_what_the_file_says(self) -> None:
+        self.write('VERSION', '1.4.2\n')
+        self.assertEqual(self.version('file: VERSION'), '1.4.2')
+        self.write('setup.cfg', '[metadata]\nversion = file: GONE\n')
+        self.assertEqual(self.failure()[2], "can't copy 'GONE': doesn't exist or not a regular file")
+
+    def test_a_version_of_an_attribute_is_read_off_the_module(self) -> None:
+        self.write('demo/__init__.py', 'import rclpy\n__version__ = "0.1"\n__version__: str = "2.5"\n')
+        self.assertEqual(self.version('attr: demo.__version__'), '2.5')  # rclpy is not there to be imported
+        self.write('src/demo/facts.py', 'VERSION = (3, 1)\n')
+        self.assertEqual(self.version('attr: demo.facts.VERSION', 'package_dir =\n  = src\n'), '3.1')
+
+    def test_a_version_that_is_computed_is_asked_for_by_importing(self) -> None:
+        self.write('demo/__init__.py', '__version__ = ".".join(["4", "2"])\n')
+        self.assertEqual(self.version('attr: demo.__version__'), '4.2')
+        self.write('demo/__init__.py', 'import never_there\n__version__ = ".".join(["4", "2"])\n')
+        self.assertEqual(self.failure(), (
+            'demo/__init__.py', 1, "ModuleNotFoundError: No module named 'never_there'"))
+
+    def test_setup_cfg_keeps_the_names_of_folders_and_packages(self) -> None:
+        self.write('demo_nodes/Data-Set.txt')
+        self.write('Maps/Room-1.yaml')
+        self.write('demo_nodes/__init__.py')
+        self.write('setup.cfg', """[metadata]
+Name = demo
+[options]
+packages = demo_nodes
+[options.package_data]
+demo_nodes = *.txt
+[options.data_files]
+share/Demo-Maps = Maps/Room-1.yaml
+[options.entry_points]
+demo-Group = a = demo.a
+[develop]
+script-dir=$base/lib/demo
+""")
+        plan = self.read()
+        self.assertEqual(plan['data'], [['Maps/Room-1.yaml', 'share/Demo-Maps/Room-1.yaml']])
+        self.assertIn(['demo_nodes/Data-Set.txt', 'demo_nodes/Data-Set.txt'], plan['modules'])
+        self.assertEqual(plan['entry_points'], {'demo-Group': ['a = demo.a']})
+        self.assertEqual((plan['name'], plan['script_folder']), ('demo', 'lib/demo'))
+
+    def test_paths_made_from_the_place_of_setup_py_are_of_the_package(self) -> None:
+        for path in ('launch/all.launch.py', 'tools/run', 'demo/__init__.py', 'demo/table.csv'):
+            self.write(path)
+        self.write('setup.py', """import glob, os
+from setuptools import setup
+here = os.path.dirname(os.path.abspath(__file__))
+setup(name='demo', packages=['demo'], package_dir={'demo': os.path.join(here, 'demo')},
+      package_data={'demo': [os.path.join(here, 'demo', '*.csv')]},
+      data_files=[('share/demo', glob.glob(os.path.join(here, 'launch', '*')))], scripts=[here + '/tools/run'])
+""")
+        plan = self.read()
+        self.assertEqual(plan['data'], [['launch/all.launch.py', 'share/demo/all.launch.py']])
+        self.assertEqual(plan['scripts'], [['tools/run', 'bin/run']])
+        self.assertEqual(plan['modules'], [[path, path] for path in ('demo/__init__.py', 'demo/table.csv')])
+
+    def test_an_end_by_sys_exit_is_told(self) -> None:
+        self.write('setup.py', 'import sys\nsys.exit("needs a newer setuptools")\n')
+        self.assertEqual(self.failure(), ('setup.py', 2, 'it ends itself: needs a newer setuptools'))
+        self.write('setup.py', SETUP + 'import sys\nsys.exit(3)\n')
+        self.assertEqual(self.failure(), ('setup.py', 4, 'it ends itself: exit code 3'))
+        self.write('setup.py', SETUP + 'raise SystemExit(0)\n')
+        self.assertEqual(self.read()['version'], '0.0.0')
+
+    def test_folders_are_followed_by_links_and_end(self) -> None:
+        self.write('real/demo/__init__.py')
+        (self.package / 'demo').symlink_to('real/demo')
+        (self.package / 'real/demo/demo').symlink_to('..')
+        self.write('setup.py', 'from setuptools import find_packages, setup\nsetup(packages=find_packages())\n')
+        self.assertEqual(self.read()['modules'], [['demo/__init__.py', 'demo/__init__.py']])
+
+    def test_a_link_out_of_the_workspace_is_named(self) -> None:
+        (self.package / 'notes').symlink_to('out of the workspace')
+        self.write('setup.py', "from setuptools import setup\nsetup(data_files=[('share', ['notes'])])\n")
+        self.assertEqual(self.failure(), ('setup.py', 2, "'notes' is a link that leads out of the workspace"))
+
+
+if __name__ == '__main__':
+    unittest.main()

@@ -208,6 +208,7 @@ class WorkspaceBuilder {
         .work = work,
         .install = staging->path(),
         .final_prefix = prefix,
+        .workspace = settings_.base,
         .jobs = jobs};
     for (auto need = needs.rbegin(); need != needs.rend(); ++need)
       request.prefixes.push_back((*need)->prefix);

@@ -9,9 +9,7 @@
 
 namespace ros2wasm {
 
-/// Hidden files, Python caches, folders that hold COLCON_IGNORE and sites that ros2wasm made do not
-/// count. Links are followed; a folder that several names lead to is read once. R2W0210: what
-/// cannot be read has no hash.
+/// Of what source_tree() finds. R2W0210: what cannot be read has no hash.
 [[nodiscard]] Outcome<std::string> hash_of_tree(const std::filesystem::path& folder);
 
 /// Collects named parts; the order in which they are added matters.

@@ -14,6 +14,8 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "bundler/io/confinement.hpp"
+
 extern char** environ;  // NOLINT
 
 namespace ros2wasm {
@@ -62,14 +64,14 @@ Diagnostic cannot_start(const std::string& program, const std::string& reason) {
                     .why = {reason}};
 }
 
-std::vector<std::string> environment_with(const std::map<std::string, std::string>& additions) {
+std::vector<std::string> environment_for(const ProcessRequest& request) {
   std::vector<std::string> result;
-  for (char** entry = environ; *entry != nullptr; ++entry) {
+  for (char** entry = environ; !request.is_confined && *entry != nullptr; ++entry) {
     const std::string_view text = *entry;
     const auto name = std::string(text.substr(0, text.find('=')));
-    if (!additions.contains(name)) result.emplace_back(text);
+    if (!request.environment.contains(name)) result.emplace_back(text);
   }
-  for (const auto& [name, value] : additions) result.push_back(name + "=" + value);
+  for (const auto& [name, value] : request.environment) result.push_back(name + "=" + value);
   return result;
 }
 
@@ -133,7 +135,8 @@ void drain(Descriptor& from, std::string& into, const ProcessRequest& request) {
     if (null_fd >= 0) ::dup2(null_fd, STDIN_FILENO);
   }
   const std::string& directory = request.directory.native();
-  if (directory.empty() || ::chdir(directory.c_str()) == 0) {
+  if ((directory.empty() || ::chdir(directory.c_str()) == 0) &&
+      (!request.is_confined || give_up_sockets())) {
     ::execve(program.c_str(), arguments, environment);
   }
   const int reason = errno;
@@ -182,7 +185,7 @@ Outcome<ProcessResult> run_process(const ProcessRequest& request,
     return cannot_start(name, std::strerror(errno));  // NOLINT(concurrency-mt-unsafe)
   }
   auto argument_texts = request.arguments;
-  auto environment_texts = environment_with(request.environment);
+  auto environment_texts = environment_for(request);
   const auto arguments = pointers_to(argument_texts);
   const auto environment = pointers_to(environment_texts);
   const pid_t parent = ::getpid();
@@ -209,26 +212,39 @@ Outcome<ProcessResult> run_process(const ProcessRequest& request,
   }
 
   ProcessResult result;
+  const bool is_limited = request.time_limit.count() > 0;
+  const auto deadline = std::chrono::steady_clock::now() + request.time_limit;
+  const auto out_of_time = [&] {
+    if (!is_limited || std::chrono::steady_clock::now() < deadline) return false;
+    stop_group(child, own_group);
+    result.is_out_of_time = true;
+    result.exit_code = 128 + SIGTERM;
+    return true;
+  };
   while (output.read_end.get() >= 0 || error.read_end.get() >= 0) {
     std::array<pollfd, 3> waits = {{{output.read_end.get(), POLLIN, 0},
                                     {error.read_end.get(), POLLIN, 0},
                                     {own_group ? cancellation.wake_fd() : -1, POLLIN, 0}}};
-    // Without a descriptor to wake on, look at the flag now and then.
-    const int patience_ms = cancellation.wake_fd() >= 0 ? -1 : 100;
+    // Without a descriptor to wake on, look at the flag and the clock now and then.
+    const int patience_ms = cancellation.wake_fd() >= 0 && !is_limited ? -1 : 100;
     if (::poll(waits.data(), waits.size(), patience_ms) < 0 && errno != EINTR) break;
     if (own_group && cancellation.requested()) {
       stop_group(child, own_group);
       return interrupted();
     }
+    if (out_of_time()) return result;
     if (waits[0].revents != 0) drain(output.read_end, result.output, request);
     if (waits[1].revents != 0) drain(error.read_end, result.error, request);
   }
   int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  for (pid_t ended = 0; (ended = ::waitpid(child, &status, is_limited ? WNOHANG : 0)) != child;) {
+    if (ended < 0 && errno != EINTR) break;
     if (own_group && cancellation.requested()) {
       stop_group(child, own_group);
       return interrupted();
     }
+    if (out_of_time()) return result;
+    if (is_limited) ::poll(nullptr, 0, 5);
   }
   result.exit_code = exit_code_of(status);
   return result;

@@ -2,6 +2,7 @@
 // group, so that stopping it stops what it started too (ninja and its compilers).
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -31,12 +32,16 @@ struct ProcessRequest {
   /// The child keeps the terminal's process group and gets Ctrl-C itself; for programs a person
   /// talks to.
   bool share_terminal = false;
+  /// For code of strangers: `environment` is all that it has, and it can open no socket.
+  bool is_confined = false;
+  std::chrono::milliseconds time_limit{0};  ///< the child's group is ended then; 0: none
 };
 
 struct ProcessResult {
   int exit_code = 0;  ///< 128 + signal number when a signal ended it
   std::string output;
   std::string error;
+  bool is_out_of_time = false;  ///< it was ended at the time limit
 };
 
 /// Runs to the end. R2W0910 when the program cannot be started, interrupted() when it was asked to

@@ -9,11 +9,16 @@
 namespace ros2wasm {
 namespace {
 
+std::string text_of(const NodeJsVersion& version) {
+  return std::to_string(version.major) + "." + std::to_string(version.minor);
+}
+
 Diagnostic no_node_js(std::string why) {
   return Diagnostic{.code = "R2W0620",
                     .kind = FailureKind::kEnvironment,
-                    .message = "Node.js " + std::to_string(kOldestNodeJs) +
-                               " or newer is needed to run a site without a browser",
+                    .message = "Node.js " + text_of(kOldestNodeJs) +
+                               " or newer is needed: it runs sites without a browser, and reads "
+                               "what a workspace has in Python",
                     .why = {std::move(why)},
                     .fix = {"npm install --prefix ~/.local/node-for-ros2wasm node && "
                             "export PATH=~/.local/node-for-ros2wasm/node_modules/.bin:$PATH"}};
@@ -21,15 +26,15 @@ Diagnostic no_node_js(std::string why) {
 
 }  // namespace
 
-std::optional<int> node_js_major(std::string_view version_text) {
+std::optional<NodeJsVersion> node_js_version(std::string_view version_text) {
   if (!version_text.starts_with('v')) return std::nullopt;
-  version_text.remove_prefix(1);
-  int major = 0;
-  const auto [end, error] =
-      std::from_chars(version_text.data(), version_text.data() + version_text.size(), major);
-  if (error != std::errc() || end == version_text.data() + version_text.size() || *end != '.')
-    return std::nullopt;
-  return major;
+  const char* const last = version_text.data() + version_text.size();
+  NodeJsVersion version;
+  const auto major = std::from_chars(version_text.data() + 1, last, version.major);
+  if (major.ec != std::errc() || major.ptr == last || *major.ptr != '.') return std::nullopt;
+  const auto minor = std::from_chars(major.ptr + 1, last, version.minor);
+  if (minor.ec != std::errc() || minor.ptr == last || *minor.ptr != '.') return std::nullopt;
+  return version;
 }
 
 Outcome<std::filesystem::path> find_node_js(const std::filesystem::path& executable,
@@ -45,10 +50,10 @@ Outcome<std::filesystem::path> find_node_js(const std::filesystem::path& executa
                                   .on_output = {}},
                                  cancellation);
   if (!asked) return asked.errors();
-  const auto major = asked->exit_code == 0 ? node_js_major(asked->output) : std::nullopt;
-  if (!major) return no_node_js("`" + found->string() + " --version` gives no version");
-  if (*major < kOldestNodeJs) {
-    return no_node_js("`" + found->string() + "` is version " + std::to_string(*major));
+  const auto version = asked->exit_code == 0 ? node_js_version(asked->output) : std::nullopt;
+  if (!version) return no_node_js("`" + found->string() + " --version` gives no version");
+  if (*version < kOldestNodeJs) {
+    return no_node_js("`" + found->string() + "` is version " + text_of(*version));
   }
   return *found;
 }

@@ -1,6 +1,7 @@
-// Finds the Node.js that runs sites without a browser.
+// Finds the Node.js that runs sites without a browser, and Pyodide for setup.py.
 #pragma once
 
+#include <compare>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -11,12 +12,19 @@
 
 namespace ros2wasm {
 
-/// The oldest major version with all that the runtime needs (WebAssembly exceptions, module
-/// workers, growable shared memory).
-constexpr int kOldestNodeJs = 22;
+/// Major and minor.
+struct NodeJsVersion {
+  int major = 0;
+  int minor = 0;
+  auto operator<=>(const NodeJsVersion&) const = default;
+};
 
-/// "v26.10.0\n" -> 26; nothing when it is no version.
-[[nodiscard]] std::optional<int> node_js_major(std::string_view version_text);
+/// The oldest with all that is needed: WebAssembly exceptions, module workers, growable shared
+/// memory, `--permission`.
+constexpr NodeJsVersion kOldestNodeJs{.major = 22, .minor = 13};
+
+/// "v26.10.0\n" -> 26, 10; nothing when it is no version.
+[[nodiscard]] std::optional<NodeJsVersion> node_js_version(std::string_view version_text);
 
 /// The Node.js that npm pinned for this installation, else `node` of PATH when it is new enough.
 /// R2W0620 there is none, or only an older one.

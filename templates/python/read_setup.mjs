@@ -1,37 +1,29 @@
 // Runs the setup.py of a package in Pyodide and prints as JSON what it would install. The package's own code runs here:
-// it sees a copy of the package's folder and nothing else of this machine, and always the same clock.
+// it sees the folder PACKAGE, a copy without links that lead out, and nothing else of this machine, and always the same clock.
 // usage: node read_setup.mjs PYODIDE PACKAGE
 
-import { constants, readFileSync, readdirSync, statSync } from 'node:fs';
+import { readFileSync, readdirSync, readlinkSync } from 'node:fs';
 import { join } from 'node:path';
-import { fileURLToPath, pathToFileURL } from 'node:url';
+import { fileURLToPath } from 'node:url';
 
-const biggestCopied = 4_000_000; // bytes; what is bigger is data, of which the name is enough
-const someDay = Date.UTC(2000, 0, 1);
+import { startPython } from './pyodide.mjs';
+
 const root = '/package';
 const tools = '/tools';
 
-/** Copies a folder into Pyodide's files, as the hash of a package sees it: nothing hidden, nothing compiled. */
+/** Copies a folder into Pyodide's files. */
 function copy(fs, from, to) {
   fs.mkdirTree(to);
-  for (const name of readdirSync(from).sort()) {
-    if (name.startsWith('.') || name === '__pycache__' || name.endsWith('.pyc')) continue;
-    const facts = statSync(join(from, name), { throwIfNoEntry: false });
-    if (facts?.isDirectory()) copy(fs, join(from, name), `${to}/${name}`);
-    else if (facts?.isFile()) {
-      fs.writeFile(`${to}/${name}`, facts.size > biggestCopied ? '' : readFileSync(join(from, name)));
-    }
+  for (const entry of readdirSync(from, { withFileTypes: true })) {
+    const [source, target] = [join(from, entry.name), `${to}/${entry.name}`];
+    if (entry.isSymbolicLink()) fs.symlink(readlinkSync(source), target);
+    else if (entry.isDirectory()) copy(fs, source, target);
+    else fs.writeFile(target, readFileSync(source));
   }
 }
 
-process.binding = () => constants; // the one use that Emscripten makes of it, which Node.js does not permit here
 const [pyodide, source] = process.argv.slice(2);
-const { default: { loadPyodide } } = await import(pathToFileURL(join(pyodide, 'pyodide.js')).href);
-const say = (line) => process.stderr.write(`${line}\n`);
-const python = await loadPyodide({
-  indexURL: `${pyodide}/`, jsglobals: {}, env: { HOME: '/home', PYTHONHASHSEED: '0' }, stdout: say, stderr: say,
-});
-Date.now = () => someDay;
+const python = await startPython(pyodide);
 copy(python.FS, source, root);
 copy(python.FS, fileURLToPath(new URL('stand_in', import.meta.url)), tools);
 python.FS.writeFile('/read_setup.py', readFileSync(new URL('read_setup.py', import.meta.url)));

@@ -9,6 +9,7 @@
 #include <atomic>
 
 #include "bundler/build/source_hash.hpp"
+#include "bundler/build/source_tree.hpp"
 #include "bundler/io/installation.hpp"
 #include "tests/unit/bundler/support/temporary_tree.hpp"
 
@@ -87,6 +88,57 @@ TEST(Process, AStopEndsTheChildAndItsChildren) {
   EXPECT_TRUE(gone);
 }
 
+TEST(Process, AConfinedOneHasNoEnvironmentButItsOwn) {
+  const auto result = run_process({.arguments = {"env"},
+                                   .environment = {{"WORD", "given"}},
+                                   .output_mode = OutputMode::kCapture,
+                                   .is_confined = true},
+                                  {});
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->output, "WORD=given\n");
+}
+
+TEST(Process, AConfinedOneOpensNoSocket) {
+  const std::string program = R"(
+import socket
+for family in (socket.AF_INET, socket.AF_INET6, socket.AF_UNIX):
+    try:
+        socket.socket(family)
+        print("open")
+    except PermissionError:
+        print("refused")
+)";
+  const auto said = [&](bool is_confined) {
+    const auto result = run_process({.arguments = {"python3", "-c", program},
+                                     .output_mode = OutputMode::kCapture,
+                                     .is_confined = is_confined},
+                                    {});
+    return result ? result->output : result.errors().front().message;
+  };
+  EXPECT_EQ(said(true), "refused\nrefused\nrefused\n");
+  EXPECT_EQ(said(false).substr(0, 5), "open\n");
+}
+
+TEST(Process, EndsAtItsTimeLimit) {
+  // The second has closed what is read from it.
+  for (const char* text : {"echo begun; sleep 1000", "echo begun; exec >&- 2>&-; sleep 1000"}) {
+    const auto result = run_process({.arguments = {"sh", "-c", text},
+                                     .output_mode = OutputMode::kCapture,
+                                     .time_limit = std::chrono::milliseconds(500)},
+                                    {});
+    ASSERT_TRUE(result);
+    EXPECT_TRUE(result->is_out_of_time);
+    EXPECT_EQ(result->output, "begun\n");
+  }
+  const auto quick = run_process({.arguments = {"sh", "-c", "echo done; exit 4"},
+                                  .output_mode = OutputMode::kCapture,
+                                  .time_limit = std::chrono::minutes(5)},
+                                 {});
+  ASSERT_TRUE(quick);
+  EXPECT_FALSE(quick->is_out_of_time);
+  EXPECT_EQ(quick->exit_code, 4);
+}
+
 TEST(FindProgram, LooksThroughThePath) {
   const testing::TemporaryTree tree;
   const auto file = tree.write("two/tool", "#!/bin/sh\n");
@@ -145,6 +197,26 @@ TEST(SourceHash, WhatCannotBeReadHasNoHash) {
   tree.write("a/x.cpp", "one");
   std::filesystem::create_symlink("/proc/self/mem", tree / "a/mem.bin");
   EXPECT_EQ(hash_of_tree(tree / "a").errors().front().code, "R2W0210");
+}
+
+TEST(SourceTree, HasFoldersBeforeTheirFilesAndEachOnce) {
+  const testing::TemporaryTree tree;
+  tree.write("a/x.py", "");
+  tree.write("a/sub/y.py", "");
+  tree.write("a/.git/HEAD", "");
+  tree.write("a/__pycache__/x.pyc", "");
+  tree.write("a/install/COLCON_IGNORE", "");
+  tree.write("a/site/site.json", R"({"generator":"ros2wasm 0.1.0"})");
+  std::filesystem::create_directory_symlink("sub", tree / "a/again");
+  std::filesystem::create_directory_symlink("..", tree / "a/sub/up");
+  std::filesystem::create_symlink("nowhere", tree / "a/lost");
+  const auto entries = source_tree(tree / "a");
+  ASSERT_TRUE(entries);
+  std::string text;
+  for (const SourceEntry& one : *entries)
+    text += one.path + (one.is_folder ? "/" : "") + (one.same_as.empty() ? "" : "=" + one.same_as) +
+            " ";
+  EXPECT_EQ(text, "./ again/ again/up/=. again/y.py sub/=again x.py ");
 }
 
 TEST(SourceHash, LinksThatLeadRoundEndAndCount) {

@@ -1,0 +1,77 @@
+// See source_tree.hpp.
+#include "bundler/build/source_tree.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "bundler/io/files.hpp"
+#include "bundler/render/own_site.hpp"
+
+namespace ros2wasm {
+namespace fs = std::filesystem;
+namespace {
+
+bool counts(const fs::directory_entry& entry) {
+  const std::string name = entry.path().filename().string();
+  if (name.starts_with('.') || name == "__pycache__" || name.ends_with(".pyc")) return false;
+  std::error_code error;
+  if (!entry.is_directory(error)) return true;
+  return !fs::exists(entry.path() / "COLCON_IGNORE", error) && !is_site_of_ours(entry.path());
+}
+
+Outcome<std::vector<fs::path>> sorted_entries(const fs::path& folder) {
+  std::vector<fs::path> entries;
+  std::error_code error;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    if (counts(*it)) entries.push_back(it->path());
+  }
+  if (error) return cannot_read(folder, error.value());
+  std::sort(entries.begin(), entries.end());
+  return entries;
+}
+
+class TreeWalk {
+ public:
+  explicit TreeWalk(fs::path root) : root_(std::move(root)) {}
+
+  Outcome<Done> add_folder(const fs::path& folder) {
+    std::error_code error;
+    const std::string path = path_of(folder);
+    // Links may lead round in circles: each folder is read once, and later only named.
+    const auto [first, fresh] = read_.emplace(fs::canonical(folder, error), path);
+    if (error) return cannot_read(folder, error.value());
+    found_.push_back({.path = path, .is_folder = true, .same_as = fresh ? "" : first->second});
+    if (!fresh) return Done{};
+    const auto entries = sorted_entries(folder);
+    if (!entries) return entries.errors();
+    for (const fs::path& entry : *entries) {
+      if (fs::is_directory(entry, error)) {
+        if (auto added = add_folder(entry); !added) return added;
+      } else if (fs::is_regular_file(entry, error)) {
+        found_.push_back({.path = path_of(entry), .is_folder = false, .same_as = {}});
+      }
+    }
+    return Done{};
+  }
+
+  [[nodiscard]] std::vector<SourceEntry> found() && { return std::move(found_); }
+
+ private:
+  [[nodiscard]] std::string path_of(const fs::path& path) const {
+    return path.lexically_relative(root_).generic_string();
+  }
+
+  fs::path root_;
+  std::map<fs::path, std::string> read_;  ///< real path -> the path it was read under
+  std::vector<SourceEntry> found_;
+};
+
+}  // namespace
+
+Outcome<std::vector<SourceEntry>> source_tree(const fs::path& folder) {
+  TreeWalk walk(folder);
+  if (auto added = walk.add_folder(folder); !added) return std::move(added).errors();
+  return std::move(walk).found();
+}
+
+}  // namespace ros2wasm

@@ -1,0 +1,23 @@
+// The files of a package as builds see them. An edge: reads folders.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "workspace_schema/outcome.hpp"
+
+namespace ros2wasm {
+
+struct SourceEntry {
+  std::string path;  ///< relative to the folder, which is "." itself
+  bool is_folder = false;
+  std::string same_as;  ///< of a folder whose files came before: the path that they came under
+};
+
+/// All folders and files below `folder`, each folder before what is in it. Hidden files, Python
+/// caches, folders that hold COLCON_IGNORE and sites that ros2wasm made do not count. Links are
+/// followed; a folder that several names lead to is read once. R2W0210.
+[[nodiscard]] Outcome<std::vector<SourceEntry>> source_tree(const std::filesystem::path& folder);
+
+}  // namespace ros2wasm

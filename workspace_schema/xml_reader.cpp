@@ -4,6 +4,7 @@
 #include <tinyxml2.h>
 
 #include <algorithm>
+#include <cctype>
 #include <optional>
 #include <set>
 #include <string>
@@ -155,6 +156,14 @@ void XmlNode::set_attribute(const std::string& name, std::string value) {
   attributes.emplace_back(name, std::move(value));
 }
 
+bool is_xml_name(std::string_view text) {
+  const auto fits = [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '_' || c == ':' || c == '-' || c == '.' || c >= 0x80;
+  };
+  return !text.empty() && std::all_of(text.begin(), text.end(), fits) &&
+         std::string_view("0123456789-.").find(text.front()) == std::string_view::npos;
+}
+
 namespace {
 
 /// Whoever asks goes over the document before it is gone.
@@ -202,8 +211,8 @@ class NodeBuilder {
       if (prefix_of(a->Name()) == "xmlns") prefixes_.insert(std::string(a->Name()).substr(6));
       node.attributes.emplace_back(a->Name(), std::move(value));
     }
-    check_prefix(at, node, node.text);
-    for (const auto& [name, value] : node.attributes) check_prefix(at, node, name);
+    check_name(at, node, node.text);
+    for (const auto& [name, value] : node.attributes) check_name(at, node, name);
     children(from, node);
     prefixes_ = outer;
     return node;
@@ -249,7 +258,8 @@ class NodeBuilder {
             .text = breaks == 0 ? " " : std::string(static_cast<std::size_t>(breaks), '\n')};
   }
 
-  void check_prefix(std::size_t at, const XmlNode& node, const std::string& name) {
+  void check_name(std::size_t at, const XmlNode& node, const std::string& name) {
+    if (!is_xml_name(name)) fail(at, node, "`" + name + "` is no name");
     const std::string_view prefix = prefix_of(name);
     if (!prefix.empty() && !prefixes_.contains(prefix))
       fail(at, node,
@@ -287,6 +297,12 @@ Outcome<XmlNode> parse_xml_nodes(std::string_view text, const std::string& file)
         source.line_start(static_cast<std::size_t>(std::max(1, second->GetLineNum())));
     return not_xml(source, begin, 1, "a file has one element at its top");
   }
+  const std::size_t control =
+      text.find_first_of(std::string_view("\x01\x02\x03\x04\x05\x06\x07\x08\x0B\x0C\x0E\x0F"
+                                          "\x10\x11\x12\x13\x14\x15\x16\x17\x18\x19\x1A\x1B"
+                                          "\x1C\x1D\x1E\x1F"));
+  if (control != std::string_view::npos)
+    return not_xml(source, control, 1, "XML has no such control character");
   NodeBuilder builder(source);
   XmlNode root = builder.build(*document.RootElement());
   if (!builder.problems().empty()) return std::move(builder.problems());

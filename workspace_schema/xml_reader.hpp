@@ -45,6 +45,9 @@ struct XmlNode {
   void set_attribute(const std::string& name, std::string value);
 };
 
+/// Whether an element or attribute can have this name.
+[[nodiscard]] bool is_xml_name(std::string_view text);
+
 /// The root element with all that stands in it. White space alone is a text of line breaks only,
 /// as many as stand there behind a comment, else one. R2W0120 when the text is not well-formed
 /// XML, too large, or uses a prefix that is not declared.

@@ -129,6 +129,10 @@ Result expanded(const Call& call, XacroRequest request) {
   auto text = expand_xacro(request, call.world);
   if (text) return text;
   Diagnostics errors = std::move(text).errors();
+  if (!errors.front().span) {
+    errors.front().span = call.span;
+    return errors;
+  }
   errors.front().why.push_back("asked for by `$(command ...)` at " + call.span.file + ":" +
                                std::to_string(call.span.line));
   return errors;

@@ -37,12 +37,13 @@ class Level {
   int& left_;
 };
 
-/// What copying it costs, beside the one step of every expression.
+/// What copying it, or looking something up in it, costs in steps.
 std::size_t weight(const PythonValue& value) {
-  if (const auto* text = std::get_if<std::string>(&value.held)) return text->size() / 64;
-  const PythonList* items = python_items(value);
+  if (const auto* text = std::get_if<std::string>(&value.held)) return text->size() / 8;
+  if (const auto* dict = std::get_if<std::shared_ptr<const PythonDict>>(&value.held))
+    return (*dict)->entries.size() / 16;
   std::size_t result = 0;
-  if (items != nullptr)
+  if (const PythonList* items = python_items(value))
     for (const PythonValue& one : *items) result += 1 + weight(one);
   return result;
 }
@@ -111,7 +112,6 @@ PythonArguments arguments_of(const Expression& call, const PythonScope& scope) {
       result.named.emplace_back(call.names[i - first_named], std::move(value));
     }
   }
-  for (const PythonValue& one : result.values) spend(scope, weight(one));
   return result;
 }
 
@@ -155,19 +155,14 @@ void loop(const Expression& loop_for, const PythonScope& scope, PythonList& into
   }
 }
 
-PythonValue value_of(const Expression& expression, const PythonScope& scope) {
+PythonValue computed(const Expression& expression, const PythonScope& scope) {
   const std::vector<Expression>& parts = expression.parts;
   const auto part = [&](std::size_t i) { return value_of(parts[i], scope); };
-  const Level level(scope);
-  spend(scope, 1);
   switch (expression.form) {
     case Form::kValue:
       return expression.value;
-    case Form::kName: {
-      PythonValue result = named(expression.text, scope);
-      spend(scope, weight(result));
-      return result;
-    }
+    case Form::kName:
+      return named(expression.text, scope);
     case Form::kList:
       return {values_of(parts, scope)};
     case Form::kTuple:
@@ -215,6 +210,14 @@ PythonValue value_of(const Expression& expression, const PythonScope& scope) {
       break;
   }
   return {PythonNone{}};
+}
+
+PythonValue value_of(const Expression& expression, const PythonScope& scope) {
+  const Level level(scope);
+  spend(scope, 1);
+  PythonValue result = computed(expression, scope);
+  spend(scope, weight(result));
+  return result;
 }
 
 std::optional<PythonValue> launch_name(const std::string& name) {

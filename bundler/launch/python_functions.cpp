@@ -15,6 +15,8 @@ namespace ros2wasm {
 namespace {
 
 constexpr std::int64_t kLongestRange = 100'000;
+/// Of dictionaries that expressions make: each new key is held against all others.
+constexpr std::size_t kMostEntries = 1000;
 
 [[noreturn]] void fault(std::string message) {
   throw PythonFault{std::move(message)};
@@ -117,6 +119,7 @@ PythonValue dictionary(const Arguments& a) {
       old = value;
       return;
     }
+    if (result.entries.size() == kMostEntries) fault("MemoryError: the dictionary is too large");
     result.entries.emplace_back(key, value);
   };
   if (!a.values.empty()) {

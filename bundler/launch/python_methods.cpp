@@ -114,16 +114,18 @@ PythonList lines(const std::string& text) {
   return result;
 }
 
-std::string replaced(std::string text, const Arguments& a) {
+std::string replaced(const std::string& text, const Arguments& a) {
   const std::string& what = text_at(a.values, 0);
   const std::string& with = text_at(a.values, 1);
   if (what.empty()) fault("ValueError: empty text to replace");
-  for (std::size_t at = text.find(what); at != std::string::npos;
-       at = text.find(what, at + with.size())) {
-    text.replace(at, what.size(), with);
-    if (text.size() > kLongest) fault("MemoryError: the result is too long");
+  std::string result;
+  std::size_t begin = 0;
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, begin)) {
+    result += text.substr(begin, at - begin) + with;
+    begin = at + what.size();
+    if (result.size() > kLongest) fault("MemoryError: the result is too long");
   }
-  return text;
+  return result + text.substr(begin);
 }
 
 std::string joined(const std::string& by, const Arguments& a) {

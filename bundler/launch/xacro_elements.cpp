@@ -1,6 +1,5 @@
 // See xacro_expansion.hpp: what the elements of xacro do, but macros.
 #include <algorithm>
-#include <cctype>
 #include <iterator>
 #include <string_view>
 #include <tuple>
@@ -22,14 +21,6 @@ void take_prefixes(const XmlNode& from, XmlNode& into) {
   for (const auto& [name, value] : from.attributes)
     if (name.starts_with("xmlns:") && name != "xmlns:xacro" && into.attribute(name) == nullptr)
       into.set_attribute(name, value);
-}
-
-bool is_xml_name(std::string_view text) {
-  const auto fits = [](unsigned char c) {
-    return std::isalnum(c) != 0 || c == '_' || c == ':' || c == '-' || c == '.' || c >= 0x80;
-  };
-  return !text.empty() && std::all_of(text.begin(), text.end(), fits) &&
-         std::string_view("0123456789-.").find(text.front()) == std::string_view::npos;
 }
 
 }  // namespace

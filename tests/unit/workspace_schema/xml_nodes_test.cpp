@@ -40,7 +40,7 @@ TEST(XmlNodes, HaveTheirPlaces) {
 TEST(XmlNodes, WhatIsNoXmlIsRefused) {
   for (const char* xml : {"", "a", "<a>", "<a/><b/>", "<a b='1' b='2'/>", "<a b=1/>", "<a></b>",
                           "<x:a/>", "<a x:b='1'/>", "<a><b xmlns:x='u'/><x:c/></a>", "<a>\xff</a>",
-                          "<a><!b></a>", "<a><?b?></a>"})
+                          "<a><!b></a>", "<a><?b?></a>", "<a,b/>", "<a b,='1'/>", "<a>\x01</a>"})
     EXPECT_EQ(again(xml).substr(0, 8), "R2W0120:") << xml;
   EXPECT_EQ(again("<x:a xmlns:x='u'><x:b/></x:a>"), "<x:a xmlns:x=\"u\">\n  <x:b/>\n</x:a>\n");
   std::string deep;

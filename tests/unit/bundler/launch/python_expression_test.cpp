@@ -311,6 +311,10 @@ TEST(PythonExpression, HostileOnesEnd) {
   EXPECT_FALSE(evaluate_python("9 ** 9999999", {}).ok());
   EXPECT_FALSE(evaluate_python("[a for a in range(99999) for b in range(99999)]", {}).ok());
   EXPECT_FALSE(evaluate_python("range(10 ** 12)", {}).ok());
+  EXPECT_FALSE(evaluate_python("[range(99999) and 0 for a in range(99999)]", {}).ok());
+  EXPECT_FALSE(evaluate_python("dict(zip(range(99999), range(99999)))", {}).ok());
+  EXPECT_FALSE(evaluate_python("[len('a' * 999999) for a in range(9999)]", {}).ok());
+  EXPECT_EQ(*evaluate_python("len(('a' * 200000).replace('a', 'bb'))", {}), "400000");
   EXPECT_FALSE(evaluate_python("'%99999d' % 1", {}).ok());
   EXPECT_FALSE(evaluate_python("x" + std::string(2000, '[') + "0", {}).ok());
   std::string sum = "1";

@@ -1,7 +1,6 @@
 """Service clients."""
 from __future__ import annotations
 
-import time
 from collections.abc import Callable
 from types import TracebackType
 from typing import Any
@@ -10,13 +9,12 @@ from rclpy.callback_groups import CallbackGroup
 from rclpy.clock import Clock
 from rclpy.context import Context
 from rclpy.exceptions import InvalidHandle
+from rclpy.impl.waiting import wait_for_answer, wait_until
 from rclpy.qos import QoSProfile
 from rclpy.service_introspection import ServiceEvents, ServiceIntrospectionState
 from rclpy.task import Future
-from ros2wasm import background, host
+from ros2wasm import host
 from ros2wasm.entities import changes
-
-NS = 1_000_000_000
 
 
 class Client:
@@ -24,7 +22,7 @@ class Client:
 
     def __init__(
         self, context: Context, endpoint: host.Endpoint, srv_type: Any, srv_name: str, qos_profile: QoSProfile,
-        callback_group: CallbackGroup, logger_name: str = ''
+        callback_group: CallbackGroup, logger_name: str, find_executor: Callable[[], Any]
     ) -> None:
         self.context = context
         self._endpoint = endpoint
@@ -38,8 +36,8 @@ class Client:
         self.callback_group = callback_group
         self._executor_event = False
         #: The executor of the client's node, for calls that wait within a callback.
-        self._find_executor: Callable[[], Any] = lambda: None
-        #: Set by the node.
+        self._find_executor = find_executor
+        #: Set by the node, of what a user made.
         self._events: ServiceEvents | None = None
 
     @property
@@ -67,20 +65,10 @@ class Client:
         if not isinstance(request, self.srv_type.Request):
             raise TypeError()
         future = self.call_async(request)
-        end = None if timeout_sec is None or timeout_sec < 0 else time.monotonic_ns() + int(timeout_sec * NS)
-        while not future.done() and self.context.ok():
-            token = host.wake_token()
-            if self._receive():
-                continue
-            left = -1 if end is None else end - time.monotonic_ns()
-            if end is not None and left <= 0:
-                self.remove_pending_request(future)
-                raise TimeoutError()
-            executor = self._find_executor()
-            if executor is not None and executor._run_meanwhile(token):
-                continue
-            background.run()
-            host.wait(token, left)
+        answered = wait_for_answer(future, self._receive, self.context, self._find_executor, timeout_sec)
+        if not answered and self.context.ok():
+            self.remove_pending_request(future)
+            raise TimeoutError()
         return future.result()
 
     def call_async(self, request: Any) -> Future:
@@ -113,17 +101,7 @@ class Client:
 
     def wait_for_service(self, timeout_sec: float | None = None) -> bool:
         """Wait for a server. False: the time was over before."""
-        end = None if timeout_sec is None or timeout_sec < 0 else time.monotonic_ns() + int(timeout_sec * NS)
-        while self.context.ok():
-            token = host.wake_token()
-            if self.service_is_ready():
-                return True
-            left = -1 if end is None else end - time.monotonic_ns()
-            if end is not None and left <= 0:
-                return False
-            background.run()
-            host.wait(token, left)
-        return False
+        return wait_until(self.service_is_ready, self.context, timeout_sec)
 
     def _take_call(self) -> Callable[[], Any] | None:
         return (lambda: None) if self._receive() else None

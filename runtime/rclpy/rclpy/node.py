@@ -236,27 +236,35 @@ class Node(NodeParameters, NodeGraph):
         callback_group: CallbackGroup | None = None
     ) -> Client:
         check_is_valid_srv_type(srv_type)
-        group = callback_group or self.default_callback_group
         full = self._resolve(srv_name, True)
-        endpoint = self._endpoint(EndpointKind.CLIENT, srv_type, full, qos_profile)
-        client = Client(self._context, endpoint, srv_type, full, qos_profile, group, self._logger.name)
-        client._find_executor = lambda: self._executor
+        client = self._client(srv_type, full, qos_profile, callback_group or self.default_callback_group)
         client._events = ServiceEvents(self, srv_type, full)
-        self._add(self._clients, client, group)
+        self._add(self._clients, client, client.callback_group)
         return client
+
+    def _client(self, srv_type: Any, full_name: str, qos: QoSProfile, group: CallbackGroup) -> Client:
+        """One that the node does not list."""
+        endpoint = self._endpoint(EndpointKind.CLIENT, srv_type, full_name, qos)
+        return Client(
+            self._context, endpoint, srv_type, full_name, qos, group, self._logger.name, lambda: self._executor)
 
     def create_service(
         self, srv_type: Any, srv_name: str, callback: Callable[[Any, Any], Any], *,
         qos_profile: QoSProfile = qos_profile_services_default, callback_group: CallbackGroup | None = None
     ) -> Service:
         check_is_valid_srv_type(srv_type)
-        group = callback_group or self.default_callback_group
         full = self._resolve(srv_name, True)
-        endpoint = self._endpoint(EndpointKind.SERVER, srv_type, full, qos_profile)
-        service = Service(endpoint, srv_type, full, callback, group, qos_profile, self._logger.name)
+        service = self._service(srv_type, full, callback, qos_profile, callback_group or self.default_callback_group)
         service._events = ServiceEvents(self, srv_type, full)
-        self._add(self._services, service, group)
+        self._add(self._services, service, service.callback_group)
         return service
+
+    def _service(
+        self, srv_type: Any, full_name: str, callback: Callable[[Any, Any], Any], qos: QoSProfile, group: CallbackGroup
+    ) -> Service:
+        """One that the node does not list."""
+        endpoint = self._endpoint(EndpointKind.SERVER, srv_type, full_name, qos)
+        return Service(endpoint, srv_type, full_name, callback, group, qos, self._logger.name)
 
     def create_timer(
         self, timer_period_sec: float, callback: Callable[[], Any] | None,

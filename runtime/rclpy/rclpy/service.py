@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable
+from functools import partial
 from types import TracebackType
 from typing import Any
 
@@ -20,7 +21,7 @@ class Service:
 
     def __init__(
         self, endpoint: host.Endpoint, srv_type: Any, srv_name: str, callback: Callable[[Any, Any], Any],
-        callback_group: CallbackGroup, qos_profile: QoSProfile, logger_name: str = ''
+        callback_group: CallbackGroup, qos_profile: QoSProfile, logger_name: str
     ) -> None:
         self._endpoint = endpoint
         self._destroyed = False
@@ -31,7 +32,7 @@ class Service:
         self.callback_group = callback_group
         self._executor_event = False
         self.qos_profile = qos_profile
-        #: Set by the node.
+        #: Set by the node, of what a user made.
         self._events: ServiceEvents | None = None
 
     @property
@@ -57,13 +58,16 @@ class Service:
             self._events.tell('RESPONSE_SENT', header.related_gid, header.related_sequence, response)
 
     def _take_call(self) -> Callable[[], Any] | None:
-        taken = self._endpoint.take(self.srv_type.Request._codec)
-        if taken is None:
-            return None
-        request, header = taken
-        if self._events is not None:
+        taken = self._take_request()
+        return None if taken is None else partial(self._answer, *taken)
+
+    def _take_request(self) -> tuple[Any, host.SampleInfo] | None:
+        """The next request, with the header that its answer needs; None: there is none."""
+        taken: tuple[Any, host.SampleInfo] | None = self._endpoint.take(self.srv_type.Request._codec)
+        if taken is not None and self._events is not None:
+            request, header = taken
             self._events.tell('REQUEST_RECEIVED', header.related_gid, header.related_sequence, request)
-        return lambda: self._answer(request, header)
+        return taken
 
     def _answer(self, request: Any, header: Any) -> Any:
         response = self.callback(request, self.srv_type.Response())

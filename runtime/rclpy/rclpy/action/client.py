@@ -1,26 +1,21 @@
 """Clients of actions."""
 from __future__ import annotations
 
-import time
 import uuid
 from collections.abc import Callable
 from functools import partial
-from types import TracebackType
 from typing import Any
 
 from action_msgs.msg import GoalStatus
+from rclpy.action.entity import OVER, ActionEntity
 from rclpy.callback_groups import CallbackGroup
 from rclpy.client import Client
+from rclpy.impl.waiting import wait_for_answer, wait_until
 from rclpy.qos import (
     QoSProfile, qos_profile_action_status_default, qos_profile_default, qos_profile_services_default,
 )
 from rclpy.task import Future
-from rclpy.type_support import check_is_valid_action_type
-from rclpy.waitable import Waitable
-from ros2wasm import background, host
 from ros2wasm.constants import EndpointKind
-
-NS = 1_000_000_000
 
 
 class ClientGoalHandle:
@@ -71,8 +66,8 @@ class ClientGoalHandle:
         return self._action_client._get_result_async(self)
 
 
-class ActionClient(Waitable):
-    """Sends goals. Three services and two topics, which the executor sees as one."""
+class ActionClient(ActionEntity):
+    """Sends goals."""
 
     def __init__(
         self, node: Any, action_type: Any, action_name: str, *, callback_group: CallbackGroup | None = None,
@@ -82,45 +77,33 @@ class ActionClient(Waitable):
         feedback_sub_qos_profile: QoSProfile = qos_profile_default,
         status_sub_qos_profile: QoSProfile = qos_profile_action_status_default
     ) -> None:
-        super().__init__(callback_group or node.default_callback_group)
-        check_is_valid_action_type(action_type)
-        self._node = node
-        self._action_type = action_type
-        self._action_name = action_name
+        super().__init__(node, action_type, action_name, callback_group)
         impl = action_type.Impl
-        full = node.resolve_service_name(action_name)
 
         def ask(service: Any, part: str, qos: QoSProfile) -> Client:
-            name = f'{full}/_action/{part}'
-            client = Client(
-                node.context, node._endpoint(EndpointKind.CLIENT, service, name, qos), service, name, qos,
-                self.callback_group, node.get_logger().name)
-            client._find_executor = lambda: node.executor
+            client: Client = node._client(service, self._part(part), qos, self.callback_group)
             return client
+
+        def read(message: Any, part: str, qos: QoSProfile) -> Any:
+            return node._endpoint(EndpointKind.SUBSCRIPTION, message, self._part(part), qos)
         self._goal_client = ask(impl.SendGoalService, 'send_goal', goal_service_qos_profile)
         self._cancel_client = ask(impl.CancelGoalService, 'cancel_goal', cancel_service_qos_profile)
         self._result_client = ask(impl.GetResultService, 'get_result', result_service_qos_profile)
         self._clients = (self._goal_client, self._cancel_client, self._result_client)
-        self._feedback = node._endpoint(
-            EndpointKind.SUBSCRIPTION, impl.FeedbackMessage, f'{full}/_action/feedback', feedback_sub_qos_profile)
-        self._statuses = node._endpoint(
-            EndpointKind.SUBSCRIPTION, impl.GoalStatusMessage, f'{full}/_action/status', status_sub_qos_profile)
+        self._feedback = read(impl.FeedbackMessage, 'feedback', feedback_sub_qos_profile)
+        self._statuses = read(impl.GoalStatusMessage, 'status', status_sub_qos_profile)
         self._readers = {
             self._feedback.handle: (self._feedback, impl.FeedbackMessage._codec, self._on_feedback),
             self._statuses.handle: (self._statuses, impl.GoalStatusMessage._codec, self._on_status),
         }
         self._feedback_callbacks: dict[bytes, Callable[[Any], Any]] = {}
         self._goal_handles: dict[bytes, ClientGoalHandle] = {}
-        self.callback_group.add_entity(self)
-        node.add_waitable(self)
+        self._begin(*self._clients, self._feedback, self._statuses)
 
     # ---- for the executor
 
     def _handles(self) -> list[int]:
         return [client._endpoint.handle for client in self._clients] + list(self._readers)
-
-    def _ready(self) -> bool:
-        return False
 
     def _take_call(self) -> Callable[[], Any] | None:
         for client in self._clients:
@@ -143,7 +126,7 @@ class ActionClient(Waitable):
             if handle is None:
                 continue
             handle._status = one.status
-            if one.status in (GoalStatus.STATUS_SUCCEEDED, GoalStatus.STATUS_CANCELED, GoalStatus.STATUS_ABORTED):
+            if one.status in OVER:
                 # Nothing more is told of it.
                 del self._goal_handles[key]
 
@@ -171,27 +154,23 @@ class ActionClient(Waitable):
         key = bytes(request.goal_id.uuid)
         if feedback_callback is not None:
             self._feedback_callbacks[key] = feedback_callback
-        future = Future(executor=self._node.executor)
 
-        def answered(response: Future) -> None:
-            error = response.exception()
-            if error is not None:
-                future.set_exception(error)
-                return
-            handle = ClientGoalHandle(self, request.goal_id, response.result())
+        def answered(response: Any) -> ClientGoalHandle:
+            handle = ClientGoalHandle(self, request.goal_id, response)
             if handle.accepted:
                 self._goal_handles[key] = handle
             else:
                 self._feedback_callbacks.pop(key, None)
-            future.set_result(handle)
-        self._ask(self._goal_client, request, answered)
-        return future
+            return handle
+        return self._ask(self._goal_client, request, answered)
 
-    def _ask(self, client: Client, request: Any, answered: Callable[[Future], None]) -> None:
-        """Ask; `answered` runs as soon as the answer is there, before anybody else hears of it."""
+    def _ask(self, client: Client, request: Any, then: Callable[[Any], Any]) -> Future:
+        """Ask; a Future of what `then` makes of the answer as soon as it is there, before anybody else hears of it."""
+        future = Future(executor=self._node.executor)
         response = client.call_async(request)
         response._set_executor(None)
-        response.add_done_callback(answered)
+        response.add_done_callback(lambda done: future.set_result(then(done.result())))
+        return future
 
     def _cancel_goal(self, goal_handle: ClientGoalHandle) -> Any:
         return self._wait(self._cancel_goal_async(goal_handle))
@@ -212,29 +191,17 @@ class ActionClient(Waitable):
         request = self._action_type.Impl.GetResultService.Request()
         request.goal_id = goal_handle.goal_id
         key = bytes(goal_handle.goal_id.uuid)
-        future = Future(executor=self._node.executor)
 
-        def answered(response: Future) -> None:
-            error = response.exception()
-            if error is not None:
-                future.set_exception(error)
-                return
-            goal_handle._status = response.result().status
+        def answered(response: Any) -> Any:
+            goal_handle._status = response.status
             self._feedback_callbacks.pop(key, None)
-            future.set_result(response.result())
-        self._ask(self._result_client, request, answered)
-        return future
+            return response
+        return self._ask(self._result_client, request, answered)
 
     def _wait(self, future: Future) -> Any:
-        executor = self._node.executor
-        while not future.done() and self._node.context.ok():
-            token = host.wake_token()
-            if any(client._receive() for client in self._clients) or future.done():
-                continue
-            if executor is not None and executor._run_meanwhile(token):
-                continue
-            background.run()
-            host.wait(token, -1)
+        def receive() -> bool:
+            return any(client._receive() for client in self._clients)
+        wait_for_answer(future, receive, self._node.context, lambda: self._node.executor)
         return future.result()
 
     def _generate_random_uuid(self) -> Any:
@@ -250,33 +217,4 @@ class ActionClient(Waitable):
 
     def wait_for_server(self, timeout_sec: float | None = None) -> bool:
         """Wait for a server. False: the time was over before."""
-        end = None if timeout_sec is None or timeout_sec < 0 else time.monotonic_ns() + int(timeout_sec * NS)
-        while self._node.context.ok():
-            token = host.wake_token()
-            if self.server_is_ready():
-                return True
-            left = -1 if end is None else end - time.monotonic_ns()
-            if end is not None and left <= 0:
-                return False
-            background.run()
-            host.wait(token, left)
-        return self.server_is_ready()
-
-    def destroy(self) -> None:
-        if self._destroyed:
-            return
-        self._destroyed = True
-        if self in self._node.waitables:
-            self._node.remove_waitable(self)
-        for client in self._clients:
-            client.destroy()
-        self._feedback.destroy()
-        self._statuses.destroy()
-
-    def __enter__(self) -> ActionClient:
-        return self
-
-    def __exit__(
-        self, exc_type: type[BaseException] | None, exc_val: BaseException | None, exc_tb: TracebackType | None
-    ) -> None:
-        self.destroy()
+        return wait_until(self.server_is_ready, self._node.context, timeout_sec)

@@ -6,24 +6,22 @@ import traceback
 from collections.abc import Callable
 from enum import Enum
 from functools import partial
-from types import TracebackType
 from typing import Any
 
 from action_msgs.msg import GoalInfo, GoalStatus
 from action_msgs.srv import CancelGoal
+from rclpy.action.entity import OVER, ActionEntity
 from rclpy.callback_groups import CallbackGroup
 from rclpy.executors import await_or_execute
 from rclpy.qos import (
     QoSProfile, qos_profile_action_status_default, qos_profile_default, qos_profile_services_default,
 )
+from rclpy.service import Service
 from rclpy.task import Future
 from rclpy.time import Time
-from rclpy.type_support import check_is_valid_action_type
-from rclpy.waitable import Waitable
 from ros2wasm.constants import EndpointKind
 
 NS = 1_000_000_000
-OVER: tuple[int, ...] = (GoalStatus.STATUS_SUCCEEDED, GoalStatus.STATUS_CANCELED, GoalStatus.STATUS_ABORTED)
 NO_ID = bytes(16)
 
 
@@ -157,8 +155,8 @@ def default_cancel_callback(cancel_request: Any) -> CancelResponse:
     return CancelResponse.REJECT
 
 
-class ActionServer(Waitable):
-    """Takes goals. Three services and two topics, which the executor sees as one."""
+class ActionServer(ActionEntity):
+    """Takes goals."""
 
     def __init__(
         self, node: Any, action_type: Any, action_name: str, execute_callback: Callable[[ServerGoalHandle], Any], *,
@@ -171,37 +169,32 @@ class ActionServer(Waitable):
         feedback_pub_qos_profile: QoSProfile = qos_profile_default,
         status_pub_qos_profile: QoSProfile = qos_profile_action_status_default, result_timeout: float = 10
     ) -> None:
-        super().__init__(callback_group or node.default_callback_group)
-        check_is_valid_action_type(action_type)
+        super().__init__(node, action_type, action_name, callback_group)
         self.register_handle_accepted_callback(handle_accepted_callback)
         self.register_goal_callback(goal_callback)
         self.register_cancel_callback(cancel_callback)
         self.register_execute_callback(execute_callback)
-        self._node = node
         self._logger = node.get_logger().get_child('action_server')
-        self._action_type = action_type
-        self._action_name = action_name
         self._result_timeout_ns = int(result_timeout * NS)
         self._goal_handles: dict[bytes, ServerGoalHandle] = {}
         self._result_futures: dict[bytes, Future] = {}
         impl = action_type.Impl
-        full = node.resolve_service_name(action_name)
 
-        def make(kind: EndpointKind, interface: Any, part: str, qos: QoSProfile) -> Any:
-            return node._endpoint(kind, interface, f'{full}/_action/{part}', qos)
-        server, publisher = EndpointKind.SERVER, EndpointKind.PUBLISHER
-        self._goal_service = make(server, impl.SendGoalService, 'send_goal', goal_service_qos_profile)
-        self._cancel_service = make(server, impl.CancelGoalService, 'cancel_goal', cancel_service_qos_profile)
-        self._result_service = make(server, impl.GetResultService, 'get_result', result_service_qos_profile)
-        self._feedback = make(publisher, impl.FeedbackMessage, 'feedback', feedback_pub_qos_profile)
-        self._statuses = make(publisher, impl.GoalStatusMessage, 'status', status_pub_qos_profile)
-        self._services = {
-            self._goal_service.handle: (self._goal_service, impl.SendGoalService, self._on_goal),
-            self._cancel_service.handle: (self._cancel_service, impl.CancelGoalService, self._on_cancel),
-            self._result_service.handle: (self._result_service, impl.GetResultService, self._on_result),
-        }
-        self.callback_group.add_entity(self)
-        node.add_waitable(self)
+        def serve(service: Any, part: str, act: Callable[[Any, Any], Any], qos: QoSProfile) -> Service:
+            # Answered when there is an answer, so that `act` gets the request's header in place of a response.
+            made: Service = node._service(service, self._part(part), act, qos, self.callback_group)
+            return made
+
+        def publish(message: Any, part: str, qos: QoSProfile) -> Any:
+            return node._endpoint(EndpointKind.PUBLISHER, message, self._part(part), qos)
+        self._goal_service = serve(impl.SendGoalService, 'send_goal', self._on_goal, goal_service_qos_profile)
+        self._cancel_service = serve(
+            impl.CancelGoalService, 'cancel_goal', self._on_cancel, cancel_service_qos_profile)
+        self._result_service = serve(impl.GetResultService, 'get_result', self._on_result, result_service_qos_profile)
+        self._services = (self._goal_service, self._cancel_service, self._result_service)
+        self._feedback = publish(impl.FeedbackMessage, 'feedback', feedback_pub_qos_profile)
+        self._statuses = publish(impl.GoalStatusMessage, 'status', status_pub_qos_profile)
+        self._begin(*self._services, self._feedback, self._statuses)
 
     @property
     def action_type(self) -> Any:
@@ -236,21 +229,18 @@ class ActionServer(Waitable):
     # ---- for the executor
 
     def _handles(self) -> list[int]:
-        return list(self._services)
-
-    def _ready(self) -> bool:
-        return False
+        return [service._endpoint.handle for service in self._services]
 
     def _take_call(self) -> Callable[[], Any] | None:
-        for endpoint, service, act in self._services.values():
-            taken = endpoint.take(service.Request._codec)
+        for service in self._services:
+            taken = service._take_request()
             if taken is not None:
-                return partial(act, *taken)
+                return partial(service.callback, *taken)
         return None
 
-    def _reply(self, endpoint: Any, service: Any, response: Any, header: Any) -> None:
+    def _reply(self, service: Service, response: Any, header: Any) -> None:
         if not self._destroyed:
-            endpoint.write(service.Response._codec, response, header.related_sequence, header.related_gid)
+            service.send_response(response, header)
 
     # ---- goals
 
@@ -265,7 +255,6 @@ class ActionServer(Waitable):
 
     async def _on_goal(self, request: Any, header: Any) -> None:
         self._forget_old_goals()
-        service = self._action_type.Impl.SendGoalService
         key = bytes(request.goal_id.uuid)
         handle: ServerGoalHandle | None = None
         info = GoalInfo(goal_id=request.goal_id)
@@ -278,8 +267,8 @@ class ActionServer(Waitable):
                 handle = ServerGoalHandle(self, info, request.goal)
                 self._goal_handles[key] = handle
                 self._result_futures[key] = Future()
-        self._reply(
-            self._goal_service, service, service.Response(accepted=handle is not None, stamp=info.stamp), header)
+        response = self._goal_service.srv_type.Response(accepted=handle is not None, stamp=info.stamp)
+        self._reply(self._goal_service, response, header)
         if handle is None:
             self._logger.debug(f'New goal rejected: {request.goal_id.uuid}')
             return
@@ -315,16 +304,15 @@ class ActionServer(Waitable):
             future.set_result(response)
 
     def _on_result(self, request: Any, header: Any) -> None:
-        service = self._action_type.Impl.GetResultService
         future = self._result_futures.get(bytes(request.goal_id.uuid))
         if future is None:
             self._logger.debug(f'Sending result response for unknown goal ID: {request.goal_id.uuid}')
-            unknown = service.Response(status=GoalStatus.STATUS_UNKNOWN)
-            self._reply(self._result_service, service, unknown, header)
+            unknown = self._result_service.srv_type.Response(status=GoalStatus.STATUS_UNKNOWN)
+            self._reply(self._result_service, unknown, header)
             return
 
         def answer(done: Future) -> None:
-            self._reply(self._result_service, service, done.result(), header)
+            self._reply(self._result_service, done.result(), header)
         future.add_done_callback(answer)
 
     def _forget_old_goals(self) -> None:
@@ -368,7 +356,7 @@ class ActionServer(Waitable):
                 response.return_code = CancelGoal.Response.ERROR_GOAL_TERMINATED
             else:
                 response.return_code = CancelGoal.Response.ERROR_REJECTED
-        self._reply(self._cancel_service, CancelGoal, response, header)
+        self._reply(self._cancel_service, response, header)
 
     # ---- what clients are told
 
@@ -379,22 +367,3 @@ class ActionServer(Waitable):
         kind = self._action_type.Impl.GoalStatusMessage
         self._statuses.publish(kind._codec, kind(status_list=[
             GoalStatus(goal_info=handle._goal_info, status=handle.status) for handle in self._goal_handles.values()]))
-
-    def destroy(self) -> None:
-        if self._destroyed:
-            return
-        self._destroyed = True
-        if self in self._node.waitables:
-            self._node.remove_waitable(self)
-        for endpoint in (
-            self._goal_service, self._cancel_service, self._result_service, self._feedback, self._statuses
-        ):
-            endpoint.destroy()
-
-    def __enter__(self) -> ActionServer:
-        return self
-
-    def __exit__(
-        self, exc_type: type[BaseException] | None, exc_val: BaseException | None, exc_tb: TracebackType | None
-    ) -> None:
-        self.destroy()

@@ -1,0 +1,97 @@
+"""Actions between two nodes of one process: goals, feedback, results, cancelling."""
+from __future__ import annotations
+
+import importlib
+import unittest
+from typing import Any
+
+from tests.unit.rclpy.fake_bus import BusTest
+
+
+class ActionTest(BusTest):
+    def setUp(self) -> None:
+        super().setUp()
+        self.action = importlib.import_module('rclpy.action')
+        self.type = importlib.import_module('example_interfaces.action').Fibonacci
+        self.status = importlib.import_module('action_msgs.msg').GoalStatus
+        self.cancel = importlib.import_module('action_msgs.srv').CancelGoal
+        self.serving, self.asking = self.node('serving'), self.node('asking')
+        self.goals: list[Any] = []
+        self.feedback: list[list[int]] = []
+
+    def serve(self, execute: Any = None, **options: Any) -> Any:
+        def run(goal: Any) -> Any:
+            for end in range(1, goal.request.order + 1):
+                goal.publish_feedback(self.type.Feedback(sequence=list(range(end))))
+            goal.succeed()
+            return self.type.Result(sequence=list(range(goal.request.order)))
+        return self.action.ActionServer(self.serving, self.type, 'count', execute or run, **options)
+
+    def keep(self, **options: Any) -> Any:
+        """A server that does not execute its goals."""
+        return self.serve(handle_accepted_callback=self.goals.append, **options)
+
+    def ask(self) -> Any:
+        return self.action.ActionClient(self.asking, self.type, 'count')
+
+    def sent(self, client: Any, order: int) -> Any:
+        return self.result(client.send_goal_async(
+            self.type.Goal(order=order), lambda told: self.feedback.append(list(told.feedback.sequence))))
+
+    def cancelled(self, client: Any, **info: Any) -> tuple[int, int]:
+        """Of the answer: the code, and how many goals it names."""
+        request = self.cancel.Request()
+        for name, value in info.items():
+            setattr(request.goal_info, name, value)
+        answer = self.result(client._cancel_client.call_async(request))
+        return answer.return_code, len(answer.goals_canceling)
+
+    def test_a_goal_tells_how_far_it_is_and_succeeds(self) -> None:
+        server, client = self.serve(), self.ask()
+        self.assertTrue(client.wait_for_server(0))
+        goal = self.sent(client, 1)
+        self.assertTrue(goal.accepted)
+        result = self.result(goal.get_result_async())
+        self.assertEqual((result.status, list(result.result.sequence)), (self.status.STATUS_SUCCEEDED, [0]))
+        self.spin_until(lambda: bool(goal.status == self.status.STATUS_SUCCEEDED))
+        self.assertEqual(self.feedback, [[0]])
+        server.destroy()
+        self.assertFalse(client.wait_for_server(0.01))
+        self.assertNotIn(server, self.serving.waitables)
+
+    def test_an_action_leaves_nothing_on_the_bus(self) -> None:
+        before = set(self.bus.endpoints)
+        with self.serve(), self.ask() as client:
+            self.assertEqual(len(self.bus.endpoints), len(before) + 10)
+        self.assertEqual(set(self.bus.endpoints), before)
+        client.destroy()
+
+    def test_goals_are_rejected_and_unknown_ones_have_no_result(self) -> None:
+        self.serve(goal_callback=lambda goal: self.action.GoalResponse.REJECT)
+        goal = self.sent(self.ask(), 3)
+        self.assertFalse(goal.accepted)
+        self.assertEqual(self.result(goal.get_result_async()).status, self.status.STATUS_UNKNOWN)
+
+    def test_a_goal_is_cancelled_by_its_id(self) -> None:
+        self.keep(cancel_callback=lambda goal: self.action.CancelResponse.ACCEPT)
+        client = self.ask()
+        goal = self.sent(client, 3)
+        answer = self.result(goal.cancel_goal_async())
+        self.assertEqual((answer.return_code, len(answer.goals_canceling)), (self.cancel.Response.ERROR_NONE, 1))
+        self.assertTrue(self.goals[0].is_cancel_requested)
+        self.goals[0].canceled()
+        self.assertEqual(
+            self.cancelled(client, goal_id=goal.goal_id), (self.cancel.Response.ERROR_GOAL_TERMINATED, 0))
+        unknown = type(goal.goal_id)(uuid=list(range(16)))
+        self.assertEqual(self.cancelled(client, goal_id=unknown), (self.cancel.Response.ERROR_UNKNOWN_GOAL_ID, 0))
+
+    def test_a_server_may_refuse_to_cancel(self) -> None:
+        self.keep()
+        client = self.ask()
+        goal = self.sent(client, 3)
+        self.assertEqual(self.cancelled(client, goal_id=goal.goal_id), (self.cancel.Response.ERROR_REJECTED, 0))
+        self.assertFalse(self.goals[0].is_cancel_requested)
+
+
+if __name__ == '__main__':
+    unittest.main()

@@ -57,7 +57,7 @@ const wanted: Readonly<Record<string, RegExp>> = {
   'the program ends with its last thread': /^\[threads-5\] the last thread ends the program$/,
   'a goal is rejected': /^\[errands-6\] rejected True$/,
   'a goal is deferred, tells how far it is, and succeeds':
-    /^\[errands-6\] done True 4 \[0, 1, 1, 2, 3\] \[3, 4, 5\]$/,
+    /^\[errands-6\] done 4 \[0, 1, 1, 2, 3\] \[3, 4, 5\]$/,
   'a goal is cancelled while it sleeps': /^\[errands-6\] cancelled 1 5$/,
   'a node is configured, activated, deactivated, and its error handled':
     /^\[life-7\] managed \[True, False, True, True, False\] \['shines'\] \['white', 'red'\]$/,

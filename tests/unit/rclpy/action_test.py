@@ -4,6 +4,7 @@ from __future__ import annotations
 import importlib
 import unittest
 from typing import Any
+from unittest import mock
 
 from tests.unit.rclpy.fake_bus import BusTest
 
@@ -65,6 +66,21 @@ class ActionTest(BusTest):
             self.assertEqual(len(self.bus.endpoints), len(before) + 10)
         self.assertEqual(set(self.bus.endpoints), before)
         client.destroy()
+
+    def test_a_goal_may_be_waited_for_to_its_end(self) -> None:
+        def run(goal: Any) -> Any:
+            goal.succeed()
+            return self.type.Result(sequence=[goal.request.order])
+        self.serve(run, goal_callback=lambda goal: self.action.GoalResponse(2 if goal.order else 1))
+        client = self.ask()
+        # As the other threads do that natively spin meanwhile.
+        meanwhile = mock.patch.object(
+            type(self.executor), '_run_meanwhile', lambda executor, _: executor.spin_once(timeout_sec=0) or True)
+        with meanwhile:
+            done = client.send_goal(self.type.Goal(order=7))
+            self.assertEqual((done.status, list(done.result.sequence)), (self.status.STATUS_SUCCEEDED, [7]))
+            rejected = client.send_goal(self.type.Goal())
+        self.assertEqual((rejected.status, list(rejected.result.sequence)), (self.status.STATUS_UNKNOWN, []))
 
     def test_goals_are_rejected_and_unknown_ones_have_no_result(self) -> None:
         self.serve(goal_callback=lambda goal: self.action.GoalResponse.REJECT)

@@ -134,13 +134,13 @@ class ActionClient(ActionEntity):
 
     def send_goal(self, goal: Any, **kwargs: Any) -> Any:
         """
-        Send a goal and wait until it is accepted or rejected.
+        Send a goal and wait for its end; the response with status and result.
 
-        Must not be called where that would keep an executor from hearing the answer.
+        Must not be called where that would keep an executor from hearing the answers.
         """
-        if not isinstance(goal, self._action_type.Goal):
-            raise TypeError()
-        return self._wait(self.send_goal_async(goal, **kwargs))
+        handle = self._wait(self.send_goal_async(goal, **kwargs))
+        # The context may have been shut down meanwhile.
+        return None if handle is None else self._get_result(handle)
 
     def send_goal_async(
         self, goal: Any, feedback_callback: Callable[[Any], Any] | None = None, goal_uuid: Any = None

@@ -40,16 +40,22 @@ class Errands(Node):
         goal.succeed()
         return Fibonacci.Result(sequence=numbers)
 
+    def sent(self, goal, **options):
+        told = threading.Event()
+        future = self.client.send_goal_async(goal, **options)
+        future.add_done_callback(lambda _: told.set())
+        told.wait()
+        return future.result()
+
     def send(self):
         self.client.wait_for_server()
-        print('rejected', not self.client.send_goal(Fibonacci.Goal(order=-1)).accepted)
+        print('rejected', not self.sent(Fibonacci.Goal(order=-1)).accepted)
         feedback = []
-        goal = self.client.send_goal(
+        done = self.client.send_goal(
             Fibonacci.Goal(order=3), feedback_callback=lambda told: feedback.append(len(told.feedback.sequence)))
-        result = goal.get_result()
-        print('done', goal.accepted, result.status, list(result.result.sequence), feedback)
+        print('done', done.status, list(done.result.sequence), feedback)
         begun = threading.Event()
-        goal = self.client.send_goal(Fibonacci.Goal(order=100_000), feedback_callback=lambda _: begun.set())
+        goal = self.sent(Fibonacci.Goal(order=100_000), feedback_callback=lambda _: begun.set())
         begun.wait()
         answer = goal.cancel_goal()
         print('cancelled', len(answer.goals_canceling), goal.get_result().status)

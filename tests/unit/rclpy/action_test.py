@@ -50,12 +50,12 @@ class ActionTest(BusTest):
     def test_a_goal_tells_how_far_it_is_and_succeeds(self) -> None:
         server, client = self.serve(), self.ask()
         self.assertTrue(client.wait_for_server(0))
-        goal = self.sent(client, 1)
+        goal = self.sent(client, 3)
         self.assertTrue(goal.accepted)
         result = self.result(goal.get_result_async())
-        self.assertEqual((result.status, list(result.result.sequence)), (self.status.STATUS_SUCCEEDED, [0]))
+        self.assertEqual((result.status, list(result.result.sequence)), (self.status.STATUS_SUCCEEDED, [0, 1, 2]))
         self.spin_until(lambda: bool(goal.status == self.status.STATUS_SUCCEEDED))
-        self.assertEqual(self.feedback, [[0]])
+        self.assertEqual(self.feedback, [[0], [0, 1], [0, 1, 2]])
         server.destroy()
         self.assertFalse(client.wait_for_server(0.01))
         self.assertNotIn(server, self.serving.waitables)
@@ -81,6 +81,19 @@ class ActionTest(BusTest):
             self.assertEqual((done.status, list(done.result.sequence)), (self.status.STATUS_SUCCEEDED, [7]))
             rejected = client.send_goal(self.type.Goal())
         self.assertEqual((rejected.status, list(rejected.result.sequence)), (self.status.STATUS_UNKNOWN, []))
+
+    def test_feedback_is_told_also_when_the_result_is_heard_first(self) -> None:
+        self.serve()
+        client = self.ask()
+        goal = self.sent(client, 3)
+        future = goal.get_result_async()
+        self.spin_until(lambda: bool(self.bus.endpoints[client._result_client._endpoint.handle].queue))
+        told = len(self.feedback)
+        self.assertLess(told, 3)
+        # As a thread does that waits for the result.
+        self.assertTrue(client._result_client._receive())
+        self.assertTrue(future.done())
+        self.spin_until(lambda: len(self.feedback) == 3)
 
     def test_goals_are_rejected_and_unknown_ones_have_no_result(self) -> None:
         self.serve(goal_callback=lambda goal: self.action.GoalResponse.REJECT)

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import uuid
+from collections import deque
 from collections.abc import Callable
 from functools import partial
 from typing import Any
@@ -92,32 +93,42 @@ class ActionClient(ActionEntity):
         self._clients = (self._goal_client, self._cancel_client, self._result_client)
         self._feedback = read(impl.FeedbackMessage, 'feedback', feedback_sub_qos_profile)
         self._statuses = read(impl.GoalStatusMessage, 'status', status_sub_qos_profile)
-        self._readers = {
-            self._feedback.handle: (self._feedback, impl.FeedbackMessage._codec, self._on_feedback),
-            self._statuses.handle: (self._statuses, impl.GoalStatusMessage._codec, self._on_status),
-        }
         self._feedback_callbacks: dict[bytes, Callable[[Any], Any]] = {}
+        #: Feedback that came before its goal's result, and is still to be told.
+        self._late: deque[Callable[[], Any]] = deque()
         self._goal_handles: dict[bytes, ClientGoalHandle] = {}
         self._begin(*self._clients, self._feedback, self._statuses)
 
     # ---- for the executor
 
     def _handles(self) -> list[int]:
-        return [client._endpoint.handle for client in self._clients] + list(self._readers)
+        return [one.handle for one in (*(client._endpoint for client in self._clients), self._feedback, self._statuses)]
+
+    def _ready(self) -> bool:
+        return bool(self._late)
 
     def _take_call(self) -> Callable[[], Any] | None:
-        for client in self._clients:
-            if client._receive():
-                return lambda: None
-        for endpoint, codec, tell in self._readers.values():
-            taken = endpoint.take(codec)
-            if taken is not None:
-                return partial(tell, taken[0])
-        return None
+        if self._goal_client._receive() or self._cancel_client._receive() or self._take_status():
+            return lambda: None
+        # Before a result, with which a goal has no feedback any more.
+        feedback = self._late.popleft() if self._late else self._take_feedback()
+        if feedback is None and self._result_client._receive():
+            return lambda: None
+        return feedback
 
-    def _on_feedback(self, message: Any) -> Any:
-        callback = self._feedback_callbacks.get(bytes(message.goal_id.uuid))
-        return None if callback is None else callback(message)
+    def _take_feedback(self) -> Callable[[], Any] | None:
+        """The next message of feedback, and whom it is to be told; None: there is none."""
+        taken = self._feedback.take(self._action_type.Impl.FeedbackMessage._codec)
+        if taken is None:
+            return None
+        callback = self._feedback_callbacks.get(bytes(taken[0].goal_id.uuid))
+        return (lambda: None) if callback is None else partial(callback, taken[0])
+
+    def _take_status(self) -> bool:
+        taken = self._statuses.take(self._action_type.Impl.GoalStatusMessage._codec)
+        if taken is not None:
+            self._on_status(taken[0])
+        return taken is not None
 
     def _on_status(self, message: Any) -> None:
         for one in message.status_list:
@@ -194,6 +205,8 @@ class ActionClient(ActionEntity):
 
         def answered(response: Any) -> Any:
             goal_handle._status = response.status
+            while (feedback := self._take_feedback()) is not None:
+                self._late.append(feedback)
             self._feedback_callbacks.pop(key, None)
             return response
         return self._ask(self._result_client, request, answered)

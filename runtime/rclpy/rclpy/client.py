@@ -60,15 +60,13 @@ class Client:
         """
         Ask, and wait for the answer.
 
-        Callbacks of other groups run meanwhile, as they do natively in other threads. TimeoutError after timeout_sec.
+        Callbacks of other groups run meanwhile, as they do natively in other threads. None after timeout_sec.
         """
         if not isinstance(request, self.srv_type.Request):
             raise TypeError()
         future = self.call_async(request)
-        answered = wait_for_answer(future, self._receive, self.context, self._find_executor, timeout_sec)
-        if not answered and self.context.ok():
+        if not wait_for_answer(future, self._receive, self.context, self._find_executor, timeout_sec):
             self.remove_pending_request(future)
-            raise TimeoutError()
         return future.result()
 
     def call_async(self, request: Any) -> Future:

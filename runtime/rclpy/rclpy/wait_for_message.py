@@ -22,6 +22,7 @@ def wait_for_message(
             taken.append(found[0])
         return found is not None
     try:
-        return (True, taken[0]) if wait_until(take, node.context, time_to_wait) else (False, None)
+        return (True, taken[0]) if wait_until(take, node.context, None if time_to_wait < 0 else time_to_wait) else (False, None)
     finally:
-        subscription.destroy()
+        node._subscriptions.append(subscription)
+        node.destroy_subscription(subscription)

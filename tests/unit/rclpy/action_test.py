@@ -114,6 +114,66 @@ class ActionTest(BusTest):
         unknown = type(goal.goal_id)(uuid=list(range(16)))
         self.assertEqual(self.cancelled(client, goal_id=unknown), (self.cancel.Response.ERROR_UNKNOWN_GOAL_ID, 0))
 
+    def test_a_goal_that_is_being_cancelled_is_not_asked_again(self) -> None:
+        asked: list[Any] = []
+
+        def say(goal: Any) -> Any:
+            asked.append(goal)
+            return self.action.CancelResponse.ACCEPT
+        self.keep(cancel_callback=say)
+        client = self.ask()
+        goal = self.sent(client, 3)
+        self.assertEqual(self.cancelled(client, goal_id=goal.goal_id), (self.cancel.Response.ERROR_NONE, 1))
+        self.assertEqual(
+            self.cancelled(client, goal_id=goal.goal_id), (self.cancel.Response.ERROR_GOAL_TERMINATED, 0))
+        self.assertEqual(len(asked), 1)
+
+    def test_to_cancel_all_of_none_is_no_error(self) -> None:
+        self.keep(cancel_callback=lambda goal: self.action.CancelResponse.ACCEPT)
+        client = self.ask()
+        self.assertEqual(self.cancelled(client), (self.cancel.Response.ERROR_NONE, 0))
+        self.sent(client, 3)
+        self.sent(client, 3)
+        self.assertEqual(self.cancelled(client), (self.cancel.Response.ERROR_NONE, 2))
+
+    def test_a_goal_that_is_accepted_is_told_of_before_it_runs(self) -> None:
+        told: list[int] = []
+        message = self.type.Impl.GoalStatusMessage
+        self.asking.create_subscription(
+            message, 'count/_action/status', lambda said: told.extend(one.status for one in said.status_list), 10)
+        self.keep()
+        self.sent(self.ask(), 3)
+        self.spin_until(lambda: bool(told))
+        self.assertEqual(told, [self.status.STATUS_ACCEPTED])
+
+    def test_a_result_is_kept_for_a_quarter_of_an_hour(self) -> None:
+        self.assertEqual(self.serve()._result_timeout_ns, 900_000_000_000)
+
+    def test_a_server_without_a_callback_leads_its_goals_itself(self) -> None:
+        self.action.ActionServer(self.serving, self.type, 'count', handle_accepted_callback=self.goals.append)
+        client = self.ask()
+        goals = [self.sent(client, 3) for _ in range(2)]
+        for own in self.goals:
+            own.execute()
+        self.goals[0].succeed(self.type.Result(sequence=[5]))
+        self.goals[1].abort()
+        results = [self.result(goal.get_result_async()) for goal in goals]
+        self.assertEqual(
+            [(one.status, list(one.result.sequence)) for one in results],
+            [(self.status.STATUS_SUCCEEDED, [5]), (self.status.STATUS_ABORTED, [])])
+
+    def test_the_first_result_of_a_goal_counts(self) -> None:
+        def run(goal: Any) -> Any:
+            if goal.request.order:
+                goal.succeed(self.type.Result(sequence=[1]))
+            else:
+                goal.succeed()
+            return self.type.Result(sequence=[2])
+        self.serve(run)
+        client = self.ask()
+        found = [list(self.result(self.sent(client, order).get_result_async()).result.sequence) for order in (1, 0)]
+        self.assertEqual(found, [[1], [2]])
+
     def test_a_server_may_refuse_to_cancel(self) -> None:
         self.keep()
         client = self.ask()

@@ -1,7 +1,6 @@
 """Servers of actions."""
 from __future__ import annotations
 
-import inspect
 import traceback
 from collections.abc import Callable
 from enum import Enum
@@ -73,6 +72,8 @@ class ServerGoalHandle:
         self._status = int(GoalStatus.STATUS_ACCEPTED)
         #: When it came to its end, in ns; 0: it has not.
         self._ended_ns = 0
+        #: Its result is what its callback returns, if none is given before.
+        self._callback_decides = False
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, ServerGoalHandle) and bool(self.goal_id == other.goal_id)
@@ -95,6 +96,10 @@ class ServerGoalHandle:
     def is_cancel_requested(self) -> bool:
         canceling: int = GoalStatus.STATUS_CANCELING
         return self._status == canceling
+
+    @property
+    def _is_cancelable(self) -> bool:
+        return (self._status, GoalEvent.CANCEL_GOAL) in TRANSITIONS
 
     @property
     def status(self) -> int:
@@ -127,14 +132,22 @@ class ServerGoalHandle:
         message.feedback = feedback
         self._action_server._publish_feedback(message)
 
-    def succeed(self) -> None:
-        self._update_state(GoalEvent.SUCCEED)
+    def _end(self, event: GoalEvent, response: Any) -> None:
+        self._update_state(event)
+        if response is not None or not self._callback_decides:
+            self._action_server._set_result(self, response)
 
-    def abort(self) -> None:
-        self._update_state(GoalEvent.ABORT)
+    def succeed(self, response: Any = None) -> None:
+        """It is done; with its result, if that is not what its callback returns."""
+        self._end(GoalEvent.SUCCEED, response)
 
-    def canceled(self) -> None:
-        self._update_state(GoalEvent.CANCELED)
+    def abort(self, response: Any = None) -> None:
+        """It failed."""
+        self._end(GoalEvent.ABORT, response)
+
+    def canceled(self, response: Any = None) -> None:
+        """It was cancelled."""
+        self._end(GoalEvent.CANCELED, response)
 
     def destroy(self) -> None:
         """Nothing is held for it."""
@@ -159,7 +172,8 @@ class ActionServer(ActionEntity):
     """Takes goals."""
 
     def __init__(
-        self, node: Any, action_type: Any, action_name: str, execute_callback: Callable[[ServerGoalHandle], Any], *,
+        self, node: Any, action_type: Any, action_name: str,
+        execute_callback: Callable[[ServerGoalHandle], Any] | None = None, *,
         callback_group: CallbackGroup | None = None, goal_callback: Callable[[Any], Any] = default_goal_callback,
         handle_accepted_callback: Callable[[ServerGoalHandle], Any] = default_handle_accepted_callback,
         cancel_callback: Callable[[Any], Any] = default_cancel_callback,
@@ -167,13 +181,15 @@ class ActionServer(ActionEntity):
         result_service_qos_profile: QoSProfile = qos_profile_services_default,
         cancel_service_qos_profile: QoSProfile = qos_profile_services_default,
         feedback_pub_qos_profile: QoSProfile = qos_profile_default,
-        status_pub_qos_profile: QoSProfile = qos_profile_action_status_default, result_timeout: float = 10
+        status_pub_qos_profile: QoSProfile = qos_profile_action_status_default, result_timeout: float = 900
     ) -> None:
         super().__init__(node, action_type, action_name, callback_group)
         self.register_handle_accepted_callback(handle_accepted_callback)
         self.register_goal_callback(goal_callback)
         self.register_cancel_callback(cancel_callback)
-        self.register_execute_callback(execute_callback)
+        self._execute_callback: Callable[[ServerGoalHandle], Any] | None = None
+        if execute_callback is not None:
+            self.register_execute_callback(execute_callback)
         self._logger = node.get_logger().get_child('action_server')
         self._result_timeout_ns = int(result_timeout * NS)
         self._goal_handles: dict[bytes, ServerGoalHandle] = {}
@@ -273,11 +289,15 @@ class ActionServer(ActionEntity):
             self._logger.debug(f'New goal rejected: {request.goal_id.uuid}')
             return
         self._logger.debug(f'New goal accepted: {request.goal_id.uuid}')
+        self._publish_status()
         await await_or_execute(self._handle_accepted_callback, handle)
 
     def notify_execute(self, goal_handle: ServerGoalHandle, execute_callback: Any) -> None:
-        """Have the executor run a goal's callback."""
+        """Have the executor run a goal's callback; without one, somebody else leads the goal to its end."""
         callback = self._execute_callback if execute_callback is None else self._checked(execute_callback, 'execute')
+        if callback is None:
+            return
+        goal_handle._callback_decides = True
         self._node.executor.create_task(self._execute_goal, callback, goal_handle)
 
     async def _execute_goal(self, execute_callback: Any, goal_handle: ServerGoalHandle) -> None:
@@ -296,12 +316,17 @@ class ActionServer(ActionEntity):
                 goal_handle._update_state(GoalEvent.EXECUTE)
             goal_handle.abort()
         self._logger.debug(f'Goal with ID {goal_uuid} finished with state {goal_handle.status}')
+        self._set_result(goal_handle, result)
+
+    def _set_result(self, goal_handle: ServerGoalHandle, result: Any) -> None:
+        """Answer those who ask for a goal's result, if nothing was answered before."""
+        future = self._result_futures.get(bytes(goal_handle.goal_id.uuid))
+        if future is None or future.done():
+            return
         response = self._action_type.Impl.GetResultService.Response(status=goal_handle.status)
         if result is not None:
             response.result = result
-        future = self._result_futures.get(bytes(goal_uuid))
-        if future is not None:
-            future.set_result(response)
+        future.set_result(response)
 
     def _on_result(self, request: Any, header: Any) -> None:
         future = self._result_futures.get(bytes(request.goal_id.uuid))
@@ -334,28 +359,27 @@ class ActionServer(ActionEntity):
         return [handle for key, handle in self._goal_handles.items() if key == wanted or
                 (until and Time.from_msg(handle._goal_info.stamp).nanoseconds <= until)]
 
+    def _why_none(self, info: Any) -> int:
+        """What is said when no goal is to be asked: an error only to who wants one goal."""
+        wanted, until = bytes(info.goal_id.uuid), Time.from_msg(info.stamp).nanoseconds
+        codes = CancelGoal.Response
+        if wanted == NO_ID or until != 0:
+            return int(codes.ERROR_NONE)
+        return int(codes.ERROR_GOAL_TERMINATED if wanted in self._goal_handles else codes.ERROR_UNKNOWN_GOAL_ID)
+
     async def _on_cancel(self, request: Any, header: Any) -> None:
         response = CancelGoal.Response()
-        wanted = bytes(request.goal_info.goal_id.uuid)
-        asked = self._asked_to_cancel(request.goal_info)
-        for handle in [one for one in asked if one.is_active]:
-            said = self._cancel_callback(handle)
-            if inspect.isawaitable(said):
-                said = await said
+        asked = [handle for handle in self._asked_to_cancel(request.goal_info) if handle._is_cancelable]
+        if not asked:
+            response.return_code = self._why_none(request.goal_info)
+        for handle in asked:
+            said = await await_or_execute(self._cancel_callback, handle)
             # It may have come to its end meanwhile.
-            if said is not CancelResponse.ACCEPT or not handle.is_active:
-                continue
-            if not handle.is_cancel_requested:
+            if said is CancelResponse.ACCEPT and handle._is_cancelable:
                 handle._update_state(GoalEvent.CANCEL_GOAL)
-            response.goals_canceling.append(handle._goal_info)
-        if not response.goals_canceling:
-            own = self._goal_handles.get(wanted)
-            if wanted != NO_ID and own is None and not asked:
-                response.return_code = CancelGoal.Response.ERROR_UNKNOWN_GOAL_ID
-            elif own is not None and not own.is_active:
-                response.return_code = CancelGoal.Response.ERROR_GOAL_TERMINATED
-            else:
-                response.return_code = CancelGoal.Response.ERROR_REJECTED
+                response.goals_canceling.append(handle._goal_info)
+        if asked and not response.goals_canceling:
+            response.return_code = CancelGoal.Response.ERROR_REJECTED
         self._reply(self._cancel_service, response, header)
 
     # ---- what clients are told

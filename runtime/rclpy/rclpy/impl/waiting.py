@@ -17,11 +17,11 @@ def wait_until(
     meanwhile: Callable[[int], bool] | None = None
 ) -> bool:
     """
-    Wait until something is so. False: the time was over, or the context shut down, before. No time: without end.
+    Wait until something is so. False: the time was over, or the context shut down, before. None: without end.
 
     `meanwhile` gets the link's token, and says whether it did something, after which it is worth to look again.
     """
-    end = None if timeout_sec is None or timeout_sec < 0 else time.monotonic_ns() + int(timeout_sec * NS)
+    end = None if timeout_sec is None else time.monotonic_ns() + int(timeout_sec * NS)
     while True:
         token = host.wake_token()
         if ready():

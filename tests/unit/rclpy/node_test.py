@@ -1,0 +1,50 @@
+"""What a node makes: clients that wait, messages that are waited for."""
+from __future__ import annotations
+
+import importlib
+import unittest
+from typing import Any
+
+from tests.unit.rclpy.fake_bus import BusTest
+
+
+class NodeTest(BusTest):
+    def setUp(self) -> None:
+        super().setUp()
+        self.own = self.node('own')
+        self.trigger = importlib.import_module('std_srvs.srv').Trigger
+
+    def test_a_call_that_nobody_answers_in_time_brings_nothing(self) -> None:
+        client = self.own.create_client(self.trigger, 'nobody')
+        for timeout in (0.01, 0, -1):
+            with self.subTest(timeout=timeout):
+                self.assertIsNone(client.call(self.trigger.Request(), timeout_sec=timeout))
+                self.assertEqual(client._pending_requests, {})
+
+    def test_a_service_is_waited_for_no_longer_than_said(self) -> None:
+        client = self.own.create_client(self.trigger, 'service')
+        for timeout in (0.01, 0, -1):
+            self.assertFalse(client.wait_for_service(timeout))
+        self.own.create_service(self.trigger, 'service', lambda _, answer: answer)
+        for maybe in (None, 0, -1):
+            self.assertTrue(client.wait_for_service(maybe))
+
+    def test_a_wait_for_a_message_leaves_nothing_behind(self) -> None:
+        wait: Any = importlib.import_module('rclpy.wait_for_message').wait_for_message
+        string = importlib.import_module('std_msgs.msg').String
+        publisher = self.own.create_publisher(string, 'chatter', 1)
+        before = list(self.own.waitables), list(self.own.subscriptions), set(self.bus.endpoints)
+        self.assertEqual(wait(string, self.own, 'chatter', time_to_wait=0.01), (False, None))
+        create = self.own.create_subscription
+
+        def create_and_publish(*args: Any, **options: Any) -> Any:
+            made = create(*args, **options)
+            publisher.publish(string(data='heard'))
+            return made
+        self.own.create_subscription = create_and_publish
+        self.assertEqual(wait(string, self.own, 'chatter'), (True, string(data='heard')))
+        self.assertEqual((self.own.waitables, self.own.subscriptions, set(self.bus.endpoints)), before)
+
+
+if __name__ == '__main__':
+    unittest.main()

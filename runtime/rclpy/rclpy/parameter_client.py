@@ -5,13 +5,17 @@ import time
 from collections.abc import Callable, Sequence
 from typing import Any
 
+from rcl_interfaces.msg import ParameterEvent
 from rcl_interfaces.srv import (
     DescribeParameters, GetParameters, GetParameterTypes, ListParameters, SetParameters, SetParametersAtomically,
 )
 from rclpy.callback_groups import CallbackGroup
 from rclpy.client import Client
+from rclpy.event_handler import SubscriptionEventCallbacks
 from rclpy.parameter import Parameter, parameter_dict_from_yaml_file
-from rclpy.qos import QoSProfile, qos_profile_services_default
+from rclpy.qos import QoSProfile, qos_profile_parameter_events, qos_profile_services_default
+from rclpy.qos_overriding_options import QoSOverridingOptions
+from rclpy.subscription import Subscription
 from rclpy.task import Future
 
 
@@ -60,9 +64,10 @@ class AsyncParameterClient:
         return [one.to_parameter_msg() if isinstance(one, Parameter) else one for one in parameters]
 
     def list_parameters(
-        self, prefixes: list[str] | None = None, depth: int = 0, callback: Callable[[Future], None] | None = None
+        self, prefixes: list[str] | None = None, depth: int | None = None,
+        callback: Callable[[Future], None] | None = None
     ) -> Future:
-        request = ListParameters.Request(depth=depth)
+        request = ListParameters.Request(depth=depth or 0)
         if prefixes:
             request.prefixes = list(prefixes)
         return self._ask(self._list_parameter_client, request, callback)
@@ -103,6 +108,17 @@ class AsyncParameterClient:
         self, parameter_file: str, use_wildcard: bool = False, callback: Callable[[Future], None] | None = None
     ) -> Future:
         return self.set_parameters_atomically(self._of_file(parameter_file, use_wildcard), callback)
+
+    def on_parameter_event(
+        self, callback: Callable[..., Any], qos_profile: QoSProfile = qos_profile_parameter_events, *,
+        callback_group: CallbackGroup | None = None, event_callbacks: SubscriptionEventCallbacks | None = None,
+        qos_overriding_options: QoSOverridingOptions | None = None, raw: bool = False
+    ) -> Subscription:
+        """Hear of the parameters of all nodes."""
+        made: Subscription = self.node.create_subscription(
+            ParameterEvent, '/parameter_events', callback, qos_profile, callback_group=callback_group,
+            event_callbacks=event_callbacks, qos_overriding_options=qos_overriding_options, raw=raw)
+        return made
 
     def _of_file(self, parameter_file: str, use_wildcard: bool) -> list[Any]:
         return list(parameter_dict_from_yaml_file(parameter_file, use_wildcard).values())

@@ -22,7 +22,8 @@ def wait_for_message(
             taken.append(found[0])
         return found is not None
     try:
-        return (True, taken[0]) if wait_until(take, node.context, None if time_to_wait < 0 else time_to_wait) else (False, None)
+        heard = wait_until(take, node.context, None if time_to_wait < 0 else time_to_wait)
+        return (True, taken[0]) if heard else (False, None)
     finally:
         node._subscriptions.append(subscription)
         node.destroy_subscription(subscription)

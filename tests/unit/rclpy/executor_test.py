@@ -15,8 +15,6 @@ WOKEN, TIMEOUT = 0, 1
 
 
 class FakeHost(types.ModuleType):
-    suspends = False
-
     def __init__(self) -> None:
         super().__init__('ros2wasm_host')
         self.wakes = 0

@@ -29,6 +29,18 @@ class NodeTest(BusTest):
         for maybe in (None, 0, -1):
             self.assertTrue(client.wait_for_service(maybe))
 
+    def test_parameters_of_another_node_are_listed_and_heard_of(self) -> None:
+        module = importlib.import_module('rclpy.parameter_client')
+        client = module.AsyncParameterClient(self.own, self.node('other').get_name())
+        self.assertTrue(client.wait_for_services(0))
+        listed = self.result(client.list_parameters([], None))
+        self.assertIn('use_sim_time', listed.result.names)
+        events: list[str] = []
+        client.on_parameter_event(lambda event: events.extend(one.name for one in event.changed_parameters))
+        parameter = importlib.import_module('rclpy.parameter').Parameter('use_sim_time', value=True)
+        self.result(client.set_parameters([parameter]))
+        self.spin_until(lambda: events == ['use_sim_time'])
+
     def test_a_wait_for_a_message_leaves_nothing_behind(self) -> None:
         wait: Any = importlib.import_module('rclpy.wait_for_message').wait_for_message
         string = importlib.import_module('std_msgs.msg').String

@@ -60,6 +60,8 @@ class SimpleManagedEntity(ManagedEntity):
             def only_when_enabled(self: SimpleManagedEntity, *args: Any, **kwargs: Any) -> Any:
                 if self._enabled:
                     return method(self, *args, **kwargs)
-                return None if when_not_enabled is None else when_not_enabled(self, *args, **kwargs)
+                if when_not_enabled is not None:
+                    when_not_enabled()
+                return None
             return only_when_enabled
         return decorate if wrapped is None else decorate(wrapped)

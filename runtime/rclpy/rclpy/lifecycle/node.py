@@ -67,12 +67,10 @@ class LifecycleNodeMixin(ManagedEntity):
     def create_lifecycle_publisher(
         self, msg_type: Any, topic: str, qos_profile: QoSProfile | int, **kwargs: Any
     ) -> LifecyclePublisher:
-        """A publisher that sends while the node is active."""
+        """A publisher that sends from the next activation on, while the node is active."""
         node: Any = self
         publisher: LifecyclePublisher = node.create_publisher(
             msg_type, topic, qos_profile, publisher_class=LifecyclePublisher, **kwargs)
-        # It may be made while the node is active.
-        publisher._enabled = STATES[self._state_machine.state] in ('active', 'activating')
         self._managed_entities.append(publisher)
         return publisher
 
@@ -112,29 +110,6 @@ class LifecycleNodeMixin(ManagedEntity):
 
     def on_error(self, state: LifecycleState) -> TransitionCallbackReturn:
         return self._tell_entities('on_error', state)
-
-    def register_callback(self, state_id: int, callback: Callback) -> bool:
-        """What is called in a state of transition."""
-        self._lifecycle_callbacks[state_id] = callback
-        return True
-
-    def register_on_configure(self, callback: Callback) -> bool:
-        return self.register_callback(CONFIGURING, callback)
-
-    def register_on_cleanup(self, callback: Callback) -> bool:
-        return self.register_callback(CLEANINGUP, callback)
-
-    def register_on_shutdown(self, callback: Callback) -> bool:
-        return self.register_callback(SHUTTINGDOWN, callback)
-
-    def register_on_activate(self, callback: Callback) -> bool:
-        return self.register_callback(ACTIVATING, callback)
-
-    def register_on_deactivate(self, callback: Callback) -> bool:
-        return self.register_callback(DEACTIVATING, callback)
-
-    def register_on_error(self, callback: Callback) -> bool:
-        return self.register_callback(ERRORPROCESSING, callback)
 
     # ---- transitions
 
@@ -226,7 +201,5 @@ class LifecycleNode(LifecycleNodeMixin, Node):
     """A node with a managed life."""
 
     def __init__(self, node_name: str, *, enable_communication_interface: bool = True, **kwargs: Any) -> None:
-        # Publishers that the node makes for itself are destroyed as those of the user.
-        self._managed_entities = []
         Node.__init__(self, node_name, **kwargs)
         LifecycleNodeMixin.__init__(self, enable_communication_interface=enable_communication_interface)

@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import inspect
 import sys
+import threading
 import warnings
 import weakref
 from asyncio import events
@@ -28,6 +29,8 @@ class Future:
         self._exception: BaseException | None = None
         self._exception_fetched = False
         self._callbacks: list[Callable[[Future], Any]] = []
+        #: What wakes the loops of asyncio whose tasks wait for it.
+        self._sleepers: list[Callable[[], None]] = []
         self._executor: weakref.ref[Any] | None = None
         self._set_executor(executor)
 
@@ -35,11 +38,29 @@ class Future:
         if self._exception is not None and not self._exception_fetched:
             print(f'The following exception was never retrieved: {self._exception}', file=sys.stderr)
 
-    def __await__(self) -> Generator[Future | None, None, Any]:
+    def __await__(self) -> Generator[Any, None, Any]:
         while self._state is FutureState.PENDING:
-            # Tells the task what it waits for; a task of asyncio only lets others go on.
-            yield self if events._get_running_loop() is None or Task._stepping else None
+            loop = events._get_running_loop()
+            if loop is None or _steps.depth:
+                # Tells the task what it waits for.
+                yield self
+            else:
+                yield from self._sleep(loop)
         return self.result()
+
+    def _sleep(self, loop: events.AbstractEventLoop) -> Generator[Any, None, None]:
+        """What a task of asyncio waits for: its loop is told when this is done."""
+        told = loop.create_future()
+
+        def tell() -> None:
+            if not told.done():
+                told.set_result(None)
+
+        def wake() -> None:
+            if not loop.is_closed():
+                loop.call_soon_threadsafe(tell)
+        self._sleepers.append(wake)
+        return told.__await__()
 
     def cancel(self) -> None:
         """Give up, if it is not done."""
@@ -84,6 +105,9 @@ class Future:
         callbacks, self._callbacks = self._callbacks, []
         # Whoever waits for it can go on.
         host.wake()
+        for wake in self._sleepers:
+            wake()
+        self._sleepers.clear()
         if executor is None:
             for callback in callbacks:
                 self._invoke(callback)
@@ -114,11 +138,17 @@ class Future:
             self._invoke(callback)
 
 
+class _Steps(threading.local):
+    """Tasks in the middle of a step in this thread, one within the other."""
+
+    depth = 0
+
+
+_steps = _Steps()
+
+
 class Task(Future):
     """A function to call, or a coroutine to step."""
-
-    #: How many are in the middle of a step, one within the other.
-    _stepping = 0
 
     def __init__(
         self, handler: Callable[..., Any] | Coroutine[Any, Any, Any], args: Any = None, kwargs: Any = None,
@@ -150,7 +180,7 @@ class Task(Future):
         self._executing = True
         try:
             if inspect.iscoroutine(self._handler):
-                Task._stepping += 1
+                _steps.depth += 1
                 try:
                     self._yielded = self._handler.send(None)
                     self._gave_way = not isinstance(self._yielded, Future)
@@ -158,7 +188,7 @@ class Task(Future):
                     self.set_result(end.value)
                     self._complete_task()
                 finally:
-                    Task._stepping -= 1
+                    _steps.depth -= 1
             else:
                 self.set_result(self._handler(*self._args, **self._kwargs))
                 self._complete_task()

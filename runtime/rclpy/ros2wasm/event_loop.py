@@ -26,7 +26,7 @@ class LinkSelector:
             background.run()
             host.wait(token, wait)
         else:
-            host.look_up()
+            host.look_around()
         self._token = host.wake_token()
         return []
 

@@ -181,6 +181,12 @@ def look_up() -> None:
         threads.look_up()
 
 
+def look_around() -> None:
+    """For a loop that does not wait: as look_up, and what came on the link is seen."""
+    if threads is not None and slice_is_over():
+        threads.give_way()
+
+
 def can_switch() -> bool:
     """Whether the present stack can rest while others run."""
     return bool(can_run_sync())

@@ -12,6 +12,7 @@ import signal
 import sys
 import threading
 import time
+import traceback
 from _threading_local import local
 from asyncio import events
 from collections import deque
@@ -88,9 +89,8 @@ class Threads:
         except SystemExit:
             pass
         except BaseException as error:
-            sys.unraisablehook(type('Unraisable', (), {
-                'exc_type': type(error), 'exc_value': error, 'exc_traceback': error.__traceback__,
-                'err_msg': 'Exception ignored in thread started by', 'object': function})())
+            print(f'Exception ignored in thread started by: {function!r}', file=sys.stderr)
+            traceback.print_exception(error)
         if stack.sentinel is not None:
             stack.sentinel.release()
         self.count -= 1
@@ -145,12 +145,21 @@ class Threads:
         self.ready.append(stack)
 
     def give_way(self) -> None:
-        """Let the others go on first."""
+        """Let what came on the link be seen, and the others go on first."""
         me = self.current
+        me.reason = host.WOKEN
+        # On the port link nothing comes while a program computes.
+        if host.wait_on_link(host.wake_token(), 0) == host.STOP:
+            self._told_of_stop()
         self._collect()
         if self.ready:
             self.ready.append(me)
             self._switch(me)
+        else:
+            # Another slice.
+            self._now_runs(me)
+        if me.reason == host.STOP:
+            host.interrupt()
 
     def look_up(self) -> None:
         """Let the others go on, when the present stack has had its slice of time."""
@@ -166,6 +175,11 @@ class Threads:
                 host.interrupt()
         elif self.main.blocked and host.take_stop():
             self.wake(self.main, host.STOP)
+
+    def _told_of_stop(self) -> None:
+        """The link told of a stop, and will not again: the main stack hears of it as soon as it goes on."""
+        self.wake(self.main, host.STOP)
+        self.main.reason = host.STOP
 
     def _collect(self) -> None:
         """Wake whom time or the link wakes."""
@@ -189,7 +203,7 @@ class Threads:
         ends = [stack.deadline for stack in self.sleeping if stack.deadline is not None]
         wait = max(0, min(ends) - time.monotonic_ns()) if ends else -1
         if host.wait_on_link(token, wait) == host.STOP:
-            self.wake(self.main, host.STOP)
+            self._told_of_stop()
         self._collect()
 
     def _on_slice(self, _number: int, frame: FrameType | None) -> None:

@@ -19,7 +19,7 @@ let folder = '';
 let browser: Browser | undefined;
 
 before(async () => {
-  // Compiled: talker-1, listener-2; Python: count-3, hear-4, threads-5, errands-6, life-7, cloud-8.
+  // Compiled: talker-1, listener-2; Python: count-3, hear-4, threads-5, errands-6, life-7, cloud-8, busy-9.
   const share = {
     'share/test_share/words.txt': 'words of a package',
     'share/ament_index/resource_index/packages/test_share': '',
@@ -32,6 +32,7 @@ before(async () => {
       { entry: 'chatter_py.errands:main', executable: 'errands' },
       { entry: 'chatter_py.life:main', executable: 'life' },
       { entry: 'lib/chatter_py/cloud', executable: 'cloud', numpy: true },
+      { entry: 'chatter_py.busy:main', executable: 'busy' },
     ],
     packages: ownPackage('chatter_py'),
   });
@@ -72,6 +73,8 @@ const wanted: Readonly<Record<string, RegExp>> = {
   'the index knows what there is, and a home': /^\[life-7\] index package 'no_such_package' not found \/home\/user$/,
   'point clouds are arrays, and arrays point clouds':
     /^\[cloud-8\] 2 x 1, step 12; \[0\.0, 4\.0\]; Point\(x=np\.float32\(3\.0\), .*\); \[\[1\.0\], \[4\.0\]\]$/,
+  'messages come while a thread computes': /^\[busy-9\] heard 3 while a thread computes True$/,
+  'messages come while a loop of asyncio never rests': /^\[busy-9\] awaited 3 in a loop that never rests$/,
   'an executor and its threads end': /^\[errands-6\] errands are done$/,
   'the compiled one hears Python': /^\[listener-2\] I heard: \[Python counts \d+\]/,
 };
@@ -96,7 +99,7 @@ for (const link of ['shared', 'port']) {
     assert.equal(code, 130, err);
     // As natively: KeyboardInterrupt comes out of spin, and who caught it ends well.
     assert.equal(said.at(-1), '[hear-4] stopped by hand, something heard', said.slice(-30).join('\n'));
-    for (const node of ['count-3', 'hear-4', 'threads-5', 'errands-6', 'life-7', 'cloud-8']) assert.match(err, new RegExp(`\\[${node}\\] process has finished cleanly`));
+    for (const node of ['count-3', 'hear-4', 'threads-5', 'errands-6', 'life-7', 'cloud-8', 'busy-9']) assert.match(err, new RegExp(`\\[${node}\\] process has finished cleanly`));
   });
 }
 

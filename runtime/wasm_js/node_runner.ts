@@ -113,6 +113,8 @@ export class NodeRunner {
     if (!this.active()) return;
     const { run } = this;
     if (run === undefined || this.stopping) {
+      // It does not end by itself: no rule is followed.
+      this.stopping = true;
       this.kill();
       return;
     }

@@ -201,6 +201,22 @@ test('respawn starts a node again until it is stopped', watchdog, () =>
     await reaches(session, 'exits-1', 'exited');
   }));
 
+test('a node that is stopped before it starts does not end by itself: no rule is followed', watchdog, () =>
+  withSession([
+    { program: 'exits.c', respawn: true, rules: { start_after: 1000 } },
+    { program: 'echo.c', rules: { start_after: 1000, on_exit: 'shutdown' } },
+    { program: 'talker.c' },
+  ], async (session) => {
+    session.startAll();
+    await reaches(session, 'talker-3', 'running');
+    session.stop('exits-1');
+    session.stop('echo-2');
+    // Longer than the least pause before a respawn.
+    await new Promise((resolve) => setTimeout(resolve, 500));
+    assert.deepEqual(session.nodes().map(({ state }) => state),
+      [{ kind: 'exited', code: 137 }, { kind: 'exited', code: 137 }, { kind: 'running' }]);
+  }));
+
 test('a node that hears nothing is killed at the second stop; restart starts it again', watchdog, () =>
   withSession([{ program: 'spins.c' }], async (session) => {
     session.startAll();

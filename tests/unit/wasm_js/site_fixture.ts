@@ -18,6 +18,8 @@ export interface FixtureNode {
   readonly threads?: boolean;
   readonly respawn?: boolean;
   readonly arguments?: readonly string[];
+  /** Further fields of site.json: `start_after`, `on_exit` and the like. */
+  readonly rules?: Readonly<Record<string, unknown>>;
   /** The names of the functions stand in a file of their own, as `pack` has them; otherwise in the program. */
   readonly namesApart?: boolean;
 }
@@ -46,7 +48,7 @@ export function splitNames(module: Uint8Array): { readonly program: Uint8Array; 
 export function makeFolder(nodes: readonly FixtureNode[]): string {
   const folder = mkdtempSync(join(tmpdir(), 'ros2wasm-session-'));
   mkdirSync(join(folder, 'programs'));
-  const described = nodes.map(({ program, threads = false, respawn = false, arguments: args = [], namesApart }, i) => {
+  const described = nodes.map(({ program, threads = false, respawn = false, arguments: args = [], rules = {}, namesApart }, i) => {
     const name = program.replace(/\..*/, '');
     const built = buildProgram(program, { threads });
     if (namesApart === true) {
@@ -59,7 +61,7 @@ export function makeFolder(nodes: readonly FixtureNode[]): string {
     return {
       id: `${name}-${i + 1}`, package: 'test', executable: name, label: `/${name}`, kind: 'cpp', threads, respawn,
       program: `programs/${name}.wasm`, ...(namesApart === true ? { names: `programs/${name}.names` } : {}), arguments: args, environment: { COLOUR: 'red' }, output: 'screen',
-      source: { file: 'workspace.yaml', line: 3 + i, column: 5 },
+      source: { file: 'workspace.yaml', line: 3 + i, column: 5 }, ...rules,
     };
   });
   writeFileSync(join(folder, 'interfaces.json'), '{"std_msgs/msg/String": "string data\\n"}');

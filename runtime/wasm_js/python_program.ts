@@ -156,16 +156,25 @@ class Interrupts {
   }
 }
 
-/** Stacks of one Python program: one runs, the others are suspended until somebody lets them go on. */
-function threadFunctions(interrupts: Interrupts, wait: (promise: Promise<void>) => void): Record<string, unknown> {
+/**
+ * Stacks of one Python program: one runs, the others are suspended until somebody lets them go on. `died`: a stack ended
+ * in another way than Python does, so that nobody goes on any more.
+ */
+function threadFunctions(
+  interrupts: Interrupts, wait: (promise: Promise<void>) => void, died: (error: unknown) => void,
+): Record<string, unknown> {
   const parked = new Map<number, () => void>();
+  const runStack = async (begin: PyCallable): Promise<void> => {
+    await begin.callPromising();
+    begin.destroy();
+  };
   return {
     set_threads: (count: number) => interrupts.setThreads(count),
     thread_runs: (_ident: number, isMain: boolean) => interrupts.threadRuns(isMain),
     slice_is_over: () => interrupts.sliceIsOver(),
     begin_thread: (begin: PyCallable) => {
       const kept = begin.copy() as PyCallable;
-      queueMicrotask(() => void kept.callPromising().then(() => kept.destroy()));
+      queueMicrotask(() => void runStack(kept).catch(died));
     },
     park: (ident: number) => wait(new Promise<void>((resolve) => parked.set(ident, resolve))),
     unpark: (ident: number) => {
@@ -184,7 +193,9 @@ function arrived(arrival: Arrival): number {
 }
 
 /** The module `ros2wasm_host` of Python. */
-function hostModule(host: ProgramHost, memory: ProgramMemory, stop: Interrupts): Record<string, unknown> {
+function hostModule(
+  host: ProgramHost, memory: ProgramMemory, stop: Interrupts, died: (error: unknown) => void,
+): Record<string, unknown> {
   const { link } = host;
   const imports = hostImports(link, () => memory, host.idle, host.sent);
   const buffers: PyBuffer[] = [];
@@ -219,7 +230,7 @@ function hostModule(host: ProgramHost, memory: ProgramMemory, stop: Interrupts):
       const there = host.input.arrives(0);
       return there instanceof Promise ? there.then(arrived) : arrived(there);
     }),
-    ...threadFunctions(stop, wait),
+    ...threadFunctions(stop, wait, died),
     pending: () => pending,
     resumed: () => {
       stop.suspended = false;
@@ -238,10 +249,14 @@ function hostModule(host: ProgramHost, memory: ProgramMemory, stop: Interrupts):
 interface FileSystem {
   readonly mkdirTree: (path: string) => void;
   readonly createFile: (folder: string, name: string, properties: object, read: boolean, write: boolean) => object;
+  readonly ErrnoError: new (number: number) => Error;
 }
 
-/** Puts the site's share files in place; the bytes of one come when it is first read. */
-function mountShare(python: PyodideInterface, { files, readNow }: ProgramHost): void {
+/** EIO of Emscripten. */
+const inputError = 29;
+
+/** Puts the site's share files in place; the bytes of one come when it is first read, all of them or an error. */
+export function mountShare(python: PyodideInterface, { files, readNow }: Pick<ProgramHost, 'files' | 'readNow'>): void {
   const system = python['FS'] as unknown as FileSystem;
   for (const [path, size] of files.files) {
     const whole = `${files.prefix}/${path}`;
@@ -249,8 +264,15 @@ function mountShare(python: PyodideInterface, { files, readNow }: ProgramHost): 
     system.mkdirTree(whole.slice(0, at));
     const node = system.createFile(whole.slice(0, at), whole.slice(at + 1), {}, true, false);
     let bytes: Uint8Array | undefined;
+    const contents = (): Uint8Array => {
+      if (bytes !== undefined) return bytes;
+      const found = readNow(files.place, path);
+      if (found?.length !== size) throw new system.ErrnoError(inputError);
+      bytes = found;
+      return found;
+    };
     Object.defineProperties(node, {
-      contents: { get: () => (bytes ??= readNow(files.place, path) ?? new Uint8Array(size)) },
+      contents: { get: contents },
       usedBytes: { get: () => size },
     });
   }
@@ -307,7 +329,13 @@ export const runPython: RunPython = async (module, start, host, files) => {
     python.setStdout(writer('stdout'));
     python.setStderr(writer('stderr'));
     const stop = new Interrupts(() => host.link.stopRequested(), !host.stepped);
-    python.registerJsModule('ros2wasm_host', hostModule(host, memory, stop));
+    let died: (error: unknown) => void = () => undefined;
+    const death = new Promise<never>((_resolve, reject) => {
+      died = reject;
+    });
+    // After the program's end nobody asks.
+    death.catch(() => undefined);
+    python.registerJsModule('ros2wasm_host', hostModule(host, memory, stop, died));
     for (const bytes of await Promise.all(archives)) python.unpackArchive(bytes, 'zip', { extractDir: prefix });
     mountShare(python, host);
     const globals = python.toPy({ path: sitePackages }) as PyDict;
@@ -317,8 +345,8 @@ export const runPython: RunPython = async (module, start, host, files) => {
     // A stop that came meanwhile: nothing of the user's has begun.
     if (host.link.stopRequested()) return { kind: 'exit', code: interruptedCode };
     python.setInterruptBuffer(stop as unknown as Uint8Array<ArrayBuffer>);
-    const code = (suspends ? await run.callPromising(start.entry, prefix, args) : run(start.entry, prefix, args)) as number;
-    return { kind: 'exit', code };
+    const end: unknown = suspends ? Promise.race([run.callPromising(start.entry, prefix, args), death]) : run(start.entry, prefix, args);
+    return { kind: 'exit', code: await end as number };
   } catch (error) {
     return failure(error);
   } finally {

@@ -1,8 +1,21 @@
-// How a Python program's end reads when Python itself could not go on.
+// Python programs in this process: how one ends when Python itself could not go on, and its view of the site's files.
 
 import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
+import { dirname, join } from 'node:path';
 import { test } from 'node:test';
-import { failure } from '../../../runtime/wasm_js/python_program.ts';
+import { fileURLToPath } from 'node:url';
+import { loadPyodide } from 'pyodide';
+import { PortWaits } from '../../../runtime/wasm_js/port_waits.ts';
+import type { ProgramEnd, ProgramHost } from '../../../runtime/wasm_js/program.ts';
+import { failure, mountShare, runPython } from '../../../runtime/wasm_js/python_program.ts';
+
+const root = fileURLToPath(new URL('../../..', import.meta.url));
+const pyodide = `${dirname(createRequire(import.meta.url).resolve('pyodide'))}/`;
+const watchdog = { timeout: 240_000 };
 
 function deeper(): number {
   return 1 + deeper();
@@ -18,4 +31,86 @@ test('a full stack is not taken for a lack of memory', () => {
   assert.deepEqual(failure(caught), { kind: 'crash', code: 'R2W0701', message: 'the stack is full: too deep a recursion?' });
   assert.equal((failure(new RangeError('could not allocate memory')) as { code: string }).code, 'R2W0710');
   assert.deepEqual(failure('gone'), { kind: 'crash', code: 'R2W0701', message: 'gone' });
+});
+
+test('a share file that cannot be read is an error, not zeros, and is tried again', watchdog, async () => {
+  const python = await loadPyodide({ indexURL: pyodide });
+  const site = new Map<string, Uint8Array>([['share/short.txt', new Uint8Array(2)]]);
+  mountShare(python, {
+    files: { prefix: '/opt/ros/jazzy', place: '', files: [['share/late.txt', 3], ['share/short.txt', 3]] },
+    readNow: (_place, path) => site.get(path),
+  });
+  const read = (path: string): unknown => python.runPython(`
+try:
+    found = open('/opt/ros/jazzy/share/${path}', 'rb').read().decode()
+except OSError as error:
+    import errno
+    found = errno.errorcode[error.errno]
+found`);
+  assert.equal(read('late.txt'), 'EIO');
+  assert.equal(read('short.txt'), 'EIO');
+  site.set('share/late.txt', new TextEncoder().encode('yes'));
+  assert.equal(read('late.txt'), 'yes');
+});
+
+/** Runs a script on a link to nobody, which suspends. */
+async function runScript(script: string): Promise<{ readonly end: ProgramEnd; readonly lines: readonly string[] }> {
+  const folder = mkdtempSync(join(tmpdir(), 'ros2wasm-python-'));
+  try {
+    mkdirSync(join(folder, 'lib'));
+    writeFileSync(join(folder, 'lib/script'), script);
+    execFileSync('python3', [
+      join(root, 'tests/support/make_archive.py'), join(folder, 'all.zip'), `${join(folder, 'lib')}=lib/test`,
+      ...['rclpy', 'ros2wasm'].map((name) => `${join(root, 'runtime/rclpy', name)}=lib/python3.12/site-packages/${name}`),
+    ]);
+    const lines: string[] = [];
+    const clock = {
+      systemNs: () => Date.now() * 1e6, steadyNs: () => performance.now() * 1e6, lawVersion: () => 0,
+      realMsUntil: (steadyNs: number) => Math.max(0, steadyNs / 1e6 - performance.now()),
+    };
+    const waits = new PortWaits(clock as never);
+    const link = {
+      kind: 'port', clock, wakeToken: () => waits.token, wake: () => waits.wake(), stopRequested: () => waits.stops > 0,
+      wait: (token: number, ms: number) => waits.wait(token, ms), sleep: (ms: number) => waits.sleep(ms),
+    };
+    const host = {
+      link, arguments: ['script'], environment: {}, line: (_: string, text: string) => lines.push(text), idle: () => undefined,
+      files: { prefix: '/opt/ros/jazzy', place: '', files: [] }, readNow: () => undefined, random: undefined, sent: undefined,
+      stepped: false, input: {},
+    } as unknown as ProgramHost;
+    const module = await WebAssembly.compile(readFileSync(`${pyodide}pyodide.asm.wasm`));
+    const start = { base: `${folder}/`, home: '', archives: ['all.zip'], entry: 'lib/test/script' };
+    const end = await runPython(module, start, host, {
+      pyodide: async () => (options) => loadPyodide({ ...options, indexURL: pyodide }),
+      bytes: async (place) => Uint8Array.from(readFileSync(place)),
+    });
+    waits.close();
+    return { end, lines };
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+}
+
+test('a thread that Python cannot go on from ends the program, with the reason', watchdog, async () => {
+  const { end, lines } = await runScript(`
+import ctypes
+import threading
+import time
+
+
+def fall():
+    time.sleep(0.01)
+    print('falls')
+    ctypes.string_at(0xFFFFFFF0, 8)
+
+
+thread = threading.Thread(target=fall)
+thread.start()
+thread.join()
+print('nobody goes on')
+`);
+  assert.deepEqual(lines.slice(0, 1), ['falls']);
+  assert.ok(!lines.includes('nobody goes on'));
+  assert.equal(end.kind, 'crash');
+  assert.match((end as { message: string }).message, /out of bounds/);
 });

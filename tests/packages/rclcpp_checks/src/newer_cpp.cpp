@@ -108,6 +108,18 @@ void check_views(Checks& checks) {
     names += name;
   }
   CHECK(names == "ab" && heights["b"] == 5);
+  // What is made on the way is not referred to.
+  auto made = views::iota(1, 4) | views::transform([](int one) {
+                return std::pair(one, std::string(40, static_cast<char>('0' + one)));
+              });
+  auto texts = made | views::values;
+  static_assert(std::is_same_v<decltype(*texts.begin()), std::string>);
+  static_assert(std::is_same_v<decltype(*(heights | views::values).begin()), int&>);
+  std::string joined;
+  for (const std::string& one : texts) {
+    joined += one.substr(38);
+  }
+  CHECK(joined == "112233" && list(made | views::keys) == (std::vector<int>{1, 2, 3}));
 }
 
 }  // namespace

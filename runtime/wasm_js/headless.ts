@@ -2,17 +2,16 @@
 // [--stepped [--seed N]] [--trace FILE]
 // stdout is what the nodes print, as `ros2 launch` shows it. Exit code: 0 met, 1 not met, 2 command line, 130 Ctrl-C.
 
-import { writeFileSync } from 'node:fs';
 import { isMainThread, parentPort, workerData } from 'node:worker_threads';
 import { parseArgs } from 'node:util';
 import { type Broker, PortBroker, SharedBroker, steppedBus } from './broker.ts';
-import { MessageTrace } from './message_trace.ts';
 import { nodeFiles, nodePlatform, readFileNow, workerMark } from './node_platform.ts';
 import { serveWorker, type WorkerOrder } from './node_worker.ts';
 import type { NodeView } from './session.ts';
 import { SiteError } from './site_error.ts';
 import { readSite } from './site_reader.ts';
 import { SiteSession } from './site_session.ts';
+import { TraceFile } from './trace_file.ts';
 
 const usage = 'usage: node headless.js SITE [--for TIME] [--until REGEX] [--json] [--link shared|port] '
   + '[--stepped [--seed N]] [--trace FILE]';
@@ -94,15 +93,14 @@ export async function runHeadless(options: Options, entry: URL): Promise<number>
     finish = resolve;
   });
   let met = false;
-  const trace = new MessageTrace();
-  const traceLines: string[] = [];
+  const trace = options.trace === undefined ? undefined : new TraceFile(options.trace);
 
   const session = new SiteSession({
     site,
     platform,
     broker,
     ...(options.stepped === undefined ? {} : { stepped: options.stepped }),
-    ...(options.trace === undefined ? {} : { onSent: (node, message) => void traceLines.push(trace.add(node.id, message)) }),
+    ...(trace === undefined ? {} : { onSent: (node, message) => trace.add(node.id, message) }),
     onLines: (node, lines, dropped) => {
       if (met) return;
       if (dropped > 0) process.stderr.write(`[${node.id}] ... ${dropped} lines were dropped\n`);
@@ -162,10 +160,8 @@ export async function runHeadless(options: Options, entry: URL): Promise<number>
   clearTimeout(timer);
   process.off('SIGINT', stop);
   process.off('SIGTERM', stop);
-  if (options.trace !== undefined) {
-    const { messages } = trace;
-    const sha256 = trace.sha256();
-    writeFileSync(options.trace, traceLines.join(''));
+  if (trace !== undefined) {
+    const { messages, sha256 } = trace.close();
     if (options.json) event({ event: 'trace', messages, sha256 });
     else process.stderr.write(`trace: ${messages} messages, sha256 ${sha256}\n`);
   }

@@ -38,11 +38,21 @@ export function sentMessage(
   };
 }
 
+/** SHA-256 of what was added so far. */
+export interface RunningHash {
+  add(bytes: Uint8Array): void;
+  hex(): string;
+}
+
 /** The messages of a run, one line each: how many, and the hash of the lines, which are not kept. */
 export class MessageTrace {
   messages = 0;
-  private readonly hash = new RunningSha256();
+  private readonly hash: RunningHash;
   private readonly encoder = new TextEncoder();
+
+  constructor(hash: RunningHash = new RunningSha256()) {
+    this.hash = hash;
+  }
 
   /** Returns the line. */
   add(node: string, message: SentMessage): string {

@@ -97,16 +97,17 @@ def read_points_list(
 def create_cloud(header: Any, fields: Iterable[Any], points: Any, step: int | None = None) -> Any:
     """A message of points: a structured array, or rows of numbers."""
     fields = list(fields)
-    if isinstance(points, np.ndarray) and points.dtype.names is not None:
-        assert points.dtype == dtype_from_fields(fields, point_step=step), \
+    form = dtype_from_fields(fields, point_step=step)
+    if not isinstance(points, np.ndarray):
+        points = np.array([tuple(point) for point in points], dtype=form)
+    elif points.dtype.names is not None:
+        assert points.dtype == form, \
             'PointFields and structured NumPy array dtype do not match for all fields! ' \
             'Check their field order, names and types.'
     else:
-        rows = np.asarray(points if isinstance(points, np.ndarray) else list(points))
-        form = dtype_from_fields(fields, point_step=step)
-        structured = np.zeros(rows.shape[:-1], dtype=form)
+        structured = np.zeros(points.shape[:-1], dtype=form)
         for column, name in enumerate(form.names):
-            structured[name] = rows[..., column]
+            structured[name] = points[..., column]
         points = structured
     assert points.ndim <= 2, 'Too many dimensions for organized cloud! Points can only be organized in max. ' \
         'two dimensional space'

@@ -175,14 +175,8 @@ def sleep(duration_ns: int) -> int:
     return _told(_settled(js.sleep(duration_ns & LOW, duration_ns >> 32)))
 
 
-def look_up() -> None:
-    """Let other threads go on when this one has run for long."""
-    if threads is not None and threads.count > 1:
-        threads.look_up()
-
-
 def look_around() -> None:
-    """For a loop that does not wait: as look_up, and what came on the link is seen."""
+    """For what does not wait: when it has run for long, what came on the link is seen, and other threads go on."""
     if threads is not None and slice_is_over():
         threads.give_way()
 
@@ -344,7 +338,7 @@ class Endpoint:
             result = suspend()
         if result < 0:
             self._refused(result)
-        look_up()
+        look_around()
 
     def write_bytes(self, data: bytes) -> SampleInfo:
         """Send what is serialised already."""

@@ -131,6 +131,18 @@ class ThreadsTest(ThreadsCase):
         self.assertEqual(self.threads.count, 1)
         self.assertRegex(told.getvalue(), r'(?s)^Exception ignored in thread started by: .*fail.*LookupError: nothing')
 
+    def test_a_stop_comes_with_a_program_that_only_publishes(self) -> None:
+        string = importlib.import_module('std_msgs.msg').String
+        publisher = self.node('shouting').create_publisher(string, 'chatter', 1)
+        publisher.publish(string(data='in its slice'))
+
+        def turn() -> None:
+            self.bus.stops = 1
+        self.bus.on_turn = turn
+        self.bus.slice_over = True
+        with self.assertRaises(KeyboardInterrupt):
+            publisher.publish(string(data='after it'))
+
     def test_who_computes_among_sleepers_has_its_whole_slice(self) -> None:
         over = list[int]()
         self.threads.start(self.compute, (lambda: bool(over),))

@@ -73,16 +73,28 @@ const char* text(long address) {
   return reinterpret_cast<const char*>(address);
 }
 
+/// What a descriptor is of; null: it is not open.
+File file_of(Files& all, long fd) {
+  if (fd >= 0 && fd < kFirst) {
+    return all.tree.consoles[static_cast<size_t>(fd)];
+  }
+  const OpenFile* const open = all.at(static_cast<int>(fd));
+  return open == nullptr ? nullptr : open->file;
+}
+
 Found find(Files& all, long folder, long path) {
   File from;
   if (folder != AT_FDCWD && *text(path) != '/') {
-    const OpenFile* const open = all.at(static_cast<int>(folder));
-    if (open == nullptr) {
+    from = file_of(all, folder);
+    if (!from) {
       return {EBADF, nullptr, nullptr, {}};
     }
-    from = open->file;
   }
-  return all.tree.find(text(path), from);
+  try {
+    return all.tree.find(text(path), from);
+  } catch (const std::bad_alloc&) {
+    return {ENOMEM, nullptr, nullptr, {}};
+  }
 }
 
 /// What asks for memory: -ENOMEM where there is none.
@@ -98,10 +110,25 @@ long within_memory(Action action) {
 constexpr uint32_t kModeBits = 07777;
 constexpr uint32_t kMask = 022;  ///< umask, which nobody changes
 
-/// `mode`: of a file that is made.
+/// Index of a place in `open`, which is there from now on; kMostOpen: there is none.
+long free_place(Files& all) {
+  const auto found =
+      std::find_if(all.open.begin(), all.open.end(), [](const OpenFile& one) { return !one.file; });
+  const long index = found - all.open.begin();
+  if (found == all.open.end() && index < kMostOpen) {
+    all.open.emplace_back();
+  }
+  return index;
+}
+
+/// `mode`: of a file that is made. Nothing is made or emptied by a call that fails.
 long open_file(long folder, long path, long flags, uint32_t mode) {
   Files& all = files();
   const Lock lock(all.mutex);
+  const long index = free_place(all);
+  if (index >= kMostOpen) {
+    return -EMFILE;
+  }
   Found found = find(all, folder, path);
   const bool writes = (flags & O_ACCMODE) != O_RDONLY;
   if (found.file && (flags & O_CREAT) != 0 && (flags & O_EXCL) != 0) {
@@ -113,6 +140,9 @@ long open_file(long folder, long path, long flags, uint32_t mode) {
     }
     if (text(path)[strlen(text(path)) - 1] == '/') {
       return -EISDIR;
+    }
+    if ((flags & O_DIRECTORY) != 0) {
+      return -EINVAL;
     }
     found.file = all.tree.make(found, FileKind::kFile);
     found.file->mode = mode & kModeBits & ~kMask;
@@ -132,18 +162,7 @@ long open_file(long folder, long path, long flags, uint32_t mode) {
     file->bytes.clear();
     file->changed_ns = ros2wasm::time_of_day_ns();
   }
-  const auto free_place =
-      std::find_if(all.open.begin(), all.open.end(), [](const OpenFile& one) { return !one.file; });
-  const long index = free_place - all.open.begin();
-  if (index >= kMostOpen) {
-    return -EMFILE;
-  }
-  OpenFile opened{file, 0, static_cast<int>(flags), {}};
-  if (free_place == all.open.end()) {
-    all.open.push_back(std::move(opened));
-  } else {
-    *free_place = std::move(opened);
-  }
+  all.open[static_cast<size_t>(index)] = {file, 0, static_cast<int>(flags), {}};
   return kFirst + index;
 }
 
@@ -279,6 +298,61 @@ long change_time(ros2wasm::FileNode& file, long times) {
   return 0;
 }
 
+/// Bytes of the path with its end.
+long tell_here(long buffer, long size) {
+  Files& all = files();
+  const Lock lock(all.mutex);
+  const std::string path = FileTree::path_of(all.tree.here);
+  if (static_cast<size_t>(size) <= path.size()) {
+    return -ERANGE;
+  }
+  memcpy(reinterpret_cast<char*>(buffer), path.c_str(), path.size() + 1);
+  return static_cast<long>(path.size() + 1);
+}
+
+/// Bytes of the entries that fit.
+long list_folder(long fd, long buffer, long size) {
+  Files& all = files();
+  const Lock lock(all.mutex);
+  OpenFile* const open = all.at(static_cast<int>(fd));
+  if (open == nullptr) {
+    return -EBADF;
+  }
+  if (!open->file->is_folder()) {
+    return -ENOTDIR;
+  }
+  constexpr int64_t kDots = 2;
+  const auto& children = open->file->children;
+  if (open->position <= kDots) {
+    open->last_told.clear();
+  }
+  auto next =
+      std::upper_bound(children.begin(), children.end(), open->last_told,
+                       [](const std::string& last, const File& one) { return last < one->name; });
+  long used = 0;
+  while (used + static_cast<long>(sizeof(dirent)) <= size) {
+    const bool dots = open->position < kDots;
+    if (!dots && next == children.end()) {
+      break;
+    }
+    const ros2wasm::FileNode& file = dots ? *open->file : **next;
+    const std::string name = !dots ? file.name : open->position == 0 ? "." : "..";
+    if (!dots) {
+      open->last_told = name;
+      ++next;
+    }
+    dirent told{};
+    told.d_ino = file.number;
+    told.d_off = ++open->position;
+    told.d_reclen = sizeof(dirent);
+    told.d_type = file.is_folder() ? DT_DIR : file.kind == FileKind::kFile ? DT_REG : DT_CHR;
+    name.copy(told.d_name, sizeof(told.d_name) - 1);
+    memcpy(reinterpret_cast<void*>(buffer + used), &told, sizeof(told));
+    used += static_cast<long>(sizeof(told));
+  }
+  return used;
+}
+
 int64_t whole(long low, long high) {
   return (static_cast<int64_t>(high) << 32) | static_cast<uint32_t>(low);
 }
@@ -317,13 +391,8 @@ long __syscall_fstatat64(long folder, long path, long out, long flags) {
 long __syscall_fstat64(long fd, long out) {
   Files& all = files();
   const Lock lock(all.mutex);
-  if (fd >= 0 && fd < kFirst) {
-    ros2wasm::FileNode console;
-    console.kind = FileKind::kConsole;
-    return describe(console, out);
-  }
-  const OpenFile* const open = all.at(static_cast<int>(fd));
-  return open == nullptr ? -EBADF : describe(*open->file, out);
+  const File file = file_of(all, fd);
+  return !file ? -EBADF : describe(*file, out);
 }
 long __syscall_access(long path, long) {
   return access_path(AT_FDCWD, path);
@@ -367,8 +436,8 @@ long __syscall_truncate64(long path, long low, long high) {
 long __syscall_ftruncate64(long fd, long low, long high) {
   Files& all = files();
   const Lock lock(all.mutex);
-  const OpenFile* const open = all.at(static_cast<int>(fd));
-  return open == nullptr ? -EBADF : resize(*open->file, whole(low, high));
+  const File file = file_of(all, fd);
+  return !file ? -EBADF : resize(*file, whole(low, high));
 }
 /// Everybody may do everything, whatever the mode.
 long __syscall_chmod(long path, long mode) {
@@ -380,11 +449,11 @@ long __syscall_fchmodat(long folder, long path, long mode, ...) {
 long __syscall_fchmod(long fd, long mode) {
   Files& all = files();
   const Lock lock(all.mutex);
-  OpenFile* const open = all.at(static_cast<int>(fd));
-  if (open == nullptr) {
+  const File file = file_of(all, fd);
+  if (!file) {
     return -EBADF;
   }
-  open->file->mode = static_cast<uint32_t>(mode) & kModeBits;
+  file->mode = static_cast<uint32_t>(mode) & kModeBits;
   return 0;
 }
 /// Without a path: of the open file.
@@ -392,8 +461,8 @@ long __syscall_utimensat(long folder, long path, long times, long) {
   Files& all = files();
   const Lock lock(all.mutex);
   if (path == 0) {
-    OpenFile* const open = all.at(static_cast<int>(folder));
-    return open == nullptr ? -EBADF : change_time(*open->file, times);
+    const File file = file_of(all, folder);
+    return !file ? -EBADF : change_time(*file, times);
   }
   const Found found = find(all, folder, path);
   return found.error != 0 ? -found.error : change_time(*found.file, times);
@@ -411,57 +480,11 @@ long __syscall_chdir(long path) {
   all.tree.here = found.file;
   return 0;
 }
-/// Bytes of the path with its end.
 long __syscall_getcwd(long buffer, long size) {
-  Files& all = files();
-  const Lock lock(all.mutex);
-  const std::string path = FileTree::path_of(all.tree.here);
-  if (static_cast<size_t>(size) <= path.size()) {
-    return -ERANGE;
-  }
-  memcpy(reinterpret_cast<char*>(buffer), path.c_str(), path.size() + 1);
-  return static_cast<long>(path.size() + 1);
+  return within_memory([&] { return tell_here(buffer, size); });
 }
 long __syscall_getdents64(long fd, long buffer, long size) {
-  Files& all = files();
-  const Lock lock(all.mutex);
-  OpenFile* const open = all.at(static_cast<int>(fd));
-  if (open == nullptr) {
-    return -EBADF;
-  }
-  if (!open->file->is_folder()) {
-    return -ENOTDIR;
-  }
-  constexpr int64_t kDots = 2;
-  const auto& children = open->file->children;
-  if (open->position <= kDots) {
-    open->last_told.clear();
-  }
-  auto next =
-      std::upper_bound(children.begin(), children.end(), open->last_told,
-                       [](const std::string& last, const File& one) { return last < one->name; });
-  long used = 0;
-  while (used + static_cast<long>(sizeof(dirent)) <= size) {
-    const bool dots = open->position < kDots;
-    if (!dots && next == children.end()) {
-      break;
-    }
-    const ros2wasm::FileNode& file = dots ? *open->file : **next;
-    const std::string name = !dots ? file.name : open->position == 0 ? "." : "..";
-    if (!dots) {
-      open->last_told = name;
-      ++next;
-    }
-    dirent told{};
-    told.d_ino = file.number;
-    told.d_off = ++open->position;
-    told.d_reclen = sizeof(dirent);
-    told.d_type = file.is_folder() ? DT_DIR : file.kind == FileKind::kFile ? DT_REG : DT_CHR;
-    name.copy(told.d_name, sizeof(told.d_name) - 1);
-    memcpy(reinterpret_cast<void*>(buffer + used), &told, sizeof(told));
-    used += static_cast<long>(sizeof(told));
-  }
-  return used;
+  return within_memory([&] { return list_folder(fd, buffer, size); });
 }
 // NOLINTEND(bugprone-reserved-identifier, cert-dcl50-cpp)
 
@@ -538,8 +561,9 @@ int ros2wasm_fd_seek(int fd, uint32_t low, int32_t high, int whence, int64_t* ou
                        : whence == SEEK_CUR ? open->position
                        : whence == SEEK_END ? static_cast<int64_t>(open->file->size())
                                             : -1;
-  const int64_t wanted = base + whole(static_cast<long>(low), high);
-  if (base < 0 || wanted < 0) {
+  int64_t wanted = 0;
+  const bool fits = !__builtin_add_overflow(base, whole(static_cast<long>(low), high), &wanted);
+  if (base < 0 || !fits || wanted < 0 || wanted > kLargestFile) {
     return kInvalid;
   }
   open->position = wanted;

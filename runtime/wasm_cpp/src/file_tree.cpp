@@ -68,9 +68,11 @@ FileTree::FileTree() : root_(std::make_shared<FileNode>()) {
   folder_at("/tmp");
   const File devices = folder_at("/dev");
   add(devices, "null", FileKind::kNull);
-  const char* const consoles[] = {"stdin", "stdout", "stderr"};
+  const char* const names[] = {"stdin", "stdout", "stderr"};
   for (int fd = 0; fd < 3; ++fd) {
-    add(devices, consoles[fd], FileKind::kConsole)->fd = fd;
+    const File console = add(devices, names[fd], FileKind::kConsole);
+    console->fd = fd;
+    consoles[static_cast<size_t>(fd)] = console;
   }
   add_site_files();
 }
@@ -106,10 +108,10 @@ File FileTree::add(const File& folder, std::string name, FileKind kind) {
   file->parent = folder;
   file->number = ++last_number_;
   file->changed_ns = time_of_day_ns();
-  folder->changed_ns = file->changed_ns;
   const auto place = place_of(folder, name);
   file->name = std::move(name);
   folder->children.insert(place, file);
+  folder->changed_ns = file->changed_ns;
   return file;
 }
 
@@ -201,13 +203,19 @@ int FileTree::move(const Found& from, const Found& to) {
     if (!to.file->children.empty()) {
       return ENOTEMPTY;
     }
+  }
+  std::string name = to.name;
+  to.folder->children.reserve(to.folder->children.size() + 1);
+  // From here on nothing asks for memory.
+  if (to.file) {
     remove(to);
   }
   const File moved = from.file;
   remove(from);
-  moved->name = to.name;
+  moved->name = std::move(name);
   moved->parent = to.folder;
   to.folder->children.insert(place_of(to.folder, to.name), moved);
+  to.folder->changed_ns = time_of_day_ns();
   return 0;
 }
 

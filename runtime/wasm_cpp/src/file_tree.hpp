@@ -3,6 +3,7 @@
 // at once: file_calls.cpp holds the lock.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -50,13 +51,15 @@ class FileTree {
   /// The new file stands in the folder of `found`. Throws bad_alloc.
   File make(const Found& found, FileKind kind);
   void remove(const Found& found);
-  /// 0, or an errno. What stands at the new place goes, when it may.
+  /// 0, or an errno. What stands at the new place goes, when it may. Throws bad_alloc before
+  /// anything changed.
   [[nodiscard]] int move(const Found& from, const Found& to);
   /// Reads it from the site if that was not done yet. 0, or an errno.
   [[nodiscard]] static int load(FileNode& file);
   [[nodiscard]] static std::string path_of(const File& file);
 
-  File here;  ///< the working directory
+  File here;                     ///< the working directory
+  std::array<File, 3> consoles;  ///< what the descriptors 0 to 2 are of
 
  private:
   File add(const File& folder, std::string name, FileKind kind);

@@ -7,11 +7,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <vector>
 
 #include "checks.hpp"
 
@@ -93,6 +95,28 @@ int main(int argc, char** argv) {
   CHECK(utimensat(AT_FDCWD, "/tmp/secret", times, 0) == 0 && stat("/tmp/secret", &told) == 0);
   CHECK(told.st_mtim.tv_sec == 1700000000 && told.st_mtim.tv_nsec == 250000000);
   CHECK(utimensat(AT_FDCWD, "/tmp/absent", times, 0) == -1 && errno == ENOENT);
+
+  CHECK(fstat(STDOUT_FILENO, &told) == 0 && S_ISCHR(told.st_mode) && (told.st_mode & 07777) == 0666);
+  CHECK(fchmod(STDOUT_FILENO, 0600) == 0 && stat("/dev/stdout", &told) == 0 && (told.st_mode & 07777) == 0600);
+
+  const int far = open("/tmp/far", O_RDWR | O_CREAT, 0644);
+  CHECK(write(far, "abc", 3) == 3 && lseek(far, INT64_MAX, SEEK_SET) == -1 && errno == EINVAL);
+  CHECK(lseek(far, INT64_MAX, SEEK_CUR) == -1 && write(far, "d", 1) == 1 && close(far) == 0);
+  CHECK(text_of("/tmp/far") == "abcd");
+
+  // What fails leaves all as it was.
+  std::vector<int> opened;
+  while (opened.empty() || opened.back() >= 0) {
+    opened.push_back(open("/tmp/far", O_RDONLY));
+  }
+  CHECK(errno == EMFILE && opened.size() > 500);
+  CHECK(open("/tmp/far", O_WRONLY | O_TRUNC) == -1 && fs::file_size("/tmp/far") == 4);
+  CHECK(open("/tmp/unmade", O_WRONLY | O_CREAT, 0644) == -1 && !fs::exists("/tmp/unmade"));
+  opened.pop_back();
+  for (const int one : opened) {
+    close(one);
+  }
+  CHECK(open("/tmp/unmade", O_RDONLY | O_CREAT | O_DIRECTORY, 0644) == -1 && !fs::exists("/tmp/unmade"));
 
   std::ofstream nothing("/dev/null");
   nothing << "gone" << std::flush;

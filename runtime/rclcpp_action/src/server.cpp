@@ -65,6 +65,10 @@ bool GoalState::is_active() const {
   return !is_over(status());
 }
 
+bool GoalState::is_cancelable() const {
+  return next(status(), Event::cancel_goal) != 0;
+}
+
 int8_t GoalState::next(int8_t status, Event event) {
   const bool executing = status == GoalStatus::STATUS_EXECUTING;
   const bool canceling = status == GoalStatus::STATUS_CANCELING;
@@ -201,14 +205,14 @@ void ServerBase::publish_status() {
   status_publisher_->publish(message);
 }
 
-// An id names one goal, a stamp all that were accepted until then, both the union, none all.
+// An id names one goal, a stamp all that were accepted until then, both the union, none all. Those
+// that can be cancelled are asked; that there are none is an error only to who wants one goal.
 void ServerBase::cancel(const CancelGoal::Request& request, CancelGoal::Response& response) {
   const GoalUUID wanted = request.goal_info.goal_id.uuid;
   const bool any_id = wanted == GoalUUID{};
   const int64_t until = rclcpp::Time(request.goal_info.stamp).nanoseconds();
   std::vector<std::pair<GoalUUID, GoalRecord>> asked;
-  bool known = any_id;
-  bool ended = false;
+  bool known = false;
   {
     const std::lock_guard<std::recursive_mutex> lock(mutex_);
     for (const auto& [uuid, record] : goals_) {
@@ -216,23 +220,16 @@ void ServerBase::cancel(const CancelGoal::Request& request, CancelGoal::Response
       const bool by_time = (any_id && until == 0) ||
                            (until != 0 && rclcpp::Time(record.stamp).nanoseconds() <= until);
       known = known || by_id;
-      if (!by_id && !by_time) {
-        continue;
-      }
-      if (record.state->is_active()) {
+      if ((by_id || by_time) && record.state->is_cancelable()) {
         asked.emplace_back(uuid, record);
-      } else {
-        ended = ended || by_id;
       }
     }
   }
   for (const auto& [uuid, record] : asked) {
-    if (ask_to_cancel(uuid) != CancelResponse::ACCEPT || !record.state->is_active()) {
+    if (ask_to_cancel(uuid) != CancelResponse::ACCEPT || !record.state->is_cancelable()) {
       continue;
     }
-    if (record.state->status() != GoalStatus::STATUS_CANCELING) {
-      record.state->cancel_goal();
-    }
+    record.state->cancel_goal();
     action_msgs::msg::GoalInfo info;
     info.goal_id.uuid = uuid;
     info.stamp = record.stamp;
@@ -241,12 +238,13 @@ void ServerBase::cancel(const CancelGoal::Request& request, CancelGoal::Response
   if (!response.goals_canceling.empty()) {
     response.return_code = CancelGoal::Response::ERROR_NONE;
     publish_status();
-  } else if (!known) {
-    response.return_code = CancelGoal::Response::ERROR_UNKNOWN_GOAL_ID;
-  } else if (ended) {
-    response.return_code = CancelGoal::Response::ERROR_GOAL_TERMINATED;
-  } else {
+  } else if (!asked.empty()) {
     response.return_code = CancelGoal::Response::ERROR_REJECTED;
+  } else if (any_id || until != 0) {
+    response.return_code = CancelGoal::Response::ERROR_NONE;
+  } else {
+    response.return_code = known ? CancelGoal::Response::ERROR_GOAL_TERMINATED
+                                 : CancelGoal::Response::ERROR_UNKNOWN_GOAL_ID;
   }
 }
 

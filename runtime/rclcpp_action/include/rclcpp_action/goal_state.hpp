@@ -13,6 +13,7 @@ class GoalState {
  public:
   int8_t status() const;
   bool is_active() const;
+  bool is_cancelable() const;
   void execute();
   void cancel_goal();
   void succeed();

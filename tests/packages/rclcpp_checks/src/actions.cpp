@@ -3,6 +3,7 @@
 #include "example_interfaces/action/fibonacci.hpp"
 #include "rclcpp_action/rclcpp_action.hpp"
 
+using CancelGoal = action_msgs::srv::CancelGoal;
 using Fibonacci = example_interfaces::action::Fibonacci;
 using ServerHandle = rclcpp_action::ServerGoalHandle<Fibonacci>;
 using Client = rclcpp_action::Client<Fibonacci>;
@@ -14,13 +15,17 @@ int main(int argc, char** argv) {
   auto node = std::make_shared<rclcpp::Node>("actions_node");
   std::shared_ptr<ServerHandle> active;
   int steps = 0;
+  int asked = 0;
   auto server = rclcpp_action::create_server<Fibonacci>(
       node, "fibonacci",
       [](const rclcpp_action::GoalUUID&, std::shared_ptr<const Fibonacci::Goal> goal) {
         return goal->order > 100 ? rclcpp_action::GoalResponse::REJECT
                                  : rclcpp_action::GoalResponse::ACCEPT_AND_EXECUTE;
       },
-      [](const std::shared_ptr<ServerHandle>) { return rclcpp_action::CancelResponse::ACCEPT; },
+      [&](const std::shared_ptr<ServerHandle>) {
+        ++asked;
+        return rclcpp_action::CancelResponse::ACCEPT;
+      },
       [&](const std::shared_ptr<ServerHandle> handle) {
         active = handle;
         steps = 0;
@@ -85,5 +90,24 @@ int main(int argc, char** argv) {
   CHECK(cancelled.get().code == rclcpp_action::ResultCode::CANCELED);
   CHECK_THROWS(rclcpp_action::exceptions::UnknownGoalHandleError,
                client->async_cancel_goal(handle));
+
+  // Nothing is left to cancel, which is an error only to who wants one goal.
+  auto none = client->async_cancel_all_goals();
+  rclcpp::spin_until_future_complete(node, none);
+  CHECK(none.get()->return_code == CancelGoal::Response::ERROR_NONE &&
+        none.get()->goals_canceling.empty());
+
+  // A goal that is being cancelled is not asked again.
+  work->cancel();
+  auto kept = client->async_send_goal(goal);
+  rclcpp::spin_until_future_complete(node, kept);
+  const int asked_before = asked;
+  auto once = client->async_cancel_goal(kept.get());
+  rclcpp::spin_until_future_complete(node, once);
+  auto twice = client->async_cancel_goal(kept.get());
+  rclcpp::spin_until_future_complete(node, twice);
+  CHECK(once.get()->return_code == CancelGoal::Response::ERROR_NONE && asked == asked_before + 1);
+  CHECK(twice.get()->return_code == CancelGoal::Response::ERROR_GOAL_TERMINATED &&
+        twice.get()->goals_canceling.empty());
   return checks.finish();
 }

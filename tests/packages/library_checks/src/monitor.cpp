@@ -133,5 +133,8 @@ int main(int argc, char** argv) {
     executor.spin_once(1s);
   }
   CHECK(last["plant: motor"].message == "going down");
+  const DiagnosticStatus& start = first["plant: motor"];
+  CHECK(start.level == DiagnosticStatus::OK && start.message == "Node starting up" &&
+        start.hardware_id == "board-07");
   return checks.finish();
 }

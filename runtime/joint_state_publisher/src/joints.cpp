@@ -7,14 +7,14 @@
 #include <stdexcept>
 #include <utility>
 
-#include "urdf/detail/xml_document.hpp"
+#include "ros2wasm_xml/xml_document.hpp"
 #include "urdf_model/utils.h"
 
 namespace joint_state_publisher {
 namespace {
 
-using urdf::detail::XmlDocument;
-using urdf::detail::XmlElement;
+using ros2wasm_xml::XmlDocument;
+using ros2wasm_xml::XmlElement;
 
 std::optional<double> number_of(const XmlElement* element, const std::string& key) {
   const std::string* text = element == nullptr ? nullptr : element->attribute(key);

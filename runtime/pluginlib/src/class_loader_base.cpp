@@ -104,19 +104,23 @@ bool DeclaredClasses::is_loaded(const std::string& lookup_name) const {
 }
 
 class_loader::ClassLoader& DeclaredClasses::load(const std::string& lookup_name) {
-  const std::string path = path_of(at<LibraryLoadException>(lookup_name));
+  ClassDesc& declared = at<LibraryLoadException>(lookup_name);
+  const std::string path = path_of(declared);
   if (!is_linked(path)) {
     throw LibraryLoadException("Could not find library corresponding to plugin " + lookup_name +
-                               ". Make sure that the library '" +
-                               at<LibraryLoadException>(lookup_name).library_name_ +
+                               ". Make sure that the library '" + declared.library_name_ +
                                "' actually exists.");
   }
+  declared.resolved_library_path_ = path;
   return loaded_.try_emplace(path, path).first->second;
 }
 
 int DeclaredClasses::unload(const std::string& lookup_name) {
-  const std::string path = path_of(at<LibraryUnloadException>(lookup_name));
-  loaded_.erase(path);
+  const ClassDesc& declared = at<LibraryUnloadException>(lookup_name);
+  if (declared.resolved_library_path_ == ClassDesc::kUnresolved) {
+    throw LibraryUnloadException(unknown_text(lookup_name));
+  }
+  loaded_.erase(declared.resolved_library_path_);
   return 0;
 }
 

@@ -8,14 +8,14 @@
 #include "ament_index_cpp/get_resource.hpp"
 #include "ament_index_cpp/get_resources.hpp"
 #include "pluginlib/exceptions.hpp"
-#include "urdf/detail/xml_document.hpp"
+#include "ros2wasm_xml/xml_document.hpp"
 
 namespace pluginlib::impl {
 namespace {
 
-using urdf::detail::XmlDocument;
-using urdf::detail::XmlElement;
-using urdf::detail::XmlError;
+using ros2wasm_xml::XmlDocument;
+using ros2wasm_xml::XmlElement;
+using ros2wasm_xml::XmlError;
 
 std::string attribute_or(const XmlElement& element, const std::string& key,
                          const std::string& otherwise) {

@@ -2,14 +2,14 @@
 // ParseError for what is missing or wrong.
 #pragma once
 
-#include "urdf/detail/xml_document.hpp"
+#include "ros2wasm_xml/xml_document.hpp"
 #include "urdf_model/joint.h"
 #include "urdf_model/link.h"
 
 namespace urdf {
 
-using detail::XmlDocument;
-using detail::XmlElement;
+using ros2wasm_xml::XmlDocument;
+using ros2wasm_xml::XmlElement;
 
 /// The value; ParseError, naming `what`, when there is none.
 const std::string& required(const XmlElement& element, const std::string& key,

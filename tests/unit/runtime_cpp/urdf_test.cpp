@@ -4,13 +4,13 @@
 #include <random>
 #include <string>
 
-#include "urdf/detail/xml_document.hpp"
+#include "ros2wasm_xml/xml_document.hpp"
 #include "urdf/model.h"
 
 namespace {
 
-using urdf::detail::XmlDocument;
-using urdf::detail::XmlError;
+using ros2wasm_xml::XmlDocument;
+using ros2wasm_xml::XmlError;
 
 const std::string kRobot = R"(<?xml version="1.0"?>
 <!DOCTYPE robot>

@@ -1,11 +1,11 @@
 // See xml_document.hpp.
-#include "urdf/detail/xml_document.hpp"
+#include "ros2wasm_xml/xml_document.hpp"
 
 #include <algorithm>
 #include <cstdint>
 #include <string_view>
 
-namespace urdf::detail {
+namespace ros2wasm_xml {
 namespace {
 
 constexpr std::string_view kSpace = " \t\r\n";
@@ -244,4 +244,4 @@ const XmlElement* XmlDocument::child(const XmlElement& of, const std::string& na
   return nullptr;
 }
 
-}  // namespace urdf::detail
+}  // namespace ros2wasm_xml

@@ -8,6 +8,9 @@ namespace pluginlib {
 
 class ClassDesc {
  public:
+  /// In place of a path, until the class's library was loaded for it.
+  static constexpr const char* kUnresolved = "UNRESOLVED";
+
   ClassDesc(std::string lookup_name, std::string derived_class, std::string base_class,
             std::string package, std::string description, std::string library_name,
             std::string plugin_manifest_path)
@@ -24,8 +27,8 @@ class ClassDesc {
   std::string base_class_;
   std::string package_;
   std::string description_;
-  std::string library_name_;           ///< as the description names it
-  std::string resolved_library_path_;  ///< "UNRESOLVED" in ROS 2 until it is loaded; empty here
+  std::string library_name_;  ///< as the description names it
+  std::string resolved_library_path_ = kUnresolved;
   std::string plugin_manifest_path_;
 };
 

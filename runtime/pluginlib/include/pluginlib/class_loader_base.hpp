@@ -46,7 +46,7 @@ class DeclaredClasses {
   [[nodiscard]] std::vector<std::string> names() const;
   /// Throws the error for a class that no description has, of the kind that the caller throws.
   template <typename ErrorT>
-  const ClassDesc& at(const std::string& lookup_name) const {
+  ClassDesc& at(const std::string& lookup_name) {
     const auto found = classes_.find(lookup_name);
     if (found == classes_.end()) {
       throw ErrorT(unknown_text(lookup_name));
@@ -63,7 +63,7 @@ class DeclaredClasses {
   [[nodiscard]] bool is_loaded(const std::string& lookup_name) const;
   /// Throws LibraryLoadException.
   class_loader::ClassLoader& load(const std::string& lookup_name);
-  /// How often it is still loaded. Throws LibraryUnloadException.
+  /// How often it is still loaded. Throws LibraryUnloadException for a class that was not loaded.
   int unload(const std::string& lookup_name);
 
  private:

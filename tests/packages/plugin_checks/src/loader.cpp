@@ -53,6 +53,7 @@ void check_descriptions(Checks& checks, Loader& loader) {
 
 void check_objects(Checks& checks, Loader& loader) {
   CHECK(!loader.isClassLoaded("triangle") && loader.getRegisteredLibraries().empty());
+  CHECK_THROWS(pluginlib::LibraryUnloadException, loader.unloadLibraryForClass("triangle"));
   const std::shared_ptr<Shape> triangle = loader.createSharedInstance("triangle");
   triangle->initialize(10);
   CHECK(triangle->area() > 43.3 && triangle->area() < 43.31);
@@ -69,6 +70,7 @@ void check_objects(Checks& checks, Loader& loader) {
   const std::unique_ptr<Shape> dot(loader.createUnmanagedInstance("plugin_checks::Dot"));
   CHECK(dot->area() == 0 && loader.unloadLibraryForClass("plugin_checks::Dot") == 0);
   CHECK(!loader.isClassLoaded("plugin_checks::Dot") && triangle->area() > 43);
+  CHECK(loader.unloadLibraryForClass("plugin_checks::Dot") == 0);
 }
 
 void check_errors(Checks& checks, Loader& loader) {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace urdf::detail {
+namespace ros2wasm_xml {
 
 /// A text that is no XML, with the line where it stops being so.
 class XmlError : public std::runtime_error {
@@ -42,4 +42,4 @@ class XmlDocument {
   std::vector<XmlElement> elements_;  ///< in the order of the text, so the first is the root
 };
 
-}  // namespace urdf::detail
+}  // namespace ros2wasm_xml

@@ -23,6 +23,7 @@
 #include "bundler/launch/launch_world.hpp"
 #include "bundler/launch/parameter_sources.hpp"
 #include "bundler/launch/python_tree.hpp"
+#include "bundler/launch_tools.hpp"
 #include "bundler/plan/runtime_assets.hpp"
 #include "bundler/plan/shipped_channel.hpp"
 #include "bundler/python_nodes.hpp"
@@ -304,15 +305,28 @@ std::string build_remark(const std::vector<BuiltPackage>& packages) {
 }
 
 /// The nodes of the manifest's launch file.
-Outcome<std::vector<LaunchNode>> launch_from_file(BuiltWorkspace& workspace,
-                                                  const Spanned<std::string>& file) {
+Outcome<std::vector<LaunchNode>> launch_from_file(const PackRequest& request,
+                                                  BuiltWorkspace& workspace,
+                                                  const Spanned<std::string>& file,
+                                                  const Cancellation& cancellation) {
   workspace.watched.push_back(workspace.folder / file.value);
-  const LaunchWorld world =
-      installed_launch_world(workspace.folder, workspace.installed, workspace.manifest.distro);
+  const auto folders = installed_launch_folders(workspace.folder, workspace.installed,
+                                                workspace.environment, workspace.manifest.distro);
+  LaunchWorld world = launch_world(folders, workspace.manifest.distro, true);
+  world.python = launch_python(
+      folders,
+      [&] {
+        return find_launch_tools(request.executable, request.variables, workspace.environment,
+                                 cancellation);
+      },
+      cancellation);
   auto launched = launch_file_nodes(std::string(kLaunchWorkspace) + "/" + file.value, {}, world,
                                     workspace.installed, file.span);
   if (!launched) return std::move(launched).errors();
   append(workspace.warnings, launched->warnings);
+  for (const std::string& one : launched->files) {
+    if (auto real = real_path(folders, one)) workspace.watched.push_back(std::move(*real));
+  }
   for (std::string& remark : launched->remarks) workspace.remarks.push_back(std::move(remark));
   if (launched->nodes.empty()) {
     return Diagnostic{.code = "R2W0406",
@@ -325,9 +339,11 @@ Outcome<std::vector<LaunchNode>> launch_from_file(BuiltWorkspace& workspace,
 
 /// Step 7: nodes of the launch file or of the manifest; without any, every program of the
 /// workspace.
-Outcome<std::vector<LaunchNode>> launch(BuiltWorkspace& workspace) {
+Outcome<std::vector<LaunchNode>> launch(const PackRequest& request, BuiltWorkspace& workspace,
+                                        const Cancellation& cancellation) {
   Manifest& manifest = workspace.manifest;
-  if (manifest.launch_file) return launch_from_file(workspace, *manifest.launch_file);
+  if (manifest.launch_file)
+    return launch_from_file(request, workspace, *manifest.launch_file, cancellation);
   workspace.nodes_by_default = manifest.nodes.empty();
   if (workspace.nodes_by_default) {
     const auto local_end =
@@ -540,7 +556,7 @@ Outcome<PackReport> pack(const PackRequest& request, const Cancellation& cancell
   if (!workspace) return std::move(workspace).errors();
 
   // 7. what runs
-  auto nodes = launch(*workspace);
+  auto nodes = launch(request, *workspace, cancellation);
   if (!nodes) {
     // What was left out may be the reason, so the warnings are told too.
     Diagnostics errors = std::move(nodes).errors();

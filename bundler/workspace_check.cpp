@@ -9,6 +9,7 @@
 #include "bundler/launch/launch_world.hpp"
 #include "bundler/launch/parameter_file.hpp"
 #include "bundler/launch/parameter_sources.hpp"
+#include "bundler/launch_tools.hpp"
 #include "bundler/workspace/build_order.hpp"
 #include "bundler/workspace/channel_request.hpp"
 #include "bundler/workspace/workspace_channels.hpp"
@@ -51,9 +52,15 @@ Diagnostics check_names(CheckReport& report, const BuildOrder& order,
 }
 
 /// What the launch file comes to before anything is built; what it warns of comes along.
-Diagnostics check_launch_file(CheckReport& report, const fs::path& folder) {
+Diagnostics check_launch_file(const CheckRequest& request, CheckReport& report,
+                              const fs::path& folder, const Cancellation& cancellation) {
   if (!report.manifest.launch_file) return {};
-  const LaunchWorld world = source_launch_world(folder, report.packages, report.manifest.distro);
+  const auto folders = source_launch_folders(folder, report.packages, report.manifest.distro);
+  LaunchWorld world = launch_world(folders, report.manifest.distro, false);
+  world.python = launch_python(
+      folders,
+      [&] { return find_launch_tools(request.executable, request.variables, {}, cancellation); },
+      cancellation);
   auto description =
       evaluate_launch(std::string(kLaunchWorkspace) + "/" + report.manifest.launch_file->value, {},
                       world, report.manifest.launch_file->span);
@@ -91,7 +98,7 @@ Outcome<CheckReport> check_workspace(const CheckRequest& request,
     append(errors, order.errors());
   }
   append(errors, check_parameters(report.manifest, folder));
-  append(errors, check_launch_file(report, folder));
+  append(errors, check_launch_file(request, report, folder, cancellation));
 
   Manifest asked = report.manifest;  // the report keeps the dependencies as they are written
   const auto channels = workspace_channels(asked, folder, request.executable, request.variables);

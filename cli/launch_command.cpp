@@ -5,13 +5,16 @@
 #include <string>
 #include <vector>
 
+#include "bundler/io/files.hpp"
 #include "bundler/launch/launch_evaluation.hpp"
 #include "bundler/launch/launch_tree.hpp"
 #include "bundler/launch/launch_world.hpp"
+#include "bundler/launch_tools.hpp"
 #include "bundler/workspace/discovery.hpp"
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
 #include "workspace_schema/manifest.hpp"
+#include "workspace_schema/manifest_reader.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -21,7 +24,7 @@ struct LaunchOptions {
   std::string file;
   std::vector<std::string> given;
   std::string workspace = ".";
-  bool print = false;
+  bool print = false;  ///< as is done anyway
 };
 
 Diagnostic refused(std::string message, std::vector<std::string> why) {
@@ -43,6 +46,24 @@ Outcome<std::map<std::string, std::string>> arguments_of(const std::vector<std::
   return result;
 }
 
+/// The manifest of the folder, for its distro; without one, what manifests have by default.
+Outcome<Manifest> manifest_of(const fs::path& folder, const fs::path& shown) {
+  std::error_code error;
+  if (!fs::is_regular_file(folder / "workspace.yaml", error)) return Manifest{};
+  const auto text = read_file(folder / "workspace.yaml");
+  if (!text) return text.errors();
+  return read_manifest(*text, (shown / "workspace.yaml").lexically_normal().generic_string());
+}
+
+/// The packages of the folder; one that has none is no fault here.
+Outcome<std::vector<LocalPackage>> packages_of(const fs::path& folder, const fs::path& shown,
+                                               const Manifest& manifest) {
+  auto packages =
+      discover_packages(folder, shown, manifest.packages, ros_condition_variables(manifest.distro));
+  if (packages || packages.errors().front().code != "R2W0510") return packages;
+  return std::vector<LocalPackage>();
+}
+
 int run(Context& context, const LaunchOptions& options) {
   const auto given = arguments_of(options.given);
   if (!given) return context.console.fail(given.errors());
@@ -54,12 +75,19 @@ int run(Context& context, const LaunchOptions& options) {
     return context.console.fail(
         {refused("`" + options.file + "` is not in the workspace `" + options.workspace + "`",
                  {"name its folder with --workspace"})});
-  Spanned<std::string> everywhere{".", {}};
-  auto packages = discover_packages(folder, options.workspace, {everywhere},
-                                    ros_condition_variables(Manifest{}.distro));
-  const std::vector<LocalPackage> none;
-  const LaunchWorld world =
-      source_launch_world(folder, packages ? *packages : none, Manifest{}.distro);
+  auto manifest = manifest_of(folder, options.workspace);
+  if (!manifest) return context.console.fail(manifest.errors());
+  if (manifest->packages.empty()) manifest->packages.push_back({".", {}});
+  const auto packages = packages_of(folder, options.workspace, *manifest);
+  if (!packages) return context.console.fail(packages.errors());
+  const auto folders = source_launch_folders(folder, *packages, manifest->distro);
+  LaunchWorld world = launch_world(folders, manifest->distro, false);
+  world.python = launch_python(
+      folders,
+      [&] {
+        return find_launch_tools(context.executable, context.environment, {}, context.cancellation);
+      },
+      context.cancellation);
   const auto description =
       evaluate_launch(std::string(kLaunchWorkspace) + "/" + inside.generic_string(), *given, world);
   if (!description) return context.console.fail(description.errors());
@@ -76,7 +104,7 @@ int run(Context& context, const LaunchOptions& options) {
 
 CommandBody launch_command(Arguments& arguments) {
   const auto options = std::make_shared<LaunchOptions>();
-  arguments.required("FILE", options->file, "a launch file in XML or YAML");
+  arguments.required("FILE", options->file, "a launch file in XML, YAML or Python");
   arguments.rest("NAME:=VALUE", options->given, "launch arguments");
   arguments.value("-w,--workspace", options->workspace, "FOLDER",
                   "the folder with the workspace's packages [the current one]");

@@ -5,6 +5,7 @@
 #include <poll.h>
 #include <signal.h>
 #include <sys/prctl.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -51,6 +52,15 @@ struct Pipe {
   [[nodiscard]] bool open() {
     std::array<int, 2> ends{};
     if (pipe2(ends.data(), O_CLOEXEC) != 0) return false;
+    read_end.adopt(ends[0]);
+    write_end.adopt(ends[1]);
+    return true;
+  }
+
+  /// A socket, so that writing to a program that has ended is an error and not a signal.
+  [[nodiscard]] bool open_socket() {
+    std::array<int, 2> ends{};
+    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) return false;
     read_end.adopt(ends[0]);
     write_end.adopt(ends[1]);
     return true;
@@ -118,9 +128,16 @@ void drain(Descriptor& from, std::string& into, const ProcessRequest& request) {
   }
 }
 
+/// What a child writes to and reads from; -1: as this process has it, or /dev/null to read from.
+struct Streams {
+  int in = -1;
+  int out = -1;
+  int error = -1;
+};
+
 [[noreturn]] void become(const std::string& program, char* const* arguments,
-                         char* const* environment, const ProcessRequest& request, int out_fd,
-                         int error_fd, int report_fd, pid_t parent) {
+                         char* const* environment, const ProcessRequest& request, Streams streams,
+                         int report_fd, pid_t parent) {
   // Between fork and exec: only calls that are safe in a child of a program with threads.
   if (!request.share_terminal) ::setpgid(0, 0);
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);
@@ -128,11 +145,11 @@ void drain(Descriptor& from, std::string& into, const ProcessRequest& request) {
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
-  if (out_fd >= 0) {
-    ::dup2(out_fd, STDOUT_FILENO);
-    ::dup2(error_fd, STDERR_FILENO);
-    const int null_fd = ::open("/dev/null", O_RDONLY);
-    if (null_fd >= 0) ::dup2(null_fd, STDIN_FILENO);
+  if (streams.out >= 0) {
+    ::dup2(streams.out, STDOUT_FILENO);
+    ::dup2(streams.error, STDERR_FILENO);
+    const int in_fd = streams.in >= 0 ? streams.in : ::open("/dev/null", O_RDONLY);
+    if (in_fd >= 0) ::dup2(in_fd, STDIN_FILENO);
   }
   const std::string& directory = request.directory.native();
   if ((directory.empty() || ::chdir(directory.c_str()) == 0) &&
@@ -169,21 +186,16 @@ std::optional<fs::path> find_program(const std::string& name,
   return std::nullopt;
 }
 
-Outcome<ProcessResult> run_process(const ProcessRequest& request,
-                                   const Cancellation& cancellation) {
+namespace {
+
+/// Starts the program, and returns when it runs.
+Outcome<pid_t> start_child(const ProcessRequest& request, Streams streams) {
   const std::string& name = request.arguments.front();
   const auto program = find_program(name);
   if (!program) return cannot_start(name, "no such program was found");
-  if (cancellation.requested()) return interrupted();
-
-  Pipe output;
-  Pipe error;
   Pipe report;
-  const bool captures = request.output_mode != OutputMode::kInherit;
-  const bool merged = request.output_mode == OutputMode::kCaptureMerged;
-  if ((captures && (!output.open() || (!merged && !error.open()))) || !report.open()) {
+  if (!report.open())
     return cannot_start(name, std::strerror(errno));  // NOLINT(concurrency-mt-unsafe)
-  }
   auto argument_texts = request.arguments;
   auto environment_texts = environment_for(request);
   const auto arguments = pointers_to(argument_texts);
@@ -192,15 +204,10 @@ Outcome<ProcessResult> run_process(const ProcessRequest& request,
   const pid_t child = ::fork();
   if (child < 0) return cannot_start(name, std::strerror(errno));  // NOLINT(concurrency-mt-unsafe)
   if (child == 0) {
-    become(program->native(), arguments.data(), environment.data(), request,
-           captures ? output.write_end.get() : -1,
-           merged ? output.write_end.get() : error.write_end.get(), report.write_end.get(), parent);
+    become(program->native(), arguments.data(), environment.data(), request, streams,
+           report.write_end.get(), parent);
   }
-  output.write_end.close();
-  error.write_end.close();
   report.write_end.close();
-  const bool own_group = !request.share_terminal;
-
   int start_error = 0;
   ssize_t reported = 0;
   while ((reported = ::read(report.read_end.get(), &start_error, sizeof start_error)) < 0 &&
@@ -210,6 +217,33 @@ Outcome<ProcessResult> run_process(const ProcessRequest& request,
     ::waitpid(child, nullptr, 0);
     return cannot_start(name, std::strerror(start_error));  // NOLINT(concurrency-mt-unsafe)
   }
+  return child;
+}
+
+}  // namespace
+
+Outcome<ProcessResult> run_process(const ProcessRequest& request,
+                                   const Cancellation& cancellation) {
+  if (cancellation.requested()) return interrupted();
+  Pipe output;
+  Pipe error;
+  const bool captures = request.output_mode != OutputMode::kInherit;
+  const bool merged = request.output_mode == OutputMode::kCaptureMerged;
+  if (captures && (!output.open() || (!merged && !error.open()))) {
+    return cannot_start(request.arguments.front(),
+                        std::strerror(errno));  // NOLINT(concurrency-mt-unsafe)
+  }
+  Streams streams;
+  if (captures) {
+    streams.out = output.write_end.get();
+    streams.error = merged ? streams.out : error.write_end.get();
+  }
+  const auto started = start_child(request, streams);
+  if (!started) return started.errors();
+  const pid_t child = *started;
+  output.write_end.close();
+  error.write_end.close();
+  const bool own_group = !request.share_terminal;
 
   ProcessResult result;
   const bool is_limited = request.time_limit.count() > 0;
@@ -248,6 +282,119 @@ Outcome<ProcessResult> run_process(const ProcessRequest& request,
   }
   result.exit_code = exit_code_of(status);
   return result;
+}
+
+namespace {
+constexpr std::size_t kLongestLine = 64U << 20U;  // bytes
+}
+
+struct Conversation::State {
+  Cancellation cancellation;
+  std::string program;
+  pid_t child = 0;
+  Pipe input;
+  Pipe output;
+  Pipe error;
+  std::string received;
+  std::string error_text;
+  bool ended = false;
+
+  /// Waits for the program's end.
+  int end() {
+    input.write_end.close();
+    int status = 0;
+    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+    ended = true;
+    pollfd rest{error.read_end.get(), POLLIN, 0};
+    while (rest.fd >= 0 && ::poll(&rest, 1, 0) > 0) {
+      drain(error.read_end, error_text, {});
+      rest.fd = error.read_end.get();
+    }
+    return exit_code_of(status);
+  }
+  [[nodiscard]] Diagnostic gone(int exit_code) const {
+    return Diagnostic{.code = "R2W0910",
+                      .kind = FailureKind::kEnvironment,
+                      .message = "`" + program + "` ended before it answered",
+                      .why = {"it ended with " + std::to_string(exit_code)},
+                      .detail = error_text};
+  }
+  [[nodiscard]] bool send(std::string_view bytes) const {
+    while (!bytes.empty()) {
+      const ssize_t count = ::send(input.write_end.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL);
+      if (count < 0 && errno == EINTR) continue;
+      if (count < 0) return false;
+      bytes.remove_prefix(static_cast<std::size_t>(count));
+    }
+    return true;
+  }
+};
+
+Conversation::Conversation(std::unique_ptr<State> state) : state_(std::move(state)) {}
+
+Conversation::~Conversation() {
+  if (!state_->ended) stop_group(state_->child, true);
+}
+
+Outcome<std::unique_ptr<Conversation>> Conversation::start(const ProcessRequest& request,
+                                                           const Cancellation& cancellation) {
+  if (cancellation.requested()) return interrupted();
+  std::unique_ptr<State> state(new State{.cancellation = cancellation,
+                                         .program = request.arguments.front(),
+                                         .input = {},
+                                         .output = {},
+                                         .error = {},
+                                         .received = {},
+                                         .error_text = {}});
+  if (!state->input.open_socket() || !state->output.open() || !state->error.open())
+    return cannot_start(state->program,
+                        std::strerror(errno));  // NOLINT(concurrency-mt-unsafe)
+  const auto child = start_child(request, {.in = state->input.read_end.get(),
+                                           .out = state->output.write_end.get(),
+                                           .error = state->error.write_end.get()});
+  if (!child) return child.errors();
+  state->child = *child;
+  state->input.read_end.close();
+  state->output.write_end.close();
+  state->error.write_end.close();
+  return std::unique_ptr<Conversation>(new Conversation(std::move(state)));
+}
+
+Outcome<std::string> Conversation::ask(const std::string& line) {
+  State& state = *state_;
+  if (state.ended || !state.send(line + "\n")) return state.gone(state.ended ? 0 : state.end());
+  const ProcessRequest quiet;
+  for (;;) {
+    const std::size_t end = state.received.find('\n');
+    if (end != std::string::npos) {
+      std::string answer = state.received.substr(0, end);
+      state.received.erase(0, end + 1);
+      return answer;
+    }
+    if (state.output.read_end.get() < 0) {
+      const int exit_code = state.end();
+      return state.gone(exit_code);
+    }
+    std::array<pollfd, 3> waits = {{{state.output.read_end.get(), POLLIN, 0},
+                                    {state.error.read_end.get(), POLLIN, 0},
+                                    {state.cancellation.wake_fd(), POLLIN, 0}}};
+    const int patience_ms = state.cancellation.wake_fd() >= 0 ? -1 : 100;
+    if (::poll(waits.data(), waits.size(), patience_ms) < 0 && errno != EINTR)
+      return state.gone(state.end());
+    if (state.cancellation.requested()) {
+      stop_group(state.child, true);
+      state.ended = true;
+      return interrupted();
+    }
+    if (waits[0].revents != 0) drain(state.output.read_end, state.received, quiet);
+    if (state.received.size() > kLongestLine) {
+      stop_group(state.child, true);
+      state.ended = true;
+      return state.gone(128 + SIGTERM);
+    }
+    if (waits[1].revents != 0) drain(state.error.read_end, state.error_text, quiet);
+  }
 }
 
 }  // namespace ros2wasm

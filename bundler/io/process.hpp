@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -48,6 +49,26 @@ struct ProcessResult {
 /// stop (the child's whole group is ended first: SIGTERM, then SIGKILL after two seconds).
 [[nodiscard]] Outcome<ProcessResult> run_process(const ProcessRequest& request,
                                                  const Cancellation& cancellation);
+
+/// A program that is asked and answers, a line each. It is ended with this value.
+class Conversation {
+ public:
+  /// As run_process() starts it; its stderr is kept, its stdin and stdout are the conversation.
+  [[nodiscard]] static Outcome<std::unique_ptr<Conversation>> start(
+      const ProcessRequest& request, const Cancellation& cancellation);
+  Conversation(const Conversation&) = delete;
+  Conversation& operator=(const Conversation&) = delete;
+  ~Conversation();
+
+  /// Sends a line, which has no newline in it, and waits for one. R2W0910 when the program has
+  /// ended, with what it wrote to stderr; interrupted().
+  [[nodiscard]] Outcome<std::string> ask(const std::string& line);
+
+ private:
+  struct State;
+  explicit Conversation(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
 
 /// The executable file that `name` stands for: itself when it has a slash, else the first hit in
 /// `path` (colon separated; the environment's PATH when not given).

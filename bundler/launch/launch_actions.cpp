@@ -73,14 +73,7 @@ void LaunchEvaluator::let(const LaunchEntity& entity) {
 void LaunchEvaluator::include(const LaunchEntity& entity) {
   const auto named = text(entity, "file");
   if (!named) return;
-  // All are evaluated before the first is set, so that none sees another.
-  std::map<std::string, std::string> set;
-  for (const LaunchEntity& part : entity.children) {
-    const auto name = needed_text(part, "name");
-    auto value = needed_text(part, "value");
-    if (name && value) set[*name] = std::move(*value);
-  }
-  for (auto& [name, value] : set) scope_.configurations[name] = std::move(value);
+  for (const LaunchEntity& part : entity.children) let(part);  // each sees those before it
   const bool absolute = named->starts_with('/');
   file(absolute ? *named : place_.directory() + "/" + *named, entity.span);
 }
@@ -164,12 +157,18 @@ void LaunchEvaluator::log(const LaunchEntity& entity) {
   for (char& c : level) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
   description_.lines.push_back({.level = std::move(level),
                                 .text = std::move(*message),
+                                .on = trigger_,
                                 .after_s = after_s_,
                                 .span = entity.span});
 }
 
 void LaunchEvaluator::shutdown(const LaunchEntity& entity) {
-  LaunchShutdown now{.after_s = after_s_, .reason = text(entity, "reason").value_or("")};
+  if (trigger_ && trigger_->event == LaunchEvent::kExit && after_s_ == 0) {
+    description_.processes[trigger_->process].shutdown_on_exit = true;
+    return;
+  }
+  LaunchShutdown now{
+      .on = trigger_, .after_s = after_s_, .reason = text(entity, "reason").value_or("")};
   if (!description_.shutdown || now.after_s < description_.shutdown->after_s)
     description_.shutdown = std::move(now);
 }

@@ -33,10 +33,19 @@ struct LaunchComponent {
   std::vector<std::pair<std::string, std::string>> extra_arguments;
 };
 
+/// What another process does, after which something is done.
+enum class LaunchEvent { kStart, kExit };
+
+struct LaunchTrigger {
+  std::size_t process = 0;  ///< index in LaunchDescription::processes
+  LaunchEvent event = LaunchEvent::kExit;
+};
+
 struct LaunchProcess {
   NodeEntry node;  ///< parameter files are keys of LaunchDescription::parameter_files
   std::map<std::string, std::string> environment;
-  double start_after_s = 0;  ///< of timers that it stands in
+  std::optional<LaunchTrigger> start_on;  ///< else when the launch starts
+  double start_after_s = 0;               ///< of timers that it stands in
   double respawn_delay_s = 0;
   bool shutdown_on_exit = false;  ///< when it ends, all ends
   std::vector<LaunchComponent> components;
@@ -45,6 +54,7 @@ struct LaunchProcess {
 struct LaunchLine {
   std::string level;  ///< "info", "warning", "error" or "debug"
   std::string text;
+  std::optional<LaunchTrigger> on = {};
   double after_s = 0;
   SourceSpan span;
 };
@@ -57,6 +67,7 @@ struct LaunchLeftOut {
 };
 
 struct LaunchShutdown {
+  std::optional<LaunchTrigger> on;
   double after_s = 0;
   std::string reason;
 };

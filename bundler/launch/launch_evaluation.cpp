@@ -18,12 +18,15 @@ struct LaunchActionRow {
   std::vector<std::string_view> attributes;  ///< those that must be there begin with `!`
   std::vector<std::string_view> parts;       ///< `*`: actions
   void (LaunchEvaluator::*run)(const LaunchEntity& entity);
+  bool of_python = false;  ///< what only launch files in Python can say
 
   static std::span<const LaunchActionRow> table();
 };
 
 namespace {
 
+constexpr std::size_t kMostActions = 200'000;
+constexpr std::size_t kMostText = 256U << 20U;  // bytes, all together
 constexpr std::size_t kMostFiles = 1000;
 constexpr int kDeepest = 64;
 constexpr std::size_t kMostProcesses = 10'000;
@@ -39,6 +42,27 @@ std::string plain_tag(std::string_view tag) {
   std::string result(tag);
   std::replace(result.begin(), result.end(), '-', '_');
   return result;
+}
+
+/// A part of an action, which is no action itself.
+struct PartRow {
+  std::string_view tag;
+  Names attributes;
+};
+
+const std::vector<PartRow>& part_rows() {
+  static const std::vector<PartRow> rows{
+      {"arg", {"!name", "!value"}},
+      {"choice", {"!value"}},
+      {"composable_node", {"!pkg", "!plugin", "name", "namespace", "if", "unless"}},
+      {"env", {"!name", "!value"}},
+      {"extra_arg", {"!name", "!value", "type"}},
+      {"keep", {"!name", "!value"}},
+      {"let", {"!name", "!value"}},
+      {"param", {"name", "value", "type", "value_sep", "from", "allow_substs"}},
+      {"remap", {"!from", "!to"}},
+  };
+  return rows;
 }
 
 /// Tags and attributes are written with `-` and with `_`.
@@ -76,7 +100,7 @@ std::span<const LaunchActionRow> LaunchActionRow::table() {
       {"include", {"!file"}, {"arg", "let"}, &E::include},
       {"let", {"!name", "!value"}, {}, &E::let},
       {"lifecycle_node", with(node, {"autostart"}), {"param", "remap", "env"}, &E::node},
-      {"load_composable_node", {"!target"}, {"composable_node"}, &E::load_components},
+      {"load_composable_node", {"target"}, {"composable_node"}, &E::load_components},
       {"log", {"!message", "level"}, {}, &E::log},
       {"log_debug", {"!message"}, {}, &E::log},
       {"log_error", {"!message"}, {}, &E::log},
@@ -97,6 +121,21 @@ std::span<const LaunchActionRow> LaunchActionRow::table() {
       {"shutdown", {"reason"}, {}, &E::shutdown},
       {"timer", {"!period", "cancel_on_shutdown"}, {"*"}, &E::timer},
       {"unset_env", {"!name"}, {}, &E::unset_environment},
+      {"end_process", {}, {}, &E::pass_over, true},
+      {"forget_event", {"!handler"}, {}, &E::forget_event, true},
+      {"left_out", {"!what"}, {}, &E::pass_over, true},
+      {"lifecycle_transition", {"name", "transition"}, {}, &E::pass_over, true},
+      {"on_event",
+       {"!event", "!handler", "process", "call", "transition", "start_state", "goal_state"},
+       {"*"},
+       &E::on_event,
+       true},
+      {"pop_configurations", {}, {}, &E::pop_variables, true},
+      {"pop_environment", {}, {}, &E::pop_environment, true},
+      {"push_configurations", {}, {}, &E::push_variables, true},
+      {"push_environment", {}, {}, &E::push_environment, true},
+      {"python", {"!call"}, {}, &E::python, true},
+      {"unlet", {"!name"}, {}, &E::unset_variable, true},
   };
   return rows;
 }
@@ -105,10 +144,17 @@ LaunchEvaluator::LaunchEvaluator(const LaunchWorld& world,
                                  const std::map<std::string, std::string>& given)
     : world_(world), given_(given) {
   scope_.configurations = given;
+  if (!world.python) return;
+  // A file that Python wrote is read there.
+  world_.read = [this, &world](const std::string& path) -> Outcome<std::string> {
+    auto text = world.read(path);
+    if (text || !path.starts_with("/tmp/")) return text;
+    return read_python_file(path, world_);
+  };
 }
 
 void LaunchEvaluator::file(const std::string& path, const std::optional<SourceSpan>& from) {
-  const std::string shown = world_.shown ? world_.shown(path) : path;
+  const std::string shown = world_.shown_path(path);
   const auto refuse = [&](const char* code, std::string message, std::vector<std::string> why) {
     Diagnostic error{
         .code = code, .message = std::move(message), .span = from, .why = std::move(why)};
@@ -122,18 +168,19 @@ void LaunchEvaluator::file(const std::string& path, const std::optional<SourceSp
     refuse("R2W0413", "too many launch files include each other", {});
     return;
   }
+  const bool is_python = launch_language(path, "") == LaunchLanguage::kPython;
   const auto text = world_.read(path);
+  if (!text && comes_later(path, from)) return;
   if (!text) {
     refuse("R2W0413", "the launch file `" + shown + "` cannot be read", text.errors().front().why);
     return;
   }
   files_.insert(path);
-  const LaunchLanguage language = launch_language(path, *text);
-  if (language == LaunchLanguage::kPython) {
-    refuse("R2W0416", "launch files in Python are not read by this version: `" + shown + "`",
-           {"those in XML and YAML are; or list the nodes under `launch:` in workspace.yaml"});
+  if (is_python) {
+    python_file(path, from.value_or(SourceSpan{.file = shown, .line_text = {}}));
     return;
   }
+  const LaunchLanguage language = launch_language(path, *text);
   auto root = language == LaunchLanguage::kXml ? read_xml_launch(*text, shown)
                                                : read_yaml_launch(*text, shown);
   if (!root) {
@@ -145,10 +192,30 @@ void LaunchEvaluator::file(const std::string& path, const std::optional<SourceSp
     if (one.name != "deprecated" && one.name != "version")
       fail("R2W0410", "`launch` has no attribute `" + one.name + "`", one.span);
   }
+  entities_of(std::move(*root), path, language);
+}
+
+/// Warns of a file that only a built workspace has.
+bool LaunchEvaluator::comes_later(const std::string& path, const std::optional<SourceSpan>& from) {
+  if (!world_.is_later || !world_.is_later(path)) return false;
+  description_.warnings.push_back(
+      {.code = "R2W0419",
+       .severity = Severity::kWarning,
+       .message = "`" + world_.shown_path(path) + "` is not seen before the workspace is built",
+       .span = from,
+       .why = {"the sources have no such file in that place; what it "
+               "says is left out here"}});
+  return true;
+}
+
+void LaunchEvaluator::entities_of(LaunchEntity root, const std::string& path,
+                                  LaunchLanguage language) {
   const LaunchFilePlace before = std::exchange(place_, {.path = path});
+  const LaunchLanguage language_before = std::exchange(language_, language);
   open_files_.push_back(path);
-  actions(root->children);
+  actions(root.children);
   open_files_.pop_back();
+  language_ = language_before;
   place_ = before;
 }
 
@@ -181,15 +248,25 @@ void LaunchEvaluator::actions(const Entities& entities) {
 
 void LaunchEvaluator::action(const LaunchEntity& entity) {
   const auto rows = LaunchActionRow::table();
-  const auto row = std::find_if(rows.begin(), rows.end(),
-                                [&](const LaunchActionRow& one) { return one.tag == entity.tag; });
+  const auto known = [&](const LaunchActionRow& one) {
+    return !one.of_python || language_ == LaunchLanguage::kPython;
+  };
+  const auto row = std::find_if(rows.begin(), rows.end(), [&](const LaunchActionRow& one) {
+    return one.tag == entity.tag && known(one);
+  });
   if (row == rows.end()) {
     std::vector<std::string> tags;
-    for (const LaunchActionRow& one : rows) tags.emplace_back(one.tag);
+    for (const LaunchActionRow& one : rows)
+      if (known(one)) tags.emplace_back(one.tag);
     const auto similar = nearest(entity.tag, tags);
     fail("R2W0410", "launch has no action `" + entity.tag + "`", entity.span,
          {similar ? "did you mean `" + *similar + "`?"
                   : "its actions are: " + name_list(tags, tags.size())});
+    return;
+  }
+  if (++actions_ > kMostActions) {
+    if (actions_ == kMostActions + 1)
+      fail("R2W0410", "more than " + std::to_string(kMostActions) + " actions", entity.span);
     return;
   }
   if (!check(entity, *row) || !applies(entity)) return;
@@ -201,9 +278,36 @@ void LaunchEvaluator::action(const LaunchEntity& entity) {
 }
 
 bool LaunchEvaluator::check(const LaunchEntity& entity, const LaunchActionRow& row) {
+  Names attributes = with({"if", "unless"}, row.attributes);
+  if (language_ == LaunchLanguage::kPython) attributes.emplace_back("process");
+  bool good = check_attributes(entity, attributes);
+  const bool any = std::find(row.parts.begin(), row.parts.end(), "*") != row.parts.end();
+  for (const LaunchEntity& part : entity.children) {
+    const bool fits = std::find(row.parts.begin(), row.parts.end(), part.tag) != row.parts.end();
+    if (!fits && !any) {
+      fail("R2W0410", "`" + part.tag + "` cannot stand in `" + entity.tag + "`", part.span);
+      good = false;
+    } else if (fits) {
+      good = check_part(part) && good;
+    }
+  }
+  return good;
+}
+
+/// A part, and the parts of it.
+bool LaunchEvaluator::check_part(const LaunchEntity& part) {
+  const auto& rows = part_rows();
+  const auto row = std::find_if(rows.begin(), rows.end(),
+                                [&](const PartRow& one) { return one.tag == part.tag; });
+  bool good = row == rows.end() || check_attributes(part, row->attributes);
+  for (const LaunchEntity& inner : part.children) good = check_part(inner) && good;
+  return good;
+}
+
+bool LaunchEvaluator::check_attributes(const LaunchEntity& entity, const Names& attributes) {
   bool good = true;
-  std::vector<std::string> known{"if", "unless"};
-  for (const std::string_view name : row.attributes) {
+  std::vector<std::string> known;
+  for (const std::string_view name : attributes) {
     const bool must = name.starts_with('!');
     known.emplace_back(name.substr(must ? 1 : 0));
     if (!must || entity.attribute(known.back()) != nullptr) continue;
@@ -216,12 +320,6 @@ bool LaunchEvaluator::check(const LaunchEntity& entity, const LaunchActionRow& r
     fail("R2W0410", "`" + entity.tag + "` has no attribute `" + one.name + "`", one.span,
          {similar ? "did you mean `" + *similar + "`?"
                   : "its attributes are: " + name_list(known, known.size())});
-    good = false;
-  }
-  const bool any = std::find(row.parts.begin(), row.parts.end(), "*") != row.parts.end();
-  for (const LaunchEntity& part : entity.children) {
-    if (any || std::find(row.parts.begin(), row.parts.end(), part.tag) != row.parts.end()) continue;
-    fail("R2W0410", "`" + part.tag + "` cannot stand in `" + entity.tag + "`", part.span);
     good = false;
   }
   return good;
@@ -285,6 +383,11 @@ std::optional<std::string> LaunchEvaluator::evaluated(const std::string& written
     errors_.insert(errors_.end(), result.errors().begin(), result.errors().end());
     return std::nullopt;
   }
+  text_ += result->size();
+  if (text_ > kMostText) {
+    fail("R2W0410", "the launch file's texts come to more than 256 MiB", span);
+    return std::nullopt;
+  }
   return std::move(*result);
 }
 
@@ -297,6 +400,12 @@ bool LaunchEvaluator::flag(const LaunchEntity& entity, std::string_view name, bo
   fail("R2W0410", "`" + std::string(name) + "` is true or false, found `" + *written + "`",
        attribute->span);
   return otherwise;
+}
+
+std::int64_t LaunchEvaluator::number(const LaunchEntity& entity, std::string_view name) {
+  const LaunchAttribute* attribute = entity.attribute(name);
+  const auto* held = attribute == nullptr ? nullptr : std::get_if<std::int64_t>(&attribute->value);
+  return held == nullptr ? -1 : *held;
 }
 
 double LaunchEvaluator::seconds(const LaunchEntity& entity, std::string_view name,
@@ -328,6 +437,7 @@ Outcome<LaunchDescription> evaluate_launch(const std::string& path,
                                            const std::optional<SourceSpan>& from) {
   LaunchEvaluator evaluator(world, given);
   evaluator.file(path, from);
+  evaluator.events();
   evaluator.finish();
   if (!evaluator.errors().empty()) return std::move(evaluator.errors());
   return std::move(evaluator.description());

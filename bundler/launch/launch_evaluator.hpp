@@ -1,7 +1,9 @@
-// Walks the entities of launch files and does what they say. Its actions are in
-// launch_evaluation.cpp, those that start processes in launch_processes.cpp.
+// Walks the entities of launch files and does what they say. Its actions are in launch_actions.cpp,
+// those that start processes in launch_processes.cpp, those of Python in launch_events.cpp.
 #pragma once
 
+#include <cstdint>
+#include <deque>
 #include <map>
 #include <optional>
 #include <set>
@@ -11,6 +13,8 @@
 
 #include "bundler/launch/launch_description.hpp"
 #include "bundler/launch/launch_entity.hpp"
+#include "bundler/launch/launch_frontends.hpp"
+#include "bundler/launch/launch_python.hpp"
 #include "bundler/launch/launch_scope.hpp"
 
 namespace ros2wasm {
@@ -22,9 +26,13 @@ struct LaunchActionRow;
 class LaunchEvaluator {
  public:
   LaunchEvaluator(const LaunchWorld& world, const std::map<std::string, std::string>& given);
+  LaunchEvaluator(const LaunchEvaluator&) = delete;
+  LaunchEvaluator& operator=(const LaunchEvaluator&) = delete;
 
   /// Reads and evaluates a file. `from`: where it is named; the first file is named nowhere.
   void file(const std::string& path, const std::optional<SourceSpan>& from);
+  /// Then what events bring.
+  void events();
   void finish();
 
   [[nodiscard]] LaunchDescription& description() { return description_; }
@@ -34,10 +42,30 @@ class LaunchEvaluator {
   friend struct LaunchActionRow;
   using Entities = std::vector<LaunchEntity>;
 
+  /// What is done when a process starts or ends.
+  struct EventHandler {
+    LaunchEntity entity;
+    LaunchFilePlace place;
+  };
+  /// A process of launch files in Python that no site runs: when it would have started.
+  struct PassedOver {
+    std::optional<LaunchTrigger> on;
+    double after_s = 0;
+  };
+
+  void entities_of(LaunchEntity root, const std::string& path, LaunchLanguage language);
+  bool comes_later(const std::string& path, const std::optional<SourceSpan>& from);
+  void python_file(const std::string& path, const SourceSpan& from);
+  void python_actions(Outcome<PythonActions> made);
+  [[nodiscard]] PythonMoment moment(const SourceSpan& span);
   void actions(const Entities& entities);
   void action(const LaunchEntity& entity);
   bool applies(const LaunchEntity& entity);
   bool check(const LaunchEntity& entity, const LaunchActionRow& row);
+  bool check_part(const LaunchEntity& part);
+  bool check_attributes(const LaunchEntity& entity,
+                        const std::vector<std::string_view>& attributes);
+  void event(const EventHandler& handler);
 
   // The actions.
   void declare_argument(const LaunchEntity& entity);
@@ -64,8 +92,19 @@ class LaunchEvaluator {
   void container(const LaunchEntity& entity);
   void load_components(const LaunchEntity& entity);
   void executable(const LaunchEntity& entity);
+  // Of launch files in Python only.
+  void python(const LaunchEntity& entity);
+  void unset_variable(const LaunchEntity& entity);
+  void push_variables(const LaunchEntity& entity);
+  void pop_variables(const LaunchEntity& entity);
+  void push_environment(const LaunchEntity& entity);
+  void pop_environment(const LaunchEntity& entity);
+  void on_event(const LaunchEntity& entity);
+  void forget_event(const LaunchEntity& entity);
+  void pass_over(const LaunchEntity& entity);
 
   // Processes.
+  void add_process(const LaunchEntity& entity, LaunchProcess process);
   std::optional<LaunchProcess> process_of(const LaunchEntity& entity);
   void process_options(const LaunchEntity& entity, LaunchProcess& process);
   void parameters_of(const LaunchEntity& entity, NodeEntry& node);
@@ -82,6 +121,8 @@ class LaunchEvaluator {
   std::optional<std::string> needed_text(const LaunchEntity& entity, std::string_view name);
   std::optional<std::string> evaluated(const std::string& text, const SourceSpan& span);
   bool flag(const LaunchEntity& entity, std::string_view name, bool otherwise);
+  /// Of what Python numbers; -1 without the attribute.
+  static std::int64_t number(const LaunchEntity& entity, std::string_view name);
   double seconds(const LaunchEntity& entity, std::string_view name, double otherwise);
   std::optional<ParameterValue> value(const LaunchAttribute& attribute, const std::string& type,
                                       const std::string& separator);
@@ -90,7 +131,7 @@ class LaunchEvaluator {
   void fail(const char* code, std::string message, const SourceSpan& span,
             std::vector<std::string> why = {});
 
-  const LaunchWorld& world_;
+  LaunchWorld world_;
   const std::map<std::string, std::string>& given_;
   LaunchDescription description_;
   Diagnostics errors_;
@@ -98,8 +139,18 @@ class LaunchEvaluator {
   LaunchFilePlace place_;
   std::vector<std::string> open_files_;  ///< the ones that include the present one, and itself
   std::set<std::string> files_;
+  std::optional<LaunchTrigger> trigger_;
   double after_s_ = 0;
   int depth_ = 0;
+  std::size_t actions_ = 0;
+  std::size_t text_ = 0;                            ///< bytes that were evaluated
+  LaunchLanguage language_ = LaunchLanguage::kXml;  ///< of the present file
+  std::deque<EventHandler> handlers_;
+  std::set<std::int64_t> forgotten_;  ///< handlers, by number
+  std::map<std::int64_t, std::size_t> processes_;
+  std::map<std::int64_t, PassedOver> passed_over_;
+  std::vector<std::map<std::string, std::string>> pushed_variables_;
+  std::vector<std::map<std::string, std::string>> pushed_environments_;
 };
 
 }  // namespace ros2wasm

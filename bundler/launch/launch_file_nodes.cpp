@@ -46,6 +46,29 @@ Diagnostic left_out(const std::string& what, const std::string& why, const Sourc
           .why = {why}};
 }
 
+struct Start {
+  std::optional<LaunchTrigger> on;  ///< of a node that runs: its place among these
+  double after_s = 0;
+};
+
+/// A process that no site runs is over as soon as it would have begun. `kept`: numbers of the
+/// others, ascending.
+Start start_of(const LaunchProcess& process, const std::vector<LaunchProcess>& all,
+               const std::vector<std::size_t>& kept) {
+  Start start{.on = process.start_on, .after_s = process.start_after_s};
+  while (start.on) {
+    const auto at = std::lower_bound(kept.begin(), kept.end(), start.on->process);
+    if (at != kept.end() && *at == start.on->process) {
+      start.on->process = static_cast<std::size_t>(at - kept.begin());
+      break;
+    }
+    const LaunchProcess& missing = all[start.on->process];  // it stands before this one
+    start.after_s += missing.start_after_s;
+    start.on = missing.start_on;
+  }
+  return start;
+}
+
 }  // namespace
 
 Outcome<LaunchFileNodes> launch_file_nodes(const std::string& path,
@@ -61,6 +84,7 @@ Outcome<LaunchFileNodes> launch_file_nodes(const std::string& path,
     result.warnings.push_back(left_out(one.what, one.instead, one.span));
 
   std::vector<LaunchProcess> processes;
+  std::vector<std::size_t> numbers;  // in the description
   std::vector<NodeEntry> entries;
   Diagnostics errors;
   for (LaunchProcess& process : description->processes) {
@@ -81,6 +105,7 @@ Outcome<LaunchFileNodes> launch_file_nodes(const std::string& path,
                                 "(rclcpp_components_register_node) can be started as one"}});
       continue;
     }
+    numbers.push_back(static_cast<std::size_t>(&process - description->processes.data()));
     entries.push_back(process.node);
     processes.push_back(std::move(process));
   }
@@ -92,11 +117,17 @@ Outcome<LaunchFileNodes> launch_file_nodes(const std::string& path,
   for (std::size_t i = 0; i < processes.size(); ++i) {
     LaunchNode& node = (*nodes)[i];
     node.environment = std::move(processes[i].environment);
-    node.start_after_s = processes[i].start_after_s;
+    const Start start = start_of(processes[i], description->processes, numbers);
+    if (start.on) {
+      node.start_on_node = (*nodes)[start.on->process].id;
+      node.start_on_exit = start.on->event == LaunchEvent::kExit;
+    }
+    node.start_after_s = start.after_s;
     node.respawn_delay_s = processes[i].respawn_delay_s;
     node.shutdown_on_exit = processes[i].shutdown_on_exit;
   }
   result.nodes = std::move(*nodes);
+  result.files = std::move(description->files);
   for (const LaunchLine& line : description->lines)
     result.remarks.push_back("the launch file says: " + line.text);
   return result;

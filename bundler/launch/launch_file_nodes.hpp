@@ -15,6 +15,7 @@ struct LaunchFileNodes {
   std::vector<LaunchNode> nodes;
   Diagnostics warnings;              ///< R2W0412, R2W0415
   std::vector<std::string> remarks;  ///< what the file logs
+  std::vector<std::string> files;    ///< that were read, as launch files see them
 };
 
 /// `path`, `given` and `from` as evaluate_launch() takes them. What no site can start, such as

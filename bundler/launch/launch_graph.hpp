@@ -47,6 +47,9 @@ struct LaunchNode {
   NodeOutput output = NodeOutput::kScreen;
   bool respawn = false;
   std::map<std::string, std::string> environment;  ///< beside the site's own
+  /// Starts when that node (its id) has started or ended; empty: with the launch.
+  std::string start_on_node;
+  bool start_on_exit = false;
   double start_after_s = 0;
   double respawn_delay_s = 0;
   bool shutdown_on_exit = false;  ///< when it ends, all ends

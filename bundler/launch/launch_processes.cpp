@@ -1,6 +1,6 @@
 // See launch_evaluator.hpp: the actions that start processes, and what belongs to a process.
 #include <algorithm>
-#include <charconv>
+#include <filesystem>
 #include <utility>
 
 #include "bundler/launch/launch_evaluator.hpp"
@@ -58,6 +58,51 @@ class Words {
   bool begun_ = false;
 };
 
+/// A command line that starts a node.
+struct NodeProgram {
+  std::string package;
+  std::string executable;
+  std::vector<std::string> arguments;
+};
+
+bool is_program(const std::string& word, std::string_view name) {
+  return word == name || word.ends_with("/" + std::string(name));
+}
+
+std::optional<NodeProgram> node_program(const std::vector<std::string>& words,
+                                        const LaunchWorld& world) {
+  if (words.size() >= 4 && is_program(words[0], "ros2") && words[1] == "run")
+    return NodeProgram{words[2], words[3], {words.begin() + 4, words.end()}};
+  const std::filesystem::path path(words[0]);
+  const std::string package = path.parent_path().filename().string();
+  const auto prefix = world.prefix_of(package);
+  if (!prefix || path != std::filesystem::path(*prefix) / "lib" / package / path.filename())
+    return std::nullopt;
+  return NodeProgram{package, path.filename().string(), {words.begin() + 1, words.end()}};
+}
+
+/// What does the work of a command that no site runs.
+std::string_view instead_of(const std::vector<std::string>& words) {
+  if (words.size() < 2 || !is_program(words[0], "ros2"))
+    return "a site runs nodes of packages only";
+  struct Verb {
+    std::string_view name;
+    std::string_view instead;
+  };
+  constexpr Verb kVerbs[] = {
+      {"action", "the page sends goals"},
+      {"bag", "the page records messages"},
+      {"launch", "include the launch file"},
+      {"lifecycle", "call the node's change_state service in the page"},
+      {"param", "the page sets parameters"},
+      {"service", "the page calls services"},
+      {"topic", "the page shows messages and publishes them"},
+  };
+  for (const Verb& one : kVerbs)
+    if (one.name == words[1]) return one.instead;
+  return "a site runs nodes of packages only";
+}
+
 std::optional<NodeOutput> output_of(const std::string& text) {
   if (text == "screen") return NodeOutput::kScreen;
   if (text == "log" || text == "own_log") return NodeOutput::kLog;
@@ -71,6 +116,17 @@ std::optional<std::vector<std::string>> LaunchEvaluator::command_line(const Laun
                                                                       std::string_view name) {
   const LaunchAttribute* attribute = entity.attribute(name);
   if (attribute == nullptr) return std::vector<std::string>();
+  if (const auto* list = std::get_if<std::vector<LaunchScalar>>(&attribute->value)) {
+    // Words as they are; of launch files in Python.
+    std::vector<std::string> words;
+    for (const LaunchScalar& one : *list) {
+      const auto* word = std::get_if<std::string>(&one);
+      auto plain = word == nullptr ? std::nullopt : evaluated(*word, attribute->span);
+      if (!plain) return std::nullopt;
+      words.push_back(std::move(*plain));
+    }
+    return words;
+  }
   const auto* written = std::get_if<std::string>(&attribute->value);
   if (written == nullptr) {
     const auto plain = text(entity, name);
@@ -107,6 +163,10 @@ std::optional<ParameterValue> LaunchEvaluator::value(const LaunchAttribute& attr
   const auto typed = [&](const std::string& written) -> std::optional<ParameterValue> {
     const auto plain = evaluated(written, attribute.span);
     if (!plain) return std::nullopt;
+    // YAML has types, and a text without substitutions keeps that of its own.
+    if (language_ == LaunchLanguage::kYaml && type.empty() && separator.empty() &&
+        written.find("$(") == std::string::npos)
+      return ParameterValue(*plain);
     auto result = typed_parameter(*plain, type, separator, attribute.span);
     if (result) return std::move(*result);
     errors_.insert(errors_.end(), result.errors().begin(), result.errors().end());
@@ -141,6 +201,7 @@ std::optional<std::string> LaunchEvaluator::parameter_file(const LaunchEntity& e
   if (!named) return std::nullopt;
   const std::string path = named->starts_with('/') ? *named : place_.directory() + "/" + *named;
   auto content = world_.read(path);
+  if (!content && comes_later(path, from.span)) return std::nullopt;
   if (!content) {
     fail("R2W0403", "the parameter file `" + path + "` cannot be read", from.span,
          content.errors().front().why);
@@ -223,6 +284,7 @@ std::optional<std::vector<std::pair<std::string, std::string>>> LaunchEvaluator:
 }
 
 void LaunchEvaluator::process_options(const LaunchEntity& entity, LaunchProcess& process) {
+  process.start_on = trigger_;
   process.start_after_s = after_s_;
   process.environment = scope_.environment;
   for (const LaunchEntity& part : entity.children) {
@@ -283,7 +345,13 @@ std::optional<LaunchProcess> LaunchEvaluator::process_of(const LaunchEntity& ent
 }
 
 void LaunchEvaluator::node(const LaunchEntity& entity) {
-  if (auto process = process_of(entity)) description_.processes.push_back(std::move(*process));
+  if (auto process = process_of(entity)) add_process(entity, std::move(*process));
+}
+
+void LaunchEvaluator::add_process(const LaunchEntity& entity, LaunchProcess process) {
+  if (const std::int64_t own = number(entity, "process"); own >= 0)
+    processes_[own] = description_.processes.size();
+  description_.processes.push_back(std::move(process));
 }
 
 std::vector<LaunchComponent> LaunchEvaluator::components_of(const LaunchEntity& entity) {
@@ -323,13 +391,20 @@ void LaunchEvaluator::container(const LaunchEntity& entity) {
   auto components = components_of(entity);
   if (!process) return;
   process->components = std::move(components);
-  description_.processes.push_back(std::move(*process));
+  add_process(entity, std::move(*process));
 }
 
 /// Into a container that stands before it, by its node's name.
 void LaunchEvaluator::load_components(const LaunchEntity& entity) {
-  const auto target = text(entity, "target");
   auto components = components_of(entity);
+  const auto into = [&](LaunchProcess& process) {
+    for (LaunchComponent& one : components) process.components.push_back(std::move(one));
+  };
+  if (const auto found = processes_.find(number(entity, "process")); found != processes_.end()) {
+    into(description_.processes[found->second]);
+    return;
+  }
+  const auto target = needed_text(entity, "target");
   if (!target) return;
   const auto wanted = namespace_for(*target);
   std::vector<std::string> names;
@@ -338,7 +413,7 @@ void LaunchEvaluator::load_components(const LaunchEntity& entity) {
     const std::string full = node_label(process.node);
     names.push_back(full);
     if (full != wanted) continue;
-    for (LaunchComponent& one : components) process.components.push_back(std::move(one));
+    into(process);
     return;
   }
   fail("R2W0412", "there is no container `" + wanted.value_or(*target) + "` before this",
@@ -347,13 +422,27 @@ void LaunchEvaluator::load_components(const LaunchEntity& entity) {
                       : "before it stand: " + name_list(names)});
 }
 
+/// `ros2 run` and the path of an installed program start a node; all else is left out.
 void LaunchEvaluator::executable(const LaunchEntity& entity) {
   const auto words = command_line(entity, "cmd");
-  if (!words) return;
+  if (!words || words->empty()) return;
+  if (auto program = node_program(*words, world_)) {
+    const std::size_t errors_before = errors_.size();
+    LaunchProcess process;
+    process.node.span = entity.span;
+    process.node.package = {std::move(program->package), entity.span};
+    process.node.executable = {std::move(program->executable), entity.span};
+    process.node.arguments = std::move(program->arguments);
+    process_options(entity, process);
+    if (errors_.size() == errors_before) add_process(entity, std::move(process));
+    return;
+  }
+  if (const std::int64_t own = number(entity, "process"); own >= 0)
+    passed_over_[own] = {.on = trigger_, .after_s = after_s_};
   std::string line;
   for (const std::string& word : *words) line += (line.empty() ? "" : " ") + word;
   description_.left_out.push_back(
-      {.what = line, .instead = "a site runs nodes of packages only", .span = entity.span});
+      {.what = line, .instead = std::string(instead_of(*words)), .span = entity.span});
 }
 
 }  // namespace ros2wasm

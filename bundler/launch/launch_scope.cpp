@@ -6,12 +6,17 @@
 #include <charconv>
 #include <cmath>
 
+#include "bundler/launch/launch_python.hpp"
+#include "bundler/launch/launch_values.hpp"
+#include "bundler/launch/node_arguments.hpp"
 #include "bundler/launch/python_expression.hpp"
 #include "bundler/launch/xacro.hpp"
 #include "workspace_schema/suggestion.hpp"
 
 namespace ros2wasm {
 namespace {
+
+constexpr std::size_t kLongestText = 4U << 20U;  // bytes
 
 using Texts = std::vector<std::string>;
 
@@ -47,6 +52,36 @@ Result variable(const Call& call) {
   return looked_up(call, call.scope.configurations, "launch configuration");
 }
 
+/// Whether it is set to that text; without one, whether it is not set.
+Result variable_is(const Call& call) {
+  const auto found = call.scope.configurations.find(call.arguments[0]);
+  const bool is_set = found != call.scope.configurations.end();
+  if (call.arguments.size() < 2) return std::string(is_set ? "false" : "true");
+  return std::string(is_set && found->second == call.arguments[1] ? "true" : "false");
+}
+
+/// A substitution that a launch file in Python made itself.
+Result python_object(const Call& call) {
+  std::int64_t number = -1;
+  const std::string& text = call.arguments[0];
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size() || number < 0)
+    return fault(call, "R2W0411", "`$(python " + text + ")` names nothing");
+  return perform_python(
+      number, {.scope = call.scope, .file = call.file, .world = call.world, .span = call.span});
+}
+
+/// As Python's os.path.join has it: an absolute part leaves out what is before it.
+Result joined_path(const Call& call) {
+  std::string result;
+  for (const std::string& part : call.arguments) {
+    if (part.starts_with('/')) result.clear();
+    if (!result.empty() && !result.ends_with('/')) result += '/';
+    result += part;
+  }
+  return result;
+}
+
 std::map<std::string, std::string> environment_of(const Call& call) {
   std::map<std::string, std::string> all = call.scope.environment;
   all.insert(call.world.environment.begin(), call.world.environment.end());
@@ -68,6 +103,8 @@ Result parameter(const Call& call) {
     if (const auto* text = std::get_if<std::string>(&one.value)) values[one.name] = *text;
     if (const auto* whole = std::get_if<std::int64_t>(&one.value))
       values[one.name] = std::to_string(*whole);
+    if (const auto* real = std::get_if<double>(&one.value))
+      values[one.name] = parameter_text(*real);
     if (const auto* flag = std::get_if<bool>(&one.value))
       values[one.name] = *flag ? "True" : "False";
   }
@@ -97,7 +134,15 @@ Result executable_in(const Call& call) {
   return found ? Result(*found + "/lib/" + call.arguments[1] + "/" + call.arguments[0]) : found;
 }
 
+/// The second argument names modules; those of `math` are there anyway.
 Result evaluated(const Call& call) {
+  if (call.arguments.size() > 1) {
+    std::string modules = call.arguments[1];
+    std::erase(modules, ' ');
+    if (modules != "math")
+      return fault(call, "R2W0411", "`$(eval)` has the module math only, not `" + modules + "`",
+                   {"an expression with spaces stands in quotes: `$(eval '1 + 2')`"});
+  }
   return evaluate_python(call.arguments[0], call.span);
 }
 
@@ -163,7 +208,7 @@ std::string as_text(bool value) {
 Result booleans(const Call& call, bool all) {
   bool result = all;
   for (const std::string& one : call.arguments) {
-    const auto value = condition_of(one);
+    const auto value = launch_boolean(one);
     if (!value) return fault(call, "R2W0411", "`" + one + "` is neither true nor false");
     result = all ? result && *value : result || *value;
   }
@@ -177,7 +222,7 @@ Result disjunction(const Call& call) {
 }
 
 Result negation(const Call& call) {
-  const auto value = condition_of(call.arguments[0]);
+  const auto value = launch_boolean(call.arguments[0]);
   if (!value)
     return fault(call, "R2W0411", "`" + call.arguments[0] + "` is neither true nor false");
   return as_text(!*value);
@@ -211,7 +256,7 @@ Result differs(const Call& call) {
 }
 
 Result chosen(const Call& call) {
-  const auto value = condition_of(call.arguments[0]);
+  const auto value = launch_boolean(call.arguments[0]);
   if (!value)
     return fault(call, "R2W0411", "`" + call.arguments[0] + "` is neither true nor false");
   if (*value) return call.arguments[1];
@@ -237,6 +282,7 @@ struct Row {
   std::size_t least;
   std::size_t most;
   Result (*evaluate)(const Call& call);
+  bool of_python = false;  ///< what launch files in Python are written down with
 };
 
 constexpr std::size_t kMany = 1000;
@@ -266,9 +312,12 @@ constexpr Row kRows[] = {
     {"not-equals", 2, 2, differs},
     {"or", 2, 2, disjunction},
     {"param", 1, 2, parameter},
+    {"path-join", 1, kMany, joined_path},
+    {"python", 1, 1, python_object, true},
     {"string-join", 1, kMany, joined},
     {"string-strip", 1, 1, stripped},
     {"var", 1, 2, variable},
+    {"var-is", 1, 2, variable_is, true},
 };
 
 Result evaluate_call(const LaunchCall& called, const SourceSpan& span, const LaunchScope& scope,
@@ -284,18 +333,13 @@ Result evaluate_call(const LaunchCall& called, const SourceSpan& span, const Lau
                                  [&](const Row& one) { return one.name == called.name; });
   if (row == std::end(kRows)) {
     Texts names;
-    for (const Row& one : kRows) names.emplace_back(one.name);
+    for (const Row& one : kRows)
+      if (!one.of_python) names.emplace_back(one.name);
     Diagnostic error = fault(call, "R2W0411", "there is no substitution `$(" + called.name + ")`",
                              {"there are: " + name_list(names, names.size())});
     if (const auto similar = nearest(called.name, names))
       error.why.push_back("did you mean `" + *similar + "`?");
     return error;
-  }
-  // An expression may stand without quotes: `$(eval 1 + 2)`.
-  if (called.name == "eval" && arguments.size() > row->most) {
-    std::string whole;
-    for (const std::string& one : arguments) whole += (whole.empty() ? "" : " ") + one;
-    return evaluate_python(whole, span);
   }
   if (arguments.size() < row->least || arguments.size() > row->most) {
     return fault(call, "R2W0411",
@@ -303,7 +347,10 @@ Result evaluate_call(const LaunchCall& called, const SourceSpan& span, const Lau
                      (row->most == row->least ? ""
                       : row->most == kMany    ? " or more"
                                               : " to " + std::to_string(row->most)) +
-                     " arguments, found " + std::to_string(arguments.size()));
+                     " arguments, found " + std::to_string(arguments.size()),
+                 called.name == "eval" ? Texts{"an expression with spaces stands in quotes: "
+                                               "`$(eval '1 + 2')`"}
+                                       : Texts());
   }
   return row->evaluate(call);
 }
@@ -322,6 +369,9 @@ Outcome<std::string> evaluate_text(const LaunchText& text, const SourceSpan& spa
     auto part = evaluate_call(std::get<LaunchCall>(piece), span, scope, file, world);
     if (!part) return part;
     result += *part;
+    if (result.size() > kLongestText)
+      return Diagnostic{
+          .code = "R2W0411", .message = "a text comes to more than 4 MiB", .span = span};
   }
   return result;
 }

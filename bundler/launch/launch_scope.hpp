@@ -15,6 +15,11 @@
 
 namespace ros2wasm {
 
+/// A request to the interpreter of launch files in Python, a line of JSON, and what is answered to
+/// what it asks in between. The answer is a line of JSON too.
+using LaunchPython = std::function<Outcome<std::string>(
+    const std::string& request, const std::function<std::string(const std::string& asked)>& reply)>;
+
 /// Paths are those of the site: `/opt/ros/<distro>/share/<package>/...` for what packages install.
 struct LaunchWorld {
   std::function<Outcome<std::string>(const std::string& path)> read;
@@ -25,6 +30,13 @@ struct LaunchWorld {
   std::function<std::vector<std::string>(const std::string& folder)> names_in = {};
   /// How messages name a file; empty: by its path.
   std::function<std::string(const std::string& path)> shown = {};
+  /// Whether a file that cannot be read now may be there when the site is packed; empty: none.
+  std::function<bool(const std::string& path)> is_later = {};
+  LaunchPython python = {};  ///< empty: launch files in Python cannot be read
+
+  [[nodiscard]] std::string shown_path(const std::string& path) const {
+    return shown ? shown(path) : path;
+  }
 };
 
 /// A parameter, or a file of them, that is set for all nodes that follow.

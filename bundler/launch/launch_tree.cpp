@@ -41,15 +41,27 @@ void add_parameters(const std::vector<ParameterEntry>& parameters, const std::st
     lines.push_back(indent + "param " + one.name + ": " + parameter_text(one.value));
 }
 
-void add_process(const LaunchProcess& process, Lines& lines) {
+std::string program(const LaunchProcess& process) {
+  return process.node.package.value + "/" + process.node.executable.value;
+}
+
+std::string when(const LaunchTrigger& trigger, const std::vector<LaunchProcess>& processes) {
+  const LaunchProcess& other = processes[trigger.process];
+  return "when " + program(other) + (other.node.name ? " " + node_label(other.node) : "") +
+         (trigger.event == LaunchEvent::kExit ? " has ended" : " has started");
+}
+
+void add_process(const LaunchProcess& process, const std::vector<LaunchProcess>& processes,
+                 Lines& lines) {
   const NodeEntry& node = process.node;
-  std::string head = node.package.value + "/" + node.executable.value;
+  std::string head = program(process);
   if (node.name) {
     head += "  " + node_label(node);
   } else if (node.name_space) {
     head += " (" + node.name_space->value + ")";
   }
   lines.push_back(head + "  [" + place(node.span) + "]");
+  if (process.start_on) lines.push_back("  " + when(*process.start_on, processes));
   if (process.start_after_s > 0) lines.push_back("  after " + seconds(process.start_after_s));
   if (node.respawn)
     lines.push_back("  respawn" + (process.respawn_delay_s > 0
@@ -147,6 +159,12 @@ void write_component(JsonWriter& json, const LaunchComponent& one) {
   json.end_object();
 }
 
+void write_trigger(JsonWriter& json, const char* key, const LaunchTrigger& trigger) {
+  json.key(key).begin_object();
+  json.field_integer("process", static_cast<std::int64_t>(trigger.process));
+  json.field("event", trigger.event == LaunchEvent::kExit ? "exit" : "start").end_object();
+}
+
 void write_process(JsonWriter& json, const LaunchProcess& process) {
   const NodeEntry& node = process.node;
   json.begin_object()
@@ -164,6 +182,7 @@ void write_process(JsonWriter& json, const LaunchProcess& process) {
   json.key("environment").begin_object();
   for (const auto& [name, value] : process.environment) json.field(name, value);
   json.end_object();
+  if (process.start_on) write_trigger(json, "start_on", *process.start_on);
   json.key("start_after").number(process.start_after_s);
   json.field_boolean("respawn", node.respawn);
   json.key("respawn_delay").number(process.respawn_delay_s);
@@ -180,15 +199,20 @@ void write_process(JsonWriter& json, const LaunchProcess& process) {
 std::vector<std::string> launch_tree(const LaunchDescription& description) {
   Lines lines;
   add_arguments(description, lines);
-  for (const LaunchProcess& process : description.processes) add_process(process, lines);
+  for (const LaunchProcess& process : description.processes)
+    add_process(process, description.processes, lines);
   for (const LaunchLine& line : description.lines) {
     lines.push_back("log " + line.level + ": " + line.text +
+                    (line.on ? "  " + when(*line.on, description.processes) : "") +
                     (line.after_s > 0 ? "  after " + seconds(line.after_s) : "") + "  [" +
                     place(line.span) + "]");
   }
   if (description.shutdown) {
     lines.push_back(
-        "all ends after " + seconds(description.shutdown->after_s) +
+        "all ends " +
+        (description.shutdown->on ? when(*description.shutdown->on, description.processes) + ", "
+                                  : std::string()) +
+        "after " + seconds(description.shutdown->after_s) +
         (description.shutdown->reason.empty() ? "" : ": " + description.shutdown->reason));
   }
   for (const LaunchLeftOut& one : description.left_out)
@@ -205,13 +229,16 @@ std::string launch_json(const LaunchDescription& description) {
   json.end_array().key("log").begin_array();
   for (const LaunchLine& line : description.lines) {
     json.begin_object().field("level", line.level).field("text", line.text);
+    if (line.on) write_trigger(json, "on", *line.on);
     json.key("after").number(line.after_s);
     write_place(json, line.span);
     json.end_object();
   }
   json.end_array();
   if (description.shutdown) {
-    json.key("shutdown").begin_object().key("after").number(description.shutdown->after_s);
+    json.key("shutdown").begin_object();
+    if (description.shutdown->on) write_trigger(json, "on", *description.shutdown->on);
+    json.key("after").number(description.shutdown->after_s);
     json.field("reason", description.shutdown->reason).end_object();
   }
   json.key("left_out").begin_array();

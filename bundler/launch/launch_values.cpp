@@ -7,6 +7,7 @@
 #include "bundler/launch/node_arguments.hpp"
 #include "bundler/launch/parameter_file.hpp"
 #include "workspace_schema/yaml_reader.hpp"
+#include "workspace_schema/yaml_scalar.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -59,9 +60,17 @@ std::vector<std::string> items_of(const std::string& text, const std::string& se
   return result;
 }
 
+/// `y`, `n`, `t` and `f` are texts in launch files, though booleans in parameter files.
+void keep_letters(YamlNode& node) {
+  if (is_old_boolean(node) && node.text.size() == 1) node.quoted = true;
+  for (YamlNode& item : node.items) keep_letters(item);
+}
+
 Outcome<ParameterValue> as_yaml(const std::string& text, const SourceSpan& span) {
+  if (text.empty()) return ParameterValue(text);
   const SourceText source(text, span.file);
-  const auto read = parse_yaml(source);
+  auto read = parse_yaml(source);
+  if (read) keep_letters(read->root);
   const auto value = read && read->problems.empty() ? parameter_value(read->root) : std::nullopt;
   if (value) return *value;
   return fault("`" + text.substr(0, 60) + "` is no value that a parameter can have", span,

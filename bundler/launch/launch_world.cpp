@@ -2,17 +2,15 @@
 #include "bundler/launch/launch_world.hpp"
 
 #include <algorithm>
-#include <functional>
-#include <optional>
+#include <utility>
 
 #include "bundler/io/files.hpp"
+#include "bundler/launch/python_tree.hpp"
+#include "bundler/workspace/channel_request.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
 namespace {
-
-/// Where share/<package> is on this machine.
-using ShareOf = std::function<std::optional<fs::path>(const std::string& package)>;
 
 Diagnostic unreadable(const std::string& path, std::string why) {
   return {.code = "R2W0413", .message = "`" + path + "` cannot be read", .why = {std::move(why)}};
@@ -65,66 +63,99 @@ std::string shown_as(const std::string& path, const std::string& prefix) {
   return path;
 }
 
-LaunchWorld world_of(const fs::path& folder, const std::string& distro, ShareOf share_of,
-                     std::function<bool(const std::string&)> exists) {
-  const std::string prefix = "/opt/ros/" + distro;
+std::string prefix_of(const std::string& distro) {
+  return "/opt/ros/" + distro;
+}
+
+std::string share_of(const std::string& distro, const std::string& package) {
+  return prefix_of(distro) + "/share/" + package;
+}
+
+/// The folder that a path is in, and the rest of the path.
+std::optional<std::pair<const LaunchFolder*, fs::path>> found_in(
+    const std::vector<LaunchFolder>& folders, const std::string& path) {
+  const fs::path normal = fs::path(path).lexically_normal();
+  for (const LaunchFolder& folder : folders) {
+    const fs::path below = normal.lexically_relative(folder.at);
+    if (!below.empty() && *below.begin() != "..") return std::pair(&folder, below);
+  }
+  return std::nullopt;
+}
+
+Outcome<Inside> place_in(const std::vector<LaunchFolder>& folders, const std::string& prefix,
+                         const std::string& path) {
+  if (auto found = found_in(folders, path))
+    return Inside{found->first->from, std::move(found->second)};
+  const fs::path in_share = fs::path(path).lexically_normal().lexically_relative(prefix + "/share");
+  if (in_share.empty() || *in_share.begin() == "..")
+    return unreadable(path, "a site has the files of packages only, below " + prefix + "/share");
+  return unreadable(path, "there are no files of package `" + in_share.begin()->string() + "`");
+}
+
+}  // namespace
+
+std::vector<LaunchFolder> installed_launch_folders(const fs::path& folder,
+                                                   const std::vector<InstalledPackage>& installed,
+                                                   const fs::path& environment,
+                                                   const std::string& distro) {
+  std::vector<LaunchFolder> result{{.at = kLaunchWorkspace, .from = folder}};
+  std::error_code error;
+  for (const InstalledPackage& one : installed) {
+    result.push_back({.at = share_of(distro, one.name), .from = one.prefix / "share" / one.name});
+    const fs::path modules = one.prefix / kPythonModules;
+    if (one.prefix != environment && fs::is_directory(modules, error))
+      result.push_back({.at = "/modules/" + one.name, .from = modules, .holds_modules = true});
+  }
+  return result;
+}
+
+std::vector<LaunchFolder> source_launch_folders(const fs::path& folder,
+                                                const std::vector<LocalPackage>& packages,
+                                                const std::string& distro) {
+  std::vector<LaunchFolder> result{{.at = kLaunchWorkspace, .from = folder}};
+  for (const LocalPackage& one : packages)
+    result.push_back({.at = share_of(distro, one.xml.name.value),
+                      .from = one.directory,
+                      .holds_modules = one.xml.build_type == kPythonBuildType});
+  return result;
+}
+
+LaunchWorld launch_world(std::vector<LaunchFolder> folders, const std::string& distro,
+                         bool is_built) {
+  const std::string prefix = prefix_of(distro);
   LaunchWorld world;
   world.environment = {{"AMENT_PREFIX_PATH", prefix},
                        {"HOME", "/home/user"},
                        {"ROS_DISTRO", distro},
                        {"ROS_VERSION", "2"}};
-  world.prefix_of = [prefix, exists = std::move(exists)](
-                        const std::string& package) -> std::optional<std::string> {
-    return exists(package) ? std::optional(prefix) : std::nullopt;
+  world.prefix_of = [prefix, folders, distro,
+                     is_built](const std::string& package) -> std::optional<std::string> {
+    const bool has_files =
+        std::any_of(folders.begin(), folders.end(),
+                    [&](const LaunchFolder& one) { return one.at == share_of(distro, package); });
+    return has_files || !is_built ? std::optional(prefix) : std::nullopt;
   };
   world.shown = [prefix](const std::string& path) { return shown_as(path, prefix); };
-  const auto place = [folder, prefix,
-                      share_of = std::move(share_of)](const std::string& path) -> Outcome<Inside> {
-    const fs::path normal = fs::path(path).lexically_normal();
-    const fs::path in_workspace = normal.lexically_relative(kLaunchWorkspace);
-    if (!in_workspace.empty() && *in_workspace.begin() != "..") return Inside{folder, in_workspace};
-    const fs::path in_share = normal.lexically_relative(fs::path(prefix) / "share");
-    if (in_share.empty() || *in_share.begin() == "..")
-      return unreadable(path, "a site has the files of packages only, below " + prefix + "/share");
-    const std::string package = in_share.begin()->string();
-    const auto share = share_of(package);
-    if (!share) return unreadable(path, "there is no package `" + package + "`");
-    return Inside{*share, in_share.lexically_relative(package)};
-  };
-  world.read = [place](const std::string& path) -> Outcome<std::string> {
-    const auto inside = place(path);
+  if (!is_built)
+    world.is_later = [prefix](const std::string& path) {
+      return fs::path(path).lexically_normal().string().starts_with(prefix + "/share/");
+    };
+  world.read = [folders, prefix](const std::string& path) -> Outcome<std::string> {
+    const auto inside = place_in(folders, prefix, path);
     if (!inside) return inside.errors();
     return read_within(*inside, path);
   };
-  world.names_in = [place](const std::string& path) {
-    const auto inside = place(path);
+  world.names_in = [folders = std::move(folders), prefix](const std::string& path) {
+    const auto inside = place_in(folders, prefix, path);
     return inside ? names_within(*inside) : std::vector<std::string>();
   };
   return world;
 }
 
-}  // namespace
-
-LaunchWorld installed_launch_world(const fs::path& folder,
-                                   const std::vector<InstalledPackage>& installed,
-                                   const std::string& distro) {
-  const auto share_of = [&installed](const std::string& name) -> std::optional<fs::path> {
-    for (const InstalledPackage& one : installed)
-      if (one.name == name) return one.prefix / "share" / name;
-    return std::nullopt;
-  };
-  return world_of(folder, distro, share_of,
-                  [share_of](const std::string& name) { return share_of(name).has_value(); });
-}
-
-LaunchWorld source_launch_world(const fs::path& folder, const std::vector<LocalPackage>& packages,
-                                const std::string& distro) {
-  const auto share_of = [&packages](const std::string& name) -> std::optional<fs::path> {
-    for (const LocalPackage& one : packages)
-      if (one.xml.name.value == name) return one.directory;
-    return std::nullopt;
-  };
-  return world_of(folder, distro, share_of, [](const std::string&) { return true; });
+std::optional<fs::path> real_path(const std::vector<LaunchFolder>& folders,
+                                  const std::string& path) {
+  const auto found = found_in(folders, path);
+  return found ? std::optional(found->first->from / found->second) : std::nullopt;
 }
 
 }  // namespace ros2wasm

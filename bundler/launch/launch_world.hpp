@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,17 +16,32 @@ namespace ros2wasm {
 /// The manifest's folder, for launch files that are named by their place in it.
 inline constexpr const char* kLaunchWorkspace = "/workspace";
 
-/// Files of `folder` below kLaunchWorkspace, those of packages below /opt/ros/<distro>/share. No
-/// path and no link leads out of these. The values must outlive the world.
-[[nodiscard]] LaunchWorld installed_launch_world(const std::filesystem::path& folder,
-                                                 const std::vector<InstalledPackage>& installed,
-                                                 const std::string& distro);
+/// A folder of this machine, and where launch files see it.
+struct LaunchFolder {
+  std::string at;
+  std::filesystem::path from;
+  bool holds_modules = false;  ///< that launch files in Python can import
+};
+
+/// `folder` as kLaunchWorkspace, and what packages install below /opt/ros/<distro>/share. Modules
+/// of the packages that are not in `environment`.
+[[nodiscard]] std::vector<LaunchFolder> installed_launch_folders(
+    const std::filesystem::path& folder, const std::vector<InstalledPackage>& installed,
+    const std::filesystem::path& environment, const std::string& distro);
 
 /// The same before anything is built: share/<package>/ is the folder of the package's sources,
-/// where launch files and parameters mostly have the places that they are installed to. Packages
-/// that are no part of the workspace exist, without files.
-[[nodiscard]] LaunchWorld source_launch_world(const std::filesystem::path& folder,
-                                              const std::vector<LocalPackage>& packages,
-                                              const std::string& distro);
+/// where launch files and parameters mostly have the places that they are installed to.
+[[nodiscard]] std::vector<LaunchFolder> source_launch_folders(
+    const std::filesystem::path& folder, const std::vector<LocalPackage>& packages,
+    const std::string& distro);
+
+/// Files of `folders`; no path and no link leads out of these. `is_built`: else packages without a
+/// folder exist too, and what cannot be read in a package may be there later.
+[[nodiscard]] LaunchWorld launch_world(std::vector<LaunchFolder> folders, const std::string& distro,
+                                       bool is_built);
+
+/// Where a path of the site is on this machine.
+[[nodiscard]] std::optional<std::filesystem::path> real_path(
+    const std::vector<LaunchFolder>& folders, const std::string& path);
 
 }  // namespace ros2wasm

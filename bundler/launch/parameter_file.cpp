@@ -16,6 +16,9 @@ constexpr std::string_view kParametersKey = "ros__parameters";
 
 /// A scalar as ROS 2 types it; nothing when it has no type that parameters can have.
 std::optional<ParameterValue> typed(const YamlNode& node) {
+  const bool is_letter =
+      node.text == "t" || node.text == "T" || node.text == "f" || node.text == "F";
+  if (is_old_boolean(node) && is_letter) return ParameterValue(node.text);
   if (is_old_boolean(node)) {
     const char first = node.text.front();
     const bool on =

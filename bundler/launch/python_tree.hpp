@@ -15,6 +15,8 @@ namespace ros2wasm {
 /// to CMake.
 inline constexpr const char* kPythonModules = "lib/python3.12/site-packages";
 /// Where the package `pyodide` of a channel has its files, below the prefix.
+/// Reads the setup.py of Python packages and launch files in Python, and runs Python nodes.
+inline constexpr std::string_view kPyodidePackage = "pyodide";
 inline constexpr const char* kPyodideFolder = "share/pyodide";
 
 /// Bytes by path below the prefix: "lib/python3.12/site-packages/demo/talker.py".

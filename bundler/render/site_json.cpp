@@ -42,6 +42,10 @@ void write_node(JsonWriter& json, const PlannedNode& planned) {
   json.end_object();
   json.field("output", output_name(node.output)).field_boolean("respawn", node.respawn);
   if (node.respawn_delay_s > 0) json.key("respawn_delay").number(node.respawn_delay_s);
+  if (!node.start_on_node.empty()) {
+    json.key("start_on").begin_object().field("node", node.start_on_node);
+    json.field("event", node.start_on_exit ? "exit" : "start").end_object();
+  }
   if (node.start_after_s > 0) json.key("start_after").number(node.start_after_s);
   if (node.shutdown_on_exit) json.field("on_exit", "shutdown");
   if (!node.source.file.empty()) {

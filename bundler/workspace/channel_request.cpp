@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "bundler/launch/python_tree.hpp"
 #include "bundler/workspace/host_packages.hpp"
 #include "bundler/workspace/library_packages.hpp"
 #include "workspace_schema/names.hpp"
@@ -14,8 +15,6 @@ namespace {
 /// Parts of the C++ library that the site's compiler lacks. Every package may use them, and none
 /// names them.
 constexpr std::string_view kLibraryParts = "ros2wasm_std";
-/// Reads the setup.py of Python packages, and runs their nodes.
-constexpr std::string_view kPyodidePackage = "pyodide";
 
 bool has(const std::vector<std::string>& sorted, std::string_view name) {
   return std::binary_search(sorted.begin(), sorted.end(), name, std::less<>());
@@ -121,6 +120,12 @@ Outcome<ChannelRequest> channel_request(const Manifest& manifest,
     request.specs.push_back({.text = std::string(kPyodidePackage),
                              .origin = package.xml.name.span.file,
                              .span = package.xml.name.span});
+  }
+  if (manifest.launch_file && manifest.launch_file->value.ends_with(".py") &&
+      has(known.names, kPyodidePackage)) {
+    request.specs.push_back({.text = std::string(kPyodidePackage),
+                             .origin = manifest.launch_file->span.file,
+                             .span = manifest.launch_file->span});
   }
   for (const Spanned<std::string>& dependency : manifest.dependencies) {
     if (!host_package_reason(dependency.value).empty()) continue;

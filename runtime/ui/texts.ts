@@ -69,6 +69,8 @@ export const texts = {
 
   state: {
     stopped: 'Stopped',
+    waitsForStart: (node: string): string => `Waits for ${node} to start`,
+    waitsForEnd: (node: string): string => `Waits for ${node} to end`,
     starting: 'Starting',
     running: 'Running',
     finished: 'Finished, code 0',

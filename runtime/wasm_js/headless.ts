@@ -68,8 +68,9 @@ export function parseOptions(argv: readonly string[]): Options {
   };
 }
 
-/** Has every node come to its end? Undefined while one has not, else whether all ended well. */
-function allEnded(nodes: readonly NodeView[]): boolean | undefined {
+/** Has every node come to its end? Undefined while one has not, else whether all ended well. What waits for one then waits for ever. */
+function allEnded(all: readonly NodeView[]): boolean | undefined {
+  const nodes = all.filter(({ state }) => state.kind !== 'waiting');
   if (nodes.some(({ state }) => state.kind === 'starting' || state.kind === 'running' || state.kind === 'stopped')) {
     return undefined;
   }

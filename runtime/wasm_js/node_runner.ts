@@ -8,7 +8,7 @@ import { functionsIn, withNames } from './function_names.ts';
 import type { Platform, WorkerHandle } from './platform.ts';
 import type { ProgramEnd } from './program.ts';
 import type { PythonStart } from './python_program.ts';
-import type { NodeState, NodeView, SiteNode } from './session.ts';
+import type { NodeState, NodeView, SiteNode, StartOn } from './session.ts';
 import { SiteError } from './site_error.ts';
 import type { SiteFiles } from './site_files.ts';
 import { type ThreadMemory, tellThreads } from './thread_waits.ts';
@@ -40,6 +40,8 @@ export interface RunnerHost {
   readonly resetInput: (id: string) => void;
   /** A node ended with which all shall end. */
   readonly shutdown: () => void;
+  /** The node has started, or has ended by itself. */
+  readonly happened: (node: SiteNode, event: StartOn['event']) => void;
   /** A batch of lines was taken over from a worker of the participant. */
   readonly lines: (node: SiteNode, report: Extract<WorkerReport, { t: 'lines' }>) => void;
 }
@@ -93,6 +95,13 @@ export class NodeRunner {
     return this.state.kind === 'starting' || this.state.kind === 'running';
   }
 
+  /** Until start(), of another node's start or end. */
+  wait(on: StartOn): void {
+    if (this.active()) return;
+    this.clearTimer();
+    this.set({ kind: 'waiting', on });
+  }
+
   /** `afterMs`: it is starting until then. */
   start(afterMs = 0): void {
     if (this.active()) return;
@@ -110,6 +119,7 @@ export class NodeRunner {
   /** As Ctrl-C; a second time, or after the grace, the worker is killed. */
   stop(): void {
     this.clearTimer();
+    if (this.state.kind === 'waiting') this.set({ kind: 'stopped' });
     if (!this.active()) return;
     const { run } = this;
     if (run === undefined || this.stopping) {
@@ -216,6 +226,7 @@ export class NodeRunner {
     switch (report.t) {
       case 'running':
         this.set({ kind: 'running' });
+        this.host.happened(this.node, 'start');
         return;
       case 'memory':
         if (run !== undefined) run.memory = report.memory;
@@ -284,6 +295,7 @@ export class NodeRunner {
       const delay = Math.max(leastRespawnMs, this.node.respawnDelay * 1000);
       this.keepFromStart = this.host.broker.after(delay, () => this.start());
     }
+    if (byItself) this.host.happened(this.node, 'exit');
     if (run !== undefined && !run.over) {
       run.over = true;
       this.bury(run.participant, [run.main, ...run.threads], closed);

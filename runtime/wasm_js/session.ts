@@ -38,11 +38,19 @@ export interface SiteNode {
   readonly respawn: boolean;
   /** Seconds. */
   readonly respawnDelay: number;
-  /** Seconds after all are started together. */
+  /** Starts when that node has started, or has ended by itself; else with all others. */
+  readonly startOn?: StartOn;
+  /** Seconds after that. */
   readonly startAfter: number;
   /** When it ends by itself, all nodes are stopped. */
   readonly shutdownOnExit: boolean;
   readonly source?: SourcePlace;
+}
+
+export interface StartOn {
+  /** Its id. */
+  readonly node: string;
+  readonly event: 'start' | 'exit';
 }
 
 export interface SiteFile {
@@ -75,6 +83,7 @@ export type LinkKind = 'shared' | 'port';
 
 export type NodeState =
   | { readonly kind: 'stopped' }
+  | { readonly kind: 'waiting'; readonly on: StartOn }
   | { readonly kind: 'starting' }
   | { readonly kind: 'running' }
   | { readonly kind: 'exited'; readonly code: number }

@@ -2,7 +2,7 @@
 
 import { protocolVersion } from '../protocol/generated/constants.ts';
 import { SiteError } from './site_error.ts';
-import type { PythonProgram, SiteDescription, SiteFile, SiteNode, SourcePlace } from './session.ts';
+import type { PythonProgram, SiteDescription, SiteFile, SiteNode, SourcePlace, StartOn } from './session.ts';
 
 type Json = Readonly<Record<string, unknown>>;
 
@@ -63,6 +63,13 @@ function readPython(value: unknown, what: string): PythonProgram {
   return { archives: list(json, 'archives', what, archive), entry };
 }
 
+function readStartOn(value: unknown, what: string): StartOn {
+  const json = object(value, what);
+  const event = text(json, 'event', what);
+  if (event !== 'start' && event !== 'exit') fail(`${what}.event is ${event}: it is start or exit`);
+  return { node: text(json, 'node', what), event };
+}
+
 function readNode(value: unknown, what: string): SiteNode {
   const json = object(value, what);
   const kind = text(json, 'kind', what, 'cpp');
@@ -85,6 +92,7 @@ function readNode(value: unknown, what: string): SiteNode {
     output: text(json, 'output', what, 'screen'),
     respawn: flag(json, 'respawn'),
     respawnDelay: number(json, 'respawn_delay', what, 0),
+    ...(json['start_on'] === undefined ? {} : { startOn: readStartOn(json['start_on'], `${what}.start_on`) }),
     startAfter: number(json, 'start_after', what, 0),
     shutdownOnExit: text(json, 'on_exit', what, '') === 'shutdown',
     ...(source === undefined ? {} : { source }),

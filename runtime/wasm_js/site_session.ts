@@ -8,7 +8,7 @@ import { NodeRunner } from './node_runner.ts';
 import type { Platform } from './platform.ts';
 import { Sampler } from './sampler.ts';
 import type {
-  ConsoleLog, LastMessage, LinkKind, NodeView, Session, SiteDescription, SiteNode, SiteTime, SteppedRun, TabView, TopicView,
+  ConsoleLog, LastMessage, LinkKind, NodeView, Session, SiteDescription, SiteNode, SiteTime, StartOn, SteppedRun, TabView, TopicView,
   Unsubscribe,
 } from './session.ts';
 import { siteEnvironment, siteFiles } from './site_files.ts';
@@ -92,6 +92,7 @@ export class SiteSession implements Session {
         sent: traced ? (of, message) => void trace.add(of.id, message) : onSent,
         resetInput: (id) => this.input.reset(id),
         shutdown: () => this.stopAll(),
+        happened: (of, event) => this.startThoseWaiting(of, event),
         lines: (of, { lines, dropped }) => {
           console.add(lines, dropped);
           onLines?.(of, lines, dropped);
@@ -137,7 +138,7 @@ export class SiteSession implements Session {
       this.startAll();
       return;
     }
-    for (const { id, startAfter } of this.site.nodes) if (await tabs.claim(id)) this.start(id, startAfter);
+    for (const node of this.site.nodes) if (await tabs.claim(node.id)) this.startAsLaunched(node);
   }
 
   private running(): string[] {
@@ -161,7 +162,19 @@ export class SiteSession implements Session {
   }
 
   startAll(): void {
-    for (const { id, startAfter } of this.site.nodes) this.start(id, startAfter);
+    for (const node of this.site.nodes) this.startAsLaunched(node);
+  }
+
+  private startAsLaunched({ id, startOn, startAfter }: SiteNode): void {
+    if (startOn === undefined) this.start(id, startAfter);
+    else this.runner(id).wait(startOn);
+  }
+
+  private startThoseWaiting(node: SiteNode, event: StartOn['event']): void {
+    for (const { id, startOn, startAfter } of this.site.nodes) {
+      const isMeant = startOn?.node === node.id && startOn.event === event;
+      if (isMeant && this.runner(id).view().state.kind === 'waiting') this.start(id, startAfter);
+    }
   }
 
   stopAll(): void {

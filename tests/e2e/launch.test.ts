@@ -1,7 +1,7 @@
-// A workspace whose launch file says what runs: example 02, headless on both links and in Chromium.
+// A workspace whose launch file says what runs: example 02, headless on both links and in Chromium; and in Python.
 
 import assert from 'node:assert/strict';
-import { cpSync, readFileSync } from 'node:fs';
+import { cpSync, readFileSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { after, before, test } from 'node:test';
 import { chromium } from 'playwright-core';
@@ -51,6 +51,50 @@ for (const link of ['shared', 'port']) {
     seenInOrder(run.stdout);
   });
 }
+
+const inPython = `
+from launch import LaunchDescription
+from launch.actions import LogInfo, RegisterEventHandler
+from launch.event_handlers import OnProcessExit, OnProcessStart
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    first, second, third = (Node(package='two_robots', executable='robot', namespace=name,
+                                 parameters=[{'battery': 1, 'speed': 3.0}]) for name in ('first', 'second', 'third'))
+    return LaunchDescription([
+        RegisterEventHandler(OnProcessStart(target_action=first, on_start=[second])),
+        RegisterEventHandler(OnProcessExit(target_action=second, on_exit=[LogInfo(msg='and then'), third])),
+        first,
+    ])
+`;
+
+test('the launch file in Python comes to the same, and nodes start when others have started or ended', async () => {
+  const nodes = (): { source: unknown; start_on?: unknown }[] =>
+    (JSON.parse(workspace.read('site/site.json').toString()) as { nodes: { source: unknown }[] }).nodes;
+  const withoutPlaces = (): unknown[] => nodes().map((node) => ({ ...node, source: undefined }));
+  const written = withoutPlaces();
+  const manifest = workspace.read('workspace.yaml').toString();
+  const pack = async (file: string): Promise<void> => {
+    writeFileSync(join(workspace.root, 'workspace.yaml'), manifest.replace(/^launch: .*$/m, `launch: ${file}`));
+    const packed = await workspace.run(['pack']);
+    assert.equal(packed.code, 0, packed.stderr);
+  };
+  await pack('src/two_robots/launch/bringup.launch.py');
+  assert.deepEqual(withoutPlaces(), written);
+  assert.deepEqual(nodes()[2]?.source, { file: 'src/two_robots/launch/bringup.launch.py', line: 19, column: 5 });
+
+  writeFileSync(join(workspace.root, 'events.launch.py'), inPython);
+  await pack('events.launch.py');
+  assert.deepEqual(nodes().map(({ start_on: on }) => on), [
+    undefined, { node: 'robot-1', event: 'start' }, { node: 'robot-2', event: 'exit' },
+  ]);
+  for (const link of ['shared', 'port']) {
+    const run = await workspace.run(['run', 'site', '--link', link, '--for', '30s']);
+    assert.equal(run.code, 0, run.stderr);
+    assert.match(run.stdout, /second\.robot\]: the battery is empty[^]*third\.robot\]: starting at 3\.0 m\/s[^]*third\.robot\]: the battery is empty/);
+  }
+});
 
 test('in Chromium', async () => {
   const server = await serveFolder(join(workspace.root, 'site'), { isolated: true });

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import os
 import re
 import subprocess
 import sys
@@ -14,6 +15,7 @@ PYTHON = "/usr/bin/python3"  # Debian's: the one that its flake8 and mypy are in
 REGISTRY_OR_MACHINE = re.compile(
     "://[^/ ]*(" + "|".join(("debian", "npmjs")) + r")\.|(^|[^A-Za-z0-9_.])/wor[k]/[A-Za-z.]"
 )
+LAUNCH_MODULES = "templates/python/launch_modules"
 CODE = re.compile(r"R2W\d{4}")
 NO_CODE = "R2W9999"  # stands for one that does not exist
 
@@ -30,10 +32,10 @@ def native_files() -> list[str]:
     return [n for n in tracked(".cpp", ".hpp", ".h") if n.startswith(ours) and made not in n]
 
 
-def run(*command: str) -> str | None:
+def run(*command: str, environment: dict[str, str] | None = None) -> str | None:
     """Runs a checker; its output when it fails, None when it is content."""
-    pipe = subprocess.PIPE
-    process = subprocess.run(command, cwd=ROOT, text=True, stdout=pipe, stderr=subprocess.STDOUT, check=False)
+    process = subprocess.run(command, cwd=ROOT, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                             env={**os.environ, **(environment or {})}, check=False)
     return None if process.returncode == 0 else process.stdout[-6000:]
 
 
@@ -62,8 +64,8 @@ def house_rules() -> str | None:
 
 def checks() -> dict[str, object]:
     python = tracked(".py")
-    # Users' packages need no hints.
-    hinted = [n for n in python if not n.startswith("tests/packages/")]
+    # Users' packages need no hints. Launch files find modules whose names others have too.
+    hinted = [n for n in python if not n.startswith(("tests/packages/", "examples/", LAUNCH_MODULES))]
     shell = ["dev", ".ci/run", *tracked(".sh")]
     return {
         "format": lambda: run("clang-format", "--dry-run", "--Werror", *native_files()),
@@ -74,6 +76,8 @@ def checks() -> dict[str, object]:
         "tables": lambda: run(sys.executable, "tests/tools/compatibility.py", "--check"),
         "python": lambda: run(PYTHON, "-m", "flake8", "--max-line-length=120", *python),
         "hints": lambda: run(PYTHON, "-m", "mypy", "--cache-dir=build/.mypy_cache", *hinted),
+        "launch": lambda: run(PYTHON, "-m", "mypy", "--cache-dir=build/.mypy_launch", LAUNCH_MODULES,
+                              environment={"MYPYPATH": LAUNCH_MODULES}),
         "shell": lambda: run("shellcheck", *shell),
     }
 

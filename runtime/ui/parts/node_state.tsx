@@ -18,6 +18,8 @@ export function stateLook(state: NodeState): StateLook {
   switch (state.kind) {
     case 'stopped':
       return { words: texts.state.stopped, icon: 'ring', tone: 'idle' };
+    case 'waiting':
+      return { words: state.on.event === 'exit' ? texts.state.waitsForEnd(state.on.node) : texts.state.waitsForStart(state.on.node), icon: 'ring', tone: 'idle' };
     case 'starting':
       return { words: texts.state.starting, icon: 'arc', tone: 'busy' };
     case 'running':

@@ -217,6 +217,26 @@ test('a node that is stopped before it starts does not end by itself: no rule is
       [{ kind: 'exited', code: 137 }, { kind: 'exited', code: 137 }, { kind: 'running' }]);
   }));
 
+test('a node that waits starts when another has started, or has ended by itself', watchdog, () =>
+  withSession([
+    { program: 'spins.c' },
+    { program: 'spins.c', rules: { start_on: { node: 'spins-1', event: 'start' } } },
+    { program: 'spins.c', rules: { start_on: { node: 'exits-4', event: 'exit' } } },
+    { program: 'exits.c', rules: { start_on: { node: 'spins-2', event: 'start' } } },
+    { program: 'exits.c', rules: { start_on: { node: 'spins-1', event: 'exit' } } },
+  ], async (session) => {
+    session.startAll();
+    const kinds = (): string[] => session.nodes().map(({ state }) => state.kind);
+    assert.deepEqual(kinds(), ['starting', 'waiting', 'waiting', 'waiting', 'waiting']);
+    await reaches(session, 'spins-3', 'running');
+    assert.deepEqual(kinds(), ['running', 'running', 'running', 'exited', 'waiting']);
+    session.stop('spins-1');
+    session.stop('spins-1');
+    assert.equal(kinds()[4], 'waiting', 'it did not end by itself');
+    session.stop('exits-5');
+    assert.equal(kinds()[4], 'stopped');
+  }));
+
 test('a node that hears nothing is killed at the second stop; restart starts it again', watchdog, () =>
   withSession([{ program: 'spins.c' }], async (session) => {
     session.startAll();

@@ -236,5 +236,33 @@ TEST(SourceHash, LinksThatLeadRoundEndAndCount) {
   EXPECT_NE(*hash_of_tree(tree / "a"), two);
 }
 
+TEST(Conversation, LinesGoBothWays) {
+  auto talk = Conversation::start(
+      {.arguments = {"sh", "-c", "while read -r line; do echo \"got $line\"; done"},
+       .environment = {},
+       .directory = {},
+       .on_output = {}},
+      {});
+  ASSERT_TRUE(talk.ok());
+  EXPECT_EQ(*(*talk)->ask("one"), "got one");
+  const std::string large(300'000, 'x');
+  EXPECT_EQ(*(*talk)->ask(large), "got " + large);
+}
+
+TEST(Conversation, AProgramThatEndsIsTold) {
+  auto talk = Conversation::start({.arguments = {"sh", "-c", "read -r line; echo oops >&2; exit 3"},
+                                   .environment = {},
+                                   .directory = {},
+                                   .on_output = {}},
+                                  {});
+  ASSERT_TRUE(talk.ok());
+  for (int i = 0; i < 2; ++i) {
+    const auto answer = (*talk)->ask("one");
+    ASSERT_FALSE(answer.ok());
+    EXPECT_EQ(answer.errors()[0].code, "R2W0910");
+    EXPECT_EQ(answer.errors()[0].detail, "oops\n");
+  }
+}
+
 }  // namespace
 }  // namespace ros2wasm

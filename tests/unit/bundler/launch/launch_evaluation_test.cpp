@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
-
 #include "bundler/launch/launch_file_nodes.hpp"
 #include "bundler/launch/launch_tree.hpp"
 
@@ -44,7 +42,7 @@ constexpr Case kCases[] = {
         <param name="w" value="1" type="str"/><param name="f" value="2" type="float"/>
         <param name="e" value=""/></node>)x",
      "- node:\n    pkg: a\n    exec: b\n    name: n\n    param: [{name: i, value: 1}, {name: d, "
-     "value: 1.0}, {name: s, value: one}, {name: t, value: true}, {name: q, value: \"'1'\"}, "
+     "value: 1.0}, {name: s, value: one}, {name: t, value: true}, {name: q, value: \"1\"}, "
      "{name: w, value: '1', type: str}, {name: f, value: 2, type: float}, {name: e, value: ''}]",
      "a/b  /n\n  param i: 1\n  param d: 1.0\n  param s: 'one'\n  param t: true\n  param q: '1'\n"
      "  param w: '1'\n  param f: 2.0\n  param e: ''\n"},
@@ -183,9 +181,9 @@ constexpr Case kCases[] = {
      "$(if 0 x).'}",
      "log info: true true true true x .\n"},
     {"expressions",
-     R"x(<arg name="n" default="4"/><log message="$(eval '$(var n) * 2 > 7') $(eval 1 + 1)"/>)x",
-     "- arg: {name: n, default: '4'}\n- log: {message: \"$(eval '$(var n) * 2 > 7') $(eval 1 + "
-     "1)\"}",
+     R"x(<arg name="n" default="4"/><log message="$(eval '$(var n) * 2 > 7') $(eval '1 + 1')"/>)x",
+     "- arg: {name: n, default: '4'}\n- log: {message: \"$(eval '$(var n) * 2 > 7') $(eval '1 + "
+     "1')\"}",
      "arguments\n  n:=4\nlog info: True 2\n"},
     {"texts put together",
      R"x(<log message="$(string-join , a b) $(string-strip ' x ') $(anon n)"/>)x",
@@ -335,23 +333,64 @@ TEST(Launch, WhatASiteCannotStartIsLeftOutOrRefused) {
   EXPECT_EQ(codes, (std::vector<std::string>{"R2W0417", "R2W0401", "R2W0402"}));
 }
 
-TEST(Launch, TwoHundredNodesTakeNoTime) {
-  std::string text = "<launch><arg name='n' default='x'/>";
-  for (int i = 0; i < 200; ++i) {
-    text += "<group><push_ros_namespace namespace='$(var n)" + std::to_string(i) +
-            "'/><node pkg='a' exec='b' name='n' if=\"$(eval '" + std::to_string(i) +
-            " >= 0')\"><param name='p' value='[1, 2, 3]'/><param name='q' value='$(var n)'/>"
-            "<remap from='x' to='y'/></node></group>";
-  }
-  text += "</launch>";
-  const LaunchWorld world = world_with("a.launch.xml", text);
-  const auto begin = std::chrono::steady_clock::now();
-  const auto result = evaluate_launch("/f/a.launch.xml", {}, world);
-  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
+TEST(Launch, WhatGrowsIsBounded) {
+  const auto refused = [](const std::string& body, const std::string& why) {
+    const std::string told = tree_of("a.launch.xml", "<launch>" + body + "</launch>");
+    EXPECT_NE(told.find(why), std::string::npos) << told.substr(0, 300);
+  };
+  refused(
+      "<let name='x' value='aa'/><for len='60' name='i'>"
+      "<let name='x' value='$(var x)$(var x)'/></for>",
+      "more than 4 MiB");
+  refused("<let name='x' value='" + std::string(100'000, 'x') +
+              "'/><for len='10000' name='i'><let name='x$(index i)' value='$(var x)'/></for>",
+          "more than 256 MiB");
+  refused("<for len='10000' name='i'><for len='10000' name='j'><log message='m'/></for></for>",
+          "more than 200000 actions");
+}
+
+TEST(Launch, PartsHaveTheirAttributesOnly) {
+  const auto told = [](const std::string& part) {
+    return tree_of("a.launch.xml", "<launch><node pkg='a' exec='b'>" + part + "</node></launch>");
+  };
+  EXPECT_EQ(told("<param name='x' value='1' if='false'/>"),
+            "R2W0410 `param` has no attribute `if`\n");
+  EXPECT_EQ(told("<remap from='x'/>"), "R2W0410 `remap` needs the attribute `to`\n");
+  EXPECT_EQ(told("<env name='x' val='1'/>"),
+            "R2W0410 `env` needs the attribute `value`\nR2W0410 `env` has no attribute `val`\n");
+}
+
+TEST(Launch, LettersAndQuotedNumbersAreTexts) {
+  EXPECT_EQ(tree_of("a.launch.xml",
+                    "<launch><node pkg='a' exec='b'><param name='axis' value='y'/><param name='u' "
+                    "value='[t, f]'/><param name='on' value='on'/></node></launch>"),
+            "a/b\n  param axis: 'y'\n  param u: ['t', 'f']\n  param on: true\n");
+  EXPECT_EQ(tree_of("a.launch.yaml",
+                    "launch:\n- node: {pkg: a, exec: b, param: [{name: port, value: \"8080\"}, "
+                    "{name: l, value: [\"1\", \"2\"]}, {name: n, value: \"$(var x 8)\"}]}\n"),
+            "a/b\n  param port: '8080'\n  param l: ['1', '2']\n  param n: 8\n");
+}
+
+TEST(Launch, WhatAnUnseenFileSaysIsLeftOutBeforeTheBuild) {
+  const auto evaluated = [](const std::string& more) {
+    LaunchWorld world =
+        world_with("a.launch.xml",
+                   "<launch><include file='/p/share/x/a.launch.xml'/><node pkg='a' exec='b'>"
+                   "<param from='/p/share/x/p.yaml'/></node>" +
+                       more + "</launch>");
+    world.is_later = [](const std::string& path) { return path.starts_with("/p/share/"); };
+    return evaluate_launch("/f/a.launch.xml", {}, world);
+  };
+  const auto result = evaluated("");
   ASSERT_TRUE(result.ok());
-  EXPECT_EQ(result->processes.size(), 200U);
-  // The aim is 0.1 s on a quiet machine; the sanitizers' builds and busy ones get more.
-  EXPECT_LT(time.count(), 2.0);
+  EXPECT_EQ(result->processes.size(), 1U);
+  ASSERT_EQ(result->warnings.size(), 2U);
+  for (const Diagnostic& warning : result->warnings) EXPECT_EQ(warning.code, "R2W0419");
+
+  const auto missing = evaluated("<include file='/f/none.launch.xml'/>");
+  ASSERT_FALSE(missing.ok());
+  ASSERT_EQ(missing.errors().size(), 1U);
+  EXPECT_EQ(missing.errors()[0].code, "R2W0413");
 }
 
 }  // namespace

@@ -1,0 +1,6 @@
+"""Where packages are, as launch files ask for it."""
+from __future__ import annotations
+
+from .packages import (PackageNotFoundError, get_package_prefix, get_package_share_directory, get_package_share_path)
+
+__all__ = ['PackageNotFoundError', 'get_package_prefix', 'get_package_share_directory', 'get_package_share_path']

@@ -1,0 +1,33 @@
+"""What happens to processes."""
+from __future__ import annotations
+
+from typing import Any
+
+
+class _OfProcess:
+    def __init__(self, *, action: Any = None, **facts: Any) -> None:
+        self.action = action
+        self.__dict__.update(facts)
+
+
+class ProcessStarted(_OfProcess):
+    name = 'launch.events.process.ProcessStarted'
+
+
+class ProcessExited(_OfProcess):
+    name = 'launch.events.process.ProcessExited'
+
+
+class ProcessIO(_OfProcess):
+    name = 'launch.events.process.ProcessIO'
+
+
+class ShutdownProcess:
+    def __init__(self, *, process_matcher: Any) -> None:
+        self.process_matcher = process_matcher
+
+
+class SignalProcess:
+    def __init__(self, *, signal_number: Any, process_matcher: Any) -> None:
+        self.signal_number = signal_number
+        self.process_matcher = process_matcher

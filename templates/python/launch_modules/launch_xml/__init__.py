@@ -1,0 +1,1 @@
+"""Launch files in XML, which the evaluator reads itself."""

@@ -1,0 +1,1 @@
+"""Launch files in YAML, which the evaluator reads itself."""

@@ -1,0 +1,58 @@
+// A folder of this machine among Pyodide's files, to be read only. No link leads out of it, and nothing hidden is there.
+
+import { readFileSync, readdirSync, realpathSync, statSync } from 'node:fs';
+import { join, sep } from 'node:path';
+
+const [notPermitted, notThere, invalid, readOnly] = [2, 44, 28, 69]; // as Emscripten counts errors
+const someTime = new Date(Date.UTC(2000, 0, 1));
+const directory = 0o040555;
+const regular = 0o100444;
+
+const isHidden = (name) => name.startsWith('.');
+
+/** For FS.mount(). `fs`: Pyodide's; options: `from`, a path without links. */
+export function mountedFiles(fs) {
+  const refuse = (code) => { throw new fs.ErrnoError(code); };
+  const node = (parent, name, path, root) => {
+    const facts = statSync(path);
+    const result = fs.createNode(parent, name, facts.isDirectory() ? directory : regular, 0);
+    return Object.assign(result, { path, root, bytes: facts.isDirectory() ? 4096 : facts.size, node_ops: nodes, stream_ops: streams });
+  };
+  const nodes = {
+    getattr: (of) => ({
+      dev: 1, ino: of.id, mode: of.mode, nlink: 1, uid: 0, gid: 0, rdev: 0, size: of.bytes,
+      atime: someTime, mtime: someTime, ctime: someTime, blksize: 4096, blocks: Math.ceil(of.bytes / 4096),
+    }),
+    lookup(parent, name) {
+      let path;
+      if (isHidden(name)) refuse(notThere);
+      try { path = realpathSync.native(join(parent.path, name)); } catch { refuse(notThere); }
+      if (path !== parent.root && !path.startsWith(parent.root + sep)) refuse(notThere);
+      const facts = statSync(path);
+      if (!facts.isDirectory() && !facts.isFile()) refuse(notThere);
+      return node(parent, name, path, parent.root);
+    },
+    readdir: (of) => ['.', '..', ...readdirSync(of.path).filter((name) => !isHidden(name)).sort()],
+    setattr: () => refuse(readOnly), mknod: () => refuse(readOnly), rename: () => refuse(readOnly),
+    unlink: () => refuse(readOnly), rmdir: () => refuse(readOnly), symlink: () => refuse(readOnly),
+    readlink: () => refuse(invalid),
+  };
+  const streams = {
+    open(stream) {
+      if ((stream.flags & 3) !== 0) refuse(readOnly);
+      if (fs.isFile(stream.node.mode)) stream.content = readFileSync(stream.node.path);
+    },
+    read(stream, buffer, offset, length, position) {
+      const part = stream.content.subarray(position, position + length);
+      buffer.set(part, offset);
+      return part.length;
+    },
+    write: () => refuse(notPermitted),
+    llseek(stream, offset, whence) {
+      const position = offset + (whence === 1 ? stream.position : whence === 2 ? stream.content.length : 0);
+      if (position < 0) refuse(invalid);
+      return position;
+    },
+  };
+  return { mount: (mount) => node(null, '/', mount.opts.from, mount.opts.from) };
+}

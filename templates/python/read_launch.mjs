@@ -1,0 +1,65 @@
+// Holds the launch files in Python of one evaluation, in Pyodide, and answers the evaluator: a line of JSON comes in, a
+// line goes out. In between it may ask back the same way (`ask`). The workspace's own code runs here: it sees the
+// folders that the first line names, for reading, and nothing else of this machine.
+// usage: node read_launch.mjs PYODIDE
+// first line: {"folders": [{"at": PATH, "from": PATH}], "modules": [PATH]}; then requests, see ros2wasm_launch/reader.py
+
+import { readSync, writeSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+
+import { mountedFiles } from './mounted_files.mjs';
+import { startPython } from './pyodide.mjs';
+
+const input = 0;
+const output = 1;
+const bufferSize = 1 << 16;
+const again = 'EAGAIN';
+const tools = '/tools';
+
+let pending = Buffer.alloc(0);
+
+/** The next line; nothing at the end. */
+function receive() {
+  const pieces = [];
+  for (;;) {
+    const end = pending.indexOf('\n');
+    if (end >= 0) {
+      pieces.push(pending.subarray(0, end));
+      pending = pending.subarray(end + 1);
+      return Buffer.concat(pieces).toString();
+    }
+    pieces.push(pending);
+    const buffer = Buffer.alloc(bufferSize);
+    let count;
+    try { count = readSync(input, buffer); } catch (error) { if (error.code === again) continue; throw error; }
+    if (count === 0) return undefined;
+    pending = buffer.subarray(0, count);
+  }
+}
+
+function send(text) {
+  let bytes = Buffer.from(`${text}\n`);
+  while (bytes.length > 0) {
+    try { bytes = bytes.subarray(writeSync(output, bytes)); } catch (error) { if (error.code !== again) throw error; }
+  }
+}
+
+const { folders, modules } = JSON.parse(receive());
+const python = await startPython(process.argv[2]);
+const files = mountedFiles(python.FS);
+for (const { at, from } of [{ at: tools, from: fileURLToPath(new URL('launch_modules', import.meta.url)) }, ...folders]) {
+  python.FS.mkdirTree(at);
+  python.FS.mount(files, { from }, at);
+}
+python.registerJsModule('ros2wasm_host', { ask: (text) => { send(text); return receive(); } });
+python.globals.set('places', [tools, ...modules].join(':'));
+const answer = python.runPython(`
+import sys
+sys.path[:0] = places.split(':')
+sys.dont_write_bytecode = True
+import launch
+from ros2wasm_launch import reader
+reader.prepare()
+reader.answer`);
+send('{"ready": true}');
+for (let line = receive(); line !== undefined; line = receive()) send(answer(line));

@@ -23,7 +23,7 @@ struct Inside {
 };
 
 /// The real path, if it is there and no link leads out.
-Outcome<fs::path> real_path(const Inside& place, const std::string& shown) {
+Outcome<fs::path> checked_path(const Inside& place, const std::string& shown) {
   std::error_code error;
   const fs::path real_root = fs::canonical(place.root, error);
   const fs::path real = error ? fs::path() : fs::canonical(place.root / place.below, error);
@@ -35,7 +35,7 @@ Outcome<fs::path> real_path(const Inside& place, const std::string& shown) {
 }
 
 Outcome<std::string> read_within(const Inside& place, const std::string& shown) {
-  const auto real = real_path(place, shown);
+  const auto real = checked_path(place, shown);
   if (!real) return real.errors();
   auto text = read_file(*real);
   if (!text) return unreadable(shown, text.errors().front().message);
@@ -44,7 +44,7 @@ Outcome<std::string> read_within(const Inside& place, const std::string& shown) 
 
 std::vector<std::string> names_within(const Inside& place) {
   std::vector<std::string> names;
-  const auto real = real_path(place, {});
+  const auto real = checked_path(place, {});
   if (!real) return names;
   std::error_code error;
   for (fs::directory_iterator at(*real, error), end; !error && at != end; at.increment(error))

@@ -1,8 +1,9 @@
 // See python_host.hpp. The messages are described in templates/python/read_launch.mjs.
 #include "bundler/launch/python_host.hpp"
 
-#include <set>
+#include <vector>
 
+#include "bundler/launch/python_sandbox.hpp"
 #include "workspace_schema/json_writer.hpp"
 
 namespace ros2wasm {
@@ -11,30 +12,24 @@ namespace fs = std::filesystem;
 Outcome<Done> PythonHost::start() {
   const auto tools = find_tools_();
   if (!tools) return tools.errors();
-  // In this order: Node.js denies a folder that is permitted after one in it.
-  std::set<std::string> readable{tools->pyodide.string(), tools->templates.string()};
+  std::vector<fs::path> readable{tools->pyodide, tools->templates};
   JsonWriter first;
   first.begin_object().key("folders").begin_array();
   for (const LaunchFolder& folder : folders_) {
     std::error_code error;
     const fs::path real = fs::canonical(folder.from, error);
     if (error || !fs::is_directory(real, error)) continue;  // a package without files
-    readable.insert(real.string());
+    readable.push_back(real);
     first.begin_object().field("at", folder.at).field("from", real.string()).end_object();
   }
   first.end_array().key("modules").begin_array();
   for (const LaunchFolder& folder : folders_)
     if (folder.holds_modules) first.string(folder.at);
   first.end_array().end_object();
-  std::vector<std::string> words{tools->node_js.string(), "--permission"};
-  for (const std::string& folder : readable) words.push_back("--allow-fs-read=" + folder);
-  words.push_back((tools->templates / "read_launch.mjs").string());
-  words.push_back(tools->pyodide.string());
-  auto started = Conversation::start({.arguments = std::move(words),
-                                      .environment = {{"NODE_OPTIONS", ""}},
-                                      .directory = {},
-                                      .on_output = {}},
-                                     cancellation_);
+  const fs::path reader = tools->templates / "read_launch.mjs";
+  auto started = Conversation::start(
+      python_sandbox(tools->node_js, readable, {reader.string(), tools->pyodide.string()}),
+      cancellation_);
   if (!started) return std::move(started).errors();
   if (const auto ready = (*started)->ask(first.text()); !ready) return ready.errors();
   conversation_ = std::move(*started);

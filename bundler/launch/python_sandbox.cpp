@@ -1,6 +1,8 @@
 // See python_sandbox.hpp.
 #include "bundler/launch/python_sandbox.hpp"
 
+#include <set>
+
 namespace ros2wasm {
 
 ProcessRequest python_sandbox(const std::filesystem::path& node_js,
@@ -13,7 +15,9 @@ ProcessRequest python_sandbox(const std::filesystem::path& node_js,
       .output_mode = OutputMode::kCapture,
       .on_output = {},
       .is_confined = true};
-  for (const std::filesystem::path& folder : folders)
+  // In this order: Node.js denies a folder that is permitted after one that lies in it.
+  const std::set<std::filesystem::path> parents_first(folders.begin(), folders.end());
+  for (const std::filesystem::path& folder : parents_first)
     request.arguments.push_back("--allow-fs-read=" + folder.string());
   request.arguments.insert(request.arguments.end(), program.begin(), program.end());
   return request;

@@ -18,7 +18,8 @@ using PythonTable = std::map<std::string, std::shared_ptr<const PythonFunction>,
 
 /// A function of `least` to `most` arguments. `names`: those that may be named; `*`: all.
 void add_python_function(PythonTable& table, const std::string& name, std::size_t least,
-                         std::size_t most, std::function<PythonValue(const PythonArguments&)> call,
+                         std::size_t most,
+                         const std::function<PythonValue(const PythonArguments&)>& call,
                          const std::string& names = {});
 
 /// The function, as a value.

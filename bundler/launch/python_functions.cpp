@@ -285,7 +285,8 @@ const PythonTable& builtins() {
 }  // namespace
 
 void add_python_function(PythonTable& table, const std::string& name, std::size_t least,
-                         std::size_t most, std::function<PythonValue(const PythonArguments&)> call,
+                         std::size_t most,
+                         const std::function<PythonValue(const PythonArguments&)>& call,
                          const std::string& names) {
   const auto checked = [=](const PythonArguments& a) {
     for (const auto& [one, value] : a.named)

@@ -1,6 +1,6 @@
 // One node of a site: its worker and thread workers, its state, its rules (stop, respawn).
 
-import type { Broker } from './broker.ts';
+import type { Admission, Broker } from './broker.ts';
 import type { NodeConsole } from './console_log.ts';
 import type { SentMessage } from './message_trace.ts';
 import type { WorkerReport, WorkerStart } from './node_worker.ts';
@@ -164,24 +164,32 @@ export class NodeRunner {
     setTimeout(() => this.timeChanged(), retellMs);
   }
 
+  private admit(): Admission {
+    const admission = this.host.broker.admit();
+    if (admission === undefined) throw new SiteError('R2W0707', 'the site has more nodes than the bus has places');
+    return admission;
+  }
+
   private async launch(attempt: number): Promise<void> {
     try {
-      const admission = this.host.broker.admit();
-      if (admission === undefined) throw new SiteError('R2W0707', 'the site has more nodes than the bus has places');
-      const { participant, ticket, transfer } = admission;
-      const main = this.worker(participant, attempt);
+      // A stepped run counts on it from now on. Ports are made when they can be handed on at once: under Node.js they
+      // cannot any more when the node at the other end is over.
+      let admission = this.host.broker.kind === 'port' ? undefined : this.admit();
+      const main = this.worker(() => admission?.participant, attempt);
       const startedAt = Date.now();
       let module: WebAssembly.Module;
       try {
         module = await this.host.platform.compile(this.node.program);
+        if (this.attempt === attempt) admission ??= this.admit();
       } catch (error) {
-        this.bury(participant, [main], false);
+        this.bury(admission?.participant, [main], false);
         throw error;
       }
-      if (this.attempt !== attempt) {
-        this.bury(participant, [main], false);
+      if (this.attempt !== attempt || admission === undefined) {
+        this.bury(admission?.participant, [main], false);
         return;
       }
+      const { participant, ticket, transfer } = admission;
       const start: WorkerStart = {
         module,
         python: this.python(),
@@ -209,10 +217,12 @@ export class NodeRunner {
     return { ...python, base: place.endsWith('/') ? place : `${place}/`, home: program.slice(0, program.lastIndexOf('/') + 1) };
   }
 
-  private worker(participant: number, attempt: number): WorkerHandle {
+  /** It reports nothing before it is admitted. */
+  private worker(participant: () => number | undefined, attempt: number): WorkerHandle {
     const handle = this.host.platform.startWorker(this.node.id, {
       report: (report) => {
-        if (this.attempt === attempt) this.onReport(report, handle, participant);
+        const own = participant();
+        if (this.attempt === attempt && own !== undefined) this.onReport(report, handle, own);
       },
       failed: (message) => {
         if (this.attempt === attempt) this.finish({ kind: 'crashed', code: 'R2W0708', message }, false);
@@ -247,7 +257,7 @@ export class NodeRunner {
         return;
       case 'thread': {
         if (run === undefined) return;
-        const thread = this.worker(participant, this.attempt);
+        const thread = this.worker(() => participant, this.attempt);
         run.threads.add(thread);
         const start = { ...run.start, thread: { ...report.request, memory: report.memory } };
         thread.post({ t: 'start', start }, []);
@@ -309,8 +319,9 @@ export class NodeRunner {
   }
 
   /** The graph loses the program at once; its place and its memory are free when none of its workers runs any more. */
-  private bury(participant: number, workers: readonly WorkerHandle[], closed: boolean): void {
+  private bury(participant: number | undefined, workers: readonly WorkerHandle[], closed: boolean): void {
     const gone = workers.map((worker) => worker.terminate());
+    if (participant === undefined) return;
     this.host.broker.end(participant, closed);
     this.host.left();
     void Promise.all(gone).then(() => this.host.broker.gone(participant));

@@ -9,9 +9,13 @@ import assert from 'node:assert/strict';
 import { rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
+import { PortBroker } from '../../../runtime/wasm_js/broker.ts';
 import { mostConsoleLines } from '../../../runtime/wasm_js/console_log.ts';
+import { nodePlatform } from '../../../runtime/wasm_js/node_platform.ts';
 import type { Session, TopicView } from '../../../runtime/wasm_js/session.ts';
-import { prints, reaches, withSession } from './site_fixture.ts';
+import { readSite } from '../../../runtime/wasm_js/site_reader.ts';
+import { SiteSession } from '../../../runtime/wasm_js/site_session.ts';
+import { makeFolder, prints, reaches, withSession } from './site_fixture.ts';
 
 const watchdog = { timeout: 240_000 };
 
@@ -200,6 +204,36 @@ test('respawn starts a node again until it is stopped', watchdog, () =>
     session.stop('exits-1');
     await reaches(session, 'exits-1', 'exited');
   }));
+
+test('port: a node starts also when another one ends while its program is compiled', watchdog, async () => {
+  const folder = makeFolder([{ program: 'exits.c' }, { program: 'talker.c' }]);
+  const plain = nodePlatform(folder, new URL('../../../runtime/wasm_js/headless.ts', import.meta.url));
+  let letGo: () => void = () => undefined;
+  const gate = new Promise<void>((resolve) => {
+    letGo = resolve;
+  });
+  const platform = {
+    ...plain,
+    compile: async (path: string): Promise<WebAssembly.Module> => {
+      const module = await plain.compile(path);
+      if (path.includes('talker')) await gate;
+      return module;
+    },
+  };
+  const session = new SiteSession({ site: readSite(await platform.json('site.json')), platform, broker: new PortBroker() });
+  try {
+    session.startAll();
+    await reaches(session, 'exits-1', 'exited');
+    // Until its ports are closed.
+    await new Promise((resolve) => setTimeout(resolve, 300));
+    letGo();
+    await prints(session, 'talker-2', /Hello World/);
+  } finally {
+    session.close();
+    platform.close();
+    rmSync(folder, { recursive: true });
+  }
+});
 
 test('a node that is stopped before it starts does not end by itself: no rule is followed', watchdog, () =>
   withSession([

@@ -97,6 +97,8 @@ class Executor:
         self._waitables: list[tuple[Any, Any]] = []
         #: Calls are made in other threads than the one that spins.
         self._in_threads = False
+        #: An executor of the user's own takes calls out and makes them wherever it likes.
+        self._hands_out_calls = False
         self._context.on_shutdown(self.wake)
 
     @property
@@ -302,7 +304,7 @@ class Executor:
             if held:
                 group.ending_execution(entity)
             self._end_giving_way()
-            if self._in_threads:
+            if self._in_threads or self._hands_out_calls:
                 # Others of the group may be called now, by whoever spins.
                 host.wake()
 
@@ -383,6 +385,7 @@ class Executor:
         self, timeout_sec: float | None = None, nodes: Any = None, condition: Callable[[], bool] = lambda: False
     ) -> tuple[Callable[[], None], Any, Any]:
         """Wait for a call: the call, what it is of, and the node."""
+        self._hands_out_calls = True
         work = self._next_work(timeout_sec_to_nsec(timeout_sec), condition)
         return work.call, work.entity, work.node
 

@@ -2,41 +2,13 @@
 from __future__ import annotations
 
 import importlib
-import sys
 import types
 import unittest
 from collections.abc import Generator
 from typing import Any
 from unittest import mock
 
-from tests.unit.rclpy.installation import install
-
-WOKEN, TIMEOUT = 0, 1
-
-
-class FakeHost(types.ModuleType):
-    def __init__(self) -> None:
-        super().__init__('ros2wasm_host')
-        self.wakes = 0
-
-    def address(self, _: Any) -> int:
-        return 0
-
-    def ready(self, *_: int) -> int:
-        return 0
-
-    def wake(self) -> None:
-        self.wakes += 1
-
-    def wake_token(self) -> int:
-        return self.wakes
-
-    def wait(self, token: int, low: int, high: int) -> int:
-        if token != self.wakes:
-            return WOKEN
-        if high < 0:
-            raise AssertionError('nothing would end this wait')
-        return TIMEOUT
+from tests.unit.rclpy.installation import WOKEN, install, install_host
 
 
 class GiveWay:
@@ -50,11 +22,7 @@ class ExecutorTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls) -> None:
         install(cls)
-        ffi = types.ModuleType('pyodide.ffi')
-        setattr(ffi, 'run_sync', lambda result: result)
-        setattr(ffi, 'can_run_sync', lambda: False)
-        cls.enterClassContext(mock.patch.dict(
-            sys.modules, {'ros2wasm_host': FakeHost(), 'pyodide': types.ModuleType('pyodide'), 'pyodide.ffi': ffi}))
+        install_host(cls)
         cls.rclpy = importlib.import_module('rclpy')
 
     def setUp(self) -> None:
@@ -189,6 +157,22 @@ class ExecutorTest(unittest.TestCase):
         self.assertEqual(chosen([strong], True), (1, 1, 3, 20, 7))
         self.assertEqual(chosen([weak, strong], False), (1, 1, 3, 20, 7))
         self.assertEqual(chosen([], False), (1, 1, 1, 0, 0))
+
+    def test_who_takes_calls_out_hears_when_one_has_ended(self) -> None:
+        host = importlib.import_module('ros2wasm.host')
+        ended: list[Any] = []
+        entity = types.SimpleNamespace(callback_group=types.SimpleNamespace(ending_execution=ended.append))
+        token = host.wake_token()
+        self.executor._execute(entity, None, lambda: None)
+        self.assertEqual(host.wake_token(), token)
+        task = self.executor.create_task(print)
+        call, of, node = self.executor.wait_for_ready_callbacks(0)
+        call()
+        self.assertTrue(task.done())
+        token = host.wake_token()
+        self.executor._execute(entity, None, lambda: None)
+        self.assertNotEqual(host.wake_token(), token)
+        self.assertEqual((of, node, ended), (None, None, [entity, entity]))
 
     def test_a_task_may_end_its_executor(self) -> None:
         self.executor.create_task(self.executor.shutdown)

@@ -5,27 +5,68 @@ import importlib
 import os
 import sys
 import tempfile
+import types
 import unittest
 from pathlib import Path
+from typing import Any
 from unittest import mock
 
 ROOT = Path(__file__).resolve().parents[3]
+WOKEN, TIMEOUT = 0, 1
+
+
+class FakeHost(types.ModuleType):
+    """Only counts wakes: a wait that nothing would end fails the test."""
+
+    def __init__(self) -> None:
+        super().__init__('ros2wasm_host')
+        self.wakes = 0
+
+    def address(self, _: Any) -> int:
+        return 0
+
+    def ready(self, *_: int) -> int:
+        return 0
+
+    def wake(self) -> None:
+        self.wakes += 1
+
+    def wake_token(self) -> int:
+        return self.wakes
+
+    def wait(self, token: int, low: int, high: int) -> int:
+        if token != self.wakes:
+            return WOKEN
+        if high < 0:
+            raise AssertionError('nothing would end this wait')
+        return TIMEOUT
 
 
 def forget() -> None:
     """The next class imports all of it anew, on a host of its own."""
-    interfaces = ROOT / 'runtime/interfaces'
-    for name in list(sys.modules):
-        root = name.partition('.')[0]
-        if root in ('rclpy', 'ros2wasm') or (interfaces / root).is_dir():
+    runtime = ROOT / 'runtime'
+    for name, module in list(sys.modules.items()):
+        file = getattr(module, '__file__', None)
+        if (runtime / 'interfaces' / name.partition('.')[0]).is_dir() or (file and Path(file).is_relative_to(runtime)):
             del sys.modules[name]
 
 
-def install(cls: type[unittest.TestCase]) -> None:
+def install(cls: type[unittest.TestCase], *packages: str) -> None:
+    """rclpy, the interfaces, and packages of runtime/."""
     cls.addClassCleanup(forget)
     prefix = cls.enterClassContext(tempfile.TemporaryDirectory())
     (Path(prefix) / 'share').symlink_to(ROOT / 'runtime/interfaces')
     cls.enterClassContext(mock.patch.dict(os.environ, AMENT_PREFIX_PATH=prefix))
-    cls.enterClassContext(mock.patch.object(sys, 'path', [str(ROOT / 'runtime/rclpy'), *sys.path]))
+    folders = [str(ROOT / 'runtime' / name) for name in ('rclpy', *packages)]
+    cls.enterClassContext(mock.patch.object(sys, 'path', [*folders, *sys.path]))
     cls.enterClassContext(mock.patch.object(sys, 'meta_path', [*sys.meta_path]))
     importlib.import_module('ros2wasm.import_hook').install()
+
+
+def install_host(cls: type[unittest.TestCase]) -> None:
+    """What programs run on: one without a bus."""
+    ffi = types.ModuleType('pyodide.ffi')
+    setattr(ffi, 'run_sync', lambda result: result)
+    setattr(ffi, 'can_run_sync', lambda: False)
+    cls.enterClassContext(mock.patch.dict(
+        sys.modules, {'ros2wasm_host': FakeHost(), 'pyodide': types.ModuleType('pyodide'), 'pyodide.ffi': ffi}))

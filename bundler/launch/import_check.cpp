@@ -7,6 +7,7 @@
 
 #include "bundler/workspace/build_order.hpp"
 #include "bundler/workspace/python_imports.hpp"
+#include "bundler/workspace/python_modules.hpp"
 #include "workspace_schema/text_pattern.hpp"
 
 namespace ros2wasm {
@@ -36,6 +37,7 @@ constexpr auto kHints = std::to_array<Hint>({
     {"smbus2", kHardware},
     {"spidev", kHardware},
     {"tkinter", kNoWindows},
+    {"transforms3d", "`tf_transformations` is there, which needs none of it"},
     {"turtle", kNoWindows},
 });
 
@@ -223,7 +225,8 @@ class Walk {
                  {"`" + top + "` is there, but has no such module in this version"}, needed);
     }
     std::vector<std::string> why;
-    std::vector<std::string> wanted = {conda_name(top, world_.distro), ascii_lower(top)};
+    std::vector<std::string> wanted = {conda_name(package_of_module(top), world_.distro),
+                                       ascii_lower(top)};
     wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
     std::string tried;
     for (const std::string& name : wanted) {

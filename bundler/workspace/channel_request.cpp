@@ -7,6 +7,7 @@
 #include "bundler/launch/python_tree.hpp"
 #include "bundler/workspace/host_packages.hpp"
 #include "bundler/workspace/library_packages.hpp"
+#include "bundler/workspace/python_modules.hpp"
 #include "workspace_schema/names.hpp"
 
 namespace ros2wasm {
@@ -22,11 +23,10 @@ bool has(const std::vector<std::string>& sorted, std::string_view name) {
 
 /// What CMakeLists.txt asks for or Python imports, a channel has, and package.xml forgets. Where
 /// all of ROS 2 is installed nobody notices.
-std::vector<const Spanned<std::string>*> forgotten(const LocalPackage& package,
-                                                   const std::vector<LocalPackage>& packages,
-                                                   const KnownNames& known,
-                                                   std::string_view distro) {
-  std::vector<const Spanned<std::string>*> result;
+std::vector<Spanned<std::string>> forgotten(const LocalPackage& package,
+                                            const std::vector<LocalPackage>& packages,
+                                            const KnownNames& known, std::string_view distro) {
+  std::vector<Spanned<std::string>> result;
   const auto is_local = [&](const std::string& name) {
     return std::any_of(packages.begin(), packages.end(),
                        [&](const LocalPackage& one) { return one.xml.name.value == name; });
@@ -36,34 +36,49 @@ std::vector<const Spanned<std::string>*> forgotten(const LocalPackage& package,
         package.xml.dependencies.begin(), package.xml.dependencies.end(),
         [&](const PackageDependency& one) { return conda_name(one.name.value, distro) == wanted; });
   };
+  std::vector<Spanned<std::string>> uses = package.cmake_packages;
+  for (const Spanned<std::string>& module : package.python_modules) {
+    if (!is_local(module.value))
+      uses.push_back({.value = std::string(package_of_module(module.value)), .span = module.span});
+  }
   std::set<std::string> asked;
-  for (const auto* list : {&package.cmake_packages, &package.python_packages}) {
-    for (const Spanned<std::string>& one : *list) {
-      const std::string wanted = conda_name(one.value, distro);
-      if (!host_package_reason(one.value).empty() || is_local(one.value) || is_named(wanted))
-        continue;
-      if (has(known.names, wanted) && asked.insert(wanted).second) result.push_back(&one);
+  for (Spanned<std::string>& one : uses) {
+    const std::string wanted = conda_name(one.value, distro);
+    if (!host_package_reason(one.value).empty() || is_local(one.value) || is_named(wanted))
+      continue;
+    if (has(known.names, wanted) && asked.insert(wanted).second) result.push_back(std::move(one));
+  }
+  return result;
+}
+
+/// What the modules that a package imports cannot do without, as far as the channels have it.
+std::vector<Spanned<std::string>> module_needs(const LocalPackage& package, const KnownNames& known,
+                                               std::string_view distro) {
+  std::vector<Spanned<std::string>> result;
+  for (const Spanned<std::string>& module : package.python_modules) {
+    for (const std::string_view need : needs_of_module(module.value)) {
+      if (has(known.names, conda_name(need, distro)))
+        result.push_back({.value = std::string(need), .span = module.span});
     }
   }
   return result;
 }
 
-/// How package.xml names a library that is imported as `name`.
-std::string rosdep_key(const std::string& name) {
-  return name == "numpy" ? "python3-" + name : name;
+RequestedSpec spec_of(const Spanned<std::string>& package, std::string_view distro) {
+  return {
+      .text = conda_name(package.value, distro), .origin = package.span.file, .span = package.span};
 }
 
 Diagnostic forgotten_warning(const LocalPackage& package,
-                             const std::vector<const Spanned<std::string>*>& names) {
+                             const std::vector<Spanned<std::string>>& names) {
   std::string lines;
-  for (const Spanned<std::string>* one : names)
-    lines += "<depend>" + rosdep_key(one->value) + "</depend>";
+  for (const Spanned<std::string>& one : names) lines += "<depend>" + one.value + "</depend>";
   return Diagnostic{.code = "R2W0515",
                     .severity = Severity::kWarning,
                     .message = "package `" + package.xml.name.value + "` uses " +
                                (names.size() == 1 ? "a package" : "packages") +
                                " that its package.xml does not name",
-                    .span = names.front()->span,
+                    .span = names.front().span,
                     .label = "asked for here",
                     .why = {"it is taken from the channels all the same"},
                     .fix = {"add `" + lines + "` to package.xml"}};
@@ -106,14 +121,12 @@ Outcome<ChannelRequest> channel_request(const Manifest& manifest,
                              .span = dependency.places.front()});
   }
   for (const LocalPackage& package : packages) {
+    for (const auto& one : module_needs(package, known, manifest.distro))
+      request.specs.push_back(spec_of(one, manifest.distro));
     const auto names = forgotten(package, packages, known, manifest.distro);
     if (names.empty()) continue;
     request.warnings.push_back(forgotten_warning(package, names));
-    for (const Spanned<std::string>* one : names) {
-      request.specs.push_back({.text = conda_name(one->value, manifest.distro),
-                               .origin = one->span.file,
-                               .span = one->span});
-    }
+    for (const auto& one : names) request.specs.push_back(spec_of(one, manifest.distro));
   }
   for (const LocalPackage& package : packages) {
     if (package.xml.build_type != kPythonBuildType || !has(known.names, kPyodidePackage)) continue;

@@ -118,8 +118,8 @@ std::vector<fs::path> python_sources(const fs::path& folder, std::set<std::strin
   return files;
 }
 
-std::vector<Spanned<std::string>> python_packages(const fs::path& folder, const fs::path& base,
-                                                  const fs::path& shown_base) {
+std::vector<Spanned<std::string>> python_modules(const fs::path& folder, const fs::path& base,
+                                                 const fs::path& shown_base) {
   std::vector<Spanned<std::string>> result;
   std::set<std::string> known;
   for (const fs::path& file : python_sources(folder, known)) {
@@ -196,7 +196,7 @@ Outcome<std::vector<LocalPackage>> discover_packages(
                           .directory = folder,
                           .cmake_packages = cmake_packages(cmake ? *cmake : "",
                                                            shown_path(lists, base, shown_base)),
-                          .python_packages = python_packages(folder, base, shown_base)});
+                          .python_modules = python_modules(folder, base, shown_base)});
     } else {
       errors.insert(errors.end(), xml.errors().begin(), xml.errors().end());
     }

@@ -17,7 +17,7 @@ struct LocalPackage {
   /// What its CMakeLists.txt asks for, whether package.xml names it or not.
   std::vector<Spanned<std::string>> cmake_packages;
   /// What its Python files need that neither Python nor its own folder has: top-level modules.
-  std::vector<Spanned<std::string>> python_packages;
+  std::vector<Spanned<std::string>> python_modules;
 };
 
 /// Folders with a package.xml at or below `root`, sorted. A package's own folder is not searched

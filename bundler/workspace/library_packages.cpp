@@ -21,6 +21,7 @@ constexpr auto kLibraryPackages = std::to_array<LibraryPackage>({
     {"nlohmann_json", "nlohmann_json"},
     {"numpy", "numpy"},
     {"python3-numpy", "numpy"},
+    {"python3-yaml", "pyyaml"},
     {"yaml-cpp", "yaml-cpp"},
 });
 

@@ -185,6 +185,29 @@ TEST(ChannelRequest, WhatALockLacksIsAskedForAllTheSame) {
             "the lock has no `rviz2`, and the workspace has not either");
 }
 
+TEST(ChannelRequest, PythonModulesComeFromPackagesOfOtherNames) {
+  const TemporaryTree tree;
+  tree.write("src/a/package.xml", package_xml("a", "<depend>tf2_ros</depend>\n"));
+  tree.write("src/a/a/node.py", "import numpy, yaml\nfrom tf2_ros import Buffer\n");
+  tree.write("src/b/package.xml", package_xml("b", "<depend>tf2_geometry_msgs</depend>\n"));
+  tree.write("src/b/b/node.py", "import tf2_geometry_msgs\n");
+  const auto packages = discovered(tree, "src/*");
+  const auto order = order_packages(packages, "jazzy");
+  ASSERT_TRUE(order);
+  const KnownNames known = {.names = {"numpy", "pyyaml", "ros-jazzy-tf2-geometry-msgs",
+                                      "ros-jazzy-tf2-ros", "ros-jazzy-tf2-ros-py"}};
+  const auto request = channel_request(Manifest{}, packages, *order, known, "");
+  ASSERT_TRUE(request);
+  std::vector<std::string> asked;
+  for (const RequestedSpec& one : request->specs) asked.push_back(one.text);
+  EXPECT_EQ(asked, known.names);
+  // That tf2_geometry_msgs needs more for Python is not the user's concern.
+  ASSERT_EQ(request->warnings.size(), 1U);
+  EXPECT_EQ(request->warnings[0].fix.front(),
+            "add `<depend>python3-numpy</depend><depend>python3-yaml</depend>"
+            "<depend>tf2_ros_py</depend>` to package.xml");
+}
+
 TEST(BuildOrder, EveryVersionLimitCountsOnce) {
   const TemporaryTree tree;
   const auto limited = [](const std::string& limits) {

@@ -18,6 +18,8 @@ class AbstractGenericString(AbstractType):
 class AbstractNestedType(AbstractType):
     """A type that has elements of another."""
 
+    value_type: Any
+
 
 class AbstractSequence(AbstractNestedType):
     """Elements whose number may change."""

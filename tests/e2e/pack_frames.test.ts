@@ -1,0 +1,70 @@
+// Libraries of Python nodes through pack and run: transforms, filters, YAML, messages as text, angles.
+
+import assert from 'node:assert/strict';
+import { cpSync } from 'node:fs';
+import { join, resolve } from 'node:path';
+import { after, before, test } from 'node:test';
+
+import { PackWorkspace, finished } from './pack_workspace.ts';
+
+const PROGRAMS = ['drive', 'follow', 'wait', 'turns'];
+const MANIFEST = `schema: 1
+name: frames
+distro: jazzy
+packages: [src/*]
+launch:
+${PROGRAMS.map((program) => `  - {package: frames_py, executable: ${program}}`).join('\n')}
+`;
+const wanted = [
+  /^\[drive-1\] .*\[driver\]: notes: It never turns\.$/,
+  /^\[follow-2\] .*\[follower\]: at first: LookupException: "map" passed to lookupTransform argument target_frame does not exist\. $/,
+  /^\[follow-2\] .*\[follower\]: awaited laser at height 0\.25$/,
+  /^\[follow-2\] .*\[follower\]: the wall is at 10\.000 0\.25 of map True$/,
+  /^\[follow-2\] .*\[follower\]: as text z: 0\.25\}$/,
+  /^\[wait-3\] waited for map, 0\.25$/,
+  /^\[wait-3\] in vain: "wheel" passed to lookupTransform argument source_frame does not exist\. $/,
+  /^\[wait-3\] a later time is waited for True$/,
+  /^\[wait-3\] frames \['Frame base exists with parent map\.', 'Frame laser exists with parent base\.'\]$/,
+  /^\[turns-4\] 24 sequences of axes$/,
+  /^\[turns-4\] matrices hold$/,
+  /^\[turns-4\] map cloud \[\[1\.0, -2\.0, 100\.0\], \[10\.0, -20\.0, 70\.0\]\] \[1\.0, 2\.0, 0\.0\]$/,
+];
+
+let workspace: PackWorkspace;
+let packed: Awaited<ReturnType<PackWorkspace['run']>>;
+before(async () => {
+  workspace = new PackWorkspace();
+  cpSync(resolve(import.meta.dirname, '../packages/frames_py'), join(workspace.root, 'src/frames_py'), { recursive: true });
+  workspace.write('workspace.yaml', MANIFEST);
+  packed = await workspace.run(['pack']);
+  assert.equal(packed.code, 0, packed.stderr);
+});
+after(() => workspace.close());
+
+test('what Python imports comes along, also from packages of other names', () => {
+  const fix = /= fix: add `(.*)` to package\.xml/.exec(packed.stderr)?.[1] ?? '';
+  assert.deepEqual(fix.match(/(?<=<depend>)[^<]+/g)?.sort(), [
+    'ament_index_python', 'python3-numpy', 'sensor_msgs_py', 'std_msgs', 'tf2_ros_py', 'tf2_sensor_msgs',
+  ]);
+  const site = JSON.parse(workspace.read('site/site.json').toString()) as {
+    readonly nodes: readonly { readonly id: string; readonly python: { readonly archives: readonly string[] } }[];
+  };
+  const withNumpy = site.nodes.filter((node) => node.python.archives.includes('python/numpy.zip')).map((node) => node.id);
+  assert.deepEqual(withNumpy, ['turns-4']);
+});
+
+for (const link of ['shared', 'port']) {
+  test(`they run on the ${link} link`, async () => {
+    const child = workspace.start(['run', 'site', '--link', link, '--for', '180s']);
+    let said = '';
+    child.stdout?.on('data', (bytes: Buffer) => {
+      said += bytes.toString();
+      const lines = said.split('\n');
+      if (wanted.every((line) => lines.some((one) => line.test(one)))) child.kill('SIGINT');
+    });
+    const ran = await finished(child);
+    const lines = ran.stdout.split('\n');
+    assert.deepEqual(wanted.filter((line) => !lines.some((one) => line.test(one))), [], `${ran.stderr}\n${ran.stdout.slice(-6000)}`);
+    assert.equal(ran.code, 130, ran.stderr);
+  });
+}

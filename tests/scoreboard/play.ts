@@ -21,6 +21,8 @@ export interface Played {
 const LOOK_MS = 40;
 /** How long a program is watched that nobody expects anything of. */
 const UNEXPECTED_SECONDS = 3;
+/** What each Python node may take to start, on a busy machine too. */
+const PYTHON_START_SECONDS = 30;
 
 const KINDS: Readonly<Record<number, string>> = {
   [EndpointKind.publisher]: 'publisher',
@@ -106,7 +108,8 @@ export async function play(platform: Platform, expected: Expectation | undefined
       session.start(node.id);
       if (index === 0) for (const place of broker.admitted) own.add(place);
     }
-    const until = performance.now() + 1000 * (expected?.seconds ?? UNEXPECTED_SECONDS);
+    const starting = PYTHON_START_SECONDS * site.nodes.filter((node) => node.kind === 'python').length;
+    const until = performance.now() + 1000 * ((expected?.seconds ?? UNEXPECTED_SECONDS) + starting);
     let verdict: Verdict | undefined;
     do {
       await new Promise((resolve) => setTimeout(resolve, LOOK_MS));

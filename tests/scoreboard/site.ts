@@ -1,7 +1,7 @@
 // `ros2wasm build` and `pack`, for the packages of a board: a manifest beside nothing of theirs, and what the
 // program said when it failed.
 import { execFile } from 'node:child_process';
-import { mkdirSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { join, relative } from 'node:path';
 import type { Expectation } from './expectation.ts';
 import { closure, type Package } from './packages.ts';
@@ -92,13 +92,19 @@ function companionsOf(expectations: Iterable<Expectation>): ReadonlyMap<string, 
   return found;
 }
 
-/** Names of the programs in a folder of the installed tree. */
+/** Names of the programs in a folder of the installed tree: compiled ones, and scripts that Python runs. */
 function programs(folder: string): string[] {
   try {
-    return readdirSync(folder).filter((name) => name.endsWith('.wasm')).map((name) => name.slice(0, -'.wasm'.length)).sort();
+    const names = readdirSync(folder).map((name) => name.endsWith('.wasm') ? name.slice(0, -'.wasm'.length) : isScript(join(folder, name)) ? name : '');
+    return names.filter((name) => name !== '').sort();
   } catch {
     return [];
   }
+}
+
+function isScript(file: string): boolean {
+  const stat = statSync(file);
+  return stat.isFile() && (stat.mode & 0o111) !== 0 && /^#!.*python/.test(readFileSync(file, 'utf8'));
 }
 
 /** Of the events that `--json` writes to stderr. */

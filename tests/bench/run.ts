@@ -6,6 +6,7 @@ import { resolve } from 'node:path';
 import { parseArgs } from 'node:util';
 import { benchCrowd } from './crowd.ts';
 import { benchFetch } from './fetch.ts';
+import { benchLaunch } from './launch.ts';
 import { benchLines } from './lines.ts';
 import { benchLink } from './link.ts';
 import { benchPack } from './pack.ts';
@@ -31,6 +32,7 @@ const BENCHES: Readonly<Record<string, (context: BenchContext) => Promise<void> 
   bytes: benchBytes,
   crowd: benchCrowd,
   fetch: benchFetch,
+  launch: benchLaunch,
   lines: benchLines,
   link: benchLink,
   pack: benchPack,

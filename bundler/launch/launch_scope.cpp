@@ -2,7 +2,6 @@
 #include "bundler/launch/launch_scope.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 
@@ -12,6 +11,8 @@
 #include "bundler/launch/python_expression.hpp"
 #include "bundler/launch/xacro.hpp"
 #include "workspace_schema/suggestion.hpp"
+#include "workspace_schema/text_pattern.hpp"
+#include "workspace_schema/trimmed_text.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -271,10 +272,7 @@ Result joined(const Call& call) {
 }
 
 Result stripped(const Call& call) {
-  const std::string& text = call.arguments[0];
-  const std::size_t begin = text.find_first_not_of(" \t\r\n");
-  if (begin == std::string::npos) return std::string();
-  return text.substr(begin, text.find_last_not_of(" \t\r\n") - begin + 1);
+  return std::string(trimmed(call.arguments[0]));
 }
 
 struct Row {
@@ -377,10 +375,7 @@ Outcome<std::string> evaluate_text(const LaunchText& text, const SourceSpan& spa
 }
 
 std::optional<bool> condition_of(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(" \t\r\n");
-  if (begin == std::string_view::npos) return std::nullopt;
-  std::string word(text.substr(begin, text.find_last_not_of(" \t\r\n") - begin + 1));
-  for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string word = ascii_lower(trimmed(text));
   if (word == "true" || word == "1") return true;
   if (word == "false" || word == "0") return false;
   return std::nullopt;

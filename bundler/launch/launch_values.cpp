@@ -1,11 +1,12 @@
 // See launch_values.hpp.
 #include "bundler/launch/launch_values.hpp"
 
-#include <cctype>
 #include <charconv>
 
 #include "bundler/launch/node_arguments.hpp"
 #include "bundler/launch/parameter_file.hpp"
+#include "workspace_schema/text_pattern.hpp"
+#include "workspace_schema/trimmed_text.hpp"
 #include "workspace_schema/yaml_reader.hpp"
 #include "workspace_schema/yaml_scalar.hpp"
 
@@ -29,15 +30,9 @@ std::optional<T> number(std::string_view text) {
   return result;
 }
 
-std::string trimmed(const std::string& text) {
-  const std::size_t begin = text.find_first_not_of(" \t\r\n");
-  if (begin == std::string::npos) return {};
-  return text.substr(begin, text.find_last_not_of(" \t\r\n") - begin + 1);
-}
-
 std::optional<ParameterValue> as_type(const std::string& text, std::string_view type) {
   if (type == "str") return ParameterValue(text);
-  const std::string plain = trimmed(text);
+  const std::string plain(trimmed(text));
   if (type == "bool") {
     if (const auto value = launch_boolean(plain)) return ParameterValue(*value);
   } else if (type == "int") {
@@ -53,10 +48,10 @@ std::vector<std::string> items_of(const std::string& text, const std::string& se
   std::size_t begin = 0;
   for (std::size_t at = text.find(separator); at != std::string::npos;
        at = text.find(separator, begin)) {
-    result.push_back(trimmed(text.substr(begin, at - begin)));
+    result.emplace_back(trimmed(std::string_view(text).substr(begin, at - begin)));
     begin = at + separator.size();
   }
-  result.push_back(trimmed(text.substr(begin)));
+  result.emplace_back(trimmed(std::string_view(text).substr(begin)));
   return result;
 }
 
@@ -102,8 +97,7 @@ std::optional<std::string> launch_value_text(const LaunchAttributeValue& value) 
 }
 
 std::optional<bool> launch_boolean(std::string_view text) {
-  std::string word(text);
-  for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string word = ascii_lower(text);
   if (word == "true" || word == "1" || word == "on" || word == "yes") return true;
   if (word == "false" || word == "0" || word == "off" || word == "no") return false;
   return std::nullopt;

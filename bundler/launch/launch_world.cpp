@@ -25,13 +25,10 @@ struct Inside {
 /// The real path, if it is there and no link leads out.
 Outcome<fs::path> checked_path(const Inside& place, const std::string& shown) {
   std::error_code error;
-  const fs::path real_root = fs::canonical(place.root, error);
-  const fs::path real = error ? fs::path() : fs::canonical(place.root / place.below, error);
-  if (error) return unreadable(shown, "there is no such file");
-  const fs::path inside = real.lexically_relative(real_root);
-  if (inside.empty() || *inside.begin() == "..")
-    return unreadable(shown, "it leads out of " + place.root.filename().string());
-  return real;
+  if (!fs::exists(place.root / place.below, error))
+    return unreadable(shown, "there is no such file");
+  if (auto real = path_within(place.root, place.root / place.below)) return std::move(*real);
+  return unreadable(shown, "it leads out of " + place.root.filename().string());
 }
 
 Outcome<std::string> read_within(const Inside& place, const std::string& shown) {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "bundler/launch/xacro.hpp"
+#include "workspace_schema/trimmed_text.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -45,12 +46,6 @@ std::size_t program_words(const Words& words) {
   return run ? 4 : 0;
 }
 
-std::string trimmed(const std::string& text) {
-  const std::size_t begin = text.find_first_not_of(" \t\n");
-  if (begin == std::string::npos) return {};
-  return text.substr(begin, text.find_last_not_of(" \t\n") - begin + 1);
-}
-
 Diagnostic refused(std::string message, const std::string& line, const SourceSpan& span) {
   return {
       .code = "R2W0418",
@@ -78,8 +73,8 @@ std::optional<Outcome<XacroRequest>> xacro_command(const std::string& line,
   for (std::size_t i = begin; i < words->size(); ++i) {
     const std::string& word = (*words)[i];
     if (const std::size_t at = word.find(":="); at != std::string::npos) {
-      const std::string name = trimmed(word.substr(0, at));
-      const std::string value = trimmed(word.substr(at + 2));
+      const std::string name(trimmed(std::string_view(word).substr(0, at)));
+      const std::string value(trimmed(std::string_view(word).substr(at + 2)));
       if (!name.empty() && !value.empty()) request.arguments[name] = value;
     } else if (word == "--verbosity" && i + 1 < words->size()) {
       ++i;

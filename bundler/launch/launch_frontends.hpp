@@ -1,4 +1,5 @@
-// Reads launch files in XML and YAML; those in Python are launch_python.hpp's. Pure: text in, entities out.
+// Reads launch files in XML and YAML; those in Python are launch_python.hpp's. Pure: text in,
+// entities out.
 #pragma once
 
 #include <string>

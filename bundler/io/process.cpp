@@ -286,7 +286,8 @@ Outcome<ProcessResult> run_process(const ProcessRequest& request,
 
 namespace {
 constexpr std::size_t kLongestLine = 64U << 20U;  // bytes
-}
+constexpr std::size_t kMostError = 64U << 10U;
+}  // namespace
 
 struct Conversation::State {
   Cancellation cancellation;
@@ -298,6 +299,7 @@ struct Conversation::State {
   std::string received;
   std::string error_text;
   bool ended = false;
+  bool is_out_of_time = false;
 
   /// Waits for the program's end.
   int end() {
@@ -361,7 +363,11 @@ Outcome<std::unique_ptr<Conversation>> Conversation::start(const ProcessRequest&
   return std::unique_ptr<Conversation>(new Conversation(std::move(state)));
 }
 
-Outcome<std::string> Conversation::ask(const std::string& line) {
+bool Conversation::is_out_of_time() const {
+  return state_->is_out_of_time;
+}
+
+Outcome<std::string> Conversation::ask(const std::string& line, std::optional<Time> deadline) {
   State& state = *state_;
   if (state.ended || !state.send(line + "\n")) return state.gone(state.ended ? 0 : state.end());
   const ProcessRequest quiet;
@@ -379,13 +385,19 @@ Outcome<std::string> Conversation::ask(const std::string& line) {
     std::array<pollfd, 3> waits = {{{state.output.read_end.get(), POLLIN, 0},
                                     {state.error.read_end.get(), POLLIN, 0},
                                     {state.cancellation.wake_fd(), POLLIN, 0}}};
-    const int patience_ms = state.cancellation.wake_fd() >= 0 ? -1 : 100;
+    const int patience_ms = deadline || state.cancellation.wake_fd() < 0 ? 100 : -1;
     if (::poll(waits.data(), waits.size(), patience_ms) < 0 && errno != EINTR)
       return state.gone(state.end());
     if (state.cancellation.requested()) {
       stop_group(state.child, true);
       state.ended = true;
       return interrupted();
+    }
+    if (deadline && std::chrono::steady_clock::now() >= *deadline) {
+      stop_group(state.child, true);
+      state.ended = true;
+      state.is_out_of_time = true;
+      return state.gone(128 + SIGTERM);
     }
     if (waits[0].revents != 0) drain(state.output.read_end, state.received, quiet);
     if (state.received.size() > kLongestLine) {
@@ -394,6 +406,8 @@ Outcome<std::string> Conversation::ask(const std::string& line) {
       return state.gone(128 + SIGTERM);
     }
     if (waits[1].revents != 0) drain(state.error.read_end, state.error_text, quiet);
+    if (state.error_text.size() > kMostError)
+      state.error_text.erase(0, state.error_text.size() - kMostError);
   }
 }
 

@@ -60,9 +60,12 @@ class Conversation {
   Conversation& operator=(const Conversation&) = delete;
   ~Conversation();
 
+  using Time = std::chrono::steady_clock::time_point;
   /// Sends a line, which has no newline in it, and waits for one. R2W0910 when the program has
-  /// ended, with what it wrote to stderr; interrupted().
-  [[nodiscard]] Outcome<std::string> ask(const std::string& line);
+  /// ended, with the last of what it wrote to stderr, or is ended at `deadline`; interrupted().
+  [[nodiscard]] Outcome<std::string> ask(const std::string& line,
+                                         std::optional<Time> deadline = std::nullopt);
+  [[nodiscard]] bool is_out_of_time() const;
 
  private:
   struct State;

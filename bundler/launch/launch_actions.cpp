@@ -181,7 +181,7 @@ void LaunchEvaluator::push_namespace(const LaunchEntity& entity) {
 
 void LaunchEvaluator::set_parameter(const LaunchEntity& entity) {
   const auto name = text(entity, "name");
-  auto set = value(*entity.attribute("value"), "", "");
+  auto set = value(*entity.attribute("value"), text(entity, "type").value_or(""), "");
   if (!name || !set) return;
   scope_.parameters.push_back({.name = *name, .value = std::move(*set), .file = {}});
 }

@@ -24,12 +24,8 @@ struct LaunchArgument {
 
 /// A component that is loaded into a container when that has started.
 struct LaunchComponent {
-  Spanned<std::string> package;
+  NodeEntry node;  ///< without an executable; as LaunchProcess has it
   std::string plugin;
-  std::optional<std::string> name;
-  std::optional<std::string> name_space;
-  std::vector<std::pair<std::string, std::string>> remappings;
-  std::vector<ParameterEntry> parameters;
   std::vector<std::pair<std::string, std::string>> extra_arguments;
 };
 

@@ -279,7 +279,8 @@ void LaunchEvaluator::action(const LaunchEntity& entity) {
 
 bool LaunchEvaluator::check(const LaunchEntity& entity, const LaunchActionRow& row) {
   Names attributes = with({"if", "unless"}, row.attributes);
-  if (language_ == LaunchLanguage::kPython) attributes.emplace_back("process");
+  if (language_ == LaunchLanguage::kPython)
+    attributes.insert(attributes.end(), {"process", "type"});
   bool good = check_attributes(entity, attributes);
   const bool any = std::find(row.parts.begin(), row.parts.end(), "*") != row.parts.end();
   for (const LaunchEntity& part : entity.children) {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <map>
 #include <optional>
 #include <set>
@@ -65,7 +64,8 @@ class LaunchEvaluator {
   bool check_part(const LaunchEntity& part);
   bool check_attributes(const LaunchEntity& entity,
                         const std::vector<std::string_view>& attributes);
-  void event(const EventHandler& handler);
+  /// Whether its process is known by now.
+  bool event(const EventHandler& handler);
 
   // The actions.
   void declare_argument(const LaunchEntity& entity);
@@ -145,7 +145,7 @@ class LaunchEvaluator {
   std::size_t actions_ = 0;
   std::size_t text_ = 0;                            ///< bytes that were evaluated
   LaunchLanguage language_ = LaunchLanguage::kXml;  ///< of the present file
-  std::deque<EventHandler> handlers_;
+  std::vector<EventHandler> handlers_;
   std::set<std::int64_t> forgotten_;  ///< handlers, by number
   std::map<std::int64_t, std::size_t> processes_;
   std::map<std::int64_t, PassedOver> passed_over_;

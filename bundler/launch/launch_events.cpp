@@ -7,6 +7,7 @@
 namespace ros2wasm {
 namespace {
 
+constexpr std::size_t kMostLines = 10'000;
 constexpr const char* kEndProcess = "end_process";
 constexpr const char* kTransition = "lifecycle_transition";
 
@@ -18,6 +19,7 @@ PythonMoment LaunchEvaluator::moment(const SourceSpan& span) {
           .world = world_,
           .span = span,
           .said = [this](LaunchLine line) {
+            if (description_.lines.size() >= kMostLines) return;
             line.on = trigger_;
             line.after_s = after_s_;
             description_.lines.push_back(std::move(line));
@@ -106,9 +108,9 @@ void LaunchEvaluator::pass_over(const LaunchEntity& entity) {
   description_.left_out.push_back(std::move(one));
 }
 
-void LaunchEvaluator::event(const EventHandler& handler) {
+bool LaunchEvaluator::event(const EventHandler& handler) {
   const LaunchEntity& entity = handler.entity;
-  if (forgotten_.contains(number(entity, "handler"))) return;
+  if (forgotten_.contains(number(entity, "handler"))) return true;
   const std::string kind = text(entity, "event").value_or("");
   const std::int64_t target = number(entity, "process");
   if ((kind != "start" && kind != "exit") || target < 0) {
@@ -121,7 +123,7 @@ void LaunchEvaluator::event(const EventHandler& handler) {
                                                     : "any process starts or ends"),
          .instead = "a site's launch follows the start and the end of single processes",
          .span = entity.span});
-    return;
+    return true;
   }
   if (const auto started = processes_.find(target); started != processes_.end()) {
     trigger_ = LaunchTrigger{.process = started->second,
@@ -132,7 +134,7 @@ void LaunchEvaluator::event(const EventHandler& handler) {
     trigger_ = passed->second.on;
     after_s_ = passed->second.after_s;
   } else {
-    return;  // a condition left it out
+    return false;
   }
   const LaunchFilePlace before = std::exchange(place_, handler.place);
   const LaunchLanguage language_before = std::exchange(language_, LaunchLanguage::kPython);
@@ -145,13 +147,24 @@ void LaunchEvaluator::event(const EventHandler& handler) {
   place_ = before;
   trigger_.reset();
   after_s_ = 0;
+  return true;
 }
 
+/// What one handler starts may be what another one looks at. Whose process never comes, a condition
+/// left out.
 void LaunchEvaluator::events() {
-  while (!handlers_.empty() && errors_.empty()) {
-    const EventHandler handler = std::move(handlers_.front());
-    handlers_.pop_front();
-    event(handler);
+  for (bool went_on = true; went_on && errors_.empty();) {
+    went_on = false;
+    std::vector<EventHandler> now;
+    now.swap(handlers_);
+    for (EventHandler& handler : now) {
+      if (!errors_.empty()) break;
+      if (event(handler)) {
+        went_on = true;
+      } else {
+        handlers_.push_back(std::move(handler));
+      }
+    }
   }
 }
 

@@ -5,7 +5,9 @@
 #include <string_view>
 #include <utility>
 
+#include "bundler/launch/component_containers.hpp"
 #include "bundler/launch/launch_evaluation.hpp"
+#include "workspace_schema/diagnostic_list.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -97,17 +99,20 @@ Outcome<LaunchFileNodes> launch_file_nodes(const std::string& path,
                                          std::string(instead->instead), process.node.span));
       continue;
     }
-    if (!process.components.empty()) {
-      errors.push_back({.code = "R2W0417",
-                        .message = "components of launch files are not loaded by this version",
-                        .span = process.node.span,
-                        .why = {"a component that its package registers as a node of its own "
-                                "(rclcpp_components_register_node) can be started as one"}});
-      continue;
+    const auto number = static_cast<std::size_t>(&process - description->processes.data());
+    const auto keep = [&](const LaunchProcess& one) {
+      numbers.push_back(number);
+      entries.push_back(one.node);
+      processes.push_back(one);
+    };
+    if (!is_container(process)) {
+      keep(process);
+    } else if (const auto made = container_processes(process, description->parameter_files)) {
+      append(result.warnings, made->warnings);
+      for (const LaunchProcess& one : made->processes) keep(one);
+    } else {
+      append(errors, made.errors());
     }
-    numbers.push_back(static_cast<std::size_t>(&process - description->processes.data()));
-    entries.push_back(process.node);
-    processes.push_back(std::move(process));
   }
   auto nodes = launch_nodes(entries, installed, description->parameter_files);
   if (!nodes) errors.insert(errors.end(), nodes.errors().begin(), nodes.errors().end());

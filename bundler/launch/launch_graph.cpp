@@ -89,6 +89,23 @@ Diagnostics missing_packages(const std::vector<NodeEntry>& entries,
   return errors;
 }
 
+Outcome<std::vector<FileRules>> file_rules(const NodeEntry& entry,
+                                           const ParameterFiles& parameter_files) {
+  std::vector<FileRules> rules;
+  Diagnostics errors;
+  for (const Spanned<std::string>& file : entry.parameter_files) {
+    const auto text = parameter_files.find(file.value);
+    auto read = read_parameter_file(text == parameter_files.end() ? "" : text->second, file.value);
+    if (read) {
+      rules.push_back(std::move(read).value());
+    } else {
+      errors.insert(errors.end(), read.errors().begin(), read.errors().end());
+    }
+  }
+  if (!errors.empty()) return errors;
+  return rules;
+}
+
 Outcome<std::vector<LaunchNode>> launch_nodes(const std::vector<NodeEntry>& entries,
                                               const std::vector<InstalledPackage>& installed,
                                               const ParameterFiles& parameter_files) {
@@ -111,16 +128,10 @@ Outcome<std::vector<LaunchNode>> launch_nodes(const std::vector<NodeEntry>& entr
       errors.push_back(not_a_program(entry, *program));
       continue;
     }
-    std::vector<FileRules> files;
-    for (const Spanned<std::string>& file : entry.parameter_files) {
-      const auto text = parameter_files.find(file.value);
-      auto read =
-          read_parameter_file(text == parameter_files.end() ? "" : text->second, file.value);
-      if (read) {
-        files.push_back(std::move(read).value());
-      } else {
-        errors.insert(errors.end(), read.errors().begin(), read.errors().end());
-      }
+    const auto files = file_rules(entry, parameter_files);
+    if (!files) {
+      errors.insert(errors.end(), files.errors().begin(), files.errors().end());
+      continue;
     }
     nodes.push_back({.id = entry.executable.value + "-" + std::to_string(nodes.size() + 1),
                      .package = entry.package.value,
@@ -129,7 +140,7 @@ Outcome<std::vector<LaunchNode>> launch_nodes(const std::vector<NodeEntry>& entr
                      .program = program->file,
                      .kind = program->kind,
                      .compiled_modules = {},
-                     .arguments = node_arguments(entry, files),
+                     .arguments = node_arguments(entry, *files),
                      .output = entry.output,
                      .respawn = entry.respawn,
                      .source = entry.executable.span});

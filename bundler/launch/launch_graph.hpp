@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "bundler/launch/node_arguments.hpp"
 #include "workspace_schema/manifest.hpp"
 #include "workspace_schema/outcome.hpp"
 
@@ -65,6 +66,10 @@ using ParameterFiles = std::map<std::string, std::string>;
 /// R2W0401 for each node of a package that is not among these.
 [[nodiscard]] Diagnostics missing_packages(const std::vector<NodeEntry>& entries,
                                            const std::vector<std::string>& packages);
+
+/// What the parameter files of an entry say, in its order. Errors of these files.
+[[nodiscard]] Outcome<std::vector<FileRules>> file_rules(const NodeEntry& entry,
+                                                         const ParameterFiles& parameter_files);
 
 /// Checks the manifest's nodes against what is installed. R2W0401 no such package, R2W0402 no such
 /// executable, R2W0405 it is not a program for the site; errors of parameter files. All at once.

@@ -361,20 +361,16 @@ std::vector<LaunchComponent> LaunchEvaluator::components_of(const LaunchEntity& 
     const auto package = needed_text(part, "pkg");
     const auto plugin = needed_text(part, "plugin");
     if (!package || !plugin) continue;
-    LaunchComponent one{.package = {*package, part.attribute("pkg")->span},
+    LaunchComponent one{.node = {.span = part.span,
+                                 .package = {*package, part.attribute("pkg")->span},
+                                 .executable = {}},
                         .plugin = *plugin,
-                        .name = text(part, "name"),
-                        .name_space = namespace_for(text(part, "namespace").value_or("")),
-                        .remappings = {},
-                        .parameters = {},
                         .extra_arguments = {}};
-    if (auto remappings = remappings_of(part)) one.remappings = std::move(*remappings);
-    NodeEntry held;
-    parameters_of(part, held);
-    one.parameters = std::move(held.parameters);
-    if (!held.parameter_files.empty())
-      fail("R2W0410", "a component's parameters cannot come from a file in this version",
-           part.span);
+    if (auto name = text(part, "name")) one.node.name = {std::move(*name), part.span};
+    if (auto whole = namespace_for(text(part, "namespace").value_or("")))
+      one.node.name_space = {std::move(*whole), part.span};
+    if (auto remappings = remappings_of(part)) one.node.remappings = std::move(*remappings);
+    parameters_of(part, one.node);
     for (const LaunchEntity& extra : part.children) {
       if (extra.tag != "extra_arg") continue;
       auto name = needed_text(extra, "name");

@@ -75,10 +75,12 @@ void add_process(const LaunchProcess& process, const std::vector<LaunchProcess>&
   add_parameters(node.parameters, "  ", lines);
   for (const auto& [from, to] : node.remappings) lines.push_back("  remap " + from + " -> " + to);
   for (const LaunchComponent& one : process.components) {
-    lines.push_back("  component " + one.package.value + " " + one.plugin +
-                    (one.name ? "  " + one.name_space.value_or("") + "/" + *one.name : ""));
-    add_parameters(one.parameters, "    ", lines);
-    for (const auto& [from, to] : one.remappings)
+    lines.push_back("  component " + one.node.package.value + " " + one.plugin +
+                    (one.node.name ? "  " + node_label(one.node) : ""));
+    for (const auto& file : one.node.parameter_files)
+      lines.push_back("    params from " + file.value);
+    add_parameters(one.node.parameters, "    ", lines);
+    for (const auto& [from, to] : one.node.remappings)
       lines.push_back("    remap " + from + " -> " + to);
   }
 }
@@ -140,6 +142,12 @@ void write_texts(JsonWriter& json, const char* key, const std::vector<std::strin
   json.end_array();
 }
 
+void write_files(JsonWriter& json, const NodeEntry& node) {
+  std::vector<std::string> files;
+  for (const auto& file : node.parameter_files) files.push_back(file.value);
+  write_texts(json, "parameter_files", files);
+}
+
 void write_argument(JsonWriter& json, const LaunchArgument& one) {
   json.begin_object().field("name", one.name).field("value", one.value);
   if (one.default_value) json.field("default", *one.default_value);
@@ -150,11 +158,12 @@ void write_argument(JsonWriter& json, const LaunchArgument& one) {
 }
 
 void write_component(JsonWriter& json, const LaunchComponent& one) {
-  json.begin_object().field("package", one.package.value).field("plugin", one.plugin);
-  if (one.name) json.field("name", *one.name);
-  if (one.name_space) json.field("namespace", *one.name_space);
-  write_parameters(json, one.parameters);
-  write_pairs(json, "remappings", one.remappings);
+  json.begin_object().field("package", one.node.package.value).field("plugin", one.plugin);
+  if (one.node.name) json.field("name", one.node.name->value);
+  if (one.node.name_space) json.field("namespace", one.node.name_space->value);
+  write_files(json, one.node);
+  write_parameters(json, one.node.parameters);
+  write_pairs(json, "remappings", one.node.remappings);
   write_pairs(json, "extra_arguments", one.extra_arguments);
   json.end_object();
 }
@@ -174,9 +183,7 @@ void write_process(JsonWriter& json, const LaunchProcess& process) {
   if (node.name_space) json.field("namespace", node.name_space->value);
   write_texts(json, "arguments", node.arguments);
   write_texts(json, "ros_arguments", node.ros_arguments);
-  std::vector<std::string> files;
-  for (const auto& file : node.parameter_files) files.push_back(file.value);
-  write_texts(json, "parameter_files", files);
+  write_files(json, node);
   write_parameters(json, node.parameters);
   write_pairs(json, "remappings", node.remappings);
   json.key("environment").begin_object();

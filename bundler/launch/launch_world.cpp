@@ -22,12 +22,22 @@ struct Inside {
   fs::path below;
 };
 
-/// The real path, if it is there and no link leads out.
+bool has_hidden_part(const fs::path& path) {
+  return std::any_of(path.begin(), path.end(), [](const fs::path& part) {
+    const std::string name = part.string();
+    return name.size() > 1 && name.starts_with('.') && name != "..";
+  });
+}
+
+/// The real path, if it is there, no link leads out and nothing of it is hidden.
 Outcome<fs::path> checked_path(const Inside& place, const std::string& shown) {
   std::error_code error;
   if (!fs::exists(place.root / place.below, error))
     return unreadable(shown, "there is no such file");
-  if (auto real = path_within(place.root, place.root / place.below)) return std::move(*real);
+  auto real = path_within(place.root, place.root / place.below);
+  if (real && has_hidden_part(real->lexically_relative(fs::canonical(place.root, error))))
+    return unreadable(shown, "hidden files are not seen");
+  if (real) return std::move(*real);
   return unreadable(shown, "it leads out of " + place.root.filename().string());
 }
 
@@ -45,7 +55,7 @@ std::vector<std::string> names_within(const Inside& place) {
   if (!real) return names;
   std::error_code error;
   for (fs::directory_iterator at(*real, error), end; !error && at != end; at.increment(error))
-    names.push_back(at->path().filename().string());
+    if (!has_hidden_part(at->path().filename())) names.push_back(at->path().filename().string());
   std::sort(names.begin(), names.end());
   return names;
 }

@@ -1,6 +1,7 @@
 // See python_host.hpp. The messages are described in templates/python/read_launch.mjs.
 #include "bundler/launch/python_host.hpp"
 
+#include <chrono>
 #include <vector>
 
 #include "bundler/launch/python_sandbox.hpp"
@@ -8,6 +9,11 @@
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
+namespace {
+
+constexpr std::chrono::seconds kTimeLimit{60};  // of one request
+
+}  // namespace
 
 Outcome<Done> PythonHost::start() {
   const auto tools = find_tools_();
@@ -41,9 +47,16 @@ Outcome<std::string> PythonHost::ask(const std::string& request,
   if (!conversation_) {
     if (auto started = start(); !started) return started.errors();
   }
+  const auto deadline = std::chrono::steady_clock::now() + kTimeLimit;
   std::string line = request;
   for (;;) {
-    auto answer = conversation_->ask(line);
+    auto answer = conversation_->ask(line, deadline);
+    if (!answer && conversation_->is_out_of_time()) {
+      return Diagnostic{.code = "R2W0416",
+                        .message = "a launch file does not end",
+                        .why = {"it was given " + std::to_string(kTimeLimit.count()) +
+                                " seconds; its clock stands still"}};
+    }
     // What asks back says so first.
     if (!answer || !answer->starts_with("{\"ask\": ")) return answer;
     line = reply(*answer);

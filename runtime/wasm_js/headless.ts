@@ -74,7 +74,7 @@ function allEnded(all: readonly NodeView[]): boolean | undefined {
   if (nodes.some(({ state }) => state.kind === 'starting' || state.kind === 'running' || state.kind === 'stopped')) {
     return undefined;
   }
-  return nodes.every(({ state }) => state.kind === 'exited' && state.code === 0);
+  return (nodes.length > 0 || all.length === 0) && nodes.every(({ state }) => state.kind === 'exited' && state.code === 0);
 }
 
 function brokerFor({ link, stepped }: Options): Broker {

@@ -8,7 +8,7 @@ import { NodeRunner } from './node_runner.ts';
 import type { Platform } from './platform.ts';
 import { Sampler } from './sampler.ts';
 import type {
-  ConsoleLog, LastMessage, LinkKind, NodeView, Session, SiteDescription, SiteNode, SiteTime, StartOn, SteppedRun, TabView, TopicView,
+  ConsoleLog, LastMessage, LinkKind, NodeState, NodeView, Session, SiteDescription, SiteNode, SiteTime, StartOn, SteppedRun, TabView, TopicView,
   Unsubscribe,
 } from './session.ts';
 import { siteEnvironment, siteFiles } from './site_files.ts';
@@ -18,6 +18,9 @@ import type { SteppedTime } from './stepped_time.ts';
 import { Tabs } from './tabs.ts';
 
 const sampleMs = 250;
+
+/** Whether a node is this tab's. */
+const isHeld = (kind: NodeState['kind']): boolean => kind === 'starting' || kind === 'running' || kind === 'waiting';
 
 export interface SessionOptions {
   readonly site: SiteDescription;
@@ -127,7 +130,7 @@ export class SiteSession implements Session {
       return;
     }
     this.tabs = tabs;
-    for (const id of this.running()) await tabs.claim(id);
+    for (const { id, state } of this.nodes()) if (isHeld(state.kind)) await tabs.claim(id);
     this.nodesChanged();
   }
 

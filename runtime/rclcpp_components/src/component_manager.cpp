@@ -24,6 +24,16 @@ bool flag(const rclcpp::Parameter& argument) {
   return argument.get_value<bool>();
 }
 
+void set_extras(const std::vector<rclcpp::Parameter>& extras, rclcpp::NodeOptions& options) {
+  for (const auto& extra : extras) {
+    if (extra.get_name() == "use_intra_process_comms") {
+      options.use_intra_process_comms(flag(extra));
+    } else if (extra.get_name() == "forward_global_arguments") {
+      options.use_global_arguments(flag(extra));
+    }
+  }
+}
+
 }  // namespace
 
 ComponentManager::ComponentManager(std::weak_ptr<rclcpp::Executor> executor, std::string node_name,
@@ -106,14 +116,11 @@ rclcpp::NodeOptions ComponentManager::create_node_options(
   }
   rclcpp::NodeOptions options;
   options.use_global_arguments(false).parameter_overrides(parameters).arguments(arguments);
+  std::vector<rclcpp::Parameter> extras;
   for (const auto& argument : request->extra_arguments) {
-    const auto extra = rclcpp::Parameter::from_parameter_msg(argument);
-    if (extra.get_name() == "use_intra_process_comms") {
-      options.use_intra_process_comms(flag(extra));
-    } else if (extra.get_name() == "forward_global_arguments") {
-      options.use_global_arguments(flag(extra));
-    }
+    extras.push_back(rclcpp::Parameter::from_parameter_msg(argument));
   }
+  set_extras(extras, options);
   return options;
 }
 
@@ -133,42 +140,59 @@ void ComponentManager::remove_node_from_executor(uint64_t node_id) {
   }
 }
 
+std::optional<uint64_t> ComponentManager::instantiate(
+    const std::string& plugin, const std::function<rclcpp::NodeOptions()>& options) {
+  for (const ComponentResource& resource : get_component_resources({})) {
+    const auto factory = resource.first == plugin ? create_component_factory(resource) : nullptr;
+    if (factory == nullptr) {
+      continue;
+    }
+    const rclcpp::NodeOptions chosen = options();
+    const uint64_t node_id = unique_id_++;
+    try {
+      node_wrappers_[node_id] = factory->create_node_instance(chosen);
+    } catch (const std::exception& error) {
+      node_wrappers_.erase(node_id);
+      throw ComponentManagerException("Component constructor threw an exception: " +
+                                      std::string(error.what()));
+    } catch (...) {
+      node_wrappers_.erase(node_id);
+      throw ComponentManagerException("Component constructor threw an exception");
+    }
+    add_node_to_executor(node_id);
+    return node_id;
+  }
+  RCLCPP_ERROR(get_logger(),
+               "Failed to find class with the requested plugin name '%s' in the loaded library",
+               plugin.c_str());
+  return std::nullopt;
+}
+
+std::optional<uint64_t> ComponentManager::load(const std::string& plugin,
+                                               const std::vector<std::string>& arguments,
+                                               const std::vector<rclcpp::Parameter>& extras) {
+  return instantiate(plugin, [&] {
+    rclcpp::NodeOptions options;
+    options.use_global_arguments(false).arguments(arguments);
+    set_extras(extras, options);
+    return options;
+  });
+}
+
 void ComponentManager::on_load_node(const std::shared_ptr<rmw_request_id_t>,
                                     const std::shared_ptr<LoadNode::Request> request,
                                     std::shared_ptr<LoadNode::Response> response) {
   try {
-    for (const ComponentResource& resource : get_component_resources(request->package_name)) {
-      if (resource.first != request->plugin_name) {
-        continue;
-      }
-      const auto factory = create_component_factory(resource);
-      if (factory == nullptr) {
-        continue;
-      }
-      const rclcpp::NodeOptions options = create_node_options(request);
-      const uint64_t node_id = unique_id_++;
-      try {
-        node_wrappers_[node_id] = factory->create_node_instance(options);
-      } catch (const std::exception& error) {
-        node_wrappers_.erase(node_id);
-        throw ComponentManagerException("Component constructor threw an exception: " +
-                                        std::string(error.what()));
-      } catch (...) {
-        node_wrappers_.erase(node_id);
-        throw ComponentManagerException("Component constructor threw an exception");
-      }
-      add_node_to_executor(node_id);
-      response->full_node_name =
-          node_wrappers_[node_id].get_node_base_interface()->get_fully_qualified_name();
-      response->unique_id = node_id;
-      response->success = true;
+    const auto node_id =
+        instantiate(request->plugin_name, [&] { return create_node_options(request); });
+    response->success = node_id.has_value();
+    if (!node_id) {
+      response->error_message = "Failed to find class with the requested plugin name.";
       return;
     }
-    RCLCPP_ERROR(get_logger(),
-                 "Failed to find class with the requested plugin name '%s' in the loaded library",
-                 request->plugin_name.c_str());
-    response->error_message = "Failed to find class with the requested plugin name.";
-    response->success = false;
+    response->full_node_name =
+        node_wrappers_[*node_id].get_node_base_interface()->get_fully_qualified_name();
+    response->unique_id = *node_id;
   } catch (const ComponentManagerException& error) {
     RCLCPP_ERROR(get_logger(), "%s", error.what());
     response->error_message = error.what();

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -46,9 +48,17 @@ class ComponentManager : public rclcpp::Node {
   virtual std::vector<ComponentResource> get_component_resources(
       const std::string& package_name,
       const std::string& resource_index = "rclcpp_components") const;
+  /// Makes a component of class `plugin` and runs it: its number; nothing when no library has the
+  /// class. `arguments`: of its node, such as `--ros-args -r __node:=n`; `extras`: as in requests.
+  std::optional<uint64_t> load(const std::string& plugin, const std::vector<std::string>& arguments,
+                               const std::vector<rclcpp::Parameter>& extras);
   /// Null when the library has no such class.
   virtual std::shared_ptr<rclcpp_components::NodeFactory> create_component_factory(
       const ComponentResource& resource);
+
+ private:
+  std::optional<uint64_t> instantiate(const std::string& plugin,
+                                      const std::function<rclcpp::NodeOptions()>& options);
 
  protected:
   virtual rclcpp::NodeOptions create_node_options(const std::shared_ptr<LoadNode::Request> request);

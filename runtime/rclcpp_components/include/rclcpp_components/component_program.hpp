@@ -15,7 +15,8 @@ int run_component(int argc, char** argv, const char* program, const char* compon
                   rclcpp::Executor& (*make_executor)() = nullptr);
 
 /// Runs a container: it loads and unloads the components that the program was linked with, on
-/// request.
+/// request. Those of `--component=CLASS` are loaded at the start, each with the words of its
+/// `--component-arg=WORD` as arguments and the boolean extra arguments `--component-flag=NAME`.
 int run_container(int argc, char** argv);
 
 }  // namespace rclcpp_components

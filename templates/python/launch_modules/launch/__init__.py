@@ -10,7 +10,7 @@ from .events import Event
 from .launch_context import LaunchContext
 from .launch_description import LaunchDescription, LaunchDescriptionEntity
 from .launch_description_sources import InvalidLaunchFileError, LaunchDescriptionSource
-from .launch_service import LaunchService
+from .launch_service import LaunchIntrospector, LaunchService
 from .substitution import Substitution
 
 SomeSubstitutionsType = object
@@ -20,7 +20,7 @@ SomeEntitiesType_types_tuple = (LaunchDescriptionEntity, list, tuple)
 
 __all__ = [
     'Action', 'Condition', 'Event', 'EventHandler', 'InvalidLaunchFileError', 'LaunchContext', 'LaunchDescription',
-    'LaunchDescriptionEntity', 'LaunchDescriptionSource', 'LaunchService', 'SomeEntitiesType',
+    'LaunchDescriptionEntity', 'LaunchDescriptionSource', 'LaunchIntrospector', 'LaunchService', 'SomeEntitiesType',
     'SomeEntitiesType_types_tuple', 'SomeSubstitutionsType', 'SomeSubstitutionsType_types_tuple', 'Substitution',
     'actions', 'conditions', 'event_handlers', 'events', 'launch_description_sources', 'logging', 'substitutions',
     'utilities',

@@ -253,6 +253,7 @@ class ExecuteLocal(Action):
         self._set = [*_pairs(env), *_pairs(additional_env)]
         self._respawn, self._respawn_delay = respawn, respawn_delay
         self._output = output
+        self._shell = shell
 
     def _process_attributes(self) -> dict[str, Any]:
         attributes: dict[str, Any] = {'process': host.OBJECTS.number(self), 'respawn': flag(self._respawn)}
@@ -260,7 +261,7 @@ class ExecuteLocal(Action):
             attributes['respawn_delay'] = flag(self._respawn_delay)
         output = self._output
         if isinstance(output, Mapping):
-            output = 'screen' if 'screen' in map(text_of, output.values()) else 'log'
+            output = 'screen' if 'screen' in str(output.values()) else 'log'
         attributes['output'] = _optional(output)
         return attributes
 
@@ -282,7 +283,8 @@ class ExecuteProcess(ExecuteLocal):
         self.cmd = list(cmd)
 
     def _entities(self) -> list[Entity]:
-        attributes = {'cmd': [text_of(one) for one in self.cmd], 'name': _optional(self._process_name),
+        words = [text_of(one) for one in self.cmd]
+        attributes = {'cmd': ' '.join(words) if self._shell else words, 'name': _optional(self._process_name),
                       **self._process_attributes()}
         return self._followed(self._entity('executable', attributes, self._env_parts()))
 

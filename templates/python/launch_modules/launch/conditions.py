@@ -58,7 +58,7 @@ class _Raw(Substitution):
     def __init__(self, text: str) -> None:
         self._raw = text
 
-    def _text(self) -> str:
+    def _written(self) -> str:
         return self._raw
 
 

@@ -22,7 +22,10 @@ class EventHandler:
 
     def _attributes(self) -> dict[str, Any]:
         attributes: dict[str, Any] = {'event': self._event, 'handler': host.OBJECTS.number(self)}
-        if self._target is not None:
+        from .actions import ExecuteLocal
+
+        # A function that chooses among processes, or another action, is no process that is followed.
+        if isinstance(self._target, ExecuteLocal):
             attributes['process'] = host.OBJECTS.number(self._target)
         if callable(self._made):
             attributes['call'] = host.OBJECTS.number(self._call)
@@ -40,7 +43,6 @@ class EventHandler:
 class _OnProcess(EventHandler):
     def __init__(self, target_action: Any, made: Any, handle_once: bool) -> None:
         super().__init__(entities=made, handle_once=handle_once)
-        # A function that chooses among processes is a target nobody can name.
         self._target = target_action
 
 

@@ -10,10 +10,20 @@ class Substitution:
     """A text that is known when the launch file is evaluated. One with a `perform` of its own is asked for it."""
 
     def _text(self) -> str:
-        return f'$(python {host.OBJECTS.number(self)})'
+        is_own = type(self).perform is not Substitution.perform
+        return f'$(python {host.OBJECTS.number(self)})' if is_own else self._written()
+
+    def _written(self) -> str:
+        """As the evaluator knows it."""
+        raise NotImplementedError(f'{type(self).__name__} has no perform()')
 
     def perform(self, context: Any) -> str:
-        return host.evaluate(self._text(), context.launch_configurations)
+        from .substitutions import SubstitutionFailure
+
+        try:
+            return host.evaluate(self._written(), context.launch_configurations)
+        except host.HostError as error:
+            raise SubstitutionFailure(str(error)) from error
 
     def describe(self) -> str:
         return f'{type(self).__name__}({self._text()})'

@@ -19,7 +19,7 @@ class Called(Substitution):
         self._name = name
         self._arguments = tuple(one for one in arguments if one is not None)
 
-    def _text(self) -> str:
+    def _written(self) -> str:
         return call(self._name, *self._arguments)
 
 
@@ -29,7 +29,7 @@ class TextSubstitution(Substitution):
             raise TypeError(f'text is a str, found {text!r}')
         self.text = text
 
-    def _text(self) -> str:
+    def _written(self) -> str:
         return plain(self.text)
 
 
@@ -163,4 +163,6 @@ class LocalSubstitution(Substitution):
 
 
 def _condition(value: Any) -> Any:
+    if value is None:
+        return ''
     return str(value) if isinstance(value, (bool, int, float)) else value

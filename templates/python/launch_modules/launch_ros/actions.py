@@ -11,7 +11,7 @@ from ros2wasm_launch.entities import Entity
 from ros2wasm_launch.texts import flag, parameter_value, text_of
 
 from .descriptions import component_parts
-from .parameter_descriptions import parameter_parts, remap_parts
+from .parameter_descriptions import ParameterValue, parameter_parts, remap_parts
 
 
 class Node(ExecuteProcess):
@@ -119,7 +119,9 @@ class SetParameter(Action):
         self._name, self._value = name, value
 
     def _entities(self) -> list[Entity]:
-        return [self._entity('set_parameter', {'name': text_of(self._name), 'value': parameter_value(self._value)})]
+        value = self._value
+        typed = value._attributes() if isinstance(value, ParameterValue) else {'value': parameter_value(value)}
+        return [self._entity('set_parameter', {'name': text_of(self._name), **typed})]
 
 
 class SetParametersFromFile(Action):

@@ -69,7 +69,7 @@ def parameter_parts(parameters: Any, place: Mapping[str, Any]) -> list[Entity]:
     result: list[Entity] = []
     for one in parameters:
         if isinstance(one, Mapping):
-            result += [_parameter(name, value, place) for name, value in one.items()]
+            result += [_parameter(name, value, place) for name, value in one.items() if value != {}]
         elif isinstance(one, Parameter):
             result.append(entity('param', place, {'name': text_of(one.name), **one._attributes()}))
         elif isinstance(one, ParameterFile):
@@ -85,7 +85,8 @@ def parameter_parts(parameters: Any, place: Mapping[str, Any]) -> list[Entity]:
 def _parameter(name: Any, value: Any, place: Mapping[str, Any]) -> Entity:
     named = {'name': text_of(name)}
     if isinstance(value, Mapping):
-        return entity('param', place, named, [_parameter(inner, one, place) for inner, one in value.items()])
+        inner = [_parameter(key, one, place) for key, one in value.items() if one != {}]
+        return entity('param', place, named, inner)
     if isinstance(value, ParameterValue):
         return entity('param', place, {**named, **value._attributes()})
     return entity('param', place, {**named, 'value': parameter_value(value)})

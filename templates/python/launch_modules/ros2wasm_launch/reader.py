@@ -17,6 +17,7 @@ from typing import Any
 
 import launch
 from launch.launch_description_sources import InvalidLaunchFileError
+from launch.substitutions import SubstitutionFailure
 from ros2wasm_launch import host
 from ros2wasm_launch.entities import entities_of, entity
 
@@ -108,7 +109,7 @@ def failure(error: BaseException, path: str) -> dict[str, Any]:
     for frame in frames:
         if frame.filename.startswith('/') and not frame.filename.startswith((host.OURS, '/lib/')):
             place = {'file': frame.filename, 'line': frame.lineno or 0}
-    told = isinstance(error, (InvalidLaunchFileError, host.HostError))
+    told = isinstance(error, (InvalidLaunchFileError, SubstitutionFailure, host.HostError))
     kind, message = '' if told else type(error).__name__, str(error)
     if isinstance(error, SyntaxError) and error.filename:
         place, message = {'file': error.filename, 'line': error.lineno or 0}, str(error.msg)
@@ -146,4 +147,4 @@ def answer(text: str) -> str:
         result['unset'] = sorted(set(before) - set(after))
     except (Exception, SystemExit) as error:
         result = failure(error, request.get('path', ''))
-    return json.dumps(result)
+    return json.dumps(result, allow_nan=False)

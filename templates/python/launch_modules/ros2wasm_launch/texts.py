@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import json
+import math
 import pathlib
 from collections.abc import Iterable, Mapping
 from typing import Any
@@ -52,6 +53,8 @@ def as_yaml_text(value: str) -> str:
 
 def parameter_value(value: Any) -> Any:
     """An attribute: what is plain keeps its type, what is substituted gets one as YAML has it."""
+    if isinstance(value, float) and not math.isfinite(value):
+        return '.nan' if math.isnan(value) else '.inf' if value > 0 else '-.inf'
     if isinstance(value, (bool, int, float)):
         return value
     if isinstance(value, str):
@@ -71,7 +74,7 @@ def _list_value(items: list[Any]) -> Any:
         if isinstance(one, str):
             result.append(as_yaml_text(one))
         elif isinstance(one, (bool, int, float)):
-            result.append(one)
+            result.append(parameter_value(one))
         else:
             result.append(text_of(one))
     if any(isinstance(one, str) for one in result):

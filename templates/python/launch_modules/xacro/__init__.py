@@ -18,3 +18,19 @@ def process(input_file_name: Any, *, mappings: Mapping[str, str] | None = None, 
 def process_file(input_file_name: Any, *, mappings: Mapping[str, str] | None = None, **_more: Any) -> minidom.Document:
     document: minidom.Document = minidom.parseString(process(input_file_name, mappings=mappings))
     return document
+
+
+def parse(inp: Any, filename: str | None = None) -> minidom.Document:
+    """The document as it is written; process_doc() expands the file that it came from."""
+    name = filename or getattr(inp, 'name', None)
+    if name is None:
+        raise TypeError('a document is expanded by the name of its file')
+    with open(name, encoding='utf-8') as stream:
+        document: minidom.Document = minidom.parseString(stream.read())
+    setattr(document, '_file', name)
+    return document
+
+
+def process_doc(doc: Any, *, mappings: Mapping[str, str] | None = None, **_more: Any) -> None:
+    expanded = process_file(doc._file, mappings=mappings)
+    doc.replaceChild(expanded.documentElement, doc.documentElement)

@@ -26,6 +26,11 @@ def safe_load(stream: Any) -> Any:
         raise YAMLError(str(error)) from error
 
 
+def safe_load_all(stream: Any) -> list[Any]:
+    text = stream if isinstance(stream, str) else stream.read()
+    return [safe_load(part) for part in text.split('\n---') if part.strip()]
+
+
 def load(stream: Any, Loader: Any = None) -> Any:
     return safe_load(stream)
 

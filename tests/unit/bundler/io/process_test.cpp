@@ -249,6 +249,18 @@ TEST(Conversation, LinesGoBothWays) {
   EXPECT_EQ(*(*talk)->ask(large), "got " + large);
 }
 
+TEST(Conversation, EndsAtItsDeadline) {
+  auto talk = Conversation::start({.arguments = {"sh", "-c", "while :; do sleep 1; done"},
+                                   .environment = {},
+                                   .directory = {},
+                                   .on_output = {}},
+                                  {});
+  ASSERT_TRUE(talk.ok());
+  const auto soon = std::chrono::steady_clock::now() + std::chrono::milliseconds(50);
+  EXPECT_FALSE((*talk)->ask("one", soon).ok());
+  EXPECT_TRUE((*talk)->is_out_of_time());
+}
+
 TEST(Conversation, AProgramThatEndsIsTold) {
   auto talk = Conversation::start({.arguments = {"sh", "-c", "read -r line; echo oops >&2; exit 3"},
                                    .environment = {},

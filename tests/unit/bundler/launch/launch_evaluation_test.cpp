@@ -333,6 +333,41 @@ TEST(Launch, WhatASiteCannotStartIsLeftOutOrRefused) {
   EXPECT_EQ(codes, (std::vector<std::string>{"R2W0417", "R2W0401", "R2W0402"}));
 }
 
+TEST(Launch, AContainerBecomesOneOfEachPackage) {
+  std::vector<InstalledPackage> installed;
+  for (const char* name : {"a", "b"})
+    installed.push_back({.name = name,
+                         .programs = {{.package = name,
+                                       .executable = "component_container",
+                                       .file = "/p/component_container.wasm",
+                                       .kind = ProgramKind::kWasm}}});
+  const std::string text =
+      "<launch><node_container pkg='rclcpp_components' exec='component_container_isolated' "
+      "name='box' namespace='/n'>"
+      "<composable_node pkg='a' plugin='a::One' name='one'><param name='p' value='1'/>"
+      "<extra_arg name='use_intra_process_comms' value='true'/></composable_node>"
+      "<composable_node pkg='b' plugin='b::Two'/><composable_node pkg='a' plugin='a::Three'/>"
+      "</node_container>"
+      "<node_container pkg='rclcpp_components' exec='component_container' name='none' "
+      "namespace=''/>"
+      "</launch>";
+  const LaunchWorld world = world_with("a.launch.xml", text);
+  const auto made = launch_file_nodes("/f/a.launch.xml", {}, world, installed, {});
+  ASSERT_TRUE(made.ok());
+  ASSERT_EQ(made->nodes.size(), 2U);
+  EXPECT_EQ(made->nodes[0].label, "/n/box");
+  EXPECT_EQ(made->nodes[0].arguments,
+            (std::vector<std::string>{
+                "--component=a::One", "--component-arg=--ros-args", "--component-arg=-r",
+                "--component-arg=__node:=one", "--component-arg=-p", "--component-arg=p:=1",
+                "--component-flag=use_intra_process_comms", "--component=a::Three", "--ros-args",
+                "-r", "__node:=box", "-r", "__ns:=/n"}));
+  EXPECT_EQ(made->nodes[1].label, "/n/box_b");
+  EXPECT_EQ(made->nodes[1].package, "b");
+  ASSERT_EQ(made->warnings.size(), 2U);
+  for (const Diagnostic& warning : made->warnings) EXPECT_EQ(warning.code, "R2W0417");
+}
+
 TEST(Launch, WhatGrowsIsBounded) {
   const auto refused = [](const std::string& body, const std::string& why) {
     const std::string told = tree_of("a.launch.xml", "<launch>" + body + "</launch>");

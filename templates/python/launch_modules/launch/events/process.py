@@ -22,6 +22,31 @@ class ProcessIO(_OfProcess):
     name = 'launch.events.process.ProcessIO'
 
 
+class ProcessStdout(ProcessIO):
+    pass
+
+
+class ProcessStderr(ProcessIO):
+    pass
+
+
+class ProcessStdin(ProcessIO):
+    pass
+
+
+class Named:
+    """Which process is meant: one that no action names."""
+
+    def __init__(self, what: Any) -> None:
+        self.what = what
+
+    def __call__(self, action: Any) -> bool:
+        return bool(self.what == getattr(action, '_process_name', None))
+
+
+matches_executable = matches_name = matches_pid = Named
+
+
 class ShutdownProcess:
     def __init__(self, *, process_matcher: Any) -> None:
         self.process_matcher = process_matcher

@@ -1,0 +1,6 @@
+"""Which action is meant."""
+from __future__ import annotations
+
+from . import matches_action
+
+__all__ = ['matches_action']

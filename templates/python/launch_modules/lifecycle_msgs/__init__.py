@@ -1,0 +1,1 @@
+"""Numbers of managed nodes, as launch files use them."""

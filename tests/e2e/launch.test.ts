@@ -52,6 +52,19 @@ for (const link of ['shared', 'port']) {
   });
 }
 
+test('in Chromium', async () => {
+  const server = await serveFolder(join(workspace.root, 'site'), { isolated: true });
+  const browser = await chromium.launch(chromiumOptions());
+  try {
+    const page = await browser.newPage();
+    await page.goto(server.url);
+    await page.waitForFunction(() => /beta\.robot\]: the battery is empty[^]*beta\.robot\]: starting at 1\.0 m\/s/.test(document.body.innerText));
+  } finally {
+    await browser.close();
+    await server.close();
+  }
+});
+
 const inPython = `
 from launch import LaunchDescription
 from launch.actions import LogInfo, RegisterEventHandler
@@ -93,18 +106,5 @@ test('the launch file in Python comes to the same, and nodes start when others h
     const run = await workspace.run(['run', 'site', '--link', link, '--for', '30s']);
     assert.equal(run.code, 0, run.stderr);
     assert.match(run.stdout, /second\.robot\]: the battery is empty[^]*third\.robot\]: starting at 3\.0 m\/s[^]*third\.robot\]: the battery is empty/);
-  }
-});
-
-test('in Chromium', async () => {
-  const server = await serveFolder(join(workspace.root, 'site'), { isolated: true });
-  const browser = await chromium.launch(chromiumOptions());
-  try {
-    const page = await browser.newPage();
-    await page.goto(server.url);
-    await page.waitForFunction(() => /beta\.robot\]: the battery is empty[^]*beta\.robot\]: starting at 1\.0 m\/s/.test(document.body.innerText));
-  } finally {
-    await browser.close();
-    await server.close();
   }
 });

@@ -56,7 +56,8 @@ export async function serveFolder(
     }
     const type = types[extname(file)] ?? 'application/octet-stream';
     response.writeHead(200, { 'content-type': type, ...headers });
-    createReadStream(file).pipe(response);
+    // A test may take its folder away while a page still asks.
+    createReadStream(file).on('error', () => response.destroy()).pipe(response);
   });
   await new Promise<void>((resolve) => server.listen(0, '127.0.0.1', resolve));
   const { port } = server.address() as AddressInfo;

@@ -80,7 +80,7 @@ async function checksThatHold(site: string, link: string): Promise<{ missing: st
     for (const program of missing) {
       if (new RegExp(`^\\[${program}-\\d+\\] .*all \\d+ checks hold$`, 'm').test(said)) missing.delete(program);
     }
-    if (missing.size === 0) child.kill('SIGINT');
+    if (missing.size === 0 && !child.killed) child.kill('SIGINT');
   };
   child.stdout?.on('data', hear);
   child.stderr?.on('data', hear);

@@ -75,7 +75,7 @@ test('they run: entry points, scripts, messages of the package itself, share fil
   let said = '';
   child.stdout?.on('data', (bytes: Buffer) => {
     said += bytes.toString();
-    if (wanted.every((line) => line.test(said))) child.kill('SIGINT');
+    if (!child.killed && wanted.every((line) => line.test(said))) child.kill('SIGINT');
   });
   const ran = await finished(child);
   assert.equal(ran.code, 130, `${ran.stderr}\n${ran.stdout.slice(-4000)}`);

@@ -2,7 +2,9 @@
 """Runs every test suite of the project and ends with the counts.
 
 A suite is one row: a name, a command and how its result is counted. A suite that runs no test counts
-as a failure, and so does a skipped test: neither may pass for tested.
+as a failure, and so does a skipped test: neither may pass for tested. Tests that wait for browsers and
+clocks share a machine with others, so the few that fail are run once more by themselves, and named: a test
+that fails twice has failed.
 """
 from __future__ import annotations
 
@@ -18,6 +20,9 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 
+# More failures in one suite than this are no accident: nothing is run again.
+SECOND_TRIES = 4
+
 
 @dataclass(frozen=True)
 class Suite:
@@ -32,6 +37,28 @@ class Counts:
     passed: int
     failed: int
     skipped: int = 0
+    again: tuple[str, ...] = ()  # failed, and passed when they were run once more
+
+
+@dataclass(frozen=True)
+class Case:
+    name: str
+    file: str  # empty when the report has none
+
+
+def failed_cases(report: Path) -> list[Case]:
+    """Those of a JUnit file."""
+    return [
+        Case(case.get("name", ""), case.get("file", ""))
+        for case in ElementTree.parse(report).getroot().iter("testcase")
+        if case.find("failure") is not None or case.find("error") is not None
+    ]
+
+
+def failed_methods(output: str) -> list[Case]:
+    """Those that unittest prints: "FAIL: test_name (package.module.Class.test_name)"."""
+    names = re.findall(r"^(?:FAIL|ERROR): \w+ \(([\w.]+)\)", output, re.MULTILINE)
+    return [Case(name, "") for name in dict.fromkeys(names)]
 
 
 def junit_counts(report: Path) -> Counts:
@@ -100,32 +127,74 @@ def suites(build: Path, bless: bool) -> list[Suite]:
     return rows
 
 
+def with_report(suite: Suite, command: list[str], report: Path) -> list[str]:
+    """The command that also writes how each test ended; the same one for suites that only print it."""
+    if suite.counting == "ctest":
+        return [*command, "--output-junit", str(report)]
+    if suite.counting == "gtest":
+        return [*command, f"--gtest_output=xml:{report}"]
+    if suite.counting == "node":
+        return [
+            *command[:2], "--test-reporter=junit", f"--test-reporter-destination={report}",
+            "--test-reporter=spec", "--test-reporter-destination=stdout",
+            # A watchdog for tests that have none, and an end even when a test left a server open.
+            "--test-timeout=600000", "--test-force-exit", *command[2:],
+        ]
+    return command
+
+
+def second_try(suite: Suite, failed: list[Case]) -> list[str] | None:
+    """The command for those tests alone; None where that cannot be, or would be no second try but a second run."""
+    if not 0 < len(failed) <= SECOND_TRIES:
+        return None
+    if suite.counting == "ctest":
+        return [*suite.command, "--rerun-failed"]
+    if suite.name == "unit-python":
+        return [sys.executable, "-m", "unittest", *(case.name for case in failed)]
+    if suite.counting == "node" and all(case.file for case in failed):
+        return ["node", "--test", "--test-concurrency=1", *sorted({case.file for case in failed})]
+    return None
+
+
+def started(command: list[str], environment: dict[str, str]) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        command, cwd=ROOT, env=environment, text=True, errors="replace", check=False,
+        stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+    )
+
+
+def counts_of(suite: Suite, report: Path, output: str) -> Counts:
+    if suite.counting == "lines":
+        return line_counts(output)
+    return junit_counts(report) if report.exists() else Counts(0, 0)
+
+
+def tried_again(suite: Suite, report: Path, output: str, environment: dict[str, str], first: Counts) -> Counts:
+    """The counts after the failed tests have been run once more."""
+    failed = failed_cases(report) if report.exists() else failed_methods(output)
+    command = second_try(suite, failed)
+    if command is None:
+        return first
+    print(f"{suite.name}: once more, by themselves: {', '.join(case.name for case in failed)}", flush=True)
+    second = report.with_name(f"{suite.name}-again.xml")
+    second.unlink(missing_ok=True)
+    process = started(with_report(suite, command, second), environment)
+    second.with_suffix(".log").write_text(process.stdout)
+    again = counts_of(suite, second, process.stdout)
+    if again.passed == 0 or again.failed or again.skipped or process.returncode != 0:
+        print(process.stdout[-12000:], flush=True)
+        return first
+    return Counts(first.passed + len(failed), 0, first.skipped, tuple(case.name for case in failed))
+
+
 def run(suite: Suite, build: Path, environment: dict[str, str]) -> Counts:
     report = build / "test-reports" / f"{suite.name}.xml"
     report.parent.mkdir(parents=True, exist_ok=True)
     report.unlink(missing_ok=True)
-    command = list(suite.command)
-    if suite.counting == "ctest":
-        command += ["--output-junit", str(report)]
-    elif suite.counting == "gtest":
-        command.append(f"--gtest_output=xml:{report}")
-    elif suite.counting == "node":
-        command[2:2] = [
-            "--test-reporter=junit", f"--test-reporter-destination={report}",
-            "--test-reporter=spec", "--test-reporter-destination=stdout",
-            # A watchdog for tests that have none, and an end even when a test left a server open.
-            "--test-timeout=600000", "--test-force-exit",
-        ]
-    started = time.monotonic()
-    process = subprocess.run(
-        command, cwd=ROOT, env=environment, text=True, errors="replace", check=False,
-        stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-    )
+    began = time.monotonic()
+    process = started(with_report(suite, suite.command, report), environment)
     (report.with_suffix(".log")).write_text(process.stdout)
-    if suite.counting == "lines":
-        counts = line_counts(process.stdout)
-    else:
-        counts = junit_counts(report) if report.exists() else Counts(0, 0)
+    counts = counts_of(suite, report, process.stdout)
     if process.returncode != 0 and counts.failed == 0:
         counts = Counts(counts.passed, 1, counts.skipped)
     if counts.passed + counts.failed == 0:
@@ -133,9 +202,12 @@ def run(suite: Suite, build: Path, environment: dict[str, str]) -> Counts:
         counts = Counts(0, 1)
     if counts.failed:
         print(process.stdout[-12000:], flush=True)
-    seconds = time.monotonic() - started
+        counts = tried_again(suite, report, process.stdout, environment, counts)
+    seconds = time.monotonic() - began
     skipped = f", {counts.skipped} skipped" if counts.skipped else ""
-    print(f"{suite.name:12} {counts.passed:5} passed, {counts.failed} failed{skipped} ({seconds:.1f} s)", flush=True)
+    again = f", {len(counts.again)} at the second try" if counts.again else ""
+    print(f"{suite.name:12} {counts.passed:5} passed, {counts.failed} failed{skipped}{again} ({seconds:.1f} s)",
+          flush=True)
     return counts
 
 
@@ -162,6 +234,8 @@ def main() -> int:
             results.append(run(suite, build, environment))
     passed = sum(r.passed for r in results)
     failed = sum(r.failed + r.skipped for r in results)
+    for name in [name for result in results for name in result.again]:
+        print(f"passed at the second try only: {name}")
     print(f"{passed} passed, {failed} failed")
     return 1 if failed else 0
 

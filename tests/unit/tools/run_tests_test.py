@@ -1,0 +1,68 @@
+"""The runner of the suites: what a second try may forgive, and what it may not."""
+from __future__ import annotations
+
+import contextlib
+import io
+import os
+import tempfile
+import unittest
+from pathlib import Path
+
+from tests.tools.run_tests import Counts, Suite, run
+
+# Fails as long as there are fewer than `needed` lines in the file beside it, and adds one.
+FAILS_AT_FIRST = """
+import test from 'node:test';
+import assert from 'node:assert/strict';
+import { appendFileSync, existsSync, readFileSync } from 'node:fs';
+const file = new URL('./%(name)s.tries', import.meta.url);
+test('steady', () => undefined);
+test('%(name)s', () => {
+  const tries = existsSync(file) ? readFileSync(file, 'utf8').length : 0;
+  appendFileSync(file, '.');
+  assert.ok(tries >= %(needed)d);
+});
+"""
+
+
+class SecondTryTest(unittest.TestCase):
+    def setUp(self) -> None:
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def outcome(self, needed: dict[str, int]) -> tuple[Counts, str]:
+        files = []
+        for name, tries in needed.items():
+            file = self.folder / f"{name}.test.mjs"
+            file.write_text(FAILS_AT_FIRST % {"name": name, "needed": tries})
+            files.append(str(file))
+        printed = io.StringIO()
+        with contextlib.redirect_stdout(printed):
+            counts = run(Suite("sample", ["node", "--test", *files], "node"), self.folder, environment())
+        return counts, printed.getvalue()
+
+    def test_one_that_failed_by_chance_is_named(self) -> None:
+        counts, printed = self.outcome({"shaky": 1, "calm": 0})
+        self.assertEqual((counts.passed, counts.failed, counts.again), (4, 0, ("shaky",)))
+        self.assertIn("once more, by themselves: shaky", printed)
+        self.assertIn("1 at the second try", printed)
+
+    def test_one_that_fails_twice_has_failed(self) -> None:
+        counts, printed = self.outcome({"broken": 2, "shaky": 1})
+        self.assertEqual((counts.passed, counts.failed, counts.again), (2, 2, ()))
+        self.assertIn("2 failed", printed)
+
+    def test_many_failures_are_no_accident(self) -> None:
+        counts, printed = self.outcome({f"shaky_{n}": 1 for n in range(5)})
+        self.assertEqual((counts.passed, counts.failed), (5, 5))
+        self.assertNotIn("once more", printed)
+
+
+def environment() -> dict[str, str]:
+    # A test of Node.js that runs within another one's would report to that one.
+    return {key: value for key, value in os.environ.items() if key != "NODE_TEST_CONTEXT"}
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,6 +1,8 @@
 // What the page (and any other host of a site) sees of a running site: its nodes, consoles and topics.
 // Types only, plus unreachable(); launcher.ts makes Sessions.
 
+export type * from './page_node.ts';
+
 export type Unsubscribe = () => void;
 
 /** A place in the manifest or a launch file. Lines and columns count from 1. */

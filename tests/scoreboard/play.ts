@@ -1,6 +1,6 @@
 // Plays a packed site until its first node is as expected, or cannot be any more, or time is up. Runs wherever a
 // site does.
-import { createDecoder } from '../../runtime/ui/decode/decoder.ts';
+import { createDecoder } from '../../runtime/decode/decoder.ts';
 import { EndpointKind } from '../../runtime/protocol/generated/constants.ts';
 import { type Admission, SharedBroker } from '../../runtime/wasm_js/broker.ts';
 import type { Platform } from '../../runtime/wasm_js/platform.ts';

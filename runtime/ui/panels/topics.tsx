@@ -2,8 +2,8 @@
 
 import { useEffect, useRef, useState } from 'preact/hooks';
 import type { QosView, Session, TopicView } from '../../wasm_js/session.ts';
-import type { Decoded, Decoder } from '../decode/decoder.ts';
-import { toYaml } from '../decode/yaml.ts';
+import type { Decoded, Decoder } from '../../decode/decoder.ts';
+import { toYaml } from '../../decode/yaml.ts';
 import { isHiddenTopic } from '../model/hidden_names.ts';
 import { problemOf } from '../model/problem.ts';
 import { readPreference, writePreference } from '../model/preferences.ts';
@@ -230,9 +230,9 @@ function useDecoder(session: Session): Decoder | string | null {
   const [decoder, setDecoder] = useState<Decoder | string | null>(null);
   useEffect(() => {
     let current = true;
-    Promise.all([import('../decode/decoder.ts'), session.interfaces()]).then(
-      ([{ createDecoder }, interfaces]) => {
-        if (current) setDecoder(createDecoder(interfaces));
+    Promise.all([import('../../decode/codec.ts'), session.interfaces()]).then(
+      ([{ createCodec }, interfaces]) => {
+        if (current) setDecoder(createCodec(interfaces));
       },
       (error: unknown) => {
         if (current) setDecoder(problemOf(error).what);

@@ -1,8 +1,8 @@
 // A message as a tree that reads like the YAML of `ros2 topic echo`. Long arrays are folded and cut.
 
-import { fieldOf, formatScalar, isList, isMessage, kTruncateLength } from '../decode/yaml.ts';
-import { isFloat } from '../decode/shape.ts';
-import type { Field, Shape } from '../decode/shape.ts';
+import { fieldOf, formatScalar, isList, isMessage, kTruncateLength } from '../../decode/yaml.ts';
+import { isFloat } from '../../decode/shape.ts';
+import type { Field, Shape } from '../../decode/shape.ts';
 import { formatCount } from '../model/quantities.ts';
 import { texts } from '../texts.ts';
 import { Icon } from './icon.tsx';

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { createDecoder } from '../../../runtime/ui/decode/decoder.ts';
+import { createDecoder } from '../../../runtime/decode/decoder.ts';
 
 const kRoot = fileURLToPath(new URL('../../../runtime/interfaces', import.meta.url));
 const kParts: Readonly<Record<string, readonly string[]>> = {

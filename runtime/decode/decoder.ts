@@ -1,12 +1,10 @@
 // Turns the bytes of a message (CDR) into plain values for showing. Loaded when a message is looked at
 // for the first time, with the parser and reader of @foxglove. Malformed bytes give an error value.
 
-import { parse } from '@foxglove/rosmsg';
 import { MessageReader } from '@foxglove/rosmsg2-serialization';
-import { gatherDefinition } from './definitions.ts';
 import type { Definitions } from './definitions.ts';
-import { buildShape } from './shape.ts';
 import type { Shape } from './shape.ts';
+import { createTypes, messageOf, type Types } from './types.ts';
 
 export type Decoded =
   | { readonly kind: 'value'; readonly value: unknown; readonly shape: Shape }
@@ -21,12 +19,12 @@ export interface Decoder {
   decode(type: string, bytes: Uint8Array): Decoded;
 }
 
-export function createDecoder(interfaces: Definitions): Decoder {
+export function createDecoder(interfaces: Definitions, types: Types = createTypes(interfaces)): Decoder {
   const readers = new Map<string, TypeReader | string>();
   const readerOf = (type: string): TypeReader | string => {
     const known = readers.get(type);
     if (known !== undefined) return known;
-    const made = makeReader(type, interfaces);
+    const made = makeReader(type, types);
     readers.set(type, made);
     return made;
   };
@@ -50,25 +48,12 @@ export function createDecoder(interfaces: Definitions): Decoder {
   };
 }
 
-function makeReader(type: string, interfaces: Definitions): TypeReader | string {
-  const definition = gatherDefinition(type, interfaces);
-  if ('missing' in definition) {
-    return definition.missing === type
-      ? `the site has no definition of ${type}`
-      : `the site has no definition of ${definition.missing}, which ${type} uses`;
-  }
-  try {
-    const definitions = parse(definition.text, { ros2: true });
-    const shape = buildShape(definitions);
-    // The reader takes a message without fields, but with constants, for no message at all.
-    if (shape.length === 0) return { read: () => ({}), shape };
-    const reader = new MessageReader(definitions);
-    return { read: (bytes) => reader.readMessage(bytes), shape };
-  } catch (error) {
-    return `the definition of ${type} cannot be read: ${messageOf(error)}`;
-  }
-}
-
-function messageOf(error: unknown): string {
-  return error instanceof Error ? error.message : String(error);
+function makeReader(type: string, types: Types): TypeReader | string {
+  const known = types.get(type);
+  if (typeof known === 'string') return known;
+  const { shape, definitions } = known;
+  // The reader takes a message without fields, but with constants, for no message at all.
+  if (shape.length === 0) return { read: () => ({}), shape };
+  const reader = new MessageReader([...definitions]);
+  return { read: (bytes) => reader.readMessage(bytes), shape };
 }

@@ -7,10 +7,10 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { parse } from '@foxglove/rosmsg';
 import { MessageWriter } from '@foxglove/rosmsg2-serialization';
-import { createDecoder } from '../../../runtime/ui/decode/decoder.ts';
-import type { Decoded } from '../../../runtime/ui/decode/decoder.ts';
-import { gatherDefinition, qualify } from '../../../runtime/ui/decode/definitions.ts';
-import { toYaml } from '../../../runtime/ui/decode/yaml.ts';
+import { createDecoder } from '../../../runtime/decode/decoder.ts';
+import type { Decoded } from '../../../runtime/decode/decoder.ts';
+import { gatherDefinition, qualify } from '../../../runtime/decode/definitions.ts';
+import { toYaml } from '../../../runtime/decode/yaml.ts';
 
 const interfaces = new Map([
   ['std_msgs/msg/String', '# a text\nstring data\n'],

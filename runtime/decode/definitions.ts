@@ -73,14 +73,23 @@ export function qualify(type: string, within: string): string | null {
 
 /** Messages that ROS 2 makes out of `.srv` and `.action` files, as they appear on topics. */
 function derivedDefinition(type: string, interfaces: Definitions): string | undefined {
-  const match = /^(.+)_(FeedbackMessage|Goal|Result|Feedback|Request|Response|Event)$/.exec(type);
+  const match = /^(.+?)_(FeedbackMessage|(?:SendGoal|GetResult)_(?:Request|Response)|Goal|Result|Feedback|Request|Response|Event)$/.exec(type);
   if (match === null) return undefined;
   const [, base, kind] = match;
   const parts = interfaces.get(base ?? '')?.split(/^---[^\n]*$/m);
   if (parts === undefined) return undefined;
+  const name = base?.split('/').at(-1) ?? '';
   switch (kind) {
     case 'FeedbackMessage':
-      return `unique_identifier_msgs/UUID goal_id\n${base?.split('/').at(-1) ?? ''}_Feedback feedback`;
+      return `unique_identifier_msgs/UUID goal_id\n${name}_Feedback feedback`;
+    case 'SendGoal_Request':
+      return `unique_identifier_msgs/UUID goal_id\n${name}_Goal goal`;
+    case 'SendGoal_Response':
+      return 'bool accepted\nbuiltin_interfaces/Time stamp';
+    case 'GetResult_Request':
+      return 'unique_identifier_msgs/UUID goal_id';
+    case 'GetResult_Response':
+      return `int8 status\n${name}_Result result`;
     case 'Event':
       return `service_msgs/ServiceEventInfo info\n${base ?? ''}_Request[<=1] request\n${base ?? ''}_Response[<=1] response`;
     case 'Feedback':

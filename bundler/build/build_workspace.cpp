@@ -32,7 +32,7 @@ Outcome<std::string> hash_of(const LocalPackage& package,
                              const std::string& toolchain_hash,
                              const std::string& setup_reader_hash, const BuildTools& tools,
                              const BuildSettings& settings) {
-  const auto sources = hash_of_tree(package.directory);
+  const auto sources = hash_of_tree(package.directory, settings.base);
   if (!sources) return sources.errors();
   HashBuilder hash;
   hash.add("format", kBuildFormat).add("ros2wasm", ROS2WASM_VERSION);

@@ -8,13 +8,14 @@
 namespace ros2wasm {
 namespace fs = std::filesystem;
 
-Outcome<std::string> hash_of_tree(const fs::path& folder) {
-  const auto entries = source_tree(folder);
+Outcome<std::string> hash_of_tree(const fs::path& folder, const fs::path& workspace) {
+  const auto entries = source_tree(folder, workspace);
   if (!entries) return entries.errors();
   HashBuilder hash;
   for (const SourceEntry& entry : *entries) {
     if (entry.is_folder) {
       if (!entry.same_as.empty()) hash.add(entry.path, "as " + entry.same_as);
+      if (!entry.leads_to.empty()) hash.add(entry.path, "to " + entry.leads_to);
       continue;
     }
     const fs::path file = folder / entry.path;

@@ -10,7 +10,8 @@
 namespace ros2wasm {
 
 /// Of what source_tree() finds. R2W0210: what cannot be read has no hash.
-[[nodiscard]] Outcome<std::string> hash_of_tree(const std::filesystem::path& folder);
+[[nodiscard]] Outcome<std::string> hash_of_tree(const std::filesystem::path& folder,
+                                                const std::filesystem::path& workspace = {});
 
 /// Collects named parts; the order in which they are added matters.
 class HashBuilder {

@@ -32,7 +32,8 @@ Outcome<std::vector<fs::path>> sorted_entries(const fs::path& folder) {
 
 class TreeWalk {
  public:
-  explicit TreeWalk(fs::path root) : root_(std::move(root)) {}
+  TreeWalk(fs::path root, fs::path workspace)
+      : root_(std::move(root)), workspace_(std::move(workspace)) {}
 
   Outcome<Done> add_folder(const fs::path& folder) {
     std::error_code error;
@@ -40,15 +41,24 @@ class TreeWalk {
     // Links may lead round in circles: each folder is read once, and later only named.
     const auto [first, fresh] = read_.emplace(fs::canonical(folder, error), path);
     if (error) return cannot_read(folder, error.value());
-    found_.push_back({.path = path, .is_folder = true, .same_as = fresh ? "" : first->second});
+    found_.push_back(
+        {.path = path, .is_folder = true, .same_as = fresh ? "" : first->second, .leads_to = {}});
     if (!fresh) return Done{};
     const auto entries = sorted_entries(folder);
     if (!entries) return entries.errors();
     for (const fs::path& entry : *entries) {
-      if (fs::is_directory(entry, error)) {
+      const bool is_folder = fs::is_directory(entry, error);
+      if (is_folder && fs::is_symlink(entry, error) && leads_out(entry)) {
+        found_.push_back({.path = path_of(entry),
+                          .is_folder = true,
+                          .same_as = {},
+                          .leads_to = fs::read_symlink(entry, error).generic_string()});
+        if (error) return cannot_read(entry, error.value());
+      } else if (is_folder) {
         if (auto added = add_folder(entry); !added) return added;
       } else if (fs::is_regular_file(entry, error)) {
-        found_.push_back({.path = path_of(entry), .is_folder = false, .same_as = {}});
+        found_.push_back(
+            {.path = path_of(entry), .is_folder = false, .same_as = {}, .leads_to = {}});
       }
     }
     return Done{};
@@ -57,19 +67,25 @@ class TreeWalk {
   [[nodiscard]] std::vector<SourceEntry> found() && { return std::move(found_); }
 
  private:
+  /// Such a link may lead to all of this machine's files, which are no part of any package.
+  [[nodiscard]] bool leads_out(const fs::path& link) const {
+    return !path_within(root_, link) && (workspace_.empty() || !path_within(workspace_, link));
+  }
+
   [[nodiscard]] std::string path_of(const fs::path& path) const {
     return path.lexically_relative(root_).generic_string();
   }
 
   fs::path root_;
+  fs::path workspace_;
   std::map<fs::path, std::string> read_;  ///< real path -> the path it was read under
   std::vector<SourceEntry> found_;
 };
 
 }  // namespace
 
-Outcome<std::vector<SourceEntry>> source_tree(const fs::path& folder) {
-  TreeWalk walk(folder);
+Outcome<std::vector<SourceEntry>> source_tree(const fs::path& folder, const fs::path& workspace) {
+  TreeWalk walk(folder, workspace);
   if (auto added = walk.add_folder(folder); !added) return std::move(added).errors();
   return std::move(walk).found();
 }

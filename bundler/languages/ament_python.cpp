@@ -76,7 +76,7 @@ Outcome<Done> make_link(const fs::path& target, const fs::path& link) {
 /// out of the workspace leading nowhere.
 Outcome<Done> copy_package(const PackageBuild& request, const fs::path& to) {
   const fs::path& source = request.place.source;
-  const auto tree = source_tree(source);
+  const auto tree = source_tree(source, request.workspace);
   if (!tree) return tree.errors();
   std::string left_out;  // a folder with what is in it, which follows it
   for (const SourceEntry& entry : *tree) {

@@ -219,6 +219,30 @@ TEST(SourceTree, HasFoldersBeforeTheirFilesAndEachOnce) {
   EXPECT_EQ(text, "./ again/ again/up/=. again/y.py sub/=again x.py ");
 }
 
+TEST(SourceTree, DoesNotWalkLinksOutOfTheWorkspace) {
+  const testing::TemporaryTree tree;
+  tree.write("w/a/x.py", "");
+  tree.write("w/shared/y.py", "1");
+  tree.write("elsewhere/z.py", "1");
+  std::filesystem::create_directory_symlink("../shared", tree / "w/a/inside");
+  std::filesystem::create_directory_symlink("../../elsewhere", tree / "w/a/out");
+  const auto entries = source_tree(tree / "w/a", tree / "w");
+  ASSERT_TRUE(entries);
+  std::string text;
+  for (const SourceEntry& one : *entries)
+    text += one.path + (one.leads_to.empty() ? "" : "->" + one.leads_to) + " ";
+  EXPECT_EQ(text, ". inside inside/y.py out->../../elsewhere x.py ");
+
+  const std::string before = *hash_of_tree(tree / "w/a", tree / "w");
+  tree.write("elsewhere/z.py", "2");
+  EXPECT_EQ(*hash_of_tree(tree / "w/a", tree / "w"), before);
+  tree.write("w/shared/y.py", "2");
+  const std::string changed = *hash_of_tree(tree / "w/a", tree / "w");
+  EXPECT_NE(changed, before);
+  // By itself, the package has neither.
+  EXPECT_NE(*hash_of_tree(tree / "w/a"), changed);
+}
+
 TEST(SourceHash, LinksThatLeadRoundEndAndCount) {
   const testing::TemporaryTree tree;
   tree.write("a/x.cpp", "one");

@@ -164,6 +164,7 @@ constexpr auto kModules = std::to_array<std::string_view>({
     "tarfile",
     "telnetlib",
     "tempfile",
+    "termios",
     "textwrap",
     "this",
     "threading",
@@ -200,10 +201,10 @@ constexpr auto kModules = std::to_array<std::string_view>({
 
 /// And those that it lacks.
 constexpr auto kLacking = std::to_array<std::string_view>({
-    "curses",     "dbm",      "ensurepip", "fcntl",      "grp",     "idlelib",     "lib2to3",
-    "lzma",       "msilib",   "msvcrt",    "nis",        "nt",      "ossaudiodev", "pwd",
-    "pydoc_data", "readline", "resource",  "spwd",       "sqlite3", "ssl",         "syslog",
-    "termios",    "tkinter",  "turtle",    "turtledemo", "venv",    "winreg",      "winsound",
+    "curses",     "dbm",      "ensurepip",  "fcntl", "grp",     "idlelib",     "lib2to3",
+    "lzma",       "msilib",   "msvcrt",     "nis",   "nt",      "ossaudiodev", "pwd",
+    "pydoc_data", "readline", "resource",   "spwd",  "sqlite3", "ssl",         "syslog",
+    "tkinter",    "turtle",   "turtledemo", "venv",  "winreg",  "winsound",
 });
 
 bool is_space(char c) {

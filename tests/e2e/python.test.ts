@@ -19,7 +19,7 @@ let folder = '';
 let browser: Browser | undefined;
 
 before(async () => {
-  // Compiled: talker-1, listener-2; Python: count-3, hear-4, threads-5, errands-6, life-7, cloud-8, busy-9.
+  // Compiled: talker-1, listener-2; Python: count-3, hear-4, threads-5, errands-6, life-7, cloud-8, busy-9, drive-10.
   const share = {
     'share/test_share/words.txt': 'words of a package',
     'share/ament_index/resource_index/packages/test_share': '',
@@ -33,6 +33,7 @@ before(async () => {
       { entry: 'chatter_py.life:main', executable: 'life' },
       { entry: 'lib/chatter_py/cloud', executable: 'cloud', numpy: true },
       { entry: 'chatter_py.busy:main', executable: 'busy' },
+      { entry: 'chatter_py.drive:main', executable: 'drive' },
     ],
     packages: ownPackage('chatter_py'),
   });
@@ -127,6 +128,12 @@ for (const [link, isolated] of [['shared', true], ['port', false]] as const) {
       await page.waitForFunction(
         () => ['the last thread ends the program', 'errands are done'].every((line) => document.body?.textContent?.includes(line)),
         null, { timeout: 200_000 });
+      await page.getByRole('button', { name: 'Type into /drive' }).click();
+      for (const [line, answer] of [['ilx', "stands for 'x'"], ['', "stands for '\\r'"], ['jq', 'drives 0.0 1.0'], ['home', 'driven home']] as const) {
+        await page.keyboard.type(line);
+        await page.keyboard.press('Enter');
+        await page.waitForFunction((said) => document.body?.textContent?.includes(said), answer, { timeout: 200_000 });
+      }
       // Compiled once by the page: no worker asks for it again.
       assert.equal(host.requests.filter((path) => path.endsWith('pyodide.asm.wasm')).length, 1);
     } finally {

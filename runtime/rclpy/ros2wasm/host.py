@@ -246,6 +246,23 @@ def read_input(capacity: int) -> bytes | None:
     return bytes(result.to_bytes())
 
 
+def input_arrives(timeout_ns: int) -> bool:
+    """Whether standard input has something, or is over, now or within that time. Negative: without end."""
+    end = time.monotonic_ns() + timeout_ns
+    while True:
+        token = wake_token()
+        arrived = _settled(js.input_is_there())
+        if arrived == INPUT:
+            return True
+        if arrived == INPUT_STOP:
+            _stopped()
+        left = -1 if timeout_ns < 0 else end - time.monotonic_ns()
+        if timeout_ns >= 0 and left <= 0:
+            look_around()
+            return False
+        wait(token, left)
+
+
 def ready() -> list[int]:
     """The own readers that have something."""
     count = js.ready(_ready.address, MOST_READY)
@@ -423,7 +440,9 @@ def _largest(codec: Any, message: Any) -> int:
 
 
 def serialize(codec: Any, message: Any) -> bytes:
-    return bytes(_out.view[HEADER_AT:encode(codec, message)])
+    # The buffer may be another one when it had to grow.
+    end = encode(codec, message)
+    return bytes(_out.view[HEADER_AT:end])
 
 
 def decode(codec: Any, data: bytes) -> Any:

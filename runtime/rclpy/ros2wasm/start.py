@@ -15,7 +15,7 @@ import traceback
 from types import TracebackType
 from typing import Any
 
-from ros2wasm import event_loop, host, import_hook, threads
+from ros2wasm import event_loop, host, import_hook, terminal, threads
 
 NS = 1_000_000_000
 INTERRUPTED = -int(signal.SIGINT)
@@ -34,20 +34,6 @@ def sleep(seconds: float, /) -> None:
         host.sleep(left)
 
 
-class StandardInput(io.RawIOBase):
-    """The node's stdin, which the page writes."""
-
-    def readable(self) -> bool:
-        return True
-
-    def readinto(self, buffer: Any) -> int:
-        data = host.read_input(len(buffer))
-        if data is None:
-            raise InterruptedError('stopped')
-        buffer[:len(data)] = data
-        return len(data)
-
-
 def ask(prompt: object = '', /) -> str:
     """In place of input."""
     sys.stdout.write(str(prompt))
@@ -63,7 +49,7 @@ def install() -> None:
     setattr(time, 'sleep', sleep)
     threads.install()
     event_loop.install()
-    sys.stdin = io.TextIOWrapper(io.BufferedReader(StandardInput()), encoding='utf-8')
+    terminal.install()
     builtins.input = ask
     sys.dont_write_bytecode = True
     for stream in (sys.stdout, sys.stderr):

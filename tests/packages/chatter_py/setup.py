@@ -11,7 +11,7 @@ setup(
         ('share/ament_index/resource_index/packages', ['resource/chatter_py']),
     ],
     entry_points={'console_scripts': [
-        'busy = chatter_py.busy:main', 'count = chatter_py.count:main', 'errands = chatter_py.errands:main',
-        'hear = chatter_py.hear:main', 'life = chatter_py.life:main',
+        'busy = chatter_py.busy:main', 'count = chatter_py.count:main', 'drive = chatter_py.drive:main',
+        'errands = chatter_py.errands:main', 'hear = chatter_py.hear:main', 'life = chatter_py.life:main',
     ]},
 )

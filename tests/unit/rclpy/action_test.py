@@ -95,6 +95,38 @@ class ActionTest(BusTest):
         self.assertTrue(future.done())
         self.spin_until(lambda: len(self.feedback) == 3)
 
+    def test_a_goal_that_ended_or_was_given_up_keeps_no_callback(self) -> None:
+        self.serve()
+        client = self.ask()
+        self.sent(client, 2)
+        # Nobody asks for its result.
+        self.spin_until(lambda: not client._goal_handles)
+        self.spin_until(lambda: len(self.feedback) == 2)
+        self.assertEqual(client._feedback_callbacks, {})
+        future = client.send_goal_async(self.type.Goal(order=3), self.feedback.append)
+        future.cancel()
+        self.spin_until(lambda: not client._feedback_callbacks)
+        self.spin_until(lambda: not client._goal_client._pending_requests)
+        self.assertTrue(future.cancelled())
+        self.assertEqual(client._goal_handles, {})
+        self.assertEqual(len(self.feedback), 2)
+
+    def test_a_server_written_for_older_releases_runs(self) -> None:
+        def run(goal: Any) -> Any:
+            if goal.is_cancel_requested or goal.request.order < 0:
+                goal.set_aborted()
+            else:
+                goal.set_succeeded()
+            return self.type.Result(sequence=[goal.request.order])
+
+        def accept(goal_request: Any) -> Any:
+            return self.action.GoalResponse.ACCEPT if goal_request.order < 9 else self.action.GoalResponse.REJECT
+        self.serve(run, goal_callback=accept)
+        client = self.ask()
+        ends = [self.result(self.sent(client, order).get_result_async()).status for order in (3, -1, 9)]
+        self.assertEqual(
+            ends, [self.status.STATUS_SUCCEEDED, self.status.STATUS_ABORTED, self.status.STATUS_UNKNOWN])
+
     def test_goals_are_rejected_and_unknown_ones_have_no_result(self) -> None:
         self.serve(goal_callback=lambda goal: self.action.GoalResponse.REJECT)
         goal = self.sent(self.ask(), 3)

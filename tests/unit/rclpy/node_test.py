@@ -14,6 +14,15 @@ class NodeTest(BusTest):
         self.own = self.node('own')
         self.trigger = importlib.import_module('std_srvs.srv').Trigger
 
+    def test_bytes_of_messages_larger_than_all_before(self) -> None:
+        serialization = importlib.import_module('rclpy.serialization')
+        string = importlib.import_module('std_msgs.msg').String
+        for power in (4, 16, 17, 18, 19, 5):
+            text = 'x' * (2 ** power + 1)
+            data = serialization.serialize_message(string(data=text))
+            self.assertEqual(len(data), 4 + 4 + len(text) + 1)
+            self.assertEqual(serialization.deserialize_message(data, string).data, text)
+
     def test_a_call_that_nobody_answers_in_time_brings_nothing(self) -> None:
         client = self.own.create_client(self.trigger, 'nobody')
         for timeout in (0.01, 0, -1):

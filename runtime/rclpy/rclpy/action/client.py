@@ -124,6 +124,14 @@ class ActionClient(ActionEntity):
         callback = self._feedback_callbacks.get(bytes(taken[0].goal_id.uuid))
         return (lambda: None) if callback is None else partial(callback, taken[0])
 
+    def _end_feedback(self, key: bytes) -> None:
+        """No feedback of a goal comes any more, beside what is there already."""
+        if key not in self._feedback_callbacks:
+            return
+        while (feedback := self._take_feedback()) is not None:
+            self._late.append(feedback)
+        del self._feedback_callbacks[key]
+
     def _take_status(self) -> bool:
         taken = self._statuses.take(self._action_type.Impl.GoalStatusMessage._codec)
         if taken is not None:
@@ -140,6 +148,7 @@ class ActionClient(ActionEntity):
             if one.status in OVER:
                 # Nothing more is told of it.
                 del self._goal_handles[key]
+                self._end_feedback(key)
 
     # ---- goals
 
@@ -173,14 +182,25 @@ class ActionClient(ActionEntity):
             else:
                 self._feedback_callbacks.pop(key, None)
             return handle
-        return self._ask(self._goal_client, request, answered)
+
+        def given_up(done: Future) -> None:
+            if done.cancelled():
+                self._feedback_callbacks.pop(key, None)
+        future = self._ask(self._goal_client, request, answered)
+        future.add_done_callback(given_up)
+        return future
 
     def _ask(self, client: Client, request: Any, then: Callable[[Any], Any]) -> Future:
         """Ask; a Future of what `then` makes of the answer as soon as it is there, before anybody else hears of it."""
         future = Future(executor=self._node.executor)
         response = client.call_async(request)
         response._set_executor(None)
-        response.add_done_callback(lambda done: future.set_result(then(done.result())))
+
+        def answered(done: Future) -> None:
+            # Nobody wants the answer to what was given up.
+            if not future.cancelled():
+                future.set_result(then(done.result()))
+        response.add_done_callback(answered)
         return future
 
     def _cancel_goal(self, goal_handle: ClientGoalHandle) -> Any:
@@ -205,9 +225,7 @@ class ActionClient(ActionEntity):
 
         def answered(response: Any) -> Any:
             goal_handle._status = response.status
-            while (feedback := self._take_feedback()) is not None:
-                self._late.append(feedback)
-            self._feedback_callbacks.pop(key, None)
+            self._end_feedback(key)
             return response
         return self._ask(self._result_client, request, answered)
 

@@ -149,6 +149,9 @@ class ServerGoalHandle:
         """It was cancelled."""
         self._end(GoalEvent.CANCELED, response)
 
+    #: As courses for ROS 2 Dashing and older write it.
+    set_succeeded, set_aborted, set_canceled = succeed, abort, canceled
+
     def destroy(self) -> None:
         """Nothing is held for it."""
 

@@ -13,7 +13,8 @@ const root = fileURLToPath(new URL('..', import.meta.url));
 /**
  * One row per file of the site.
  * kind: "modules" is an ES module whose dynamic imports become files of their own, each complete, so that the page
- * needs one request before it starts; "classic" one plain script;
+ * needs one request before it starts, but for mount.tsx: it shares its code with the panels that come when they are
+ * opened, in files that index.html asks for at once; "classic" one plain script;
  * "style" one sheet; "copy" the file as it is; "node" a module for Node.js.
  */
 const rows = [
@@ -55,6 +56,33 @@ function separateImports(later) {
   };
 }
 
+/** The page's program and, file by file, the panels and parts that it loads later. They share one Preact. */
+async function buildShared({ file, from }, out) {
+  const { metafile } = await build({
+    ...shared,
+    ...options.modules,
+    entryPoints: { [file.replace(/\.[^.]+$/, '')]: from },
+    outdir: out,
+    splitting: true,
+    chunkNames: '[name]-[hash]',
+    metafile: true,
+  });
+  const name = (path) => basename(path);
+  const outputs = new Map(Object.entries(metafile.outputs).map(([path, output]) => [name(path), output]));
+  const needed = new Set([file]);
+  for (const each of needed) {
+    for (const { path, kind } of outputs.get(each).imports) {
+      if (kind === 'import-statement') needed.add(name(path));
+    }
+  }
+  const page = join(out, 'index.html');
+  const asked = `<link rel="modulepreload" href="${file}">`;
+  const html = readFileSync(page, 'utf8');
+  if (!html.includes(asked)) throw new Error(`index.html does not preload ${file}`);
+  const links = [...needed].sort().map((each) => `<link rel="modulepreload" href="${each}">`);
+  writeFileSync(page, html.replace(asked, links.join('\n')));
+}
+
 async function buildRow(row, out) {
   if (row.kind === 'copy') {
     writeFileSync(join(out, row.file), readFileSync(join(root, row.from)));
@@ -69,7 +97,10 @@ async function buildRow(row, out) {
     outdir: out,
     plugins: row.kind === 'modules' ? [separateImports(later)] : [],
   });
-  for (const [file, from] of later) await buildRow({ file, from, kind: row.kind }, out);
+  for (const [file, from] of later) {
+    if (file === 'mount.js') await buildShared({ file, from }, out);
+    else await buildRow({ file, from, kind: row.kind }, out);
+  }
 }
 
 const { values } = parseArgs({ options: { out: { type: 'string' } } });

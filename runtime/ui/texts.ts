@@ -45,8 +45,39 @@ export const texts = {
 
   panels: { nodes: 'Nodes', console: 'Consoles', topics: 'Topics' },
   panelTabs: 'Panels',
-  resizeLeft: 'Width of the nodes',
-  resizeRight: 'Width of the topics',
+
+  layout: {
+    menu: 'Layout of the page',
+    copyLink: 'Copy a link to this view',
+    usual: 'Usual layout',
+    add: 'Open a panel here',
+    more: (title: string): string => `Move or close ${title}`,
+    close: (title: string): string => `Close ${title}`,
+    closed: 'Closed',
+    moved: 'Moved',
+    moveEarlier: 'One tab to the left',
+    moveLater: 'One tab to the right',
+    movePrevious: 'Into the group before',
+    moveNext: 'Into the next group',
+    splitLeft: 'Beside the others, left',
+    splitRight: 'Beside the others, right',
+    splitAbove: 'Above the others',
+    splitBelow: 'Below the others',
+    besideOther: (title: string): string => `Right of ${title}`,
+    belowOther: (title: string): string => `Below ${title}`,
+    border: (first: string, second: string): string => `Border between ${first} and ${second}`,
+    numbered: (title: string, number: number): string => `${title} ${number}`,
+    nothing: 'nothing',
+    empty: 'Nothing is open here. The plus sign opens a panel.',
+    notice: 'About the link you followed',
+    dismiss: 'Dismiss',
+    linkOther:
+      'This link was made for another version of this site. Its view is shown as far as it fits.',
+    linkBroken: 'The view in this link cannot be read. The usual one is shown.',
+    linkLeftOut: (names: readonly string[]): string =>
+      `This page has no such panels, so they are left out: ${names.join(', ')}.`,
+    linkInAddress: 'The browser refused to copy. The link stands in the address bar.',
+  },
 
   tabs: {
     join: 'Join other tabs of this site: their nodes and these see each other',

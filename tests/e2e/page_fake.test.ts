@@ -41,20 +41,20 @@ test('the first view is small, and the decoder comes only when a topic is opened
       );
     const first = await loaded();
     assert.equal(
-      first.some((name) => name.startsWith('decoder')),
+      first.some((name) => name.startsWith('codec')),
       false,
     );
     const bytes = ['index.html', ...first.filter((name) => name !== '')]
       .map((name) => gzipSync(readFileSync(join(stage.folder, name)), { level: 9 }).length)
       .reduce((a, b) => a + b, 0);
-    assert.ok(bytes < 45_000, `${bytes} bytes gzipped`);
+    assert.ok(bytes < 60_000, `${bytes} bytes gzipped`);
     await page.getByRole('button', { name: /^\/topic/ }).click();
     await page
       .locator('.tree')
       .getByText(/Hello, world! \d+/)
       .waitFor();
     assert.equal(
-      (await loaded()).some((name) => name.startsWith('decoder')),
+      (await loaded()).some((name) => name.startsWith('codec')),
       true,
     );
   }));

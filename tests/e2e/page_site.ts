@@ -34,5 +34,7 @@ export async function buildFakePage(folder: string): Promise<string> {
     '',
   );
   writeFileSync(join(folder, 'index.html'), page);
+  // A link to a view names the site by the sha256 of this file.
+  writeFileSync(join(folder, 'site.json'), '{}\n');
   return folder;
 }

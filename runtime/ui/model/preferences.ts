@@ -1,4 +1,4 @@
-// What a visitor chose about the page (theme, widths, views), kept by the browser where it may be.
+// What a visitor chose about the page (theme, layout, views), kept by the browser where it may be.
 // A browser that refuses storage only forgets; nothing else depends on it.
 
 export type Theme = 'system' | 'light' | 'dark';
@@ -37,16 +37,9 @@ export function readTheme(store: Store | null, chosenByAuthor: unknown): Theme {
   return readPreference(store, 'theme', kThemes, fallback);
 }
 
-export function readNumber(
-  store: Store | null,
-  name: string,
-  minimum: number,
-  maximum: number,
-  fallback: number,
-): number {
-  const text = read(store, name);
-  const value = text === null ? Number.NaN : Number(text);
-  return value >= minimum && value <= maximum ? value : fallback;
+/** What was kept under that name, as it is. */
+export function readText(store: Store | null, name: string): string | null {
+  return read(store, name);
 }
 
 export function writePreference(store: Store | null, name: string, value: string): void {

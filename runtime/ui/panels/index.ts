@@ -1,4 +1,4 @@
-// The panels of the page, one row each, in their order on a narrow screen.
+// The panels of the page, one row each, in the order of the "+" menu.
 
 import { texts } from '../texts.ts';
 import { ConsolePanel } from './console.tsx';
@@ -11,21 +11,30 @@ export const panels: readonly PanelRow[] = [
     id: 'nodes',
     title: texts.panels.nodes,
     icon: 'nodes',
-    place: 'left',
     source: { kind: 'ready', component: NodesPanel },
   },
   {
     id: 'console',
     title: texts.panels.console,
     icon: 'console',
-    place: 'middle',
     source: { kind: 'ready', component: ConsolePanel },
   },
   {
     id: 'topics',
     title: texts.panels.topics,
     icon: 'topics',
-    place: 'right',
     source: { kind: 'ready', component: TopicsPanel },
   },
 ];
+
+export function panelRow(id: string): PanelRow | undefined {
+  return panels.find((row) => row.id === id);
+}
+
+/** The usual layouts, in the form of model/layout_text.ts: for a wide page, and for one with room for two columns. */
+export const kUsualWide = { row: ['nodes', 'console', 'topics'], sizes: [19, 56, 25], shown: 'console' };
+export const kUsualMiddling = {
+  row: [{ column: ['nodes', 'topics'], sizes: [2, 3] }, 'console'],
+  sizes: [2, 3],
+  shown: 'console',
+};

@@ -2,6 +2,7 @@
 
 import type { ComponentType } from 'preact';
 import type { Session } from '../../wasm_js/session.ts';
+import type { Json } from '../model/json.ts';
 import type { Store } from '../model/preferences.ts';
 import type { IconName } from '../parts/icon.tsx';
 
@@ -17,16 +18,32 @@ export interface PanelProps {
   readonly store: Store | null;
   /** Tells people who use a screen reader. Sparingly. */
   readonly announce: (text: string) => void;
+  /** Names this open panel among all: a panel may be open more than once. Fit for the id of an element. */
+  readonly instance: string;
+  /**
+   * What the panel wants to be as it was when the page or a link is opened again: small (below 8 KiB as JSON), null
+   * at first. It comes from links too, so read it as hostile: the readers in model/json.ts help.
+   */
+  readonly state: Json;
+  readonly setState: (state: Json) => void;
+  /**
+   * Shows a panel: with a state, the one that has it, or else a new one with it; without, any of its kind, or else a
+   * new one. False when there is no panel of that id.
+   */
+  readonly open: (panelId: string, state?: Json) => boolean;
 }
 
 export type PanelComponent = ComponentType<PanelProps>;
 
 export interface PanelRow {
+  /** Small letters and underscores. It stands in links and manifests, and never changes. */
   readonly id: string;
   readonly title: string;
   readonly icon: IconName;
-  /** The column it stands in when there is room for three. */
-  readonly place: 'left' | 'middle' | 'right';
+  /** May be open more than once, each with a state of its own. */
+  readonly many?: boolean;
+  /** Goes on while another tab is in front of it, once it was seen. */
+  readonly keeps?: boolean;
   /** Part of the first view; or loaded when the panel is opened. */
   readonly source:
     | { readonly kind: 'ready'; readonly component: PanelComponent }

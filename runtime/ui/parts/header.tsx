@@ -1,5 +1,6 @@
 // The head of the page: what this workspace is, run control for all nodes, theme, about.
 
+import type { ComponentChildren } from 'preact';
 import { useLayoutEffect, useState } from 'preact/hooks';
 import type { Session } from '../../wasm_js/session.ts';
 import { readTheme, writePreference } from '../model/preferences.ts';
@@ -16,9 +17,11 @@ export interface PageHeaderProps {
   readonly session: Session;
   readonly store: Store | null;
   readonly onAbout: () => void;
+  /** Buttons of the page itself, beside the theme's. */
+  readonly children?: ComponentChildren;
 }
 
-export function PageHeader({ session, store, onAbout }: PageHeaderProps) {
+export function PageHeader({ session, store, onAbout, children }: PageHeaderProps) {
   const nodes = useNodes(session);
   const alive = nodes.filter((node) => isAlive(node.state)).length;
   const { site, link } = session;
@@ -64,6 +67,7 @@ export function PageHeader({ session, store, onAbout }: PageHeaderProps) {
       </div>
       <div class="head-more">
         <TabsControl session={session} />
+        {children}
         <ThemeButton store={store} chosenByAuthor={site.ui['theme']} />
         <IconButton icon="info" label={texts.about.open} onClick={onAbout} />
       </div>

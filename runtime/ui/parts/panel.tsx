@@ -1,7 +1,8 @@
-// The frame of a panel: a titled region with a row of tools.
+// The frame of a panel: a titled region with a row of tools. The title is seen on the panel's tab.
 
+import { createContext } from 'preact';
 import type { ComponentChildren } from 'preact';
-import { Icon } from './icon.tsx';
+import { useContext } from 'preact/hooks';
 import type { IconName } from './icon.tsx';
 
 export interface PanelFrameProps {
@@ -13,22 +14,31 @@ export interface PanelFrameProps {
   readonly children: ComponentChildren;
 }
 
-export function PanelFrame({ id, title, icon, note, tools, children }: PanelFrameProps) {
+/** The open panel around a component: its key, and its title with a number when it is not the first of its kind. */
+export const OpenPanel = createContext<{ readonly key: string; readonly title: string } | null>(
+  null,
+);
+
+export function PanelFrame({ id, title, note, tools, children }: PanelFrameProps) {
+  const open = useContext(OpenPanel);
+  const key = open?.key ?? id;
+  const noted = note !== undefined && note !== '';
   return (
     <section
       class={`panel panel-${id}`}
-      id={`panel-${id}`}
-      aria-labelledby={`panel-${id}-title`}
+      id={`panel-${key}`}
+      aria-labelledby={`panel-${key}-title`}
       tabIndex={-1}
     >
-      <header class="panel-head">
-        <h2 class="panel-title" id={`panel-${id}-title`}>
-          <Icon name={icon} />
-          {title}
-          {note === undefined ? null : <span class="panel-note">{note}</span>}
-        </h2>
-        {tools === undefined ? null : <div class="panel-tools">{tools}</div>}
-      </header>
+      <h2 class="visually-hidden" id={`panel-${key}-title`}>
+        {open?.title ?? title}
+      </h2>
+      {noted || tools !== undefined ? (
+        <div class="panel-head">
+          {noted ? <span class="panel-note">{note}</span> : null}
+          {tools === undefined ? null : <div class="panel-tools">{tools}</div>}
+        </div>
+      ) : null}
       <div class="panel-body">{children}</div>
     </section>
   );

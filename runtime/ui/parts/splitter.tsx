@@ -1,69 +1,87 @@
-// The bar between two columns: drag it, use the arrow keys on it, or double-click for the usual width.
+// The bar between two neighbours: drag it, use the arrow keys on it, or double-click for equal parts.
 
 import { useRef } from 'preact/hooks';
 
 export interface SplitterProps {
   readonly label: string;
-  /** Width of the column it belongs to, in px. */
+  /** How the neighbours stand: side by side, or below each other. */
+  readonly kind: 'row' | 'column';
+  /** The first one's part of both, 0 to 1. */
   readonly value: number;
-  readonly minimum: number;
-  readonly maximum: number;
-  readonly usual: number;
-  /** On which side of the bar that column is. */
-  readonly side: 'left' | 'right';
   readonly onChange: (value: number) => void;
 }
 
 const kStep = 16;
+const kLeast = 96;
 
-export function Splitter({ label, value, minimum, maximum, usual, side, onChange }: SplitterProps) {
-  const drag = useRef<{ readonly x: number; readonly value: number } | null>(null);
-  const sign = side === 'left' ? 1 : -1;
-  const set = (next: number): void =>
-    onChange(Math.round(Math.min(maximum, Math.max(minimum, next))));
+export function Splitter({ label, kind, value, onChange }: SplitterProps) {
+  const drag = useRef<{ readonly at: number; readonly first: number } | null>(null);
+  const across = kind === 'row';
+
+  /** The sizes of both neighbours in px. */
+  const sizes = (bar: Element): { first: number; both: number } => {
+    const length = (element: Element | null): number => {
+      const box = element?.getBoundingClientRect();
+      return (across ? box?.width : box?.height) ?? 0;
+    };
+    const first = length(bar.previousElementSibling);
+    return { first, both: first + length(bar.nextElementSibling) };
+  };
+  const set = (bar: Element, first: number): void => {
+    const { both } = sizes(bar);
+    if (both === 0) return;
+    const least = Math.min(kLeast, both / 2);
+    onChange(Math.min(both - least, Math.max(least, first)) / both);
+  };
 
   const onKeyDown = (event: KeyboardEvent): void => {
+    const bar = event.currentTarget;
+    if (!(bar instanceof Element)) return;
+    const { first, both } = sizes(bar);
     const next: Readonly<Record<string, number>> = {
-      ArrowLeft: value - sign * kStep,
-      ArrowRight: value + sign * kStep,
-      Home: minimum,
-      End: maximum,
-      Enter: usual,
+      [across ? 'ArrowLeft' : 'ArrowUp']: first - kStep,
+      [across ? 'ArrowRight' : 'ArrowDown']: first + kStep,
+      Home: 0,
+      End: both,
+      Enter: both / 2,
     };
     const wanted = next[event.key];
-    if (wanted !== undefined) {
-      event.preventDefault();
-      set(wanted);
-    }
+    if (wanted === undefined) return;
+    event.preventDefault();
+    set(bar, wanted);
+  };
+  const stop = (): void => {
+    drag.current = null;
   };
 
   return (
     <div
-      class="splitter"
+      class={`splitter splitter-${kind}`}
       role="separator"
       tabIndex={0}
-      aria-orientation="vertical"
+      aria-orientation={across ? 'vertical' : 'horizontal'}
       aria-label={label}
-      aria-valuenow={value}
-      aria-valuemin={minimum}
-      aria-valuemax={maximum}
+      aria-valuenow={Math.round(value * 100)}
+      aria-valuemin={0}
+      aria-valuemax={100}
       onKeyDown={onKeyDown}
-      onDblClick={() => set(usual)}
+      onDblClick={(event) => {
+        const bar = event.currentTarget;
+        set(bar, sizes(bar).both / 2);
+      }}
       onPointerDown={(event) => {
-        if (event.currentTarget instanceof Element)
-          event.currentTarget.setPointerCapture(event.pointerId);
-        drag.current = { x: event.clientX, value };
+        const bar = event.currentTarget;
+        bar.setPointerCapture(event.pointerId);
+        drag.current = { at: across ? event.clientX : event.clientY, first: sizes(bar).first };
       }}
       onPointerMove={(event) => {
-        if (drag.current !== null)
-          set(drag.current.value + sign * (event.clientX - drag.current.x));
+        const { current } = drag;
+        if (current === null) return;
+        const at = across ? event.clientX : event.clientY;
+        set(event.currentTarget, current.first + at - current.at);
       }}
-      onPointerUp={() => {
-        drag.current = null;
-      }}
-      onPointerCancel={() => {
-        drag.current = null;
-      }}
+      onPointerUp={stop}
+      onPointerCancel={stop}
     />
   );
 }

@@ -4,7 +4,7 @@ import { test } from 'node:test';
 import { isHiddenTopic } from '../../../runtime/ui/model/hidden_names.ts';
 import { problemOf, problemText } from '../../../runtime/ui/model/problem.ts';
 import {
-  readNumber,
+  readText,
   readPreference,
   readTheme,
   writePreference,
@@ -86,10 +86,9 @@ test('preferences survive a store that refuses everything', () => {
   };
   writePreference(store, 'theme', 'dark');
   assert.equal(readPreference(store, 'theme', ['light', 'dark'], 'light'), 'dark');
-  writePreference(store, 'left', 'x');
-  assert.equal(readNumber(store, 'left', 0, 10, 4), 4);
-  writePreference(store, 'left', '99');
-  assert.equal(readNumber(store, 'left', 0, 10, 4), 4);
+  writePreference(store, 'layout./', '"nodes"');
+  assert.equal(readText(store, 'layout./'), '"nodes"');
+  assert.equal(readText(refusing, 'layout./'), null);
   assert.equal(readTheme(store, 'light'), 'dark');
   assert.equal(readTheme(null, 'light'), 'light');
   assert.equal(readTheme(null, 'auto'), 'system');

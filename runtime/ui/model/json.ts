@@ -1,0 +1,76 @@
+// Plain JSON values from outside (links, kept layouts, the author's options), taken over within bounds.
+
+export type Json =
+  | null
+  | boolean
+  | number
+  | string
+  | readonly Json[]
+  | { readonly [key: string]: Json };
+
+const kDepth = 8;
+
+/** A copy of a plain value with at most `budget` characters of JSON; undefined for anything else. */
+export function readJson(value: unknown, budget: number): Json | undefined {
+  if (!isJson(value, kDepth)) return undefined;
+  const text = JSON.stringify(value);
+  if (text.length > budget) return undefined;
+  // A copy of its own: nobody can change it later, and odd prototypes are gone.
+  return JSON.parse(text) as Json;
+}
+
+export function isRecord(value: unknown): value is Readonly<Record<string, unknown>> {
+  return typeof value === 'object' && value !== null && !Array.isArray(value);
+}
+
+/** A member that the value itself has, never one of its prototype. */
+export function member(value: unknown, name: string): unknown {
+  return isRecord(value) && Object.hasOwn(value, name) ? value[name] : undefined;
+}
+
+export function textMember(value: unknown, name: string, fallback = ''): string {
+  const found = member(value, name);
+  return typeof found === 'string' ? found : fallback;
+}
+
+export function flagMember(value: unknown, name: string, fallback: boolean): boolean {
+  const found = member(value, name);
+  return typeof found === 'boolean' ? found : fallback;
+}
+
+export function numberMember(
+  value: unknown,
+  name: string,
+  minimum: number,
+  maximum: number,
+  fallback: number,
+): number {
+  const found = member(value, name);
+  return typeof found === 'number' && found >= minimum && found <= maximum ? found : fallback;
+}
+
+/** The texts of a list; a single text is a list of one. At most `limit` of them. */
+export function textsMember(value: unknown, name: string, limit: number): readonly string[] {
+  const found = member(value, name);
+  if (typeof found === 'string') return [found];
+  if (!Array.isArray(found)) return [];
+  return found.filter((item): item is string => typeof item === 'string').slice(0, limit);
+}
+
+function isJson(value: unknown, depth: number): value is Json {
+  if (value === null) return true;
+  switch (typeof value) {
+    case 'boolean':
+    case 'string':
+      return true;
+    case 'number':
+      return Number.isFinite(value);
+    case 'object':
+      if (depth === 0) return false;
+      return (Array.isArray(value) ? value : Object.values(value)).every((item: unknown) =>
+        isJson(item, depth - 1),
+      );
+    default:
+      return false;
+  }
+}

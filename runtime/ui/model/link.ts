@@ -1,0 +1,39 @@
+// What a link to a view carries behind its "#": `site=HASH&layout=JSON`. The hash is the beginning of the sha256 of
+// site.json, which names every file of the site with its own: a link tells when it was made for another site.
+// Fields of others (arguments, parameters) are kept as they are.
+
+const kHashLength = 16;
+const kMostFragment = 131_072;
+
+/** The fields of a fragment, with or without its "#". Never throws; an overlong one has none. */
+export function readFragment(fragment: string): URLSearchParams {
+  const text = fragment.replace(/^#/, '');
+  return new URLSearchParams(text.length > kMostFragment ? '' : text);
+}
+
+/** The fragment with these fields set, or removed where null; empty when none is left. */
+export function changedFragment(
+  fragment: string,
+  fields: Readonly<Record<string, string | null>>,
+): string {
+  const params = readFragment(fragment);
+  for (const [name, value] of Object.entries(fields)) {
+    if (value === null) params.delete(name);
+    else params.set(name, value);
+  }
+  const text = params.toString();
+  return text === '' ? '' : `#${text}`;
+}
+
+/** null where site.json does not come, or the browser has no digests: over plain http from elsewhere. */
+export async function siteHash(): Promise<string | null> {
+  try {
+    const response = await fetch('site.json');
+    if (!response.ok) return null;
+    const hash = new Uint8Array(await crypto.subtle.digest('SHA-256', await response.arrayBuffer()));
+    const hex = Array.from(hash, (byte) => byte.toString(16).padStart(2, '0')).join('');
+    return hex.slice(0, kHashLength);
+  } catch {
+    return null;
+  }
+}

@@ -1,0 +1,136 @@
+// Draws a layout: rows and columns with bars between them, and groups of tabs. On a narrow screen all tabs stand in
+// one group. Panels behind another are not drawn, but those that go on (PanelRow.keeps) once they were seen.
+
+import { Fragment } from 'preact';
+import type { ComponentChildren } from 'preact';
+import { useRef } from 'preact/hooks';
+import { groupsOf, makeGroup, numberOf, tabsOf } from '../model/layout.ts';
+import type { Group, Layout, Pane, PanelTab, Split } from '../model/layout.ts';
+import { panelRow } from '../panels/index.ts';
+import { texts } from '../texts.ts';
+import { Splitter } from './splitter.tsx';
+import { TabStrip } from './tab_strip.tsx';
+import { useTabDrag } from './tab_drag.ts';
+import type { LayoutControl } from './use_layout.ts';
+
+export interface DockProps {
+  readonly control: LayoutControl;
+  readonly narrow: boolean;
+  readonly show: (tab: PanelTab) => ComponentChildren;
+}
+
+export function Dock({ control, narrow, show }: DockProps) {
+  const { layout } = control;
+  const drag = useTabDrag(control.move);
+  const shared = { control, show, narrow, beginDrag: narrow ? null : drag.begin };
+  return (
+    <main id="content" class={narrow ? 'dock dock-narrow' : 'dock'}>
+      {narrow ? (
+        <GroupView {...shared} group={oneGroup(layout)} />
+      ) : (
+        <PaneView {...shared} pane={layout.root} />
+      )}
+      {drag.view?.target == null ? null : (
+        <div
+          class="dock-drop"
+          style={{
+            left: `${drag.view.box.left}px`,
+            top: `${drag.view.box.top}px`,
+            width: `${drag.view.box.width}px`,
+            height: `${drag.view.box.height}px`,
+          }}
+        />
+      )}
+    </main>
+  );
+}
+
+export function tabTitle(tab: PanelTab): string {
+  const title = panelRow(tab.panel)?.title ?? tab.panel;
+  const number = numberOf(tab);
+  return number === 1 ? title : texts.layout.numbered(title, number);
+}
+
+interface ViewProps {
+  readonly control: LayoutControl;
+  readonly narrow: boolean;
+  readonly show: (tab: PanelTab) => ComponentChildren;
+  readonly beginDrag: ((key: string, event: PointerEvent) => void) | null;
+}
+
+function PaneView({ pane, ...shared }: ViewProps & { readonly pane: Pane }) {
+  return pane.kind === 'group' ? (
+    <GroupView {...shared} group={pane} />
+  ) : (
+    <SplitView {...shared} split={pane} />
+  );
+}
+
+function SplitView({ split, ...shared }: ViewProps & { readonly split: Split }) {
+  return (
+    <div class={`split split-${split.kind}`}>
+      {split.children.map((child, index) => {
+        const size = split.sizes[index] ?? 0;
+        const before = split.children[index - 1];
+        const both = size + (split.sizes[index - 1] ?? 0);
+        return (
+          <Fragment key={child.key}>
+            {before === undefined ? null : (
+              <Splitter
+                label={texts.layout.border(paneTitle(before), paneTitle(child))}
+                kind={split.kind}
+                value={1 - size / both}
+                onChange={(first) => shared.control.resize(split.key, index - 1, first)}
+              />
+            )}
+            <div class="split-part" style={{ flexGrow: String(size * 1000) }}>
+              <PaneView {...shared} pane={child} />
+            </div>
+          </Fragment>
+        );
+      })}
+    </div>
+  );
+}
+
+function GroupView({ group, control, narrow, show, beginDrag }: ViewProps & { readonly group: Group }) {
+  const seen = useRef(new Set<string>());
+  seen.current.add(group.front);
+  const drawn = group.tabs.filter(
+    (tab) =>
+      tab.key === group.front ||
+      (panelRow(tab.panel)?.keeps === true && seen.current.has(tab.key)),
+  );
+  return (
+    <div class="group" data-group={group.key}>
+      <TabStrip group={group} control={control} narrow={narrow} beginDrag={beginDrag} />
+      {group.tabs.length === 0 ? <p class="hint group-empty">{texts.layout.empty}</p> : null}
+      {drawn.map((tab) => (
+        <div
+          key={tab.key}
+          class="tab-panel"
+          role="tabpanel"
+          id={`tab-panel-${tab.key}`}
+          aria-labelledby={`tab-${tab.key}`}
+          hidden={tab.key !== group.front}
+        >
+          {show(tab)}
+        </div>
+      ))}
+    </div>
+  );
+}
+
+/** All tabs behind each other, for a narrow screen. New ones go where there is the most room. */
+function oneGroup(layout: Layout): Group {
+  const key = groupsOf(layout.root)[0]?.key ?? '';
+  return makeGroup(key, tabsOf(layout.root), layout.front);
+}
+
+function paneTitle(pane: Pane): string {
+  const titles = groupsOf(pane).map((group) => {
+    const front = group.tabs.find((tab) => tab.key === group.front);
+    return front === undefined ? texts.layout.nothing : tabTitle(front);
+  });
+  return titles.join(', ');
+}

@@ -1,0 +1,209 @@
+// The page's layout: from a link, else as the visitor left it here, else the author's, else the usual one for the
+// room there is. Kept in the browser once the visitor changed it.
+
+import { useCallback, useEffect, useMemo, useRef, useState } from 'preact/hooks';
+import type { Session } from '../../wasm_js/session.ts';
+import { readJson } from '../model/json.ts';
+import type { Json } from '../model/json.ts';
+import * as layouts from '../model/layout.ts';
+import type { DropTarget, Layout } from '../model/layout.ts';
+import { parseLayout, readLayout, writeLayout } from '../model/layout_text.ts';
+import type { ReadLayout } from '../model/layout_text.ts';
+import { changedFragment, readFragment, siteHash } from '../model/link.ts';
+import { readText, writePreference } from '../model/preferences.ts';
+import type { Store } from '../model/preferences.ts';
+import { kUsualMiddling, kUsualWide, panelRow } from '../panels/index.ts';
+import { texts } from '../texts.ts';
+
+export interface LayoutControl {
+  readonly layout: Layout;
+  readonly reveal: (key: string) => void;
+  readonly close: (key: string) => void;
+  readonly move: (key: string, target: DropTarget) => void;
+  readonly resize: (split: string, index: number, first: number) => void;
+  /** Opens a panel in that group; one that is open once only is shown instead. */
+  readonly add: (group: string, panel: string) => void;
+  readonly setState: (key: string, state: Json) => void;
+  /** As PanelProps.open, asked by the panel of that key. */
+  readonly open: (caller: string | null, panel: string, state?: Json) => boolean;
+  readonly reset: () => void;
+  /** The address with the layout in it, also put where the address stands. */
+  readonly link: () => Promise<string>;
+  /** What the visitor should know about the link that was followed. */
+  readonly notice: string;
+  readonly dismiss: () => void;
+}
+
+const kMostState = 8_192;
+
+export function useLayout(
+  session: Session,
+  store: Store | null,
+  /** The usual layout is the one of three columns, or their order on a phone. */
+  wide: boolean,
+  announce: (text: string) => void,
+): LayoutControl {
+  const name = useMemo(() => `layout.${new URL('.', document.baseURI).pathname}`, []);
+  const usual = useMemo((): Layout => {
+    const author = readLayout(session.site.ui['layout'], isKnown).layout;
+    return author ?? readLayout(wide ? kUsualWide : kUsualMiddling, isKnown).layout ?? kNothing;
+  }, [session, wide]);
+  // null: the visitor has changed nothing, so the usual layout follows the width.
+  const [chosen, setChosen] = useState<Layout | null>(
+    () => linked().layout ?? parseLayout(readText(store, name) ?? '', isKnown).layout,
+  );
+  const [front, setFront] = useState<string | null>(null);
+  const layout = useMemo(
+    () => chosen ?? { ...usual, front: front ?? usual.front },
+    [chosen, usual, front],
+  );
+  const latest = useRef(layout);
+  latest.current = layout;
+  const { notice, dismiss } = useLinkNotice(setChosen);
+
+  const change = useCallback(
+    (next: (layout: Layout) => Layout): void => {
+      const changed = next(latest.current);
+      if (changed === latest.current) return;
+      const onlyFront = changed.root === latest.current.root;
+      latest.current = changed;
+      setFront(changed.front);
+      // Looking at another tab of the usual layout is no layout of one's own.
+      if (onlyFront) setChosen((before) => (before === null ? null : changed));
+      if (onlyFront) return;
+      setChosen(changed);
+      writePreference(store, name, JSON.stringify(writeLayout(changed)));
+      // From now on a reload shows the visitor's layout, not the link's.
+      if (readFragment(location.hash).has('layout')) setFragment({ layout: null, site: null });
+    },
+    [store, name],
+  );
+
+  return useMemo<LayoutControl>(() => {
+    const reveal = (key: string): void => change((now) => layouts.reveal(now, key));
+    return {
+      layout,
+      notice,
+      dismiss,
+      reveal,
+      close: (key) => {
+        change((now) => layouts.closeTab(now, key));
+        announce(texts.layout.closed);
+        focusTab(latest.current.front);
+      },
+      move: (key, target) => {
+        change((now) => layouts.moveTab(now, key, target));
+        announce(texts.layout.moved);
+        focusTab(key);
+      },
+      resize: (split, index, first) =>
+        change((now) => layouts.resizePair(now, split, index, first)),
+      add: (group, panel) => {
+        const row = panelRow(panel);
+        const opened = layouts.tabsOf(latest.current.root).find((tab) => tab.panel === panel);
+        if (row === undefined) return;
+        if (opened !== undefined && row.many !== true) {
+          reveal(opened.key);
+          focusTab(opened.key);
+          return;
+        }
+        const key = layouts.freshKey(latest.current, panel);
+        change((now) =>
+          layouts.addTab(now, { key, panel, state: null }, { group, zone: 'into' }),
+        );
+        focusTab(key);
+      },
+      setState: (key, state) => {
+        const kept = readJson(state, kMostState);
+        if (kept !== undefined) change((now) => layouts.setPanelState(now, key, kept));
+      },
+      open: (caller, panel, state) => {
+        const row = panelRow(panel);
+        if (row === undefined) return false;
+        const wanted = state === undefined ? undefined : JSON.stringify(state);
+        const open = layouts.tabsOf(latest.current.root).filter((tab) => tab.panel === panel);
+        const same = open.find((tab) => wanted === undefined || JSON.stringify(tab.state) === wanted);
+        const only = row.many === true ? same : (same ?? open[0]);
+        if (only !== undefined) {
+          if (state !== undefined && only !== same)
+            change((now) => layouts.setPanelState(now, only.key, state));
+          reveal(only.key);
+          return true;
+        }
+        const group = layouts.roomiest(latest.current, caller);
+        const kept = readJson(state ?? null, kMostState);
+        if (group === undefined || kept === undefined) return false;
+        const key = layouts.freshKey(latest.current, panel);
+        const target: DropTarget = { group: group.key, zone: 'into' };
+        change((now) => layouts.addTab(now, { key, panel, state: kept }, target));
+        return true;
+      },
+      reset: () => {
+        setChosen(null);
+        writePreference(store, name, '');
+        setFragment({ layout: null, site: null });
+      },
+      link: async () => {
+        const site = await siteHash();
+        setFragment({ site, layout: JSON.stringify(writeLayout(latest.current)) });
+        return location.href;
+      },
+    };
+  }, [layout, notice, change, announce]);
+}
+
+const kNothing: Layout = { root: layouts.makeGroup('pane-1', []), front: '' };
+
+function isKnown(panel: string): boolean {
+  return panelRow(panel) !== undefined;
+}
+
+function linked(): ReadLayout {
+  return parseLayout(readFragment(location.hash).get('layout') ?? '', isKnown);
+}
+
+function setFragment(fields: Readonly<Record<string, string | null>>): void {
+  const fragment = changedFragment(location.hash, fields);
+  history.replaceState(history.state, '', `${location.pathname}${location.search}${fragment}`);
+}
+
+/** Follows the address: a link that is opened in this very tab changes its fragment only. */
+function useLinkNotice(apply: (layout: Layout) => void): {
+  readonly notice: string;
+  readonly dismiss: () => void;
+} {
+  const [notice, setNotice] = useState('');
+  useEffect(() => {
+    let current = true;
+    const read = (): void => {
+      const fields = readFragment(location.hash);
+      const found = linked();
+      const parts: string[] = [];
+      if (fields.has('layout') && found.layout === null) parts.push(texts.layout.linkBroken);
+      if (found.leftOut.length > 0) parts.push(texts.layout.linkLeftOut(found.leftOut));
+      setNotice(parts.join(' '));
+      const site = fields.get('site');
+      if (site === null) return;
+      void siteHash().then((hash) => {
+        if (!current || hash === null || hash === site) return;
+        setNotice([texts.layout.linkOther, ...parts].join(' '));
+      });
+    };
+    const follow = (): void => {
+      const found = linked();
+      if (found.layout !== null) apply(found.layout);
+      read();
+    };
+    read();
+    addEventListener('hashchange', follow);
+    return () => {
+      current = false;
+      removeEventListener('hashchange', follow);
+    };
+  }, []);
+  return { notice, dismiss: () => setNotice('') };
+}
+
+function focusTab(key: string): void {
+  requestAnimationFrame(() => document.getElementById(`tab-${key}`)?.focus());
+}

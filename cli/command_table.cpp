@@ -24,6 +24,7 @@ CommandBody search_command(Arguments& arguments);
 CommandBody serve_command(Arguments& arguments);
 CommandBody solve_command(Arguments& arguments);
 CommandBody tree_command(Arguments& arguments);
+CommandBody verify_command(Arguments& arguments);
 CommandBody version_command(Arguments& arguments);
 CommandBody why_command(Arguments& arguments);
 
@@ -47,6 +48,9 @@ constexpr auto kCommands = std::to_array<CommandRow>({
     {.name = "why",
      .help = "Say why a file is in a site, or a package in the lock",
      .declare = why_command},
+    {.name = "verify",
+     .help = "Check every byte of a site against its list of hashes",
+     .declare = verify_command},
     {.name = "tree", .help = "Show who needs whom in the lock", .declare = tree_command},
     {.name = "lock", .help = "Write or check ros2wasm.lock", .declare = lock_command},
     {.name = "cache",

@@ -43,6 +43,7 @@ void print_json(Console& console, const PackReport& report, bool written) {
   JsonWriter json;
   json.begin_object();
   if (written) json.field("site", report.output.string());
+  json.field("sha256", report.plan.sha256);
   json.key("files").begin_array();
   for (const PlannedFile& file : report.plan.files) {
     json.begin_object().field("path", file.path);
@@ -99,6 +100,7 @@ int run(Context& context, const Options& options) {
       context.console.remark("the packages are in " + (report->output / kShippedChannel).string() +
                              ", " + kilobytes(channel));
     }
+    context.console.remark("sha256 " + report->plan.sha256);
     context.console.result(report->output.string());
   }
   return 0;

@@ -5,10 +5,10 @@
 #include "bundler/io/files.hpp"
 #include "bundler/resolve/lock_graph.hpp"
 #include "bundler/resolve/locked_solve.hpp"
+#include "bundler/verify/site_list.hpp"
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
 #include "cli/workspace_lock.hpp"
-#include "workspace_schema/json_reader.hpp"
 #include "workspace_schema/json_writer.hpp"
 #include "workspace_schema/suggestion.hpp"
 
@@ -21,7 +21,7 @@ fs::path site_above(const fs::path& path) {
   std::error_code error;
   fs::path folder = fs::absolute(path, error).lexically_normal().parent_path();
   while (true) {
-    if (fs::is_regular_file(folder / "site.json", error)) return folder;
+    if (fs::is_regular_file(folder / kSiteJsonName, error)) return folder;
     if (folder == folder.parent_path()) return {};
     folder = folder.parent_path();
   }
@@ -95,20 +95,16 @@ int why(Context& context, const std::string& word) {
   }
   const std::string relative =
       fs::absolute(word).lexically_normal().lexically_relative(folder).generic_string();
-  const auto text = read_file(folder / "site.json");
+  const auto text = read_file(folder / kSiteJsonName);
   if (!text) return context.console.fail(text.errors());
-  const auto json = parse_json(*text, (folder / "site.json").string(), "R2W0605");
-  if (!json) return context.console.fail(json.errors());
-  if (relative == "site.json")
+  const auto list = read_site_list(*text, (folder / kSiteJsonName).string());
+  if (!list) return context.console.fail(list.errors());
+  if (relative == kSiteJsonName)
     return answer(context, relative, text->size(), "what runs in the site");
   std::vector<std::string> known;
-  const JsonValue* files = json->find("files");
-  for (const JsonValue& file : files == nullptr ? JsonValue::Array() : files->items()) {
-    known.push_back(file.text_of("path"));
-    if (known.back() != relative) continue;
-    const JsonValue* size = file.find("size");
-    return answer(context, relative, size == nullptr ? 0 : size->unsigned_integer().value_or(0),
-                  file.text_of("reason"));
+  for (const ListedFile& file : list->files) {
+    known.push_back(file.path);
+    if (file.path == relative) return answer(context, relative, file.size, file.reason);
   }
   Diagnostic error = not_in_site(word, {"site.json of " + folder.string() + " does not list it"});
   if (const auto similar = nearest(relative, known))

@@ -9,6 +9,7 @@
 #include <cstdio>
 
 #include "bundler/io/files.hpp"
+#include "bundler/plan/site_path.hpp"
 #include "bundler/render/own_site.hpp"
 
 namespace ros2wasm {
@@ -26,20 +27,6 @@ Outcome<Done> copy_to(const fs::path& place, const fs::path& source) {
   }
   if (error) return cannot_write(place, error.value());
   return Done{};
-}
-
-/// The last guard, whatever the plan was made from.
-std::optional<Diagnostic> refuse_path(const std::string& path) {
-  const fs::path planned(path);
-  const bool inside = planned.is_relative() && planned.has_filename() &&
-                      std::none_of(planned.begin(), planned.end(), [](const fs::path& part) {
-                        return part == ".." || part == ".";
-                      });
-  if (inside) return std::nullopt;
-  return Diagnostic{.code = "R2W0608",
-                    .message = "the site would write `" + path + "`, which is not inside it",
-                    .why = {"a name that came with a package or a lock leads out of its folder"},
-                    .fix = {"take the package from a channel that you trust"}};
 }
 
 std::string megabytes(std::uint64_t bytes) {
@@ -115,12 +102,12 @@ Outcome<Done> emit_folder(const SitePlan& plan, const fs::path& folder,
   if (!beside) return std::move(beside).errors();
   for (const PlannedFile& file : plan.files) {
     if (cancellation.requested()) return interrupted();
-    if (auto refusal = refuse_path(file.path)) return *refusal;
+    if (auto refusal = refuse_site_path(file.path)) return *refusal;
     if (auto written = write_file(beside->path() / file.path, file.bytes); !written) return written;
   }
   for (const ChannelFile& file : plan.channel) {
     if (cancellation.requested()) return interrupted();
-    if (auto refusal = refuse_path(file.path)) return *refusal;
+    if (auto refusal = refuse_site_path(file.path)) return *refusal;
     const fs::path place_of_file = beside->path() / file.path;
     auto written = file.copy_of.empty() ? write_file(place_of_file, file.bytes)
                                         : copy_to(place_of_file, file.copy_of);

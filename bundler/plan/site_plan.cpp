@@ -138,8 +138,17 @@ Outcome<SitePlan> plan_site(PlanInput input) {
   const auto by_path = [](const PlannedFile& a, const PlannedFile& b) { return a.path < b.path; };
   std::sort(plan.files.begin(), plan.files.end(), by_path);
   add(plan, "site.json", "what runs in the site", site_json(input.manifest, plan));
+  plan.sha256 = plan.files.back().sha256;
+  std::sort(plan.files.begin(), plan.files.end(), by_path);
+  add(plan, kHashList, "hashes of all files, for `sha256sum -c`", hash_list(plan.files));
   std::sort(plan.files.begin(), plan.files.end(), by_path);
   return plan;
+}
+
+std::string hash_list(const std::vector<PlannedFile>& files) {
+  std::string text;
+  for (const PlannedFile& file : files) text += file.sha256 + "  " + file.path + "\n";
+  return text;
 }
 
 std::uint64_t total_size(const SitePlan& plan) {

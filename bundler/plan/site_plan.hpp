@@ -44,7 +44,8 @@ struct PlannedNode {
 };
 
 struct SitePlan {
-  std::vector<PlannedFile> files;     ///< sorted by path; the last step adds site.json
+  std::vector<PlannedFile> files;     ///< sorted by path; the last steps add site.json, SHA256SUMS
+  std::string sha256;                 ///< of site.json, which has that of every file: of the site
   std::vector<PlannedNode> nodes;     ///< in launch order
   std::vector<std::string> packages;  ///< that the programs' index of packages has, sorted
   std::vector<ChannelFile> channel;   ///< sorted by path; empty unless it was asked for
@@ -73,6 +74,12 @@ struct PlanInput {
 
 /// R2W0606 a program is not WebAssembly.
 [[nodiscard]] Outcome<SitePlan> plan_site(PlanInput input);
+
+/// The file of a site that lists its files, site.json too, for `sha256sum --check`.
+inline constexpr const char* kHashList = "SHA256SUMS";
+
+/// Its text. `files` in their order there.
+[[nodiscard]] std::string hash_list(const std::vector<PlannedFile>& files);
 
 /// Total size of all files of the site in bytes.
 [[nodiscard]] std::uint64_t total_size(const SitePlan& plan);

@@ -76,8 +76,11 @@ TEST(SitePlan, EveryFileHasAReasonAndTheHeadlessEntryStaysOut) {
     EXPECT_EQ(file.sha256, sha256_hex(file.bytes));
   }
   EXPECT_EQ(paths, (std::vector<std::string>{
-                       "index.html", "interfaces.json", "programs/demo/crowd.wasm",
+                       "SHA256SUMS", "index.html", "interfaces.json", "programs/demo/crowd.wasm",
                        "programs/demo/talker.names", "programs/demo/talker.wasm", "site.json"}));
+  EXPECT_EQ(plan.sha256, file_of(plan, "site.json")->sha256);
+  EXPECT_NE(file_of(plan, "SHA256SUMS")->bytes.find(plan.sha256 + "  site.json\n"),
+            std::string::npos);
   EXPECT_EQ(file_of(plan, "programs/demo/talker.names")->bytes, "names");
   EXPECT_EQ(names_size(plan), 5U);
   EXPECT_EQ(file_of(plan, "programs/demo/talker.wasm")->reason, "program of talker-1, talker-3");

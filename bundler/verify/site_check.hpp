@@ -1,0 +1,34 @@
+// Whether the bytes of a site are those that its site.json names: in a folder, or below an address.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "bundler/channel/channel_network.hpp"
+#include "bundler/verify/site_list.hpp"
+#include "workspace_schema/cancellation.hpp"
+#include "workspace_schema/outcome.hpp"
+#include "workspace_schema/progress_event.hpp"
+
+namespace ros2wasm {
+
+struct SiteCheck {
+  SiteList list;
+  Diagnostics faults;  ///< R2W0650 other bytes, R2W0651 not there; as site.json has them
+  std::vector<std::string> unlisted;  ///< that lie in the folder too, sorted
+};
+
+/// Reads every file. Links are not followed: a site has none. R2W0210, R2W0605, R2W0608.
+[[nodiscard]] Outcome<SiteCheck> check_site_folder(const std::filesystem::path& folder,
+                                                   const Cancellation& cancellation,
+                                                   const ProgressSink& progress);
+
+/// Brings every file, as a visit would. `url` is that of the page, of its folder or of site.json.
+/// Also R2W0233 to R2W0236.
+[[nodiscard]] Outcome<SiteCheck> check_site_address(const std::string& url,
+                                                    const ChannelNetwork& network,
+                                                    const Cancellation& cancellation,
+                                                    const ProgressSink& progress);
+
+}  // namespace ros2wasm

@@ -1,0 +1,36 @@
+// What a site says of its own files: the list in its site.json. Pure; the text may be anybody's.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "workspace_schema/outcome.hpp"
+
+namespace ros2wasm {
+
+inline constexpr const char* kSiteJsonName = "site.json";
+
+struct ListedFile {
+  std::string path;  ///< relative to the site, with `/`; leads nowhere else
+  std::uint64_t size = 0;
+  std::string sha256;  ///< 64 hex digits
+  std::string reason;
+};
+
+struct SiteList {
+  std::string hash;  ///< sha256 of site.json: of all files by their hashes, so of the whole site
+  std::string generator;
+  std::vector<ListedFile> files;  ///< in the order of the text
+};
+
+/// `shown` names the text in diagnostics. R2W0605 not a site.json of ours, R2W0608 a path that
+/// leads out of the site.
+[[nodiscard]] Outcome<SiteList> read_site_list(std::string_view site_json,
+                                               const std::string& shown);
+
+/// What its SHA256SUMS says.
+[[nodiscard]] std::string hash_list(const SiteList& list);
+
+}  // namespace ros2wasm

@@ -1,0 +1,101 @@
+// `ros2wasm verify SITE|URL`: whether every byte of a site is the one it was packed with.
+#include <memory>
+
+#include "bundler/verify/site_check.hpp"
+#include "cli/arguments.hpp"
+#include "cli/console.hpp"
+#include "workspace_schema/json_writer.hpp"
+
+namespace ros2wasm {
+namespace {
+
+struct Options {
+  std::string site;
+  std::string hash;
+};
+
+std::uint64_t size_of(const SiteList& list) {
+  std::uint64_t size = 0;
+  for (const ListedFile& file : list.files) size += file.size;
+  return size;
+}
+
+void print_json(Context& context, const std::string& site, const SiteCheck& check, bool good) {
+  JsonWriter json;
+  json.begin_object().field("site", site).field("sha256", check.list.hash);
+  json.key("files").unsigned_integer(check.list.files.size());
+  json.key("bytes").unsigned_integer(size_of(check.list)).field_boolean("as_packed", good);
+  json.key("faults").unsigned_integer(check.faults.size()).key("unlisted").begin_array();
+  for (const std::string& path : check.unlisted) json.string(path);
+  json.end_array().end_object();
+  context.console.result(json.text());
+}
+
+Diagnostic another_site(const std::string& wanted, const std::string& found) {
+  return Diagnostic{.code = "R2W0652",
+                    .message = "this is another site than the one that was asked for",
+                    .why = {"its sha256 is " + found, "asked for was " + wanted},
+                    .fix = {}};
+}
+
+Diagnostic more_files(const std::vector<std::string>& paths) {
+  constexpr std::size_t kShown = 5;
+  Diagnostic warning{.code = "R2W0653",
+                     .severity = Severity::kWarning,
+                     .message = std::to_string(paths.size()) +
+                                (paths.size() == 1 ? " file lies" : " files lie") +
+                                " in the folder that the site does not list",
+                     .why = {},
+                     .fix = {}};
+  for (std::size_t i = 0; i < paths.size() && i < kShown; ++i) warning.why.push_back(paths[i]);
+  if (paths.size() > kShown)
+    warning.why.push_back("and " + std::to_string(paths.size() - kShown) + " more");
+  return warning;
+}
+
+int verify(Context& context, const Options& options) {
+  std::string wanted = options.hash;
+  if (wanted.starts_with("sha256:")) wanted.erase(0, 7);
+  if (!options.hash.empty() &&
+      (wanted.size() != 64 || wanted.find_first_not_of("0123456789abcdef") != std::string::npos)) {
+    return context.console.fail(
+        Diagnostic{.code = "R2W0902",
+                   .kind = FailureKind::kCommandLine,
+                   .message = "`" + options.hash + "` is no sha256",
+                   .why = {"it has 64 of the characters 0 to 9 and a to f, as `ros2wasm pack` and "
+                           "the page show it"},
+                   .fix = {}});
+  }
+  const auto check = is_network_url(options.site)
+                         ? check_site_address(options.site, network_of(context.environment),
+                                              context.cancellation, context.progress)
+                         : check_site_folder(options.site, context.cancellation, context.progress);
+  if (!check) return context.console.fail(check.errors());
+  Diagnostics faults = check->faults;
+  if (!wanted.empty() && wanted != check->list.hash)
+    faults.insert(faults.begin(), another_site(wanted, check->list.hash));
+  if (!check->unlisted.empty()) context.console.report(more_files(check->unlisted));
+  if (context.json) print_json(context, options.site, *check, faults.empty());
+  if (!faults.empty()) return context.console.fail(faults);
+  if (!context.json) {
+    context.console.result(options.site + ": " + std::to_string(check->list.files.size()) +
+                           " files, " + std::to_string(size_of(check->list)) +
+                           " bytes, all as packed");
+    context.console.result("sha256 " + check->list.hash);
+  }
+  return 0;
+}
+
+}  // namespace
+
+CommandBody verify_command(Arguments& arguments) {
+  const auto options = std::make_shared<Options>();
+  arguments.required("SITE", options->site, "folder of a site, or the address of one");
+  arguments.value("--hash", options->hash, "SHA256",
+                  "what the site must be: the sha256 that `ros2wasm pack` printed");
+  arguments.examples(
+      {"ros2wasm verify site", "ros2wasm verify https://example.org/lab/ --hash ..."});
+  return [options](Context& context) { return verify(context, *options); };
+}
+
+}  // namespace ros2wasm

@@ -27,6 +27,8 @@ export interface Broker {
   readonly kind: 'shared' | 'port';
   /** The page's own place; it must not block. */
   readonly link: SharedLink | PortLink;
+  /** Of a stepped run. */
+  readonly conductor: Conductor | undefined;
   /** A place for a worker; undefined when all are taken. */
   admit(): Admission | undefined;
   /** Time of the site follows another law from now on. */
@@ -70,7 +72,6 @@ export class SharedBroker implements Broker {
   private readonly lingering = new Set<number>();
   private timer: ReturnType<typeof setInterval> | undefined;
   private closed = false;
-  /** Of a stepped run. */
   readonly conductor: Conductor | undefined;
 
   constructor(options: SharedBrokerOptions = {}) {
@@ -240,6 +241,8 @@ const mostParticipants = 0x7ff;
 export class PortBroker implements Broker {
   readonly kind = 'port';
   readonly link: PortLink;
+  /** Runs are not stepped here: nobody can tell what is on its way in a port. */
+  readonly conductor = undefined;
   private readonly session: readonly [number, number];
   private readonly controls = new Map<number, MessagePort>();
   private readonly newChannel: () => MessageChannel;
@@ -289,7 +292,6 @@ export class PortBroker implements Broker {
     }
   }
 
-  /** Runs are not stepped here: nobody can tell what is on its way in a port. */
   rests(): void {}
 
   wrote(): void {}

@@ -91,6 +91,11 @@ export class NodeRunner {
     };
   }
 
+  /** Its place in the graph while it runs. */
+  participant(): number | undefined {
+    return this.run?.participant;
+  }
+
   active(): boolean {
     return this.state.kind === 'starting' || this.state.kind === 'running';
   }

@@ -141,7 +141,7 @@ export interface PageNode {
   /** Fully qualified: `/_ros2wasm_page`, which is hidden as that of the `ros2` command. */
   readonly name: string;
   publisher(topic: string, type: string, qos?: QosRequest): PagePublisher;
-  /** Listeners are called between animation frames, or at each event where there are none. */
+  /** The listener is called as messages come, never within another call. */
   subscription(topic: string, type: string, qos: QosRequest, listener: MessageListener): PageSubscription;
   client(service: string, type: string): PageClient;
   actionClient(action: string, type: string): PageActionClient;

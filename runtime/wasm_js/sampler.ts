@@ -1,10 +1,11 @@
 // What the page shows of the topics: rates and last messages, read from beside the data path.
 
-import { BusEndpoint, BusHeader, BusSizes, Durability, EndpointKind, History, Reliability } from '../protocol/generated/constants.ts';
+import { BusEndpoint, BusHeader, BusSizes, EndpointKind } from '../protocol/generated/constants.ts';
 import type { Broker } from './broker.ts';
 import { departedPublishers } from './bus_tables.ts';
 import type { EndpointRecord } from './graph.ts';
 import type { PortLink } from './port_link.ts';
+import { qosView } from './qos_view.ts';
 import { noRate, type Rate, RateWindow } from './rate_window.ts';
 import type { LastMessage, QosView, TopicView } from './session.ts';
 import type { SharedLink } from './shared_link.ts';
@@ -246,12 +247,7 @@ function readNewest<T>(
 function qosViews(publishers: readonly EndpointRecord[]): QosView[] {
   const views = new Map<string, QosView>();
   for (const { qos } of publishers) {
-    const view: QosView = {
-      reliability: qos.reliability === Reliability.bestEffort ? 'best_effort' : 'reliable',
-      durability: qos.durability === Durability.transientLocal ? 'transient_local' : 'volatile',
-      history: qos.history === History.keepAll ? 'keep_all' : 'keep_last',
-      depth: qos.depth,
-    };
+    const view = qosView(qos);
     views.set(JSON.stringify(view), view);
   }
   return [...views.values()];

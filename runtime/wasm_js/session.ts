@@ -1,6 +1,8 @@
 // What the page (and any other host of a site) sees of a running site: its nodes, consoles and topics.
 // Types only, plus unreachable(); launcher.ts makes Sessions.
 
+import type { GraphView, PageNode } from './page_node.ts';
+
 export type * from './page_node.ts';
 
 export type Unsubscribe = () => void;
@@ -217,6 +219,12 @@ export interface Session {
   lastMessage(topic: string): LastMessage | undefined;
   /** Type name -> definition text; fetched at the first call. */
   interfaces(): Promise<ReadonlyMap<string, string>>;
+  /** The page as a participant of the graph, made at the first call. */
+  node(): PageNode;
+  /** As it is now. */
+  graph(): GraphView;
+  /** Called when the graph has changed, at most once per animation frame. */
+  onGraph(listener: (graph: GraphView) => void): Unsubscribe;
   /** Text for the node's standard input; end lines with \n. */
   sendInput(id: string, text: string): void;
   close(): void;

@@ -3,8 +3,11 @@
 import type { Broker } from './broker.ts';
 import { NodeConsole } from './console_log.ts';
 import type { SentLine } from './console_sender.ts';
+import { graphView } from './graph_view.ts';
 import { MessageTrace, type SentMessage } from './message_trace.ts';
 import { NodeRunner } from './node_runner.ts';
+import type { GraphView, PageNode } from './page_node.ts';
+import { PageParticipant } from './page_participant.ts';
 import type { Platform } from './platform.ts';
 import { Sampler } from './sampler.ts';
 import type {
@@ -48,6 +51,9 @@ export class SiteSession implements Session {
   private readonly topicListeners = new Set<(topics: readonly TopicView[]) => void>();
   /** Resolves when every node of the site has settled once. */
   readonly settled: Promise<void>;
+  private readonly graphListeners = new Set<(graph: GraphView) => void>();
+  private page: PageParticipant | undefined;
+  private unwatchGraph: (() => void) | undefined;
   private nodesTold = true;
   private sampling: ReturnType<typeof setInterval> | undefined;
   private definitions: Promise<ReadonlyMap<string, string>> | undefined;
@@ -61,6 +67,7 @@ export class SiteSession implements Session {
     this.link = broker.kind;
     this.time = stepped?.time ?? new SiteTimeControl(broker, () => {
       for (const runner of this.runners.values()) runner.timeChanged();
+      this.page?.timeChanged();
     });
     const trace = new MessageTrace();
     const traced = stepped?.time !== undefined;
@@ -251,6 +258,55 @@ export class SiteSession implements Session {
     return new Map(Object.entries(json).filter((entry): entry is [string, string] => typeof entry[1] === 'string'));
   }
 
+  node(): PageNode {
+    return this.participant();
+  }
+
+  private participant(): PageParticipant {
+    this.page ??= new PageParticipant(this.broker);
+    if (this.closed) this.page.close();
+    return this.page;
+  }
+
+  graph(): GraphView {
+    const { link } = this.broker;
+    const records = link.records();
+    const processes = new Map([...this.runners].map(([id, runner]) => [runner.participant(), id]));
+    return graphView(link.graphReplica.nodes.values(), records, (participant) => processes.get(participant));
+  }
+
+  onGraph(listener: (graph: GraphView) => void): Unsubscribe {
+    this.graphListeners.add(listener);
+    this.unwatchGraph ??= this.watchGraph();
+    return () => {
+      this.graphListeners.delete(listener);
+      if (this.graphListeners.size > 0) return;
+      this.unwatchGraph?.();
+      this.unwatchGraph = undefined;
+    };
+  }
+
+  private watchGraph(): () => void {
+    const { link } = this.broker;
+    let version = link.graphVersion();
+    let told = true;
+    return this.participant().watch({
+      after: () => {
+        const now = link.graphVersion();
+        if (now === version) return;
+        version = now;
+        if (!told) return;
+        told = false;
+        this.platform.frame(() => {
+          told = true;
+          if (this.closed) return;
+          const graph = this.graph();
+          for (const each of [...this.graphListeners]) each(graph);
+        });
+      },
+    });
+  }
+
   sendInput(id: string, text: string): void {
     if (!this.runner(id).active()) return;
     this.input.send(id, text);
@@ -264,7 +320,9 @@ export class SiteSession implements Session {
     this.time.close();
     this.tabs?.close();
     for (const runner of this.runners.values()) runner.close();
+    this.page?.close();
     this.nodeListeners.clear();
+    this.graphListeners.clear();
     this.topicListeners.clear();
     this.broker.close();
   }

@@ -5,7 +5,7 @@ import {
   Durability, EndpointKind, ErrorCode, flagIgnoreLocal, flagMirror, frameHeaderSize, History,
 } from '../protocol/generated/constants.ts';
 import type { Bridge, BridgeChannel, BridgeLink } from './bridge.ts';
-import { nextEvent } from './bridge_wait.ts';
+import { nextEvent } from './event_wait.ts';
 import type { BridgeMessage, ExportedEndpoint, ExportedNode } from './bridge_messages.ts';
 import { type EndpointRecord, hiddenNamespace, reads, relate } from './graph.ts';
 import type { Heap } from './link.ts';

@@ -1,12 +1,16 @@
 // A Session for tests of the page: no worker runs, a test says what happens. Never part of a site.
 
+import { PortBroker } from '../../../runtime/wasm_js/broker.ts';
+import { PageParticipant } from '../../../runtime/wasm_js/page_participant.ts';
 import type {
   ConsoleLine,
   ConsoleLog,
+  GraphView,
   LastMessage,
   LinkKind,
   NodeState,
   NodeView,
+  PageNode,
   Session,
   SiteDescription,
   SiteNode,
@@ -125,6 +129,11 @@ export class FakeSession implements Session {
   private readonly nodeListeners = new Set<(nodes: readonly NodeView[]) => void>();
   private readonly topicListeners = new Set<(topics: readonly TopicView[]) => void>();
   private readonly known: ReadonlyMap<string, string>;
+  /** A graph of its own, on which the page is alone unless a test admits others. */
+  readonly broker = new PortBroker();
+  private page: PageParticipant | undefined;
+  private shownGraph: GraphView = { nodes: [] };
+  private readonly graphListeners = new Set<(graph: GraphView) => void>();
 
   constructor(options: FakeOptions) {
     this.link = options.link ?? 'shared';
@@ -243,15 +252,36 @@ export class FakeSession implements Session {
     return Promise.resolve(this.known);
   }
 
+  node(): PageNode {
+    this.page ??= new PageParticipant(this.broker);
+    return this.page;
+  }
+
+  graph(): GraphView {
+    return this.shownGraph;
+  }
+
+  onGraph(listener: (graph: GraphView) => void): Unsubscribe {
+    this.graphListeners.add(listener);
+    return () => this.graphListeners.delete(listener);
+  }
+
   sendInput(id: string, text: string): void {
     this.asked.push(`input ${id} ${text}`);
   }
 
   close(): void {
     this.asked.push('close');
+    this.page?.close();
+    this.broker.close();
   }
 
   // What a test does ------------------------------------------------------------------------------
+
+  setGraph(graph: GraphView): void {
+    this.shownGraph = graph;
+    for (const listener of this.graphListeners) listener(graph);
+  }
 
   setState(id: string, state: NodeState): void {
     this.views = this.views.map((node) =>

@@ -1,4 +1,4 @@
-// How a bridge waits for its link without blocking: messages of the other tab must come in meanwhile.
+// How a bridge, or the page, waits for its link without blocking: what else comes must come in meanwhile.
 
 import { BusParticipant } from '../protocol/generated/constants.ts';
 import type { BridgeLink } from './bridge.ts';
@@ -38,7 +38,7 @@ export async function nextEvent(link: BridgeLink, token: number, soon: boolean):
 }
 
 /** One turn of the event loop, without the clamping of timers. */
-function turn(): Promise<void> {
+export function turn(): Promise<void> {
   return new Promise((resolve) => {
     const { port1, port2 } = new MessageChannel();
     port1.onmessage = () => {

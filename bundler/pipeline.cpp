@@ -88,6 +88,8 @@ struct Question {
   BuiltWorkspace workspace;
   std::vector<LocalPackage> packages;
   BuildOrder order;
+  LeftOutPackages left_out;
+  std::vector<std::string> absent;  ///< what these lack
   Compiler compiler;
   ChannelRoots roots;
   ExtractLimits limits;                   ///< of archives
@@ -122,10 +124,12 @@ std::optional<Diagnostic> refuse_own_channel(const PackRequest& request,
   return std::nullopt;
 }
 
-/// The packages of a lock in place of those of the channels, so that no channel is asked.
-Outcome<RepoIndex> locked_index(const fs::path& lock_file) {
+/// The packages of a lock in place of those of the channels, so that no channel is asked. `absent`
+/// becomes what no channel had.
+Outcome<RepoIndex> locked_index(const fs::path& lock_file, std::vector<std::string>& absent) {
   auto lock = read_lock_file(lock_file);
   if (!lock) return std::move(lock).errors();
+  absent = std::move(lock->absent);
   std::vector<std::string> names;
   for (const PackageRecord& record : lock->packages) names.push_back(record.name);
   std::sort(names.begin(), names.end());
@@ -168,12 +172,12 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
   if (roots.embedded.empty() && manifest.channels.empty())
     return embedded_channel(request.executable).errors();
   if (auto refusal = refuse_own_channel(request, addresses, workspace.folder)) return *refusal;
-  KnownNames known{.names = {}, .of_lock = request.frozen};
+  KnownNames known{.names = {}, .of_lock = request.frozen, .absent = {}};
   std::set<std::string> packaged;  // versions of the compiler that there are packages for
   std::optional<OpenChannels> open;
   Outcome<RepoIndex> index = RepoIndex();
   if (request.frozen) {
-    index = locked_index((workspace.shown_folder / kLockFileName).lexically_normal());
+    index = locked_index((workspace.shown_folder / kLockFileName).lexically_normal(), known.absent);
     if (!index) return std::move(index).errors();
     known.names = index->names();
     for (const PackageRecord& record : index->records)
@@ -191,7 +195,8 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
   }
   if (auto none = no_packages_for(*compiler, {packaged.begin(), packaged.end()}, request.variables))
     return std::move(*none);
-  auto wanted = channel_request(manifest, *packages, *order, known, compiler->version);
+  auto left_out = left_out_packages(*packages, *order, known, manifest.distro, known_build_types());
+  auto wanted = channel_request(manifest, *packages, left_out, known, compiler->version);
   if (!wanted) return std::move(wanted).errors();
   if (open) {
     std::vector<std::string> texts;
@@ -208,6 +213,8 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
   return Question{.workspace = std::move(workspace),
                   .packages = std::move(*packages),
                   .order = std::move(*order),
+                  .left_out = std::move(left_out),
+                  .absent = std::move(wanted->absent),
                   .compiler = std::move(*compiler),
                   .roots = std::move(roots),
                   .limits = *limits,
@@ -227,7 +234,7 @@ std::vector<ChannelSource> places_of(const std::vector<PackageRecord>& records) 
 Outcome<std::vector<PackageRecord>> resolve(const PackRequest& request, Question& question,
                                             const Cancellation& cancellation) {
   const fs::path lock_file = question.workspace.folder / kLockFileName;
-  auto solved = solve_with_lock(question.specs, question.index, lock_file,
+  auto solved = solve_with_lock(question.specs, question.absent, question.index, lock_file,
                                 question.workspace.manifest.channel_priority, request.locked, {},
                                 cancellation);
   if (!solved) return std::move(solved).errors();
@@ -321,7 +328,7 @@ Outcome<std::vector<LaunchNode>> launch_from_file(const PackRequest& request,
       },
       cancellation);
   auto launched = launch_file_nodes(std::string(kLaunchWorkspace) + "/" + file.value, {}, world,
-                                    workspace.installed, file.span);
+                                    workspace.installed, file.span, workspace.left_out);
   if (!launched) return std::move(launched).errors();
   append(workspace.warnings, launched->warnings);
   for (const std::string& one : launched->files) {
@@ -365,7 +372,7 @@ Outcome<std::vector<LaunchNode>> launch(const PackRequest& request, BuiltWorkspa
     for (const auto& file : node.parameter_files)
       workspace.watched.push_back(workspace.folder / file.value);
   }
-  auto nodes = launch_nodes(manifest.nodes, workspace.installed, files);
+  auto nodes = launch_nodes(manifest.nodes, workspace.installed, files, workspace.left_out);
   if (!nodes) append(errors, nodes.errors());
   if (!errors.empty()) return errors;
   // The same site whatever folder the pack was started in.
@@ -498,11 +505,12 @@ Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& ca
                                .base = workspace->folder,
                                .shown_base = workspace->shown_folder,
                                .channel_packages = question->all_packages};
-  auto built =
-      build_workspace(question->packages, question->order, tools, settings, cancellation, progress);
+  auto built = build_workspace(question->packages, question->order, question->left_out, tools,
+                               settings, cancellation, progress);
   if (!built) return std::move(built).errors();
   append(workspace->warnings, built->warnings);
   workspace->packages = std::move(built->packages);
+  workspace->left_out = std::move(built->left_out);
   if (!workspace->packages.empty()) workspace->remarks.push_back(build_remark(workspace->packages));
 
   // 5. programs with the plugins that they load
@@ -532,11 +540,12 @@ Outcome<LockReport> lock(const LockRequest& request, const Cancellation& cancell
   if (!question) return std::move(question).errors();
   LockReport report{.file = question->workspace.folder / kLockFileName,
                     .warnings = question->workspace.warnings};
+  for (const auto& [index, reason] : question->left_out) report.warnings.push_back(reason.warning);
   if (request.check_only) {
     report.packages = std::move(question->index.records);
     return report;
   }
-  auto solved = solve_with_lock(question->specs, question->index, report.file,
+  auto solved = solve_with_lock(question->specs, question->absent, question->index, report.file,
                                 question->workspace.manifest.channel_priority, false,
                                 request.update, cancellation);
   if (!solved) return std::move(solved).errors();

@@ -39,6 +39,7 @@ struct BuiltWorkspace {
   bool has_manifest = true;
   bool nodes_by_default = false;           ///< the manifest names none, so all programs run
   std::vector<std::string> channel_names;  ///< of all packages there, sorted
+  LeftOutChains left_out;                  ///< packages of the workspace that were not built
   std::filesystem::path folder;            ///< of the manifest, absolute
   std::filesystem::path shown_folder;      ///< the same as the person named it
   std::vector<BuiltPackage> packages;      ///< of the workspace, in build order

@@ -36,18 +36,17 @@ Diagnostics check_parameters(const Manifest& manifest, const fs::path& folder) {
 }
 
 /// What nobody has. `names`: of all packages of the channels, sorted.
-Diagnostics check_names(CheckReport& report, const BuildOrder& order,
-                        const std::vector<std::string>& names) {
+Diagnostics check_names(CheckReport& report, const LeftOutPackages& left_out,
+                        const KnownNames& known) {
   Diagnostics errors;
-  const auto wanted = channel_request(report.manifest, report.packages, order,
-                                      {.names = names, .of_lock = false}, "");
+  const auto wanted = channel_request(report.manifest, report.packages, left_out, known, "");
   append(wanted ? report.warnings : errors, wanted ? wanted->warnings : wanted.errors());
-  std::vector<std::string> packages = ros_names(names, report.manifest.distro);
-  const auto causes = left_out_packages(report.packages, order);
+  std::vector<std::string> packages = ros_names(known.names, report.manifest.distro);
   for (std::size_t i = 0; i < report.packages.size(); ++i) {
-    if (!causes.contains(i)) packages.push_back(report.packages[i].xml.name.value);
+    if (!left_out.contains(i)) packages.push_back(report.packages[i].xml.name.value);
   }
-  append(errors, missing_packages(report.manifest.nodes, packages));
+  append(errors, missing_packages(report.manifest.nodes, packages,
+                                  chains_by_name(report.packages, left_out)));
   return errors;
 }
 
@@ -91,12 +90,7 @@ Outcome<CheckReport> check_workspace(const CheckRequest& request,
     append(errors, packages.errors());
   }
   const auto order = order_packages(report.packages, report.manifest.distro);
-  if (order) {
-    for (const auto& [index, cause] : left_out_packages(report.packages, *order))
-      report.warnings.push_back(left_out_warning(report.packages[index], report.packages[cause]));
-  } else {
-    append(errors, order.errors());
-  }
+  if (!order) append(errors, order.errors());
   append(errors, check_parameters(report.manifest, folder));
   append(errors, check_launch_file(request, report, folder, cancellation));
 
@@ -104,11 +98,18 @@ Outcome<CheckReport> check_workspace(const CheckRequest& request,
   const auto channels = workspace_channels(asked, folder, request.executable, request.variables);
   if (!channels) append(errors, channels.errors());
   // A program without its channel says so when it packs; the manifest is not to blame.
-  if (packages && order && channels && embedded_only(*channels)) {
+  const bool names_are_known = packages && order && channels && embedded_only(*channels);
+  KnownNames known{.names = {}, .of_lock = !names_are_known, .absent = {}};
+  if (names_are_known) {
     const auto open = open_channels(channels->addresses, channels->roots, cancellation);
     if (!open) return open.errors();
-    append(errors, check_names(report, *order, open->names()));
+    known.names = open->names();
   }
+  const auto left_out = order ? left_out_packages(report.packages, *order, known,
+                                                  report.manifest.distro, known_build_types())
+                              : LeftOutPackages();
+  for (const auto& [index, reason] : left_out) report.warnings.push_back(reason.warning);
+  if (names_are_known) append(errors, check_names(report, left_out, known));
   if (!errors.empty()) {
     // What is left out may be the reason.
     append(errors, report.warnings);

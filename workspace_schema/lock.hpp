@@ -15,6 +15,8 @@ struct Lock {
   std::string platform = "emscripten-wasm32";
   std::vector<std::string> channels;  ///< in the order of priority
   std::vector<std::string> specs;     ///< what was asked for, sorted; for people, never for a check
+  /// What no channel had, sorted: packages that need one of these to be built are left out.
+  std::vector<std::string> absent;
   std::vector<PackageRecord> packages;  ///< sorted by name
 };
 

@@ -116,8 +116,10 @@ class Reader {
                  {"platform", [&](const YamlNode& node) { text(node, lock.platform); }},
                  {"channels", [&](const YamlNode& node) { texts(node, lock.channels); }},
                  {"specs", [&](const YamlNode& node) { texts(node, lock.specs); }},
+                 {"absent", [&](const YamlNode& node) { texts(node, lock.absent); }},
                  {"packages", [&](const YamlNode& node) { read_packages(node, lock.packages); }}},
                 {"schema", "platform", "packages"});
+    std::sort(lock.absent.begin(), lock.absent.end());
     if (lock.schema != 1 && faults_.empty()) {
       fail(root,
            "it has schema " + std::to_string(lock.schema) + ", and this ros2wasm reads schema 1");

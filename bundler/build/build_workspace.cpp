@@ -64,9 +64,10 @@ std::size_t source_count(const fs::path& folder) {
 class WorkspaceBuilder {
  public:
   WorkspaceBuilder(const std::vector<LocalPackage>& packages, const BuildOrder& order,
-                   const BuildTools& tools, std::string toolchain_hash,
-                   std::string setup_reader_hash, const BuildSettings& settings,
-                   const Cancellation& cancellation, const ProgressSink& progress)
+                   const LeftOutPackages& left_out, const BuildTools& tools,
+                   std::string toolchain_hash, std::string setup_reader_hash,
+                   const BuildSettings& settings, const Cancellation& cancellation,
+                   const ProgressSink& progress)
       : packages_(packages),
         order_(order),
         tools_(tools),
@@ -78,10 +79,14 @@ class WorkspaceBuilder {
         toolchain_hash_(std::move(toolchain_hash)),
         setup_reader_hash_(std::move(setup_reader_hash)),
         free_jobs_(std::max(1U, tools.jobs)),
-        left_out_(left_out_packages(packages, order)) {
-    for (const auto& [index, cause] : left_out_) state_[index] = State::kNotBuilt;
-    for (const LocalPackage& package : packages)
+        known_packages_(settings.channel_packages),
+        left_out_(left_out) {
+    for (const auto& [index, reason] : left_out_) state_[index] = State::kNotBuilt;
+    for (const LocalPackage& package : packages) {
       sizes_.push_back(1 + source_count(package.directory));
+      known_packages_.push_back(package.xml.name.value);
+    }
+    std::sort(known_packages_.begin(), known_packages_.end());
   }
 
   [[nodiscard]] Outcome<WorkspaceBuild> run() {
@@ -203,7 +208,7 @@ class WorkspaceBuilder {
                   .source = package.directory,
                   .display = shown_path(package.directory, settings_.base, settings_.shown_base),
                   .compiler_version = tools_.compiler.version,
-                  .channel_packages = settings_.channel_packages},
+                  .channel_packages = known_packages_},
         .prefixes = {},
         .work = work,
         .install = staging->path(),
@@ -221,10 +226,33 @@ class WorkspaceBuilder {
     return keep_folder(staging->path(), prefix, result.hash);
   }
 
+  /// What asks CMake for things that neither channels nor workspace have, and what needs it; unless
+  /// nothing would remain.
+  void leave_out_what_nobody_can_build() {
+    const auto nobody_has_it = [](const Diagnostic& one) {
+      return one.code == "R2W0507" && one.fix.empty();
+    };
+    if (std::none_of(built_.begin(), built_.end(), [](const auto& one) { return one.has_value(); }))
+      return;
+    std::erase_if(errors_, [&](const auto& failed) {
+      const auto& [index, errors] = failed;
+      if (!std::all_of(errors.begin(), errors.end(), nobody_has_it)) return false;
+      left_out_.emplace(index, left_out_by_cmake(packages_[index], errors.front()));
+      return true;
+    });
+    for (const std::size_t index : order_.order) {
+      if (built_[index] || left_out_.contains(index)) continue;
+      if (const auto needed = nearest_left_out(order_.needs[index], left_out_))
+        left_out_.emplace(
+            index, left_out_with(packages_[index], packages_[*needed], left_out_.at(*needed)));
+    }
+  }
+
   [[nodiscard]] Outcome<WorkspaceBuild> result() {
     if (cancellation_.requested()) return interrupted();
     std::sort(errors_.begin(), errors_.end(),
               [](const auto& a, const auto& b) { return a.first < b.first; });
+    leave_out_what_nobody_can_build();
     Diagnostics all;
     for (auto& [index, errors] : errors_) {
       for (Diagnostic& one : errors) {
@@ -249,8 +277,8 @@ class WorkspaceBuilder {
     for (const std::size_t index : order_.order) {
       if (built_[index]) result.packages.push_back(std::move(*built_[index]));
     }
-    for (const auto& [index, cause] : left_out_)
-      result.warnings.push_back(left_out_warning(packages_[index], packages_[cause]));
+    for (const auto& [index, reason] : left_out_) result.warnings.push_back(reason.warning);
+    result.left_out = chains_by_name(packages_, left_out_);
     return result;
   }
 
@@ -266,8 +294,9 @@ class WorkspaceBuilder {
   std::string setup_reader_hash_;
   std::vector<std::size_t> sizes_;
   std::vector<std::pair<std::size_t, Diagnostics>> errors_;
-  unsigned free_jobs_;  ///< that no running package has
-  const std::map<std::size_t, std::size_t> left_out_;
+  unsigned free_jobs_;                       ///< that no running package has
+  std::vector<std::string> known_packages_;  ///< of channels and workspace, sorted: for advice
+  LeftOutPackages left_out_;
   std::mutex mutex_;
   std::condition_variable changed_;
 };
@@ -288,8 +317,8 @@ std::optional<Diagnostic> little_room(const fs::path& cache, std::uint64_t avail
 }
 
 Outcome<WorkspaceBuild> build_workspace(const std::vector<LocalPackage>& packages,
-                                        const BuildOrder& order, const BuildTools& tools,
-                                        const BuildSettings& settings,
+                                        const BuildOrder& order, const LeftOutPackages& left_out,
+                                        const BuildTools& tools, const BuildSettings& settings,
                                         const Cancellation& cancellation,
                                         const ProgressSink& progress) {
   if (packages.empty()) return WorkspaceBuild{};
@@ -298,8 +327,8 @@ Outcome<WorkspaceBuild> build_workspace(const std::vector<LocalPackage>& package
   auto setup_reader = tools.python_templates.empty() ? Outcome<std::string>(std::string())
                                                      : hash_of_tree(tools.python_templates);
   if (!setup_reader) return std::move(setup_reader).errors();
-  return WorkspaceBuilder(packages, order, tools, std::move(*toolchain), std::move(*setup_reader),
-                          settings, cancellation, progress)
+  return WorkspaceBuilder(packages, order, left_out, tools, std::move(*toolchain),
+                          std::move(*setup_reader), settings, cancellation, progress)
       .run();
 }
 

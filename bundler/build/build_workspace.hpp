@@ -12,6 +12,7 @@
 #include "bundler/languages/language.hpp"
 #include "bundler/workspace/build_order.hpp"
 #include "bundler/workspace/discovery.hpp"
+#include "bundler/workspace/left_out.hpp"
 
 namespace ros2wasm {
 
@@ -36,6 +37,7 @@ struct BuiltPackage {
 struct WorkspaceBuild {
   std::vector<BuiltPackage> packages;  ///< in build order, only what was built
   Diagnostics warnings;                ///< packages that were left out
+  LeftOutChains left_out;              ///< the same, for who needs them
 };
 
 /// What a failed build says first when the disk of `cache` has little room: the tools' own messages
@@ -44,11 +46,13 @@ struct WorkspaceBuild {
                                                     std::uint64_t available);
 
 /// Tools are asked for only when something must be built, so a warm pack works without a compiler's
-/// start. R2W0501 to R2W0508 as the steps say; R2W0514 (warning) a build type without a row: that
-/// package is left out, and those that need it. R2W0640 before the others when the disk is full. A
-/// package that fails does not stop those that do not need it: all mistakes come at once.
+/// start. R2W0501 to R2W0508 as the steps say. `left_out` is not built (R2W0514, R2W0519:
+/// warnings); nor is a package, nor those that need it, whose CMakeLists.txt asks for what nobody
+/// has, when others are built (R2W0519). R2W0640 before the others when the disk is full. A package
+/// that fails does not stop those that do not need it: all mistakes come at once.
 [[nodiscard]] Outcome<WorkspaceBuild> build_workspace(
-    const std::vector<LocalPackage>& packages, const BuildOrder& order, const BuildTools& tools,
-    const BuildSettings& settings, const Cancellation& cancellation, const ProgressSink& progress);
+    const std::vector<LocalPackage>& packages, const BuildOrder& order,
+    const LeftOutPackages& left_out, const BuildTools& tools, const BuildSettings& settings,
+    const Cancellation& cancellation, const ProgressSink& progress);
 
 }  // namespace ros2wasm

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -60,15 +59,6 @@ struct Language {
 
 /// All build types that have a row, for messages.
 [[nodiscard]] std::vector<std::string> known_build_types();
-
-/// Indices of the packages that are not built, each with the one to blame: itself, when its build
-/// type has no row, or one that it needs.
-[[nodiscard]] std::map<std::size_t, std::size_t> left_out_packages(
-    const std::vector<LocalPackage>& packages, const BuildOrder& order);
-
-/// Says that a package is not built, for its own build type without a row or for that of a package
-/// that it needs: R2W0514.
-[[nodiscard]] Diagnostic left_out_warning(const LocalPackage& package, const LocalPackage& cause);
 
 Outcome<Done> build_with_cmake(const PackageBuild& request, const BuildTools& tools,
                                const Cancellation& cancellation, const ProgressSink& progress);

@@ -40,7 +40,8 @@ const StandIn* stand_in(const std::string& package) {
   return nullptr;
 }
 
-Diagnostic left_out(const std::string& what, const std::string& why, const SourceSpan& span) {
+Diagnostic left_out_warning(const std::string& what, const std::string& why,
+                            const SourceSpan& span) {
   return {.code = "R2W0415",
           .severity = Severity::kWarning,
           .message = "`" + what + "` is left out of the site",
@@ -77,13 +78,13 @@ Outcome<LaunchFileNodes> launch_file_nodes(const std::string& path,
                                            const std::map<std::string, std::string>& given,
                                            const LaunchWorld& world,
                                            const std::vector<InstalledPackage>& installed,
-                                           const SourceSpan& from) {
+                                           const SourceSpan& from, const LeftOutChains& left_out) {
   auto description = evaluate_launch(path, given, world, from);
   if (!description) return std::move(description).errors();
   LaunchFileNodes result;
   result.warnings = std::move(description->warnings);
   for (const LaunchLeftOut& one : description->left_out)
-    result.warnings.push_back(left_out(one.what, one.instead, one.span));
+    result.warnings.push_back(left_out_warning(one.what, one.instead, one.span));
 
   std::vector<LaunchProcess> processes;
   std::vector<std::size_t> numbers;  // in the description
@@ -91,12 +92,13 @@ Outcome<LaunchFileNodes> launch_file_nodes(const std::string& path,
   Diagnostics errors;
   for (LaunchProcess& process : description->processes) {
     const std::string& package = process.node.package.value;
-    const bool is_installed = std::any_of(installed.begin(), installed.end(),
-                                          [&](const auto& one) { return one.name == package; });
-    const StandIn* instead = is_installed ? nullptr : stand_in(package);
+    const bool is_known = left_out.contains(package) ||
+                          std::any_of(installed.begin(), installed.end(),
+                                      [&](const auto& one) { return one.name == package; });
+    const StandIn* instead = is_known ? nullptr : stand_in(package);
     if (instead != nullptr) {
-      result.warnings.push_back(left_out(package + "/" + process.node.executable.value,
-                                         std::string(instead->instead), process.node.span));
+      result.warnings.push_back(left_out_warning(package + "/" + process.node.executable.value,
+                                                 std::string(instead->instead), process.node.span));
       continue;
     }
     const auto number = static_cast<std::size_t>(&process - description->processes.data());
@@ -114,7 +116,7 @@ Outcome<LaunchFileNodes> launch_file_nodes(const std::string& path,
       append(errors, made.errors());
     }
   }
-  auto nodes = launch_nodes(entries, installed, description->parameter_files);
+  auto nodes = launch_nodes(entries, installed, description->parameter_files, left_out);
   if (!nodes) errors.insert(errors.end(), nodes.errors().begin(), nodes.errors().end());
   if (!errors.empty()) return errors;
 

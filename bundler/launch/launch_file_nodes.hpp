@@ -24,6 +24,6 @@ struct LaunchFileNodes {
 [[nodiscard]] Outcome<LaunchFileNodes> launch_file_nodes(
     const std::string& path, const std::map<std::string, std::string>& given,
     const LaunchWorld& world, const std::vector<InstalledPackage>& installed,
-    const SourceSpan& from);
+    const SourceSpan& from, const LeftOutChains& left_out = {});
 
 }  // namespace ros2wasm

@@ -17,6 +17,17 @@ const InstalledPackage* find_package(const std::vector<InstalledPackage>& instal
   return found == installed.end() ? nullptr : &*found;
 }
 
+/// The error of a node whose package is left out, if it is.
+std::optional<Diagnostic> left_out_package(const NodeEntry& entry, const LeftOutChains& left_out) {
+  const auto chain = left_out.find(entry.package.value);
+  if (chain == left_out.end()) return std::nullopt;
+  return Diagnostic{.code = "R2W0401",
+                    .message = "package `" + entry.package.value + "` is left out of the site",
+                    .span = entry.package.span,
+                    .label = "this node needs it",
+                    .why = chain->second};
+}
+
 Diagnostic no_such_package(const NodeEntry& entry) {
   return Diagnostic{.code = "R2W0401",
                     .message = "there is no package `" + entry.package.value + "`",
@@ -76,11 +87,16 @@ std::string python_script(const LaunchNode& node) {
 }
 
 Diagnostics missing_packages(const std::vector<NodeEntry>& entries,
-                             const std::vector<std::string>& packages) {
+                             const std::vector<std::string>& packages,
+                             const LeftOutChains& left_out) {
   Diagnostics errors;
   for (const NodeEntry& entry : entries) {
     if (std::find(packages.begin(), packages.end(), entry.package.value) != packages.end())
       continue;
+    if (auto error = left_out_package(entry, left_out)) {
+      errors.push_back(std::move(*error));
+      continue;
+    }
     Diagnostic error = no_such_package(entry);
     if (const auto similar = nearest(entry.package.value, packages))
       error.why.push_back("there is `" + *similar + "`");
@@ -108,13 +124,15 @@ Outcome<std::vector<FileRules>> file_rules(const NodeEntry& entry,
 
 Outcome<std::vector<LaunchNode>> launch_nodes(const std::vector<NodeEntry>& entries,
                                               const std::vector<InstalledPackage>& installed,
-                                              const ParameterFiles& parameter_files) {
+                                              const ParameterFiles& parameter_files,
+                                              const LeftOutChains& left_out) {
   Diagnostics errors;
   std::vector<LaunchNode> nodes;
   for (const NodeEntry& entry : entries) {
     const InstalledPackage* package = find_package(installed, entry.package.value);
     if (package == nullptr) {
-      errors.push_back(no_such_package(entry, installed));
+      auto error = left_out_package(entry, left_out);
+      errors.push_back(error ? std::move(*error) : no_such_package(entry, installed));
       continue;
     }
     const auto program = std::find_if(

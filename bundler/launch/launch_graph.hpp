@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bundler/launch/node_arguments.hpp"
+#include "bundler/workspace/left_out.hpp"
 #include "workspace_schema/manifest.hpp"
 #include "workspace_schema/outcome.hpp"
 
@@ -65,7 +66,8 @@ using ParameterFiles = std::map<std::string, std::string>;
 
 /// R2W0401 for each node of a package that is not among these.
 [[nodiscard]] Diagnostics missing_packages(const std::vector<NodeEntry>& entries,
-                                           const std::vector<std::string>& packages);
+                                           const std::vector<std::string>& packages,
+                                           const LeftOutChains& left_out = {});
 
 /// What the parameter files of an entry say, in its order. Errors of these files.
 [[nodiscard]] Outcome<std::vector<FileRules>> file_rules(const NodeEntry& entry,
@@ -75,6 +77,6 @@ using ParameterFiles = std::map<std::string, std::string>;
 /// executable, R2W0405 it is not a program for the site; errors of parameter files. All at once.
 [[nodiscard]] Outcome<std::vector<LaunchNode>> launch_nodes(
     const std::vector<NodeEntry>& entries, const std::vector<InstalledPackage>& installed,
-    const ParameterFiles& parameter_files);
+    const ParameterFiles& parameter_files, const LeftOutChains& left_out = {});
 
 }  // namespace ros2wasm

@@ -94,12 +94,10 @@ Outcome<Lock> read_lock_file(const std::filesystem::path& file) {
   return read_lock(*text, file.string());
 }
 
-Outcome<LockedSolution> solve_with_lock(const std::vector<RequestedSpec>& specs,
-                                        const RepoIndex& index,
-                                        const std::filesystem::path& lock_file,
-                                        ChannelPriority priority, bool must_fit,
-                                        const LockUpdate& update,
-                                        const Cancellation& cancellation) {
+Outcome<LockedSolution> solve_with_lock(
+    const std::vector<RequestedSpec>& specs, const std::vector<std::string>& absent,
+    const RepoIndex& index, const std::filesystem::path& lock_file, ChannelPriority priority,
+    bool must_fit, const LockUpdate& update, const Cancellation& cancellation) {
   std::error_code error;
   std::string old_text;
   std::vector<PackageRecord> locked;
@@ -142,7 +140,7 @@ Outcome<LockedSolution> solve_with_lock(const std::vector<RequestedSpec>& specs,
       unknown.push_back(not_in_lock(name, resolution->packages));
   }
   if (!unknown.empty()) return unknown;
-  Lock lock{.channels = index.channels, .packages = resolution->packages};
+  Lock lock{.channels = index.channels, .absent = absent, .packages = resolution->packages};
   for (const RequestedSpec& spec : specs) lock.specs.push_back(spec.text);
   std::sort(lock.packages.begin(), lock.packages.end(), by_name);
   LockedSolution result{.packages = std::move(resolution->packages), .lock_text = write_lock(lock)};

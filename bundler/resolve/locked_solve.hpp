@@ -32,14 +32,13 @@ struct LockedSolution {
   bool lock_changed = false;            ///< the file does not say so yet
 };
 
-/// `must_fit`: the lock has to hold as it is. R2W0320 it is missing or does not fit; R2W0310 it is
-/// damaged; R2W0331 a package to choose anew is neither in the lock nor needed; errors of solve().
-/// Locked records that their channel no longer has are chosen anew, unless `must_fit`.
-[[nodiscard]] Outcome<LockedSolution> solve_with_lock(const std::vector<RequestedSpec>& specs,
-                                                      const RepoIndex& index,
-                                                      const std::filesystem::path& lock_file,
-                                                      ChannelPriority priority, bool must_fit,
-                                                      const LockUpdate& update = {},
-                                                      const Cancellation& cancellation = {});
+/// `absent` goes into the lock as it is. `must_fit`: the lock has to hold as it is. R2W0320 it is
+/// missing or does not fit; R2W0310 it is damaged; R2W0331 a package to choose anew is neither in
+/// the lock nor needed; errors of solve(). Locked records that their channel no longer has are
+/// chosen anew, unless `must_fit`.
+[[nodiscard]] Outcome<LockedSolution> solve_with_lock(
+    const std::vector<RequestedSpec>& specs, const std::vector<std::string>& absent,
+    const RepoIndex& index, const std::filesystem::path& lock_file, ChannelPriority priority,
+    bool must_fit, const LockUpdate& update = {}, const Cancellation& cancellation = {});
 
 }  // namespace ros2wasm

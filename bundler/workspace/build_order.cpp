@@ -2,6 +2,7 @@
 #include "bundler/workspace/build_order.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -13,21 +14,6 @@ namespace ros2wasm {
 namespace {
 
 using Indices = std::vector<std::size_t>;
-
-bool matters_for_building(DependencyKind kind) {
-  switch (kind) {
-    case DependencyKind::kBuild:
-    case DependencyKind::kBuildExport:
-    case DependencyKind::kBuildTool:
-    case DependencyKind::kBuildToolExport:
-      return true;
-    case DependencyKind::kExec:
-    case DependencyKind::kTest:
-    case DependencyKind::kDoc:
-      return false;
-  }
-  return false;
-}
 
 bool matters_for_running(DependencyKind kind) {
   return kind == DependencyKind::kExec;
@@ -131,6 +117,41 @@ Indices closure(std::size_t index, const std::vector<Indices>& direct, const Ind
 
 }  // namespace
 
+bool matters_for_building(DependencyKind kind) {
+  switch (kind) {
+    case DependencyKind::kBuild:
+    case DependencyKind::kBuildExport:
+    case DependencyKind::kBuildTool:
+    case DependencyKind::kBuildToolExport:
+      return true;
+    case DependencyKind::kExec:
+    case DependencyKind::kTest:
+    case DependencyKind::kDoc:
+      return false;
+  }
+  return false;
+}
+
+bool is_absent(std::string_view package, const KnownNames& known, std::string_view distro) {
+  const std::string wanted = conda_name(package, distro);
+  const auto& names = known.of_lock ? known.absent : known.names;
+  return std::binary_search(names.begin(), names.end(), wanted) == known.of_lock;
+}
+
+std::optional<std::string> similar_name(std::string_view package, const KnownNames& known,
+                                        std::string_view distro) {
+  // Without what all names of a distribution begin with, which would make all of them similar.
+  std::vector<std::string> candidates = ros_names(known.names, distro);
+  const std::string prefix = "ros-" + std::string(distro) + "-";
+  std::copy_if(known.names.begin(), known.names.end(), std::back_inserter(candidates),
+               [&](const std::string& name) { return !name.starts_with(prefix); });
+  const auto similar = nearest(package, candidates);
+  if (!similar) return std::nullopt;
+  const bool is_ros =
+      std::find(known.names.begin(), known.names.end(), *similar) == known.names.end();
+  return is_ros ? conda_name(*similar, distro) : *similar;
+}
+
 std::string conda_name(std::string_view package, std::string_view distro) {
   if (const std::string_view library = library_package(package); !library.empty())
     return std::string(library);
@@ -160,30 +181,12 @@ Outcome<BuildOrder> order_packages(const std::vector<LocalPackage>& packages,
   for (std::size_t i = 0; i < packages.size(); ++i) local[packages[i].xml.name.value] = i;
 
   std::vector<Indices> direct(packages.size());
-  std::map<std::string, ExternalDependency> external;
-  std::map<std::string, std::vector<std::string>> limits;  // of the external ones
   for (std::size_t i = 0; i < packages.size(); ++i) {
     for (const PackageDependency& dependency : packages[i].xml.dependencies) {
-      const bool building = matters_for_building(dependency.kind);
-      if (!building && !matters_for_running(dependency.kind)) continue;
-      const std::string& name = dependency.name.value;
-      const auto neighbour = local.find(name);
-      if (neighbour != local.end()) {
-        if (building &&
-            std::find(direct[i].begin(), direct[i].end(), neighbour->second) == direct[i].end()) {
-          direct[i].push_back(neighbour->second);
-        }
-        continue;
-      }
-      if (!host_package_reason(name).empty()) continue;
-      ExternalDependency& entry = external[name];
-      entry.name = name;
-      add_limits(dependency, limits[name]);
-      entry.needed_to_build = entry.needed_to_build || building;
-      // One <depend> is three dependencies with one place.
-      if (entry.places.empty() || !(entry.places.back() == dependency.name.span)) {
-        entry.places.push_back(dependency.name.span);
-      }
+      const auto neighbour = local.find(dependency.name.value);
+      if (neighbour == local.end() || !matters_for_building(dependency.kind)) continue;
+      if (std::find(direct[i].begin(), direct[i].end(), neighbour->second) == direct[i].end())
+        direct[i].push_back(neighbour->second);
     }
     std::sort(direct[i].begin(), direct[i].end());
   }
@@ -197,9 +200,38 @@ Outcome<BuildOrder> order_packages(const std::vector<LocalPackage>& packages,
   for (std::size_t i = 0; i < packages.size(); ++i) {
     result.needs.push_back(closure(i, direct, result.order));
   }
+  result.external = external_dependencies(packages, {}, distro);
+  return result;
+}
+
+std::vector<ExternalDependency> external_dependencies(const std::vector<LocalPackage>& packages,
+                                                      const std::set<std::size_t>& left_out,
+                                                      std::string_view distro) {
+  std::set<std::string> local;
+  for (const LocalPackage& package : packages) local.insert(package.xml.name.value);
+  std::map<std::string, ExternalDependency> external;
+  std::map<std::string, std::vector<std::string>> limits;
+  for (std::size_t i = 0; i < packages.size(); ++i) {
+    if (left_out.contains(i)) continue;
+    for (const PackageDependency& dependency : packages[i].xml.dependencies) {
+      const bool building = matters_for_building(dependency.kind);
+      if (!building && !matters_for_running(dependency.kind)) continue;
+      const std::string& name = dependency.name.value;
+      if (local.contains(name) || !host_package_reason(name).empty()) continue;
+      ExternalDependency& entry = external[name];
+      entry.name = name;
+      add_limits(dependency, limits[name]);
+      entry.needed_to_build = entry.needed_to_build || building;
+      // One <depend> is three dependencies with one place.
+      if (entry.places.empty() || !(entry.places.back() == dependency.name.span)) {
+        entry.places.push_back(dependency.name.span);
+      }
+    }
+  }
+  std::vector<ExternalDependency> result;
   for (auto& [name, entry] : external) {
     entry.match_spec = match_spec(conda_name(name, distro), limits[name]);
-    result.external.push_back(std::move(entry));
+    result.push_back(std::move(entry));
   }
   return result;
 }
@@ -225,7 +257,7 @@ Diagnostics missing_dependencies(const std::vector<ExternalDependency>& external
     }
     if (known.of_lock) {
       diagnostic.why.emplace_back("only when the lock is written are the channels asked");
-    } else if (const auto similar = nearest(wanted, known.names)) {
+    } else if (const auto similar = similar_name(dependency.name, known, distro)) {
       diagnostic.why.push_back("a channel has `" + *similar + "`");
     }
     result.push_back(std::move(diagnostic));

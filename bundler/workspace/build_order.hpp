@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -38,11 +40,29 @@ struct BuildOrder {
 [[nodiscard]] Outcome<BuildOrder> order_packages(const std::vector<LocalPackage>& packages,
                                                  std::string_view distro);
 
+/// What the packages want and the workspace has not, sorted by name. `left_out`: their own wishes
+/// do not count.
+[[nodiscard]] std::vector<ExternalDependency> external_dependencies(
+    const std::vector<LocalPackage>& packages, const std::set<std::size_t>& left_out,
+    std::string_view distro);
+
+[[nodiscard]] bool matters_for_building(DependencyKind kind);
+
 /// Names of packages, sorted, and whose they are.
 struct KnownNames {
   std::vector<std::string> names;
   bool of_lock = false;  ///< those of a lock, which says nothing of what else the channels have
+  std::vector<std::string> absent;  ///< of a lock: what no channel had, sorted
 };
+
+/// Is it known that nobody has a package? A lock tells of what was looked for, and of nothing else.
+[[nodiscard]] bool is_absent(std::string_view package, const KnownNames& known,
+                             std::string_view distro);
+
+/// The conda name of a package that `package` was most likely meant to be, if there is one.
+[[nodiscard]] std::optional<std::string> similar_name(std::string_view package,
+                                                      const KnownNames& known,
+                                                      std::string_view distro);
 
 /// What no channel has, each with the line that asks for it: R2W0513. Dependencies that only matter
 /// when nodes run become warnings of the same code; against a lock they are all that is told here,

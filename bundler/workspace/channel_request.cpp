@@ -84,6 +84,19 @@ Diagnostic forgotten_warning(const LocalPackage& package,
                     .fix = {"add `" + lines + "` to package.xml"}};
 }
 
+/// The names without which packages are left out, as channels would have them.
+std::vector<std::string> absent_names(const std::vector<LocalPackage>& packages,
+                                      const LeftOutPackages& left_out, const KnownNames& known,
+                                      std::string_view distro) {
+  std::set<std::string> names;
+  for (const auto& [index, reason] : left_out) {
+    for (const PackageDependency* one :
+         lacking_dependencies(packages[index], packages, known, distro))
+      names.insert(conda_name(one->name.value, distro));
+  }
+  return {names.begin(), names.end()};
+}
+
 }  // namespace
 
 std::string dependency_spec(const std::string& text, std::string_view distro,
@@ -103,16 +116,20 @@ std::string dependency_spec(const std::string& text, std::string_view distro,
 
 Outcome<ChannelRequest> channel_request(const Manifest& manifest,
                                         const std::vector<LocalPackage>& packages,
-                                        const BuildOrder& order, const KnownNames& known,
+                                        const LeftOutPackages& left_out, const KnownNames& known,
                                         const std::string& compiler_version) {
   ChannelRequest request;
   Diagnostics errors;
-  for (Diagnostic& one : missing_dependencies(order.external, known, manifest.distro)) {
+  std::set<std::size_t> ignored;
+  for (const auto& [index, reason] : left_out) ignored.insert(index);
+  const auto external = external_dependencies(packages, ignored, manifest.distro);
+  for (Diagnostic& one : missing_dependencies(external, known, manifest.distro)) {
     (one.severity == Severity::kError ? errors : request.warnings).push_back(std::move(one));
   }
   if (!errors.empty()) return errors;
 
-  for (const ExternalDependency& dependency : order.external) {
+  request.absent = absent_names(packages, left_out, known, manifest.distro);
+  for (const ExternalDependency& dependency : external) {
     if (!has(known.names, conda_name(dependency.name, manifest.distro)) &&
         !(known.of_lock && dependency.needed_to_build))
       continue;
@@ -120,7 +137,9 @@ Outcome<ChannelRequest> channel_request(const Manifest& manifest,
                              .origin = dependency.places.front().file,
                              .span = dependency.places.front()});
   }
-  for (const LocalPackage& package : packages) {
+  for (std::size_t i = 0; i < packages.size(); ++i) {
+    if (ignored.contains(i)) continue;
+    const LocalPackage& package = packages[i];
     for (const auto& one : module_needs(package, known, manifest.distro))
       request.specs.push_back(spec_of(one, manifest.distro));
     const auto names = forgotten(package, packages, known, manifest.distro);

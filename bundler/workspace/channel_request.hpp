@@ -7,6 +7,7 @@
 
 #include "bundler/resolve/solve.hpp"
 #include "bundler/workspace/build_order.hpp"
+#include "bundler/workspace/left_out.hpp"
 #include "workspace_schema/manifest.hpp"
 
 namespace ros2wasm {
@@ -16,15 +17,16 @@ inline constexpr std::string_view kPythonBuildType = "ament_python";
 
 struct ChannelRequest {
   std::vector<RequestedSpec> specs;  ///< sorted by text, each once
+  std::vector<std::string> absent;   ///< what packages that are left out lack, sorted
   Diagnostics warnings;              ///< wished for at run time, but in no channel
 };
 
 /// Dependencies of the manifest may be ROS package names; nodes may name packages that nobody
-/// lists. R2W0513 for everything that no channel has; against a lock, what it lacks is asked for
-/// all the same.
+/// lists; packages that are left out ask for nothing. R2W0513 for everything that no channel has;
+/// against a lock, what it lacks is asked for all the same.
 [[nodiscard]] Outcome<ChannelRequest> channel_request(const Manifest& manifest,
                                                       const std::vector<LocalPackage>& packages,
-                                                      const BuildOrder& order,
+                                                      const LeftOutPackages& left_out,
                                                       const KnownNames& known,
                                                       const std::string& compiler_version);
 

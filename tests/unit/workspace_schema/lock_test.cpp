@@ -30,6 +30,7 @@ PackageRecord record(const std::string& name) {
 Lock lock() {
   return Lock{.channels = {"embedded", "./own: channel"},
               .specs = {"b >=1", "a"},
+              .absent = {"ros-jazzy-gazebo-ros"},
               .packages = {record("b"), record("a"), record("yes"), record("1e3")}};
 }
 
@@ -81,6 +82,7 @@ TEST(Lock, IsReadAsItWasWritten) {
   const auto read = read_lock(text, "ros2wasm.lock");
   ASSERT_TRUE(read.ok());
   EXPECT_EQ(read->channels, lock().channels);
+  EXPECT_EQ(read->absent, lock().absent);
   EXPECT_EQ(read->packages.size(), 4U);
   for (const PackageRecord& one : lock().packages) {
     EXPECT_NE(std::find(read->packages.begin(), read->packages.end(), one), read->packages.end())

@@ -63,7 +63,9 @@ class WorkspaceBuildTest : public ::testing::Test {
                            .toolchain = tree_ / "toolchain/toolchain.cmake",
                            .cli = "ros2wasm",
                            .jobs = jobs};
-    return build_workspace(*packages, *order, tools,
+    const auto left_out = left_out_packages(*packages, *order, {.names = {}, .of_lock = true},
+                                            "jazzy", known_build_types());
+    return build_workspace(*packages, *order, left_out, tools,
                            {.cache = tree_ / "cache", .base = tree_.root()}, {}, {});
   }
 
@@ -134,7 +136,12 @@ TEST_F(WorkspaceBuildTest, WhatNeedsALeftOutPackageIsLeftOutToo) {
   ASSERT_EQ(built->warnings.size(), 3U);
   for (const Diagnostic& warning : built->warnings) EXPECT_EQ(warning.code, "R2W0514");
   EXPECT_EQ(built->warnings[0].message,
-            "package `listener` is left out: it needs `py`, which is left out");
+            "package `listener` is left out: it needs `talker`, which is left out");
+  EXPECT_EQ(built->left_out.at("listener"),
+            (std::vector<std::string>{"it needs `talker`, which is left out",
+                                      "`talker` is left out: it needs `py`, which is left out",
+                                      "`py` is left out: packages of build type `ament_cargo` are "
+                                      "not built for sites"}));
   EXPECT_EQ(built->warnings[2].message,
             "package `talker` is left out: it needs `py`, which is left out");
 }

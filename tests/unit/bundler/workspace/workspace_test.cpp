@@ -118,7 +118,7 @@ TEST(ChannelRequest, EverythingMissingAtOnceWithItsLine) {
   const auto order = order_packages(packages, "jazzy");
   ASSERT_TRUE(order);
   const auto request =
-      channel_request(Manifest{}, packages, *order, {.names = {"ros-jazzy-std-msgs"}}, "3.1.6");
+      channel_request(Manifest{}, packages, {}, {.names = {"ros-jazzy-std-msgs"}}, "3.1.6");
   ASSERT_FALSE(request);
   ASSERT_EQ(request.errors().size(), 2U);  // rviz2 is a warning only
   EXPECT_EQ(request.errors()[0].code, "R2W0513");
@@ -140,7 +140,7 @@ TEST(ChannelRequest, HasPackagesNodesAndTheCompiler) {
   node.package.value = "demo_nodes";
   manifest.nodes.push_back(node);
   const auto request =
-      channel_request(manifest, packages, *order,
+      channel_request(manifest, packages, {},
                       {.names = {"emscripten-abi", "ros-jazzy-demo-nodes", "ros-jazzy-nav-msgs",
                                  "ros-jazzy-ros2wasm-std", "ros-jazzy-std-msgs", "zlib"}},
                       "3.1.6");
@@ -176,13 +176,67 @@ TEST(ChannelRequest, WhatALockLacksIsAskedForAllTheSame) {
   const auto order = order_packages(packages, "jazzy");
   ASSERT_TRUE(order);
   const auto request =
-      channel_request(Manifest{}, packages, *order, {.names = {}, .of_lock = true}, "3.1.6");
+      channel_request(Manifest{}, packages, {}, {.names = {}, .of_lock = true}, "3.1.6");
   ASSERT_TRUE(request);
   ASSERT_EQ(request->specs.size(), 1U);
   EXPECT_EQ(request->specs[0].text, "ros-jazzy-other");
   ASSERT_EQ(request->warnings.size(), 1U);
   EXPECT_EQ(request->warnings[0].message,
             "the lock has no `rviz2`, and the workspace has not either");
+}
+
+TEST(LeftOut, WhatLacksSomethingAndWhatNeedsIt) {
+  const TemporaryTree tree;
+  tree.write("src/arm/package.xml", package_xml("arm", "<depend>std_msgs</depend>\n"));
+  tree.write("src/lab/package.xml",
+             package_xml("lab", "<depend>sim</depend>\n<depend>std_msgs</depend>\n"));
+  tree.write("src/menu/package.xml", package_xml("menu", "<exec_depend>sim</exec_depend>\n"));
+  tree.write("src/sim/package.xml",
+             package_xml("sim",
+                         "<depend>std_mgs</depend>\n<build_depend>gazebo_ros</build_depend>\n"
+                         "<exec_depend>rviz2</exec_depend>\n"));
+  const auto packages = discovered(tree, "src");
+  const auto order = order_packages(packages, "jazzy");
+  ASSERT_TRUE(order);
+  const std::vector<std::string> types = {"ament_cmake"};
+  const KnownNames known{.names = {"ros-jazzy-std-msgs"}};
+  const auto left_out = left_out_packages(packages, *order, known, "jazzy", types);
+  EXPECT_EQ(chains_by_name(packages, left_out),
+            (LeftOutChains{
+                {"lab",
+                 {"it needs `sim`, which is left out",
+                  "`sim` is left out: no channel has `std_mgs`, `gazebo_ros`, which it needs"}},
+                {"sim", {"no channel has `std_mgs`, `gazebo_ros`, which it needs"}}}));
+  EXPECT_EQ(left_out.at(3).warning.code, "R2W0519");
+  EXPECT_EQ(left_out.at(3).warning.severity, Severity::kWarning);
+  EXPECT_EQ(left_out.at(3).warning.why.front(), "a channel has `ros-jazzy-std-msgs`");
+
+  // What is left out asks for nothing, and the lock keeps what was looked for in vain.
+  const auto request = channel_request(Manifest{}, packages, left_out, known, "");
+  ASSERT_TRUE(request);
+  ASSERT_EQ(request->specs.size(), 1U);
+  EXPECT_EQ(request->specs[0].text, "ros-jazzy-std-msgs");
+  EXPECT_EQ(request->absent,
+            (std::vector<std::string>{"ros-jazzy-gazebo-ros", "ros-jazzy-std-mgs"}));
+  const KnownNames locked{.names = known.names, .of_lock = true, .absent = request->absent};
+  EXPECT_EQ(left_out_packages(packages, *order, locked, "jazzy", types).size(), 2U);
+  // What the lock never heard of may be in a channel by now.
+  EXPECT_TRUE(
+      left_out_packages(packages, *order, {.names = known.names, .of_lock = true}, "jazzy", types)
+          .empty());
+}
+
+TEST(LeftOut, NoneWhenNothingWouldRemain) {
+  const TemporaryTree tree;
+  tree.write("src/lab/package.xml", package_xml("lab", "<depend>sim</depend>\n"));
+  tree.write("src/sim/package.xml", package_xml("sim", "<depend>gazebo_ros</depend>\n"));
+  const auto packages = discovered(tree, "src");
+  const auto order = order_packages(packages, "jazzy");
+  ASSERT_TRUE(order);
+  EXPECT_TRUE(left_out_packages(packages, *order, {}, "jazzy", {"ament_cmake"}).empty());
+  const auto request = channel_request(Manifest{}, packages, {}, {}, "");
+  ASSERT_FALSE(request);
+  EXPECT_EQ(request.errors()[0].code, "R2W0513");
 }
 
 TEST(ChannelRequest, PythonModulesComeFromPackagesOfOtherNames) {
@@ -196,7 +250,7 @@ TEST(ChannelRequest, PythonModulesComeFromPackagesOfOtherNames) {
   ASSERT_TRUE(order);
   const KnownNames known = {.names = {"numpy", "pyyaml", "ros-jazzy-tf2-geometry-msgs",
                                       "ros-jazzy-tf2-ros", "ros-jazzy-tf2-ros-py"}};
-  const auto request = channel_request(Manifest{}, packages, *order, known, "");
+  const auto request = channel_request(Manifest{}, packages, {}, known, "");
   ASSERT_TRUE(request);
   std::vector<std::string> asked;
   for (const RequestedSpec& one : request->specs) asked.push_back(one.text);

@@ -1,0 +1,53 @@
+// Which packages of a workspace are not built, and why. Pure.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bundler/workspace/build_order.hpp"
+
+namespace ros2wasm {
+
+/// Why a package is not part of the site.
+struct LeftOutReason {
+  std::vector<std::string> chain;  ///< the nearest cause first, the last one at its end
+  Diagnostic warning;              ///< R2W0514 or R2W0519
+};
+
+/// By the index of the package.
+using LeftOutPackages = std::map<std::size_t, LeftOutReason>;
+
+/// What is left out: packages of other build types than these (R2W0514), packages that cannot be
+/// built without something that nobody has (R2W0519), and what needs one of them (R2W0514). When
+/// nothing would remain, none is left out for what it lacks: that is an error then (R2W0513).
+[[nodiscard]] LeftOutPackages left_out_packages(const std::vector<LocalPackage>& packages,
+                                                const BuildOrder& order, const KnownNames& known,
+                                                std::string_view distro,
+                                                const std::vector<std::string>& build_types);
+
+/// What a package cannot be built without and nobody has, each name once.
+[[nodiscard]] std::vector<const PackageDependency*> lacking_dependencies(
+    const LocalPackage& package, const std::vector<LocalPackage>& packages, const KnownNames& known,
+    std::string_view distro);
+
+/// The reasons by the names of the packages, the nearest cause first.
+using LeftOutChains = std::map<std::string, std::vector<std::string>>;
+
+/// Of the packages left out among `needs` (in the order of building) the one that is named itself.
+[[nodiscard]] std::optional<std::size_t> nearest_left_out(const std::vector<std::size_t>& needs,
+                                                          const LeftOutPackages& left_out);
+
+/// The reason of a package whose CMakeLists.txt asks for what nobody has. `error`: R2W0507.
+[[nodiscard]] LeftOutReason left_out_by_cmake(const LocalPackage& package, const Diagnostic& error);
+
+/// The reason of a package that needs one which is left out.
+[[nodiscard]] LeftOutReason left_out_with(const LocalPackage& package, const LocalPackage& needed,
+                                          const LeftOutReason& reason);
+
+[[nodiscard]] LeftOutChains chains_by_name(const std::vector<LocalPackage>& packages,
+                                           const LeftOutPackages& left_out);
+
+}  // namespace ros2wasm

@@ -1,14 +1,15 @@
 // A browser page as the place where a site runs.
 
+import { ExpectedFiles } from './expected_files.ts';
 import type { HoldOrder, WorkerReport } from './node_worker.ts';
 import type { Platform, WorkerEvents, WorkerHandle } from './platform.ts';
 import { SiteError } from './site_error.ts';
 import { lifeOver, newLife } from './worker_life.ts';
 
-async function get(url: URL): Promise<Response> {
+async function get(url: URL, cache: RequestCache = 'default'): Promise<Response> {
   let response: Response;
   try {
-    response = await fetch(url);
+    response = await fetch(url, { cache });
   } catch (error) {
     throw new SiteError('R2W0706', `${url.pathname} cannot be fetched: ${error instanceof Error ? error.message : String(error)}`, {
       why: 'the host is not reachable, and the page has no copy of the file yet',
@@ -24,19 +25,16 @@ async function get(url: URL): Promise<Response> {
   return response;
 }
 
-async function compileModule(url: URL): Promise<WebAssembly.Module> {
-  const response = await get(url);
+async function compileModule(path: string, bytes: ArrayBuffer): Promise<WebAssembly.Module> {
   try {
-    // Hosts that do not know .wasm say another type; the bytes are right all the same.
-    if (response.headers.get('content-type') === 'application/wasm') return await WebAssembly.compileStreaming(response);
-    return await WebAssembly.compile(await response.arrayBuffer());
+    return await WebAssembly.compile(bytes);
   } catch (error) {
-    throw new SiteError('R2W0703', `${url.pathname}: ${error instanceof Error ? error.message : String(error)}`);
+    throw new SiteError('R2W0703', `${path}: ${error instanceof Error ? error.message : String(error)}`);
   }
 }
 
 export interface BrowserPlatform extends Platform {
-  /** Workers can start at once from then on. Never rejects: whoever starts a worker hears of the failure. */
+  /** After expect(): workers can start at once from then on. Never rejects: whoever starts a worker hears of the failure. */
   readonly ready: Promise<void>;
   close(): void;
 }
@@ -47,8 +45,20 @@ export interface BrowserPlatform extends Platform {
  */
 export function browserPlatform(base: URL, script: string): BrowserPlatform {
   const modules = new Map<string, Promise<WebAssembly.Module>>();
-  const scriptUrl = get(new URL(script, base))
-    .then((response) => response.text())
+  const expected = new ExpectedFiles();
+  let known: () => void = () => undefined;
+  const list = new Promise<void>((resolve) => {
+    known = resolve;
+  });
+  /** Where a host lets browsers keep files, an old one may come with a new site.json: then it is asked for once more. */
+  const checked = async (path: string, bytes: ArrayBuffer): Promise<ArrayBuffer> => {
+    if (await expected.matches(path, bytes)) return bytes;
+    return expected.checked(path, await (await get(new URL(path, base), 'reload')).arrayBuffer());
+  };
+  const bytes = async (path: string): Promise<ArrayBuffer> =>
+    checked(path, await (await get(new URL(path, base))).arrayBuffer());
+  const scriptUrl = Promise.all([get(new URL(script, base)).then((response) => response.arrayBuffer()), list])
+    .then(([early]) => checked(script, early))
     .then((text) => URL.createObjectURL(new Blob([text], { type: 'text/javascript' })));
   return {
     ready: scriptUrl.then(
@@ -64,17 +74,21 @@ export function browserPlatform(base: URL, script: string): BrowserPlatform {
         throw new SiteError('R2W0700', `${path}: ${error instanceof Error ? error.message : String(error)}`);
       }
     },
+    expect: (files) => {
+      expected.set(files);
+      known();
+    },
     compile: (path) => {
       let module = modules.get(path);
       if (module === undefined) {
-        module = compileModule(new URL(path, base));
+        module = bytes(path).then((program) => compileModule(path, program));
         modules.set(path, module);
         // A failed fetch may be tried again.
         module.catch(() => modules.delete(path));
       }
       return module;
     },
-    bytes: async (path) => (await get(new URL(path, base))).arrayBuffer(),
+    bytes,
     startWorker: (name, events) => new BrowserWorker(scriptUrl, name, events),
     frame: (task) => {
       // Frames do not come while the page is hidden.

@@ -86,6 +86,7 @@ function brokerFor({ link, stepped }: Options): Broker {
 export async function runHeadless(options: Options, entry: URL): Promise<number> {
   const platform = nodePlatform(options.site, entry);
   const site = readSite(await platform.json('site.json'));
+  platform.expect(site.files);
   const broker = brokerFor(options);
   const print = (text: string): void => void process.stdout.write(`${text}\n`);
   const event = (value: Record<string, unknown>): void => print(JSON.stringify(value));

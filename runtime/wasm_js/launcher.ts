@@ -90,8 +90,9 @@ export async function startSession(options: LaunchOptions = {}): Promise<Session
     if (isolation === 'reloading') return new Promise(() => undefined);
   }
   const platform = browserPlatform(base, 'node_worker.js');
-  const [description] = await Promise.all([platform.json('site.json'), platform.ready]);
-  const site = readSite(description);
+  const site = readSite(await platform.json('site.json'));
+  platform.expect(site.files);
+  await platform.ready;
   const asked = new URLSearchParams(location.search);
   const nodes = asked.get('nodes');
   // Before anything is begun that would have to be ended.

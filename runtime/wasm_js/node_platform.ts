@@ -6,6 +6,7 @@ import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { Worker } from 'node:worker_threads';
 import type { loadPyodide } from 'pyodide';
+import { ExpectedFiles } from './expected_files.ts';
 import type { WorkerReport } from './node_worker.ts';
 import type { Platform, WorkerEvents, WorkerHandle } from './platform.ts';
 import type { WorkerFiles } from './python_program.ts';
@@ -51,8 +52,10 @@ export function nodePlatform(folder: string, entry: URL): Platform & { close(): 
   const modules = new Map<string, Promise<WebAssembly.Module>>();
   const workers = new Set<Worker>();
 
+  const expected = new ExpectedFiles();
+
   const compile = async (path: string): Promise<WebAssembly.Module> => {
-    const bytes = await bytesOf(folder, path);
+    const bytes = await expected.checked(path, await bytesOf(folder, path));
     try {
       return await WebAssembly.compile(bytes);
     } catch (error) {
@@ -69,6 +72,7 @@ export function nodePlatform(folder: string, entry: URL): Platform & { close(): 
         throw new SiteError('R2W0700', `${path}: ${error instanceof Error ? error.message : String(error)}`);
       }
     },
+    expect: (files) => expected.set(files),
     compile: (path) => {
       let module = modules.get(path);
       if (module === undefined) {
@@ -78,7 +82,7 @@ export function nodePlatform(folder: string, entry: URL): Platform & { close(): 
       return module;
     },
     bytes: async (path) => {
-      const { buffer, byteOffset, byteLength } = await bytesOf(folder, path);
+      const { buffer, byteOffset, byteLength } = await expected.checked(path, await bytesOf(folder, path));
       return buffer.slice(byteOffset, byteOffset + byteLength);
     },
     startWorker: (name, events: WorkerEvents): WorkerHandle => {

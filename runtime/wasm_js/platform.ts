@@ -1,6 +1,7 @@
 // What a session needs of the place it runs in: a browser page (launcher.ts) or Node.js (headless.ts).
 
 import type { WorkerOrder, WorkerReport } from './node_worker.ts';
+import type { SiteFile } from './session.ts';
 
 export interface WorkerHandle {
   post(order: WorkerOrder, transfer: readonly MessagePort[]): void;
@@ -19,9 +20,11 @@ export interface Platform {
   readonly place: string;
   /** Throws SiteError R2W0706. */
   readonly json: (path: string) => Promise<unknown>;
-  /** Fetches and compiles; the same path gives the same module. Throws SiteError R2W0706 or R2W0703. */
+  /** From now on files must be as site.json lists them. */
+  readonly expect: (files: readonly SiteFile[]) => void;
+  /** Fetches and compiles; the same path gives the same module. Throws SiteError R2W0703, R2W0706 or R2W0724. */
   readonly compile: (path: string) => Promise<WebAssembly.Module>;
-  /** The file as it is. Throws SiteError R2W0706. */
+  /** The whole file. Throws SiteError R2W0706 or R2W0724. */
   readonly bytes: (path: string) => Promise<ArrayBuffer>;
   readonly startWorker: (name: string, events: WorkerEvents) => WorkerHandle;
   /** Runs a task at the next animation frame, or soon. */

@@ -116,7 +116,7 @@ test('offline after the first visit', watchdog, async () => {
 });
 
 test('a site of which a file does not come is not said to be kept', watchdog, async () => {
-  const host = await serveFolder(folder, { broken: /decoder\.js$/ });
+  const host = await serveFolder(folder, { broken: /probe\.js$/ });
   try {
     const page = await open();
     await page.goto(host.url);
@@ -145,6 +145,54 @@ test('a new version of the site is what the next visit shows, whatever the brows
     renameSync(next, changing);
     await page.reload();
     await page.waitForFunction(() => (document.body?.textContent ?? "").includes('COLOUR=red'), null, { timeout: 120_000 });
+  } finally {
+    await host.close();
+    rmSync(changing, { recursive: true });
+  }
+});
+
+test('a program that was changed on the host is refused, and the others run', watchdog, async () => {
+  const changed = makeSite([{ program: 'talker.c' }, { program: 'listener.c' }, { program: 'echo.c' }]);
+  const program = join(changed, 'programs/echo.wasm');
+  // A module all the same: one more custom section.
+  writeFileSync(program, Buffer.concat([readFileSync(program), Buffer.from([0, 2, 1, 120])]));
+  // Each link: where there is no service worker, the page itself is the last that looks.
+  for (const serviceWorkers of ['allow', 'block'] as const) {
+    const host = await serveFolder(changed);
+    try {
+      const page = await open({ serviceWorkers });
+      await page.goto(host.url);
+      await heard(page);
+      await page.waitForFunction(() => (document.body?.textContent ?? '').includes('programs/echo.wasm is not the file'), null, { timeout: 120_000 });
+      assert.match(await page.textContent('body') ?? '', /R2W0724/);
+      assert.doesNotMatch(await page.textContent('body') ?? '', /COLOUR=red/);
+    } finally {
+      await host.close();
+    }
+  }
+  rmSync(changed, { recursive: true });
+});
+
+test('where no service worker can run, an old program in the browser\'s cache is not run with a new site', watchdog, async () => {
+  const changing = makeSite([{ program: 'talker.c' }, { program: 'listener.c' }]);
+  const host = await serveFolder(changing, { maxAge: 3600 });
+  try {
+    const page = await open({ serviceWorkers: 'block' });
+    await page.goto(host.url);
+    await heard(page);
+    const next = makeSite([{ program: 'echo.c' }]);
+    const programs = join(next, 'programs');
+    for (const file of readdirSync(programs)) renameSync(join(programs, file), join(programs, file.replace('echo', 'talker')));
+    const manifest = join(next, 'site.json');
+    writeFileSync(manifest, readFileSync(manifest, 'utf8').replaceAll('programs/echo', 'programs/talker'));
+    rmSync(changing, { recursive: true });
+    renameSync(next, changing);
+    // As a host that lets programs be kept, but not the list of files.
+    await page.route('**/site.json', async (route) => {
+      await route.fulfill({ body: readFileSync(join(changing, 'site.json'), 'utf8'), contentType: 'application/json' });
+    });
+    await page.reload();
+    await page.waitForFunction(() => (document.body?.textContent ?? '').includes('COLOUR=red'), null, { timeout: 120_000 });
   } finally {
     await host.close();
     rmSync(changing, { recursive: true });

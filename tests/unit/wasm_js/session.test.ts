@@ -309,3 +309,22 @@ test('a program that is not there is told', watchdog, async () => {
   const platform = nodePlatform(folder, new URL('../../../runtime/wasm_js/headless.ts', import.meta.url));
   await assert.rejects(platform.compile('programs/exits.wasm'), { code: 'R2W0706' });
 });
+
+test('a program with other bytes than site.json says is not compiled', watchdog, async () => {
+  const { createHash } = await import('node:crypto');
+  const { readFileSync } = await import('node:fs');
+  const { makeFolder } = await import('./site_fixture.ts');
+  const { nodePlatform } = await import('../../../runtime/wasm_js/node_platform.ts');
+  const folder = makeFolder([{ program: 'exits.c' }]);
+  const path = 'programs/exits.wasm';
+  const bytes = readFileSync(`${folder}/${path}`);
+  const listed = (sha256: string) => [{ path, size: bytes.length, sha256, reason: 'test' }];
+  const entry = new URL('../../../runtime/wasm_js/headless.ts', import.meta.url);
+  const whole = nodePlatform(folder, entry);
+  whole.expect(listed(createHash('sha256').update(bytes).digest('hex')));
+  assert.ok(await whole.compile(path) instanceof WebAssembly.Module);
+  const other = nodePlatform(folder, entry);
+  other.expect(listed('0'.repeat(64)));
+  await assert.rejects(other.compile(path), { code: 'R2W0724' });
+  await assert.rejects(other.bytes(path), { code: 'R2W0724' });
+});

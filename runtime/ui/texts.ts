@@ -43,7 +43,7 @@ export const texts = {
       'For the faster link, open the page by itself in a normal window: not inside a frame, not in a private window that forbids service workers. Or serve it with the headers \u201cCross-Origin-Opener-Policy: same-origin\u201d and \u201cCross-Origin-Embedder-Policy: require-corp\u201d, as \u201cros2wasm serve\u201d does.',
   },
 
-  panels: { nodes: 'Nodes', console: 'Consoles', topics: 'Topics' },
+  panels: { nodes: 'Nodes', console: 'Consoles', topics: 'Topics', plot: 'Plot', timeline: 'States' },
   panelTabs: 'Panels',
 
   layout: {
@@ -176,6 +176,45 @@ export const texts = {
       keep_last: (depth: number): string => `keep\u00a0last\u00a0${depth}`,
       keep_all: 'keep all',
     },
+  },
+
+  paths: {
+    shown: 'Fields shown',
+    add: 'Field to add, as /topic.field',
+    addShort: 'Add',
+    hint: '/topic.field[0].x',
+    remove: (path: string): string => `Leave out ${path}`,
+    wrong: 'A field is written as /topic.field or /topic.list[0].x',
+    noField: 'the message has no such field',
+    noNumber: 'not a number',
+    waiting: 'no message yet',
+  },
+
+  plot: {
+    none: 'Add a field of a topic to plot it.',
+    needsTwo: 'The first field is the x axis. Add another one for the y axis.',
+    of: (paths: readonly string[]): string =>
+      paths.length === 0 ? 'Empty plot' : `Plot of ${paths.join(', ')}`,
+    pause: 'Hold the drawing',
+    follow: 'Follow what comes',
+    range: 'Time shown',
+    last: (seconds: number): string =>
+      seconds < 60 ? `${seconds}\u00a0s` : seconds < 3600 ? `${seconds / 60}\u00a0min` : `${seconds / 3600}\u00a0h`,
+    mode: 'Axes',
+    time: 'Over time',
+    xy: 'First as x',
+    seconds: 'seconds',
+    save: 'Save the plot',
+    csv: 'All values (CSV)',
+    svg: 'Drawing (SVG)',
+    png: 'Picture (PNG)',
+  },
+
+  timeline: {
+    none: 'Add a field whose states should be seen: a flag, a mode, a text.',
+    noState: 'not one value: add one of its fields',
+    of: (path: string, now: string): string =>
+      now === '' ? `States of ${path}: none yet` : `States of ${path}, now ${now}`,
   },
 
   about: {

@@ -1,6 +1,7 @@
 // The page with a fake session, for tests in a browser. The scene is chosen by the address: ?scene=NAME.
 // The session is reachable as globalThis.fake.
 
+import type { PagePublisher } from '../../runtime/wasm_js/session.ts';
 import { mountPage } from '../../runtime/ui/mount.tsx';
 import { FakeSession, stringBytes } from '../unit/ui/fake_session.ts';
 
@@ -166,10 +167,37 @@ function hostile(): FakeSession {
   return fake;
 }
 
+/** Messages that really pass the graph: `globalThis.send(topic, type, value)` publishes one. */
+async function signals(): Promise<FakeSession> {
+  const fake = new FakeSession({
+    nodes: [{ executable: 'robot' }],
+    interfaces: new Map([
+      ['demo/msg/Sine', 'float64 value\nfloat64 other\nfloat32[] list\nstring mode\nint64 big\n'],
+    ]),
+  });
+  const { createCodec } = await import('../../runtime/decode/codec.ts');
+  const codec = createCodec(await fake.interfaces());
+  const publishers = new Map<string, PagePublisher>();
+  fake.setTopics([{ name: '/sine', type: 'demo/msg/Sine', rateHz: 100 }]);
+  Object.assign(globalThis, {
+    send: (topic: string, type: string, value: unknown): void => {
+      const publisher = publishers.get(topic) ?? fake.node().publisher(topic, type, { depth: 1000 });
+      publishers.set(topic, publisher);
+      const made = codec.encode(type, value);
+      if (made.kind !== 'bytes') throw new Error(made.reason);
+      const problem = publisher.publish(made.bytes);
+      if (problem !== undefined) throw problem;
+    },
+    heard: (topic: string): number => publishers.get(topic)?.matched() ?? 0,
+  });
+  return fake;
+}
+
 const kScenes: Readonly<Record<string, () => FakeSession | Promise<FakeSession>>> = {
   talker: () => talkerListener(),
   port: () => talkerListener({ link: 'port' }),
   crowd,
+  signals,
   hostile,
   empty: () => new FakeSession({ nodes: [] }),
   quiet: () =>

@@ -25,6 +25,22 @@ export const panels: readonly PanelRow[] = [
     icon: 'topics',
     source: { kind: 'ready', component: TopicsPanel },
   },
+  {
+    id: 'plot',
+    title: texts.panels.plot,
+    icon: 'plot',
+    many: true,
+    keeps: true,
+    source: { kind: 'lazy', load: () => import('./plot.tsx').then((file) => file.PlotPanel) },
+  },
+  {
+    id: 'timeline',
+    title: texts.panels.timeline,
+    icon: 'timeline',
+    many: true,
+    keeps: true,
+    source: { kind: 'lazy', load: () => import('./timeline.tsx').then((file) => file.TimelinePanel) },
+  },
 ];
 
 export function panelRow(id: string): PanelRow | undefined {

@@ -1,15 +1,15 @@
 // The topics of the graph: who writes and reads, how often, and the last message of each opened one.
 
-import { useEffect, useRef, useState } from 'preact/hooks';
-import type { QosView, Session, TopicView } from '../../wasm_js/session.ts';
+import { useRef, useState } from 'preact/hooks';
+import type { QosView, TopicView } from '../../wasm_js/session.ts';
 import type { Decoded, Decoder } from '../../decode/decoder.ts';
 import { toYaml } from '../../decode/yaml.ts';
 import { isHiddenTopic } from '../model/hidden_names.ts';
-import { problemOf } from '../model/problem.ts';
 import { readPreference, writePreference } from '../model/preferences.ts';
 import { formatBandwidth, formatCount, formatDuration, formatRate } from '../model/quantities.ts';
 import { CopyButton } from '../parts/button.tsx';
 import { Icon } from '../parts/icon.tsx';
+import { useCodec } from '../parts/message_feed.ts';
 import { MessageTree } from '../parts/message_tree.tsx';
 import { Name } from '../parts/name.tsx';
 import { PanelFrame } from '../parts/panel.tsx';
@@ -171,7 +171,7 @@ function LastMessageView({
   session,
   announce,
 }: Pick<TopicRowProps, 'topic' | 'session' | 'announce'>) {
-  const decoder = useDecoder(session);
+  const decoder = useCodec(session);
   // Decoded again when a message came, not at every sample of the rates.
   const decoded = useRef<{
     readonly count: number;
@@ -223,26 +223,6 @@ function LastMessageView({
 function whyNoMessage(topic: TopicView): string {
   if (topic.count === 0) return texts.topics.noMessage;
   return topic.publishers === 0 ? texts.topics.notKept : texts.topics.fetching;
-}
-
-/** The decoder, fetched when the first topic is opened; null while it comes, a text when it failed. */
-function useDecoder(session: Session): Decoder | string | null {
-  const [decoder, setDecoder] = useState<Decoder | string | null>(null);
-  useEffect(() => {
-    let current = true;
-    Promise.all([import('../../decode/codec.ts'), session.interfaces()]).then(
-      ([{ createCodec }, interfaces]) => {
-        if (current) setDecoder(createCodec(interfaces));
-      },
-      (error: unknown) => {
-        if (current) setDecoder(problemOf(error).what);
-      },
-    );
-    return () => {
-      current = false;
-    };
-  }, [session]);
-  return decoder;
 }
 
 function qosWords(qos: QosView): string {

@@ -53,3 +53,17 @@ export function useNow(active: boolean): number {
   }, [active]);
   return now;
 }
+
+/** Changes when the page's colours do: for what is drawn on a canvas. */
+export function useTheme(): string {
+  const dark = useMedia('(prefers-color-scheme: dark)');
+  const [chosen, setChosen] = useState(() => document.documentElement.dataset['theme'] ?? '');
+  useEffect(() => {
+    const observer = new MutationObserver(() =>
+      setChosen(document.documentElement.dataset['theme'] ?? ''),
+    );
+    observer.observe(document.documentElement, { attributeFilter: ['data-theme'] });
+    return () => observer.disconnect();
+  }, []);
+  return chosen === '' ? (dark ? 'dark' : 'light') : chosen;
+}

@@ -1,0 +1,51 @@
+// The changes of one value that is a text: what it was from when to when. Times are seconds. Pure.
+
+export interface StateSpan {
+  readonly from: number;
+  readonly to: number;
+  readonly text: string;
+  /** 1 to 8: the same for the same text, as far as they reach. */
+  readonly color: number;
+}
+
+const kMostChanges = 5_000;
+/** No more than this is drawn in one row. */
+const kMostSpans = 400;
+const kColors = 8;
+
+export class StateTrack {
+  private changes: { readonly time: number; readonly text: string }[] = [];
+  private readonly colors = new Map<string, number>();
+  private newest = Number.NEGATIVE_INFINITY;
+
+  add(time: number, text: string): void {
+    if (time < this.newest) this.changes = [];
+    this.newest = time;
+    if (this.last === text && this.changes.length > 0) return;
+    if (this.changes.length === kMostChanges) this.changes.splice(0, kMostChanges / 2);
+    this.changes.push({ time, text });
+    if (!this.colors.has(text)) {
+      if (this.colors.size > 1000) this.colors.clear();
+      this.colors.set(text, (this.colors.size % kColors) + 1);
+    }
+  }
+
+  /** The value now; empty before the first. */
+  get last(): string {
+    return this.changes.at(-1)?.text ?? '';
+  }
+
+  /** The newest ones that reach into that time. */
+  spans(least: number, most: number): readonly StateSpan[] {
+    const found: StateSpan[] = [];
+    let to = most;
+    for (let i = this.changes.length - 1; i >= 0 && to > least && found.length < kMostSpans; i -= 1) {
+      const change = this.changes[i];
+      if (change === undefined || change.time > most) continue;
+      const from = Math.max(least, change.time);
+      found.push({ from, to, text: change.text, color: this.colors.get(change.text) ?? 1 });
+      to = change.time;
+    }
+    return found.reverse();
+  }
+}

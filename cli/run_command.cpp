@@ -3,7 +3,7 @@
 #include <iostream>
 #include <memory>
 
-#include "bundler/run/duration.hpp"
+#include "workspace_schema/duration.hpp"
 #include "bundler/run/exec_program.hpp"
 #include "bundler/run/headless_command.hpp"
 #include "bundler/run/node_js.hpp"

@@ -64,6 +64,64 @@ struct NodeEntry {
   bool respawn = false;
 };
 
+/// What a value must be. `equals` holds a boolean, a number or a text.
+struct Comparison {
+  std::optional<double> above;
+  std::optional<double> below;
+  std::optional<ParameterValue> equals;
+  std::string matches;  ///< a regular expression; empty: any text
+
+  [[nodiscard]] bool given() const { return above || below || equals || !matches.empty(); }
+};
+
+/// Messages come so often; without bounds: at least one comes.
+struct RateCheck {
+  std::string topic;  ///< absolute
+  std::optional<double> above_hz;
+  std::optional<double> below_hz;
+};
+
+/// A message has such a value.
+struct MessageCheck {
+  std::string topic;  ///< absolute
+  std::string field;  ///< `pose.position.x`, `ranges[3]`
+  Comparison value;
+};
+
+/// A node, or any, prints such a line.
+struct LogCheck {
+  std::optional<Spanned<std::string>> node;
+  std::string pattern;
+};
+
+/// A node has a parameter of such a value.
+struct ParameterCheck {
+  std::string node;  ///< absolute name of the ROS node
+  std::string name;
+  Comparison value;
+};
+
+enum class CheckedState { kRunning, kExited, kCrashed };
+
+/// A node's process gets there.
+struct StateCheck {
+  Spanned<std::string> node;
+  CheckedState state = CheckedState::kRunning;
+};
+
+struct ExitCheck {
+  Spanned<std::string> node;
+  std::int64_t code = 0;
+};
+
+/// One entry of `checks:`: what must be seen while the site runs.
+struct CheckEntry {
+  SourceSpan span;
+  std::string title;  ///< may be empty
+  std::variant<RateCheck, MessageCheck, LogCheck, ParameterCheck, StateCheck, ExitCheck> what;
+  std::int64_t within_ms = 10'000;  ///< of the site's time
+};
+
 struct Manifest {
   std::string file;  ///< path as given, for messages
   int schema = 1;
@@ -82,6 +140,7 @@ struct Manifest {
   std::vector<Spanned<std::string>> packages;      ///< paths or globs, relative to the manifest
   std::optional<Spanned<std::string>> launch_file;
   std::vector<NodeEntry> nodes;
+  std::vector<CheckEntry> checks;
   std::map<std::string, std::string> ui;    ///< scalar options of `ui:` (theme, layout ...)
   std::map<std::string, std::string> site;  ///< scalar options of `site:`
   std::vector<Diagnostic> warnings;         ///< found while reading; show them, then go on

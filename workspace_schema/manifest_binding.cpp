@@ -269,7 +269,7 @@ void Binder::unknown_key(const YamlNode& map, const YamlEntry& entry, const std:
   if (!meant) meant = nearest(entry.key, names);
   Diagnostic& wrong = error("R2W0102", "there is no key `" + entry.key + "` in " + where,
                             entry.key_range, "unknown key");
-  wrong.why.push_back("its keys are: " + name_list(names, 16));
+  wrong.why.push_back("its keys are: " + name_list(names, 24));
   if (!meant) return;
   if (value_of(map, *meant) == nullptr) {
     meant_.emplace(map.range.offset, *meant);

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "workspace_schema/check_json.hpp"
 #include "workspace_schema/json_writer.hpp"
 #include "workspace_schema/secret_text.hpp"
 
@@ -155,6 +156,15 @@ std::string manifest_json(const Manifest& manifest) {
   } else {
     json.begin_array();
     for (const NodeEntry& node : manifest.nodes) write_node(json, node);
+    json.end_array();
+  }
+  if (!manifest.checks.empty()) {
+    json.key("checks").begin_array();
+    for (const CheckEntry& check : manifest.checks) {
+      json.begin_object();
+      write_check_fields(json, check);
+      json.end_object();
+    }
     json.end_array();
   }
   for (const auto& [key, options] :

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "workspace_schema/manifest_binding.hpp"
+#include "workspace_schema/manifest_checks.hpp"
 #include "workspace_schema/manifest_nodes.hpp"
 #include "workspace_schema/match_spec.hpp"
 #include "workspace_schema/suggestion.hpp"
@@ -59,6 +60,7 @@ const std::vector<KeyRow>& manifest_keys() {
       {"dependencies", {"depends", "depend", "deps", "requirements"}},
       {"packages", {"package", "sources", "src"}},
       {"launch", {"nodes", "node", "run"}},
+      {"checks", {"check", "tests", "expect"}},
       {"ui", {"page"}},
       {"site", {"output"}},
   };
@@ -126,6 +128,11 @@ class Reader {
     if (const YamlNode* node = given("distro")) read_distro(*node);
     read_lists();
     read_launch();
+    if (const YamlNode* node = given("checks")) {
+      binder_.list(*node, "checks", [this](const YamlNode& item) {
+        if (auto check = read_check(binder_, item)) manifest_.checks.push_back(*std::move(check));
+      });
+    }
     if (const YamlNode* node = given("ui")) read_options(*node, "ui", ui_options(), manifest_.ui);
     if (const YamlNode* node = given("site"))
       read_options(*node, "site", site_options(), manifest_.site);

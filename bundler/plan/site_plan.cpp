@@ -6,9 +6,11 @@
 
 #include "bundler/build/wasm_module.hpp"
 #include "bundler/io/sha256.hpp"
+#include "bundler/plan/site_checks.hpp"
 #include "bundler/render/interfaces_json.hpp"
 #include "bundler/render/page_html.hpp"
 #include "bundler/render/site_json.hpp"
+#include "workspace_schema/diagnostic_list.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -72,6 +74,12 @@ Outcome<SitePlan> plan_site(PlanInput input) {
                               {paths.begin(), paths.end()});
     }
     add(plan, asset.file, reason_of_asset(asset.role), std::move(asset.bytes));
+  }
+  auto checks = site_checks(manifest.checks, input.nodes);
+  if (checks) {
+    plan.checks = std::move(checks).value();
+  } else {
+    append(errors, checks.errors());
   }
   std::map<std::string, bool> threads_of;
   for (const LaunchNode& node : input.nodes) {

@@ -48,6 +48,7 @@ struct SitePlan {
   std::string sha256;                 ///< of site.json, which has that of every file: of the site
   std::vector<PlannedNode> nodes;     ///< in launch order
   std::vector<std::string> packages;  ///< that the programs' index of packages has, sorted
+  std::vector<CheckEntry> checks;     ///< in the manifest's order, with ids of nodes
   std::vector<ChannelFile> channel;   ///< sorted by path; empty unless it was asked for
 };
 
@@ -72,7 +73,7 @@ struct PlanInput {
   std::vector<std::string> python_index;  ///< all packages that Python nodes can find
 };
 
-/// R2W0606 a program is not WebAssembly.
+/// R2W0606 a program is not WebAssembly, R2W0430 a check names a node that is not there.
 [[nodiscard]] Outcome<SitePlan> plan_site(PlanInput input);
 
 /// The file of a site that lists its files, site.json too, for `sha256sum --check`.

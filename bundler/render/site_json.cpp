@@ -1,6 +1,7 @@
 // See site_json.hpp. The keys and their order are part of the format.
 #include "bundler/render/site_json.hpp"
 
+#include "workspace_schema/check_json.hpp"
 #include "workspace_schema/json_writer.hpp"
 
 namespace ros2wasm {
@@ -19,6 +20,12 @@ std::string_view output_name(NodeOutput output) {
       return "both";
   }
   return "screen";
+}
+
+void write_source(JsonWriter& json, const SourceSpan& source) {
+  if (source.file.empty()) return;
+  json.key("source").begin_object().field("file", source.file);
+  json.field_integer("line", source.line).field_integer("column", source.column).end_object();
 }
 
 void write_node(JsonWriter& json, const PlannedNode& planned) {
@@ -48,13 +55,20 @@ void write_node(JsonWriter& json, const PlannedNode& planned) {
   }
   if (node.start_after_s > 0) json.key("start_after").number(node.start_after_s);
   if (node.shutdown_on_exit) json.field("on_exit", "shutdown");
-  if (!node.source.file.empty()) {
-    json.key("source").begin_object().field("file", node.source.file);
-    json.field_integer("line", node.source.line)
-        .field_integer("column", node.source.column)
-        .end_object();
-  }
+  write_source(json, node.source);
   json.end_object();
+}
+
+void write_checks(JsonWriter& json, const std::vector<CheckEntry>& checks) {
+  if (checks.empty()) return;
+  json.key("checks").begin_array();
+  for (const CheckEntry& check : checks) {
+    json.begin_object();
+    write_check_fields(json, check);
+    write_source(json, check.span);
+    json.end_object();
+  }
+  json.end_array();
 }
 
 void write_options(JsonWriter& json, std::string_view name,
@@ -97,6 +111,7 @@ std::string site_json(const Manifest& manifest, const SitePlan& plan) {
   json.key("packages").begin_array();
   for (const std::string& package : plan.packages) json.string(package);
   json.end_array();
+  write_checks(json, plan.checks);
   write_options(json, "ui", manifest.ui);
   json.key("files").begin_array();
   for (const PlannedFile& file : plan.files) {

@@ -256,24 +256,25 @@ export class PortBroker implements Broker {
     this.session = [random[0] ?? 0, random[1] ?? 0];
     const { port1, port2 } = newChannel();
     this.controls.set(0, port1);
-    this.link = new PortLink({ participant: 0, session: this.session, time: this.time, control: port2, peers: [] });
+    this.link = new PortLink({ participant: 0, session: this.session, time: this.time, control: port2, peers: [], known: { nodes: [], endpoints: [] } });
   }
 
   admit(): Admission | undefined {
     const participant = this.freeNumber();
     if (participant === undefined) return undefined;
     const control = this.newChannel();
+    const known = this.link.made();
     const peers: PeerPort[] = [];
     for (const [other, port] of this.controls) {
       const channel = this.newChannel();
       const message: PeerPort = { participant, port: channel.port1 };
-      if (other === 0) this.link.addPeer(message);
+      if (other === 0) this.link.addPeer(message, true);
       else port.postMessage({ t: 'peer', peer: message }, [channel.port1]);
       peers.push({ participant: other, port: channel.port2 });
     }
     this.controls.set(participant, control.port1);
     const { session, time } = this;
-    const ticket: LinkTicket = { kind: 'port', participant, session, time, control: control.port2, peers };
+    const ticket: LinkTicket = { kind: 'port', participant, session, time, control: control.port2, peers, known };
     return { participant, ticket, transfer: [control.port2, ...peers.map((peer) => peer.port)] };
   }
 

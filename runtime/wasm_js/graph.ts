@@ -59,7 +59,8 @@ export function reads(kind: number): boolean {
 export function relate(a: EndpointRecord, b: EndpointRecord): Relation {
   if (counterpart[a.kind] !== b.kind || a.name !== b.name || (a.flags & b.flags & flagMirror) !== 0) return none;
   if (a.participant === b.participant && ((a.flags | b.flags) & flagIgnoreLocal) !== 0) return none;
-  if (a.type !== b.type || (a.hash !== '' && b.hash !== '' && a.hash !== b.hash)) return wrongType;
+  const anyType = a.type === '' || b.type === '';
+  if (!anyType && (a.type !== b.type || (a.hash !== '' && b.hash !== '' && a.hash !== b.hash))) return wrongType;
   const aOffers = a.kind === EndpointKind.publisher || a.kind === EndpointKind.server;
   const policy = incompatiblePolicy(aOffers ? a.qos : b.qos, aOffers ? b.qos : a.qos);
   return policy === PolicyKind.none ? match : { kind: 'incompatible', policy };

@@ -5,13 +5,14 @@
 import {
   EndpointKind, ErrorCode, flagHidden, frameHeaderSize, maxSampleLength, type StatusKind, WaitResult,
 } from '../protocol/generated/constants.ts';
-import { putNanoseconds, SiteClock, type TimeLaw } from './clock.ts';
+import { SiteClock, type TimeLaw } from './clock.ts';
 import { LocalCredit } from './console_sender.ts';
 import { checkDescription, checkNode } from './description_check.ts';
+import { fillHeader } from './frame_header.ts';
 import { type EndpointRecord, Graph, reads, relate, writes } from './graph.ts';
 import type { EndpointDescription, EndpointStatus, GraphSnapshot, Heap, Link } from './link.ts';
 import { EventCounters } from './event_counters.ts';
-import type { ControlMessage, PeerMessage, PeerPort, PortTicket, WriterSample } from './port_messages.ts';
+import type { ControlMessage, PeerMessage, PeerPort, PeerRecords, PortTicket, WriterSample } from './port_messages.ts';
 import { PortSamples } from './port_samples.ts';
 import { PortReader } from './port_reader.ts';
 import { PortWaits, unref } from './port_waits.ts';
@@ -62,7 +63,7 @@ export class PortLink implements Link {
   private readonly taken = (writer: number): void => this.acknowledge(writer, true);
   private closed = false;
 
-  constructor({ participant, session, time, control, peers }: PortTicket) {
+  constructor({ participant, session, time, control, peers, known }: PortTicket) {
     this.clock.set(time);
     this.participant = participant;
     this.session = session;
@@ -70,11 +71,22 @@ export class PortLink implements Link {
     control.addEventListener('message', (event) => this.onControl((event as MessageEvent<ControlMessage>).data));
     control.start();
     unref(control);
+    for (const node of known.nodes) this.graphReplica.nodes.set(node.key, node);
+    for (const record of known.endpoints) this.graphReplica.add(record);
     for (const peer of peers) this.addPeer(peer);
   }
 
-  /** Numbers of participants come again: what an earlier one left ends here, and its late words are not heard. */
-  addPeer({ participant, port }: PeerPort): void {
+  /** What this participant has made so far. */
+  made(): PeerRecords {
+    const nodes = [...this.graphReplica.nodes.values()].filter((node) => node.participant === this.participant);
+    return { nodes, endpoints: [...this.own.values()].map(({ record }) => record) };
+  }
+
+  /**
+   * Numbers of participants come again: what an earlier one left ends here, and its late words are not heard.
+   * `told`: it knows already what was made here.
+   */
+  addPeer({ participant, port }: PeerPort, told = false): void {
     if (this.peers.has(participant)) this.dropPeer(participant, false);
     this.peers.set(participant, port);
     port.addEventListener('message', (event) => {
@@ -82,10 +94,10 @@ export class PortLink implements Link {
     });
     port.start();
     unref(port);
-    for (const node of this.graphReplica.nodes.values()) {
-      if (node.participant === this.participant) this.post(participant, { t: 'node+', node });
-    }
-    for (const { record } of this.own.values()) this.post(participant, { t: 'ep+', record });
+    if (told) return;
+    const { nodes, endpoints } = this.made();
+    for (const node of nodes) this.post(participant, { t: 'node+', node });
+    for (const record of endpoints) this.post(participant, { t: 'ep+', record });
   }
 
   /** A peer that ended; `died`: without taking leave. */
@@ -279,7 +291,7 @@ export class PortLink implements Link {
     }
     new Uint8Array(buffer).set(heap.u8.subarray(address, address + length), frameHeaderSize);
     const sequence = writer.sequence + 1;
-    const target = this.fillHeader(own.record, new Int32Array(buffer, 0, 16), heap.i32, info >> 2, sequence, length);
+    const target = fillHeader(own.record, this.clock, new Int32Array(buffer, 0, 16), heap.i32, info >> 2, sequence, length);
     const frame: Frame = { buffer, sequence, target };
     if (writer.full()) return this.writeLater(own, writer, frame);
     if (own.timing.ticks) own.timing.wrote(this.clock.steadyNs());
@@ -294,25 +306,6 @@ export class PortLink implements Link {
     if (own.timing.ticks) own.timing.wrote(this.clock.steadyNs());
     writer.push(frame);
     return 0;
-  }
-
-  private fillHeader(
-    record: EndpointRecord, header: Int32Array, given: Int32Array, at: number, sequence: number, length: number,
-  ): number {
-    const client = record.kind === EndpointKind.client;
-    header[0] = length;
-    putNanoseconds(header, 2, sequence);
-    if (given[at + 4] === 0 && given[at + 5] === 0) putNanoseconds(header, 4, this.clock.systemNs());
-    else header.set(given.subarray(at + 4, at + 6), 4);
-    if (client) {
-      putNanoseconds(header, 6, sequence);
-      header.set(record.gid, 8);
-    } else {
-      header.set(given.subarray(at + 6, at + 12), 6);
-    }
-    header.set(record.gid, 12);
-    given.set(header, at);
-    return record.kind === EndpointKind.server ? header[10]! : 0;
   }
 
   private send(participant: number, writer: number, frame: Frame): void {

@@ -9,6 +9,12 @@ export interface PeerPort {
   readonly port: MessagePort;
 }
 
+/** What a participant has made. */
+export interface PeerRecords {
+  readonly nodes: readonly NodeRecord[];
+  readonly endpoints: readonly EndpointRecord[];
+}
+
 /** What a participant needs to join. */
 export interface PortTicket {
   readonly participant: number;
@@ -16,6 +22,8 @@ export interface PortTicket {
   readonly time: TimeLaw;
   readonly control: MessagePort;
   readonly peers: readonly PeerPort[];
+  /** Of the page: known from the first instruction on, so that it hears of a program that ends at once, too. */
+  readonly known: PeerRecords;
 }
 
 export interface WriterSample {

@@ -1,6 +1,5 @@
 # Tests of serving and running sites, and of beginning workspaces.
 add_executable(bundler_serve_test
-  run/duration_test.cpp
   run/headless_command_test.cpp
   run/node_js_test.cpp
   serve/http_server_test.cpp

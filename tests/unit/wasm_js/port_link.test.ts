@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { EndpointKind, History, keepAllLimit, Reliability, WaitResult } from '../../../runtime/protocol/generated/constants.ts';
+import { EndpointKind, flagHidden, History, keepAllLimit, Reliability, WaitResult } from '../../../runtime/protocol/generated/constants.ts';
 import { PortBroker } from '../../../runtime/wasm_js/broker.ts';
 import { SiteClock } from '../../../runtime/wasm_js/clock.ts';
 import { PortLink } from '../../../runtime/wasm_js/port_link.ts';
@@ -127,5 +127,35 @@ test('who comes under the number of another inherits nothing of it', watchdog, a
   for (let turn = 0; turn < 20; turn += 1) await watcher.wait(watcher.wakeToken(), 0);
   assert.deepEqual(names(), ['next']);
   for (const link of [next.link, watcher]) link.close();
+  broker.close();
+});
+
+test('the page hears of a program that publishes and ends before it ever waits, whatever the type', watchdog, async () => {
+  const broker = new PortBroker();
+  const page = broker.link;
+  const buffer = new ArrayBuffer(256);
+  const heap = { u8: new Uint8Array(buffer), i32: new Int32Array(buffer) };
+  const qos = { ...defaultQos, reliability: Reliability.bestEffort, depth: 100 };
+  const sub = page.endpointCreate({
+    kind: EndpointKind.subscription, node: page.nodeCreate('page', '/_ros2wasm'), name: '/x', type: '', hash: '', flags: flagHidden, qos,
+  });
+  const { link } = join(broker);
+  // Nothing arrives at the program from here on: it never lets the event loop run.
+  const pub = link.endpointCreate({
+    kind: EndpointKind.publisher, node: link.nodeCreate('n', '/'), name: '/x', type: 'some/msg/Type', hash: '', flags: 0, qos: defaultQos,
+  });
+  for (let i = 1; i <= 3; i += 1) {
+    heap.i32.fill(0, 0, 16);
+    heap.u8[64] = i;
+    assert.equal(link.write(pub, heap, 64, 8, 0), 0);
+  }
+  link.close();
+  const taken: number[] = [];
+  while (taken.length < 3) {
+    const token = page.wakeToken();
+    while (page.take(sub, heap, 64, 128, 0) > 0) taken.push(heap.u8[64]!);
+    if (taken.length < 3) await page.wait(token, -1);
+  }
+  assert.deepEqual(taken, [1, 2, 3]);
   broker.close();
 });

@@ -9,6 +9,7 @@
 #include "bundler/emit/folder_output.hpp"
 #include "bundler/io/sha256.hpp"
 #include "bundler/plan/runtime_assets.hpp"
+#include "bundler/plan/site_checks.hpp"
 #include "bundler/plan/site_plan.hpp"
 #include "bundler/render/page_html.hpp"
 #include "tests/unit/bundler/support/temporary_tree.hpp"
@@ -102,6 +103,66 @@ TEST(SitePlan, SiteJsonSaysWhatRuns) {
   EXPECT_EQ(json->find("files")->items().size(), 5U);
   EXPECT_EQ(json->find("ui")->text_of("theme"), "dark");
   EXPECT_EQ(json->find("ui")->find("autostart")->boolean(), false);
+}
+
+TEST(SiteChecks, NodesAreNamedByIdNameOrExecutable) {
+  const auto check = [](const std::string& node) {
+    return CheckEntry{.span = {.file = "/lab/workspace.yaml", .line = 9, .column = 3},
+                      .title = {},
+                      .what = ExitCheck{.node = {.value = node, .span = {}}}};
+  };
+  std::vector<LaunchNode> nodes{launched("talker-1", "talker"), launched("crowd-2", "crowd"),
+                                launched("crowd-3", "crowd")};
+  nodes[2].label = "/robot1/crowd";
+  const auto named =
+      site_checks({check("talker"), check("crowd-2"), check("/robot1/crowd")}, nodes);
+  ASSERT_TRUE(named);
+  std::vector<std::string> ids;
+  for (const CheckEntry& entry : *named) ids.push_back(std::get<ExitCheck>(entry.what).node.value);
+  EXPECT_EQ(ids, (std::vector<std::string>{"talker-1", "crowd-2", "crowd-3"}));
+  EXPECT_EQ(named->front().span.file, "workspace.yaml");
+
+  nodes[2].label = "crowd";
+  const auto refused = site_checks({check("talkr"), check("crowd"), check("zzz")}, nodes);
+  ASSERT_FALSE(refused.ok());
+  ASSERT_EQ(refused.errors().size(), 3U);
+  for (const Diagnostic& error : refused.errors()) EXPECT_EQ(error.code, "R2W0430");
+  EXPECT_EQ(refused.errors()[0].fix, std::vector<std::string>{"write `node: talker`"});
+  EXPECT_EQ(refused.errors()[1].why, std::vector<std::string>{"they are: crowd-2, crowd-3"});
+  EXPECT_TRUE(refused.errors()[2].fix.empty());
+}
+
+TEST(SitePlan, SiteJsonHasTheChecks) {
+  Manifest lab = manifest();
+  lab.checks = {{.span = {.file = "workspace.yaml", .line = 9, .column = 3},
+                 .title = "it talks",
+                 .what = LogCheck{.node = Spanned<std::string>{.value = "talker", .span = {}},
+                                  .pattern = "a\\d"},
+                 .within_ms = 5000}};
+  const auto plan = plan_site({.manifest = lab,
+                               .nodes = {launched("talker-1", "talker")},
+                               .programs = {{"/built/talker.wasm", program(false)}},
+                               .names = {},
+                               .runtime = {},
+                               .interfaces = {}});
+  ASSERT_TRUE(plan);
+  EXPECT_NE(
+      file_of(*plan, "site.json")
+          ->bytes.find(
+              R"("checks":[{"title":"it talks","kind":"log","node":"talker-1","log":"a\\d",)"
+              R"("within_ms":5000,"source":{"file":"workspace.yaml","line":9,"column":3}}],"ui":)"),
+      std::string::npos);
+  EXPECT_EQ(file_of(plan_of(), "site.json")->bytes.find("\"checks\""), std::string::npos);
+  lab.checks.front().what =
+      LogCheck{.node = Spanned<std::string>{.value = "nobody", .span = {}}, .pattern = "a"};
+  const auto refused = plan_site({.manifest = lab,
+                                  .nodes = {launched("talker-1", "talker")},
+                                  .programs = {{"/built/talker.wasm", program(false)}},
+                                  .names = {},
+                                  .runtime = {},
+                                  .interfaces = {}});
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.errors().front().code, "R2W0430");
 }
 
 TEST(PageHtml, HasTheTitleAndHintsAndNothingUnescaped) {

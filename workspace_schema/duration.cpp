@@ -1,5 +1,5 @@
 // See duration.hpp.
-#include "bundler/run/duration.hpp"
+#include "workspace_schema/duration.hpp"
 
 #include <algorithm>
 #include <array>

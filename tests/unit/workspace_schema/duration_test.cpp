@@ -1,5 +1,5 @@
 // `--for`: what is a duration and what is not.
-#include "bundler/run/duration.hpp"
+#include "workspace_schema/duration.hpp"
 
 #include <gtest/gtest.h>
 

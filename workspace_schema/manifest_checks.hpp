@@ -1,0 +1,15 @@
+// The entries of `checks:` in a manifest.
+#pragma once
+
+#include <optional>
+
+#include "workspace_schema/manifest.hpp"
+#include "workspace_schema/manifest_binding.hpp"
+
+namespace ros2wasm {
+
+/// One entry; nothing when it has mistakes, which are reported. R2W0116 for a regular expression,
+/// R2W0117 for keys that do not go together.
+[[nodiscard]] std::optional<CheckEntry> read_check(Binder& binder, const YamlNode& node);
+
+}  // namespace ros2wasm

@@ -3,13 +3,13 @@
 #include <iostream>
 #include <memory>
 
-#include "workspace_schema/duration.hpp"
 #include "bundler/run/exec_program.hpp"
 #include "bundler/run/headless_command.hpp"
 #include "bundler/run/node_js.hpp"
 #include "bundler/serve/site_responder.hpp"
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
+#include "workspace_schema/duration.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -22,6 +22,8 @@ struct Options {
   bool stepped = false;
   std::optional<int> seed;
   std::optional<std::string> trace;
+  bool checks = false;
+  std::optional<std::string> junit;
 };
 
 std::string path_variable(const Context& context) {
@@ -42,6 +44,8 @@ int run_site(Context& context, const Options& options) {
                   .stepped = options.stepped || options.seed.has_value(),
                   .seed = options.seed,
                   .trace = options.trace,
+                  .checks = options.checks || options.junit.has_value(),
+                  .junit = options.junit,
                   .json = context.json};
   if (options.limit) {
     const auto limit = parse_duration(*options.limit);
@@ -86,7 +90,12 @@ CommandBody run_command(Arguments& arguments) {
       "of the nodes' random numbers in a stepped run (implies --stepped); 0 when not given");
   arguments.value("--trace", options->trace, "FILE",
                   "write every message that a node sends to FILE, and its sha256 to the console");
+  arguments.flag("--checks", options->checks,
+                 "stop when the checks of the manifest are decided; 1 when one failed");
+  arguments.value("--junit", options->junit, "FILE",
+                  "write the result of the checks to FILE as JUnit XML (implies --checks)");
   arguments.examples({"ros2wasm run site", "ros2wasm run site --for 5s",
+                      "ros2wasm run site --checks",
                       "ros2wasm run site --until 'I heard' --for 30s"});
   return [options](Context& context) { return run_site(context, *options); };
 }

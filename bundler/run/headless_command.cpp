@@ -81,6 +81,11 @@ std::vector<std::string> headless_command(const std::filesystem::path& node_js,
     words.emplace_back("--trace");
     words.push_back(*run.trace);
   }
+  if (run.checks) words.emplace_back("--checks");
+  if (run.junit) {
+    words.emplace_back("--junit");
+    words.push_back(*run.junit);
+  }
   if (run.json) words.emplace_back("--json");
   return words;
 }

@@ -35,6 +35,8 @@ export interface Broker {
   setTime(law: TimeLaw): void;
   /** In a stepped run: the participant waits. */
   rests(participant: number, rest: Rest): void;
+  /** In a stepped run: called when a participant has come to rest or ended, before others go on. */
+  onRest(call: () => void): void;
   /** The page itself has written. */
   wrote(): void;
   /** Calls `then` when the time has passed, in a stepped run that of the site; the result takes it back. */
@@ -72,6 +74,7 @@ export class SharedBroker implements Broker {
   private readonly lingering = new Set<number>();
   private timer: ReturnType<typeof setInterval> | undefined;
   private closed = false;
+  private rested: () => void = () => undefined;
   readonly conductor: Conductor | undefined;
 
   constructor(options: SharedBrokerOptions = {}) {
@@ -92,7 +95,12 @@ export class SharedBroker implements Broker {
     this.bus.rouseAll();
   }
 
+  onRest(call: () => void): void {
+    if (this.conductor !== undefined) this.rested = call;
+  }
+
   rests(participant: number, rest: Rest): void {
+    this.rested();
     this.conductor?.rests(participant, rest);
   }
 
@@ -115,6 +123,7 @@ export class SharedBroker implements Broker {
     const { i32 } = bus;
     Atomics.store(i32, bus.participantWord(participant) + BusParticipant.state, BusParticipantState.ended);
     Atomics.store(i32, bus.participantWord(participant) + BusParticipant.graphInterest, 0);
+    this.rested();
     this.depart(participant, false);
   }
 
@@ -294,6 +303,8 @@ export class PortBroker implements Broker {
   }
 
   rests(): void {}
+
+  onRest(): void {}
 
   wrote(): void {}
 

@@ -1,10 +1,13 @@
 // Runs a site without a browser: node headless.js SITE [--for 5s] [--until REGEX] [--json] [--link shared|port]
-// [--stepped [--seed N]] [--trace FILE]
+// [--stepped [--seed N]] [--trace FILE] [--checks [--junit FILE]]
 // stdout is what the nodes print, as `ros2 launch` shows it. Exit code: 0 met, 1 not met, 2 command line, 130 Ctrl-C.
 
 import { isMainThread, parentPort, workerData } from 'node:worker_threads';
 import { parseArgs } from 'node:util';
+import { writeFileSync } from 'node:fs';
 import { type Broker, PortBroker, SharedBroker, steppedBus } from './broker.ts';
+import { checkLine, junitXml } from './check_report.ts';
+import { type CheckRun, runChecks } from './check_run.ts';
 import { nodeFiles, nodePlatform, readFileNow, workerMark } from './node_platform.ts';
 import { serveWorker, type WorkerOrder } from './node_worker.ts';
 import type { NodeView } from './session.ts';
@@ -14,7 +17,7 @@ import { SiteSession } from './site_session.ts';
 import { TraceFile } from './trace_file.ts';
 
 const usage = 'usage: node headless.js SITE [--for TIME] [--until REGEX] [--json] [--link shared|port] '
-  + '[--stepped [--seed N]] [--trace FILE]';
+  + '[--stepped [--seed N]] [--trace FILE] [--checks [--junit FILE]]';
 const interrupted = 130;
 
 interface Options {
@@ -27,6 +30,8 @@ interface Options {
   readonly stepped: { readonly seed: number } | undefined;
   /** Where the messages that were sent are written to. */
   readonly trace: string | undefined;
+  /** Ends when the site's checks are decided. */
+  readonly checks: { readonly junit: string | undefined } | undefined;
 }
 
 /** "5s", "500ms", "2m" in ms. */
@@ -49,6 +54,8 @@ export function parseOptions(argv: readonly string[]): Options {
       stepped: { type: 'boolean', default: false },
       seed: { type: 'string' },
       trace: { type: 'string' },
+      checks: { type: 'boolean', default: false },
+      junit: { type: 'string' },
     },
   });
   const [site] = positionals;
@@ -57,6 +64,8 @@ export function parseOptions(argv: readonly string[]): Options {
   if (values.stepped && values.link === 'port') throw new TypeError('--stepped needs the shared link');
   if (values.seed !== undefined && !values.stepped) throw new TypeError('--seed is for --stepped');
   if (!/^\d{1,9}$/.test(values.seed ?? '0')) throw new TypeError(`not a seed: ${values.seed}`);
+  if (values.junit !== undefined && !values.checks) throw new TypeError('--junit is for --checks');
+  if (values.until !== undefined && values.checks) throw new TypeError('--until and --checks both say when a run ends');
   return {
     site,
     forMs: values.for === undefined ? undefined : parseTime(values.for),
@@ -65,6 +74,7 @@ export function parseOptions(argv: readonly string[]): Options {
     link: values.link,
     stepped: values.stepped ? { seed: Number(values.seed ?? 0) } : undefined,
     trace: values.trace,
+    checks: values.checks ? { junit: values.junit } : undefined,
   };
 }
 
@@ -80,6 +90,41 @@ function allEnded(all: readonly NodeView[]): boolean | undefined {
 function brokerFor({ link, stepped }: Options): Broker {
   if (link === 'port') return new PortBroker();
   return new SharedBroker(stepped === undefined ? {} : steppedBus(stepped.seed));
+}
+
+async function checksOf(session: SiteSession): Promise<CheckRun> {
+  if (session.site.checks.length === 0) {
+    throw new SiteError('R2W0720', 'the site has no checks', {
+      why: 'its manifest says nothing of what must be seen',
+      fix: 'list it under `checks:` in workspace.yaml and pack the workspace again',
+    });
+  }
+  const checks = await runChecks(session);
+  session.useChecks(checks);
+  return checks;
+}
+
+interface CheckTeller {
+  readonly json: boolean;
+  readonly event: (value: Record<string, unknown>) => void;
+  readonly finish: (code: number) => void;
+}
+
+/** Tells what is decided, and finishes when all is. */
+function watchChecks(checks: CheckRun, { json, event, finish }: CheckTeller): void {
+  const told = new Set<number>();
+  checks.onChange((views) => {
+    for (const [index, view] of views.entries()) {
+      if (view.state === 'waiting' || told.has(index)) continue;
+      told.add(index);
+      if (json) event({ event: 'check', index, ...view });
+      else process.stderr.write(`${checkLine(view)}\n`);
+    }
+    if (told.size < views.length) return;
+    const passed = views.filter(({ state }) => state === 'passed').length;
+    if (!json) process.stderr.write(`${passed} of ${views.length} checks passed\n`);
+    finish(passed === views.length ? 0 : 1);
+  });
 }
 
 /** Runs to the end and returns the exit code. */
@@ -119,6 +164,7 @@ export async function runHeadless(options: Options, entry: URL): Promise<number>
     },
   });
 
+  const checks = options.checks === undefined ? undefined : await checksOf(session);
   const told = new Map<string, NodeView['state']>();
   let stopping = false;
   session.onNodes((nodes) => {
@@ -136,6 +182,8 @@ export async function runHeadless(options: Options, entry: URL): Promise<number>
     }
     const well = allEnded(nodes);
     if (stopping && well !== undefined) finish(interrupted);
+    // What has been sent may still be on its way: the time of the checks decides.
+    else if (checks !== undefined) return;
     // Nobody will start them again, except a respawn rule.
     else if (well !== undefined && !site.nodes.some((node) => node.respawn)) {
       finish(options.until === undefined && well ? 0 : 1);
@@ -150,15 +198,20 @@ export async function runHeadless(options: Options, entry: URL): Promise<number>
   process.on('SIGINT', stop);
   process.on('SIGTERM', stop);
   const timeIsOver = (): void => {
+    if (checks !== undefined) {
+      checks.end();
+      return;
+    }
     const well = session.nodes().every(({ state }) => state.kind !== 'crashed' && !(state.kind === 'exited' && state.code !== 0));
     finish(options.until === undefined && well ? 0 : 1);
   };
   const { forMs } = options;
   const timer = forMs === undefined || options.stepped !== undefined ? undefined : setTimeout(timeIsOver, forMs);
 
+  if (checks !== undefined) watchChecks(checks, { json: options.json, event, finish });
   session.startAll();
   if (forMs !== undefined && broker instanceof SharedBroker) broker.conductor?.runUntil(forMs * 1e6, timeIsOver);
-  const code = await finished;
+  let code = await finished;
   clearTimeout(timer);
   process.off('SIGINT', stop);
   process.off('SIGTERM', stop);
@@ -166,6 +219,15 @@ export async function runHeadless(options: Options, entry: URL): Promise<number>
     const { messages, sha256 } = trace.close();
     if (options.json) event({ event: 'trace', messages, sha256 });
     else process.stderr.write(`trace: ${messages} messages, sha256 ${sha256}\n`);
+  }
+  if (checks !== undefined && options.checks?.junit !== undefined) {
+    checks.end();
+    try {
+      writeFileSync(options.checks.junit, junitXml(site.name, checks.views()));
+    } catch (error) {
+      process.stderr.write(`--junit: ${error instanceof Error ? error.message : String(error)}\n`);
+      code = code === 0 ? 1 : code;
+    }
   }
   if (options.json) event({ event: 'end', met: code === 0 });
   session.close();

@@ -102,6 +102,8 @@ export async function startSession(options: LaunchOptions = {}): Promise<Session
   const session = new SiteSession({ site, platform, ...run });
   const graph = asked.get('graph');
   if (graph !== null && graph !== '') await session.joinTabs(graph);
+  // Before the first node starts, so that all that it says is seen. Fetched only for a site that has some.
+  if (site.checks.length > 0) session.useChecks(await (await import('./check_run.ts')).runChecks(session));
   if (named !== undefined) {
     for (const id of named) session.start(id);
   } else if (site.ui['autostart'] !== false) {

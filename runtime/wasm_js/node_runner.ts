@@ -311,14 +311,15 @@ export class NodeRunner {
       this.keepFromStart = this.host.broker.after(delay, () => this.start());
     }
     if (byItself) this.host.happened(this.node, 'exit');
+    this.stopping = false;
+    this.again = false;
+    this.attempt += 1;
+    // Before time goes on: in a stepped run it may, as soon as the program is out of the graph.
+    this.set(state);
     if (run !== undefined && !run.over) {
       run.over = true;
       this.bury(run.participant, [run.main, ...run.threads], closed);
     }
-    this.stopping = false;
-    this.again = false;
-    this.attempt += 1;
-    this.set(state);
     if (byItself && this.node.shutdownOnExit && !respawns) this.host.shutdown();
     if (again) this.start();
   }

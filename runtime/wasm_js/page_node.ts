@@ -142,6 +142,7 @@ export interface PageNode {
   readonly name: string;
   publisher(topic: string, type: string, qos?: QosRequest): PagePublisher;
   /** The listener is called as messages come, never within another call. */
+  /** With an empty `type`: messages of all types, for somebody who is not counted among the subscriptions. */
   subscription(topic: string, type: string, qos: QosRequest, listener: MessageListener): PageSubscription;
   client(service: string, type: string): PageClient;
   actionClient(action: string, type: string): PageActionClient;

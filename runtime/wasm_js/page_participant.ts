@@ -1,6 +1,6 @@
 // The page as a participant of the graph: endpoints on its own place on the bus, read without blocking.
 
-import { EndpointKind, ErrorCode, frameHeaderSize } from '../protocol/generated/constants.ts';
+import { EndpointKind, ErrorCode, flagHidden, frameHeaderSize } from '../protocol/generated/constants.ts';
 import { checkFullName, expandName } from '../decode/ros_names.ts';
 import type { Broker } from './broker.ts';
 import { nextEvent, turn } from './event_wait.ts';
@@ -50,6 +50,7 @@ export class PageParticipant implements PageNode {
   constructor(broker: Broker) {
     this.broker = broker;
     this.timers = new SiteTimers(broker.link.clock, broker.conductor);
+    broker.onRest(() => this.takeRest());
   }
 
   publisher(topic: string, type: string, qos: QosRequest = {}): PagePublisher {
@@ -116,12 +117,14 @@ export class PageParticipant implements PageNode {
     if (wrong !== undefined) {
       return { problem: new SiteError('R2W0715', `\`${given}\` is no name: ${wrong.what}`) };
     }
-    if (!/^[A-Za-z]\w*\/(?:msg|srv|action)\/[A-Za-z]\w*$/.test(type)) {
+    // A look at whatever is published there is nobody's subscription.
+    const anyType = kind === EndpointKind.subscription && type === '';
+    if (!anyType && !/^[A-Za-z]\w*\/(?:msg|srv|action)\/[A-Za-z]\w*$/.test(type)) {
       return { problem: new SiteError('R2W0715', `\`${type}\` is no type`, { why: 'types are written as `std_msgs/msg/String`' }) };
     }
     this.node ??= link.nodeCreate(nodeName, '/');
     const handle = this.node < 0 ? this.node
-      : link.endpointCreate({ kind, node: this.node, name, type, hash: '', qos: endpointQos(qos), flags: 0 });
+      : link.endpointCreate({ kind, node: this.node, name, type, hash: '', qos: endpointQos(qos), flags: anyType ? flagHidden : 0 });
     if (handle >= 0) return { handle };
     if (this.node < 0) this.node = undefined;
     const why = handle === ErrorCode.tableFull ? 'the site has no place left for one more endpoint' : `the bus refused it, error ${handle}`;
@@ -226,6 +229,11 @@ export class PageParticipant implements PageNode {
       if (more) await turn();
       else await nextEvent(link, token, false);
     }
+  }
+
+  /** In a stepped run: what a node has sent is taken before the next one has its turn, so that all runs see the same. */
+  private takeRest(): void {
+    while (!this.closed && this.readers.size > 0 && this.takeAll());
   }
 
   /** True when there may be more. */

@@ -2,6 +2,7 @@
 // Types only, plus unreachable(); launcher.ts makes Sessions.
 
 import type { GraphView, PageNode } from './page_node.ts';
+import type { SiteCheck, SiteChecks } from './site_checks.ts';
 
 export type * from './page_node.ts';
 
@@ -79,6 +80,8 @@ export interface SiteDescription {
   readonly interfaces: string;
   /** Those that programs can ask the index of packages for. */
   readonly packages: readonly string[];
+  /** What must be seen while it runs. */
+  readonly checks: readonly SiteCheck[];
   readonly ui: Readonly<Record<string, unknown>>;
   readonly files: readonly SiteFile[];
 }
@@ -221,6 +224,8 @@ export interface Session {
   interfaces(): Promise<ReadonlyMap<string, string>>;
   /** The page as a participant of the graph, made at the first call. */
   node(): PageNode;
+  /** undefined: the site has none. They look from before the first node starts. */
+  readonly checks: SiteChecks | undefined;
   /** As it is now. */
   graph(): GraphView;
   /** Called when the graph has changed, at most once per animation frame. */

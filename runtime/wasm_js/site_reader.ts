@@ -1,58 +1,10 @@
 // Checks site.json: what comes from outside goes through here.
 
 import { protocolVersion } from '../protocol/generated/constants.ts';
+import { readCheck } from './check_reader.ts';
 import { SiteError } from './site_error.ts';
-import type { PythonProgram, SiteDescription, SiteFile, SiteNode, SourcePlace, StartOn } from './session.ts';
-
-type Json = Readonly<Record<string, unknown>>;
-
-function fail(what: string): never {
-  throw new SiteError('R2W0700', `site.json: ${what}`, {
-    why: 'the file is not what `ros2wasm pack` writes',
-    fix: 'pack the workspace again and put the whole folder in place',
-  });
-}
-
-function object(value: unknown, what: string): Json {
-  if (typeof value !== 'object' || value === null || Array.isArray(value)) fail(`${what} is not an object`);
-  return value as Json;
-}
-
-function text(json: Json, key: string, what: string, otherwise?: string): string {
-  const value = json[key];
-  if (value === undefined && otherwise !== undefined) return otherwise;
-  return typeof value === 'string' ? value : fail(`${what}.${key} is not a text`);
-}
-
-function number(json: Json, key: string, what: string, otherwise?: number): number {
-  const value = json[key];
-  if (value === undefined && otherwise !== undefined) return otherwise;
-  return typeof value === 'number' && Number.isFinite(value) ? value : fail(`${what}.${key} is not a number`);
-}
-
-function flag(json: Json, key: string): boolean {
-  return json[key] === true;
-}
-
-function list<T>(json: Json, key: string, what: string, read: (value: unknown, what: string) => T): T[] {
-  const value = json[key];
-  if (value === undefined) return [];
-  if (!Array.isArray(value)) return fail(`${what}.${key} is not a list`);
-  return value.map((item, i) => read(item, `${what}.${key}[${i}]`));
-}
-
-/** A path inside the site: never absolute, never upwards. */
-function path(value: string, what: string): string {
-  const ok = value !== '' && !value.startsWith('/') && !value.includes('\\') && !/^[a-z]+:/i.test(value)
-    && !value.split('/').some((part) => part === '..' || part === '');
-  return ok ? value : fail(`${what} is not a path inside the site: ${value}`);
-}
-
-function readSource(json: Json): SourcePlace | undefined {
-  if (json['source'] === undefined || json['source'] === null) return undefined;
-  const source = object(json['source'], 'source');
-  return { file: text(source, 'file', 'source'), line: number(source, 'line', 'source'), column: number(source, 'column', 'source', 1) };
-}
+import { fail, flag, list, number, object, path, readSource, text } from './site_values.ts';
+import type { PythonProgram, SiteDescription, SiteFile, SiteNode, StartOn } from './session.ts';
 
 function readPython(value: unknown, what: string): PythonProgram {
   const json = object(value, what);
@@ -136,6 +88,7 @@ export function readSite(value: unknown): SiteDescription {
     nodes,
     interfaces: interfaces === '' ? '' : path(interfaces, 'site.interfaces'),
     packages: list(json, 'packages', 'site', (item) => (typeof item === 'string' ? item : fail('site.packages'))),
+    checks: list(json, 'checks', 'site', (item, what) => readCheck(item, what, ids)),
     ui: object(json['ui'] ?? {}, 'site.ui'),
     files: list(json, 'files', 'site', readFile),
   };

@@ -15,6 +15,7 @@ import type {
   Unsubscribe,
 } from './session.ts';
 import { siteEnvironment, siteFiles } from './site_files.ts';
+import type { SiteChecks } from './site_checks.ts';
 import { SiteTimeControl } from './site_time.ts';
 import { InputWriter } from './standard_input.ts';
 import type { SteppedTime } from './stepped_time.ts';
@@ -54,6 +55,7 @@ export class SiteSession implements Session {
   private readonly graphListeners = new Set<(graph: GraphView) => void>();
   private page: PageParticipant | undefined;
   private unwatchGraph: (() => void) | undefined;
+  checks: (SiteChecks & { close(): void }) | undefined;
   private nodesTold = true;
   private sampling: ReturnType<typeof setInterval> | undefined;
   private definitions: Promise<ReadonlyMap<string, string>> | undefined;
@@ -151,6 +153,11 @@ export class SiteSession implements Session {
     for (const node of this.site.nodes) if (await tabs.claim(node.id)) this.startAsLaunched(node);
   }
 
+  /** They are closed with the session. */
+  useChecks(checks: SiteChecks & { close(): void }): void {
+    this.checks = checks;
+  }
+
   private running(): string[] {
     return [...this.runners].filter(([, runner]) => runner.active()).map(([id]) => id);
   }
@@ -234,7 +241,7 @@ export class SiteSession implements Session {
 
   /** When a node goes: what it published last stays with the topic. */
   private lookAtTopics(): void {
-    if (this.sampling !== undefined) this.sampler.sample(this.now());
+    if (this.sampling !== undefined || this.checks !== undefined) this.sampler.sample(this.now());
   }
 
   private stopSampling(): void {
@@ -316,6 +323,7 @@ export class SiteSession implements Session {
   close(): void {
     if (this.closed) return;
     this.closed = true;
+    this.checks?.close();
     this.stopSampling();
     this.time.close();
     this.tabs?.close();

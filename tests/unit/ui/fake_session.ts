@@ -20,6 +20,38 @@ import type {
   TopicView,
   Unsubscribe,
 } from '../../../runtime/wasm_js/session.ts';
+import type { CheckView, SiteChecks } from '../../../runtime/wasm_js/site_checks.ts';
+
+/** Checks that a test decides. */
+export class FakeChecks implements SiteChecks {
+  /** How often all began again. */
+  begun = 0;
+  private shown: readonly CheckView[];
+  private readonly listeners = new Set<(views: readonly CheckView[]) => void>();
+
+  constructor(views: readonly CheckView[]) {
+    this.shown = views;
+  }
+
+  views(): readonly CheckView[] {
+    return this.shown;
+  }
+
+  onChange(listener: (views: readonly CheckView[]) => void): Unsubscribe {
+    this.listeners.add(listener);
+    return () => this.listeners.delete(listener);
+  }
+
+  again(): void {
+    this.begun += 1;
+    this.set(this.shown.map(({ title, withinMs }) => ({ title, withinMs, state: 'waiting', seen: 'nothing' })));
+  }
+
+  set(views: readonly CheckView[]): void {
+    this.shown = views;
+    for (const listener of this.listeners) listener(views);
+  }
+}
 
 export interface FakeNode {
   readonly executable: string;
@@ -116,6 +148,7 @@ class FakeTime implements SiteTime {
 
 export class FakeSession implements Session {
   readonly time = new FakeTime();
+  checks: SiteChecks | undefined;
   readonly stepped = undefined;
   private joined: TabView | undefined;
   readonly site: SiteDescription;
@@ -165,6 +198,7 @@ export class FakeSession implements Session {
       license: 'Apache-2.0',
       authors: (options.authors ?? ['Ada Example']).map((name) => ({ name })),
       nodes,
+      checks: [],
       packages: [], interfaces: 'interfaces.json',
       ui: {},
       files: [

@@ -16,18 +16,20 @@ TEST(HeadlessCommand, HasOnlyWhatWasAsked) {
 }
 
 TEST(HeadlessCommand, PassesAllOptions) {
-  EXPECT_EQ(
-      headless_command("node", "headless.js",
-                       {.site = "site",
-                        .limit = std::chrono::milliseconds(1500),
-                        .until = "I heard: .*",
-                        .link = "port",
-                        .stepped = true,
-                        .seed = 7,
-                        .trace = "sent.jsonl",
-                        .json = true}),
-      (Words{"node", "headless.js", "site", "--for", "1500ms", "--until", "I heard: .*", "--link",
-             "port", "--stepped", "--seed", "7", "--trace", "sent.jsonl", "--json"}));
+  EXPECT_EQ(headless_command("node", "headless.js",
+                             {.site = "site",
+                              .limit = std::chrono::milliseconds(1500),
+                              .until = "I heard: .*",
+                              .link = "port",
+                              .stepped = true,
+                              .seed = 7,
+                              .trace = "sent.jsonl",
+                              .checks = true,
+                              .junit = "checks.xml",
+                              .json = true}),
+            (Words{"node", "headless.js", "site", "--for", "1500ms", "--until", "I heard: .*",
+                   "--link", "port", "--stepped", "--seed", "7", "--trace", "sent.jsonl",
+                   "--checks", "--junit", "checks.xml", "--json"}));
 }
 
 class FindHeadlessTest : public testing::Test {

@@ -1,0 +1,145 @@
+// Decides the checks of a site while it runs. Loaded for sites that have checks; sees the Session only, as the page does.
+
+import { createCodec } from '../decode/codec.ts';
+import { type Look, startLook } from './check_looks.ts';
+import { checkTitle } from './check_words.ts';
+import type { PageTimer } from './page_node.ts';
+import type { Session, Unsubscribe } from './session.ts';
+import type { CheckView, SiteCheck, SiteChecks } from './site_checks.ts';
+
+/** Looked at so often, in ms of the site's time. */
+const beatMs = 250;
+
+interface Running {
+  readonly check: SiteCheck;
+  look: Look | undefined;
+  /** Once it is decided. */
+  verdict: { readonly passed: boolean; readonly seen: string; readonly afterMs: number } | undefined;
+}
+
+/** To be awaited before the first node starts. */
+export async function runChecks(session: Session): Promise<CheckRun> {
+  return new CheckRun(session, createCodec(await session.interfaces()));
+}
+
+export class CheckRun implements SiteChecks {
+  private readonly session: Session;
+  private readonly codec: ReturnType<typeof createCodec>;
+  private readonly listeners = new Set<(views: readonly CheckView[]) => void>();
+  private readonly stopNodes: Unsubscribe;
+  private running: Running[] = [];
+  /** When the first node started, ms of the site's time. */
+  private begin: number | undefined;
+  private timer: PageTimer | undefined;
+
+  constructor(session: Session, codec: ReturnType<typeof createCodec>) {
+    this.session = session;
+    this.codec = codec;
+    // So that publishers are known that are gone when it is next looked at.
+    session.topics();
+    this.start();
+    this.stopNodes = session.onNodes(() => this.watchBegin());
+    this.watchBegin();
+  }
+
+  views(): readonly CheckView[] {
+    return this.running.map(({ check, look, verdict }) => ({
+      title: checkTitle(check),
+      state: verdict === undefined ? 'waiting' : verdict.passed ? 'passed' : 'failed',
+      seen: verdict?.seen ?? look?.seen() ?? '',
+      ...(verdict === undefined ? {} : { afterMs: verdict.afterMs }),
+      withinMs: check.withinMs,
+      ...(check.source === undefined ? {} : { source: check.source }),
+    }));
+  }
+
+  onChange(listener: (views: readonly CheckView[]) => void): Unsubscribe {
+    this.listeners.add(listener);
+    return () => void this.listeners.delete(listener);
+  }
+
+  again(): void {
+    this.halt();
+    this.begin = undefined;
+    this.start();
+    this.watchBegin();
+    this.tell();
+  }
+
+  /** What is not decided has failed: the run ends. */
+  end(): void {
+    for (const running of this.running) if (running.verdict === undefined) this.decide(running, false, running.look?.seen() ?? '');
+  }
+
+  close(): void {
+    this.halt();
+    this.stopNodes();
+    this.listeners.clear();
+  }
+
+  private now(): number {
+    return this.session.time.view().now;
+  }
+
+  private start(): void {
+    const { session, codec } = this;
+    const from = this.now();
+    this.running = session.site.checks.map((check) => ({ check, look: undefined, verdict: undefined }));
+    for (const running of this.running) {
+      const { check } = running;
+      // Lines bear whole ms.
+      const inTime = (at: number): boolean => at >= Math.floor(from) && at <= (this.begin ?? Infinity) + check.withinMs;
+      running.look = startLook(check.aim, { session, codec, inTime, met: (seen) => this.decide(running, true, seen) });
+      if (running.verdict !== undefined) running.look.close();
+    }
+  }
+
+  /** Time counts from when a node starts. */
+  private watchBegin(): void {
+    if (this.begin !== undefined || this.session.nodes().every(({ state }) => state.kind === 'stopped')) return;
+    this.begin = this.now();
+    const shortest = Math.min(beatMs, ...this.running.map(({ check }) => check.withinMs));
+    if (this.running.some(({ verdict }) => verdict === undefined)) {
+      this.timer = this.session.node().timer(shortest, () => this.beat());
+    }
+    this.beat();
+  }
+
+  private beat(): void {
+    for (const running of this.running) {
+      if (running.verdict === undefined) running.look?.look();
+      if (running.verdict !== undefined || this.begin === undefined) continue;
+      if (this.now() < this.begin + running.check.withinMs) continue;
+      const seen = running.look?.seen() ?? '';
+      // A last look may have found it.
+      if (this.undecided(running)) this.decide(running, false, seen);
+    }
+  }
+
+  private undecided({ verdict }: Running): boolean {
+    return verdict === undefined;
+  }
+
+  private decide(running: Running, passed: boolean, seen: string): void {
+    if (running.verdict !== undefined) return;
+    running.verdict = { passed, seen, afterMs: Math.max(0, this.now() - (this.begin ?? this.now())) };
+    running.look?.close();
+    if (this.running.every(({ verdict }) => verdict !== undefined)) this.stopTimer();
+    this.tell();
+  }
+
+  private stopTimer(): void {
+    this.timer?.close();
+    this.timer = undefined;
+  }
+
+  private halt(): void {
+    this.stopTimer();
+    for (const { look, verdict } of this.running) if (verdict === undefined) look?.close();
+  }
+
+  private tell(): void {
+    const views = this.views();
+    for (const listener of [...this.listeners]) listener(views);
+  }
+}

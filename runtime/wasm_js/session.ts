@@ -4,6 +4,7 @@
 import type { GraphView, PageNode } from './page_node.ts';
 import type { SiteCheck, SiteChecks } from './site_checks.ts';
 
+export type { CheckView, SiteChecks } from './site_checks.ts';
 export type * from './page_node.ts';
 
 export type Unsubscribe = () => void;

@@ -1,6 +1,7 @@
 // A browser page as the place where a site runs.
 
 import { ExpectedFiles } from './expected_files.ts';
+import { keptBytes } from './kept_bytes.ts';
 import type { HoldOrder, WorkerReport } from './node_worker.ts';
 import type { Platform, WorkerEvents, WorkerHandle } from './platform.ts';
 import { SiteError } from './site_error.ts';
@@ -89,6 +90,7 @@ export function browserPlatform(base: URL, script: string): BrowserPlatform {
       return module;
     },
     bytes,
+    kept: keptBytes(base),
     startWorker: (name, events) => new BrowserWorker(scriptUrl, name, events),
     frame: (task) => {
       // Frames do not come while the page is hidden.

@@ -7,6 +7,7 @@ import type { WorkerReport, WorkerStart } from './node_worker.ts';
 import { functionsIn, withNames } from './function_names.ts';
 import type { Platform, WorkerHandle } from './platform.ts';
 import type { ProgramEnd } from './program.ts';
+import { folderOf, homeOf, type ImageOfStart, type PythonImages } from './python_images.ts';
 import type { PythonStart } from './python_program.ts';
 import type { NodeState, NodeView, SiteNode, StartOn } from './session.ts';
 import { SiteError } from './site_error.ts';
@@ -29,6 +30,8 @@ export interface RunnerHost {
   readonly files: SiteFiles;
   readonly platform: Platform;
   readonly broker: Broker;
+  /** undefined: Python programs boot by themselves. */
+  readonly images: PythonImages | undefined;
   readonly changed: () => void;
   /** The node's program waits for the first time, or is over. */
   readonly settled: (node: SiteNode) => void;
@@ -182,9 +185,12 @@ export class NodeRunner {
       let admission = this.host.broker.kind === 'port' ? undefined : this.admit();
       const main = this.worker(() => admission?.participant, attempt);
       const startedAt = Date.now();
+      const environment = { ...this.host.environment, ...this.node.environment };
       let module: WebAssembly.Module;
+      let image: ImageOfStart;
       try {
         module = await this.host.platform.compile(this.node.program);
+        image = await this.host.images?.take(this.node, environment);
         if (this.attempt === attempt) admission ??= this.admit();
       } catch (error) {
         this.bury(admission?.participant, [main], false);
@@ -197,11 +203,11 @@ export class NodeRunner {
       const { participant, ticket, transfer } = admission;
       const start: WorkerStart = {
         module,
-        python: this.python(),
+        python: this.python(image),
         ticket,
         id: this.node.id,
         arguments: [this.node.executable, ...this.node.arguments],
-        environment: { ...this.host.environment, ...this.node.environment },
+        environment,
         files: this.host.files,
         stepped: this.host.stepped,
         traced: this.host.sent !== undefined,
@@ -215,11 +221,9 @@ export class NodeRunner {
     }
   }
 
-  private python(): PythonStart | undefined {
+  private python(image: ImageOfStart): PythonStart | undefined {
     const { python, program } = this.node;
-    if (python === undefined) return undefined;
-    const { place } = this.host.platform;
-    return { ...python, base: place.endsWith('/') ? place : `${place}/`, home: program.slice(0, program.lastIndexOf('/') + 1) };
+    return python === undefined ? undefined : { ...python, base: folderOf(this.host.platform.place), home: homeOf(program), image };
   }
 
   /** It reports nothing before it is admitted. */
@@ -252,6 +256,11 @@ export class NodeRunner {
         return;
       case 'sent':
         this.host.sent?.(this.node, report.message);
+        return;
+      case 'image':
+        return;
+      case 'broken_image':
+        this.host.images?.broken(run?.start.python?.image);
         return;
       case 'waits':
         this.host.settled(this.node);

@@ -6,7 +6,8 @@ import type { Link } from './link.ts';
 import type { SentMessage } from './message_trace.ts';
 import { type LinkTicket, openLink } from './open_link.ts';
 import { type ProgramEnd, type ProgramHost, runProgram, type ThreadStart } from './program.ts';
-import type { PythonStart, RunPython, WorkerFiles } from './python_program.ts';
+import type { ImageStart } from './python_image.ts';
+import type { PythonRuntime, PythonStart, WorkerFiles } from './python_program.ts';
 import { seededRandom } from './seeded_random.ts';
 import type { ReadNow, SiteFiles } from './site_files.ts';
 import type { ThreadMemory } from './thread_waits.ts';
@@ -43,6 +44,10 @@ export type WorkerReport =
   /** A stepped run: it waits for its turn. */
   | { readonly t: 'rest'; readonly rest: Rest }
   | { readonly t: 'sent'; readonly message: SentMessage }
+  /** What an order to make an image came to; undefined: there can be none. */
+  | { readonly t: 'image'; readonly image: Blob | undefined }
+  /** The image that the start named cannot be opened; the program began without it. */
+  | { readonly t: 'broken_image' }
   /** `closed`: the worker took leave of the graph. */
   | { readonly t: 'end'; readonly end: ProgramEnd; readonly closed: boolean };
 
@@ -54,26 +59,28 @@ export interface HoldOrder {
 
 export type WorkerOrder =
   | { readonly t: 'start'; readonly start: WorkerStart }
+  /** Runs no program, but makes what Python programs begin with. */
+  | { readonly t: 'image'; readonly module: WebAssembly.Module; readonly start: ImageStart }
   /** Runs no program, but carries to and from another tab. */
   | { readonly t: 'bridge'; readonly ticket: LinkTicket; readonly channel: string };
 
-async function runStart(start: WorkerStart, host: ProgramHost, place: WorkerPlace): Promise<ProgramEnd> {
+async function runStart(start: WorkerStart, host: ProgramHost, place: WorkerPlace, broken: () => void): Promise<ProgramEnd> {
   const { module, python, thread } = start;
   if (python === undefined) return runProgram(module, host, thread);
-  let runPython: RunPython;
+  let runtime: PythonRuntime;
   try {
-    runPython = await place.python(python.base);
+    runtime = await place.python(python.base);
   } catch (error) {
     return { kind: 'crash', code: 'R2W0706', message: error instanceof Error ? error.message : String(error) };
   }
-  return runPython(module, python, host, place.files);
+  return runtime.run(module, python, host, place.files, broken);
 }
 
 /** What a worker has beside its messages. */
 export interface WorkerPlace {
   readonly files: WorkerFiles;
   /** Fetched only for a node that is a Python program. `base`: as in PythonStart. */
-  readonly python: (base: string) => Promise<RunPython>;
+  readonly python: (base: string) => Promise<PythonRuntime>;
 }
 
 /** Connects the worker's messages with a program. Returns what to call with each message. */
@@ -114,14 +121,26 @@ export function serveWorker(
       stepped: start.stepped !== undefined,
       startThread: (request, memory) => post({ t: 'thread', request, memory }),
     };
-    const end = await runStart(start, host, place);
+    const end = await runStart(start, host, place, () => post({ t: 'broken_image' }));
     // A program that ended by itself takes leave, so that what it sent last is still delivered.
     if (end.kind === 'exit') link.close();
     console.flush();
     post({ t: 'end', end, closed: end.kind === 'exit' });
   };
+  const makeImage = async (module: WebAssembly.Module, start: ImageStart): Promise<void> => {
+    let image: Blob | undefined;
+    try {
+      image = await (await place.python(start.base)).makeImage(module, start, place.files);
+    } catch {
+      // Nodes start without it.
+    }
+    post({ t: 'image', image });
+  };
   return (order) => {
     switch (order.t) {
+      case 'image':
+        void makeImage(order.module, order.start);
+        return;
       case 'start':
         void run(order.start);
         return;

@@ -3,7 +3,7 @@
 import type { loadPyodide } from 'pyodide';
 import { fetchNow } from './fetch_now.ts';
 import { type HoldOrder, serveWorker, type WorkerOrder } from './node_worker.ts';
-import type { RunPython } from './python_program.ts';
+import type { PythonRuntime } from './python_program.ts';
 import { holdLife } from './worker_life.ts';
 
 const scope = self as unknown as DedicatedWorkerGlobalScope;
@@ -30,7 +30,7 @@ const handle = serveWorker((report) => scope.postMessage(report), fetchNow, {
   },
   python: async (base) => {
     load(`${base}python_worker.js`);
-    return (scope as unknown as { ros2wasmRunPython: RunPython }).ros2wasmRunPython;
+    return (scope as unknown as { ros2wasmPython: PythonRuntime }).ros2wasmPython;
   },
 });
 let held = Promise.resolve();

@@ -1,5 +1,6 @@
 // What a session needs of the place it runs in: a browser page (launcher.ts) or Node.js (headless.ts).
 
+import type { KeptBytes } from './kept_bytes.ts';
 import type { WorkerOrder, WorkerReport } from './node_worker.ts';
 import type { SiteFile } from './session.ts';
 
@@ -27,6 +28,8 @@ export interface Platform {
   /** The whole file. Throws SiteError R2W0706 or R2W0724. */
   readonly bytes: (path: string) => Promise<ArrayBuffer>;
   readonly startWorker: (name: string, events: WorkerEvents) => WorkerHandle;
+  /** What is kept for later visits; undefined: nothing is. */
+  readonly kept?: KeptBytes | undefined;
   /** Runs a task at the next animation frame, or soon. */
   readonly frame: (task: () => void) => void;
 }

@@ -2,12 +2,14 @@
 // same functions as a wasm program (host_imports.ts), with addresses in Pyodide's memory.
 
 import type { loadPyodide, PyodideInterface } from 'pyodide';
-import type { PyBuffer, PyCallable, PyDict, PyProxy } from 'pyodide/ffi';
+import type { PyBuffer, PyCallable, PyProxy } from 'pyodide/ffi';
 import { WaitResult } from '../protocol/generated/constants.ts';
 import { hostImports } from './host_imports.ts';
 import { LineWriter } from './line_writer.ts';
 import { type ProgramEnd, type ProgramHost, promiseIntegration } from './program.ts';
-import { ProgramMemory } from './program_memory.ts';
+import type { ProgramMemory } from './program_memory.ts';
+import { type LoadedPyodide, openPyodide } from './pyodide_loader.ts';
+import { type MakePythonImage, addressOf, install, prefix, pythonEnvironment, readImage, restoreFiles, startModule } from './python_image.ts';
 import type { PythonProgram } from './session.ts';
 import type { Arrival } from './wasi.ts';
 
@@ -17,6 +19,8 @@ export interface PythonStart extends PythonProgram {
   readonly base: string;
   /** Pyodide's folder in the site, with "/" at the end. */
   readonly home: string;
+  /** What it begins with, and how many of the archives are in it. */
+  readonly image: { readonly bytes: Blob; readonly archives: number } | undefined;
 }
 
 /** Where a worker finds the files of the site. */
@@ -25,71 +29,25 @@ export interface WorkerFiles {
   readonly bytes: (place: string) => Promise<Uint8Array<ArrayBuffer>>;
 }
 
-/** How python_worker.js is called in a browser. */
+/** How python_worker.js is called in a browser to run a program. */
 export type RunPython = (
   module: WebAssembly.Module, start: PythonStart, host: ProgramHost, files: WorkerFiles,
+  /** The image could not be opened. */
+  broken: () => void,
 ) => Promise<ProgramEnd>;
 
-/** Where the archives are unpacked: an installation, as colcon makes it. */
-const prefix = '/ros';
-const sitePackages = `${prefix}/lib/python3.12/site-packages`;
+/** What python_worker.js has. */
+export interface PythonRuntime {
+  readonly run: RunPython;
+  readonly makeImage: MakePythonImage;
+}
+
 const interrupt = 2;
 /** As Python ends when nobody catches KeyboardInterrupt. */
 const interruptedCode = -interrupt;
 
 function crash(code: string, message: string): ProgramEnd {
   return { kind: 'crash', code, message };
-}
-
-type ModuleImports = Record<string, WebAssembly.ImportValue>;
-
-/** Python's clocks are the site's, and its random numbers the run's, from the first instruction on. */
-function followHost(imports: WebAssembly.Imports, host: ProgramHost, memory: ProgramMemory): void {
-  const { clock } = host.link;
-  const env = imports['env'] as ModuleImports;
-  const wasi = imports['wasi_snapshot_preview1'] as ModuleImports;
-  env['emscripten_get_now'] = () => clock.steadyNs() / 1e6;
-  env['emscripten_date_now'] = () => clock.systemNs() / 1e6;
-  wasi['clock_time_get'] = (id: number, ...rest: readonly (number | bigint)[]): number => {
-    const time = id === 0 ? clock.systemNs() : clock.steadyNs();
-    memory.setI64(Number(rest.at(-1)), BigInt(Math.floor(time)));
-    return 0;
-  };
-  const { random } = host;
-  if (random === undefined) return;
-  env['getentropy'] = (address: number, length: number): number => {
-    const bytes = new Uint8Array(length);
-    random(bytes);
-    memory.u8.set(bytes, address);
-    return 0;
-  };
-}
-
-/**
- * Calls `load` while whoever asks for Pyodide's own wasm file gets the module that the page has compiled already.
- * Pyodide has no option for it.
- */
-async function withModule<T>(
-  module: WebAssembly.Module, prepare: (imports: WebAssembly.Imports) => void, load: () => Promise<T>,
-): Promise<T> {
-  const wasm = WebAssembly as { instantiate: unknown; instantiateStreaming: unknown };
-  const scope = globalThis as { fetch: unknown };
-  const kept = { instantiate: wasm.instantiate, instantiateStreaming: wasm.instantiateStreaming, fetch: scope.fetch };
-  const given = async (_source: unknown, imports: WebAssembly.Imports): Promise<WebAssembly.WebAssemblyInstantiatedSource> => {
-    prepare(imports);
-    return { module, instance: new WebAssembly.Instance(module, imports) };
-  };
-  wasm.instantiate = given;
-  wasm.instantiateStreaming = given;
-  const fetchOther = fetch;
-  scope.fetch = (what: URL | string, ...rest: readonly RequestInit[]) =>
-    String(what).endsWith('/pyodide.asm.wasm') ? Promise.resolve(new Response()) : fetchOther(what, ...rest);
-  try {
-    return await load();
-  } finally {
-    Object.assign(WebAssembly, { instantiate: kept.instantiate, instantiateStreaming: kept.instantiateStreaming });
-    scope.fetch = kept.fetch;
-  }
 }
 
 /** As long a thread computes before others get their turn, as in CPython. */
@@ -194,10 +152,10 @@ function arrived(arrival: Arrival): number {
 
 /** The module `ros2wasm_host` of Python. */
 function hostModule(
-  host: ProgramHost, memory: ProgramMemory, stop: Interrupts, died: (error: unknown) => void,
+  host: ProgramHost, memory: () => ProgramMemory, stop: Interrupts, died: (error: unknown) => void,
 ): Record<string, unknown> {
   const { link } = host;
-  const imports = hostImports(link, () => memory, host.idle, host.sent);
+  const imports = hostImports(link, memory, host.idle, host.sent);
   const buffers: PyBuffer[] = [];
   let pending: Promise<unknown> | undefined;
   /** Until Python is back (`resumed`) nobody interrupts it: Pyodide runs code of its own when a promise is kept. */
@@ -236,12 +194,7 @@ function hostModule(
       stop.suspended = false;
     },
     take_stop: () => stop.take(),
-    /** Where the bytes of a bytearray lie, which stay there for good. */
-    address: (bytes: PyProxy): number => {
-      const buffer = (bytes as PyProxy & { getBuffer(type: string): PyBuffer }).getBuffer('u8');
-      buffers.push(buffer);
-      return (buffer['data'] as Uint8Array).byteOffset;
-    },
+    address: (bytes: PyProxy): number => addressOf(bytes, buffers),
   };
 }
 
@@ -278,29 +231,6 @@ export function mountShare(python: PyodideInterface, { files, readNow }: Pick<Pr
   }
 }
 
-interface Loaded {
-  readonly python: PyodideInterface;
-  readonly memory: ProgramMemory;
-}
-
-async function load(
-  module: WebAssembly.Module, start: PythonStart, host: ProgramHost, files: WorkerFiles,
-): Promise<Loaded> {
-  const home = start.base + start.home;
-  const open = await files.pyodide(home);
-  let memory: ProgramMemory | undefined;
-  const prepare = (imports: WebAssembly.Imports): void => {
-    memory = new ProgramMemory((imports['env'] as ModuleImports)['memory'] as WebAssembly.Memory);
-    followHost(imports, host, memory);
-  };
-  const python = await withModule(module, prepare, () => open({
-    indexURL: home,
-    env: { HOME: '/home', ...host.environment, AMENT_PREFIX_PATH: `${prefix}:${host.files.prefix}` },
-  }));
-  if (memory === undefined) throw new TypeError('Pyodide took another wasm file');
-  return { python, memory };
-}
-
 /** How what Python could not catch reads. */
 export function failure(error: unknown): ProgramEnd {
   const message = error instanceof Error ? error.message : String(error);
@@ -309,16 +239,61 @@ export function failure(error: unknown): ProgramEnd {
   return crash('R2W0701', message);
 }
 
+/** An interpreter with what was unpacked: from the image, if there is one that can be opened; `broken` is told when it cannot. */
+async function begin(
+  module: WebAssembly.Module, start: PythonStart, host: ProgramHost, files: WorkerFiles,
+  functions: Record<string, unknown>, broken: () => void,
+): Promise<LoadedPyodide> {
+  const home = start.base + start.home;
+  const environment = pythonEnvironment(host.environment, host.files.prefix);
+  const open = await files.pyodide(home);
+  const options = { module, home, open, environment, place: { clock: host.link.clock, random: host.random }, toBeKept: false };
+  const archives = (paths: readonly string[]): Promise<Uint8Array[]> =>
+    Promise.all(paths.map((path) => files.bytes(start.base + path)));
+  if (start.image !== undefined) {
+    try {
+      const more = archives(start.archives.slice(start.image.archives));
+      const image = readImage(await start.image.bytes.arrayBuffer());
+      const opened = await openPyodide({ ...options, image: { ...image, host: functions } });
+      restoreFiles(opened.python, image);
+      install(opened.python, await more);
+      startModule(opened.python).renew(opened.python.toPy(environment));
+      return opened;
+    } catch {
+      broken();
+    }
+  }
+  const unpacked = archives(start.archives);
+  unpacked.catch(() => undefined);
+  const opened = await openPyodide({ ...options, image: undefined });
+  opened.python.registerJsModule('ros2wasm_host', functions);
+  install(opened.python, await unpacked);
+  return opened;
+}
+
 /** Runs the entry to its end. */
-export const runPython: RunPython = async (module, start, host, files) => {
+export const runPython: RunPython = async (module, start, host, files, broken) => {
   const suspends = promiseIntegration() !== undefined;
   if (host.link.kind === 'port' && !suspends) {
     return crash('R2W0705', 'this browser can neither share memory with this page nor suspend a program');
   }
   const out = { stdout: new LineWriter((l) => host.line('stdout', l)), stderr: new LineWriter((l) => host.line('stderr', l)) };
-  const archives = start.archives.map((path) => files.bytes(start.base + path));
+  const stop = new Interrupts(() => host.link.stopRequested(), !host.stepped);
+  let died: (error: unknown) => void = () => undefined;
+  const death = new Promise<never>((_resolve, reject) => {
+    died = reject;
+  });
+  // After the program's end nobody asks.
+  death.catch(() => undefined);
+  let memory: ProgramMemory | undefined;
+  const functions = hostModule(host, () => {
+    if (memory === undefined) throw new TypeError('Python calls out before it is loaded');
+    return memory;
+  }, stop, died);
   try {
-    const { python, memory } = await load(module, start, host, files);
+    const begun = await begin(module, start, host, files, functions, broken);
+    const { python } = begun;
+    ({ memory } = begun);
     const writer = (stream: 'stdout' | 'stderr') => ({
       isatty: false,
       write: (bytes: Uint8Array): number => {
@@ -328,19 +303,8 @@ export const runPython: RunPython = async (module, start, host, files) => {
     });
     python.setStdout(writer('stdout'));
     python.setStderr(writer('stderr'));
-    const stop = new Interrupts(() => host.link.stopRequested(), !host.stepped);
-    let died: (error: unknown) => void = () => undefined;
-    const death = new Promise<never>((_resolve, reject) => {
-      died = reject;
-    });
-    // After the program's end nobody asks.
-    death.catch(() => undefined);
-    python.registerJsModule('ros2wasm_host', hostModule(host, memory, stop, died));
-    for (const bytes of await Promise.all(archives)) python.unpackArchive(bytes, 'zip', { extractDir: prefix });
     mountShare(python, host);
-    const globals = python.toPy({ path: sitePackages }) as PyDict;
-    python.runPython('import sys; sys.path.insert(0, path); from ros2wasm.start import run', { globals });
-    const run = globals.get('run') as PyCallable;
+    const { run } = startModule(python);
     const args = python.toPy(host.arguments) as PyProxy;
     // A stop that came meanwhile: nothing of the user's has begun.
     if (host.link.stopRequested()) return { kind: 'exit', code: interruptedCode };

@@ -9,6 +9,7 @@ import { NodeRunner } from './node_runner.ts';
 import type { GraphView, PageNode } from './page_node.ts';
 import { PageParticipant } from './page_participant.ts';
 import type { Platform } from './platform.ts';
+import { PythonImages } from './python_images.ts';
 import { Sampler } from './sampler.ts';
 import type {
   ConsoleLog, LastMessage, LinkKind, NodeState, NodeView, Session, SiteDescription, SiteNode, SiteTime, StartOn, SteppedRun, TabView, TopicView,
@@ -45,6 +46,7 @@ export class SiteSession implements Session {
   readonly stepped: SteppedRun | undefined;
   private readonly platform: Platform;
   private readonly broker: Broker;
+  private readonly images: PythonImages | undefined;
   private readonly runners = new Map<string, NodeRunner>();
   private readonly sampler: Sampler;
   private readonly input: InputWriter;
@@ -87,6 +89,8 @@ export class SiteSession implements Session {
     if (unsettled.size === 0) allSettled();
     const environment = siteEnvironment(site);
     const files = siteFiles(site, platform.place);
+    // The bytes of an image are of no run: one that is to be the same each time boots.
+    this.images = stepped === undefined ? new PythonImages(site, platform, files.prefix) : undefined;
     for (const node of site.nodes) {
       const console = new NodeConsole(platform.frame);
       this.runners.set(node.id, new NodeRunner(node, console, {
@@ -94,6 +98,7 @@ export class SiteSession implements Session {
         files,
         platform,
         broker,
+        images: this.images,
         changed: () => this.nodesChanged(),
         settled: (of) => {
           unsettled.delete(of);
@@ -329,6 +334,7 @@ export class SiteSession implements Session {
     this.tabs?.close();
     for (const runner of this.runners.values()) runner.close();
     this.page?.close();
+    this.images?.close();
     this.nodeListeners.clear();
     this.graphListeners.clear();
     this.topicListeners.clear();

@@ -154,13 +154,24 @@ def conversion(type_: FieldType) -> Callable[[Any], Any] | None:
     return as_fixed_array(code) if type_.container == 'array' else as_array(code)
 
 
+def first_array(convert: Callable[[Any], Any], first: Any) -> Callable[[], Any]:
+    """Copies an array that is made when it is first asked for: what arrays are depends on whether there is numpy."""
+    start: Any = None
+
+    def make() -> Any:
+        nonlocal start
+        if start is None:
+            start = convert(first)
+        return start[:] if isinstance(start, array) else start.copy()
+    return make
+
+
 def default_maker(type_: FieldType, default: Any, find: Callable[[str], Any]) -> Callable[[], Any] | None:
     """Makes a field's first value; None when one value does for all messages."""
     convert = conversion(type_)
     if convert is not None:
         first = default if default is not None else [0] * (type_.size if type_.container == 'array' else 0)
-        start = convert(first)
-        return start.copy if hasattr(start, 'copy') else lambda: start[:]
+        return first_array(convert, first)
     if type_.container:
         if default is not None:
             return lambda: list(default)

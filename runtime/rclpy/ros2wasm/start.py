@@ -3,6 +3,8 @@ from __future__ import annotations
 
 import atexit
 import builtins
+import contextlib
+import gc
 import importlib
 import io
 import os
@@ -16,9 +18,28 @@ from types import TracebackType
 from typing import Any
 
 from ros2wasm import event_loop, host, import_hook, terminal, threads
+from ros2wasm.codec import find_numpy
 
 NS = 1_000_000_000
 INTERRUPTED = -int(signal.SIGINT)
+#: What the image of a started interpreter has imported.
+PREPARED_MODULES = (
+    'argparse', 'copy', 'dataclasses', 'datetime', 'enum', 'json', 'math', 'random', 'rclpy', 'rclpy.action',
+    'rclpy.executors', 'rclpy.lifecycle', 'rclpy.parameter', 'rclpy.qos', 'typing',
+)
+#: What it can write and read at once, where the site has them.
+PREPARED_MESSAGES = (
+    'builtin_interfaces/msg/Time', 'geometry_msgs/msg/Twist', 'rcl_interfaces/msg/Log',
+    'rcl_interfaces/msg/ParameterEvent', 'std_msgs/msg/Bool', 'std_msgs/msg/Float64', 'std_msgs/msg/Int32',
+    'std_msgs/msg/String',
+)
+#: Of every node.
+PREPARED_SERVICES = (
+    *(f'rcl_interfaces/srv/{name}' for name in (
+        'DescribeParameters', 'GetParameterTypes', 'GetParameters', 'ListParameters', 'SetParameters',
+        'SetParametersAtomically')),
+    'type_description_interfaces/srv/GetTypeDescription',
+)
 #: Frames of these are ours: a traceback begins with the user's.
 OWN_FILES = (__file__, importlib.__file__, runpy.__file__, '<frozen importlib', '<frozen runpy')
 
@@ -44,8 +65,17 @@ def ask(prompt: object = '', /) -> str:
     return line.rstrip('\n')
 
 
+installed = False
+#: The memory was taken over from an image.
+from_image = False
+
+
 def install() -> None:
-    """Put what waits on the link in place of what would block the worker or fail."""
+    """Put what waits on the link in place of what would block the worker or fail; once."""
+    global installed
+    if installed:
+        return
+    installed = True
     setattr(time, 'sleep', sleep)
     threads.install()
     event_loop.install()
@@ -56,6 +86,43 @@ def install() -> None:
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(line_buffering=True)
     import_hook.install()
+
+
+def prepare() -> None:
+    """Have ready what all programs use, for an image of the memory. Nothing of one node may get into it."""
+    install()
+    for module in PREPARED_MODULES:
+        importlib.import_module(module)
+    types = importlib.import_module('ros2wasm.types')
+    for name in PREPARED_MESSAGES:
+        with contextlib.suppress(KeyError):
+            codec = types.codec_of(name)
+            types.type_hash(name), codec.write, codec.read
+    for name in PREPARED_SERVICES:
+        with contextlib.suppress(KeyError):
+            service = types.find_service(name)
+            types.type_hash(name), service.Request, service.Response, service.Event
+    gc.collect()
+    # Nobody looks among it for what is no longer used.
+    gc.freeze()
+
+
+def renew(environment: Any) -> None:
+    """After the memory was taken over from an image: what belongs to a node is its own."""
+    global from_image
+    from_image = True
+    os.environ.update((str(name), str(value)) for name, value in environment.items())
+    if hasattr(time, 'tzset'):
+        time.tzset()
+    # Drawn from the run's random numbers, as at a first import.
+    if 'random' in sys.modules:
+        sys.modules['random'].seed()
+    if 'logging' in sys.modules:
+        setattr(sys.modules['logging'], '_startTime', time.time())
+    # There may be more modules now.
+    for place in [one for one in sys.path_importer_cache if not one.endswith('.zip')]:
+        del sys.path_importer_cache[place]
+    find_numpy.cache_clear()
 
 
 def run_entry(entry: str, prefix: str) -> None:

@@ -5,7 +5,7 @@ setup(
     version='0.1.0',
     license='Apache-2.0',
     packages=['chatter_py'],
-    scripts=['scripts/cloud', 'scripts/threads'],
+    scripts=['scripts/cloud', 'scripts/fresh', 'scripts/threads'],
     data_files=[
         ('share/chatter_py', ['package.xml']),
         ('share/ament_index/resource_index/packages', ['resource/chatter_py']),

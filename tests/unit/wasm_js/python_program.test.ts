@@ -79,11 +79,11 @@ async function runScript(script: string): Promise<{ readonly end: ProgramEnd; re
       stepped: false, input: {},
     } as unknown as ProgramHost;
     const module = await WebAssembly.compile(readFileSync(`${pyodide}pyodide.asm.wasm`));
-    const start = { base: `${folder}/`, home: '', archives: ['all.zip'], entry: 'lib/test/script' };
+    const start = { base: `${folder}/`, home: '', archives: ['all.zip'], entry: 'lib/test/script', image: undefined };
     const end = await runPython(module, start, host, {
       pyodide: async () => (options) => loadPyodide({ ...options, indexURL: pyodide }),
       bytes: async (place) => Uint8Array.from(readFileSync(place)),
-    });
+    }, () => assert.fail('there is no image'));
     waits.close();
     return { end, lines };
   } finally {

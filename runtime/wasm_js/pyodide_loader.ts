@@ -1,0 +1,146 @@
+// Loads Pyodide, as it comes in its npm package, in ways that it has no options for: with the module that the page has
+// compiled already, with the site's clocks and random numbers, and with a memory that is there already.
+
+import type { loadPyodide, PyodideInterface } from 'pyodide';
+import type { Link } from './link.ts';
+import { ProgramMemory } from './program_memory.ts';
+
+type ModuleImports = Record<string, WebAssembly.ImportValue>;
+
+/** What the interpreter asks its place for. */
+export interface PythonPlace {
+  readonly clock: Link['clock'];
+  readonly random: ((bytes: Uint8Array) => void) | undefined;
+}
+
+/** A memory with an interpreter in it; the parts lie in one buffer. */
+export interface OpenImage {
+  /** What Pyodide says of it, in Pyodide's form. */
+  readonly description: Uint8Array;
+  /** From its begin to the last byte that is not 0. */
+  readonly memory: Uint8Array;
+  /** How large it is with what follows. */
+  readonly size: number;
+  /** The site's functions, in place of those that were there when the image was made. */
+  readonly host: object;
+}
+
+export interface PyodideOptions {
+  readonly module: WebAssembly.Module;
+  readonly open: typeof loadPyodide;
+  /** Pyodide's folder, with "/" at the end. */
+  readonly home: string;
+  readonly environment: Readonly<Record<string, string>>;
+  /** undefined: the browser's. */
+  readonly place: PythonPlace | undefined;
+  readonly image: OpenImage | undefined;
+  /** An image will be made of it. */
+  readonly toBeKept: boolean;
+}
+
+export interface LoadedPyodide {
+  readonly python: PyodideInterface;
+  readonly memory: ProgramMemory;
+}
+
+/** Python's clocks are the site's, and its random numbers the run's, from the first instruction on. */
+function followHost(imports: WebAssembly.Imports, { clock, random }: PythonPlace, memory: ProgramMemory): void {
+  const env = imports['env'] as ModuleImports;
+  const wasi = imports['wasi_snapshot_preview1'] as ModuleImports;
+  env['emscripten_get_now'] = () => clock.steadyNs() / 1e6;
+  env['emscripten_date_now'] = () => clock.systemNs() / 1e6;
+  wasi['clock_time_get'] = (id: number, ...rest: readonly (number | bigint)[]): number => {
+    const time = id === 0 ? clock.systemNs() : clock.steadyNs();
+    memory.setI64(Number(rest.at(-1)), BigInt(Math.floor(time)));
+    return 0;
+  };
+  if (random === undefined) return;
+  env['getentropy'] = (address: number, length: number): number => {
+    const bytes = new Uint8Array(length);
+    random(bytes);
+    memory.u8.set(bytes, address);
+    return 0;
+  };
+}
+
+/** Calls `load` while whoever asks for Pyodide's own wasm file gets the given module. */
+async function withModule<T>(
+  module: WebAssembly.Module, prepare: (imports: WebAssembly.Imports) => void, load: () => Promise<T>,
+): Promise<T> {
+  const wasm = WebAssembly as { instantiate: unknown; instantiateStreaming: unknown };
+  const scope = globalThis as { fetch: unknown };
+  const kept = { instantiate: wasm.instantiate, instantiateStreaming: wasm.instantiateStreaming, fetch: scope.fetch };
+  const given = async (_source: unknown, imports: WebAssembly.Imports): Promise<WebAssembly.WebAssemblyInstantiatedSource> => {
+    prepare(imports);
+    return { module, instance: new WebAssembly.Instance(module, imports) };
+  };
+  wasm.instantiate = given;
+  wasm.instantiateStreaming = given;
+  const fetchOther = fetch;
+  scope.fetch = (what: URL | string, ...rest: readonly RequestInit[]) =>
+    String(what).endsWith('/pyodide.asm.wasm') ? Promise.resolve(new Response()) : fetchOther(what, ...rest);
+  try {
+    return await load();
+  } finally {
+    Object.assign(WebAssembly, { instantiate: kept.instantiate, instantiateStreaming: kept.instantiateStreaming });
+    scope.fetch = kept.fetch;
+  }
+}
+
+/** The part of Emscripten's module that is used here. */
+interface EmscriptenModule {
+  readonly HEAPU8: Uint8Array;
+}
+type CreateModule = (settings: { INITIAL_MEMORY?: number }) => Promise<EmscriptenModule>;
+
+const factory = '_createPyodideModule';
+
+/**
+ * Calls `load` while Pyodide's modules begin with the image's memory. What Pyodide itself is given is only the image's
+ * description: its own way would have the whole image in one buffer more.
+ */
+async function withMemory<T>(image: OpenImage | undefined, load: () => Promise<T>): Promise<T> {
+  if (image === undefined) return load();
+  const scope = globalThis as unknown as Record<string, CreateModule | undefined>;
+  let create = scope[factory];
+  const fill: CreateModule = async (settings) => {
+    if (create === undefined) throw new TypeError('Pyodide has no module');
+    const made = await create({ ...settings, INITIAL_MEMORY: image.size });
+    if (made.HEAPU8.length !== image.size) throw new RangeError('the image is of a memory of another size');
+    made.HEAPU8.set(image.memory);
+    made.HEAPU8.fill(0, image.memory.length);
+    return made;
+  };
+  // The script that Pyodide loads assigns it, in a browser also what it reads back.
+  Object.defineProperty(scope, factory, {
+    configurable: true,
+    get: () => create === undefined ? undefined : fill,
+    set: (made: CreateModule) => {
+      if (made !== fill) create = made;
+    },
+  });
+  try {
+    return await load();
+  } finally {
+    Object.defineProperty(scope, factory, { configurable: true, writable: true, value: create });
+  }
+}
+
+/** Throws what Pyodide throws. */
+export async function openPyodide(options: PyodideOptions): Promise<LoadedPyodide> {
+  const { module, open, home, environment, place, image, toBeKept } = options;
+  let memory: ProgramMemory | undefined;
+  const prepare = (imports: WebAssembly.Imports): void => {
+    memory = new ProgramMemory((imports['env'] as ModuleImports)['memory'] as WebAssembly.Memory);
+    if (place !== undefined) followHost(imports, place, memory);
+  };
+  const settings = {
+    indexURL: home,
+    env: { ...environment },
+    ...(toBeKept ? { _makeSnapshot: true } : {}),
+    ...(image === undefined ? {} : { _loadSnapshot: image.description, _snapshotDeserializer: () => image.host }),
+  };
+  const python = await withModule(module, prepare, () => withMemory(image, () => open(settings)));
+  if (memory === undefined) throw new TypeError('Pyodide took another wasm file');
+  return { python, memory };
+}

@@ -1,0 +1,138 @@
+// Which image the Python nodes of a site begin with, and who makes it: one for all of them, made by a worker of its own
+// when the first node starts, or kept from an earlier visit.
+
+import type { Platform } from './platform.ts';
+import { type ImageStart, imageVersion } from './python_image.ts';
+import { promiseIntegration } from './program.ts';
+import type { PythonStart } from './python_program.ts';
+import { RunningSha256 } from './running_sha256.ts';
+import type { SiteDescription, SiteNode } from './session.ts';
+
+export type ImageOfStart = PythonStart['image'];
+
+export function folderOf(place: string): string {
+  return place.endsWith('/') ? place : `${place}/`;
+}
+
+export function homeOf(program: string): string {
+  return program.slice(0, program.lastIndexOf('/') + 1);
+}
+
+/** What all begin with alike, in the same order. */
+function commonBegin(lists: readonly (readonly string[])[]): string[] {
+  const [first = [], ...others] = lists;
+  const end = first.findIndex((one, i) => others.some((other) => other[i] !== one));
+  return first.slice(0, end < 0 ? first.length : end);
+}
+
+/** Settings that the interpreter reads when it boots: nodes that have such ones boot by themselves. */
+function bootsByItself(environment: Readonly<Record<string, string>>): boolean {
+  return Object.keys(environment).some((name) => name.startsWith('PYTHON') || name === 'ROS_PYTHON_CHECK_FIELDS');
+}
+
+/** The bytes of an image depend on these, and on the browser. */
+function keyOf(site: SiteDescription, program: string, archives: readonly string[]): string {
+  const home = homeOf(program);
+  const parts = site.files.filter(({ path }) => path.startsWith(home) || archives.includes(path) || path === 'python_worker.js');
+  const told = [imageVersion, navigator.userAgent, ...parts.map(({ path, sha256 }) => `${path} ${sha256}`).sort()].join('\n');
+  const hash = new RunningSha256();
+  hash.add(new TextEncoder().encode(told));
+  return hash.hex();
+}
+
+interface Made {
+  readonly bytes: Blob;
+  /** Of an earlier visit. */
+  readonly kept: boolean;
+}
+
+export class PythonImages {
+  private readonly site: SiteDescription;
+  private readonly platform: Platform;
+  private readonly program: string | undefined;
+  private readonly archives: readonly string[];
+  private readonly share: string;
+  private made: Promise<Made | undefined> | undefined;
+  /** A kept one that cannot be opened is gone when this resolves. */
+  private dropped: Promise<void> | undefined;
+  private end: (() => void) | undefined;
+  private closed = false;
+
+  /** `share`: as in ImageStart. */
+  constructor(site: SiteDescription, platform: Platform, share: string) {
+    const nodes = site.nodes.filter(({ python }) => python !== undefined);
+    const programs = new Set(nodes.map(({ program }) => program));
+    this.site = site;
+    this.platform = platform;
+    this.share = share;
+    this.archives = commonBegin(nodes.map(({ python }) => python?.archives ?? []));
+    // One that is kept pays off for one node too, at the next visit.
+    const pays = platform.kept !== undefined || nodes.length > 1;
+    const works = promiseIntegration() !== undefined && programs.size === 1 && this.archives.length > 0;
+    this.program = pays && works ? nodes[0]?.program : undefined;
+  }
+
+  /** What a node begins with; undefined: with nothing. Never rejects. */
+  async take(node: SiteNode, environment: Readonly<Record<string, string>>): Promise<ImageOfStart> {
+    const { program } = this;
+    if (program === undefined || program !== node.program || node.python === undefined || bootsByItself(environment)) return undefined;
+    this.made ??= this.keptOrMade(program).catch(() => undefined);
+    const made = await this.made;
+    return made === undefined ? undefined : { bytes: made.bytes, archives: this.archives.length };
+  }
+
+  /** It could not be opened: a kept one is made anew, with one that was just made nobody tries again. */
+  broken(image: ImageOfStart): void {
+    const { made } = this;
+    if (made === undefined) return;
+    void made.then((found) => {
+      if (found === undefined || found.bytes !== image?.bytes || this.made !== made) return;
+      this.made = found.kept ? undefined : Promise.resolve(undefined);
+      this.dropped = this.drop();
+    });
+  }
+
+  close(): void {
+    this.closed = true;
+    this.end?.();
+  }
+
+  private async drop(): Promise<void> {
+    const { program, platform: { kept } } = this;
+    if (kept !== undefined && program !== undefined) await kept.drop(keyOf(this.site, program, this.archives));
+  }
+
+  private async keptOrMade(program: string): Promise<Made | undefined> {
+    const { kept } = this.platform;
+    if (kept === undefined) return this.make(program);
+    const key = keyOf(this.site, program, this.archives);
+    await this.dropped;
+    const found = await kept.get(key);
+    if (found !== undefined) return { bytes: found, kept: true };
+    const made = await this.make(program);
+    if (made !== undefined) void kept.put(key, made.bytes);
+    return made;
+  }
+
+  private async make(program: string): Promise<Made | undefined> {
+    const module = await this.platform.compile(program);
+    if (this.closed) return undefined;
+    const start: ImageStart = { base: folderOf(this.platform.place), home: homeOf(program), archives: this.archives, share: this.share };
+    const bytes = await new Promise<Blob | undefined>((resolve) => {
+      const worker = this.platform.startWorker('python image', {
+        report: (report) => {
+          if (report.t === 'image') over(report.image);
+        },
+        failed: () => over(undefined),
+      });
+      const over = (image: Blob | undefined): void => {
+        this.end = undefined;
+        void worker.terminate();
+        resolve(image);
+      };
+      this.end = () => over(undefined);
+      worker.post({ t: 'image', module, start }, []);
+    });
+    return bytes === undefined ? undefined : { bytes, kept: false };
+  }
+}

@@ -1,0 +1,132 @@
+// Who makes the image that Python nodes begin with, who gets it, and what becomes of one that cannot be opened.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import type { KeptBytes } from '../../../runtime/wasm_js/kept_bytes.ts';
+import type { WorkerReport } from '../../../runtime/wasm_js/node_worker.ts';
+import type { Platform } from '../../../runtime/wasm_js/platform.ts';
+import { readImage } from '../../../runtime/wasm_js/python_image.ts';
+import { PythonImages } from '../../../runtime/wasm_js/python_images.ts';
+import type { SiteDescription, SiteNode } from '../../../runtime/wasm_js/session.ts';
+
+const watchdog = { timeout: 20_000 };
+
+function node(id: string, archives: readonly string[] | undefined): SiteNode {
+  const python = archives === undefined ? {} : { python: { archives, entry: 'a:b' } };
+  return { id, program: archives === undefined ? 'a.wasm' : 'pyodide/pyodide.asm.wasm', ...python } as unknown as SiteNode;
+}
+
+const both = [node('a', ['channels.zip', 'workspace.zip']), node('b', ['channels.zip', 'workspace.zip', 'numpy.zip'])];
+
+function site(nodes: readonly SiteNode[]): SiteDescription {
+  return { nodes, files: [{ path: 'channels.zip', sha256: '1' }, { path: 'other', sha256: '2' }] } as unknown as SiteDescription;
+}
+
+/** A place whose workers answer with `makes`; they are counted. */
+function place(makes: 'image' | 'nothing' | 'failure' | 'silence', kept?: KeptBytes): { platform: Platform; begun: string[][]; ended: () => number } {
+  const begun: string[][] = [];
+  let ended = 0;
+  const platform = {
+    place: '/site', kept, compile: async () => ({}) as WebAssembly.Module,
+    startWorker: (_name: string, events: { report: (report: WorkerReport) => void; failed: (why: string) => void }) => ({
+      post: (order: { start: { archives: string[] } }) => {
+        begun.push(order.start.archives);
+        queueMicrotask(() => {
+          if (makes === 'failure') events.failed('gone');
+          else if (makes !== 'silence') events.report({ t: 'image', image: makes === 'image' ? new Blob([`image ${begun.length}`]) : undefined });
+        });
+      },
+      terminate: async () => {
+        ended += 1;
+      },
+    }),
+  } as unknown as Platform;
+  return { platform, begun, ended: () => ended };
+}
+
+function memory(): KeptBytes & { readonly found: Map<string, Blob> } {
+  const found = new Map<string, Blob>();
+  return {
+    found,
+    get: async (key) => found.get(key),
+    put: async (key, bytes) => void found.set(key, bytes),
+    drop: async (key) => void found.delete(key),
+  };
+}
+
+test('one worker makes it for all, of what all have', watchdog, async () => {
+  const { platform, begun, ended } = place('image');
+  const images = new PythonImages(site(both), platform, '/opt/ros/jazzy');
+  const [one, two] = await Promise.all(both.map((each) => images.take(each, {})));
+  assert.ok(one !== undefined && one.bytes === two?.bytes);
+  assert.deepEqual([begun, one.archives, ended()], [[['channels.zip', 'workspace.zip']], 2, 1]);
+});
+
+test('who has settings of the interpreter, and who is no Python program, begins by itself', watchdog, async () => {
+  const { platform, begun } = place('image');
+  const compiled = node('c', undefined);
+  const images = new PythonImages(site([...both, compiled]), platform, '');
+  assert.equal(await images.take(both[0] as SiteNode, { PYTHONHASHSEED: '1' }), undefined);
+  assert.equal(await images.take(both[0] as SiteNode, { ROS_PYTHON_CHECK_FIELDS: '1' }), undefined);
+  assert.equal(await images.take(compiled, {}), undefined);
+  assert.deepEqual(begun, []);
+  assert.notEqual(await images.take(both[0] as SiteNode, { ROS_PYTHON_VERSION: '3' }), undefined);
+});
+
+test('a single node makes none that nobody keeps, and nodes without archives in common none at all', watchdog, async () => {
+  const single = [node('a', ['channels.zip'])];
+  assert.equal(await new PythonImages(site(single), place('image').platform, '').take(single[0] as SiteNode, {}), undefined);
+  assert.notEqual(await new PythonImages(site(single), place('image', memory()).platform, '').take(single[0] as SiteNode, {}), undefined);
+  const apart = [node('a', ['x.zip']), node('b', ['y.zip'])];
+  assert.equal(await new PythonImages(site(apart), place('image').platform, '').take(apart[0] as SiteNode, {}), undefined);
+});
+
+test('where none can be made, nodes begin by themselves', watchdog, async () => {
+  for (const makes of ['nothing', 'failure'] as const) {
+    const { platform, begun } = place(makes);
+    const images = new PythonImages(site(both), platform, '');
+    for (const each of both) assert.equal(await images.take(each, {}), undefined);
+    assert.equal(begun.length, 1);
+  }
+  const { platform, ended } = place('silence');
+  const images = new PythonImages(site(both), platform, '');
+  const taken = images.take(both[0] as SiteNode, {});
+  await new Promise(setImmediate);
+  images.close();
+  assert.equal(await taken, undefined);
+  assert.equal(ended(), 1);
+});
+
+test('it is kept; a broken one is dropped and made anew once', watchdog, async () => {
+  const kept = memory();
+  const first = place('image', kept);
+  await new PythonImages(site(both), first.platform, '').take(both[0] as SiteNode, {});
+  await new Promise(setImmediate);
+  assert.equal(kept.found.size, 1);
+  const later = place('image', kept);
+  const images = new PythonImages(site(both), later.platform, '');
+  const old = await images.take(both[0] as SiteNode, {});
+  assert.equal(await old?.bytes.text(), 'image 1');
+  assert.equal(later.begun.length, 0);
+  images.broken(old);
+  images.broken(old);
+  await new Promise(setImmediate);
+  const made = await images.take(both[0] as SiteNode, {});
+  assert.equal(later.begun.length, 1);
+  images.broken(old);
+  await new Promise(setImmediate);
+  assert.equal(await images.take(both[1] as SiteNode, {}).then((one) => one?.bytes), made?.bytes);
+  images.broken(made);
+  await new Promise(setImmediate);
+  assert.equal(await images.take(both[0] as SiteNode, {}), undefined);
+});
+
+test('what is no image is not read', () => {
+  assert.throws(() => readImage(new ArrayBuffer(4)));
+  assert.throws(() => readImage(new Uint8Array(64).buffer), /no image/);
+  const head = new TextEncoder().encode(JSON.stringify({ description: 16, used: 1 << 20, size: 1 << 20, files: [] }));
+  const bytes = new Uint8Array(1024);
+  new Uint32Array(bytes.buffer).set([0x494d3252, 1, head.length]);
+  bytes.set(head, 12);
+  assert.throws(() => readImage(bytes.buffer), RangeError);
+});

@@ -1,0 +1,94 @@
+// What a command of `ros2` is, and what it may use: a Session, a place to print, a signal for Ctrl-C.
+
+import type { Codec } from '../decode/codec.ts';
+import type { Session } from '../wasm_js/session.ts';
+
+export interface Terminal {
+  /** One line or several, without the newline at the end. */
+  print(text: string): void;
+  /** The same, for what is no result. */
+  warn(text: string): void;
+  /** Ctrl-C. */
+  readonly signal: AbortSignal;
+}
+
+/** What a word of the command line names; completion offers these. */
+export type Meaning =
+  | 'topic' | 'node' | 'service' | 'action' | 'message_type' | 'service_type' | 'action_type' | 'interface' | 'package'
+  | 'parameter' | 'transition' | 'executable' | 'text';
+
+export interface Positional {
+  /** As the usage shows it. */
+  readonly name: string;
+  readonly meaning: Meaning;
+  /** May be left out. */
+  readonly optional?: boolean;
+}
+
+export interface Option {
+  /** `--once`, `-1`: the long one first. */
+  readonly names: readonly string[];
+  /** What its value is called; undefined: it has none. */
+  readonly value?: string;
+  /** The values that it may have. */
+  readonly choices?: readonly string[];
+  /** Is the value a number? */
+  readonly number?: boolean;
+  readonly help: string;
+}
+
+/** What was given; options by their first name without dashes. */
+export interface Given {
+  readonly positionals: readonly string[];
+  readonly options: ReadonlyMap<string, string>;
+}
+
+export interface Context extends Terminal {
+  readonly session: Session;
+  /** Loaded when first asked for. */
+  codec(): Promise<Codec>;
+}
+
+export interface Command {
+  /** `topic`, `echo`. */
+  readonly words: readonly [string, string] | readonly [string];
+  readonly help: string;
+  readonly positionals: readonly Positional[];
+  readonly options: readonly Option[];
+  /** The exit code. A CommandError is printed, and makes it 1. */
+  run(context: Context, given: Given): Promise<number>;
+}
+
+/** What the user is told instead of a result. */
+export class CommandError extends Error {}
+
+export function has(given: Given, option: string): boolean {
+  return given.options.has(option);
+}
+
+/** Of an option that takes a number; the parser has looked at it. */
+export function numberOf(given: Given, option: string, otherwise: number): number {
+  const text = given.options.get(option);
+  return text === undefined ? otherwise : Number(text);
+}
+
+/** Resolves at Ctrl-C, or when `done` is called; `begin` returns what is to be closed then. */
+export function untilDone(signal: AbortSignal, begin: (done: () => void) => readonly { close(): void }[]): Promise<void> {
+  return new Promise((resolve) => {
+    let ended = false;
+    let open: readonly { close(): void }[] = [];
+    const done = (): void => {
+      ended = true;
+      signal.removeEventListener('abort', done);
+      for (const each of open) each.close();
+      resolve();
+    };
+    open = begin(done);
+    if (ended || signal.aborted) {
+      for (const each of open) each.close();
+      resolve();
+    } else {
+      signal.addEventListener('abort', done, { once: true });
+    }
+  });
+}

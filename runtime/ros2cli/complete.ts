@@ -1,0 +1,91 @@
+// Completion of a line that begins with `ros2`: from the table of commands, and what the graph has.
+
+import type { GraphView } from '../wasm_js/session.ts';
+import type { Command, Meaning } from './command.ts';
+import { actionsOf, servicesOf, shown, topicsOf } from './graph_lists.ts';
+import { findOption, splitLine } from './parse.ts';
+import { commands } from './table.ts';
+
+export interface Completion {
+  /** What the last word begins with, and where it begins in the line. */
+  readonly word: string;
+  readonly start: number;
+  /** Whole words, sorted. */
+  readonly choices: readonly string[];
+}
+
+export interface Known {
+  readonly graph: GraphView;
+  /** Names of interfaces that the site has. */
+  readonly interfaces: readonly string[];
+}
+
+/** `line`: what stands before the caret. */
+export function complete(line: string, known: Known): Completion {
+  const start = /\S*$/.exec(line)!.index;
+  const word = line.slice(start);
+  const before = splitLine(line.slice(0, start)) ?? [];
+  const offered = choices(before, word, known);
+  return { word, start, choices: [...new Set(offered)].filter((choice) => choice.startsWith(word) && choice !== '').sort() };
+}
+
+function choices(before: readonly string[], word: string, known: Known): readonly string[] {
+  if (before.length === 0) return ['ros2'];
+  if (before[0] !== 'ros2') return [];
+  if (before.length === 1) return commands.map(({ words }) => words[0]);
+  const [, group, verb] = before;
+  const own = commands.filter(({ words }) => words[0] === group);
+  if (before.length === 2) return own.flatMap(({ words: [, name] }) => name === undefined ? [] : [name]);
+  const command = own.find(({ words }) => words[1] === verb);
+  if (command === undefined) return [];
+  const last = before.at(-1)!;
+  const option = before.length > 3 ? findOption(command, last) : undefined;
+  if (option?.value !== undefined) return option.choices ?? [];
+  if (word.startsWith('-')) return [...command.options.flatMap(({ names }) => names), '--help'];
+  const given = positionalsOf(command, before.slice(3));
+  const next = command.positionals[given.length];
+  return next === undefined ? [] : meant(next.meaning, given, known);
+}
+
+function positionalsOf(command: Command, words: readonly string[]): string[] {
+  const found: string[] = [];
+  for (let i = 0; i < words.length; i += 1) {
+    const option = findOption(command, words[i]!);
+    if (option === undefined) found.push(words[i]!);
+    else if (option.value !== undefined) i += 1;
+  }
+  return found;
+}
+
+function meant(meaning: Meaning, given: readonly string[], { graph, interfaces }: Known): readonly string[] {
+  const ofKind = (kind: string): string[] => interfaces.filter((name) => name.split('/')[1] === kind);
+  /** The type of what was named before, when it is known. */
+  const typeOf = (list: readonly { readonly name: string; readonly types: readonly string[] }[], all: readonly string[]): readonly string[] =>
+    list.find(({ name }) => name === given[0])?.types ?? all;
+  switch (meaning) {
+    case 'topic':
+      return shown(topicsOf(graph), false).map(({ name }) => name);
+    case 'node':
+      return shown(graph.nodes, false).map(({ name }) => name);
+    case 'service':
+      return shown(servicesOf(graph), false).map(({ name }) => name);
+    case 'action':
+      return actionsOf(graph).map(({ name }) => name);
+    case 'message_type':
+      return typeOf(topicsOf(graph), ofKind('msg'));
+    case 'service_type':
+      return typeOf(servicesOf(graph), ofKind('srv'));
+    case 'action_type':
+      return typeOf(actionsOf(graph), ofKind('action'));
+    case 'interface':
+      return interfaces;
+    case 'package':
+      return interfaces.map((name) => name.split('/')[0]!);
+    case 'transition':
+      return ['configure', 'activate', 'deactivate', 'cleanup', 'shutdown'];
+    case 'parameter':
+    case 'executable':
+    case 'text':
+      return [];
+  }
+}

@@ -1,0 +1,90 @@
+// `ros2` commands for a site without a browser: node ros2.js [--link shared|port] SITE WORDS... starts the site's
+// nodes, runs the command and ends with its exit code. The nodes' own output is not shown.
+
+import { isMainThread } from 'node:worker_threads';
+import { openHeadless, serveHeadlessWorker, siteErrorText } from '../wasm_js/headless_session.ts';
+import type { NodeView } from '../wasm_js/session.ts';
+import { SiteError } from '../wasm_js/site_error.ts';
+import { runCommand } from './run.ts';
+
+const usage = 'usage: node ros2.js [--link shared|port] SITE COMMAND...';
+const interrupted = 130;
+/** Nodes that have not come to rest by then (one may compute for ever) are taken as they are. */
+const longestStartMs = 5000;
+/** On message ports the graph comes in bit by bit. */
+const discoveryMs = 200;
+
+interface Asked {
+  readonly site: string;
+  readonly link: 'shared' | 'port';
+  readonly words: readonly string[];
+}
+
+function parseArguments(argv: readonly string[]): Asked | undefined {
+  let link: Asked['link'] = 'shared';
+  let rest = argv;
+  if (rest[0] === '--link') {
+    if (rest[1] !== 'shared' && rest[1] !== 'port') return undefined;
+    link = rest[1];
+    rest = rest.slice(2);
+  }
+  const [site, ...words] = rest;
+  return site === undefined || site.startsWith('-') ? undefined : { site, link, words };
+}
+
+function pause(ms: number): Promise<void> {
+  return new Promise((resolve) => {
+    setTimeout(resolve, ms);
+  });
+}
+
+async function main({ site, link, words }: Asked): Promise<number> {
+  const abort = new AbortController();
+  process.on('SIGINT', () => {
+    if (abort.signal.aborted) process.exit(interrupted);
+    abort.abort();
+  });
+  process.on('SIGTERM', () => abort.abort());
+  // Who reads has enough, as `| head -1`.
+  process.stdout.on('error', (error: NodeJS.ErrnoException) => {
+    if (error.code === 'EPIPE') process.exit(0);
+    throw error;
+  });
+  const { session, close } = await openHeadless(site, link, new URL(import.meta.url));
+  const told = new Set<string>();
+  const tell = (nodes: readonly NodeView[]): void => {
+    for (const { id, state } of nodes) {
+      if (state.kind !== 'crashed' || told.has(id)) continue;
+      told.add(id);
+      process.stderr.write(`[${id}] error[${state.code}]: ${state.message}\n`);
+    }
+  };
+  session.onNodes(tell);
+  session.startAll();
+  await Promise.race([session.settled, pause(longestStartMs)]);
+  if (session.link === 'port') await pause(discoveryMs);
+  const code = await runCommand(session, words, {
+    signal: abort.signal,
+    print: (text) => void process.stdout.write(`${text}\n`),
+    warn: (text) => void process.stderr.write(`${text}\n`),
+  });
+  close();
+  return code;
+}
+
+if (isMainThread) {
+  const asked = parseArguments(process.argv.slice(2));
+  if (asked === undefined) {
+    process.stderr.write(`${usage}\n`);
+    process.exit(2);
+  }
+  try {
+    process.exit(await main(asked));
+  } catch (error) {
+    if (!(error instanceof SiteError)) throw error;
+    process.stderr.write(siteErrorText(error));
+    process.exit(1);
+  }
+} else {
+  serveHeadlessWorker();
+}

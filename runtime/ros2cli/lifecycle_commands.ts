@@ -1,0 +1,99 @@
+// ros2 lifecycle nodes, get, list, set.
+
+import { callService } from './calls.ts';
+import { type Command, CommandError, type Context } from './command.ts';
+import { shown } from './graph_lists.ts';
+import { findNode } from './node_commands.ts';
+
+const timeoutMs = 10_000;
+const node = { name: 'node_name', meaning: 'node' } as const;
+
+interface State {
+  readonly id: number;
+  readonly label: string;
+}
+
+interface TransitionDescription {
+  readonly transition: State;
+  readonly start_state: State;
+  readonly goal_state: State;
+}
+
+function managed(context: Context): string[] {
+  const nodes = context.session.graph().nodes.filter(({ name, services }) => services.some((service) => service.name === `${name}/get_state`));
+  return shown(nodes, false).map(({ name }) => name);
+}
+
+function managedNode(context: Context, given: string): string {
+  const name = findNode(context.session.graph(), given)?.name;
+  if (name === undefined || !managed(context).includes(name)) throw new CommandError('Node not found');
+  return name;
+}
+
+async function stateOf(context: Context, of: string): Promise<State> {
+  return (await callService(context, `${of}/get_state`, 'lifecycle_msgs/srv/GetState', {}, timeoutMs))['current_state'] as State;
+}
+
+async function transitionsOf(context: Context, of: string): Promise<readonly TransitionDescription[]> {
+  const reply = await callService(context, `${of}/get_available_transitions`, 'lifecycle_msgs/srv/GetAvailableTransitions', {}, timeoutMs);
+  return reply['available_transitions'] as readonly TransitionDescription[];
+}
+
+export const lifecycleCommands: readonly Command[] = [
+  {
+    words: ['lifecycle', 'nodes'],
+    help: 'Output a list of nodes with lifecycle',
+    positionals: [],
+    options: [],
+    run: (context) => {
+      for (const name of managed(context)) context.print(name);
+      return Promise.resolve(0);
+    },
+  },
+  {
+    words: ['lifecycle', 'get'],
+    help: 'Get lifecycle state for one or more nodes',
+    positionals: [{ ...node, optional: true }],
+    options: [],
+    run: async (context, given) => {
+      const [wanted] = given.positionals;
+      const names = wanted === undefined ? managed(context) : [managedNode(context, wanted)];
+      for (const name of names) {
+        const { label, id } = await stateOf(context, name);
+        context.print(`${wanted === undefined ? `${name}: ` : ''}${label} [${id}]`);
+      }
+      return 0;
+    },
+  },
+  {
+    words: ['lifecycle', 'list'],
+    help: 'Output a list of available transitions',
+    positionals: [node],
+    options: [],
+    run: async (context, given) => {
+      for (const { transition, start_state, goal_state } of await transitionsOf(context, managedNode(context, given.positionals[0]!))) {
+        context.print(`- ${transition.label} [${transition.id}]\n\tStart: ${start_state.label}\n\tGoal: ${goal_state.label}`);
+      }
+      return 0;
+    },
+  },
+  {
+    words: ['lifecycle', 'set'],
+    help: 'Trigger lifecycle state transition',
+    positionals: [node, { name: 'transition', meaning: 'transition' }],
+    options: [],
+    run: async (context, given) => {
+      const name = managedNode(context, given.positionals[0]!);
+      const wanted = given.positionals[1]!;
+      const available = (await transitionsOf(context, name)).map(({ transition }) => transition);
+      const chosen = available.find(({ label, id }) => label === wanted || String(id) === wanted);
+      if (chosen === undefined) {
+        throw new CommandError(['Unknown transition requested, available ones are:', ...available.map(({ label, id }) => `- ${label} [${id}]`)].join('\n'));
+      }
+      const reply = await callService(context, `${name}/change_state`, 'lifecycle_msgs/srv/ChangeState', { transition: { id: chosen.id } }, timeoutMs);
+      if (reply['success'] !== true) throw new CommandError('Transitioning failed');
+      context.print('Transitioning successful');
+      return 0;
+    },
+  },
+];

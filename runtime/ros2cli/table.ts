@@ -1,0 +1,26 @@
+// All commands of `ros2`, in the order in which help shows them. A new one is a row in its group's file.
+
+import { actionCommands } from './action_commands.ts';
+import type { Command } from './command.ts';
+import { interfaceCommands } from './interface_commands.ts';
+import { lifecycleCommands } from './lifecycle_commands.ts';
+import { nodeCommands } from './node_commands.ts';
+import { paramCommands } from './param_commands.ts';
+import { serviceCommands } from './service_commands.ts';
+import { topicCommands } from './topic_commands.ts';
+import { topicEcho } from './topic_echo.ts';
+import { topicMeasures } from './topic_measures.ts';
+import { topicPub } from './topic_pub.ts';
+
+export const commands: readonly Command[] = [
+  ...actionCommands,
+  ...interfaceCommands,
+  ...lifecycleCommands,
+  ...nodeCommands,
+  ...paramCommands,
+  ...serviceCommands,
+  ...topicCommands,
+  topicEcho,
+  ...topicMeasures,
+  topicPub,
+];

@@ -1,0 +1,133 @@
+// ros2 topic echo.
+
+import type { Shape } from '../decode/shape.ts';
+import { isFloat } from '../decode/shape.ts';
+import { fieldOf, isList, isMessage, kTruncateLength, toYaml } from '../decode/yaml.ts';
+import { type Command, CommandError, has, numberOf, untilDone } from './command.ts';
+import { reprFloat, reprScalar } from './python_text.ts';
+import { chooseTopic, fittingQos, qosOptions } from './subscribing.ts';
+
+export const topicEcho: Command = {
+  words: ['topic', 'echo'],
+  help: 'Output messages from a topic',
+  positionals: [{ name: 'topic_name', meaning: 'topic' }, { name: 'message_type', meaning: 'message_type', optional: true }],
+  options: [
+    ...qosOptions,
+    { names: ['--csv'], help: 'Output all recursive fields separated by commas' },
+    { names: ['--field'], value: 'FIELD', help: 'Echo a selected field of a message. Use "." to select sub-fields.' },
+    { names: ['--full-length', '-f'], help: 'Output all elements for arrays, bytes, and string' },
+    { names: ['--truncate-length', '-l'], value: 'N', number: true, help: 'The length to truncate arrays, bytes, and string to (default: 128)' },
+    { names: ['--no-arr'], help: "Don't print array fields of messages" },
+    { names: ['--no-str'], help: "Don't print string fields of messages" },
+    { names: ['--once'], help: 'Print the first message received and then exit.' },
+    { names: ['--timeout'], value: 'N', number: true, help: 'Set a timeout in seconds' },
+    { names: ['--raw'], help: 'Echo the raw binary representation' },
+  ],
+  run: async (context, given) => {
+    const [topic = '', typed] = given.positionals;
+    const { name, type } = chooseTopic(context, topic, typed);
+    const codec = await context.codec();
+    const parsed = codec.types.get(type);
+    if (typeof parsed === 'string') throw new CommandError(parsed);
+    const truncate = has(given, 'full-length') ? null : numberOf(given, 'truncate-length', kTruncateLength);
+    const path = given.options.get('field')?.split('.');
+    const node = context.session.node();
+    let failure: string | undefined;
+    let came = false;
+    await untilDone(context.signal, (done) => {
+      const subscription = node.subscription(name, type, fittingQos(context, name, given), (bytes) => {
+        if (failure !== undefined || (came && has(given, 'once'))) return;
+        came = true;
+        const text = has(given, 'raw') ? pythonBytes(bytes) : show(bytes);
+        if (text !== undefined) context.print(text);
+        if (failure !== undefined || has(given, 'once')) done();
+      });
+      if (subscription.problem !== undefined) {
+        failure = subscription.problem.message;
+        queueMicrotask(done);
+      }
+      const seconds = given.options.get('timeout');
+      const timer = seconds === undefined ? [] : [node.timer(Number(seconds) * 1000, () => {
+        if (!came) failure = 'No message received within the timeout.';
+        done();
+      })];
+      return [subscription, ...timer];
+    });
+    if (failure !== undefined) throw new CommandError(failure);
+    return 0;
+
+    function show(bytes: Uint8Array): string | undefined {
+      const decoded = codec.decode(type, bytes);
+      if (decoded.kind === 'failed') {
+        context.warn(decoded.reason);
+        return undefined;
+      }
+      const at = select(decoded.value, decoded.shape, path ?? []);
+      if (typeof at === 'string') {
+        failure = `Invalid field '${path?.join('.') ?? ''}': ${at}`;
+        return undefined;
+      }
+      const { value, shape, float } = at;
+      if (has(given, 'csv')) return csv(value, truncate).join(',');
+      if (!isMessage(value)) {
+        const text = isList(value) ? `[${Array.from(cut(value, truncate), (item) => isMessage(item) ? toYaml(item, shape, truncate).trimEnd() : reprScalar(item, float)).join(', ')}]`
+          : typeof value === 'string' ? value : reprScalar(value, float);
+        return `${text}\n---`;
+      }
+      return `${toYaml(without(value, has(given, 'no-arr'), has(given, 'no-str'), shape), shape, truncate)}---`;
+    }
+  },
+};
+
+interface Selected {
+  readonly value: unknown;
+  readonly shape: Shape | null;
+  readonly float: boolean;
+}
+
+function select(message: unknown, shape: Shape, path: readonly string[]): Selected | string {
+  let at: Selected = { value: message, shape, float: false };
+  for (const step of path) {
+    const match = /^(\w+)((?:\[\d+\])*)$/.exec(step);
+    const field = match === null ? undefined : fieldOf(at.shape, match[1]!);
+    if (match === null || field === undefined || !isMessage(at.value)) return `there is no field '${step}'`;
+    let value: unknown = at.value[field.name];
+    for (const [, index] of match[2]!.matchAll(/\[(\d+)\]/g)) {
+      if (!isList(value) || Number(index) >= value.length) return `there is no item ${index}`;
+      value = value[Number(index)];
+    }
+    at = { value, shape: field.shape, float: isFloat(field) };
+  }
+  return at;
+}
+
+function cut(list: ArrayLike<unknown>, truncate: number | null): ArrayLike<unknown> {
+  return truncate === null || list.length <= truncate ? list : Array.prototype.slice.call(list, 0, truncate);
+}
+
+/** Left out fields keep their name, as upstream shows them. */
+function without(value: Readonly<Record<string, unknown>>, arrays: boolean, texts: boolean, shape: Shape | null): Readonly<Record<string, unknown>> {
+  if (!arrays && !texts) return value;
+  return Object.fromEntries(Object.entries(value).map(([name, each]) => {
+    const field = fieldOf(shape, name);
+    if (isList(each)) return [name, arrays ? `<sequence type: ${field?.type ?? ''}, length: ${each.length}>` : each];
+    if (typeof each === 'string') return [name, texts ? `<string length: <${each.length}>>` : each];
+    return [name, isMessage(each) ? without(each, arrays, texts, field?.shape ?? null) : each];
+  }));
+}
+
+function csv(value: unknown, truncate: number | null): string[] {
+  if (isList(value)) {
+    const items = Array.from(cut(value, truncate)).flatMap((item) => csv(item, truncate));
+    return truncate !== null && value.length > truncate ? [...items, '...'] : items;
+  }
+  if (isMessage(value)) return Object.values(value).flatMap((each) => csv(each, truncate));
+  if (typeof value === 'string') return [truncate !== null && value.length > truncate ? `${value.slice(0, truncate)}...` : value];
+  return [typeof value === 'number' && !Number.isInteger(value) ? reprFloat(value) : reprScalar(value)];
+}
+
+function pythonBytes(bytes: Uint8Array): string {
+  const text = Array.from(bytes, (byte) => byte >= 32 && byte < 127 && byte !== 39 && byte !== 92 ? String.fromCharCode(byte)
+    : byte === 39 || byte === 92 ? `\\${String.fromCharCode(byte)}` : `\\x${byte.toString(16).padStart(2, '0')}`).join('');
+  return `b'${text}'\n---`;
+}

@@ -1,0 +1,43 @@
+// What programs for Node.js that run a site share: their workers, a session, the words for a site that cannot be run.
+
+import { parentPort, workerData } from 'node:worker_threads';
+import { PortBroker, SharedBroker } from './broker.ts';
+import { nodeFiles, nodePlatform, readFileNow, workerMark } from './node_platform.ts';
+import { serveWorker, type WorkerOrder } from './node_worker.ts';
+import { SiteError } from './site_error.ts';
+import { readSite } from './site_reader.ts';
+import { SiteSession } from './site_session.ts';
+
+/** To be called where the program is not the main thread: its workers run the same file. */
+export function serveHeadlessWorker(): void {
+  if (workerData !== workerMark || parentPort === null) return;
+  const port = parentPort;
+  const handle = serveWorker((report) => port.postMessage(report), readFileNow, {
+    files: nodeFiles,
+    python: async () => (await import('./python_program.ts')).runPython,
+  });
+  port.on('message', (order: WorkerOrder) => handle(order));
+}
+
+export interface HeadlessSite {
+  readonly session: SiteSession;
+  close(): void;
+}
+
+/** `entry`: the program's own file. Rejects with a SiteError. */
+export async function openHeadless(folder: string, link: 'shared' | 'port', entry: URL): Promise<HeadlessSite> {
+  const platform = nodePlatform(folder, entry);
+  const site = readSite(await platform.json('site.json'));
+  const session = new SiteSession({ site, platform, broker: link === 'port' ? new PortBroker() : new SharedBroker() });
+  return {
+    session,
+    close: () => {
+      session.close();
+      platform.close();
+    },
+  };
+}
+
+export function siteErrorText({ code, message, why, fix }: SiteError): string {
+  return [`error[${code}]: ${message}`, ...why.map((line) => `   = why: ${line}`), ...fix.map((line) => `   = fix: ${line}`), ''].join('\n');
+}

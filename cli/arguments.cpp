@@ -190,6 +190,12 @@ void Arguments::rest(const std::string& name, std::vector<std::string>& target,
   app_.add_option(name, target, help)->option_text("...");
 }
 
+void Arguments::raw_rest(std::vector<std::string>& target) {
+  app_.fallthrough(false);
+  app_.prefix_command();
+  app_.parse_complete_callback([this_app = &app_, &target] { target = this_app->remaining(); });
+}
+
 void Arguments::examples(const std::vector<std::string>& lines) {
   std::string text = "Examples:";
   for (const std::string& line : lines) text += "\n  " + line;

@@ -50,6 +50,10 @@ class Arguments {
   /// All remaining words; words after `--` are taken as they are, dashes and all.
   void rest(const std::string& name, std::vector<std::string>& target, const std::string& help);
 
+  /// Everything after the named words, options too: it is another program's. Global options come
+  /// before the command then.
+  void raw_rest(std::vector<std::string>& target);
+
   /// Shown after the options in --help: examples, one command a line.
   void examples(const std::vector<std::string>& lines);
 

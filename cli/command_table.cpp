@@ -18,6 +18,7 @@ CommandBody launch_command(Arguments& arguments);
 CommandBody link_program_command(Arguments& arguments);
 CommandBody lock_command(Arguments& arguments);
 CommandBody pack_command(Arguments& arguments);
+CommandBody ros2_command(Arguments& arguments);
 CommandBody run_command(Arguments& arguments);
 CommandBody schema_command(Arguments& arguments);
 CommandBody search_command(Arguments& arguments);
@@ -37,6 +38,9 @@ constexpr auto kCommands = std::to_array<CommandRow>({
     {.name = "run",
      .help = "Run a packed site in Node.js, without a browser",
      .declare = run_command},
+    {.name = "ros2",
+     .help = "Run a command of ros2 on a packed site, in Node.js",
+     .declare = ros2_command},
     {.name = "init", .help = "Begin a workspace, or a manifest for one", .declare = init_command},
     {.name = "check",
      .help = "Check a workspace.yaml and say all that is wrong",

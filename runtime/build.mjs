@@ -26,6 +26,7 @@ const rows = [
   { file: 'python_worker.js', from: 'runtime/wasm_js/python_worker_main.ts', kind: 'classic', role: 'python_worker' },
   { file: 'service_worker.js', from: 'runtime/wasm_js/service_worker.ts', kind: 'classic', role: 'service_worker' },
   { file: 'headless.js', from: 'runtime/wasm_js/headless.ts', kind: 'node', role: 'headless' },
+  { file: 'ros2.js', from: 'runtime/ros2cli/headless_main.ts', kind: 'node', role: 'headless_ros2' },
   { file: 'styles.css', from: 'runtime/ui/styles/index.css', kind: 'style', role: 'style' },
 ];
 

@@ -15,8 +15,8 @@
 namespace ros2wasm {
 namespace {
 
-/// The headless entry runs from the ros2wasm installation and is not part of sites.
-constexpr std::string_view kHeadlessRole = "headless";
+/// Headless programs run from the ros2wasm installation and are not part of sites.
+constexpr std::string_view kHeadlessRoles = "headless";
 /// For Python nodes only.
 constexpr std::string_view kPythonRole = "python_worker";
 constexpr std::string_view kPageRole = "page";
@@ -67,7 +67,8 @@ Outcome<SitePlan> plan_site(PlanInput input) {
   const auto chosen = manifest.ui.find("theme");
   const std::string theme = chosen == manifest.ui.end() ? "auto" : chosen->second;
   for (RuntimeAsset& asset : input.runtime) {
-    if (asset.role == kHeadlessRole || (asset.role == kPythonRole && !has_python)) continue;
+    if (asset.role.starts_with(kHeadlessRoles) || (asset.role == kPythonRole && !has_python))
+      continue;
     if (asset.role == kPageRole) {
       asset.bytes = page_html(std::move(asset.bytes),
                               manifest.title.empty() ? manifest.name.value : manifest.title, theme,

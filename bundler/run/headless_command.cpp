@@ -10,29 +10,30 @@ namespace ros2wasm {
 namespace {
 
 /// Takes the name only: the whole list is checked when a site is packed.
-Outcome<std::string> headless_name(const std::filesystem::path& list) {
+Outcome<std::string> headless_name(const std::filesystem::path& list, std::string_view role) {
   const auto text = read_file(list);
   if (!text) return text.errors();
   const auto parsed = parse_json(*text, list.string(), "R2W0604");
   if (!parsed) return parsed.errors();
   if (const JsonValue* assets = parsed->find("assets")) {
     for (const JsonValue& asset : assets->items()) {
-      if (asset.text_of("role") == "headless") return asset.text_of("file");
+      if (asset.text_of("role") == role) return asset.text_of("file");
     }
   }
   return Diagnostic{.code = "R2W0623",
                     .kind = FailureKind::kEnvironment,
                     .message = "this installation of ros2wasm cannot run sites in Node.js",
-                    .why = {list.string() + " names no file of role `headless`"}};
+                    .why = {list.string() + " names no file of role `" + std::string(role) + "`"}};
 }
 
 }  // namespace
 
-Outcome<std::filesystem::path> find_headless_program(const std::filesystem::path& executable) {
+Outcome<std::filesystem::path> find_headless_program(const std::filesystem::path& executable,
+                                                     std::string_view role) {
   const auto list = find_own_data(executable, "runtime/runtime_assets.json",
                                   "the runtime that every site is made with");
   if (!list) return list.errors();
-  const auto name = headless_name(*list);
+  const auto name = headless_name(*list, role);
   if (!name) return name.errors();
   return list->parent_path() / *name;
 }

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "workspace_schema/cancellation.hpp"
@@ -25,10 +26,15 @@ struct HeadlessRun {
   bool json = false;
 };
 
-/// The runtime's program for Node.js: the file of role `headless` in runtime_assets.json. R2W0912
+/// Runs a site.
+inline constexpr std::string_view kHeadlessRole = "headless";
+/// Runs a command of `ros2` on a site.
+inline constexpr std::string_view kRos2Role = "headless_ros2";
+
+/// A program of the runtime for Node.js: the file of that role in runtime_assets.json. R2W0912
 /// the installation has no runtime, R2W0604 its list is damaged, R2W0623 it has no such file.
 [[nodiscard]] Outcome<std::filesystem::path> find_headless_program(
-    const std::filesystem::path& executable);
+    const std::filesystem::path& executable, std::string_view role = kHeadlessRole);
 
 /// Nothing when Node.js takes `pattern` as a regular expression; else R2W0622 with its reason.
 [[nodiscard]] Outcome<Done> check_pattern(const std::filesystem::path& node_js,

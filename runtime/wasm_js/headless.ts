@@ -2,14 +2,14 @@
 // [--stepped [--seed N]] [--trace FILE] [--checks [--junit FILE]]
 // stdout is what the nodes print, as `ros2 launch` shows it. Exit code: 0 met, 1 not met, 2 command line, 130 Ctrl-C.
 
-import { isMainThread, parentPort, workerData } from 'node:worker_threads';
+import { isMainThread } from 'node:worker_threads';
 import { parseArgs } from 'node:util';
 import { writeFileSync } from 'node:fs';
 import { type Broker, PortBroker, SharedBroker, steppedBus } from './broker.ts';
 import { checkLine, junitXml } from './check_report.ts';
 import { type CheckRun, runChecks } from './check_run.ts';
-import { nodeFiles, nodePlatform, readFileNow, workerMark } from './node_platform.ts';
-import { serveWorker, type WorkerOrder } from './node_worker.ts';
+import { serveHeadlessWorker, siteErrorText } from './headless_session.ts';
+import { nodePlatform } from './node_platform.ts';
 import type { NodeView } from './session.ts';
 import { SiteError } from './site_error.ts';
 import { readSite } from './site_reader.ts';
@@ -247,22 +247,13 @@ async function main(): Promise<void> {
     process.exit(await runHeadless(options, new URL(import.meta.url)));
   } catch (error) {
     if (!(error instanceof SiteError)) throw error;
-    process.stderr.write(`error[${error.code}]: ${error.message}\n`);
-    for (const line of error.why) process.stderr.write(`   = why: ${line}\n`);
-    for (const line of error.fix) process.stderr.write(`   = fix: ${line}\n`);
+    process.stderr.write(siteErrorText(error));
     process.exit(1);
   }
 }
 
 if (isMainThread) {
   if (import.meta.main) await main();
-} else if (workerData === workerMark && parentPort !== null) {
-  const port = parentPort;
-  const handle = serveWorker((report) => port.postMessage(report), readFileNow, {
-    files: nodeFiles,
-    python: async () => ({
-      run: (await import('./python_program.ts')).runPython, makeImage: (await import('./python_image.ts')).makeImage,
-    }),
-  });
-  port.on('message', (order: WorkerOrder) => handle(order));
+} else {
+  serveHeadlessWorker();
 }

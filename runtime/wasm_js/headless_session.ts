@@ -14,7 +14,9 @@ export function serveHeadlessWorker(): void {
   const port = parentPort;
   const handle = serveWorker((report) => port.postMessage(report), readFileNow, {
     files: nodeFiles,
-    python: async () => (await import('./python_program.ts')).runPython,
+    python: async () => ({
+      run: (await import('./python_program.ts')).runPython, makeImage: (await import('./python_image.ts')).makeImage,
+    }),
   });
   port.on('message', (order: WorkerOrder) => handle(order));
 }

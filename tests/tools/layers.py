@@ -13,7 +13,8 @@ ALLOWED: dict[str, set[str]] = {
     "cli": {"bundler", "workspace_schema"},
     "bundler": {"workspace_schema"},
     "workspace_schema": set(),
-    "runtime/ui": {"runtime/decode", "runtime/wasm_js", "runtime/protocol"},
+    "runtime/ui": {"runtime/decode", "runtime/ros2cli", "runtime/wasm_js", "runtime/protocol"},
+    "runtime/ros2cli": {"runtime/decode", "runtime/wasm_js"},
     "runtime/decode": set(),
     "runtime/wasm_js": {"runtime/decode", "runtime/protocol"},
     "runtime/protocol": set(),
@@ -21,6 +22,9 @@ ALLOWED: dict[str, set[str]] = {
 }
 # The page sees the runtime through these files only.
 UI_DOORS = {"session.ts", "launcher.ts"}
+# Commands know no more than panels do; the program for Node.js opens the site itself.
+COMMAND_DOORS = {"session.ts", "site_error.ts"}
+HEADLESS_MAIN = "runtime/ros2cli/headless_main.ts"
 # The bus looks into no message: of the layer that does it uses the rules of names only.
 DECODE_DOORS = {"ros_names.ts"}
 # Except for what decides a site's checks, which is beside the bus and loaded for sites that have some.
@@ -63,6 +67,9 @@ def violations() -> list[str]:
                 reads_messages = layer == "runtime/decode" and Path(used).name not in DECODE_DOORS
                 if folder == "runtime/wasm_js" and reads_messages and file.name not in MESSAGE_READERS:
                     errors.append(f"{name}: uses {used}; the bus knows no messages")
+                if folder == "runtime/ros2cli" and layer == "runtime/wasm_js" and name != HEADLESS_MAIN \
+                        and Path(used).name not in COMMAND_DOORS:
+                    errors.append(f"{name}: uses {used}; commands see only {', '.join(sorted(COMMAND_DOORS))}")
                 if folder == "runtime/ui" and layer == "runtime/wasm_js" and Path(used).name not in UI_DOORS:
                     errors.append(f"{name}: uses {used}; the page sees only {', '.join(sorted(UI_DOORS))}")
     return errors

@@ -55,7 +55,8 @@ SitePlan plan_of(const std::string& page = "<p>") {
        .programs = {{"/built/talker.wasm", program(false)}, {"/built/crowd.wasm", program(true)}},
        .names = {{"/built/talker.wasm", "names"}},
        .runtime = {{.file = "index.html", .role = "page", .bytes = page},
-                   {.file = "headless.js", .role = "headless", .bytes = "x"}},
+                   {.file = "headless.js", .role = "headless", .bytes = "x"},
+                   {.file = "ros2.js", .role = "headless_ros2", .bytes = "x"}},
        .interfaces = {{"demo/msg/Num", "int64 num\n"}}});
   EXPECT_TRUE(plan);
   return plan ? std::move(plan).value() : SitePlan{};

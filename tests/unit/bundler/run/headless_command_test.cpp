@@ -52,6 +52,16 @@ TEST_F(FindHeadlessTest, ReadsTheListOfTheRuntime) {
   EXPECT_EQ(*found, root() / "runtime/h.js");
 }
 
+TEST_F(FindHeadlessTest, FindsTheProgramOfEachRole) {
+  ASSERT_TRUE(
+      find_with(
+          R"({"assets":[{"file":"h.js","role":"headless"},{"file":"r.js","role":"headless_ros2"}]})")
+          .ok());
+  const auto found = find_headless_program(root() / "ros2wasm", kRos2Role);
+  ASSERT_TRUE(found.ok());
+  EXPECT_EQ(*found, root() / "runtime/r.js");
+}
+
 TEST_F(FindHeadlessTest, SaysWhatIsMissing) {
   EXPECT_EQ(find_headless_program(root() / "ros2wasm").errors().front().code, "R2W0912");
   EXPECT_EQ(find_with(R"({"assets":[]})").errors().front().code, "R2W0623");

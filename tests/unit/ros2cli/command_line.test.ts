@@ -1,0 +1,130 @@
+// The command line of ros2: words and quotes, options, what is refused, completion, and Python's way to write values.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { complete } from '../../../runtime/ros2cli/complete.ts';
+import { parseCommand, splitLine } from '../../../runtime/ros2cli/parse.ts';
+import { reprFloat, reprMessage, reprText } from '../../../runtime/ros2cli/python_text.ts';
+import { dumpText, parameterValue, pythonValue } from '../../../runtime/ros2cli/parameters.ts';
+import { commands } from '../../../runtime/ros2cli/table.ts';
+import type { GraphView } from '../../../runtime/wasm_js/session.ts';
+
+test('words are split as a shell does it', () => {
+  assert.deepEqual(splitLine(`ros2 topic pub  /x "{a: 1}" '{b: "2"}' a\\ b ""`), ['ros2', 'topic', 'pub', '/x', '{a: 1}', '{b: "2"}', 'a b', '']);
+  assert.deepEqual(splitLine('say "it\'s \\"so\\" \\n"'), ['say', 'it\'s "so" \\n']);
+  assert.deepEqual(splitLine('x\'y z\'w'), ['xy zw']);
+  assert.deepEqual(splitLine('  '), []);
+  assert.equal(splitLine('topic "open'), undefined);
+});
+
+function given(...words: string[]): unknown {
+  const parsed = parseCommand(commands, words);
+  return parsed.kind === 'run' ? [parsed.given.positionals, Object.fromEntries(parsed.given.options)] : parsed.text;
+}
+
+test('options in all their forms', () => {
+  const pub = ['topic', 'pub', '/x', 'std_msgs/msg/Float64', 'data: -1'];
+  assert.deepEqual(given(...pub, '-r', '10', '-1'), [pub.slice(2), { rate: '10', once: '' }]);
+  assert.deepEqual(given(...pub, '-r10', '--times=3'), [pub.slice(2), { rate: '10', times: '3' }]);
+  assert.deepEqual(given('param', 'set', '/n', 'x', '-1.5'), [['/n', 'x', '-1.5'], {}]);
+  assert.deepEqual(given('param', 'set', '/n', 'x', '--', '--flag'), [['/n', 'x', '--flag'], {}]);
+  assert.deepEqual(given('topic', 'echo', '/x', '--qos-reliability', 'best_effort'), [['/x'], { 'qos-reliability': 'best_effort' }]);
+});
+
+test('what is wrong is told as argparse tells it', () => {
+  for (const [words, pattern] of [
+    [['topic', 'echo'], /error: the following arguments are required: topic_name$/],
+    [['topic', 'echo', '/x', 'T', 'more'], /error: unrecognized arguments: more$/],
+    [['topic', 'echo', '/x', '--nope'], /error: unrecognized arguments: --nope$/],
+    [['topic', 'echo', '/x', '--field'], /error: argument --field: expected one argument$/],
+    [['topic', 'hz', '/x', '-w', '0'], /argument --window\/-w: '0' is not a number above 0$/],
+    [['topic', 'echo', '/x', '--qos-history', 'all'], /invalid choice: 'all' \(choose from 'keep_last', 'keep_all'\)$/],
+    [['topic', 'list', '--verbose=1'], /ignored explicit argument '1'$/],
+    [['topic', 'ecko'], /invalid choice: 'ecko'/],
+    [['topik'], /invalid choice: 'topik'/],
+  ] as const) {
+    const parsed = parseCommand(commands, words);
+    assert.equal(parsed.kind, 'wrong', words.join(' '));
+    assert.match(parsed.kind === 'wrong' ? parsed.text : '', pattern);
+  }
+});
+
+test('help for all, for a group, for a command', () => {
+  for (const [words, pattern] of [
+    [[], /^usage: ros2 \[-h\] <command> \.\.\.\n[^]* {2}topic +list, info, type, find, echo, hz, bw, delay, pub\n/],
+    [['topic'], /^usage: ros2 topic \[-h\] <command>[^]* {2}echo +Output messages from a topic\n/],
+    [['topic', 'pub', '--help'], /^usage: ros2 topic pub \[-h\] \[--rate N\].* topic_name message_type \[values\]\n[^]* {2}--once, -1 /],
+  ] as const) {
+    const parsed = parseCommand(commands, words);
+    assert.equal(parsed.kind, 'help');
+    assert.match(parsed.kind === 'help' ? parsed.text : '', pattern);
+  }
+});
+
+test('no two commands share their words, no two options a name', () => {
+  assert.equal(new Set(commands.map(({ words }) => words.join(' '))).size, commands.length);
+  for (const { words, options } of commands) {
+    const names = options.flatMap((option) => option.names);
+    assert.equal(new Set(names).size, names.length, words.join(' '));
+  }
+});
+
+const qos = {
+  reliability: 'reliable', durability: 'volatile', history: 'keep_last', depth: 10, liveliness: 'automatic', deadlineNs: 0, lifespanNs: 0, leaseNs: 0,
+} as const;
+const endpoint = (name: string, type: string) => ({ name, type, hash: '', qos, gid: '00'.repeat(16) });
+const graph: GraphView = {
+  nodes: [{
+    name: '/talker', process: 'talker-1',
+    publishers: [endpoint('/chatter', 'std_msgs/msg/String'), endpoint('/count/_action/feedback', 'x')], subscriptions: [],
+    services: [endpoint('/add', 'demo/srv/Add')], clients: [], actionServers: [{ name: '/count', type: 'demo/action/Count' }], actionClients: [],
+  }, { name: '/_ros2wasm_page', process: undefined, publishers: [], subscriptions: [], services: [], clients: [], actionServers: [], actionClients: [] }],
+};
+const known = { graph, interfaces: ['demo/action/Count', 'demo/srv/Add', 'std_msgs/msg/Int8', 'std_msgs/msg/String'] };
+
+test('completion offers what may stand there', () => {
+  for (const [line, choices] of [
+    ['ro', ['ros2']],
+    ['ros2 to', ['topic']],
+    ['ros2 topic e', ['echo']],
+    ['ros2 topic echo ', ['/chatter']],
+    ['ros2 topic echo --on', ['--once']],
+    ['ros2 topic echo --qos-history ', ['keep_all', 'keep_last']],
+    ['ros2 topic echo --field data /c', ['/chatter']],
+    ['ros2 topic pub /chatter ', ['std_msgs/msg/String']],
+    ['ros2 topic pub /new std_msgs/msg/I', ['std_msgs/msg/Int8']],
+    ['ros2 node info ', ['/talker']],
+    ['ros2 service call ', ['/add']],
+    ['ros2 service call /add ', ['demo/srv/Add']],
+    ['ros2 action send_goal /count ', ['demo/action/Count']],
+    ['ros2 interface show std', ['std_msgs/msg/Int8', 'std_msgs/msg/String']],
+    ['ros2 topic pub /chatter std_msgs/msg/String ', []],
+    ['ls ', []],
+  ] as const) {
+    assert.deepEqual(complete(line, known).choices, choices, line);
+  }
+  assert.deepEqual(complete('ros2 topic echo /ch', known), { word: '/ch', start: 16, choices: ['/chatter'] });
+});
+
+test('values as Python writes them', () => {
+  assert.deepEqual(["a'b", 'a"b', `'"`, 'x\n\t\\', 'grüezi 🐢', '\u0007'].map(reprText), [`"a'b"`, `'a"b'`, `'\\'"'`, `'x\\n\\t\\\\'`, "'grüezi 🐢'", "'\\x07'"]);
+  assert.deepEqual([1, 0.1, 1e16, 1e-5, -0, NaN, Infinity].map(reprFloat), ['1.0', '0.1', '1e+16', '1e-05', '-0.0', 'nan', 'inf']);
+  const shape = [
+    { name: 'on', type: 'bool', isArray: false, shape: null }, { name: 'data', type: 'float64', isArray: true, shape: null },
+    { name: 'at', type: 'geometry_msgs/msg/Point', isArray: false, shape: [{ name: 'x', type: 'float64', isArray: false, shape: null }] },
+  ];
+  assert.equal(reprMessage('demo/msg/Mix', shape, { on: true, data: Float64Array.of(1, 2.5), at: { x: 3 } }),
+    'demo.msg.Mix(on=True, data=[1.0, 2.5], at=geometry_msgs.msg.Point(x=3.0))');
+});
+
+test('parameters: types from what was typed, values as Python prints them, files', () => {
+  assert.deepEqual(parameterValue('5', 5n), { type: 2, integer_value: 5n });
+  assert.deepEqual(parameterValue('5.0', 5), { type: 3, double_value: 5 });
+  assert.deepEqual(parameterValue('[1, 2]', [1n, 2n]), { type: 7, integer_array_value: [1n, 2n] });
+  assert.deepEqual(parameterValue('[1, a]', [1n, 'a']), { type: 4, string_value: '[1, a]' });
+  assert.equal(pythonValue({ type: 8, double_array_value: Float64Array.of(1, 2) }), "array('d', [1.0, 2.0])");
+  assert.equal(pythonValue({ type: 1, bool_value: true }), 'True');
+  const text = dumpText('/a/node', new Map<string, Readonly<Record<string, unknown>>>([
+    ['x.y', { type: 2, integer_value: 1n }], ['x.a', { type: 4, string_value: 'yes' }], ['b', { type: 9, string_array_value: [] }],
+  ]));
+  assert.equal(text, "/a/node:\n  ros__parameters:\n    b: []\n    x:\n      a: 'yes'\n      y: 1");
+});

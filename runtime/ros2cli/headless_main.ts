@@ -10,7 +10,7 @@ import { runCommand } from './run.ts';
 const usage = 'usage: node ros2.js [--link shared|port] SITE COMMAND...';
 const interrupted = 130;
 /** Nodes that have not come to rest by then (one may compute for ever) are taken as they are. */
-const longestStartMs = 5000;
+const longestStartMs = 20_000;
 /** On message ports the graph comes in bit by bit. */
 const discoveryMs = 200;
 

@@ -137,6 +137,8 @@ class Goal implements PageGoal {
   private last: GoalStatus = 'unknown';
   private givenUp = false;
   private finished = false;
+  /** What came before the server's answer, on other ways; undefined once it is there. */
+  private early: (() => void)[] | undefined = [];
 
   constructor(client: ActionClient, goal: Uint8Array, options: GoalOptions, problem: SiteError | undefined) {
     this.client = client;
@@ -181,7 +183,10 @@ class Goal implements PageGoal {
         this.drop(closedError(client.name));
         return;
       }
+      const early = this.early ?? [];
+      this.early = undefined;
       this.status('accepted');
+      for (const each of early) each();
       const result = await client.getting.call(Uint8Array.of(...header, ...this.uuid), { timeoutMs: Infinity });
       const status = statusOf(result[header.length]);
       this.status(status);
@@ -193,10 +198,15 @@ class Goal implements PageGoal {
   }
 
   feedback(bytes: Uint8Array<ArrayBuffer>, info: MessageInfo): void {
-    if (!this.givenUp) guarded(() => this.options.onFeedback?.(bytes, info));
+    if (this.early !== undefined) this.early.push(() => this.feedback(bytes, info));
+    else if (!this.givenUp) guarded(() => this.options.onFeedback?.(bytes, info));
   }
 
   status(status: GoalStatus): void {
+    if (this.early !== undefined) {
+      this.early.push(() => this.status(status));
+      return;
+    }
     // The first words of a goal may come after later ones, on another way.
     const isNews = status !== this.last && !isOver(this.last) && statuses.indexOf(status) > statuses.indexOf(this.last);
     if (this.givenUp || !isNews) return;

@@ -1,6 +1,9 @@
 // The commands of ros2 on a packed site with C++ nodes: their output letter for letter as upstream's, on both links, over a
 // session that runs; then from a shell, with exit codes, Ctrl-C and a pipe that closes.
 
+// Compatibility, works: the commands `ros2 topic`, `node`, `service`, `action`, `param`, `interface` and `lifecycle`, in the
+// page's terminal and as `ros2wasm ros2 SITE ...`, with upstream's output
+
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { cpSync } from 'node:fs';

@@ -43,7 +43,17 @@ export const texts = {
       'For the faster link, open the page by itself in a normal window: not inside a frame, not in a private window that forbids service workers. Or serve it with the headers \u201cCross-Origin-Opener-Policy: same-origin\u201d and \u201cCross-Origin-Embedder-Policy: require-corp\u201d, as \u201cros2wasm serve\u201d does.',
   },
 
-  panels: { nodes: 'Nodes', console: 'Consoles', topics: 'Topics', plot: 'Plot', timeline: 'States' },
+  panels: { nodes: 'Nodes', console: 'Consoles', topics: 'Topics', plot: 'Plot', timeline: 'States', checks: 'Checks' },
+  checks: {
+    none: 'This workspace says nothing of what must be seen. Its manifest can, under \u201cchecks\u201d.',
+    again: 'Forget what was seen, and check again from now on',
+    waiting: (within: string): string => `Not seen yet, within ${within}`,
+    passed: 'Seen',
+    failed: (within: string): string => `Not seen within ${within}`,
+    after: (duration: string): string => `after ${duration}`,
+    seen: (words: string): string => `Seen: ${words}`,
+    passedOf: (passed: number, all: number): string => `${passed} of ${all} checks passed`,
+  },
   panelTabs: 'Panels',
 
   layout: {

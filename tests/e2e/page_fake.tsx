@@ -3,7 +3,7 @@
 
 import type { PagePublisher } from '../../runtime/wasm_js/session.ts';
 import { mountPage } from '../../runtime/ui/mount.tsx';
-import { FakeSession, stringBytes } from '../unit/ui/fake_session.ts';
+import { FakeChecks, FakeSession, stringBytes } from '../unit/ui/fake_session.ts';
 
 const kInterfaces = new Map([
   ['std_msgs/msg/String', 'string data\n'],
@@ -199,6 +199,15 @@ const kScenes: Readonly<Record<string, () => FakeSession | Promise<FakeSession>>
   crowd,
   signals,
   hostile,
+  checks: () => {
+    const fake = talkerListener();
+    fake.checks = new FakeChecks([
+      { title: '/topic above 1 Hz', state: 'passed', seen: '2 Hz', afterMs: 1250, withinMs: 10_000, source: { file: 'workspace.yaml', line: 12, column: 5 } },
+      { title: kHostile, state: 'failed', seen: kHostile, afterMs: 5000, withinMs: 5000 },
+      { title: 'listener prints /I heard/', state: 'waiting', seen: 'no line', withinMs: 20_000 },
+    ]);
+    return fake;
+  },
   empty: () => new FakeSession({ nodes: [] }),
   quiet: () =>
     new FakeSession({

@@ -2,6 +2,7 @@
 // whose workspace packs and runs at once.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
+import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
 import { expectedLines, packExample } from './example_site.ts';
@@ -34,6 +35,18 @@ describe('run', WATCHDOG, () => {
         from = found + 1;
       }
       assert.match(lines.at(-1) ?? '', /^\[listener-2\].*I heard: 'Hello, world! 2'$/);
+    });
+  }
+
+  for (const way of [['--link', 'shared'], ['--link', 'port'], ['--stepped']]) {
+    test(`--checks ends with 0 when all that the manifest lists was seen, ${way.join(' ')}`, async () => {
+      const junit = join(scratch.path, `checks${way.join('')}.xml`);
+      const ended = await runCli(['run', site, '--junit', junit, ...way]);
+      assert.equal(ended.code, 0, ended.errors);
+      assert.match(ended.errors, /^\[check\] passed: \/topic: data is like \/\^Hello, world! 2\$\/ /m);
+      assert.match(ended.errors, /^\[check\] passed: The listener hears the talker /m);
+      assert.match(ended.errors, /^4 of 4 checks passed$/m);
+      assert.match(readFileSync(junit, 'utf8'), /<testsuite name="talker_listener" tests="4" failures="0" /);
     });
   }
 

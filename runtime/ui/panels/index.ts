@@ -41,6 +41,12 @@ export const panels: readonly PanelRow[] = [
     keeps: true,
     source: { kind: 'lazy', load: () => import('./timeline.tsx').then((file) => file.TimelinePanel) },
   },
+  {
+    id: 'checks',
+    title: texts.panels.checks,
+    icon: 'check',
+    source: { kind: 'lazy', load: () => import('./checks.tsx').then((file) => file.ChecksPanel) },
+  },
 ];
 
 export function panelRow(id: string): PanelRow | undefined {

@@ -10,6 +10,7 @@ CommandBody build_command(Arguments& arguments);
 CommandBody cache_command(Arguments& arguments);
 CommandBody channel_command(Arguments& arguments);
 CommandBody check_command(Arguments& arguments);
+CommandBody diff_command(Arguments& arguments);
 CommandBody explain_command(Arguments& arguments);
 CommandBody inspect_command(Arguments& arguments);
 CommandBody init_command(Arguments& arguments);
@@ -55,6 +56,7 @@ constexpr auto kCommands = std::to_array<CommandRow>({
     {.name = "verify",
      .help = "Check every byte of a site against its list of hashes",
      .declare = verify_command},
+    {.name = "diff", .help = "Say what differs between two sites", .declare = diff_command},
     {.name = "tree", .help = "Show who needs whom in the lock", .declare = tree_command},
     {.name = "lock", .help = "Write or check ros2wasm.lock", .declare = lock_command},
     {.name = "cache",

@@ -40,11 +40,15 @@ EnvironmentVariables child_environment(const PackageBuild& request, const BuildT
   result[kLinkKitsVariable] = (request.work / kLinkKits).string();
   result[kQuickLinkVariable] = tools.quick_links.string();
   result[kKeptHeadersVariable] = tools.kept_headers.string();
-  // A native ROS installation that was sourced must not leak its packages in.
+  // A native ROS installation that was sourced must not leak its packages in, nor what other
+  // builds want of their compilers: the site has to be the same for everybody.
   for (const char* name : {"AMENT_PREFIX_PATH", "CMAKE_PREFIX_PATH", "COLCON_PREFIX_PATH", "CFLAGS",
-                           "CXXFLAGS", "CPPFLAGS", "LDFLAGS", "CMAKE_GENERATOR", "DESTDIR"}) {
+                           "CXXFLAGS", "CPPFLAGS", "LDFLAGS", "CPATH", "C_INCLUDE_PATH",
+                           "CPLUS_INCLUDE_PATH", "LIBRARY_PATH", "EMCC_CFLAGS", "CMAKE_GENERATOR",
+                           "CMAKE_BUILD_TYPE", "CMAKE_CONFIGURATION_TYPES", "DESTDIR"}) {
     result[name] = "";
   }
+  result["EMCC_DEBUG"] = "0";
   result["LC_ALL"] = "C.UTF-8";
   return result;
 }
@@ -112,21 +116,15 @@ Outcome<Done> configure(const PackageBuild& request, const BuildTools& tools,
                         const Cancellation& cancellation) {
   std::error_code ignored;
   fs::remove(request.work / "CMakeCache.txt", ignored);  // what it found may have moved
-  std::vector<std::string> arguments = {"cmake",
-                                        "-S",
-                                        request.place.source.string(),
-                                        "-B",
-                                        request.work.string(),
-                                        "-G",
-                                        "Ninja",
-                                        "-Wno-dev",
-                                        "--no-warn-unused-cli",
-                                        "-DCMAKE_TOOLCHAIN_FILE=" + tools.toolchain.string(),
-                                        "-DCMAKE_INSTALL_PREFIX=" + request.final_prefix.string(),
-                                        "-DCMAKE_PREFIX_PATH=" + joined(request.prefixes),
-                                        "-DROS2WASM_CLI=" + tools.cli.string(),
-                                        "-DROS2WASM_EMCXX=" + tools.compiler.cxx.string(),
-                                        "-DROS2WASM_EMCC=" + tools.compiler.c.string()};
+  std::vector<std::string> arguments = {
+      "cmake", "-S", request.place.source.string(), "-B", request.work.string(), "-G", "Ninja",
+      "-Wno-dev", "--no-warn-unused-cli",
+      // It is configured each time; times of files may lie.
+      "-DCMAKE_SUPPRESS_REGENERATION=ON", "-DCMAKE_TOOLCHAIN_FILE=" + tools.toolchain.string(),
+      "-DCMAKE_INSTALL_PREFIX=" + request.final_prefix.string(),
+      "-DCMAKE_PREFIX_PATH=" + joined(request.prefixes), "-DROS2WASM_CLI=" + tools.cli.string(),
+      "-DROS2WASM_EMCXX=" + tools.compiler.cxx.string(),
+      "-DROS2WASM_EMCC=" + tools.compiler.c.string()};
   if (!tools.kept_headers.empty()) {
     arguments.push_back("-DCMAKE_CXX_COMPILER_LAUNCHER=" + tools.cli.string() +
                         ";compile-source;--");

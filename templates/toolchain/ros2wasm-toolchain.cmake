@@ -69,7 +69,7 @@ set(EMSCRIPTEN 1)
 # typed catches fail in programs with threads.
 string(CONCAT _ros2wasm_flags "-fwasm-exceptions -pthread "
   "-include \"${ROS2WASM_TOOLCHAIN_DIR}/include/ros2wasm/exception_context.h\" "
-  "-ffile-prefix-map=${CMAKE_SOURCE_DIR}=. -ffile-prefix-map=${CMAKE_BINARY_DIR}=build")
+  "\"-ffile-prefix-map=${CMAKE_SOURCE_DIR}=.\" \"-ffile-prefix-map=${CMAKE_BINARY_DIR}=build\"")
 set(CMAKE_C_FLAGS_INIT "${_ros2wasm_flags}")
 # Parts of C++20 that the compiler's library lacks stand before it.
 foreach(_prefix IN LISTS CMAKE_PREFIX_PATH)

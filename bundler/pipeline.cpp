@@ -341,6 +341,7 @@ Outcome<std::vector<LaunchNode>> launch_from_file(const PackRequest& request,
                       .span = file.span,
                       .why = {"`ros2wasm launch " + file.value + "` shows what it comes to"}};
   }
+  workspace.steps = std::move(launched->steps);
   return std::move(launched->nodes);
 }
 
@@ -394,6 +395,7 @@ Outcome<SitePlan> plan(const PackRequest& request, BuiltWorkspace& workspace,
       exceptions != workspace.manifest.site.end() && exceptions->second == "standard";
   PlanInput input{.manifest = workspace.manifest,
                   .nodes = std::move(nodes),
+                  .steps = workspace.steps,
                   .programs = {},
                   .names = {},
                   .runtime = std::move(runtime).value(),

@@ -12,6 +12,7 @@ namespace ros2wasm {
 namespace {
 
 constexpr std::int64_t kMostTurns = 10'000;
+constexpr const char* kNoReason = "reason not given";  // as launch says
 
 }  // namespace
 
@@ -163,14 +164,14 @@ void LaunchEvaluator::log(const LaunchEntity& entity) {
 }
 
 void LaunchEvaluator::shutdown(const LaunchEntity& entity) {
-  if (trigger_ && trigger_->event == LaunchEvent::kExit && after_s_ == 0) {
+  std::string reason = text(entity, "reason").value_or(kNoReason);
+  if (trigger_ && trigger_->event == LaunchEvent::kShutdown) return;  // it is under way
+  if (trigger_ && trigger_->event == LaunchEvent::kExit && after_s_ == 0 && reason == kNoReason) {
     description_.processes[trigger_->process].shutdown_on_exit = true;
     return;
   }
-  LaunchShutdown now{
-      .on = trigger_, .after_s = after_s_, .reason = text(entity, "reason").value_or("")};
-  if (!description_.shutdown || now.after_s < description_.shutdown->after_s)
-    description_.shutdown = std::move(now);
+  description_.shutdowns.push_back(
+      {.on = trigger_, .after_s = after_s_, .reason = std::move(reason), .span = entity.span});
 }
 
 void LaunchEvaluator::push_namespace(const LaunchEntity& entity) {

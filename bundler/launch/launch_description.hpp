@@ -2,12 +2,14 @@
 // is said and when, what a site cannot start. Plain values, each with its place in the source.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "bundler/launch/launch_graph.hpp"
+#include "bundler/launch/launch_step.hpp"
 #include "workspace_schema/manifest.hpp"
 
 namespace ros2wasm {
@@ -29,12 +31,11 @@ struct LaunchComponent {
   std::vector<std::pair<std::string, std::string>> extra_arguments;
 };
 
-/// What another process does, after which something is done.
-enum class LaunchEvent { kStart, kExit };
-
 struct LaunchTrigger {
-  std::size_t process = 0;  ///< index in LaunchDescription::processes
+  std::size_t process = 0;  ///< index in LaunchDescription::processes; not of kShutdown
   LaunchEvent event = LaunchEvent::kExit;
+  LaunchStateChange change = {};  ///< of kTransition
+  bool once = false;              ///< is followed the first time only; of kTransition
 };
 
 struct LaunchProcess {
@@ -43,7 +44,8 @@ struct LaunchProcess {
   std::optional<LaunchTrigger> start_on;  ///< else when the launch starts
   double start_after_s = 0;               ///< of timers that it stands in
   double respawn_delay_s = 0;
-  bool shutdown_on_exit = false;  ///< when it ends, all ends
+  std::optional<std::int64_t> respawn_max_retries;  ///< else as often as it ends
+  bool shutdown_on_exit = false;                    ///< when it ends, all ends
   std::vector<LaunchComponent> components;
 };
 
@@ -66,6 +68,17 @@ struct LaunchShutdown {
   std::optional<LaunchTrigger> on;
   double after_s = 0;
   std::string reason;
+  SourceSpan span;
+};
+
+/// Changes of a managed node's state, each when the one before has come to its end.
+struct LaunchTransitions {
+  std::optional<std::size_t> process;  ///< index in LaunchDescription::processes, else by its name:
+  std::string node;
+  std::vector<std::int64_t> transitions;  ///< as lifecycle_msgs/msg/Transition numbers them
+  std::optional<LaunchTrigger> on;
+  double after_s = 0;
+  SourceSpan span;
 };
 
 struct LaunchDescription {
@@ -73,7 +86,8 @@ struct LaunchDescription {
   std::vector<LaunchProcess> processes;   ///< in the order of the file
   std::vector<LaunchLine> lines;
   std::vector<LaunchLeftOut> left_out;
-  std::optional<LaunchShutdown> shutdown;
+  std::vector<LaunchShutdown> shutdowns;
+  std::vector<LaunchTransitions> transitions;  ///< each of a known process at the end
   ParameterFiles parameter_files;
   std::vector<std::string> files;  ///< launch and parameter files that were read, sorted
   Diagnostics warnings;

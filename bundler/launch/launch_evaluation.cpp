@@ -99,7 +99,11 @@ std::span<const LaunchActionRow> LaunchActionRow::table() {
       {"group", {"scoped", "forwarding"}, {"keep", "*"}, &E::group},
       {"include", {"!file"}, {"arg", "let"}, &E::include},
       {"let", {"!name", "!value"}, {}, &E::let},
-      {"lifecycle_node", with(node, {"autostart"}), {"param", "remap", "env"}, &E::node},
+      {"lifecycle_node", with(node, {"autostart"}), {"param", "remap", "env"}, &E::lifecycle_node},
+      {"lifecycle_transition",
+       {"lifecycle_node_names", "lifecycle_node_names_sep", "transition_ids", "transition_ids_sep"},
+       {},
+       &E::change_state},
       {"load_composable_node", {"target"}, {"composable_node"}, &E::load_components},
       {"log", {"!message", "level"}, {}, &E::log},
       {"log_debug", {"!message"}, {}, &E::log},
@@ -124,9 +128,8 @@ std::span<const LaunchActionRow> LaunchActionRow::table() {
       {"end_process", {}, {}, &E::pass_over, true},
       {"forget_event", {"!handler"}, {}, &E::forget_event, true},
       {"left_out", {"!what"}, {}, &E::pass_over, true},
-      {"lifecycle_transition", {"name", "transition"}, {}, &E::pass_over, true},
       {"on_event",
-       {"!event", "!handler", "process", "call", "transition", "start_state", "goal_state"},
+       {"!event", "!handler", "process", "call", "transition", "start_state", "goal_state", "once"},
        {"*"},
        &E::on_event,
        true},
@@ -220,6 +223,7 @@ void LaunchEvaluator::entities_of(LaunchEntity root, const std::string& path,
 }
 
 void LaunchEvaluator::finish() {
+  resolve_transitions();
   for (const auto& [name, value] : given_) {
     std::vector<std::string> declared;
     for (const LaunchArgument& one : description_.arguments) declared.push_back(one.name);
@@ -401,6 +405,34 @@ bool LaunchEvaluator::flag(const LaunchEntity& entity, std::string_view name, bo
   fail("R2W0410", "`" + std::string(name) + "` is true or false, found `" + *written + "`",
        attribute->span);
   return otherwise;
+}
+
+std::vector<std::string> LaunchEvaluator::list(const LaunchEntity& entity,
+                                               const std::string& name) {
+  const LaunchAttribute* attribute = entity.attribute(name);
+  if (attribute == nullptr) return {};
+  std::vector<std::string> result;
+  if (const auto* items = std::get_if<std::vector<LaunchScalar>>(&attribute->value)) {
+    for (const LaunchScalar& item : *items) {
+      const auto* written = std::get_if<std::string>(&item);
+      auto one = written != nullptr
+                     ? evaluated(*written, attribute->span)
+                     : launch_value_text(std::visit(
+                           [](const auto& held) { return LaunchAttributeValue(held); }, item));
+      if (one) result.push_back(std::move(*one));
+    }
+    return result;
+  }
+  const std::string whole = text(entity, name).value_or("");
+  const std::string separator = text(entity, name + "_sep").value_or(",");
+  std::size_t begin = 0;
+  while (begin <= whole.size() && !whole.empty()) {
+    const std::size_t end =
+        separator.empty() ? whole.size() : std::min(whole.find(separator, begin), whole.size());
+    result.push_back(whole.substr(begin, end - begin));
+    begin = end + std::max<std::size_t>(1, separator.size());
+  }
+  return result;
 }
 
 std::int64_t LaunchEvaluator::number(const LaunchEntity& entity, std::string_view name) {

@@ -66,6 +66,10 @@ class LaunchEvaluator {
                         const std::vector<std::string_view>& attributes);
   /// Whether its process is known by now.
   bool event(const EventHandler& handler);
+  void follow(const EventHandler& handler);
+  void leave_out(const EventHandler& handler, const std::string& kind);
+  bool starts_here(const LaunchEntity& entity, const std::string& what);
+  void resolve_transitions();
 
   // The actions.
   void declare_argument(const LaunchEntity& entity);
@@ -102,6 +106,8 @@ class LaunchEvaluator {
   void on_event(const LaunchEntity& entity);
   void forget_event(const LaunchEntity& entity);
   void pass_over(const LaunchEntity& entity);
+  void change_state(const LaunchEntity& entity);
+  void lifecycle_node(const LaunchEntity& entity);
 
   // Processes.
   void add_process(const LaunchEntity& entity, LaunchProcess process);
@@ -121,6 +127,8 @@ class LaunchEvaluator {
   std::optional<std::string> needed_text(const LaunchEntity& entity, std::string_view name);
   std::optional<std::string> evaluated(const std::string& text, const SourceSpan& span);
   bool flag(const LaunchEntity& entity, std::string_view name, bool otherwise);
+  /// A list, or a text with separators as `<name>_sep` says.
+  std::vector<std::string> list(const LaunchEntity& entity, const std::string& name);
   /// Of what Python numbers; -1 without the attribute.
   static std::int64_t number(const LaunchEntity& entity, std::string_view name);
   double seconds(const LaunchEntity& entity, std::string_view name, double otherwise);
@@ -149,6 +157,8 @@ class LaunchEvaluator {
   std::set<std::int64_t> forgotten_;  ///< handlers, by number
   std::map<std::int64_t, std::size_t> processes_;
   std::map<std::int64_t, PassedOver> passed_over_;
+  /// By index in the description's transitions: the process, as Python numbers it.
+  std::map<std::size_t, std::int64_t> transition_targets_;
   std::vector<std::map<std::string, std::string>> pushed_variables_;
   std::vector<std::map<std::string, std::string>> pushed_environments_;
 };

@@ -1,15 +1,18 @@
 // See launch_evaluator.hpp: what launch files in Python say beyond the others, and what is done
 // when processes start and end.
+#include <algorithm>
 #include <utility>
 
 #include "bundler/launch/launch_evaluator.hpp"
+#include "bundler/launch/lifecycle_transitions.hpp"
+#include "bundler/launch/node_arguments.hpp"
+#include "workspace_schema/suggestion.hpp"
 
 namespace ros2wasm {
 namespace {
 
 constexpr std::size_t kMostLines = 10'000;
 constexpr const char* kEndProcess = "end_process";
-constexpr const char* kTransition = "lifecycle_transition";
 
 }  // namespace
 
@@ -99,43 +102,34 @@ void LaunchEvaluator::pass_over(const LaunchEntity& entity) {
     one = {.what = "the end of a node by an event",
            .instead = "nodes are stopped by hand, in the page",
            .span = entity.span};
-  } else if (entity.tag == kTransition) {
-    one = {.what = "transition " + text(entity, "transition").value_or("") + " of " +
-                   text(entity, "name").value_or("a managed node"),
-           .instead = "call the node's change_state service in the page",
-           .span = entity.span};
   }
   description_.left_out.push_back(std::move(one));
 }
 
-bool LaunchEvaluator::event(const EventHandler& handler) {
-  const LaunchEntity& entity = handler.entity;
-  if (forgotten_.contains(number(entity, "handler"))) return true;
-  const std::string kind = text(entity, "event").value_or("");
-  const std::int64_t target = number(entity, "process");
-  if ((kind != "start" && kind != "exit") || target < 0) {
-    description_.left_out.push_back(
-        {.what = "what follows when " +
-                 std::string(kind == "output"       ? "a process prints"
-                             : kind == "shutdown"   ? "the launch ends"
-                             : kind == "transition" ? "a managed node changes its state"
-                             : kind == "include"    ? "a file is included"
-                                                    : "any process starts or ends"),
-         .instead = "a site's launch follows the start and the end of single processes",
-         .span = entity.span});
-    return true;
-  }
-  if (const auto started = processes_.find(target); started != processes_.end()) {
-    trigger_ = LaunchTrigger{.process = started->second,
-                             .event = kind == "start" ? LaunchEvent::kStart : LaunchEvent::kExit};
-    after_s_ = 0;
-  } else if (const auto passed = passed_over_.find(target); passed != passed_over_.end()) {
-    // What no site runs is over as soon as it would have begun.
-    trigger_ = passed->second.on;
-    after_s_ = passed->second.after_s;
+/// Of whom nobody says what happens to it, or what nobody can decide before it happens.
+void LaunchEvaluator::leave_out(const EventHandler& handler, const std::string& kind) {
+  const std::int64_t target = number(handler.entity, "process");
+  LaunchLeftOut one{.what = "what follows when ",
+                    .instead = "a site's launch follows single processes",
+                    .span = handler.entity.span};
+  if (kind == "output") {
+    one.what += "a process prints";
+    one.instead = "only Python can look at what is printed, and it is done when the site runs";
+  } else if (kind == "include") {
+    one.what += "a file is included";
+    one.instead = "files are included before the site runs";
+  } else if (kind == "transition") {
+    one.what += target < 0 ? "any managed node changes its state" : "a node changes its state";
+    if (target >= 0) one.instead = "it is no LifecycleNode that the site runs";
   } else {
-    return false;
+    one.what += "any process starts or ends";
   }
+  description_.left_out.push_back(std::move(one));
+}
+
+/// Does what the handler says, as of `trigger_`.
+void LaunchEvaluator::follow(const EventHandler& handler) {
+  const LaunchEntity& entity = handler.entity;
   const LaunchFilePlace before = std::exchange(place_, handler.place);
   const LaunchLanguage language_before = std::exchange(language_, LaunchLanguage::kPython);
   if (const std::int64_t called = number(entity, "call"); called >= 0) {
@@ -147,7 +141,136 @@ bool LaunchEvaluator::event(const EventHandler& handler) {
   place_ = before;
   trigger_.reset();
   after_s_ = 0;
+}
+
+bool LaunchEvaluator::event(const EventHandler& handler) {
+  const LaunchEntity& entity = handler.entity;
+  if (forgotten_.contains(number(entity, "handler"))) return true;
+  const std::string kind = text(entity, "event").value_or("");
+  const std::int64_t target = number(entity, "process");
+  const bool changes = kind == "transition";
+  if (kind == "shutdown") {
+    trigger_ = LaunchTrigger{.process = 0, .event = LaunchEvent::kShutdown};
+    follow(handler);
+    return true;
+  }
+  if ((kind != "start" && kind != "exit" && !changes) || target < 0) {
+    leave_out(handler, kind);
+    return true;
+  }
+  const auto started = processes_.find(target);
+  const auto passed = passed_over_.find(target);
+  if (started == processes_.end() && passed == passed_over_.end()) return false;
+  const bool runs = started != processes_.end();
+  if (changes && (!runs || !description_.processes[started->second].node.name)) {
+    leave_out(handler, kind);
+    return true;
+  }
+  after_s_ = 0;
+  if (changes) {
+    trigger_ = LaunchTrigger{.process = started->second,
+                             .event = LaunchEvent::kTransition,
+                             .change = {.transition = text(entity, "transition").value_or(""),
+                                        .start_state = text(entity, "start_state").value_or(""),
+                                        .goal_state = text(entity, "goal_state").value_or("")},
+                             .once = flag(entity, "once", false)};
+  } else if (runs) {
+    trigger_ = LaunchTrigger{.process = started->second,
+                             .event = kind == "start" ? LaunchEvent::kStart : LaunchEvent::kExit};
+  } else {
+    // What no site runs is over as soon as it would have begun.
+    trigger_ = passed->second.on;
+    after_s_ = passed->second.after_s;
+  }
+  follow(handler);
   return true;
+}
+
+/// Whether a process can start where the evaluation is.
+bool LaunchEvaluator::starts_here(const LaunchEntity& entity, const std::string& what) {
+  if (!trigger_ || trigger_->event != LaunchEvent::kShutdown) return true;
+  description_.left_out.push_back({.what = what,
+                                   .instead = "nothing starts any more when the launch ends",
+                                   .span = entity.span});
+  return false;
+}
+
+/// Of the process that a launch file in Python names by its number, or of nodes by their names.
+void LaunchEvaluator::change_state(const LaunchEntity& entity) {
+  std::vector<std::int64_t> transitions;
+  for (const std::string& one : list(entity, "transition_ids")) {
+    const auto known = std::find_if(kTransitions.begin(), kTransitions.end(), [&](const auto& row) {
+      return one == row.label || one == std::to_string(row.id);
+    });
+    if (known != kTransitions.end()) {
+      transitions.push_back(known->id);
+      continue;
+    }
+    std::vector<std::string> labels;
+    for (const auto& row : kTransitions)
+      labels.push_back(std::to_string(row.id) + " (" + std::string(row.label) + ")");
+    fail("R2W0410", "managed nodes have no transition `" + one + "`", entity.span,
+         {"transitions are: " + name_list(labels, labels.size())});
+    return;
+  }
+  if (transitions.empty()) {
+    fail("R2W0410", "`lifecycle_transition` names no transition", entity.span);
+    return;
+  }
+  if (trigger_ && trigger_->event == LaunchEvent::kShutdown) {
+    description_.left_out.push_back({.what = "a transition of a managed node",
+                                     .instead = "nodes end when the launch ends",
+                                     .span = entity.span});
+    return;
+  }
+  LaunchTransitions one{.process = std::nullopt,
+                        .node = {},
+                        .transitions = std::move(transitions),
+                        .on = trigger_,
+                        .after_s = after_s_,
+                        .span = entity.span};
+  if (const std::int64_t target = number(entity, "process"); target >= 0) {
+    transition_targets_[description_.transitions.size()] = target;
+    description_.transitions.push_back(std::move(one));
+    return;
+  }
+  const std::vector<std::string> names = list(entity, "lifecycle_node_names");
+  if (names.empty()) fail("R2W0410", "`lifecycle_transition` names no node", entity.span);
+  for (const std::string& name : names) {
+    one.node = (name.starts_with('/') ? "" : "/") + name;
+    description_.transitions.push_back(one);
+  }
+}
+
+/// At the end: the nodes may stand behind what changes them.
+void LaunchEvaluator::resolve_transitions() {
+  std::vector<LaunchTransitions> known;
+  for (std::size_t i = 0; i < description_.transitions.size(); ++i) {
+    LaunchTransitions& one = description_.transitions[i];
+    const auto& processes = description_.processes;
+    if (const auto target = transition_targets_.find(i); target != transition_targets_.end()) {
+      const auto process = processes_.find(target->second);
+      if (process != processes_.end() && processes[process->second].node.name)
+        one.process = process->second;
+    } else if (!one.process) {
+      const auto process =
+          std::find_if(processes.begin(), processes.end(), [&](const LaunchProcess& other) {
+            return other.node.name && node_label(other.node) == one.node;
+          });
+      if (process != processes.end())
+        one.process = static_cast<std::size_t>(process - processes.begin());
+    }
+    if (one.process) {
+      one.node = node_label(processes[*one.process].node);
+      known.push_back(std::move(one));
+      continue;
+    }
+    description_.left_out.push_back(
+        {.what = "a transition of " + (one.node.empty() ? "a managed node" : "`" + one.node + "`"),
+         .instead = "the launch file starts no node of that name",
+         .span = one.span});
+  }
+  description_.transitions = std::move(known);
 }
 
 /// What one handler starts may be what another one looks at. Whose process never comes, a condition

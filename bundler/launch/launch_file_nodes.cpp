@@ -49,27 +49,78 @@ Diagnostic left_out_warning(const std::string& what, const std::string& why,
           .why = {why}};
 }
 
-struct Start {
-  std::optional<LaunchTrigger> on;  ///< of a node that runs: its place among these
-  double after_s = 0;
+/// Moments of the launch file as those of the nodes that run.
+class Moments {
+ public:
+  /// `kept`: numbers of the processes that run, ascending; `nodes` are what they became.
+  Moments(const std::vector<LaunchProcess>& all, const std::vector<std::size_t>& kept,
+          const std::vector<LaunchNode>& nodes)
+      : all_(all), kept_(kept), nodes_(nodes) {}
+
+  /// The node that a process became.
+  [[nodiscard]] const LaunchNode* node(std::size_t process) const {
+    const auto at = std::lower_bound(kept_.begin(), kept_.end(), process);
+    if (at == kept_.end() || *at != process) return nullptr;
+    return &nodes_[static_cast<std::size_t>(at - kept_.begin())];
+  }
+
+  /// A process that no site runs is over as soon as it would have begun: `after_s` grows by that.
+  LaunchMoment of(std::optional<LaunchTrigger> on, double& after_s) const {
+    while (on && on->event != LaunchEvent::kShutdown) {
+      if (const LaunchNode* other = node(on->process)) {
+        return {.node = other->id,
+                .event = on->event,
+                .name = on->event == LaunchEvent::kTransition ? other->label : "",
+                .change = on->change,
+                .once = on->once};
+      }
+      const LaunchProcess& missing = all_[on->process];  // it stands before this one
+      after_s += missing.start_after_s;
+      on = missing.start_on;
+    }
+    LaunchMoment result;
+    if (on) result.event = LaunchEvent::kShutdown;
+    return result;
+  }
+
+ private:
+  const std::vector<LaunchProcess>& all_;
+  const std::vector<std::size_t>& kept_;
+  const std::vector<LaunchNode>& nodes_;
 };
 
-/// A process that no site runs is over as soon as it would have begun. `kept`: numbers of the
-/// others, ascending.
-Start start_of(const LaunchProcess& process, const std::vector<LaunchProcess>& all,
-               const std::vector<std::size_t>& kept) {
-  Start start{.on = process.start_on, .after_s = process.start_after_s};
-  while (start.on) {
-    const auto at = std::lower_bound(kept.begin(), kept.end(), start.on->process);
-    if (at != kept.end() && *at == start.on->process) {
-      start.on->process = static_cast<std::size_t>(at - kept.begin());
-      break;
-    }
-    const LaunchProcess& missing = all[start.on->process];  // it stands before this one
-    start.after_s += missing.start_after_s;
-    start.on = missing.start_on;
+/// In the order in which they are done at the same moment: what is said comes first.
+std::vector<LaunchStep> steps_of(const LaunchDescription& description, const Moments& moments) {
+  std::vector<LaunchStep> steps;
+  const auto add = [&](LaunchStep step, const auto& of) {
+    step.after_s = of.after_s;
+    step.on = moments.of(of.on, step.after_s);
+    step.span = of.span;
+    steps.push_back(std::move(step));
+  };
+  for (const LaunchLine& one : description.lines) {
+    LaunchStep step;
+    step.text = one.text;
+    step.level = one.level;
+    add(std::move(step), one);
   }
-  return start;
+  for (const LaunchTransitions& one : description.transitions) {
+    const LaunchNode* node = moments.node(*one.process);
+    if (node == nullptr) continue;  // it is left out, and said so
+    LaunchStep step;
+    step.kind = LaunchStepKind::kTransition;
+    step.node = node->id;
+    step.name = one.node;
+    step.transitions = one.transitions;
+    add(std::move(step), one);
+  }
+  for (const LaunchShutdown& one : description.shutdowns) {
+    LaunchStep step;
+    step.kind = LaunchStepKind::kShutdown;
+    step.text = one.reason;
+    add(std::move(step), one);
+  }
+  return steps;
 }
 
 }  // namespace
@@ -121,18 +172,17 @@ Outcome<LaunchFileNodes> launch_file_nodes(const std::string& path,
   if (!errors.empty()) return errors;
 
   // launch_nodes() keeps the order and leaves none out.
+  const Moments moments(description->processes, numbers, *nodes);
   for (std::size_t i = 0; i < processes.size(); ++i) {
     LaunchNode& node = (*nodes)[i];
     node.environment = std::move(processes[i].environment);
-    const Start start = start_of(processes[i], description->processes, numbers);
-    if (start.on) {
-      node.start_on_node = (*nodes)[start.on->process].id;
-      node.start_on_exit = start.on->event == LaunchEvent::kExit;
-    }
-    node.start_after_s = start.after_s;
+    node.start_after_s = processes[i].start_after_s;
+    node.start_on = moments.of(processes[i].start_on, node.start_after_s);
+    node.respawn_max_retries = processes[i].respawn_max_retries;
     node.respawn_delay_s = processes[i].respawn_delay_s;
     node.shutdown_on_exit = processes[i].shutdown_on_exit;
   }
+  result.steps = steps_of(*description, moments);
   result.nodes = std::move(*nodes);
   result.files = std::move(description->files);
   for (const LaunchLine& line : description->lines)

@@ -13,6 +13,7 @@ namespace ros2wasm {
 
 struct LaunchFileNodes {
   std::vector<LaunchNode> nodes;
+  std::vector<LaunchStep> steps;
   Diagnostics warnings;              ///< R2W0412, R2W0415
   std::vector<std::string> remarks;  ///< what the file logs
   std::vector<std::string> files;    ///< that were read, as launch files see them

@@ -1,12 +1,14 @@
 // What runs in the site: one entry per process, with its place in the source. Pure values.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "bundler/launch/launch_step.hpp"
 #include "bundler/launch/node_arguments.hpp"
 #include "bundler/workspace/left_out.hpp"
 #include "workspace_schema/manifest.hpp"
@@ -49,12 +51,11 @@ struct LaunchNode {
   NodeOutput output = NodeOutput::kScreen;
   bool respawn = false;
   std::map<std::string, std::string> environment;  ///< beside the site's own
-  /// Starts when that node (its id) has started or ended; empty: with the launch.
-  std::string start_on_node;
-  bool start_on_exit = false;
+  LaunchMoment start_on;
   double start_after_s = 0;
   double respawn_delay_s = 0;
-  bool shutdown_on_exit = false;  ///< when it ends, all ends
+  std::optional<std::int64_t> respawn_max_retries;  ///< else as often as it ends
+  bool shutdown_on_exit = false;                    ///< when it ends, all ends
   SourceSpan source;
 };
 

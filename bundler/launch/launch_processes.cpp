@@ -1,5 +1,6 @@
 // See launch_evaluator.hpp: the actions that start processes, and what belongs to a process.
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 #include <utility>
 
@@ -295,6 +296,17 @@ void LaunchEvaluator::process_options(const LaunchEntity& entity, LaunchProcess&
   }
   process.node.respawn = flag(entity, "respawn", false);
   process.respawn_delay_s = seconds(entity, "respawn_delay", 0);
+  if (const auto written = text(entity, "respawn_max_retries")) {
+    std::int64_t count = 0;
+    const char* const end = written->data() + written->size();
+    const auto [stop, error] = std::from_chars(written->data(), end, count);
+    if (error != std::errc() || stop != end) {
+      fail("R2W0410", "`respawn_max_retries` is a whole number, found `" + *written + "`",
+           entity.attribute("respawn_max_retries")->span);
+    } else if (count >= 0) {
+      process.respawn_max_retries = count;
+    }
+  }
   if (const auto output = text(entity, "output")) {
     if (const auto kind = output_of(*output)) {
       process.node.output = *kind;
@@ -344,11 +356,33 @@ std::optional<LaunchProcess> LaunchEvaluator::process_of(const LaunchEntity& ent
   return process;
 }
 
+void LaunchEvaluator::lifecycle_node(const LaunchEntity& entity) {
+  const bool starts_itself = flag(entity, "autostart", false);
+  auto process = process_of(entity);
+  if (!process) return;
+  if (!process->node.name) {
+    fail("R2W0410", "`lifecycle_node` needs the attribute `name`", entity.span);
+    return;
+  }
+  const std::size_t number = description_.processes.size();
+  add_process(entity, std::move(*process));
+  if (!starts_itself || description_.processes.size() == number) return;
+  description_.transitions.push_back(
+      {.process = number,
+       .node = {},
+       .transitions = {1, 3},  // configure, activate
+       .on = LaunchTrigger{.process = number, .event = LaunchEvent::kStart},
+       .after_s = 0,
+       .span = entity.span});
+}
+
 void LaunchEvaluator::node(const LaunchEntity& entity) {
   if (auto process = process_of(entity)) add_process(entity, std::move(*process));
 }
 
 void LaunchEvaluator::add_process(const LaunchEntity& entity, LaunchProcess process) {
+  const std::string what = process.node.package.value + "/" + process.node.executable.value;
+  if (!starts_here(entity, what)) return;
   if (const std::int64_t own = number(entity, "process"); own >= 0)
     processes_[own] = description_.processes.size();
   description_.processes.push_back(std::move(process));

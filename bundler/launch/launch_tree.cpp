@@ -4,6 +4,8 @@
 #include <array>
 #include <string_view>
 
+#include "bundler/launch/launch_step.hpp"
+#include "bundler/launch/lifecycle_transitions.hpp"
 #include "bundler/launch/node_arguments.hpp"
 #include "workspace_schema/json_writer.hpp"
 
@@ -45,10 +47,32 @@ std::string program(const LaunchProcess& process) {
   return process.node.package.value + "/" + process.node.executable.value;
 }
 
+std::string named(const LaunchProcess& process) {
+  return program(process) + (process.node.name ? " " + node_label(process.node) : "");
+}
+
 std::string when(const LaunchTrigger& trigger, const std::vector<LaunchProcess>& processes) {
-  const LaunchProcess& other = processes[trigger.process];
-  return "when " + program(other) + (other.node.name ? " " + node_label(other.node) : "") +
-         (trigger.event == LaunchEvent::kExit ? " has ended" : " has started");
+  switch (trigger.event) {
+    case LaunchEvent::kStart:
+      return "when " + named(processes[trigger.process]) + " has started";
+    case LaunchEvent::kExit:
+      return "when " + named(processes[trigger.process]) + " has ended";
+    case LaunchEvent::kShutdown:
+      return "when all ends";
+    case LaunchEvent::kTransition:
+      break;
+  }
+  const LaunchStateChange& change = trigger.change;
+  return (trigger.once ? "the first time that " : "when ") + named(processes[trigger.process]) +
+         (change.goal_state.empty() ? " leaves its state" : " becomes " + change.goal_state) +
+         (change.start_state.empty() ? "" : ", was " + change.start_state) +
+         (change.transition.empty() ? "" : ", by " + change.transition);
+}
+
+std::string label(std::int64_t transition) {
+  for (const LifecycleTransitionRow& row : kTransitions)
+    if (row.id == transition) return std::string(row.label);
+  return std::to_string(transition);
 }
 
 void add_process(const LaunchProcess& process, const std::vector<LaunchProcess>& processes,
@@ -64,9 +88,12 @@ void add_process(const LaunchProcess& process, const std::vector<LaunchProcess>&
   if (process.start_on) lines.push_back("  " + when(*process.start_on, processes));
   if (process.start_after_s > 0) lines.push_back("  after " + seconds(process.start_after_s));
   if (node.respawn)
-    lines.push_back("  respawn" + (process.respawn_delay_s > 0
-                                       ? " after " + seconds(process.respawn_delay_s)
-                                       : std::string()));
+    lines.push_back("  respawn" +
+                    (process.respawn_delay_s > 0 ? " after " + seconds(process.respawn_delay_s)
+                                                 : std::string()) +
+                    (process.respawn_max_retries
+                         ? ", " + std::to_string(*process.respawn_max_retries) + " times at most"
+                         : std::string()));
   if (process.shutdown_on_exit) lines.emplace_back("  when it ends, all ends");
   for (const auto& [name, value] : process.environment)
     lines.push_back("  env " + name + "=" + value);
@@ -170,8 +197,19 @@ void write_component(JsonWriter& json, const LaunchComponent& one) {
 
 void write_trigger(JsonWriter& json, const char* key, const LaunchTrigger& trigger) {
   json.key(key).begin_object();
-  json.field_integer("process", static_cast<std::int64_t>(trigger.process));
-  json.field("event", trigger.event == LaunchEvent::kExit ? "exit" : "start").end_object();
+  if (trigger.event != LaunchEvent::kShutdown)
+    json.field_integer("process", static_cast<std::int64_t>(trigger.process));
+  json.field("event", launch_event_name(trigger.event));
+  write_state_change(json, trigger.change);
+  if (trigger.once) json.field_boolean("once", true);
+  json.end_object();
+}
+
+/// Of a step: when it is done, and where it stands.
+void write_moment(JsonWriter& json, const auto& step) {
+  if (step.on) write_trigger(json, "on", *step.on);
+  json.key("after").number(step.after_s);
+  write_place(json, step.span);
 }
 
 void write_process(JsonWriter& json, const LaunchProcess& process) {
@@ -193,6 +231,8 @@ void write_process(JsonWriter& json, const LaunchProcess& process) {
   json.key("start_after").number(process.start_after_s);
   json.field_boolean("respawn", node.respawn);
   json.key("respawn_delay").number(process.respawn_delay_s);
+  if (process.respawn_max_retries)
+    json.field_integer("respawn_max_retries", *process.respawn_max_retries);
   json.field_boolean("shutdown_on_exit", process.shutdown_on_exit);
   json.key("components").begin_array();
   for (const LaunchComponent& one : process.components) write_component(json, one);
@@ -208,20 +248,20 @@ std::vector<std::string> launch_tree(const LaunchDescription& description) {
   add_arguments(description, lines);
   for (const LaunchProcess& process : description.processes)
     add_process(process, description.processes, lines);
-  for (const LaunchLine& line : description.lines) {
-    lines.push_back("log " + line.level + ": " + line.text +
-                    (line.on ? "  " + when(*line.on, description.processes) : "") +
-                    (line.after_s > 0 ? "  after " + seconds(line.after_s) : "") + "  [" +
-                    place(line.span) + "]");
+  const auto at = [&](const auto& step) {
+    return (step.on ? "  " + when(*step.on, description.processes) : "") +
+           (step.after_s > 0 ? "  after " + seconds(step.after_s) : "") + "  [" + place(step.span) +
+           "]";
+  };
+  for (const LaunchLine& line : description.lines)
+    lines.push_back("log " + line.level + ": " + line.text + at(line));
+  for (const LaunchTransitions& one : description.transitions) {
+    std::string line = "change " + named(description.processes[*one.process]) + ":";
+    for (const std::int64_t transition : one.transitions) line += " " + label(transition);
+    lines.push_back(line + at(one));
   }
-  if (description.shutdown) {
-    lines.push_back(
-        "all ends " +
-        (description.shutdown->on ? when(*description.shutdown->on, description.processes) + ", "
-                                  : std::string()) +
-        "after " + seconds(description.shutdown->after_s) +
-        (description.shutdown->reason.empty() ? "" : ": " + description.shutdown->reason));
-  }
+  for (const LaunchShutdown& one : description.shutdowns)
+    lines.push_back("all ends: " + one.reason + at(one));
   for (const LaunchLeftOut& one : description.left_out)
     lines.push_back("left out: " + one.what + " (" + one.instead + ")  [" + place(one.span) + "]");
   return lines;
@@ -236,18 +276,26 @@ std::string launch_json(const LaunchDescription& description) {
   json.end_array().key("log").begin_array();
   for (const LaunchLine& line : description.lines) {
     json.begin_object().field("level", line.level).field("text", line.text);
-    if (line.on) write_trigger(json, "on", *line.on);
-    json.key("after").number(line.after_s);
-    write_place(json, line.span);
+    write_moment(json, line);
     json.end_object();
   }
   json.end_array();
-  if (description.shutdown) {
-    json.key("shutdown").begin_object();
-    if (description.shutdown->on) write_trigger(json, "on", *description.shutdown->on);
-    json.key("after").number(description.shutdown->after_s);
-    json.field("reason", description.shutdown->reason).end_object();
+  json.key("transitions").begin_array();
+  for (const LaunchTransitions& one : description.transitions) {
+    json.begin_object().field_integer("process", static_cast<std::int64_t>(*one.process));
+    json.field("node", one.node).key("transitions").begin_array();
+    for (const std::int64_t transition : one.transitions) json.integer(transition);
+    json.end_array();
+    write_moment(json, one);
+    json.end_object();
   }
+  json.end_array().key("shutdowns").begin_array();
+  for (const LaunchShutdown& one : description.shutdowns) {
+    json.begin_object().field("reason", one.reason);
+    write_moment(json, one);
+    json.end_object();
+  }
+  json.end_array();
   json.key("left_out").begin_array();
   for (const LaunchLeftOut& one : description.left_out) {
     json.begin_object().field("what", one.what).field("why", one.instead);

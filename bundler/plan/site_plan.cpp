@@ -83,6 +83,7 @@ Outcome<SitePlan> plan_site(PlanInput input) {
     append(errors, checks.errors());
   }
   std::map<std::string, bool> threads_of;
+  plan.steps = std::move(input.steps);
   for (const LaunchNode& node : input.nodes) {
     const std::string path = program_path(node);
     if (is_python(node)) {

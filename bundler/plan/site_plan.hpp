@@ -47,6 +47,7 @@ struct SitePlan {
   std::vector<PlannedFile> files;     ///< sorted by path; the last steps add site.json, SHA256SUMS
   std::string sha256;                 ///< of site.json, which has that of every file: of the site
   std::vector<PlannedNode> nodes;     ///< in launch order
+  std::vector<LaunchStep> steps;      ///< of the launch file
   std::vector<std::string> packages;  ///< that the programs' index of packages has, sorted
   std::vector<CheckEntry> checks;     ///< in the manifest's order, with ids of nodes
   std::vector<ChannelFile> channel;   ///< sorted by path; empty unless it was asked for
@@ -63,6 +64,7 @@ struct RuntimeAsset {
 struct PlanInput {
   const Manifest& manifest;
   std::vector<LaunchNode> nodes;
+  std::vector<LaunchStep> steps;
   std::map<std::filesystem::path, std::string> programs;  ///< bytes of each node's program file
   std::map<std::filesystem::path, std::string> names;     ///< by program file, where there are any
   std::vector<RuntimeAsset> runtime;

@@ -28,6 +28,16 @@ void write_source(JsonWriter& json, const SourceSpan& source) {
   json.field_integer("line", source.line).field_integer("column", source.column).end_object();
 }
 
+void write_moment(JsonWriter& json, const char* key, const LaunchMoment& moment) {
+  json.key(key).begin_object();
+  if (!moment.node.empty()) json.field("node", moment.node);
+  json.field("event", launch_event_name(moment.event));
+  if (!moment.name.empty()) json.field("name", moment.name);
+  write_state_change(json, moment.change);
+  if (moment.once) json.field_boolean("once", true);
+  json.end_object();
+}
+
 void write_node(JsonWriter& json, const PlannedNode& planned) {
   const LaunchNode& node = planned.node;
   json.begin_object().field("id", node.id).field("package", node.package);
@@ -49,13 +59,35 @@ void write_node(JsonWriter& json, const PlannedNode& planned) {
   json.end_object();
   json.field("output", output_name(node.output)).field_boolean("respawn", node.respawn);
   if (node.respawn_delay_s > 0) json.key("respawn_delay").number(node.respawn_delay_s);
-  if (!node.start_on_node.empty()) {
-    json.key("start_on").begin_object().field("node", node.start_on_node);
-    json.field("event", node.start_on_exit ? "exit" : "start").end_object();
-  }
+  if (node.respawn_max_retries)
+    json.field_integer("respawn_max_retries", *node.respawn_max_retries);
+  if (!node.start_on.node.empty()) write_moment(json, "start_on", node.start_on);
   if (node.start_after_s > 0) json.key("start_after").number(node.start_after_s);
   if (node.shutdown_on_exit) json.field("on_exit", "shutdown");
   write_source(json, node.source);
+  json.end_object();
+}
+
+void write_step(JsonWriter& json, const LaunchStep& step) {
+  json.begin_object();
+  switch (step.kind) {
+    case LaunchStepKind::kLog:
+      json.field("do", "log").field("level", step.level).field("text", step.text);
+      break;
+    case LaunchStepKind::kShutdown:
+      json.field("do", "shutdown").field("reason", step.text);
+      break;
+    case LaunchStepKind::kTransition:
+      json.field("do", "transition").field("node", step.node).field("name", step.name);
+      json.key("transitions").begin_array();
+      for (const std::int64_t one : step.transitions) json.integer(one);
+      json.end_array();
+      break;
+  }
+  if (!step.on.node.empty() || step.on.event == LaunchEvent::kShutdown)
+    write_moment(json, "on", step.on);
+  if (step.after_s > 0) json.key("after").number(step.after_s);
+  write_source(json, step.span);
   json.end_object();
 }
 
@@ -107,6 +139,11 @@ std::string site_json(const Manifest& manifest, const SitePlan& plan) {
   json.key("nodes").begin_array();
   for (const PlannedNode& node : plan.nodes) write_node(json, node);
   json.end_array();
+  if (!plan.steps.empty()) {
+    json.key("launch").begin_object().key("steps").begin_array();
+    for (const LaunchStep& step : plan.steps) write_step(json, step);
+    json.end_array().end_object();
+  }
   json.field("interfaces", "interfaces.json");
   json.key("packages").begin_array();
   for (const std::string& package : plan.packages) json.string(package);

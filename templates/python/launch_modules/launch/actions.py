@@ -252,6 +252,7 @@ class ExecuteLocal(Action):
         self._process_name = name
         self._set = [*_pairs(env), *_pairs(additional_env)]
         self._respawn, self._respawn_delay = respawn, respawn_delay
+        self._max_retries = respawn_max_retries
         self._output = output
         self._shell = shell
 
@@ -259,6 +260,8 @@ class ExecuteLocal(Action):
         attributes: dict[str, Any] = {'process': host.OBJECTS.number(self), 'respawn': flag(self._respawn)}
         if self._respawn_delay is not None:
             attributes['respawn_delay'] = flag(self._respawn_delay)
+        if self._max_retries is not None:
+            attributes['respawn_max_retries'] = flag(self._max_retries)
         output = self._output
         if isinstance(output, Mapping):
             output = 'screen' if 'screen' in str(output.values()) else 'log'
@@ -321,7 +324,7 @@ class EmitEvent(Action):
             return [self._entity('shutdown', {'reason': text_of(self.event.reason)})]
         transition = getattr(self.event, '_transition', None)
         if transition is not None:
-            return [self._entity('lifecycle_transition', transition())]
+            return [self._entity('lifecycle_transition', attributes) for attributes in transition()]
         if isinstance(self.event, ShutdownProcess):
             target = getattr(self.event.process_matcher, 'action', None)
             if target is not None:

@@ -6,6 +6,7 @@ from typing import Any
 
 from ros2wasm_launch import host
 
+from .events import Shutdown
 from .events.process import ProcessExited, ProcessStarted
 
 
@@ -29,10 +30,14 @@ class EventHandler:
             attributes['process'] = host.OBJECTS.number(self._target)
         if callable(self._made):
             attributes['call'] = host.OBJECTS.number(self._call)
+        if self.handle_once:
+            attributes['once'] = True
         return attributes
 
     def _call(self, context: Any) -> Any:
         """What the function gives back for a process that did well."""
+        if self._event == 'shutdown':
+            return self._made(Shutdown(), context)
         kind = ProcessStarted if self._event == 'start' else ProcessExited
         return self._made(kind(action=self._target, returncode=0, pid=0, cmd=[], cwd=None, env=None, name=''), context)
 

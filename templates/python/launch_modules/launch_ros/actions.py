@@ -11,6 +11,7 @@ from ros2wasm_launch.entities import Entity
 from ros2wasm_launch.texts import flag, parameter_value, text_of
 
 from .descriptions import component_parts
+from .events.lifecycle import MANAGED_NODES
 from .parameter_descriptions import ParameterValue, parameter_parts, remap_parts
 
 
@@ -55,6 +56,7 @@ class LifecycleNode(Node):
     def __init__(self, *, name: Any, namespace: Any, autostart: Any = False, **more: Any) -> None:
         super().__init__(name=name, namespace=namespace, **more)
         self._autostart = autostart
+        MANAGED_NODES.append(self)
 
     def _more_attributes(self) -> dict[str, Any]:
         return {'autostart': flag(self._autostart)}
@@ -66,8 +68,9 @@ class LifecycleTransition(Action):
         self._names, self._ids = list(lifecycle_node_names), list(transition_ids)
 
     def _entities(self) -> list[Entity]:
-        return [self._entity('lifecycle_transition', {'name': text_of(name), 'transition': flag(one)})
-                for name in self._names for one in self._ids]
+        return [self._entity('lifecycle_transition', {
+            'lifecycle_node_names': [text_of(name) for name in self._names],
+            'transition_ids': [flag(one) for one in self._ids]})]
 
 
 class ComposableNodeContainer(Node):

@@ -142,6 +142,15 @@ export async function runHeadless(options: Options, entry: URL): Promise<number>
   let met = false;
   const trace = options.trace === undefined ? undefined : new TraceFile(options.trace);
 
+  const tell = (node: string, line: string, stream: number, time: number, text: string): void => {
+    if (met) return;
+    if (options.json) event({ event: 'line', node, stream: stream === 1 ? 'stdout' : 'stderr', time, text });
+    else print(line);
+    if (options.until?.test(line) !== true) return;
+    met = true;
+    finish(0);
+  };
+
   const session = new SiteSession({
     site,
     platform,
@@ -149,19 +158,10 @@ export async function runHeadless(options: Options, entry: URL): Promise<number>
     ...(options.stepped === undefined ? {} : { stepped: options.stepped }),
     ...(trace === undefined ? {} : { onSent: (node, message) => trace.add(node.id, message) }),
     onLines: (node, lines, dropped) => {
-      if (met) return;
-      if (dropped > 0) process.stderr.write(`[${node.id}] ... ${dropped} lines were dropped\n`);
-      for (const [stream, time, text] of lines) {
-        const line = `[${node.id}] ${text}`;
-        if (options.json) event({ event: 'line', node: node.id, stream: stream === 1 ? 'stdout' : 'stderr', time, text });
-        else print(line);
-        if (options.until?.test(line) === true) {
-          met = true;
-          finish(0);
-          return;
-        }
-      }
+      if (dropped > 0 && !met) process.stderr.write(`[${node.id}] ... ${dropped} lines were dropped\n`);
+      for (const [stream, time, text] of lines) tell(node.id, `[${node.id}] ${text}`, stream, time, text);
     },
+    onLaunchLine: (time, text) => tell('launch', text, 1, time, text),
   });
 
   const checks = options.checks === undefined ? undefined : await checksOf(session);
@@ -184,8 +184,8 @@ export async function runHeadless(options: Options, entry: URL): Promise<number>
     if (stopping && well !== undefined) finish(interrupted);
     // What has been sent may still be on its way: the time of the checks decides.
     else if (checks !== undefined) return;
-    // Nobody will start them again, except a respawn rule.
-    else if (well !== undefined && !site.nodes.some((node) => node.respawn)) {
+    // Nobody will start them again.
+    else if (well !== undefined && !session.respawns()) {
       finish(options.until === undefined && well ? 0 : 1);
     }
   });

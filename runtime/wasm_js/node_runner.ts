@@ -9,7 +9,7 @@ import type { Platform, WorkerHandle } from './platform.ts';
 import type { ProgramEnd } from './program.ts';
 import { folderOf, homeOf, type ImageOfStart, type PythonImages } from './python_images.ts';
 import type { PythonStart } from './python_program.ts';
-import type { NodeState, NodeView, SiteNode, StartOn } from './session.ts';
+import type { LaunchMoment, NodeState, NodeView, SiteNode } from './session.ts';
 import { SiteError } from './site_error.ts';
 import type { SiteFiles } from './site_files.ts';
 import { type ThreadMemory, tellThreads } from './thread_waits.ts';
@@ -44,7 +44,7 @@ export interface RunnerHost {
   /** A node ended with which all shall end. */
   readonly shutdown: () => void;
   /** The node has started, or has ended by itself. */
-  readonly happened: (node: SiteNode, event: StartOn['event']) => void;
+  readonly happened: (node: SiteNode, event: 'start' | 'exit') => void;
   /** A batch of lines was taken over from a worker of the participant. */
   readonly lines: (node: SiteNode, report: Extract<WorkerReport, { t: 'lines' }>) => void;
 }
@@ -74,6 +74,8 @@ export class NodeRunner {
   private timer: ReturnType<typeof setTimeout> | undefined;
   /** Calls off a start that is yet to come. */
   private keepFromStart: (() => void) | undefined;
+  /** Respawns since somebody started it. */
+  private retries = 0;
 
   constructor(node: SiteNode, console: NodeConsole, host: RunnerHost) {
     this.node = node;
@@ -104,14 +106,25 @@ export class NodeRunner {
   }
 
   /** Until start(), of another node's start or end. */
-  wait(on: StartOn): void {
+  wait(on: LaunchMoment): void {
     if (this.active()) return;
     this.clearTimer();
     this.set({ kind: 'waiting', on });
   }
 
+  /** Ended, and about to start by itself. */
+  respawns(): boolean {
+    return this.keepFromStart !== undefined && !this.active();
+  }
+
   /** `afterMs`: it is starting until then. */
   start(afterMs = 0): void {
+    if (this.active()) return;
+    this.retries = 0;
+    this.begin(afterMs);
+  }
+
+  private begin(afterMs: number): void {
     if (this.active()) return;
     this.clearTimer();
     this.stopping = false;
@@ -126,7 +139,9 @@ export class NodeRunner {
 
   /** As Ctrl-C; a second time, or after the grace, the worker is killed. */
   stop(): void {
+    const respawned = this.respawns();
     this.clearTimer();
+    if (respawned) this.host.changed();
     if (this.state.kind === 'waiting') this.set({ kind: 'stopped' });
     if (!this.active()) return;
     const { run } = this;
@@ -311,13 +326,15 @@ export class NodeRunner {
   private finish(state: NodeState, closed: boolean): void {
     const { run, again } = this;
     const byItself = !this.stopping && !again;
-    const respawns = this.node.respawn && byItself;
+    const { respawnMaxRetries } = this.node;
+    const respawns = this.node.respawn && byItself && (respawnMaxRetries === undefined || this.retries < respawnMaxRetries);
     this.run = undefined;
     this.clearTimer();
     // Before the others of a stepped run go on.
     if (respawns) {
       const delay = Math.max(leastRespawnMs, this.node.respawnDelay * 1000);
-      this.keepFromStart = this.host.broker.after(delay, () => this.start());
+      this.retries += 1;
+      this.keepFromStart = this.host.broker.after(delay, () => this.begin(0));
     }
     if (byItself) this.host.happened(this.node, 'exit');
     this.stopping = false;

@@ -44,8 +44,10 @@ export interface SiteNode {
   readonly respawn: boolean;
   /** Seconds. */
   readonly respawnDelay: number;
+  /** undefined: as often as it ends. */
+  readonly respawnMaxRetries?: number;
   /** Starts when that node has started, or has ended by itself; else with all others. */
-  readonly startOn?: StartOn;
+  readonly startOn?: LaunchMoment;
   /** Seconds after that. */
   readonly startAfter: number;
   /** When it ends by itself, all nodes are stopped. */
@@ -53,11 +55,40 @@ export interface SiteNode {
   readonly source?: SourcePlace;
 }
 
-export interface StartOn {
-  /** Its id. */
+/** Something that happens to a node, by its id, or to all. */
+export type LaunchMoment =
+  | { readonly event: 'start' | 'exit'; readonly node: string; readonly once?: boolean }
+  | StateMoment
+  | { readonly event: 'shutdown'; readonly node?: undefined; readonly once?: boolean };
+
+/** A change of a managed node's state, by labels; those that are left out may be any. */
+export interface StateMoment {
+  readonly event: 'transition';
   readonly node: string;
-  readonly event: 'start' | 'exit';
+  /** Full, of the managed node. */
+  readonly name: string;
+  readonly transition?: string;
+  readonly startState?: string;
+  readonly goalState?: string;
+  /** The first time only. */
+  readonly once?: boolean;
 }
+
+interface LaunchStepAt {
+  /** undefined: when the site is launched. */
+  readonly on?: LaunchMoment;
+  /** Seconds after that. */
+  readonly after: number;
+  readonly source?: SourcePlace;
+}
+
+/** What the launcher does beside starting nodes. */
+export type LaunchStep = LaunchStepAt & (
+  | { readonly do: 'log'; readonly level: string; readonly text: string }
+  | { readonly do: 'shutdown'; readonly reason: string }
+  /** Of the managed node with that id and full name; as lifecycle_msgs/msg/Transition numbers them, one after the other. */
+  | { readonly do: 'transition'; readonly node: string; readonly name: string; readonly transitions: readonly number[] }
+);
 
 export interface SiteFile {
   readonly path: string;
@@ -77,6 +108,7 @@ export interface SiteDescription {
   readonly license: string;
   readonly authors: readonly { readonly name: string }[];
   readonly nodes: readonly SiteNode[];
+  readonly launchSteps: readonly LaunchStep[];
   /** Path of interfaces.json, relative to site.json; empty when the site has none. */
   readonly interfaces: string;
   /** Those that programs can ask the index of packages for. */
@@ -91,7 +123,7 @@ export type LinkKind = 'shared' | 'port';
 
 export type NodeState =
   | { readonly kind: 'stopped' }
-  | { readonly kind: 'waiting'; readonly on: StartOn }
+  | { readonly kind: 'waiting'; readonly on: LaunchMoment }
   | { readonly kind: 'starting' }
   | { readonly kind: 'running' }
   | { readonly kind: 'exited'; readonly code: number }
@@ -216,6 +248,8 @@ export interface Session {
   /** At most once per animation frame. */
   onNodes(listener: (nodes: readonly NodeView[]) => void): Unsubscribe;
   console(id: string): ConsoleLog;
+  /** What the launch file says while the site runs, and what went wrong with what it does. */
+  readonly launchLog: ConsoleLog;
   /** Sampled 4 times per second while someone listens. A topic stays when its publishers have left, with its last message. */
   topics(): readonly TopicView[];
   onTopics(listener: (topics: readonly TopicView[]) => void): Unsubscribe;

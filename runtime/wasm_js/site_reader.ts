@@ -4,7 +4,7 @@ import { protocolVersion } from '../protocol/generated/constants.ts';
 import { readCheck } from './check_reader.ts';
 import { SiteError } from './site_error.ts';
 import { fail, flag, list, number, object, path, readSource, text } from './site_values.ts';
-import type { PythonProgram, SiteDescription, SiteFile, SiteNode, StartOn } from './session.ts';
+import type { LaunchMoment, LaunchStep, PythonProgram, SiteDescription, SiteFile, SiteNode } from './session.ts';
 
 function readPython(value: unknown, what: string): PythonProgram {
   const json = object(value, what);
@@ -15,11 +15,46 @@ function readPython(value: unknown, what: string): PythonProgram {
   return { archives: list(json, 'archives', what, archive), entry };
 }
 
-function readStartOn(value: unknown, what: string): StartOn {
+function readMoment(value: unknown, what: string): LaunchMoment {
   const json = object(value, what);
   const event = text(json, 'event', what);
-  if (event !== 'start' && event !== 'exit') fail(`${what}.event is ${event}: it is start or exit`);
-  return { node: text(json, 'node', what), event };
+  const once = flag(json, 'once') ? { once: true } : {};
+  if (event === 'shutdown') return { event, ...once };
+  if (event !== 'start' && event !== 'exit' && event !== 'transition') {
+    return fail(`${what}.event is ${event}: it is start, exit, transition or shutdown`);
+  }
+  const node = text(json, 'node', what);
+  if (event !== 'transition') return { event, node, ...once };
+  const part = (key: string, name: 'transition' | 'startState' | 'goalState'): object =>
+    (json[key] === undefined ? {} : { [name]: text(json, key, what) });
+  return {
+    event, node, name: text(json, 'name', what), ...part('transition', 'transition'), ...part('start_state', 'startState'),
+    ...part('goal_state', 'goalState'), ...once,
+  };
+}
+
+function readStep(value: unknown, what: string): LaunchStep {
+  const json = object(value, what);
+  const source = readSource(json);
+  const at = {
+    ...(json['on'] === undefined ? {} : { on: readMoment(json['on'], `${what}.on`) }),
+    after: number(json, 'after', what, 0),
+    ...(source === undefined ? {} : { source }),
+  };
+  const kind = text(json, 'do', what);
+  switch (kind) {
+    case 'log':
+      return { do: kind, level: text(json, 'level', what), text: text(json, 'text', what), ...at };
+    case 'shutdown':
+      return { do: kind, reason: text(json, 'reason', what, ''), ...at };
+    case 'transition': {
+      const id = (item: unknown, where: string): number =>
+        (typeof item === 'number' && Number.isInteger(item) && item >= 0 && item < 256 ? item : fail(`${where} is no transition`));
+      return { do: kind, node: text(json, 'node', what), name: text(json, 'name', what), transitions: list(json, 'transitions', what, id), ...at };
+    }
+    default:
+      return fail(`${what}.do is ${kind}: it is log, shutdown or transition`);
+  }
 }
 
 function readNode(value: unknown, what: string): SiteNode {
@@ -44,7 +79,8 @@ function readNode(value: unknown, what: string): SiteNode {
     output: text(json, 'output', what, 'screen'),
     respawn: flag(json, 'respawn'),
     respawnDelay: number(json, 'respawn_delay', what, 0),
-    ...(json['start_on'] === undefined ? {} : { startOn: readStartOn(json['start_on'], `${what}.start_on`) }),
+    ...(json['respawn_max_retries'] === undefined ? {} : { respawnMaxRetries: number(json, 'respawn_max_retries', what) }),
+    ...(json['start_on'] === undefined ? {} : { startOn: readMoment(json['start_on'], `${what}.start_on`) }),
     startAfter: number(json, 'start_after', what, 0),
     shutdownOnExit: text(json, 'on_exit', what, '') === 'shutdown',
     ...(source === undefined ? {} : { source }),
@@ -75,6 +111,10 @@ export function readSite(value: unknown): SiteDescription {
   const nodes = list(json, 'nodes', 'site', readNode);
   const ids = new Set(nodes.map((node) => node.id));
   if (ids.size !== nodes.length) fail('two nodes have the same id');
+  const launchSteps = list(object(json['launch'] ?? {}, 'site.launch'), 'steps', 'site.launch', readStep);
+  for (const of of [...nodes.map(({ startOn }) => startOn?.node), ...launchSteps.flatMap((step) => [step.on?.node, step.do === 'transition' ? step.node : undefined])]) {
+    if (of !== undefined && !ids.has(of)) fail(`the launch speaks of ${of}, which is no node of the site`);
+  }
   const interfaces = text(json, 'interfaces', 'site', '');
   return {
     protocol,
@@ -86,6 +126,7 @@ export function readSite(value: unknown): SiteDescription {
     license: text(json, 'license', 'site', ''),
     authors: list(json, 'authors', 'site', (item, what) => ({ name: text(object(item, what), 'name', what, '') })),
     nodes,
+    launchSteps,
     interfaces: interfaces === '' ? '' : path(interfaces, 'site.interfaces'),
     packages: list(json, 'packages', 'site', (item) => (typeof item === 'string' ? item : fail('site.packages'))),
     checks: list(json, 'checks', 'site', (item, what) => readCheck(item, what, ids)),

@@ -4,6 +4,7 @@ import type { Broker } from './broker.ts';
 import { NodeConsole } from './console_log.ts';
 import type { SentLine } from './console_sender.ts';
 import { graphView } from './graph_view.ts';
+import { LaunchSteps } from './launch_steps.ts';
 import { MessageTrace, type SentMessage } from './message_trace.ts';
 import { NodeRunner } from './node_runner.ts';
 import type { GraphView, PageNode } from './page_node.ts';
@@ -12,7 +13,7 @@ import type { Platform } from './platform.ts';
 import { PythonImages } from './python_images.ts';
 import { Sampler } from './sampler.ts';
 import type {
-  ConsoleLog, LastMessage, LinkKind, NodeState, NodeView, Session, SiteDescription, SiteNode, SiteTime, StartOn, SteppedRun, TabView, TopicView,
+  ConsoleLog, LastMessage, LinkKind, NodeState, NodeView, Session, SiteDescription, SiteNode, SiteTime, SteppedRun, TabView, TopicView,
   Unsubscribe,
 } from './session.ts';
 import { siteEnvironment, siteFiles } from './site_files.ts';
@@ -36,6 +37,8 @@ export interface SessionOptions {
   /** Called with each message that a node sends, in order. */
   readonly onSent?: (node: SiteNode, message: SentMessage) => void;
   /** Called with each batch of lines as it comes. */
+  /** Called with each line of the launch itself. */
+  readonly onLaunchLine?: (time: number, text: string) => void;
   readonly onLines?: (node: SiteNode, lines: readonly SentLine[], dropped: number) => void;
 }
 
@@ -47,6 +50,9 @@ export class SiteSession implements Session {
   private readonly platform: Platform;
   private readonly broker: Broker;
   private readonly images: PythonImages | undefined;
+  readonly launchLog: NodeConsole;
+  private readonly onLaunchLine: SessionOptions['onLaunchLine'];
+  private readonly steps: LaunchSteps;
   private readonly runners = new Map<string, NodeRunner>();
   private readonly sampler: Sampler;
   private readonly input: InputWriter;
@@ -64,7 +70,7 @@ export class SiteSession implements Session {
   private tabs: Tabs | undefined;
   private closed = false;
 
-  constructor({ site, platform, broker, onLines, stepped, onSent }: SessionOptions) {
+  constructor({ site, platform, broker, onLines, onLaunchLine, stepped, onSent }: SessionOptions) {
     this.site = site;
     this.platform = platform;
     this.broker = broker;
@@ -81,6 +87,9 @@ export class SiteSession implements Session {
     };
     this.sampler = new Sampler(broker);
     this.input = new InputWriter(broker.link);
+    this.launchLog = new NodeConsole(platform.frame);
+    this.onLaunchLine = onLaunchLine;
+    this.steps = this.launchSteps();
     const unsettled = new Set(site.nodes);
     let allSettled: () => void = () => undefined;
     this.settled = new Promise((resolve) => {
@@ -109,13 +118,32 @@ export class SiteSession implements Session {
         sent: traced ? (of, message) => void trace.add(of.id, message) : onSent,
         resetInput: (id) => this.input.reset(id),
         shutdown: () => this.stopAll(),
-        happened: (of, event) => this.startThoseWaiting(of, event),
+        happened: (of, event) => this.steps.happened(of.id, event),
         lines: (of, { lines, dropped }) => {
           console.add(lines, dropped);
           onLines?.(of, lines, dropped);
         },
       }));
     }
+  }
+
+  private launchSteps(): LaunchSteps {
+    const { site, broker } = this;
+    return new LaunchSteps({
+      nodes: site.nodes,
+      steps: site.launchSteps,
+      after: (ms, task) => broker.after(ms, task),
+      state: (id) => this.runner(id).view().state,
+      start: (id, afterSeconds) => this.start(id, afterSeconds),
+      stopAll: () => this.stopAll(),
+      say: (level, logger, text) => {
+        const time = this.now();
+        const line = `[${level}] [${logger}]: ${text}`;
+        this.launchLog.add([[1, time, line]], 0);
+        this.onLaunchLine?.(time, line);
+      },
+      pageNode: () => this.node(),
+    });
   }
 
   private runner(id: string): NodeRunner {
@@ -155,7 +183,9 @@ export class SiteSession implements Session {
       this.startAll();
       return;
     }
+    this.steps.prepare();
     for (const node of this.site.nodes) if (await tabs.claim(node.id)) this.startAsLaunched(node);
+    this.steps.launched();
   }
 
   /** They are closed with the session. */
@@ -184,7 +214,14 @@ export class SiteSession implements Session {
   }
 
   startAll(): void {
+    this.steps.prepare();
     for (const node of this.site.nodes) this.startAsLaunched(node);
+    this.steps.launched();
+  }
+
+  /** Does a node start again by itself? */
+  respawns(): boolean {
+    return [...this.runners.values()].some((runner) => runner.respawns());
   }
 
   private startAsLaunched({ id, startOn, startAfter }: SiteNode): void {
@@ -192,15 +229,9 @@ export class SiteSession implements Session {
     else this.runner(id).wait(startOn);
   }
 
-  private startThoseWaiting(node: SiteNode, event: StartOn['event']): void {
-    for (const { id, startOn, startAfter } of this.site.nodes) {
-      const isMeant = startOn?.node === node.id && startOn.event === event;
-      if (isMeant && this.runner(id).view().state.kind === 'waiting') this.start(id, startAfter);
-    }
-  }
-
   stopAll(): void {
     this.lookAtTopics();
+    this.steps.shutdown();
     for (const runner of this.runners.values()) runner.stop();
   }
 
@@ -330,6 +361,7 @@ export class SiteSession implements Session {
     this.closed = true;
     this.checks?.close();
     this.stopSampling();
+    this.steps.close();
     this.time.close();
     this.tabs?.close();
     for (const runner of this.runners.values()) runner.close();

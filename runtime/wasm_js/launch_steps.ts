@@ -1,0 +1,209 @@
+// What the launcher does beside starting nodes, and when: lines, transitions of managed nodes and the end of all, as the
+// launch file says; and which nodes start when others have started, ended or changed their state.
+
+import {
+  changeStateRequest, changeStateSucceeded, changeStateType, readTransitionEvent, transitionEventType, type StateChange,
+} from './lifecycle_messages.ts';
+import type { PageNode } from './page_node.ts';
+import { type LaunchMoment, type LaunchStep, type LogLevel, type NodeState, type SiteNode, unreachable } from './session.ts';
+import { SiteError } from './site_error.ts';
+
+/** How long a managed node may have no change_state service before that is told. */
+const tellAfterMs = 10_000;
+
+const transitionLabels: Readonly<Record<number, string>> = {
+  0: 'create', 1: 'configure', 2: 'cleanup', 3: 'activate', 4: 'deactivate',
+  5: 'unconfigured_shutdown', 6: 'inactive_shutdown', 7: 'active_shutdown', 8: 'destroy',
+};
+
+const logLevels: Readonly<Record<string, LogLevel>> = {
+  debug: 'DEBUG', info: 'INFO', warning: 'WARN', warn: 'WARN', error: 'ERROR', critical: 'FATAL', fatal: 'FATAL',
+};
+
+export interface LaunchStepsHost {
+  readonly nodes: readonly SiteNode[];
+  readonly steps: readonly LaunchStep[];
+  /** Runs a task later; gives back what calls it off. */
+  readonly after: (ms: number, task: () => void) => () => void;
+  readonly state: (id: string) => NodeState;
+  readonly start: (id: string, afterSeconds: number) => void;
+  readonly stopAll: () => void;
+  /** A line of the launch's own, by the logger of that name. */
+  readonly say: (level: LogLevel, logger: string, text: string) => void;
+  /** The page's node; made when the first managed node is spoken to. */
+  readonly pageNode: () => PageNode;
+}
+
+/** A transition that is under way: of the node's id. */
+interface Talk {
+  readonly node: string;
+  readonly abandoned: AbortController;
+}
+
+export class LaunchSteps {
+  private readonly host: LaunchStepsHost;
+  /** Ends what is heard of managed nodes. */
+  private readonly hearing: (() => void)[] = [];
+  private hears = false;
+  private readonly pending = new Set<() => void>();
+  private readonly talks = new Set<Talk>();
+  /** Transitions that wait until their node runs. */
+  private readonly waiting = new Map<Extract<LaunchStep, { do: 'transition' }>, string>();
+  private readonly done = new Set<LaunchStep>();
+  private ended = false;
+
+  constructor(host: LaunchStepsHost) {
+    this.host = host;
+  }
+
+  /** Before nodes are started. */
+  prepare(): void {
+    if (!this.hears) this.hear();
+  }
+
+  /** All nodes that start with the launch have been told to. */
+  launched(): void {
+    this.ended = false;
+    this.done.clear();
+    for (const step of this.host.steps) if (step.on === undefined) this.later(step);
+  }
+
+  happened(node: string, event: 'start' | 'exit'): void {
+    if (event === 'exit') this.abandon(node);
+    this.follow((on) => on.node === node && on.event === event);
+    if (event !== 'start') return;
+    for (const [step, of] of [...this.waiting]) {
+      if (of !== node) continue;
+      this.waiting.delete(step);
+      void this.change(step);
+    }
+  }
+
+  private changed(node: string, change: StateChange): void {
+    const fits = (wanted: string | undefined, found: string): boolean => wanted === undefined || wanted === found;
+    this.follow((on) => on.node === node && on.event === 'transition' && fits(on.transition, change.transition)
+      && fits(on.startState, change.startState) && fits(on.goalState, change.goalState));
+  }
+
+  /** All nodes are about to be stopped. */
+  shutdown(): void {
+    if (this.ended) return;
+    for (const step of this.host.steps) if (step.on?.event === 'shutdown') this.run(step);
+    this.ended = true;
+    this.cancel();
+  }
+
+  close(): void {
+    this.ended = true;
+    this.cancel();
+    for (const end of this.hearing.splice(0)) end();
+  }
+
+  private cancel(): void {
+    for (const callOff of this.pending) callOff();
+    this.pending.clear();
+    this.waiting.clear();
+    for (const { abandoned } of this.talks) abandoned.abort();
+  }
+
+  private follow(isMeant: (on: LaunchMoment) => boolean): void {
+    for (const { id, startOn, startAfter } of this.host.nodes) {
+      if (startOn !== undefined && isMeant(startOn) && this.host.state(id).kind === 'waiting') this.host.start(id, startAfter);
+    }
+    if (this.ended) return;
+    for (const step of this.host.steps) if (step.on !== undefined && isMeant(step.on)) this.later(step);
+  }
+
+  private later(step: LaunchStep): void {
+    if (step.on?.once === true) {
+      if (this.done.has(step)) return;
+      this.done.add(step);
+    }
+    if (step.after === 0) {
+      this.run(step);
+      return;
+    }
+    const callOff = this.host.after(step.after * 1000, () => {
+      this.pending.delete(callOff);
+      this.run(step);
+    });
+    this.pending.add(callOff);
+  }
+
+  private run(step: LaunchStep): void {
+    if (this.ended) return;
+    switch (step.do) {
+      case 'log':
+        this.host.say(logLevels[step.level] ?? 'INFO', 'launch.user', step.text);
+        return;
+      case 'shutdown':
+        this.host.say('INFO', 'launch', `all nodes are stopped: ${step.reason}`);
+        this.host.stopAll();
+        return;
+      case 'transition': {
+        const { kind } = this.host.state(step.node);
+        // Another tab has the node and its launcher, or it is over.
+        if (kind === 'running') void this.change(step);
+        else if (kind === 'starting' || kind === 'waiting') this.waiting.set(step, step.node);
+        return;
+      }
+      default:
+        unreachable(step);
+    }
+  }
+
+  /** Each transition when the one before has succeeded. */
+  private async change({ node, name, transitions }: Extract<LaunchStep, { do: 'transition' }>): Promise<void> {
+    const talk: Talk = { node, abandoned: new AbortController() };
+    this.talks.add(talk);
+    const client = this.host.pageNode().client(`${name}/change_state`, changeStateType);
+    const tell = this.host.after(tellAfterMs, () => {
+      if (client.problem === undefined && !client.ready()) {
+        this.fail('R2W0725', `\`${name}\` offers no service \`${name}/change_state\` so far: is it a managed node?`);
+      }
+    });
+    try {
+      for (const id of transitions) {
+        const reply = await client.call(changeStateRequest(id), { timeoutMs: Infinity, signal: talk.abandoned.signal });
+        if (changeStateSucceeded(reply)) continue;
+        this.fail('R2W0725', `Failed to make transition '${transitionLabels[id] ?? String(id)}' for LifecycleNode '${name}'`);
+        return;
+      }
+    } catch (error) {
+      if (talk.abandoned.signal.aborted) {
+        if (!this.ended) this.host.say('WARN', 'launch', `\`${name}\` ended before its transitions were made`);
+      } else {
+        this.fail(error instanceof SiteError ? error.code : 'R2W0725', error instanceof Error ? error.message : String(error));
+      }
+    } finally {
+      tell();
+      client.close();
+      this.talks.delete(talk);
+    }
+  }
+
+  private fail(code: string, text: string): void {
+    if (!this.ended) this.host.say('ERROR', 'launch', `error[${code}]: ${text}`);
+  }
+
+  private abandon(node: string): void {
+    for (const [step, of] of [...this.waiting]) if (of === node) this.waiting.delete(step);
+    for (const talk of this.talks) if (talk.node === node) talk.abandoned.abort();
+  }
+
+  /** Of managed nodes whose changes are followed, from before they start. */
+  private hear(): void {
+    this.hears = true;
+    const names = new Map<string, string>();
+    for (const { on } of this.host.steps) if (on?.event === 'transition') names.set(on.node, on.name);
+    for (const { startOn: on } of this.host.nodes) if (on?.event === 'transition') names.set(on.node, on.name);
+    for (const [node, name] of names) {
+      const heard = this.host.pageNode().subscription(`${name}/transition_event`, transitionEventType, {}, (bytes) => {
+        const change = readTransitionEvent(bytes);
+        if (change !== undefined) this.changed(node, change);
+      });
+      if (heard.problem !== undefined) this.fail(heard.problem.code, heard.problem.message);
+      this.hearing.push(() => heard.close());
+    }
+  }
+}

@@ -112,6 +112,8 @@ export const texts = {
     stopped: 'Stopped',
     waitsForStart: (node: string): string => `Waits for ${node} to start`,
     waitsForEnd: (node: string): string => `Waits for ${node} to end`,
+    waitsForChange: (name: string, state?: string): string =>
+      state === undefined ? `Waits for a change of ${name}` : `Waits until ${name} is ${state}`,
     starting: 'Starting',
     running: 'Running',
     finished: 'Finished, code 0',
@@ -148,6 +150,8 @@ export const texts = {
     showAll: 'Show all nodes',
     allNodes: 'all nodes',
     allTitle: 'All nodes',
+    launch: 'the launch file',
+    launchTitle: 'Launch file',
   },
 
   topics: {

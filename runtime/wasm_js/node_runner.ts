@@ -9,7 +9,7 @@ import type { Platform, WorkerHandle } from './platform.ts';
 import type { ProgramEnd } from './program.ts';
 import { folderOf, homeOf, type ImageOfStart, type PythonImages } from './python_images.ts';
 import type { PythonStart } from './python_program.ts';
-import type { LaunchMoment, NodeState, NodeView, SiteNode } from './session.ts';
+import type { NodeMoment, NodeState, NodeView, SiteNode } from './session.ts';
 import { SiteError } from './site_error.ts';
 import type { SiteFiles } from './site_files.ts';
 import { type ThreadMemory, tellThreads } from './thread_waits.ts';
@@ -106,7 +106,7 @@ export class NodeRunner {
   }
 
   /** Until start(), of another node's start or end. */
-  wait(on: LaunchMoment): void {
+  wait(on: NodeMoment): void {
     if (this.active()) return;
     this.clearTimer();
     this.set({ kind: 'waiting', on });

@@ -47,7 +47,7 @@ export interface SiteNode {
   /** undefined: as often as it ends. */
   readonly respawnMaxRetries?: number;
   /** Starts when that node has started, or has ended by itself; else with all others. */
-  readonly startOn?: LaunchMoment;
+  readonly startOn?: NodeMoment;
   /** Seconds after that. */
   readonly startAfter: number;
   /** When it ends by itself, all nodes are stopped. */
@@ -55,10 +55,12 @@ export interface SiteNode {
   readonly source?: SourcePlace;
 }
 
-/** Something that happens to a node, by its id, or to all. */
+/** Something that happens to a node, by its id. */
+export type NodeMoment = { readonly event: 'start' | 'exit'; readonly node: string; readonly once?: boolean } | StateMoment;
+
+/** The same, or the end of all. */
 export type LaunchMoment =
-  | { readonly event: 'start' | 'exit'; readonly node: string; readonly once?: boolean }
-  | StateMoment
+  | NodeMoment
   | { readonly event: 'shutdown'; readonly node?: undefined; readonly once?: boolean };
 
 /** A change of a managed node's state, by labels; those that are left out may be any. */
@@ -123,7 +125,7 @@ export type LinkKind = 'shared' | 'port';
 
 export type NodeState =
   | { readonly kind: 'stopped' }
-  | { readonly kind: 'waiting'; readonly on: LaunchMoment }
+  | { readonly kind: 'waiting'; readonly on: NodeMoment }
   | { readonly kind: 'starting' }
   | { readonly kind: 'running' }
   | { readonly kind: 'exited'; readonly code: number }

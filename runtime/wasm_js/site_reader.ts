@@ -4,7 +4,7 @@ import { protocolVersion } from '../protocol/generated/constants.ts';
 import { readCheck } from './check_reader.ts';
 import { SiteError } from './site_error.ts';
 import { fail, flag, list, number, object, path, readSource, text } from './site_values.ts';
-import type { LaunchMoment, LaunchStep, PythonProgram, SiteDescription, SiteFile, SiteNode } from './session.ts';
+import type { LaunchMoment, LaunchStep, NodeMoment, PythonProgram, SiteDescription, SiteFile, SiteNode } from './session.ts';
 
 function readPython(value: unknown, what: string): PythonProgram {
   const json = object(value, what);
@@ -31,6 +31,11 @@ function readMoment(value: unknown, what: string): LaunchMoment {
     event, node, name: text(json, 'name', what), ...part('transition', 'transition'), ...part('start_state', 'startState'),
     ...part('goal_state', 'goalState'), ...once,
   };
+}
+
+function readStartOn(value: unknown, what: string): NodeMoment {
+  const moment = readMoment(value, what);
+  return moment.event === 'shutdown' ? fail(`${what}.event is shutdown: nothing starts then`) : moment;
 }
 
 function readStep(value: unknown, what: string): LaunchStep {
@@ -80,7 +85,7 @@ function readNode(value: unknown, what: string): SiteNode {
     respawn: flag(json, 'respawn'),
     respawnDelay: number(json, 'respawn_delay', what, 0),
     ...(json['respawn_max_retries'] === undefined ? {} : { respawnMaxRetries: number(json, 'respawn_max_retries', what) }),
-    ...(json['start_on'] === undefined ? {} : { startOn: readMoment(json['start_on'], `${what}.start_on`) }),
+    ...(json['start_on'] === undefined ? {} : { startOn: readStartOn(json['start_on'], `${what}.start_on`) }),
     startAfter: number(json, 'start_after', what, 0),
     shutdownOnExit: text(json, 'on_exit', what, '') === 'shutdown',
     ...(source === undefined ? {} : { source }),

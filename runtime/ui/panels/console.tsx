@@ -30,6 +30,7 @@ export function ConsolePanel({ session, focus, store, announce }: PanelProps) {
   };
   const focused = nodes.find((node) => node.id === focus.id);
   const shared = { session, filter, announce };
+  const speaks = session.site.launchSteps.length > 0;
   const tiles =
     focused !== undefined ? (
       <ConsoleTile
@@ -40,9 +41,16 @@ export function ConsolePanel({ session, focus, store, announce }: PanelProps) {
         onClose={() => focus.set(null)}
       />
     ) : view === 'merged' ? (
-      <ConsoleTile key="merged" {...shared} nodes={nodes} merged />
+      <ConsoleTile key="merged" {...shared} nodes={nodes} merged launch={speaks} />
     ) : (
-      nodes.map((node) => <ConsoleTile key={node.id} {...shared} nodes={[node]} merged={false} />)
+      [
+        ...(speaks
+          ? [<ConsoleTile key="launch" {...shared} nodes={[]} merged={false} launch />]
+          : []),
+        ...nodes.map((node) => (
+          <ConsoleTile key={node.id} {...shared} nodes={[node]} merged={false} />
+        )),
+      ]
     );
 
   const tools = (

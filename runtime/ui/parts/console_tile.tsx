@@ -2,7 +2,7 @@
 // and a line for standard input.
 
 import { useEffect, useMemo, useReducer, useState } from 'preact/hooks';
-import type { ConsoleLine, NodeView, Session } from '../../wasm_js/session.ts';
+import type { ConsoleLine, ConsoleLog, NodeView, Session } from '../../wasm_js/session.ts';
 import { afterSnapshot } from '../model/line_feed.ts';
 import { LineList } from '../model/line_list.ts';
 import type { LineFilter } from '../model/line_list.ts';
@@ -15,11 +15,16 @@ import { isAlive, StateBadge } from './node_state.tsx';
 /** Lines kept per view; older ones fall off. */
 const kCapacity = 100_000;
 
+/** Stands for the launch's own lines where ids of nodes stand; these end with a number. */
+const kLaunch = 'launch';
+
 export interface ConsoleTileProps {
   readonly session: Session;
   /** The nodes whose lines it shows; more than one: merged. */
   readonly nodes: readonly NodeView[];
   readonly merged: boolean;
+  /** Whether the launch's own lines are among them. */
+  readonly launch?: boolean;
   readonly filter: LineFilter;
   readonly announce: (text: string) => void;
   /** Set when this node is shown alone: back to all. */
@@ -30,28 +35,32 @@ export function ConsoleTile({
   session,
   nodes,
   merged,
+  launch = false,
   filter,
   announce,
   onClose,
 }: ConsoleTileProps) {
-  const ids = nodes.map((node) => node.id).join('\n');
+  const ids = [...(launch ? [kLaunch] : []), ...nodes.map((node) => node.id)].join('\n');
   const { list, version, changed } = useLines(session, ids, merged);
   const [asking, setAsking] = useState(false);
 
   useMemo(() => list.setFilter(filter), [list, filter]);
 
   const only = merged ? undefined : nodes[0];
-  const label = only?.label ?? texts.console.allNodes;
-  const title = only === undefined ? texts.console.mergedLabel : texts.console.of(label);
+  const alone = nodes.length === 0;
+  const label = only?.label ?? (alone ? texts.console.launch : texts.console.allNodes);
+  const title = only === undefined && !alone ? texts.console.mergedLabel : texts.console.of(label);
+  const heading = alone ? texts.console.launchTitle : texts.console.allTitle;
   const clear = (): void => {
     for (const node of nodes) session.console(node.id).clear();
+    if (launch) session.launchLog.clear();
     list.clear();
     changed();
   };
   return (
     <article class="tile" aria-label={title}>
       <header class="tile-head">
-        <h3 class="tile-title">{only === undefined ? texts.console.allTitle : label}</h3>
+        <h3 class="tile-title">{only === undefined ? heading : label}</h3>
         {only === undefined ? null : <StateBadge state={only.state} />}
         <div class="tile-tools">
           {only === undefined ? null : (
@@ -98,21 +107,22 @@ interface Lines {
   readonly changed: () => void;
 }
 
-/** Follows the consoles of some nodes. `ids` holds one node id per line. */
+/** Follows the consoles of some nodes. `ids` holds one node id per line, or kLaunch. */
 function useLines(session: Session, ids: string, merged: boolean): Lines {
   const [version, changed] = useReducer<number, void>((n) => n + 1, 0);
   const list = useMemo(() => new LineList(kCapacity), [session, ids, merged]);
   useEffect(() => {
     const names = ids === '' ? [] : ids.split('\n');
-    const prefixOf = (id: string): string => (merged ? `[${id}] ` : '');
+    const prefixOf = (id: string): string => (merged && id !== kLaunch ? `[${id}] ` : '');
+    const logOf = (id: string): ConsoleLog => (id === kLaunch ? session.launchLog : session.console(id));
     list.clear();
     const past: { readonly line: ConsoleLine; readonly prefix: string }[] = [];
     const stops = names.map((id) => {
       const prefix = prefixOf(id);
-      const snapshot = session.console(id).lines();
+      const snapshot = logOf(id).lines();
       for (const line of snapshot) past.push({ line, prefix });
       const fresh = afterSnapshot(snapshot);
-      return session.console(id).onLines((batch) => {
+      return logOf(id).onLines((batch) => {
         list.append(fresh(batch), prefix);
         changed();
       });

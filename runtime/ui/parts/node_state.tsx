@@ -1,6 +1,6 @@
 // A node's state as people see it: a shape, a word and a colour that say the same.
 
-import type { NodeState } from '../../wasm_js/session.ts';
+import type { NodeMoment, NodeState } from '../../wasm_js/session.ts';
 import { unreachable } from '../../wasm_js/session.ts';
 import { texts } from '../texts.ts';
 import { Icon } from './icon.tsx';
@@ -14,12 +14,25 @@ export interface StateLook {
   readonly tone: StateTone;
 }
 
+function waitingWords(on: NodeMoment): string {
+  switch (on.event) {
+    case 'start':
+      return texts.state.waitsForStart(on.node);
+    case 'exit':
+      return texts.state.waitsForEnd(on.node);
+    case 'transition':
+      return texts.state.waitsForChange(on.name, on.goalState);
+    default:
+      return unreachable(on);
+  }
+}
+
 export function stateLook(state: NodeState): StateLook {
   switch (state.kind) {
     case 'stopped':
       return { words: texts.state.stopped, icon: 'ring', tone: 'idle' };
     case 'waiting':
-      return { words: state.on.event === 'exit' ? texts.state.waitsForEnd(state.on.node) : texts.state.waitsForStart(state.on.node), icon: 'ring', tone: 'idle' };
+      return { words: waitingWords(state.on), icon: 'ring', tone: 'idle' };
     case 'starting':
       return { words: texts.state.starting, icon: 'arc', tone: 'busy' };
     case 'running':

@@ -66,6 +66,7 @@ export interface FakeOptions {
   readonly nodes: readonly FakeNode[];
   readonly authors?: readonly string[];
   readonly interfaces?: ReadonlyMap<string, string>;
+  readonly launchSteps?: SiteDescription['launchSteps'];
 }
 
 class FakeConsole implements ConsoleLog {
@@ -157,6 +158,7 @@ export class FakeSession implements Session {
   readonly asked: string[] = [];
   private views: readonly NodeView[];
   private shown: readonly TopicView[] = [];
+  readonly launchLog = new FakeConsole();
   private readonly consoles = new Map<string, FakeConsole>();
   private readonly last = new Map<string, LastMessage>();
   private readonly nodeListeners = new Set<(nodes: readonly NodeView[]) => void>();
@@ -199,6 +201,7 @@ export class FakeSession implements Session {
       authors: (options.authors ?? ['Ada Example']).map((name) => ({ name })),
       nodes,
       checks: [],
+      launchSteps: options.launchSteps ?? [],
       packages: [], interfaces: 'interfaces.json',
       ui: {},
       files: [

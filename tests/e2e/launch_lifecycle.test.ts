@@ -1,0 +1,126 @@
+// Managed nodes that a launch file leads through their lives: transitions, what follows from them, and the end of all; headless on
+// both links and in Chromium.
+
+import assert from 'node:assert/strict';
+import { cpSync } from 'node:fs';
+import { join, resolve } from 'node:path';
+import { after, before, test } from 'node:test';
+import { chromium } from 'playwright-core';
+
+import { serveFolder } from '../support/static_server.ts';
+import { chromiumOptions } from './chromium.ts';
+import { PackWorkspace } from './pack_workspace.ts';
+
+const launchFile = `
+from launch import LaunchDescription
+from launch.actions import EmitEvent, LogInfo, LogWarning, RegisterEventHandler, Shutdown
+from launch.event_handlers import OnProcessStart, OnShutdown
+from launch.events import matches_action
+from launch_ros.actions import LifecycleNode, LifecycleTransition
+from launch_ros.event_handlers import OnStateTransition
+from launch_ros.events.lifecycle import ChangeState
+from lifecycle_msgs.msg import Transition
+
+
+def sensor(name, namespace='', **more):
+    return LifecycleNode(package='lifecycle_sensor', executable='sensor', name=name, namespace=namespace, **more)
+
+
+def change(node, transition):
+    return EmitEvent(event=ChangeState(lifecycle_node_matcher=matches_action(node), transition_id=transition))
+
+
+def generate_launch_description():
+    first, late = sensor('first', 'robot'), sensor('late', autostart=True)
+    broken = sensor('broken', parameters=[{'period_ms': -1}])
+    return LaunchDescription([
+        RegisterEventHandler(OnProcessStart(target_action=first, on_start=[change(first, Transition.TRANSITION_CONFIGURE)])),
+        RegisterEventHandler(OnStateTransition(
+            target_lifecycle_node=first, start_state='configuring', goal_state='inactive',
+            entities=[LogInfo(msg='first is inactive'), change(first, Transition.TRANSITION_ACTIVATE)])),
+        RegisterEventHandler(OnStateTransition(
+            target_lifecycle_node=first, goal_state='active', handle_once=True, entities=[late])),
+        RegisterEventHandler(OnStateTransition(
+            target_lifecycle_node=late, goal_state='active', entities=[broken])),
+        LifecycleTransition(lifecycle_node_names=['broken'],
+                            transition_ids=[Transition.TRANSITION_CONFIGURE, Transition.TRANSITION_ACTIVATE]),
+        RegisterEventHandler(OnStateTransition(
+            target_lifecycle_node=broken, start_state='configuring', goal_state='unconfigured',
+            entities=[change(first, Transition.TRANSITION_ACTIVE_SHUTDOWN)])),
+        RegisterEventHandler(OnStateTransition(
+            target_lifecycle_node=first, goal_state='finalized',
+            entities=[LogWarning(msg='first is over'), Shutdown(reason='all was seen')])),
+        RegisterEventHandler(OnShutdown(on_shutdown=[LogInfo(msg='good bye')])),
+        first,
+    ])
+`;
+const expected = new RegExp([
+  'INFO\\] \\[launch\\.user\\]: first is inactive',
+  'broken\\]: period_ms must be positive',
+  'ERROR\\] \\[launch\\]: error\\[R2W0725\\]: Failed to make transition \'configure\' for LifecycleNode \'/broken\'',
+  'robot\\.first\\]: goes off, was active',
+  'WARN\\] \\[launch\\.user\\]: first is over',
+  'INFO\\] \\[launch\\]: all nodes are stopped: all was seen',
+  'INFO\\] \\[launch\\.user\\]: good bye',
+].join('[^]*'));
+/** Their order is that of two nodes' consoles and the launcher, which nothing holds together. */
+const inAnyOrder = [...expected.source.split('[^]*')].map((line) => new RegExp(line));
+
+const noService = `
+launch:
+- lifecycle_node: {pkg: plain, exec: spins, name: plain, namespace: "", autostart: true}
+`;
+
+const plainNode = `#include "rclcpp/rclcpp.hpp"
+
+int main(int argc, char** argv) {
+  rclcpp::init(argc, argv);
+  rclcpp::spin(std::make_shared<rclcpp::Node>("node"));
+}
+`;
+
+let workspace: PackWorkspace;
+const pack = async (file: string, text: string): Promise<void> => {
+  workspace.write(file, text);
+  workspace.write('workspace.yaml', `schema: 1\nname: lives\npackages: [src/*]\nlaunch: ${file}\n`);
+  const packed = await workspace.run(['pack']);
+  assert.equal(packed.code, 0, packed.stderr);
+};
+before(async () => {
+  workspace = new PackWorkspace();
+  cpSync(resolve(import.meta.dirname, '../packages/lifecycle_sensor'), join(workspace.root, 'src/lifecycle_sensor'), { recursive: true });
+  workspace.addPackage('plain', { spins: plainNode }, {
+    cmake: 'find_package(rclcpp REQUIRED)\nament_target_dependencies(spins rclcpp)', depends: ['rclcpp'],
+  });
+  await pack('lives.launch.py', launchFile);
+});
+after(() => workspace.close());
+
+for (const link of ['shared', 'port']) {
+  test(`${link}: a launch file changes states, follows changes, and ends all`, async () => {
+    const run = await workspace.run(['run', 'site', '--link', link, '--for', '300s']);
+    for (const line of inAnyOrder) assert.match(run.stdout, line, run.stdout + run.stderr);
+    assert.match(run.stdout, /first is inactive[^]*R2W0725[^]*first is over[^]*all was seen[^]*good bye/, run.stderr);
+  });
+}
+
+test('in Chromium the page shows what the launch says', async () => {
+  const server = await serveFolder(join(workspace.root, 'site'), { isolated: true });
+  const browser = await chromium.launch(chromiumOptions());
+  try {
+    const page = await browser.newPage();
+    await page.goto(server.url);
+    const tile = page.getByRole('article', { name: 'Console of the launch file' });
+    await tile.getByText('[launch.user]: good bye').waitFor();
+    await tile.getByText('all nodes are stopped: all was seen').waitFor();
+  } finally {
+    await browser.close();
+    await server.close();
+  }
+});
+
+test('a node that is no managed node is told of', async () => {
+  await pack('plain.launch.yaml', noService);
+  const run = await workspace.run(['run', 'site', '--until', 'R2W0725.*`/plain/change_state` so far']);
+  assert.equal(run.code, 0, run.stdout + run.stderr);
+});

@@ -1,0 +1,164 @@
+// What the launcher does after starts, ends and changes of state, on a host of the test's own; and the messages of managed nodes.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { LaunchSteps } from '../../../runtime/wasm_js/launch_steps.ts';
+import { changeStateRequest, changeStateSucceeded, readTransitionEvent } from '../../../runtime/wasm_js/lifecycle_messages.ts';
+import type { MessageListener, PageNode } from '../../../runtime/wasm_js/page_node.ts';
+import type { LaunchStep, NodeState, SiteNode } from '../../../runtime/wasm_js/session.ts';
+import { SiteError } from '../../../runtime/wasm_js/site_error.ts';
+
+/** lifecycle_msgs/msg/TransitionEvent, little-endian. */
+function transitionEvent(transition: string, start: string, goal: string): Uint8Array<ArrayBuffer> {
+  const parts: number[] = [0, 1, 0, 0, ...new Array<number>(8).fill(9)];
+  for (const label of [transition, start, goal]) {
+    parts.push(7);
+    while (parts.length % 4 !== 0) parts.push(0);
+    const text = [...new TextEncoder().encode(label), 0];
+    parts.push(text.length & 255, text.length >> 8, 0, 0, ...text);
+  }
+  return new Uint8Array(parts);
+}
+
+class Host {
+  readonly said: string[] = [];
+  readonly done: string[] = [];
+  readonly calls: number[] = [];
+  readonly states = new Map<string, NodeState['kind']>();
+  answers = true;
+  problem: SiteError | undefined;
+  private tasks: { readonly at: number; readonly task: () => void; off: boolean }[] = [];
+  private listener: MessageListener | undefined;
+  readonly steps: LaunchSteps;
+
+  constructor(steps: readonly LaunchStep[], nodes: readonly Partial<SiteNode>[] = []) {
+    const unused = (): never => assert.fail('nobody asked for this');
+    const node: PageNode = {
+      name: '/page', publisher: unused, actionClient: unused, timer: unused,
+      subscription: (_topic, _type, _qos, listener) => {
+        this.listener = listener;
+        return { problem: undefined, matched: () => 1, close: () => void this.done.push('deaf') };
+      },
+      client: () => ({
+        problem: undefined, matched: () => 1, ready: () => true, close: () => undefined,
+        call: async (request) => {
+          this.calls.push(request[4] ?? -1);
+          if (this.problem !== undefined) throw this.problem;
+          return new Uint8Array([0, 1, 0, 0, this.answers ? 1 : 0]);
+        },
+      }),
+    };
+    this.steps = new LaunchSteps({
+      nodes: nodes as readonly SiteNode[], steps,
+      after: (ms, task) => {
+        const entry = { at: ms, task, off: false };
+        this.tasks.push(entry);
+        return () => {
+          entry.off = true;
+        };
+      },
+      state: (id) => ({ kind: this.states.get(id) ?? 'running', code: 0 }) as NodeState,
+      start: (id, after) => void this.done.push(`start ${id} ${after}`),
+      stopAll: () => {
+        this.done.push('stop');
+        this.steps.shutdown();
+      },
+      say: (level, logger, text) => void this.said.push(`${level} ${logger} ${text}`),
+      pageNode: () => node,
+    });
+    this.steps.prepare();
+  }
+
+  ring(): void {
+    for (const { task, off } of this.tasks.splice(0)) if (!off) task();
+  }
+
+  hears(transition: string, start: string, goal: string): void {
+    this.listener?.(transitionEvent(transition, start, goal), { publishedAt: 0, receivedAt: 0, gid: '' });
+  }
+}
+
+const log = (text: string, more: Partial<LaunchStep> = {}): LaunchStep => ({ do: 'log', level: 'info', text, after: 0, ...more } as LaunchStep);
+
+test('lines come with the launch, late, and after starts and ends', () => {
+  const host = new Host([
+    log('at once'), log('late', { after: 2 }), log('started', { on: { event: 'start', node: 'a-1' } }),
+    log('ended', { on: { event: 'exit', node: 'a-1', once: true } }),
+  ]);
+  host.steps.launched();
+  assert.deepEqual(host.said, ['INFO launch.user at once']);
+  host.steps.happened('b-2', 'start');
+  host.steps.happened('a-1', 'start');
+  host.steps.happened('a-1', 'exit');
+  host.steps.happened('a-1', 'exit');
+  host.ring();
+  assert.deepEqual(host.said.slice(1), ['started', 'ended', 'late'].map((text) => `INFO launch.user ${text}`));
+});
+
+test('a shutdown tells its reason once, calls off what was to come, and nothing is followed after it', () => {
+  const host = new Host([
+    { do: 'shutdown', reason: 'done', after: 0, on: { event: 'exit', node: 'a-1' } }, log('never', { after: 1 }),
+    log('bye', { level: 'error', on: { event: 'shutdown' } }), log('not any more', { on: { event: 'exit', node: 'b-1' } }),
+  ] as LaunchStep[]);
+  host.steps.launched();
+  host.steps.happened('a-1', 'exit');
+  host.steps.happened('b-1', 'exit');
+  host.steps.shutdown();
+  host.ring();
+  assert.deepEqual(host.said, ['INFO launch all nodes are stopped: done', 'ERROR launch.user bye']);
+  assert.deepEqual(host.done, ['stop']);
+});
+
+const change = (on?: LaunchStep['on']): LaunchStep => ({
+  do: 'transition', node: 'a-1', name: '/a', transitions: [1, 3], after: 0, ...(on === undefined ? {} : { on }),
+});
+const turn = (): Promise<void> => new Promise((resolve) => {
+  setImmediate(resolve);
+});
+
+test('transitions are made one after the other when the node runs, and no further than one that is refused', async () => {
+  const host = new Host([change()]);
+  host.states.set('a-1', 'starting');
+  host.steps.launched();
+  await turn();
+  assert.deepEqual(host.calls, []);
+  host.steps.happened('a-1', 'start');
+  await turn();
+  assert.deepEqual([host.calls, host.said], [[1, 3], []]);
+
+  host.states.delete('a-1');
+  host.answers = false;
+  host.steps.launched();
+  await turn();
+  assert.deepEqual(host.calls, [1, 3, 1]);
+  assert.match(host.said[0] ?? '', /^ERROR launch error\[R2W0725\]: Failed to make transition 'configure' for LifecycleNode '\/a'$/);
+  host.problem = new SiteError('R2W0716', 'the server has gone');
+  host.steps.launched();
+  await turn();
+  assert.equal(host.said[1], 'ERROR launch error[R2W0716]: the server has gone');
+});
+
+test('changes of state start nodes and steps that ask for them', async () => {
+  const active = { event: 'transition', node: 'a-1', name: '/a', startState: 'activating', goalState: 'active' } as const;
+  const host = new Host([log('is active', { on: active })], [{ id: 'b-2', startOn: active, startAfter: 1.5 }]);
+  host.states.set('b-2', 'waiting');
+  host.hears('activate', 'inactive', 'activating');
+  assert.deepEqual(host.done, []);
+  host.hears('transition_success', 'activating', 'active');
+  assert.deepEqual([host.done, host.said], [['start b-2 1.5'], ['INFO launch.user is active']]);
+  host.steps.close();
+  assert.equal(host.done.at(-1), 'deaf');
+});
+
+test('messages of managed nodes', () => {
+  assert.deepEqual([...changeStateRequest(3)], [0, 1, 0, 0, 3, 0, 0, 0, 1, 0, 0, 0, 0]);
+  assert.equal(changeStateSucceeded(new Uint8Array([0, 1, 0, 0, 1])), true);
+  assert.equal(changeStateSucceeded(new Uint8Array()), false);
+  const whole = transitionEvent('configure', 'unconfigured', 'configuring');
+  assert.deepEqual(readTransitionEvent(whole), { transition: 'configure', startState: 'unconfigured', goalState: 'configuring' });
+  for (let end = 0; end < whole.length; end += 1) assert.equal(readTransitionEvent(whole.subarray(0, end)), undefined);
+  const lying = whole.slice();
+  lying[16] = 255;
+  lying[19] = 255;
+  assert.equal(readTransitionEvent(lying), undefined);
+});

@@ -143,7 +143,7 @@ constexpr Case kCases[] = {
      "a/b\n  respawn after 4.0 s\n  when it ends, all ends\n"},
     {"a shutdown", R"x(<timer period="9"><shutdown reason="done"/></timer>)x",
      "- timer: {period: 9, children: [{shutdown: {reason: done}}]}",
-     "all ends after 9.0 s: done\n"},
+     "all ends: done  after 9.0 s\n"},
     {"a command is left out", R"x(<executable cmd="gz sim -r"/>)x",
      "- executable: {cmd: gz sim -r}",
      "left out: gz sim -r (a site runs nodes of packages only)\n"},

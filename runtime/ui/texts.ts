@@ -43,7 +43,7 @@ export const texts = {
       'For the faster link, open the page by itself in a normal window: not inside a frame, not in a private window that forbids service workers. Or serve it with the headers \u201cCross-Origin-Opener-Policy: same-origin\u201d and \u201cCross-Origin-Embedder-Policy: require-corp\u201d, as \u201cros2wasm serve\u201d does.',
   },
 
-  panels: { nodes: 'Nodes', console: 'Consoles', topics: 'Topics', plot: 'Plot', timeline: 'States', checks: 'Checks' },
+  panels: { nodes: 'Nodes', console: 'Consoles', topics: 'Topics', plot: 'Plot', timeline: 'States', checks: 'Checks', terminal: 'Terminal' },
   checks: {
     none: 'This workspace says nothing of what must be seen. Its manifest can, under \u201cchecks\u201d.',
     again: 'Forget what was seen, and check again from now on',
@@ -250,6 +250,20 @@ export const texts = {
     generator: 'Made with',
     copyReport: 'Copy a report',
     reportHint: 'for a bug report: versions, states and problems, no console text.',
+  },
+
+  terminal: {
+    output: 'Output of the commands',
+    input: 'Command',
+    empty: 'Commands of ros2 run here, on the nodes of this page. Try: ros2 topic list',
+    placeholder: 'ros2 topic list',
+    running: 'running; Ctrl-C stops it',
+    stop: 'Stop the command (Ctrl-C)',
+    stopped: 'Command stopped',
+    openQuote: 'a quotation mark is left open',
+    notFound: (name: string): string => `${name}: command not found; help says what there is`,
+    choices: (count: number): string => `${count} completions`,
+    help: 'ros2          commands on the nodes of this page; ros2 --help lists them\nclear         empties this terminal (Ctrl-L)\nTab completes, the arrow keys recall, Ctrl-C stops.',
   },
 
   copied: 'Copied',

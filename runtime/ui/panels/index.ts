@@ -47,6 +47,17 @@ export const panels: readonly PanelRow[] = [
     icon: 'check',
     source: { kind: 'lazy', load: () => import('./checks.tsx').then((file) => file.ChecksPanel) },
   },
+  {
+    id: 'terminal',
+    title: texts.panels.terminal,
+    icon: 'console',
+    many: true,
+    keeps: true,
+    source: {
+      kind: 'lazy',
+      load: async () => (await import('./terminal.tsx')).TerminalPanel,
+    },
+  },
 ];
 
 export function panelRow(id: string): PanelRow | undefined {

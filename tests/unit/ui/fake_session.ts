@@ -1,6 +1,7 @@
 // A Session for tests of the page: no worker runs, a test says what happens. Never part of a site.
 
 import { PortBroker } from '../../../runtime/wasm_js/broker.ts';
+import { graphView } from '../../../runtime/wasm_js/graph_view.ts';
 import { PageParticipant } from '../../../runtime/wasm_js/page_participant.ts';
 import type {
   ConsoleLine,
@@ -167,7 +168,7 @@ export class FakeSession implements Session {
   /** A graph of its own, on which the page is alone unless a test admits others. */
   readonly broker = new PortBroker();
   private page: PageParticipant | undefined;
-  private shownGraph: GraphView = { nodes: [] };
+  private shownGraph: GraphView | undefined;
   private readonly graphListeners = new Set<(graph: GraphView) => void>();
 
   constructor(options: FakeOptions) {
@@ -294,8 +295,10 @@ export class FakeSession implements Session {
     return this.page;
   }
 
+  /** What a test has set, else what the page itself has made. */
   graph(): GraphView {
-    return this.shownGraph;
+    const { link } = this.broker;
+    return this.shownGraph ?? graphView(link.graphReplica.nodes.values(), link.records(), () => undefined);
   }
 
   onGraph(listener: (graph: GraphView) => void): Unsubscribe {

@@ -1,0 +1,32 @@
+// What the Tab key makes of a line in the terminal. Pure.
+
+export interface Offered {
+  readonly word: string;
+  readonly start: number;
+  readonly choices: readonly string[];
+}
+
+export type Completed =
+  | { readonly kind: 'line'; readonly line: string }
+  | { readonly kind: 'choices'; readonly choices: readonly string[] }
+  | { readonly kind: 'nothing' };
+
+const kTab = 8;
+
+export function completeInput(line: string, { word, start, choices }: Offered): Completed {
+  const [first] = choices;
+  if (first === undefined) return { kind: 'nothing' };
+  if (choices.length === 1) return { kind: 'line', line: `${line.slice(0, start)}${first} ` };
+  let shared = first.length;
+  for (const choice of choices) while (!choice.startsWith(first.slice(0, shared))) shared -= 1;
+  if (shared > word.length) return { kind: 'line', line: line.slice(0, start) + first.slice(0, shared) };
+  return { kind: 'choices', choices };
+}
+
+/** Spaces up to the next eighth column, so that rows can be counted. */
+export function expandTabs(text: string): string {
+  if (!text.includes('\t')) return text;
+  let out = '';
+  for (const c of text) out += c === '\t' ? ' '.repeat(kTab - (out.length % kTab)) : c;
+  return out;
+}

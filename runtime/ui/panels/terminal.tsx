@@ -1,0 +1,207 @@
+// A terminal for the commands of ros2: input with history and completion, output as text, Ctrl-C. A command that runs
+// goes on while another tab is in front, and ends with the panel.
+
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { complete } from '../../ros2cli/complete.ts';
+import { splitLine } from '../../ros2cli/parse.ts';
+import { runCommand } from '../../ros2cli/run.ts';
+import type { ConsoleLine, Session } from '../../wasm_js/session.ts';
+import { completeInput, expandTabs } from '../model/terminal_input.ts';
+import { LineList } from '../model/line_list.ts';
+import { IconButton } from '../parts/button.tsx';
+import { LineScroller } from '../parts/line_scroller.tsx';
+import { PanelFrame } from '../parts/panel.tsx';
+import { texts } from '../texts.ts';
+import type { PanelProps } from './panel_props.ts';
+
+const kMostLines = 20_000;
+const kMostHistory = 200;
+/** What a flood may leave undrawn; the oldest of it is left out. */
+const kMostWaiting = 5000;
+
+/** The lines of one terminal, drawn once per animation frame. */
+class Screen {
+  readonly list = new LineList(kMostLines);
+  private waiting: ConsoleLine[] = [];
+  private frame = 0;
+  private readonly session: Session;
+  private readonly drawn: () => void;
+
+  constructor(session: Session, drawn: () => void) {
+    this.session = session;
+    this.drawn = drawn;
+  }
+
+  write(text: string, stream: ConsoleLine['stream']): void {
+    const time = this.session.time.view().now;
+    // One item, so that a flood of long outputs is bounded too.
+    for (const line of text.split('\n')) this.waiting.push({ time, stream, text: expandTabs(line) });
+    if (this.waiting.length > 2 * kMostWaiting) this.waiting = this.waiting.slice(-kMostWaiting);
+    if (this.frame === 0) this.frame = requestAnimationFrame(() => this.flush());
+  }
+
+  clear(): void {
+    this.waiting = [];
+    this.list.clear();
+    this.drawn();
+  }
+
+  private flush(): void {
+    this.frame = 0;
+    this.list.append(this.waiting.splice(0), '');
+    this.drawn();
+  }
+
+  close(): void {
+    cancelAnimationFrame(this.frame);
+  }
+}
+
+export function TerminalPanel({ session, announce }: PanelProps) {
+  const [version, setVersion] = useState(0);
+  const screen = useRef<Screen | null>(null);
+  screen.current ??= new Screen(session, () => setVersion((before) => before + 1));
+  const { list } = screen.current;
+  const [line, setLine] = useState('');
+  const [running, setRunning] = useState<AbortController | null>(null);
+  const current = useRef<AbortController | null>(null);
+  const history = useRef<{ readonly lines: string[]; at: number }>({ lines: [], at: 0 });
+  const interfaces = useRef<readonly string[]>([]);
+  const input = useRef<HTMLInputElement>(null);
+
+  useEffect(() => {
+    session.interfaces().then(
+      (known) => {
+        interfaces.current = [...known.keys()];
+      },
+      () => undefined,
+    );
+    return () => {
+      current.current?.abort();
+      screen.current?.close();
+    };
+  }, [session]);
+
+  const print = (text: string): void => screen.current?.write(text, 'stdout');
+  const warn = (text: string): void => screen.current?.write(text, 'stderr');
+
+  const run = async (typed: string): Promise<void> => {
+    print(`$ ${typed}`);
+    const words = splitLine(typed);
+    if (words === undefined) {
+      warn(texts.terminal.openQuote);
+      return;
+    }
+    const [program, ...rest] = words;
+    if (program === undefined) return;
+    if (program === 'clear') {
+      screen.current?.clear();
+      return;
+    }
+    if (program === 'help') {
+      print(texts.terminal.help);
+      return;
+    }
+    if (program !== 'ros2') {
+      warn(texts.terminal.notFound(program));
+      return;
+    }
+    const abort = new AbortController();
+    current.current = abort;
+    setRunning(abort);
+    await runCommand(session, rest, { signal: abort.signal, print, warn });
+    current.current = null;
+    setRunning(null);
+  };
+
+  const submit = (): void => {
+    const typed = line.trim();
+    if (running !== null) return;
+    setLine('');
+    if (typed === '') return;
+    const { lines } = history.current;
+    if (lines.at(-1) !== typed) lines.push(typed);
+    if (lines.length > kMostHistory) lines.shift();
+    history.current.at = lines.length;
+    void run(typed);
+  };
+
+  const stop = (): void => {
+    if (current.current === null) {
+      setLine('');
+      return;
+    }
+    print('^C');
+    announce(texts.terminal.stopped);
+    current.current.abort();
+  };
+
+  const recall = (step: -1 | 1): void => {
+    const { lines, at } = history.current;
+    const to = Math.max(0, Math.min(lines.length, at + step));
+    history.current.at = to;
+    setLine(lines[to] ?? '');
+  };
+
+  const onKey = (event: KeyboardEvent): void => {
+    const control = event.ctrlKey && !event.altKey && !event.metaKey;
+    const selected = input.current !== null && input.current.selectionStart !== input.current.selectionEnd;
+    if (control && event.key === 'c' && !selected && document.getSelection()?.isCollapsed !== false) {
+      event.preventDefault();
+      stop();
+    } else if (control && event.key === 'l') {
+      event.preventDefault();
+      screen.current?.clear();
+    } else if (event.target !== input.current) {
+      return;
+    } else if (event.key === 'Enter') {
+      event.preventDefault();
+      submit();
+    } else if (event.key === 'ArrowUp' || event.key === 'ArrowDown') {
+      event.preventDefault();
+      recall(event.key === 'ArrowUp' ? -1 : 1);
+    } else if (event.key === 'Tab' && !event.shiftKey && line !== '') {
+      const done = completeInput(line, complete(line, { graph: session.graph(), interfaces: interfaces.current }));
+      // Nothing to complete: the key moves on, so that nobody is caught here.
+      if (done.kind === 'nothing') return;
+      event.preventDefault();
+      if (done.kind === 'line') {
+        setLine(done.line);
+      } else {
+        print(`$ ${line}\n${done.choices.join('  ')}`);
+        announce(texts.terminal.choices(done.choices.length));
+      }
+    }
+  };
+
+  const tools = (
+    <>
+      {running === null ? null : <IconButton icon="stop" label={texts.terminal.stop} onClick={stop} />}
+      <IconButton icon="clear" label={texts.clear} onClick={() => screen.current?.clear()} />
+    </>
+  );
+  return (
+    <PanelFrame id="terminal" title={texts.panels.terminal} icon="console" tools={tools}>
+      <div class="terminal" onKeyDown={onKey}>
+        <LineScroller list={list} version={version} label={texts.terminal.output} empty={texts.terminal.empty} />
+        <label class="terminal-input">
+          <span aria-hidden="true">$</span>
+          <input
+            ref={input}
+            type="text"
+            value={line}
+            readOnly={running !== null}
+            aria-label={texts.terminal.input}
+            placeholder={running === null ? texts.terminal.placeholder : texts.terminal.running}
+            autocomplete="off"
+            autocapitalize="off"
+            autocorrect="off"
+            spellcheck={false}
+            enterkeyhint="go"
+            onInput={(event) => setLine(event.currentTarget.value)}
+          />
+        </label>
+      </div>
+    </PanelFrame>
+  );
+}

@@ -9,14 +9,18 @@ import { spawn } from 'node:child_process';
 import { cpSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { after, before, test } from 'node:test';
+import { type Browser, chromium, type Page } from 'playwright-core';
 import { runCommand } from '../../runtime/ros2cli/run.ts';
 import { openHeadless } from '../../runtime/wasm_js/headless_session.ts';
 import type { Session } from '../../runtime/wasm_js/session.ts';
+import { chromiumOptions } from './chromium.ts';
 import { CLI, finished, PackWorkspace } from './pack_workspace.ts';
+import { shows, withTabs } from './site_tabs.ts';
 
 const watchdog = { timeout: 400_000 };
 const entry = new URL('../../runtime/wasm_js/headless.ts', import.meta.url);
 let workspace: PackWorkspace;
+let browser: Browser;
 
 before(async () => {
   workspace = new PackWorkspace();
@@ -30,9 +34,13 @@ launch:
 `);
   const packed = await workspace.run(['pack', 'workspace.yaml', '--output', 'site']);
   assert.equal(packed.code, 0, packed.stderr);
+  browser = await chromium.launch(chromiumOptions());
 }, { timeout: 500_000 });
 
-after(() => workspace.close());
+after(async () => {
+  await browser.close();
+  workspace.close();
+});
 
 interface Ran {
   readonly code: number;
@@ -242,6 +250,38 @@ for (const link of ['shared', 'port'] as const) {
     } finally {
       close();
     }
+  });
+}
+
+async function type(page: Page, line: string): Promise<void> {
+  await page.waitForSelector('.terminal-input input:not([readonly])', { timeout: 120_000 });
+  await page.locator('.terminal-input input').fill(line);
+  await page.locator('.terminal-input input').press('Enter');
+}
+
+for (const link of ['shared', 'port'] as const) {
+  test(`${link}: the terminal of the page in Chromium reaches the nodes: topics, a service, a goal, parameters`, watchdog, async () => {
+    await withTabs(browser, join(workspace.root, 'site'), link, async (open) => {
+      const layout = encodeURIComponent(JSON.stringify({ row: ['console', 'terminal'], sizes: [1, 1], shown: 'terminal' }));
+      const page = await open(`#layout=${layout}`);
+      await page.waitForSelector('.panel-terminal .terminal-input', { timeout: 120_000 });
+      await type(page, 'ros2 topic echo --once /chatter');
+      await shows(page, "data: 'Hello World: ");
+      await type(page, "ros2 topic pub --once /words std_msgs/msg/String '{data: from the page}'");
+      await shows(page, 'heard [from the page]');
+      await type(page, "ros2 service call /add_two_ints example_interfaces/srv/AddTwoInts '{a: 40, b: 2}'");
+      await shows(page, 'AddTwoInts_Response(sum=42)');
+      await type(page, "ros2 action send_goal -f /fibonacci example_interfaces/action/Fibonacci '{order: 4}'");
+      await shows(page, 'Goal finished with status: SUCCEEDED');
+      await type(page, "ros2 action send_goal -f /fibonacci example_interfaces/action/Fibonacci '{order: 1000000}'");
+      await page.waitForFunction(() => document.querySelector('.terminal')?.textContent?.includes('- 63245986') === true, undefined, { timeout: 120_000 });
+      await page.locator('.terminal-input input').press('Control+c');
+      await shows(page, 'goal canceled');
+      await type(page, 'ros2 param set /robot speed 9.0');
+      await shows(page, 'Setting parameter failed');
+      await type(page, 'ros2 node list');
+      await shows(page, '/gripper');
+    });
   });
 }
 

@@ -43,7 +43,32 @@ export const texts = {
       'For the faster link, open the page by itself in a normal window: not inside a frame, not in a private window that forbids service workers. Or serve it with the headers \u201cCross-Origin-Opener-Policy: same-origin\u201d and \u201cCross-Origin-Embedder-Policy: require-corp\u201d, as \u201cros2wasm serve\u201d does.',
   },
 
-  panels: { nodes: 'Nodes', console: 'Consoles', topics: 'Topics', plot: 'Plot', timeline: 'States', checks: 'Checks', terminal: 'Terminal' },
+  panels: { nodes: 'Nodes', console: 'Consoles', topics: 'Topics', plot: 'Plot', timeline: 'States', checks: 'Checks', terminal: 'Terminal', publish: 'Publish' },
+  editor: {
+    view: (label: string): string => `How the message for ${label} is written`,
+    form: 'Form',
+    yaml: 'YAML',
+    yamlOf: (label: string): string => `YAML of the message for ${label}`,
+    empty: 'This message has no fields.',
+    field: (label: string, path: string): string => `${path} of ${label}`,
+    now: (label: string, path: string): string => `${path} of ${label} is the time of sending`,
+    nowShort: 'now',
+    list: (type: string, count: number): string => `${type}, ${count} ${count === 1 ? 'item' : 'items'}`,
+    long: 'Only the first items are shown. YAML shows all.',
+    add: (label: string, path: string): string => `Add an item to ${path} of ${label}`,
+    remove: (label: string, path: string): string => `Remove ${path} of ${label}`,
+  },
+  publish: {
+    topic: 'Topic',
+    type: 'Type',
+    otherType: (topic: string, type: string): string =>
+      `${topic} has the type ${type}: messages of another one reach nobody there.`,
+    once: 'Publish once',
+    rate: 'Rate in Hz',
+    repeat: 'Publish at the rate',
+    stop: 'Stop publishing',
+    sent: (count: number): string => (count === 1 ? '1 message sent' : `${count} messages sent`),
+  },
   checks: {
     none: 'This workspace says nothing of what must be seen. Its manifest can, under \u201cchecks\u201d.',
     again: 'Forget what was seen, and check again from now on',

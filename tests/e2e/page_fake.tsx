@@ -208,6 +208,14 @@ const kScenes: Readonly<Record<string, () => FakeSession | Promise<FakeSession>>
     ]);
     return fake;
   },
+  publish: () => new FakeSession({
+    nodes: [{ executable: 'robot' }],
+    interfaces: new Map([
+      ...kInterfaces,
+      ['geometry_msgs/msg/Twist', 'Vector3 linear\nVector3 angular\n'],
+      ['geometry_msgs/msg/Vector3', 'float64 x\nfloat64 y\nfloat64 z\n'],
+    ]),
+  }),
   empty: () => new FakeSession({ nodes: [] }),
   quiet: () =>
     new FakeSession({

@@ -58,6 +58,14 @@ export const panels: readonly PanelRow[] = [
       load: async () => (await import('./terminal.tsx')).TerminalPanel,
     },
   },
+  {
+    id: 'publish',
+    title: texts.panels.publish,
+    icon: 'publish',
+    many: true,
+    keeps: true,
+    source: { kind: 'lazy', load: () => import('./publish.tsx').then((file) => file.PublishPanel) },
+  },
 ];
 
 export function panelRow(id: string): PanelRow | undefined {

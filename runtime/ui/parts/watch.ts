@@ -1,7 +1,7 @@
 // Hooks that follow a Session and the browser: each subscribes when used and unsubscribes with its component.
 
 import { useEffect, useState } from 'preact/hooks';
-import type { NodeView, Session, TimeView, TopicView } from '../../wasm_js/session.ts';
+import type { GraphView, NodeView, Session, TimeView, TopicView } from '../../wasm_js/session.ts';
 
 export function useNodes(session: Session): readonly NodeView[] {
   const [nodes, setNodes] = useState(() => session.nodes());
@@ -19,6 +19,15 @@ export function useTopics(session: Session): readonly TopicView[] {
     return session.onTopics(setTopics);
   }, [session]);
   return topics;
+}
+
+export function useGraph(session: Session): GraphView {
+  const [graph, setGraph] = useState(() => session.graph());
+  useEffect(() => {
+    setGraph(session.graph());
+    return session.onGraph(setGraph);
+  }, [session]);
+  return graph;
 }
 
 export function useTime(session: Session): TimeView {

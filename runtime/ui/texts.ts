@@ -43,7 +43,6 @@ export const texts = {
       'For the faster link, open the page by itself in a normal window: not inside a frame, not in a private window that forbids service workers. Or serve it with the headers \u201cCross-Origin-Opener-Policy: same-origin\u201d and \u201cCross-Origin-Embedder-Policy: require-corp\u201d, as \u201cros2wasm serve\u201d does.',
   },
 
-  panels: { nodes: 'Nodes', console: 'Consoles', topics: 'Topics', plot: 'Plot', timeline: 'States', checks: 'Checks', terminal: 'Terminal', publish: 'Publish' },
   editor: {
     view: (label: string): string => `How the message for ${label} is written`,
     form: 'Form',
@@ -79,6 +78,7 @@ export const texts = {
     seen: (words: string): string => `Seen: ${words}`,
     passedOf: (passed: number, all: number): string => `${passed} of ${all} checks passed`,
   },
+  panels: { nodes: 'Nodes', console: 'Consoles', topics: 'Topics', plot: 'Plot', timeline: 'States', checks: 'Checks', terminal: 'Terminal', publish: 'Publish', text: 'Text', log: 'Log', image: 'Image' },
   panelTabs: 'Panels',
 
   layout: {
@@ -247,6 +247,47 @@ export const texts = {
     csv: 'All values (CSV)',
     svg: 'Drawing (SVG)',
     png: 'Picture (PNG)',
+  },
+
+  log: {
+    node: 'Node whose lines are shown',
+    allNodes: 'All nodes',
+    filter: 'Filter the log',
+    copy: 'Copy the log',
+    clear: 'Clear the log',
+    empty: 'Nothing has been logged on /rosout since this panel was opened.',
+  },
+
+  image: {
+    topic: 'Topic of the image',
+    none: 'No topic',
+    noTopic: 'No topic has images: sensor_msgs/msg/Image or CompressedImage.',
+    noImage: 'Cannot be shown: this message has no image.',
+    notRead: (format: string): string => `Cannot be shown: this browser cannot read its format, ${format}.`,
+    facts: (width: number, height: number, encoding: string): string =>
+      `${width} \u00d7 ${height}, ${encoding}`,
+    point: (x: number, y: number, value: string): string => `(${x}, ${y}): ${value}`,
+    of: (topic: string, facts: string): string =>
+      facts === '' ? 'No image yet' : `Image of ${topic}, ${facts}`,
+  },
+
+  text: {
+    none: 'This site has no text. The manifest names one: ui: text: README.md',
+    done: 'done: ',
+    open: 'to do: ',
+    table: 'Table',
+    image: 'image that the site does not have',
+    noAction: 'This link means nothing to this page.',
+    noPanel: (panel: string): string => `This page has no panel \u201c${panel}\u201d.`,
+    noNode: (node: string): string => `This site has no node \u201c${node}\u201d.`,
+    did: {
+      start: (node: string): string => `Started ${node}`,
+      stop: (node: string): string => `Stopped ${node}`,
+      restart: (node: string): string => `Restarted ${node}`,
+    },
+    published: (topic: string): string => `Published on ${topic}`,
+    failed: (reason: string): string => `Not done: ${reason}`,
+    tooLong: 'the text has more than 1 MiB',
   },
 
   timeline: {

@@ -172,13 +172,31 @@ async function signals(): Promise<FakeSession> {
   const fake = new FakeSession({
     nodes: [{ executable: 'robot' }],
     interfaces: new Map([
+      ...kInterfaces,
+      [
+        'sensor_msgs/msg/Image',
+        'std_msgs/Header header\nuint32 height\nuint32 width\nstring encoding\nuint8 is_bigendian\nuint32 step\nuint8[] data\n',
+      ],
+      [
+        'sensor_msgs/msg/CompressedImage',
+        'std_msgs/Header header\nstring format\nuint8[] data\n',
+      ],
+      [
+        'rcl_interfaces/msg/Log',
+        'builtin_interfaces/Time stamp\nuint8 level\nstring name\nstring msg\nstring file\nstring function\nuint32 line\n',
+      ],
       ['demo/msg/Sine', 'float64 value\nfloat64 other\nfloat32[] list\nstring mode\nint64 big\n'],
     ]),
   });
   const { createCodec } = await import('../../runtime/decode/codec.ts');
   const codec = createCodec(await fake.interfaces());
   const publishers = new Map<string, PagePublisher>();
-  fake.setTopics([{ name: '/sine', type: 'demo/msg/Sine', rateHz: 100 }]);
+  fake.setTopics([
+    { name: '/sine', type: 'demo/msg/Sine', rateHz: 100 },
+    { name: '/camera', type: 'sensor_msgs/msg/Image' },
+    { name: '/camera/compressed', type: 'sensor_msgs/msg/CompressedImage' },
+    { name: '/rosout', type: 'rcl_interfaces/msg/Log' },
+  ]);
   Object.assign(globalThis, {
     send: (topic: string, type: string, value: unknown): void => {
       const publisher = publishers.get(topic) ?? fake.node().publisher(topic, type, { depth: 1000 });
@@ -193,11 +211,22 @@ async function signals(): Promise<FakeSession> {
   return fake;
 }
 
+/** A site with a text: the test puts the files beside the page. */
+function sheet(): FakeSession {
+  return new FakeSession({
+    nodes: [{ executable: 'talker' }, { executable: 'listener' }],
+    interfaces: kInterfaces,
+    ui: { text: 'text/lab/README.md' },
+    files: ['text/lab/README.md', 'text/lab/arm 1.svg', 'text/logo.svg'],
+  });
+}
+
 const kScenes: Readonly<Record<string, () => FakeSession | Promise<FakeSession>>> = {
   talker: () => talkerListener(),
   port: () => talkerListener({ link: 'port' }),
   crowd,
   signals,
+  sheet,
   hostile,
   checks: () => {
     const fake = talkerListener();

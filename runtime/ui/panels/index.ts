@@ -1,4 +1,5 @@
-// The panels of the page, one row each, in the order of the "+" menu.
+// The panels of the page, one row each, in the order of the "+" menu. Manifests name them too: their ids stand also in
+// workspace_schema/page_layout.cpp and workspace.schema.json.
 
 import { texts } from '../texts.ts';
 import { ConsolePanel } from './console.tsx';
@@ -66,16 +67,46 @@ export const panels: readonly PanelRow[] = [
     keeps: true,
     source: { kind: 'lazy', load: () => import('./publish.tsx').then((file) => file.PublishPanel) },
   },
+  {
+    id: 'text',
+    title: texts.panels.text,
+    icon: 'text',
+    source: { kind: 'lazy', load: () => import('./text.tsx').then((file) => file.TextPanel) },
+  },
+  {
+    id: 'log',
+    title: texts.panels.log,
+    icon: 'log',
+    many: true,
+    keeps: true,
+    source: { kind: 'lazy', load: () => import('./log.tsx').then((file) => file.LogPanel) },
+  },
+  {
+    id: 'image',
+    title: texts.panels.image,
+    icon: 'image',
+    many: true,
+    source: { kind: 'lazy', load: () => import('./image.tsx').then((file) => file.ImagePanel) },
+  },
 ];
 
 export function panelRow(id: string): PanelRow | undefined {
   return panels.find((row) => row.id === id);
 }
 
-/** The usual layouts, in the form of model/layout_text.ts: for a wide page, and for one with room for two columns. */
-export const kUsualWide = { row: ['nodes', 'console', 'topics'], sizes: [19, 56, 25], shown: 'console' };
-export const kUsualMiddling = {
-  row: [{ column: ['nodes', 'topics'], sizes: [2, 3] }, 'console'],
-  sizes: [2, 3],
-  shown: 'console',
-};
+/** The usual layout, in the form of model/layout_text.ts: for a wide page, or one with room for two columns. */
+export function usualLayout(wide: boolean, hasText: boolean): unknown {
+  if (!wide)
+    return {
+      row: [{ column: [...(hasText ? ['text'] : []), 'nodes', 'topics'] }, 'console'],
+      sizes: [2, 3],
+      shown: hasText ? 'text' : 'console',
+    };
+  if (hasText)
+    return {
+      row: ['text', { column: ['nodes', 'console'], sizes: [1, 2] }, 'topics'],
+      sizes: [33, 42, 25],
+      shown: 'text',
+    };
+  return { row: ['nodes', 'console', 'topics'], sizes: [19, 56, 25], shown: 'console' };
+}

@@ -12,7 +12,7 @@ import type { ReadLayout } from '../model/layout_text.ts';
 import { changedFragment, readFragment, siteHash } from '../model/link.ts';
 import { readText, writePreference } from '../model/preferences.ts';
 import type { Store } from '../model/preferences.ts';
-import { kUsualMiddling, kUsualWide, panelRow } from '../panels/index.ts';
+import { panelRow, usualLayout } from '../panels/index.ts';
 import { texts } from '../texts.ts';
 
 export interface LayoutControl {
@@ -46,7 +46,8 @@ export function useLayout(
   const name = useMemo(() => `layout.${new URL('.', document.baseURI).pathname}`, []);
   const usual = useMemo((): Layout => {
     const author = readLayout(session.site.ui['layout'], isKnown).layout;
-    return author ?? readLayout(wide ? kUsualWide : kUsualMiddling, isKnown).layout ?? kNothing;
+    const hasText = typeof session.site.ui['text'] === 'string';
+    return author ?? readLayout(usualLayout(wide, hasText), isKnown).layout ?? kNothing;
   }, [session, wide]);
   // null: the visitor has changed nothing, so the usual layout follows the width.
   const [chosen, setChosen] = useState<Layout | null>(

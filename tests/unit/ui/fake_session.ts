@@ -68,6 +68,9 @@ export interface FakeOptions {
   readonly authors?: readonly string[];
   readonly interfaces?: ReadonlyMap<string, string>;
   readonly launchSteps?: SiteDescription['launchSteps'];
+  readonly ui?: Readonly<Record<string, unknown>>;
+  /** Paths of files of the site, beside the page's own. */
+  readonly files?: readonly string[];
 }
 
 class FakeConsole implements ConsoleLog {
@@ -204,10 +207,11 @@ export class FakeSession implements Session {
       checks: [],
       launchSteps: options.launchSteps ?? [],
       packages: [], interfaces: 'interfaces.json',
-      ui: {},
+      ui: options.ui ?? {},
       files: [
         { path: 'index.html', size: 2048, sha256: '', reason: 'runtime page' },
         { path: 'main.js', size: 61_000, sha256: '', reason: 'runtime script' },
+        ...(options.files ?? []).map((path) => ({ path, size: 1, sha256: '', reason: '' })),
       ],
     };
     this.views = nodes.map((node) => {

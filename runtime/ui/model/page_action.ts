@@ -1,0 +1,60 @@
+// Links that act, in the text of a lab sheet: `ros2wasm:open?panel=plot&paths=/odom.pose.pose.position.x`,
+// `ros2wasm:start?node=talker`, `ros2wasm:stop?node=...`, `ros2wasm:restart?node=...`, and
+// `ros2wasm:publish?topic=/cmd_vel&type=geometry_msgs/msg/Twist&value={linear: {x: 1}}`. Pure: what they mean.
+
+import type { Json } from './json.ts';
+
+export type PageAction =
+  | { readonly kind: 'open'; readonly panel: string; readonly state: Json }
+  | { readonly kind: 'start' | 'stop' | 'restart'; readonly node: string }
+  | { readonly kind: 'publish'; readonly topic: string; readonly type: string; readonly value: string };
+
+const kScheme = 'ros2wasm:';
+const kMostLength = 8_192;
+
+export function isPageAction(href: string): boolean {
+  return href.toLowerCase().startsWith(kScheme);
+}
+
+/** null for one that means nothing. */
+export function readPageAction(href: string): PageAction | null {
+  if (!isPageAction(href) || href.length > kMostLength) return null;
+  const text = href.slice(kScheme.length);
+  const mark = text.indexOf('?');
+  const name = mark === -1 ? text : text.slice(0, mark);
+  const fields = new URLSearchParams(mark === -1 ? '' : text.slice(mark + 1));
+  const field = (key: string): string => fields.get(key) ?? '';
+  switch (name) {
+    case 'open': {
+      const panel = field('panel');
+      fields.delete('panel');
+      return panel === '' ? null : { kind: 'open', panel, state: stateOf(fields) };
+    }
+    case 'start':
+    case 'stop':
+    case 'restart':
+      return field('node') === '' ? null : { kind: name, node: field('node') };
+    case 'publish': {
+      const action = { topic: field('topic'), type: field('type'), value: field('value') };
+      return action.topic === '' || action.type === '' ? null : { kind: 'publish', ...action };
+    }
+    default:
+      return null;
+  }
+}
+
+/** Fields as a panel's state: numbers and flags as such, what is named twice as a list; null without any. */
+function stateOf(fields: URLSearchParams): Json {
+  const state: Record<string, Json> = {};
+  for (const key of new Set(fields.keys())) {
+    if (key === '__proto__') continue;
+    const values = fields.getAll(key).map(valueOf);
+    state[key] = values.length === 1 ? (values[0] ?? null) : values;
+  }
+  return Object.keys(state).length === 0 ? null : state;
+}
+
+function valueOf(text: string): Json {
+  if (text === 'true' || text === 'false') return text === 'true';
+  return /^-?\d{1,15}(\.\d{1,15})?$/.test(text) ? Number(text) : text;
+}

@@ -1,0 +1,163 @@
+// What all nodes log, from /rosout: by level, node and text, in the format of the consoles. State: {level, node, text}.
+
+import { useEffect, useMemo, useReducer, useRef } from 'preact/hooks';
+import type { ConsoleLine } from '../../wasm_js/session.ts';
+import { isMessage } from '../../decode/yaml.ts';
+import { asNumber } from '../model/field_path.ts';
+import { textMember } from '../model/json.ts';
+import { LineList } from '../model/line_list.ts';
+import { LEVELS } from '../model/log_line.ts';
+import { formatCount } from '../model/quantities.ts';
+import { CopyButton, IconButton } from '../parts/button.tsx';
+import { Icon } from '../parts/icon.tsx';
+import { LineScroller } from '../parts/line_scroller.tsx';
+import { feed, useCodec } from '../parts/message_feed.ts';
+import { PanelFrame } from '../parts/panel.tsx';
+import { texts } from '../texts.ts';
+import type { PanelProps } from './panel_props.ts';
+
+const kTopic = '/rosout';
+const kCapacity = 50_000;
+/** Names offered to choose from. */
+const kMostNames = 500;
+
+/** As in rcl_interfaces/msg/Log. */
+const kLevels: readonly (readonly [number, string])[] = [
+  [10, 'DEBUG'],
+  [20, 'INFO'],
+  [30, 'WARN'],
+  [40, 'ERROR'],
+  [50, 'FATAL'],
+];
+
+interface Entry {
+  readonly node: string;
+  readonly line: ConsoleLine;
+}
+
+export function LogPanel({ session, state, setState, announce }: PanelProps) {
+  const level = LEVELS.find((name) => name === textMember(state, 'level')) ?? null;
+  const node = textMember(state, 'node');
+  const text = textMember(state, 'text');
+  const codec = useCodec(session);
+  const entries = useRef<Entry[]>([]);
+  const names = useRef(new Set<string>());
+  const [version, changed] = useReducer<number, void>((n) => n + 1, 0);
+  const list = useMemo(() => new LineList(kCapacity), []);
+  const wanted = useRef(node);
+  wanted.current = node;
+
+  useMemo(() => list.setFilter({ text, level }), [list, text, level]);
+  useEffect(() => {
+    list.clear();
+    list.append(
+      entries.current.filter((entry) => node === '' || entry.node === node).map(({ line }) => line),
+      '',
+    );
+    changed();
+  }, [list, node]);
+
+  useEffect(() => {
+    if (codec === null || typeof codec === 'string') return undefined;
+    let fresh: Entry[] = [];
+    let frame = 0;
+    const show = (): void => {
+      frame = 0;
+      entries.current = entries.current.concat(fresh).slice(-kCapacity);
+      const seen = fresh.filter((entry) => wanted.current === '' || entry.node === wanted.current);
+      list.append(seen.map(({ line }) => line), '');
+      fresh = [];
+      changed();
+    };
+    const stop = feed(session, codec, kTopic, ({ decoded, publishedAt }) => {
+      if (decoded.kind !== 'value') return;
+      const entry = entryOf(decoded.value, publishedAt);
+      if (entry === null) return;
+      if (names.current.size < kMostNames) names.current.add(entry.node);
+      fresh.push(entry);
+      if (frame === 0) frame = requestAnimationFrame(show);
+    });
+    return () => {
+      cancelAnimationFrame(frame);
+      stop();
+    };
+  }, [session, codec, list]);
+
+  const change = (next: Readonly<Record<string, string>>): void =>
+    setState({ level: level ?? '', node, text, ...next });
+  const clear = (): void => {
+    entries.current = [];
+    list.clear();
+    changed();
+  };
+  const offered = [...new Set([...names.current, ...(node === '' ? [] : [node])])].toSorted();
+  const empty =
+    list.allCount > 0 ? texts.console.emptyFiltered(formatCount(list.allCount)) : texts.log.empty;
+  return (
+    <PanelFrame
+      id="log"
+      title={texts.panels.log}
+      icon="log"
+      tools={
+        <>
+          <select
+            class="select"
+            aria-label={texts.console.level}
+            value={level ?? ''}
+            onChange={(event) => change({ level: event.currentTarget.value })}
+          >
+            <option value="">{texts.console.allLevels}</option>
+            {LEVELS.slice(1).map((name) => (
+              <option value={name}>{texts.console.atLeast(name)}</option>
+            ))}
+          </select>
+          <select
+            class="select"
+            aria-label={texts.log.node}
+            value={node}
+            onChange={(event) => change({ node: event.currentTarget.value })}
+          >
+            <option value="">{texts.log.allNodes}</option>
+            {offered.map((name) => (
+              <option value={name}>{name}</option>
+            ))}
+          </select>
+          <label class="search">
+            <Icon name="search" />
+            <input
+              type="search"
+              value={text}
+              placeholder={texts.log.filter}
+              aria-label={texts.log.filter}
+              onInput={(event) => change({ text: event.currentTarget.value })}
+            />
+          </label>
+          <CopyButton label={texts.log.copy} text={() => list.text()} announce={announce} />
+          <IconButton icon="clear" label={texts.log.clear} onClick={clear} />
+        </>
+      }
+    >
+      <LineScroller list={list} version={version} label={texts.panels.log} empty={empty} />
+    </PanelFrame>
+  );
+}
+
+/** A line of `ros2 launch`'s console out of an rcl_interfaces/msg/Log. */
+function entryOf(value: unknown, publishedAt: number): Entry | null {
+  if (!isMessage(value)) return null;
+  const { stamp, level, name, msg } = value;
+  const number = asNumber(level);
+  const word = kLevels.find(([least]) => least === number)?.[1] ?? 'INFO';
+  const { sec, nanosec } = isMessage(stamp) ? stamp : { sec: 0, nanosec: 0 };
+  const nano = String(asNumber(nanosec)).padStart(9, '0');
+  const node = typeof name === 'string' ? name : '';
+  const text = typeof msg === 'string' ? msg : '';
+  return {
+    node,
+    line: {
+      time: publishedAt,
+      stream: 'stderr',
+      text: `[${word}] [${asNumber(sec)}.${nano}] [${node}]: ${text}`,
+    },
+  };
+}

@@ -1,0 +1,123 @@
+// The workspace's README or lab sheet (`ui: text:` in the manifest), beside the machine that it is about.
+
+import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
+import type { PagePublisher } from '../../wasm_js/session.ts';
+import { problemOf } from '../model/problem.ts';
+import type { PageAction } from '../model/page_action.ts';
+import { codecOf } from '../parts/message_feed.ts';
+import { MarkdownView } from '../parts/markdown_view.tsx';
+import { PanelFrame } from '../parts/panel.tsx';
+import { texts } from '../texts.ts';
+import type { PanelProps } from './panel_props.ts';
+
+const kMostBytes = 1 << 20;
+const kMatchMs = 1000;
+
+export function TextPanel({ session, instance, open }: PanelProps) {
+  const file = session.site.ui['text'];
+  const path = typeof file === 'string' ? file : null;
+  const [text, setText] = useState<string | null>(null);
+  const [said, setSaid] = useState('');
+  const publishers = useRef(new Map<string, PagePublisher>());
+  const files = useMemo(() => new Set(session.site.files.map((one) => one.path)), [session]);
+
+  useEffect(() => {
+    if (path === null || !files.has(path)) return undefined;
+    let current = true;
+    readText(path).then(
+      (found) => {
+        if (current) setText(found);
+      },
+      (error: unknown) => {
+        if (current) setSaid(texts.text.failed(problemOf(error).what));
+      },
+    );
+    return () => {
+      current = false;
+    };
+  }, [path, files]);
+  useEffect(
+    () => () => {
+      for (const publisher of publishers.current.values()) publisher.close();
+    },
+    [],
+  );
+
+  const publish = async (topic: string, type: string, value: string): Promise<string> => {
+    const [codec, { readMessage }] = await Promise.all([
+      codecOf(session),
+      import('../../decode/read_yaml.ts'),
+    ]);
+    const known = codec.types.get(type);
+    if (typeof known === 'string') return texts.text.failed(known);
+    const now = session.time.view().now;
+    const stamp = { sec: Math.floor(now / 1000), nanosec: Math.floor((now % 1000) * 1e6) };
+    const read = readMessage(value, known.shape, { now: stamp });
+    if (read.kind === 'failed') return texts.text.failed(read.reason);
+    const made = codec.encode(type, read.value);
+    if (made.kind === 'failed') return texts.text.failed(`${made.path} ${made.reason}`.trim());
+    const key = `${topic} ${type}`;
+    const publisher = publishers.current.get(key) ?? session.node().publisher(topic, type);
+    publishers.current.set(key, publisher);
+    if (publisher.problem !== undefined) {
+      publishers.current.delete(key);
+      return texts.text.failed(publisher.problem.message);
+    }
+    await matched(publisher);
+    const problem = publisher.publish(made.bytes);
+    return problem === undefined ? texts.text.published(topic) : texts.text.failed(problem.message);
+  };
+
+  const act = (action: PageAction): void => {
+    switch (action.kind) {
+      case 'open':
+        setSaid(open(action.panel, action.state ?? undefined) ? '' : texts.text.noPanel(action.panel));
+        return;
+      case 'publish':
+        publish(action.topic, action.type, action.value).then(setSaid, (error: unknown) =>
+          setSaid(texts.text.failed(problemOf(error).what)),
+        );
+        return;
+      default: {
+        const node = session
+          .nodes()
+          .find((one) => [one.id, one.label, one.label.replace(/^\//, '')].includes(action.node));
+        if (node === undefined) {
+          setSaid(texts.text.noNode(action.node));
+          return;
+        }
+        session[action.kind](node.id);
+        setSaid(texts.text.did[action.kind](node.label));
+      }
+    }
+  };
+
+  return (
+    <PanelFrame id="text" title={texts.panels.text} icon="text">
+      {path === null || !files.has(path) ? <p class="hint">{texts.text.none}</p> : null}
+      {text === null || path === null ? null : (
+        <div class="text" role="group" aria-label={texts.panels.text} tabIndex={0}>
+          <MarkdownView text={text} file={path} files={files} instance={instance} act={act} />
+        </div>
+      )}
+      <p class="text-said" role="status">
+        {said}
+      </p>
+    </PanelFrame>
+  );
+}
+
+async function readText(path: string): Promise<string> {
+  const response = await fetch(path.split('/').map(encodeURIComponent).join('/'));
+  if (!response.ok) throw new Error(`HTTP ${response.status}`);
+  const bytes = await response.arrayBuffer();
+  if (bytes.byteLength > kMostBytes) throw new Error(texts.text.tooLong);
+  return new TextDecoder().decode(bytes);
+}
+
+/** Until a subscription has found it: what is published before reaches nobody. No longer than a while. */
+async function matched(publisher: PagePublisher): Promise<void> {
+  const end = performance.now() + kMatchMs;
+  while (publisher.matched() === 0 && performance.now() < end)
+    await new Promise((go) => setTimeout(go, 20));
+}

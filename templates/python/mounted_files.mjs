@@ -21,8 +21,7 @@ const isOpen = (root, path) => path === root || (startsWith(path, root + sep) &&
 /** For FS.mount(). `fs`: Pyodide's; options: `from`, a path without links. */
 export function mountedFiles(fs) {
   const refuse = (code) => { throw new fs.ErrnoError(code); };
-  const node = (parent, name, path, root) => {
-    const facts = statSync(path);
+  const node = (parent, name, path, root, facts) => {
     const result = fs.createNode(parent, name, facts.isDirectory() ? directory : regular, 0);
     return Object.assign(result, { path, root, bytes: facts.isDirectory() ? 4096 : facts.size, node_ops: nodes, stream_ops: streams });
   };
@@ -38,9 +37,13 @@ export function mountedFiles(fs) {
       if (!isOpen(parent.root, path)) refuse(notThere);
       const facts = statSync(path);
       if (!facts.isDirectory() && !facts.isFile()) refuse(notThere);
-      return node(parent, name, path, parent.root);
+      return node(parent, name, path, parent.root, facts);
     },
-    readdir: (of) => ['.', '..', ...readdirSync(of.path).filter((name) => !isHidden(name)).sort()],
+    readdir(of) {
+      let names;
+      try { names = readdirSync(of.path); } catch { refuse(notPermitted); }
+      return ['.', '..', ...names.filter((name) => !isHidden(name)).sort()];
+    },
     setattr: () => refuse(readOnly), mknod: () => refuse(readOnly), rename: () => refuse(readOnly),
     unlink: () => refuse(readOnly), rmdir: () => refuse(readOnly), symlink: () => refuse(readOnly),
     readlink: () => refuse(invalid),
@@ -62,5 +65,8 @@ export function mountedFiles(fs) {
       return position;
     },
   };
-  return { mount: (mount) => node(null, '/', mount.opts.from, mount.opts.from) };
+  // Not looked at: Node.js lets nobody look at a permitted folder, but at what lies in it, when its name is the beginning
+  // of that of another permitted one, as `rcl` is of `rclcpp`.
+  const top = { isDirectory: () => true, size: 0 };
+  return { mount: (mount) => node(null, '/', mount.opts.from, mount.opts.from, top) };
 }

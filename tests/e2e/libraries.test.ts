@@ -10,7 +10,7 @@ import { after, before, test } from 'node:test';
 import { PackWorkspace } from './pack_workspace.ts';
 
 const PACKAGES = resolve(import.meta.dirname, '../packages');
-/** Each says that its checks hold, and ends. Program -> its package. */
+/** Each says that its checks hold, and ends well. Program -> its package. */
 const PROGRAMS = new Map([
   ...['camera', 'documents', 'geometry', 'monitor', 'robot', 'viewer'].map((one): [string, string] => [one, 'library_checks']),
   ['loader', 'plugin_checks'],
@@ -70,22 +70,25 @@ before(() => {
 });
 after(() => workspace.close());
 
-/** Runs the site until each check has said that it holds: the channel's own programs go on for ever. */
+/** Runs the site until each check has said that it holds and has ended well: the channel's own programs go on for ever. */
 async function checksThatHold(site: string, link: string): Promise<{ missing: string[]; said: string }> {
   const child = workspace.start(['run', site, '--link', link, '--for', '60s']);
   const missing = new Set(CHECKS);
-  let said = '';
-  const hear = (bytes: Buffer): void => {
-    said += bytes.toString();
+  const heard = { stdout: '', stderr: '' };  // apart, as either may stop within a line
+  const said = (line: RegExp): boolean => line.test(heard.stdout) || line.test(heard.stderr);
+  const hear = (stream: keyof typeof heard) => (bytes: Buffer): void => {
+    heard[stream] += bytes.toString();
     for (const program of missing) {
-      if (new RegExp(`^\\[${program}-\\d+\\] .*all \\d+ checks hold$`, 'm').test(said)) missing.delete(program);
+      const lines = ['.*all \\d+ checks hold', 'process has finished cleanly'];
+      if (program === 'documents') lines.push('the first is gone', 'the last is gone');
+      if (lines.every((line) => said(new RegExp(`^\\[${program}-\\d+\\] ${line}$`, 'm')))) missing.delete(program);
     }
     if (missing.size === 0 && !child.killed) child.kill('SIGINT');
   };
-  child.stdout?.on('data', hear);
-  child.stderr?.on('data', hear);
+  child.stdout?.on('data', hear('stdout'));
+  child.stderr?.on('data', hear('stderr'));
   await new Promise((ended) => { child.once('close', ended); });
-  return { missing: [...missing], said };
+  return { missing: [...missing], said: heard.stdout + heard.stderr };
 }
 
 test('the libraries that nodes use hold their checks on both links', { timeout: 500_000 }, async () => {

@@ -12,10 +12,12 @@
 #include <fmt/ranges.h>
 #include <yaml-cpp/yaml.h>
 
+#include <cstdio>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "checks.hpp"
@@ -106,6 +108,22 @@ void check_expected(Checks& checks) {
   CHECK_THROWS(tl::bad_expected_access<std::string>, static_cast<void>(halved(1).value()));
 }
 
+/// Says when it is gone.
+struct Farewell {
+  std::string name;
+  Farewell(std::string of) : name(std::move(of)) {}
+  ~Farewell() { std::printf("%s is gone\n", name.c_str()); }
+  Farewell(const Farewell&) = delete;
+  Farewell& operator=(const Farewell&) = delete;
+};
+
+/// References to temporaries live as long as the program, as tables of yaml-cpp do.
+const Farewell& first = Farewell("the first");
+const Farewell& last() {
+  static const Farewell& kept = Farewell("the last");
+  return kept;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -115,5 +133,6 @@ int main(int argc, char** argv) {
   check_fmt(checks);
   check_yaml(checks);
   check_expected(checks);
+  CHECK(first.name + " and " + last().name == "the first and the last");
   return checks.finish();
 }

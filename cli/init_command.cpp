@@ -1,4 +1,6 @@
 // `ros2wasm init`: a workspace.yaml for a colcon workspace, or a new workspace to begin with.
+#include <algorithm>
+#include <iterator>
 #include <memory>
 
 #include "bundler/io/installation.hpp"
@@ -6,6 +8,7 @@
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
 #include "workspace_schema/json_writer.hpp"
+#include "workspace_schema/suggestion.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -17,6 +20,37 @@ struct Options {
   std::optional<std::string> environment;
   std::optional<std::string> output;
 };
+
+/// Folders of templates/workspaces.
+struct Template {
+  const char* name;
+  const char* what;
+};
+constexpr Template kTemplates[] = {
+    {"cpp", "a talker and a listener in C++"},
+    {"python", "the same in Python"},
+    {"mixed", "a message of one's own, a sensor in C++ and a monitor in Python"},
+    {"course", "a lab with the turtle simulator"},
+    {"paper", "an experiment with its numbers, its seed and how to cite it"},
+};
+
+bool is_template(const std::string& name) {
+  return std::any_of(std::begin(kTemplates), std::end(kTemplates),
+                     [&](const Template& one) { return one.name == name; });
+}
+
+std::string template_names() {
+  std::vector<std::string> names;
+  for (const Template& one : kTemplates) names.emplace_back(one.name);
+  return name_list(names);
+}
+
+std::string template_help() {
+  std::string text;
+  for (const Template& one : kTemplates)
+    text += (text.empty() ? "" : "; ") + std::string(one.name) + ": " + one.what;
+  return text;
+}
 
 Diagnostic wrong_use(std::string message) {
   return Diagnostic{.code = "R2W0902",
@@ -38,8 +72,8 @@ Outcome<InitReport> init(const Context& context, const Options& options) {
                                                          : workspace / "workspace.yaml");
   }
   if (options.kind.empty()) return wrong_use("what to begin with is missing");
-  if (options.kind != "cpp")
-    return wrong_use("there is no template `" + options.kind + "`; there is `cpp`");
+  if (!is_template(options.kind))
+    return wrong_use("there is no template `" + options.kind + "`; there are " + template_names());
   if (options.output) return wrong_use("`--output` goes with `--from` only");
   if (options.folder.empty()) return wrong_use("the folder of the new workspace is missing");
   const auto source = find_own_data(context.executable, "templates/workspaces/" + options.kind,
@@ -70,7 +104,7 @@ int run(Context& context, const Options& options) {
 
 CommandBody init_command(Arguments& arguments) {
   const auto options = std::make_shared<Options>();
-  arguments.optional("TEMPLATE", options->kind, "cpp: a talker and a listener in C++");
+  arguments.optional("TEMPLATE", options->kind, template_help());
   arguments.optional("FOLDER", options->folder, "where to write the template");
   arguments.value("--from", options->from, "FOLDER|FILE",
                   "write a workspace.yaml for the colcon workspace in this folder, or one that "
@@ -79,7 +113,8 @@ CommandBody init_command(Arguments& arguments) {
                   "with --from pixi.lock: which of its environments");
   arguments.value("-o,--output", options->output, "FILE",
                   "with --from: where to write it [workspace.yaml in the folder]");
-  arguments.examples({"ros2wasm init cpp my_workspace", "ros2wasm init --from ~/ros2_ws",
+  arguments.examples({"ros2wasm init cpp my_workspace", "ros2wasm init course lab_1",
+                      "ros2wasm init --from ~/ros2_ws",
                       "ros2wasm init --from pixi.lock --environment wasm"});
   return [options](Context& context) { return run(context, *options); };
 }

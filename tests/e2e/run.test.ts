@@ -89,15 +89,26 @@ describe('run', WATCHDOG, () => {
 });
 
 describe('init', WATCHDOG, () => {
-  test('a new workspace packs and runs at once', async () => {
-    const folder = join(scratch.path, 'my_robot');
-    assert.equal((await runCli(['init', 'cpp', folder])).code, 0);
-    const out = join(scratch.path, 'robot_site');
-    const packed = await runCli(['pack', folder, '-o', out]);
-    assert.equal(packed.code, 0, packed.errors);
-    const ended = await runCli(['run', out, '--until', "\\[listener\\]: I heard", '--for', '60s']);
-    assert.equal(ended.code, 0, ended.errors);
-  });
+  const templates = {
+    cpp: '\\[listener\\]: I heard',
+    python: '\\[listener\\]: I heard',
+    mixed: '\\[monitor\\]: 0\\.\\d+ is above 0\\.5',
+    course: '\\[odometer\\]: the turtle went 2\\.\\d units',
+    // In theory 400: the mean of 2000 walkers strays from that by 9 or so.
+    paper: '\\[walk\\]: after 400 steps the mean squared distance is (3[6-9]|4[0-3])\\d\\.\\d\\d',
+  };
+  for (const [template, seen] of Object.entries(templates)) {
+    test(`a new workspace of template ${template} packs without a warning and runs at once`, async () => {
+      const folder = join(scratch.path, `my_${template}`);
+      assert.equal((await runCli(['init', template, folder])).code, 0);
+      const out = join(scratch.path, `${template}_site`);
+      const packed = await runCli(['pack', folder, '-o', out]);
+      assert.equal(packed.code, 0, packed.errors);
+      assert.doesNotMatch(packed.errors, /R2W/);
+      const ended = await runCli(['run', out, '--until', seen, '--for', '120s']);
+      assert.equal(ended.code, 0, `${ended.output}${ended.errors}`);
+    });
+  }
 
   test('the manifest for a colcon workspace packs as it is', async () => {
     const folder = join(scratch.path, 'colcon');

@@ -14,7 +14,7 @@ import { PackWorkspace } from './pack_workspace.ts';
 const EXAMPLE = resolve(import.meta.dirname, '../../examples/03_turtlesim');
 const PACKAGES = resolve(import.meta.dirname, '../packages');
 const HEADLESS = resolve(process.env['ROS2WASM_BUILD'] ?? 'build', 'runtime/headless.js');
-const watchdog = { timeout: 300_000 };
+const watchdog = { timeout: 600_000 };
 let workspace: PackWorkspace;
 
 before(() => {

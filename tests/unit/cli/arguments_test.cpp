@@ -43,10 +43,23 @@ CommandBody rest_command(Arguments& arguments) {
   return [seen](Context&) { return 0; };
 }
 
+CommandBody raw_command(Arguments& arguments) {
+  const auto seen = std::make_shared<Seen>();
+  last_seen = seen;
+  arguments.choice("--mode", seen->mode, {"a", "b"}, "mode");
+  arguments.required("INPUT", seen->input, "input");
+  arguments.raw_rest(seen->rest);
+  return [seen](Context&) { return 0; };
+}
+
 constexpr auto kDemo =
     std::to_array<CommandRow>({{.name = "demo", .help = "Demo", .declare = demo_command}});
 constexpr auto kRest =
     std::to_array<CommandRow>({{.name = "rest", .help = "Rest", .declare = rest_command}});
+
+constexpr auto kRaw =
+    std::to_array<CommandRow>({{.name = "raw", .help = "Raw", .declare = raw_command},
+                               {.name = "run", .help = "Run", .declare = rest_command}});
 
 ParsedCommandLine parse(const std::vector<std::string>& words) {
   return parse_command_line(words, kDemo);
@@ -60,6 +73,20 @@ Diagnostic error_of(const std::vector<std::string>& words) {
   }
   EXPECT_EQ(parsed.invocation.errors()[0].kind, FailureKind::kCommandLine);
   return parsed.invocation.errors()[0];
+}
+
+TEST(Arguments, LeavesTheWordsOfAnotherProgramAsTheyAre) {
+  const std::vector<std::string> words = {"run", "--mode", "--json", "-1", "--help", "--", "x y"};
+  std::vector<std::string> line = {"raw", "--mode", "b", "site"};
+  line.insert(line.end(), words.begin(), words.end());
+  // The command that is declared last is another one.
+  const auto parsed = parse_command_line(line, std::span(kRaw).first(1));
+  ASSERT_TRUE(parsed.invocation.ok()) << parsed.invocation.errors()[0].message;
+  EXPECT_EQ(parsed.invocation->command, "raw");
+  EXPECT_EQ(last_seen->input, "site");
+  EXPECT_EQ(last_seen->mode, "b");
+  EXPECT_EQ(last_seen->rest, words);
+  EXPECT_EQ(parse_command_line(line, kRaw).invocation->command, "raw");
 }
 
 TEST(Arguments, ReadsAllKinds) {

@@ -21,6 +21,7 @@
 #include "bundler/launch/launch_file_nodes.hpp"
 #include "bundler/launch/launch_graph.hpp"
 #include "bundler/launch/launch_world.hpp"
+#include "bundler/launch/left_out.hpp"
 #include "bundler/launch/parameter_sources.hpp"
 #include "bundler/launch/python_tree.hpp"
 #include "bundler/launch_tools.hpp"
@@ -330,10 +331,11 @@ Outcome<std::vector<LaunchNode>> launch_from_file(const PackRequest& request,
   auto launched = launch_file_nodes(std::string(kLaunchWorkspace) + "/" + file.value, {}, world,
                                     workspace.installed, file.span, workspace.left_out);
   if (!launched) return std::move(launched).errors();
+  Diagnostics refused = refused_when_strict(launched->warnings);
+  if (request.strict && !refused.empty()) return refused;
   append(workspace.warnings, launched->warnings);
-  for (const std::string& one : launched->files) {
+  for (const std::string& one : launched->files)
     if (auto real = real_path(folders, one)) workspace.watched.push_back(std::move(*real));
-  }
   for (std::string& remark : launched->remarks) workspace.remarks.push_back(std::move(remark));
   if (launched->nodes.empty()) {
     return Diagnostic{.code = "R2W0406",

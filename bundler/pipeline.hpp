@@ -30,6 +30,7 @@ struct PackRequest {
   EnvironmentVariables variables;
   unsigned jobs = 0;           ///< compilers at once; 0: one per processor
   bool quick = false;          ///< larger programs, linked in a fraction of the time
+  bool strict = false;         ///< what the launch file starts and no site can start is an error
   std::string archive_limits;  ///< see extract_limits.hpp; empty: as the environment says
 };
 

@@ -1,12 +1,16 @@
 // See workspace_check.hpp. The steps are those of pipeline.cpp, without the ones that cost.
 #include "bundler/workspace_check.hpp"
 
+#include <algorithm>
+
 #include "bundler/channel/channel_index.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/languages/language.hpp"
+#include "bundler/launch/component_containers.hpp"
 #include "bundler/launch/launch_evaluation.hpp"
 #include "bundler/launch/launch_graph.hpp"
 #include "bundler/launch/launch_world.hpp"
+#include "bundler/launch/left_out.hpp"
 #include "bundler/launch/parameter_file.hpp"
 #include "bundler/launch/parameter_sources.hpp"
 #include "bundler/launch_tools.hpp"
@@ -45,8 +49,9 @@ Diagnostics check_names(CheckReport& report, const LeftOutPackages& left_out,
   for (std::size_t i = 0; i < report.packages.size(); ++i) {
     if (!left_out.contains(i)) packages.push_back(report.packages[i].xml.name.value);
   }
-  append(errors, missing_packages(report.manifest.nodes, packages,
-                                  chains_by_name(report.packages, left_out)));
+  const LeftOutChains chains = chains_by_name(report.packages, left_out);
+  append(errors, missing_packages(report.manifest.nodes, packages, chains));
+  append(errors, missing_packages(report.launched, packages, chains));
   return errors;
 }
 
@@ -65,6 +70,18 @@ Diagnostics check_launch_file(const CheckRequest& request, CheckReport& report,
                       world, report.manifest.launch_file->span);
   if (!description) return std::move(description).errors();
   append(report.warnings, description->warnings);
+  const auto is_known = [&](const std::string& package) {
+    return std::any_of(report.packages.begin(), report.packages.end(),
+                       [&](const LocalPackage& one) { return one.xml.name.value == package; });
+  };
+  append(report.warnings, left_out_of_site(*description, is_known));
+  for (const LaunchProcess& process : description->processes) {
+    const std::string& package = process.node.package.value;
+    if (stand_in(package, is_known)) continue;
+    // Its program is chosen by its components.
+    if (!is_container(process)) report.launched.push_back(process.node);
+    for (const LaunchComponent& one : process.components) report.launched.push_back(one.node);
+  }
   return {};
 }
 
@@ -76,7 +93,8 @@ Outcome<CheckReport> check_workspace(const CheckRequest& request,
   if (!text) return text.errors();
   auto manifest = read_manifest(*text, request.manifest.generic_string());
   if (!manifest) return std::move(manifest).errors();
-  CheckReport report{.manifest = std::move(*manifest), .packages = {}, .warnings = {}};
+  CheckReport report{
+      .manifest = std::move(*manifest), .packages = {}, .launched = {}, .warnings = {}};
   report.warnings = report.manifest.warnings;
   const fs::path folder = fs::absolute(request.manifest).parent_path();
 

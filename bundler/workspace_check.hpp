@@ -22,6 +22,7 @@ struct CheckRequest {
 struct CheckReport {
   Manifest manifest;
   std::vector<LocalPackage> packages;
+  std::vector<NodeEntry> launched;  ///< what the launch file starts, as far as a site can
   Diagnostics warnings;
 };
 

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "bundler/launch/left_out.hpp"
 #include "bundler/workspace_check.hpp"
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
@@ -13,6 +14,7 @@ namespace {
 
 struct Options {
   std::string manifest = "workspace.yaml";
+  bool strict = false;
 };
 
 std::string counted(std::size_t count, const std::string& thing) {
@@ -33,7 +35,11 @@ int check(Context& context, const Options& options) {
       {.manifest = path, .executable = context.executable, .variables = context.environment},
       context.cancellation);
   if (!report) return context.console.fail(report.errors());
-  for (const Diagnostic& doubt : report->warnings) context.console.report(doubt);
+  for (const Diagnostic& doubt : report->warnings)
+    if (!options.strict || doubt.code != "R2W0415") context.console.report(doubt);
+  if (const Diagnostics refused = refused_when_strict(report->warnings);
+      options.strict && !refused.empty())
+    return context.console.fail(refused);
   const Manifest& manifest = report->manifest;
   if (context.json) {
     context.console.result(manifest_json(manifest));
@@ -52,6 +58,8 @@ CommandBody check_command(Arguments& arguments) {
   const auto options = std::make_shared<Options>();
   arguments.optional("MANIFEST", options->manifest,
                      "a workspace.yaml, or the folder that holds it; here by default");
+  arguments.flag("--strict", options->strict,
+                 "fail when the launch file starts what no site can start");
   arguments.examples({"ros2wasm check", "ros2wasm check course/lab1/workspace.yaml",
                       "ros2wasm check --json lab1 | jq .launch"});
   return [options](Context& context) { return check(context, *options); };

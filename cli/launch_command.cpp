@@ -1,4 +1,5 @@
 // `ros2wasm launch FILE [NAME:=VALUE ...]`: what a launch file comes to, without building anything.
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -9,6 +10,7 @@
 #include "bundler/launch/launch_evaluation.hpp"
 #include "bundler/launch/launch_tree.hpp"
 #include "bundler/launch/launch_world.hpp"
+#include "bundler/launch/left_out.hpp"
 #include "bundler/launch_tools.hpp"
 #include "bundler/workspace/discovery.hpp"
 #include "cli/arguments.hpp"
@@ -24,6 +26,7 @@ struct LaunchOptions {
   std::string file;
   std::vector<std::string> given;
   std::string workspace = ".";
+  bool strict = false;
   bool print = false;  ///< as is done anyway
 };
 
@@ -91,7 +94,17 @@ int run(Context& context, const LaunchOptions& options) {
   const auto description =
       evaluate_launch(std::string(kLaunchWorkspace) + "/" + inside.generic_string(), *given, world);
   if (!description) return context.console.fail(description.errors());
+  const auto is_known = [&](const std::string& package) {
+    return std::any_of(packages->begin(), packages->end(),
+                       [&](const LocalPackage& one) { return one.xml.name.value == package; });
+  };
+  const Diagnostics left_out = left_out_of_site(*description, is_known);
+  if (options.strict && !left_out.empty())
+    return context.console.fail(refused_when_strict(left_out));
   for (const Diagnostic& warning : description->warnings) context.console.report(warning);
+  // The others are in the tree.
+  for (std::size_t i = description->left_out.size(); i < left_out.size(); ++i)
+    context.console.report(left_out[i]);
   if (context.json) {
     context.console.result(launch_json(*description));
   } else {
@@ -108,6 +121,7 @@ CommandBody launch_command(Arguments& arguments) {
   arguments.rest("NAME:=VALUE", options->given, "launch arguments");
   arguments.value("-w,--workspace", options->workspace, "FOLDER",
                   "the folder with the workspace's packages [the current one]");
+  arguments.flag("--strict", options->strict, "fail when it starts what no site can start");
   arguments.flag("--print", options->print, "show it as a tree, as is done anyway");
   arguments.examples({"ros2wasm launch src/demo/launch/bringup.launch.xml",
                       "ros2wasm launch bringup.launch.yaml robot:=r2 --json"});

@@ -20,6 +20,7 @@ struct Options {
   bool plan = false;
   int jobs = 0;
   bool quick = false;
+  bool strict = false;
   std::string archive_limits;
 };
 
@@ -80,6 +81,7 @@ int run(Context& context, const Options& options) {
                             .variables = context.environment,
                             .jobs = static_cast<unsigned>(options.jobs),
                             .quick = options.quick,
+                            .strict = options.strict,
                             .archive_limits = options.archive_limits},
                            context.cancellation, context.progress);
   if (!report) return context.console.fail(report.errors());
@@ -125,6 +127,8 @@ CommandBody pack_command(Arguments& arguments) {
                  "print every file with size, hash and reason; write no site");
   arguments.flag("--quick", options->quick,
                  "link in a fraction of the time, without wasm-opt: larger programs");
+  arguments.flag("--strict", options->strict,
+                 "fail when the launch file starts what no site can start");
   arguments.number("-j,--jobs", options->jobs, "N", 1, 256,
                    "compilers at once (default: one per processor)");
   arguments.value("--archive-limits", options->archive_limits, "LIMITS",

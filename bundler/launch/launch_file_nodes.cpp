@@ -7,47 +7,11 @@
 
 #include "bundler/launch/component_containers.hpp"
 #include "bundler/launch/launch_evaluation.hpp"
+#include "bundler/launch/left_out.hpp"
 #include "workspace_schema/diagnostic_list.hpp"
 
 namespace ros2wasm {
 namespace {
-
-/// Packages of programs that are no part of any site, and what stands in for them. A package that
-/// is installed is started, whatever its name.
-struct StandIn {
-  std::string_view package;  ///< ends with `*`: all that begin so
-  std::string_view instead;
-};
-
-constexpr StandIn kStandIns[] = {
-    {"gazebo*", "a site has no simulator"},
-    {"ros_gz*", "a site has no simulator"},
-    {"ros_ign*", "a site has no simulator"},
-    {"joint_state_publisher_gui", "joint_state_publisher publishes the joints' zero positions"},
-    {"plotjuggler*", "the page shows the messages of topics"},
-    {"rqt*", "the page shows nodes and topics"},
-    {"rviz*", "the page shows the messages of topics"},
-    {"xterm", "a site has no windows of programs"},
-};
-
-const StandIn* stand_in(const std::string& package) {
-  for (const StandIn& one : kStandIns) {
-    const bool begins = one.package.ends_with('*');
-    if (begins ? package.starts_with(one.package.substr(0, one.package.size() - 1))
-               : package == one.package)
-      return &one;
-  }
-  return nullptr;
-}
-
-Diagnostic left_out_warning(const std::string& what, const std::string& why,
-                            const SourceSpan& span) {
-  return {.code = "R2W0415",
-          .severity = Severity::kWarning,
-          .message = "`" + what + "` is left out of the site",
-          .span = span,
-          .why = {why}};
-}
 
 /// Moments of the launch file as those of the nodes that run.
 class Moments {
@@ -134,24 +98,19 @@ Outcome<LaunchFileNodes> launch_file_nodes(const std::string& path,
   if (!description) return std::move(description).errors();
   LaunchFileNodes result;
   result.warnings = std::move(description->warnings);
-  for (const LaunchLeftOut& one : description->left_out)
-    result.warnings.push_back(left_out_warning(one.what, one.instead, one.span));
+  const auto is_known = [&](const std::string& package) {
+    return left_out.contains(package) ||
+           std::any_of(installed.begin(), installed.end(),
+                       [&](const auto& one) { return one.name == package; });
+  };
+  append(result.warnings, left_out_of_site(*description, is_known));
 
   std::vector<LaunchProcess> processes;
   std::vector<std::size_t> numbers;  // in the description
   std::vector<NodeEntry> entries;
   Diagnostics errors;
   for (LaunchProcess& process : description->processes) {
-    const std::string& package = process.node.package.value;
-    const bool is_known = left_out.contains(package) ||
-                          std::any_of(installed.begin(), installed.end(),
-                                      [&](const auto& one) { return one.name == package; });
-    const StandIn* instead = is_known ? nullptr : stand_in(package);
-    if (instead != nullptr) {
-      result.warnings.push_back(left_out_warning(package + "/" + process.node.executable.value,
-                                                 std::string(instead->instead), process.node.span));
-      continue;
-    }
+    if (stand_in(process.node.package.value, is_known)) continue;
     const auto number = static_cast<std::size_t>(&process - description->processes.data());
     const auto keep = [&](const LaunchProcess& one) {
       numbers.push_back(number);

@@ -23,6 +23,12 @@ before(async () => {
 });
 after(() => workspace.close());
 
+test('what no site can start is refused with --strict', async () => {
+  const packed = await workspace.run(['pack', '--strict']);
+  assert.equal(packed.code, 1);
+  assert.match(packed.stderr, /error\[R2W0415\]: `rviz2\/rviz2` is left out of the site/);
+});
+
 function seenInOrder(text: string): void {
   let from = 0;
   for (const line of expected) {

@@ -1,0 +1,27 @@
+// What a launch file starts that no site can start, by name, and what stands in for it. Pure.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "bundler/launch/launch_description.hpp"
+
+namespace ros2wasm {
+
+/// Whether a site could have the package. One that it has is started, whatever its name.
+using IsKnownPackage = std::function<bool(const std::string& package)>;
+
+/// What does the work of the package's programs in a site: a view of the page for rviz2; nothing
+/// for packages whose programs a site can run.
+[[nodiscard]] std::optional<std::string> stand_in(const std::string& package,
+                                                  const IsKnownPackage& is_known);
+
+/// A warning (R2W0415) each.
+[[nodiscard]] Diagnostics left_out_of_site(const LaunchDescription& description,
+                                           const IsKnownPackage& is_known);
+
+/// These warnings as errors: of `--strict`.
+[[nodiscard]] Diagnostics refused_when_strict(const Diagnostics& warnings);
+
+}  // namespace ros2wasm

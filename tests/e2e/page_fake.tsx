@@ -1,6 +1,9 @@
 // The page with a fake session, for tests in a browser. The scene is chosen by the address: ?scene=NAME.
 // The session is reachable as globalThis.fake.
 
+import { EndpointKind } from '../../runtime/protocol/generated/constants.ts';
+import type { GraphEndpointView, GraphView } from '../../runtime/wasm_js/session.ts';
+import { GraphPeer, type Sample } from '../unit/wasm_js/graph_peer.ts';
 import type { PagePublisher } from '../../runtime/wasm_js/session.ts';
 import { mountPage } from '../../runtime/ui/mount.tsx';
 import { FakeChecks, FakeSession, stringBytes } from '../unit/ui/fake_session.ts';
@@ -221,12 +224,87 @@ function sheet(): FakeSession {
   });
 }
 
+/** A service that adds and an action that counts, served by another participant of a real graph. `globalThis.leave()` ends it. */
+function services(): FakeSession {
+  const fake = new FakeSession({
+    nodes: [{ executable: 'server' }],
+    interfaces: new Map([
+      ['demo/srv/Add', 'int64 a\nint64 b\n---\nint64 sum\n'],
+      ['demo/action/Count', 'int32 to\n---\nint32 end\n---\nint32 now\n'],
+    ]),
+  });
+  const peer = new GraphPeer(fake.broker);
+  const at = (part: string): string => `/count/_action/${part}`;
+  const body = (...values: readonly number[]): Uint8Array => new Uint8Array([0, 1, 0, 0, ...values]);
+  const add = peer.make(EndpointKind.server, 'server', '/add', 'demo/srv/Add');
+  const goals = peer.make(EndpointKind.server, 'server', at('send_goal'), 'demo/action/Count_SendGoal');
+  const cancels = peer.make(EndpointKind.server, 'server', at('cancel_goal'), 'action_msgs/srv/CancelGoal');
+  const results = peer.make(EndpointKind.server, 'server', at('get_result'), 'demo/action/Count_GetResult');
+  const feedback = peer.make(EndpointKind.publisher, 'server', at('feedback'), 'demo/action/Count_FeedbackMessage');
+  peer.make(EndpointKind.publisher, 'server', at('status'), 'action_msgs/msg/GoalStatusArray', { depth: 1, durability: 'transient_local' });
+  let asked: Sample | undefined;
+  let canceled = false;
+  let here = true;
+  const serve = async (endpoint: number, answer: (request: Sample) => void): Promise<void> => {
+    while (here) {
+      const request = await peer.next(endpoint);
+      if (here) answer(request);
+    }
+  };
+  void serve(add, (request) => {
+    const view = new DataView(request.bytes.buffer);
+    const reply = body(...new Uint8Array(8));
+    new DataView(reply.buffer).setBigInt64(4, view.getBigInt64(4, true) + view.getBigInt64(12, true), true);
+    peer.write(add, reply, request);
+  });
+  void serve(goals, (request) => {
+    canceled = false;
+    peer.write(goals, body(1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0), request);
+    peer.write(feedback, body(...request.bytes.subarray(4, 20), 42, 0, 0, 0));
+  });
+  void serve(results, (request) => {
+    if (canceled) peer.write(results, body(5, 0, 0, 0, 9, 0, 0, 0), request);
+    else asked = request;
+  });
+  void serve(cancels, (request) => {
+    canceled = true;
+    peer.write(cancels, body(0, 0, 0, 0, 1, 0, 0, 0, ...request.bytes.subarray(4, 28)), request);
+    if (asked !== undefined) peer.write(results, body(5, 0, 0, 0, 9, 0, 0, 0), asked);
+  });
+  const shown: GraphView = {
+    nodes: [{
+      name: '/server', process: 'server-1', publishers: [], subscriptions: [], clients: [], actionClients: [],
+      services: [endpoint('/add', 'demo/srv/Add'), endpoint('/server/get_parameters', 'rcl_interfaces/srv/GetParameters')],
+      actionServers: [{ name: '/count', type: 'demo/action/Count' }],
+    }],
+  };
+  fake.setGraph(shown);
+  Object.assign(globalThis, {
+    leave: (): void => {
+      here = false;
+      peer.leave();
+      fake.setGraph({ nodes: [] });
+    },
+  });
+  return fake;
+}
+
+function endpoint(name: string, type: string): GraphEndpointView {
+  return {
+    name, type, hash: '', gid: '0'.repeat(32),
+    qos: {
+      reliability: 'reliable', durability: 'volatile', history: 'keep_last', depth: 10, liveliness: 'automatic', deadlineNs: 0, lifespanNs: 0, leaseNs: 0,
+    },
+  };
+}
+
 const kScenes: Readonly<Record<string, () => FakeSession | Promise<FakeSession>>> = {
   talker: () => talkerListener(),
   port: () => talkerListener({ link: 'port' }),
   crowd,
   signals,
   sheet,
+  services,
   hostile,
   checks: () => {
     const fake = talkerListener();

@@ -88,6 +88,13 @@ export const panels: readonly PanelRow[] = [
     many: true,
     source: { kind: 'lazy', load: () => import('./image.tsx').then((file) => file.ImagePanel) },
   },
+  {
+    id: 'services',
+    title: texts.panels.services,
+    icon: 'call',
+    keeps: true,
+    source: { kind: 'lazy', load: () => import('./services.tsx').then((file) => file.ServicesPanel) },
+  },
 ];
 
 export function panelRow(id: string): PanelRow | undefined {

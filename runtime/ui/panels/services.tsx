@@ -1,0 +1,307 @@
+// The services and actions of the graph: a form for each, the call with its reply, the goal with feedback and result.
+// A row that has something to show stays when its server has gone.
+
+import { useEffect, useRef, useState } from 'preact/hooks';
+import type { PageGoal, Session } from '../../wasm_js/session.ts';
+import type { Codec, Decoded } from '../../decode/codec.ts';
+import { toYaml } from '../../decode/yaml.ts';
+import { draftBytes, refusal } from '../model/draft_value.ts';
+import type { DraftText } from '../model/draft_value.ts';
+import { endpointsToCall } from '../model/callable.ts';
+import type { Callable } from '../model/callable.ts';
+import { problemOf } from '../model/problem.ts';
+import { CopyButton } from '../parts/button.tsx';
+import { Icon } from '../parts/icon.tsx';
+import { beginDraft, MessageEditor } from '../parts/message_editor.tsx';
+import { useCodec } from '../parts/message_feed.ts';
+import { MessageTree } from '../parts/message_tree.tsx';
+import { Name } from '../parts/name.tsx';
+import { PanelFrame } from '../parts/panel.tsx';
+import { useGraph } from '../parts/watch.ts';
+import { texts } from '../texts.ts';
+import type { PanelProps } from './panel_props.ts';
+
+export function ServicesPanel({ session, announce }: PanelProps) {
+  const graph = useGraph(session);
+  const codec = useCodec(session);
+  const [all, setAll] = useState(false);
+  const [text, setText] = useState('');
+  const [opened, setOpened] = useState<ReadonlyMap<string, Callable>>(new Map());
+  const there = endpointsToCall(graph, all);
+  const keys = new Set(there.map(keyOf));
+  // What was opened stays, with what it shows.
+  const rows = [...there, ...[...opened.values()].filter((each) => !keys.has(keyOf(each)))]
+    .filter(({ name, type }) => `${name} ${type}`.toLowerCase().includes(text.toLowerCase()))
+    .sort((a, b) => (a.name < b.name ? -1 : a.name > b.name ? 1 : 0));
+  const toggle = (row: Callable): void => {
+    const next = new Map(opened);
+    if (!next.delete(keyOf(row))) next.set(keyOf(row), row);
+    setOpened(next);
+  };
+  const tools = (
+    <>
+      <label class="check">
+        <input type="checkbox" checked={all} onChange={(event) => setAll(event.currentTarget.checked)} />
+        {texts.services.all}
+      </label>
+      <label class="search">
+        <Icon name="search" />
+        <input
+          type="search"
+          value={text}
+          placeholder={texts.services.filter}
+          aria-label={texts.services.filter}
+          onInput={(event) => setText(event.currentTarget.value)}
+        />
+      </label>
+    </>
+  );
+  return (
+    <PanelFrame id="services" title={texts.panels.services} icon="call" tools={tools}>
+      {rows.length === 0 ? <p class="hint">{texts.services.none}</p> : null}
+      {typeof codec === 'string' ? <p class="hint">{codec}</p> : null}
+      <ul class="topics" role="list">
+        {rows.map((row) => (
+          <Row
+            key={keyOf(row)}
+            row={row}
+            gone={!keys.has(keyOf(row))}
+            open={opened.has(keyOf(row))}
+            onToggle={() => toggle(row)}
+            session={session}
+            codec={codec !== null && typeof codec !== 'string' ? codec : null}
+            announce={announce}
+          />
+        ))}
+      </ul>
+    </PanelFrame>
+  );
+}
+
+function keyOf({ kind, name, type }: Callable): string {
+  return `${kind} ${name} ${type}`;
+}
+
+interface RowProps extends Pick<PanelProps, 'session' | 'announce'> {
+  readonly row: Callable;
+  readonly gone: boolean;
+  readonly open: boolean;
+  readonly onToggle: () => void;
+  readonly codec: Codec | null;
+}
+
+function Row({ row, gone, open, onToggle, session, codec, announce }: RowProps) {
+  const inside = `call-${encodeURIComponent(keyOf(row))}`;
+  return (
+    <li class={`topic ${open ? 'topic-open' : ''}`}>
+      <button
+        type="button"
+        class="topic-head"
+        aria-expanded={open}
+        aria-controls={open ? inside : undefined}
+        onClick={onToggle}
+      >
+        <Icon name="chevron" class="topic-turn" />
+        <span class="topic-names">
+          <span class="topic-name">
+            <Name text={row.name} />
+          </span>
+          <span class="topic-type">
+            <Name text={row.type} />
+          </span>
+        </span>
+        <span class="topic-flow">
+          <span class="topic-rate">{row.kind === 'action' ? texts.services.action : texts.services.service}</span>
+          {gone ? <span class="topic-ends">{texts.services.gone}</span> : null}
+        </span>
+      </button>
+      {open && codec !== null ? (
+        <div class="topic-inside" id={inside}>
+          {row.kind === 'action' ? (
+            <GoalView row={row} session={session} codec={codec} announce={announce} />
+          ) : (
+            <CallView row={row} session={session} codec={codec} announce={announce} />
+          )}
+        </div>
+      ) : null}
+    </li>
+  );
+}
+
+interface ViewProps {
+  readonly row: Callable;
+  readonly session: Session;
+  readonly codec: Codec;
+  readonly announce: (text: string) => void;
+}
+
+/** The message to be sent, or why it cannot be. */
+async function written(
+  { session, codec }: ViewProps,
+  type: string,
+  draft: DraftText,
+): Promise<Uint8Array<ArrayBuffer>> {
+  const made = await draftBytes(codec, type, draft, session.time.view().now);
+  if (made.kind === 'failed') throw new Error(refusal(made));
+  return made.bytes;
+}
+
+function CallView(props: ViewProps) {
+  const { row, session, codec, announce } = props;
+  const request = `${row.type}_Request`;
+  const [draft, setDraft] = useState<DraftText | string>(() => beginDraft(codec, request));
+  const [calling, setCalling] = useState(false);
+  const [problem, setProblem] = useState('');
+  const [reply, setReply] = useState<Decoded | null>(null);
+  const abort = useRef<AbortController | null>(null);
+  useEffect(() => () => abort.current?.abort(), []);
+  if (typeof draft === 'string') return <p class="hint">{draft}</p>;
+  const call = async (): Promise<void> => {
+    const control = new AbortController();
+    abort.current = control;
+    setCalling(true);
+    setProblem('');
+    const bytes = await written(props, request, draft);
+    const client = session.node().client(row.name, row.type);
+    try {
+      const answer = await client.call(bytes, { signal: control.signal });
+      setReply(codec.decode(`${row.type}_Response`, answer));
+      announce(texts.services.replied(row.name));
+    } finally {
+      client.close();
+    }
+  };
+  const start = (): void => {
+    if (calling) return;
+    call()
+      .catch((error: unknown) => setProblem(problemOf(error).what))
+      .finally(() => setCalling(false));
+  };
+  return (
+    <form
+      class="work"
+      onSubmit={(event) => {
+        event.preventDefault();
+        start();
+      }}
+    >
+      <MessageEditor codec={codec} type={request} draft={draft} onChange={setDraft} label={row.name} />
+      <div class="work-row">
+        <button type="submit" class="button button-main" aria-disabled={calling ? 'true' : undefined}>
+          {calling ? texts.services.calling : texts.services.call}
+        </button>
+        {calling ? (
+          <button type="button" class="button" onClick={() => abort.current?.abort()}>
+            {texts.services.giveUp}
+          </button>
+        ) : null}
+      </div>
+      <Problem text={problem} />
+      {reply === null ? null : <Answer title={texts.services.reply} of={row.name} decoded={reply} announce={announce} />}
+    </form>
+  );
+}
+
+function GoalView(props: ViewProps) {
+  const { row, session, codec, announce } = props;
+  const type = `${row.type}_Goal`;
+  const [draft, setDraft] = useState<DraftText | string>(() => beginDraft(codec, type));
+  const [goal, setGoal] = useState<PageGoal | null>(null);
+  const [state, setState] = useState('');
+  const [problem, setProblem] = useState('');
+  const [feedback, setFeedback] = useState<Decoded | null>(null);
+  const [result, setResult] = useState<Decoded | null>(null);
+  const close = useRef<() => void>(() => undefined);
+  useEffect(() => () => close.current(), []);
+  if (typeof draft === 'string') return <p class="hint">{draft}</p>;
+  const send = async (): Promise<void> => {
+    setProblem('');
+    setFeedback(null);
+    setResult(null);
+    const bytes = await written(props, type, draft);
+    const client = session.node().actionClient(row.name, row.type);
+    close.current = () => client.close();
+    try {
+      setState(texts.services.goalStates.unknown);
+      const sent = client.sendGoal(bytes, {
+        onFeedback: (data) => setFeedback(codec.decode(`${row.type}_Feedback`, data)),
+        onStatus: (status) => setState(texts.services.goalStates[status]),
+      });
+      setGoal(sent);
+      // Its refusal is that of the result, too.
+      sent.accepted.catch(() => undefined);
+      const end = await sent.result;
+      setState(texts.services.goalStates[end.status]);
+      setResult(codec.decode(`${row.type}_GetResult_Response`, end.bytes));
+      announce(texts.services.ended(row.name));
+    } catch (error) {
+      setState('');
+      throw error;
+    } finally {
+      setGoal(null);
+      client.close();
+    }
+  };
+  const failed = (error: unknown): void => setProblem(problemOf(error).what);
+  return (
+    <form
+      class="work"
+      onSubmit={(event) => {
+        event.preventDefault();
+        if (goal === null) send().catch(failed);
+      }}
+    >
+      <MessageEditor codec={codec} type={type} draft={draft} onChange={setDraft} label={row.name} />
+      <div class="work-row">
+        <button type="submit" class="button button-main" aria-disabled={goal === null ? undefined : 'true'}>
+          {texts.services.sendGoal}
+        </button>
+        {goal === null ? null : (
+          <button type="button" class="button" onClick={() => void goal.cancel().catch(failed)}>
+            {texts.services.cancel}
+          </button>
+        )}
+        {state === '' ? null : <span class="hint">{state}</span>}
+      </div>
+      <Problem text={problem} />
+      {feedback === null ? null : (
+        <Answer title={texts.services.feedback} of={row.name} decoded={feedback} announce={announce} />
+      )}
+      {result === null ? null : (
+        <Answer title={texts.services.result} of={row.name} decoded={result} announce={announce} />
+      )}
+    </form>
+  );
+}
+
+function Problem({ text }: { readonly text: string }) {
+  return text === '' ? null : (
+    <p class="work-problem" role="alert">
+      {text}
+    </p>
+  );
+}
+
+interface AnswerProps {
+  readonly title: string;
+  readonly of: string;
+  readonly decoded: Decoded;
+  readonly announce: (text: string) => void;
+}
+
+function Answer({ title, of, decoded, announce }: AnswerProps) {
+  if (decoded.kind === 'failed') return <Problem text={decoded.reason} />;
+  return (
+    <div class="message">
+      <div class="message-head">
+        <h3 class="message-title">{title}</h3>
+        <CopyButton
+          label={texts.services.copy(title, of)}
+          text={() => toYaml(decoded.value, decoded.shape)}
+          announce={announce}
+        />
+      </div>
+      <MessageTree label={texts.services.answerOf(title, of)} value={decoded.value} shape={decoded.shape} />
+    </div>
+  );
+}

@@ -301,7 +301,7 @@ export const texts = {
   },
 
   text: {
-    none: 'This site has no text. The manifest names one: ui: text: README.md',
+    none: 'This site has no text.',
     done: 'done: ',
     open: 'to do: ',
     table: 'Table',

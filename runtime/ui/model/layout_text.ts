@@ -1,4 +1,4 @@
-// A layout as a short JSON value, the same in the manifest (`ui: layout:`), in a link and in the browser's storage:
+// A layout as a short JSON value, the same in site.json (`layout` of `ui`), in a link and in the browser's storage:
 //   "console"                          a panel
 //   {"plot": {"paths": ["/odom.x"]}}   a panel with its state
 //   {"tabs": [...], "front": 2}        panels behind each other, the second one in front

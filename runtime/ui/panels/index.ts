@@ -1,5 +1,4 @@
-// The panels of the page, one row each, in the order of the "+" menu. Manifests name them too: their ids stand also in
-// workspace_schema/page_layout.cpp and workspace.schema.json.
+// The panels of the page, one row each, in the order of the "+" menu.
 
 import { texts } from '../texts.ts';
 import { ConsolePanel } from './console.tsx';

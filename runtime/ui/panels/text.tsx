@@ -1,4 +1,4 @@
-// The workspace's README or lab sheet (`ui: text:` in the manifest), beside the machine that it is about.
+// The workspace's README or lab sheet (`text` of `ui` in site.json), beside the machine that it is about.
 
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import type { PagePublisher } from '../../wasm_js/session.ts';

@@ -10,6 +10,7 @@ import { benchLaunch } from './launch.ts';
 import { benchLines } from './lines.ts';
 import { benchLink } from './link.ts';
 import { benchPack } from './pack.ts';
+import { benchPython } from './python.ts';
 import { benchSolve } from './solve.ts';
 import { benchBytes } from './site_bytes.ts';
 import { benchSoak } from './soak.ts';
@@ -36,6 +37,7 @@ const BENCHES: Readonly<Record<string, (context: BenchContext) => Promise<void> 
   lines: benchLines,
   link: benchLink,
   pack: benchPack,
+  python: benchPython,
   soak: benchSoak,
   solve: benchSolve,
   start: benchStart,

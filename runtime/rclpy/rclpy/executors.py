@@ -16,6 +16,7 @@ from types import TracebackType
 from typing import Any
 
 from rclpy.context import Context
+from rclpy.event_handler import EventHandler
 from rclpy.guard_condition import GuardCondition
 from rclpy.task import Future, Task
 from rclpy.timer import Timer
@@ -95,6 +96,9 @@ class Executor:
         self._timers: list[tuple[Timer, Any]] = []
         self._guards: list[tuple[GuardCondition, Any]] = []
         self._waitables: list[tuple[Any, Any]] = []
+        self._events: list[tuple[EventHandler, Any]] = []
+        #: While the statuses are of this version, no event is ready.
+        self._quiet_version = -1
         #: Calls are made in other threads than the one that spins.
         self._in_threads = False
         #: An executor of the user's own takes calls out and makes them wherever it likes.
@@ -174,7 +178,8 @@ class Executor:
             return
         self._seen = changes.count
         self._readers = {}
-        self._timers, self._guards, self._waitables = [], [], []
+        self._timers, self._guards, self._waitables, self._events = [], [], [], []
+        self._quiet_version = -1
         for node in self._nodes:
             for timer in node.timers:
                 self._timers.append((timer, node))
@@ -183,7 +188,7 @@ class Executor:
             for guard in node.guards:
                 self._guards.append((guard, node))
             for waitable in node.waitables:
-                self._waitables.append((waitable, node))
+                (self._events if isinstance(waitable, EventHandler) else self._waitables).append((waitable, node))
                 for handle in waitable._handles():
                     self._readers[handle] = (waitable, node)
 
@@ -211,9 +216,24 @@ class Executor:
                     self._queue.append(found)
             elif handle in background.readers:
                 background.readers[handle]()
+        if self._events:
+            self._collect_events()
         for waitable, node in self._waitables:
             if (waitable, node) not in self._queue and self.can_execute(waitable) and waitable._ready():
                 self._queue.append((waitable, node))
+
+    def _collect_events(self) -> None:
+        """Queue those of the endpoints whose statuses changed; looked at only when something did."""
+        version = host.status_version()
+        if version == self._quiet_version:
+            return
+        self._quiet_version = version
+        for handler, node in self._events:
+            if not self.can_execute(handler):
+                self._quiet_version = -1
+            elif handler._ready():
+                self._quiet_version = -1
+                self._queue.append((handler, node))
 
     def _pop(self) -> Work | None:
         """The next call of the queue that is still due."""

@@ -2,8 +2,12 @@
 from __future__ import annotations
 
 import importlib
+import inspect
+import struct
 import unittest
+from collections import Counter
 from typing import Any
+from unittest import mock
 
 from tests.unit.rclpy.fake_bus import BusTest
 
@@ -13,6 +17,60 @@ class NodeTest(BusTest):
         super().setUp()
         self.own = self.node('own')
         self.trigger = importlib.import_module('std_srvs.srv').Trigger
+
+    def test_a_message_costs_few_calls_of_the_host(self) -> None:
+        string = importlib.import_module('std_msgs.msg').String
+        heard: list[Any] = []
+        node = self.node('quiet')
+        node.create_subscription(string, 'words', heard.append, 10)
+        publisher = node.create_publisher(string, 'words', 10)
+        calls: Counter[str] = Counter()
+
+        def counted(name: str) -> Any:
+            function = getattr(self.bus, name)
+
+            def call(*args: Any) -> Any:
+                calls[name] += 1
+                return function(*args)
+            return mock.patch.object(self.bus, name, call)
+        for name in dir(type(self.bus)):
+            if not name.startswith('_') and inspect.ismethod(getattr(self.bus, name)):
+                self.enterContext(counted(name))
+        self.spin_until(lambda: not self.bus.ready(0, 0))
+        for _ in range(2):
+            calls.clear()
+            publisher.publish(string(data='x'))
+            self.executor.spin_once(timeout_sec=0)
+        # One of the calls of wake is the bus's own.
+        self.assertEqual(
+            dict(calls), {'write': 1, 'wake': 1, 'wake_token': 1, 'ready': 1, 'take': 1, 'status_version': 1})
+        self.assertEqual(len(heard), 2)
+
+    def test_events_are_told_when_statuses_change(self) -> None:
+        events = importlib.import_module('rclpy.event_handler')
+        string = importlib.import_module('std_msgs.msg').String
+        matched = int(importlib.import_module('ros2wasm.constants').StatusKind.PUBLICATION_MATCHED)
+        version, status = 0, (0, 0, 0, 0, 0)
+        told: list[int] = []
+
+        def fill(_handle: int, kind: int, out: int) -> int:
+            nonlocal status
+            if kind != matched:
+                return -1
+            self.bus._memory(out, 32)[:] = struct.pack('<8i', *status, 0, 0, 0)
+            status = (status[0], 0, status[2], 0, 0)
+            return 0
+        self.enterContext(mock.patch.object(self.bus, 'endpoint_status', fill))
+        self.enterContext(mock.patch.object(self.bus, 'status_version', lambda: version))
+        self.node('told').create_publisher(string, 'words', 10, event_callbacks=events.PublisherEventCallbacks(
+            matched=lambda info: told.append(info.total_count), use_default_callbacks=False))
+        for count in (1, 2):
+            for _ in range(3):
+                self.executor.spin_once(timeout_sec=0)
+            self.assertEqual(len(told), count - 1)
+            version, status = version + 1, (count, 1, count, 1, 0)
+            self.spin_until(lambda: len(told) == count)
+        self.assertEqual(told, [1, 2])
 
     def test_bytes_of_messages_larger_than_all_before(self) -> None:
         serialization = importlib.import_module('rclpy.serialization')

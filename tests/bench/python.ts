@@ -1,0 +1,113 @@
+// What Python nodes cost: from opening a page to the first node, when the browser has nothing, when it has kept the image
+// of an interpreter, and by a plain boot of Pyodide (the peer); memory of a further node; a message between entities of a node.
+import { spawnSync } from 'node:child_process';
+import { rmSync } from 'node:fs';
+import { join } from 'node:path';
+import type { Page } from 'playwright-core';
+import { makeSite } from '../e2e/runtime_site.ts';
+import { inBrowser } from './browser_site.ts';
+import { machineLoad } from './machine_load.ts';
+import { treePrivateKb } from './process_memory.ts';
+import type { BenchContext } from './run.ts';
+import { summary } from './statistics.ts';
+
+const WAITING = 5;
+const RUNS = 5;
+const TIMEOUT = { timeout: 120_000 };
+const WATCHDOG_MS = 300_000;
+
+/** Milliseconds from the navigation to the line of the last node. */
+async function visit(page: Page, url: string, nodes: number): Promise<number> {
+  const names = Array.from({ length: nodes }, (_, i) => `waits-${i + 1}`).join(',');
+  const begin = performance.now();
+  await page.goto(`${url}?nodes=${names}`);
+  await page.waitForFunction((count) => (document.body?.textContent?.match(/node is made/g) ?? []).length >= count, nodes, TIMEOUT);
+  return performance.now() - begin;
+}
+
+/** Milliseconds of what a program would do by itself: boot, unpack, import. */
+function plainBoot(page: Page): Promise<number> {
+  return page.evaluate(async (base) => {
+    const script = `
+      importScripts('${base}pyodide/pyodide.js');
+      (async () => {
+        const begin = performance.now();
+        const python = await loadPyodide({ indexURL: '${base}pyodide/', env: { AMENT_PREFIX_PATH: '/ros' } });
+        const archive = await (await fetch('${base}python/rclpy.zip')).arrayBuffer();
+        python.unpackArchive(new Uint8Array(archive), 'zip', { extractDir: '/ros' });
+        const bytes = [];
+        python.registerJsModule('ros2wasm_host', { address: (one) => bytes.push(one.getBuffer('u8')) });
+        python.runPython('import sys; sys.path.insert(0, "/ros/lib/python3.12/site-packages"); from ros2wasm import import_hook; import_hook.install(); import rclpy');
+        postMessage(performance.now() - begin);
+      })().catch((error) => postMessage(String(error)));`;
+    const place = URL.createObjectURL(new Blob([script], { type: 'text/javascript' }));
+    const worker = new Worker(place);
+    const told = await new Promise<unknown>((resolve) => {
+      worker.onmessage = ({ data }) => resolve(data);
+      worker.onerror = ({ message }) => resolve(message);
+    });
+    worker.terminate();
+    URL.revokeObjectURL(place);
+    if (typeof told !== 'number') throw new Error(String(told));
+    return told;
+  }, page.url().replace(/\?.*$/, ''));
+}
+
+async function isKept(page: Page): Promise<void> {
+  await page.waitForFunction(async () => {
+    const kept = await caches.open('ros2wasm-kept');
+    return (await kept.keys()).length > 0;
+  }, null, TIMEOUT);
+}
+
+async function benchStart(context: BenchContext, site: string): Promise<void> {
+  await inBrowser(site, async (page, pid, url) => {
+    const cold = await visit(page, url, 1);
+    await isKept(page);
+    const warm: number[] = [];
+    const plain: number[] = [];
+    const all: number[] = [];
+    const kb: number[] = [];
+    for (let run = 0; run < RUNS; run += 1) {
+      warm.push(await visit(page, url, 1));
+      const one = treePrivateKb(pid);
+      plain.push(await plainBoot(page));
+      all.push(await visit(page, url, WAITING));
+      kb.push((treePrivateKb(pid) - one) / (WAITING - 1));
+    }
+    const [warmMs, plainMs, allMs] = [warm, plain, all].map(summary);
+    if (warmMs === undefined || plainMs === undefined || allMs === undefined) return;
+    const ratio = (ours: number): number => Math.round((100 * plainMs.median) / ours) / 100;
+    const further = (allMs.median - warmMs.median) / (WAITING - 1);
+    const shared = { bench: 'python', peer: 'boot of Pyodide with rclpy in a worker of the same page', peer_ms: plainMs, machine_load: machineLoad() };
+    context.emit({ ...shared, what: 'page to first node, nothing in the browser', ms: Math.round(cold) });
+    context.emit({ ...shared, what: 'page to first node, image kept', ms: warmMs, peer_to_ours: ratio(warmMs.median) });
+    context.emit({ ...shared, what: 'a further node on a page', ms: Math.round(further), peer_to_ours: ratio(further) });
+    context.emit({ bench: 'python', what: 'memory of a further node', kb: summary(kb), machine_load: machineLoad() });
+  });
+}
+
+function benchMessages(context: BenchContext, site: string): void {
+  for (const link of ['shared', 'port']) {
+    const run = spawnSync(process.execPath, [join(context.root, 'runtime/wasm_js/headless.ts'), site, '--link', link], {
+      encoding: 'utf8', timeout: WATCHDOG_MS,
+    });
+    if (run.status !== 0) context.fail(`python: the rates on the ${link} link end with ${run.status}: ${run.stderr}`);
+    for (const [, json = ''] of run.stdout.matchAll(/rates (\{.*\})/g)) {
+      context.emit({ bench: 'python', link, place: 'Node.js', ...JSON.parse(json) as object, machine_load: machineLoad() });
+    }
+  }
+}
+
+export async function benchPython(context: BenchContext): Promise<void> {
+  const packages = { [join(context.root, 'tests/bench/packages/python_bench/scripts')]: 'lib/python_bench' };
+  const waits = Array.from({ length: WAITING }, () => ({ entry: 'lib/python_bench/waits', executable: 'waits' }));
+  const sites = [waits, [{ entry: 'lib/python_bench/rates', executable: 'rates' }]].map((nodes) => makeSite([], {}, {}, { nodes, packages }));
+  try {
+    const [start = '', messages = ''] = sites;
+    await benchStart(context, start);
+    benchMessages(context, messages);
+  } finally {
+    for (const site of sites) rmSync(site, { recursive: true, force: true });
+  }
+}

@@ -3,7 +3,7 @@
 
 import { EndpointKind } from '../../runtime/protocol/generated/constants.ts';
 import type { GraphEndpointView, GraphView } from '../../runtime/wasm_js/session.ts';
-import { GraphPeer, type Sample } from '../unit/wasm_js/graph_peer.ts';
+import type { Sample } from '../unit/wasm_js/graph_peer.ts';
 import type { PagePublisher } from '../../runtime/wasm_js/session.ts';
 import { mountPage } from '../../runtime/ui/mount.tsx';
 import { FakeChecks, FakeSession, stringBytes } from '../unit/ui/fake_session.ts';
@@ -225,7 +225,9 @@ function sheet(): FakeSession {
 }
 
 /** A service that adds and an action that counts, served by another participant of a real graph. `globalThis.leave()` ends it. */
-function services(): FakeSession {
+async function services(): Promise<FakeSession> {
+  // Not part of the first view, which a test measures.
+  const { GraphPeer } = await import('../unit/wasm_js/graph_peer.ts');
   const fake = new FakeSession({
     nodes: [{ executable: 'server' }],
     interfaces: new Map([

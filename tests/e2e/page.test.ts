@@ -11,6 +11,7 @@ import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
+import { gzipSync } from 'node:zlib';
 import { chromium } from 'playwright-core';
 import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
 import { chromiumOptions } from './chromium.ts';
@@ -23,11 +24,13 @@ const kAxe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.m
 const kWatchdogMs = 120_000;
 
 const scratch = new Scratch();
+let site: string;
 let served: StaticServer;
 let browser: Browser;
 
 before(async () => {
-  served = await serveFolder(process.env['ROS2WASM_SITE'] ?? (await packExample(scratch)));
+  site = process.env['ROS2WASM_SITE'] ?? (await packExample(scratch));
+  served = await serveFolder(site);
   browser = await chromium.launch(chromiumOptions());
 });
 
@@ -77,6 +80,22 @@ test('the listener hears the talker, in the exact format', () =>
       );
     await page.getByText('2 of 2 running').waitFor();
     await page.getByText('workspace.yaml:14:17').waitFor();
+  }));
+
+test('the first view is small: page, scripts and styles under 120 kB, without what runs the nodes', () =>
+  onSite({}, async (page) => {
+    await page.getByText('2 of 2 running').waitFor();
+    const loaded = await page.evaluate(() =>
+      performance.getEntriesByType('resource').map((entry) => new URL(entry.name).pathname.slice(1)),
+    );
+    const view = ['index.html', ...new Set(loaded)].filter(
+      (name) => /\.(html|js|css|svg)$/.test(name) && !name.endsWith('_worker.js'),
+    );
+    assert.ok(view.includes('start.js') && view.includes('mount.js') && view.includes('styles.css'), view.join(' '));
+    const bytes = view
+      .map((name) => gzipSync(readFileSync(join(site, name)), { level: 9 }).length)
+      .reduce((sum, size) => sum + size, 0);
+    assert.ok(bytes < 120_000, `${bytes} bytes gzipped: ${view.join(' ')}`);
   }));
 
 test('the topic has its type, its rate and its last message', () =>

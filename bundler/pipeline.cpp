@@ -18,13 +18,10 @@
 #include "bundler/io/files.hpp"
 #include "bundler/io/installation.hpp"
 #include "bundler/launch/installed_tree.hpp"
-#include "bundler/launch/launch_file_nodes.hpp"
 #include "bundler/launch/launch_graph.hpp"
-#include "bundler/launch/launch_world.hpp"
-#include "bundler/launch/left_out.hpp"
 #include "bundler/launch/parameter_sources.hpp"
 #include "bundler/launch/python_tree.hpp"
-#include "bundler/launch_tools.hpp"
+#include "bundler/launch_from_file.hpp"
 #include "bundler/plan/runtime_assets.hpp"
 #include "bundler/plan/shipped_channel.hpp"
 #include "bundler/python_nodes.hpp"
@@ -312,45 +309,10 @@ std::string build_remark(const std::vector<BuiltPackage>& packages) {
   return "built " + name_list(fresh);
 }
 
-/// The nodes of the manifest's launch file.
-Outcome<std::vector<LaunchNode>> launch_from_file(const PackRequest& request,
-                                                  BuiltWorkspace& workspace,
-                                                  const Spanned<std::string>& file,
-                                                  const Cancellation& cancellation) {
-  workspace.watched.push_back(workspace.folder / file.value);
-  const auto folders = installed_launch_folders(workspace.folder, workspace.installed,
-                                                workspace.environment, workspace.manifest.distro);
-  LaunchWorld world = launch_world(folders, workspace.manifest.distro, true);
-  world.python = launch_python(
-      folders,
-      [&] {
-        return find_launch_tools(request.executable, request.variables, workspace.environment,
-                                 cancellation);
-      },
-      cancellation);
-  auto launched = launch_file_nodes(std::string(kLaunchWorkspace) + "/" + file.value, {}, world,
-                                    workspace.installed, file.span, workspace.left_out);
-  if (!launched) return std::move(launched).errors();
-  Diagnostics refused = refused_when_strict(launched->warnings);
-  if (request.strict && !refused.empty()) return refused;
-  append(workspace.warnings, launched->warnings);
-  for (const std::string& one : launched->files)
-    if (auto real = real_path(folders, one)) workspace.watched.push_back(std::move(*real));
-  for (std::string& remark : launched->remarks) workspace.remarks.push_back(std::move(remark));
-  if (launched->nodes.empty()) {
-    return Diagnostic{.code = "R2W0406",
-                      .message = "the launch file starts nothing that a site can run",
-                      .span = file.span,
-                      .why = {"`ros2wasm launch " + file.value + "` shows what it comes to"}};
-  }
-  workspace.steps = std::move(launched->steps);
-  return std::move(launched->nodes);
-}
-
 /// Step 7: nodes of the launch file or of the manifest; without any, every program of the
 /// workspace.
-Outcome<std::vector<LaunchNode>> launch(const PackRequest& request, BuiltWorkspace& workspace,
-                                        const Cancellation& cancellation) {
+Outcome<LaunchedFile> launch(const PackRequest& request, BuiltWorkspace& workspace,
+                             const Cancellation& cancellation) {
   Manifest& manifest = workspace.manifest;
   if (manifest.launch_file)
     return launch_from_file(request, workspace, *manifest.launch_file, cancellation);
@@ -380,35 +342,18 @@ Outcome<std::vector<LaunchNode>> launch(const PackRequest& request, BuiltWorkspa
   if (!errors.empty()) return errors;
   // The same site whatever folder the pack was started in.
   for (LaunchNode& node : *nodes) node.source.file = fs::path(node.source.file).filename().string();
-  return nodes;
+  return LaunchedFile{
+      .nodes = std::move(*nodes), .steps = {}, .more_nodes = {}, .launch = std::nullopt};
 }
 
-/// Step 8: read what the plan is made of.
-Outcome<SitePlan> plan(const PackRequest& request, BuiltWorkspace& workspace,
-                       std::vector<LaunchNode> nodes, const Cancellation& cancellation) {
-  const auto list =
-      find_own_data(request.executable, "runtime/runtime_assets.json", "the runtime of sites");
-  if (!list) return list.errors();
-  auto runtime = read_runtime_assets(*list);
-  if (!runtime) return std::move(runtime).errors();
-
+/// The bytes of compiled programs, and the names of their functions.
+Outcome<Done> read_programs(const PackRequest& request, const BuiltWorkspace& workspace,
+                            const std::vector<LaunchNode>& nodes, PlanInput& input,
+                            const Cancellation& cancellation) {
   const auto exceptions = workspace.manifest.site.find("exceptions");
   const bool standard =
       exceptions != workspace.manifest.site.end() && exceptions->second == "standard";
-  PlanInput input{.manifest = workspace.manifest,
-                  .nodes = std::move(nodes),
-                  .steps = workspace.steps,
-                  .programs = {},
-                  .names = {},
-                  .runtime = std::move(runtime).value(),
-                  .interfaces = {},
-                  .shared = {},
-                  .packages = {},
-                  .python = {},
-                  .python_index = {}};
-  bool has_python = false;
-  for (const LaunchNode& node : input.nodes) {
-    has_python = has_python || node.kind == ProgramKind::kPython;
+  for (const LaunchNode& node : nodes) {
     if (node.kind == ProgramKind::kPython || input.programs.contains(node.program)) continue;
     auto bytes = read_file(node.program);
     const fs::path names = fs::path(node.program).replace_extension(".names");
@@ -427,6 +372,36 @@ Outcome<SitePlan> plan(const PackRequest& request, BuiltWorkspace& workspace,
     if (!bytes) return std::move(bytes).errors();
     input.programs[node.program] = std::move(bytes).value();
   }
+  return Done{};
+}
+
+/// Step 8: read what the plan is made of.
+Outcome<SitePlan> plan(const PackRequest& request, BuiltWorkspace& workspace, LaunchedFile launched,
+                       const Cancellation& cancellation) {
+  const auto list =
+      find_own_data(request.executable, "runtime/runtime_assets.json", "the runtime of sites");
+  if (!list) return list.errors();
+  auto runtime = read_runtime_assets(*list);
+  if (!runtime) return std::move(runtime).errors();
+
+  PlanInput input{.manifest = workspace.manifest,
+                  .nodes = std::move(launched.nodes),
+                  .steps = std::move(launched.steps),
+                  .more_nodes = std::move(launched.more_nodes),
+                  .launch = std::move(launched.launch),
+                  .programs = {},
+                  .names = {},
+                  .runtime = std::move(runtime).value(),
+                  .interfaces = {},
+                  .shared = {},
+                  .packages = {},
+                  .python = {},
+                  .python_index = {}};
+  const auto read = [&](const std::vector<LaunchNode>& nodes) {
+    return read_programs(request, workspace, nodes, input, cancellation);
+  };
+  if (auto done = read(input.nodes); !done) return std::move(done).errors();
+  if (auto done = read(input.more_nodes); !done) return std::move(done).errors();
   for (const InstalledPackage& package : workspace.installed) {
     collect_interfaces(package.prefix, package.name, input.interfaces);
     const auto left_out = collect_shared_files(package.prefix, package.name, input.shared);
@@ -434,15 +409,7 @@ Outcome<SitePlan> plan(const PackRequest& request, BuiltWorkspace& workspace,
     for (const std::string& one : *left_out) workspace.remarks.push_back("left out " + one);
   }
   for (const BuiltPackage& package : workspace.packages) input.packages.push_back(package.name);
-  if (has_python) {
-    auto python = read_python(workspace);
-    if (!python) return std::move(python).errors();
-    if (auto met = check_python_imports(workspace, *python, input.interfaces, input.nodes); !met)
-      return std::move(met).errors();
-    input.python = std::move(*python);
-    for (const InstalledPackage& package : workspace.installed)
-      input.python_index.push_back(package.name);
-  }
+  if (auto added = add_python(workspace, input); !added) return std::move(added).errors();
   return plan_site(std::move(input));
 }
 

@@ -50,7 +50,6 @@ struct BuiltWorkspace {
   std::vector<ChannelFile> channel;   ///< what lies beside the site, if it was asked for
   std::vector<std::filesystem::path> watched;  ///< files and folders that a rebuild depends on
   std::filesystem::path cache;
-  std::vector<LaunchStep> steps;  ///< of the launch file
   Diagnostics warnings;
   std::vector<std::string> remarks;  ///< what was chosen and done, for people
 };

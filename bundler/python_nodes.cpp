@@ -33,8 +33,6 @@ std::string source_of(const BuiltWorkspace& workspace, const std::string& path,
   return shown_path(*first, workspace.folder, workspace.shown_folder);
 }
 
-}  // namespace
-
 Outcome<PythonInput> read_python(BuiltWorkspace& workspace) {
   PythonInput input;
   std::vector<Outcome<LeftOut>> parts;
@@ -61,8 +59,9 @@ Outcome<PythonInput> read_python(BuiltWorkspace& workspace) {
   return input;
 }
 
+/// `because`: why a node is left out for what it misses; empty: it is not, which is an error.
 Outcome<Done> check_python_imports(BuiltWorkspace& workspace, const PythonInput& python,
-                                   const InterfaceTexts& interfaces,
+                                   const InterfaceTexts& interfaces, const std::string& because,
                                    std::vector<LaunchNode>& nodes) {
   const PythonWorld world{.workspace = python.workspace,
                           .channels = python.channels,
@@ -84,17 +83,51 @@ Outcome<Done> check_python_imports(BuiltWorkspace& workspace, const PythonInput&
       can_run = can_run && one.severity != Severity::kError;
       if (!told.emplace(one.span->file, one.span->line, one.message).second) continue;
       one.span->file = source_of(workspace, one.span->file, python.workspace.at(one.span->file));
-      const bool is_warning = one.severity != Severity::kError || workspace.nodes_by_default;
+      const bool is_warning = one.severity != Severity::kError || !because.empty();
       if (is_warning && one.severity == Severity::kError)
         one.why.push_back("`" + node.executable + "` of package `" + node.package +
-                          "` is left out for that, as the manifest names no nodes");
+                          "` is left out for that, " + because);
       one.severity = is_warning ? Severity::kWarning : Severity::kError;
       (is_warning ? workspace.warnings : errors).push_back(std::move(one));
     }
-    if (can_run || !workspace.nodes_by_default) kept.push_back(std::move(node));
+    if (can_run || because.empty()) kept.push_back(std::move(node));
   }
   if (!errors.empty()) return errors;
   nodes = std::move(kept);
+  return Done{};
+}
+
+bool has_python(const std::vector<LaunchNode>& nodes) {
+  return std::any_of(nodes.begin(), nodes.end(),
+                     [](const LaunchNode& node) { return node.kind == ProgramKind::kPython; });
+}
+
+}  // namespace
+
+Outcome<Done> add_python(BuiltWorkspace& workspace, PlanInput& input) {
+  const bool is_needed = has_python(input.nodes);
+  if (!is_needed && !has_python(input.more_nodes)) return Done{};
+  auto python = read_python(workspace);
+  if (!python && is_needed) return std::move(python).errors();
+  if (!python) {
+    std::erase_if(input.more_nodes,
+                  [](const LaunchNode& node) { return node.kind == ProgramKind::kPython; });
+    for (Diagnostic& one : std::move(python).errors()) {
+      one.severity = Severity::kWarning;
+      workspace.warnings.push_back(std::move(one));
+    }
+    return Done{};
+  }
+  const auto check = [&](const char* because, std::vector<LaunchNode>& nodes) {
+    return check_python_imports(workspace, *python, input.interfaces, because, nodes);
+  };
+  const char* by_default = workspace.nodes_by_default ? "as the manifest names no nodes" : "";
+  if (auto met = check(by_default, input.nodes); !met) return met;
+  if (auto met = check("as only other launch arguments start it", input.more_nodes); !met)
+    return met;
+  input.python = std::move(*python);
+  for (const InstalledPackage& package : workspace.installed)
+    input.python_index.push_back(package.name);
   return Done{};
 }
 

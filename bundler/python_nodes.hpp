@@ -8,15 +8,11 @@
 
 namespace ros2wasm {
 
-/// Pyodide, and all modules and scripts of the workspace and its channels' packages. What is left
-/// out becomes a remark of the workspace. R2W0210.
-[[nodiscard]] Outcome<PythonInput> read_python(BuiltWorkspace& workspace);
-
-/// R2W0518 for what programs import and nobody has. Nodes that nobody named are left out for that,
-/// with warnings; each of the others gets its `compiled_modules`.
-[[nodiscard]] Outcome<Done> check_python_imports(BuiltWorkspace& workspace,
-                                                 const PythonInput& python,
-                                                 const InterfaceTexts& interfaces,
-                                                 std::vector<LaunchNode>& nodes);
+/// When there are Python nodes: Pyodide, and all modules and scripts of the workspace and its
+/// channels' packages. What is left out becomes a remark of the workspace. R2W0210, R2W0517;
+/// R2W0518 for what programs import and nobody has. Nodes that nobody named, or that only other
+/// launch arguments start, are left out for that, with warnings; each of the others gets its
+/// `compiled_modules`.
+[[nodiscard]] Outcome<Done> add_python(BuiltWorkspace& workspace, PlanInput& input);
 
 }  // namespace ros2wasm

@@ -11,10 +11,13 @@
 #include "bundler/launch/launch_tree.hpp"
 #include "bundler/launch/launch_world.hpp"
 #include "bundler/launch/left_out.hpp"
+#include "bundler/launch_from_file.hpp"
 #include "bundler/launch_tools.hpp"
+#include "bundler/render/packed_launch_json.hpp"
 #include "bundler/workspace/discovery.hpp"
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
+#include "cli/launch_arguments.hpp"
 #include "workspace_schema/manifest.hpp"
 #include "workspace_schema/manifest_reader.hpp"
 
@@ -27,7 +30,8 @@ struct LaunchOptions {
   std::vector<std::string> given;
   std::string workspace = ".";
   bool strict = false;
-  bool print = false;  ///< as is done anyway
+  bool print = false;      ///< as is done anyway
+  bool site_data = false;  ///< launch.json instead
 };
 
 Diagnostic refused(std::string message, std::vector<std::string> why) {
@@ -35,18 +39,6 @@ Diagnostic refused(std::string message, std::vector<std::string> why) {
           .kind = FailureKind::kCommandLine,
           .message = std::move(message),
           .why = std::move(why)};
-}
-
-/// `name:=value`, each.
-Outcome<std::map<std::string, std::string>> arguments_of(const std::vector<std::string>& given) {
-  std::map<std::string, std::string> result;
-  for (const std::string& one : given) {
-    const std::size_t at = one.find(":=");
-    if (at == 0 || at == std::string::npos)
-      return refused("`" + one + "` is no launch argument", {"write it as name:=value"});
-    result[one.substr(0, at)] = one.substr(at + 2);
-  }
-  return result;
 }
 
 /// The manifest of the folder, for its distro; without one, what manifests have by default.
@@ -68,7 +60,7 @@ Outcome<std::vector<LocalPackage>> packages_of(const fs::path& folder, const fs:
 }
 
 int run(Context& context, const LaunchOptions& options) {
-  const auto given = arguments_of(options.given);
+  const auto given = launch_arguments_of(options.given);
   if (!given) return context.console.fail(given.errors());
   std::error_code error;
   const fs::path folder = fs::canonical(options.workspace, error);
@@ -91,8 +83,18 @@ int run(Context& context, const LaunchOptions& options) {
         return find_launch_tools(context.executable, context.environment, {}, context.cancellation);
       },
       context.cancellation);
-  const auto description =
-      evaluate_launch(std::string(kLaunchWorkspace) + "/" + inside.generic_string(), *given, world);
+  const std::string path = std::string(kLaunchWorkspace) + "/" + inside.generic_string();
+  if (options.site_data) {
+    std::vector<InstalledPackage> installed;
+    for (const LocalPackage& one : *packages)
+      installed.push_back(
+          {.name = one.xml.name.value, .version = {}, .prefix = {}, .programs = {}});
+    const auto packed = packed_launch(path, *given, world, installed, manifest->distro);
+    if (!packed) return context.console.fail(packed.errors());
+    context.console.result_text(packed_launch_json(*packed, {}));
+    return 0;
+  }
+  const auto description = evaluate_launch(path, *given, world);
   if (!description) return context.console.fail(description.errors());
   const auto is_known = [&](const std::string& package) {
     return std::any_of(packages->begin(), packages->end(),
@@ -123,6 +125,8 @@ CommandBody launch_command(Arguments& arguments) {
                   "the folder with the workspace's packages [the current one]");
   arguments.flag("--strict", options->strict, "fail when it starts what no site can start");
   arguments.flag("--print", options->print, "show it as a tree, as is done anyway");
+  arguments.flag("--site-data", options->site_data,
+                 "print what a site has of it, for its start: launch.json, without programs");
   arguments.examples({"ros2wasm launch src/demo/launch/bringup.launch.xml",
                       "ros2wasm launch bringup.launch.yaml robot:=r2 --json"});
   return [options](Context& context) { return run(context, *options); };

@@ -9,6 +9,7 @@
 #include "bundler/serve/site_responder.hpp"
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
+#include "cli/launch_arguments.hpp"
 #include "workspace_schema/duration.hpp"
 
 namespace ros2wasm {
@@ -24,6 +25,8 @@ struct Options {
   std::optional<std::string> trace;
   bool checks = false;
   std::optional<std::string> junit;
+  std::vector<std::string> given;
+  bool show_arguments = false;
 };
 
 std::string path_variable(const Context& context) {
@@ -46,7 +49,9 @@ int run_site(Context& context, const Options& options) {
                   .trace = options.trace,
                   .checks = options.checks || options.junit.has_value(),
                   .junit = options.junit,
-                  .json = context.json};
+                  .json = context.json,
+                  .given = options.given,
+                  .show_arguments = options.show_arguments};
   if (options.limit) {
     const auto limit = parse_duration(*options.limit);
     if (limit) {
@@ -55,6 +60,8 @@ int run_site(Context& context, const Options& options) {
       add_errors(errors, limit.errors());
     }
   }
+  if (const auto given = launch_arguments_of(options.given); !given)
+    add_errors(errors, given.errors());
   if (const auto site = check_site(options.site); !site) add_errors(errors, site.errors());
   const auto program = find_headless_program(context.executable);
   if (!program) add_errors(errors, program.errors());
@@ -75,6 +82,9 @@ int run_site(Context& context, const Options& options) {
 CommandBody run_command(Arguments& arguments) {
   const auto options = std::make_shared<Options>();
   arguments.required("SITE", options->site, "the folder that `ros2wasm pack` wrote");
+  arguments.rest("NAME:=VALUE", options->given, "launch arguments");
+  arguments.flag("--show-args", options->show_arguments,
+                 "show the launch arguments of the site, and start nothing");
   arguments.value("--for", options->limit, "TIME",
                   "stop after this time: 500ms, 5s, 2m; with --until, fail when it was not met");
   arguments.value("--until", options->until, "REGEX",
@@ -95,7 +105,7 @@ CommandBody run_command(Arguments& arguments) {
   arguments.value("--junit", options->junit, "FILE",
                   "write the result of the checks to FILE as JUnit XML (implies --checks)");
   arguments.examples({"ros2wasm run site", "ros2wasm run site --for 5s",
-                      "ros2wasm run site --checks",
+                      "ros2wasm run site robot:=r2", "ros2wasm run site --checks",
                       "ros2wasm run site --until 'I heard' --for 30s"});
   return [options](Context& context) { return run_site(context, *options); };
 }

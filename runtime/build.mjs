@@ -1,6 +1,7 @@
 // Builds the files that go into every site, and runtime_assets.json that lists them with size and sha256.
 // usage: node runtime/build.mjs --out FOLDER. Same sources give the same bytes.
 
+import { execFileSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { basename, join, relative, resolve } from 'node:path';
@@ -15,7 +16,8 @@ const root = fileURLToPath(new URL('..', import.meta.url));
  * kind: "modules" is an ES module whose dynamic imports become files of their own, each complete, so that the page
  * needs one request before it starts, but for mount.tsx: it shares its code with the panels that come when they are
  * opened, in files that index.html asks for at once; "classic" one plain script;
- * "style" one sheet; "copy" the file as it is; "node" a module for Node.js.
+ * "style" one sheet; "copy" the file as it is; "node" a module for Node.js; "wasm" a program, which its own script builds
+ * into a folder beside OUT.
  */
 const rows = [
   { file: 'index.html', from: 'runtime/ui/index.html', kind: 'copy', role: 'page' },
@@ -27,6 +29,7 @@ const rows = [
   { file: 'service_worker.js', from: 'runtime/wasm_js/service_worker.ts', kind: 'classic', role: 'service_worker' },
   { file: 'headless.js', from: 'runtime/wasm_js/headless.ts', kind: 'node', role: 'headless' },
   { file: 'ros2.js', from: 'runtime/ros2cli/headless_main.ts', kind: 'node', role: 'headless_ros2' },
+  { file: 'launch_evaluator.wasm', from: 'runtime/launch_evaluator/build.py', kind: 'wasm', role: 'launch_evaluator' },
   { file: 'styles.css', from: 'runtime/ui/styles/index.css', kind: 'style', role: 'style' },
 ];
 
@@ -89,6 +92,12 @@ async function buildRow(row, out) {
     writeFileSync(join(out, row.file), readFileSync(join(root, row.from)));
     return;
   }
+  if (row.kind === 'wasm') {
+    const folder = join(out, '..', 'launch');
+    execFileSync('python3', [join(root, row.from), '--out', folder], { stdio: 'inherit' });
+    writeFileSync(join(out, row.file), readFileSync(join(folder, row.file)));
+    return;
+  }
   const name = row.file.replace(/\.[^.]+$/, '');
   const later = new Map();
   await build({
@@ -114,7 +123,7 @@ rmSync(out, { recursive: true, force: true });
 mkdirSync(out, { recursive: true });
 for (const row of rows) await buildRow(row, out);
 
-const roles = new Map(rows.map((row) => [row.file, row.role]));
+const roles = new Map([...rows.map((row) => [row.file, row.role]), ['launch_evaluation.js', 'launch_script']]);
 const assets = readdirSync(out)
   .sort()
   .map((file) => {

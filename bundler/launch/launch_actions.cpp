@@ -37,7 +37,8 @@ void LaunchEvaluator::declare_argument(const LaunchEntity& entity) {
     if (!argument.default_value && !needed) errors_.resize(errors_before);
     if (!argument.default_value && needed) return;
   }
-  argument.given = given_.contains(*name);
+  const auto given = given_.find(*name);
+  argument.given = given != given_.end();
   if (set != scope_.configurations.end()) {
     argument.value = set->second;
   } else if (argument.default_value) {
@@ -57,8 +58,9 @@ void LaunchEvaluator::declare_argument(const LaunchEntity& entity) {
   }
   scope_.configurations[*name] = argument.value;
   // What an include sets is decided; only what comes from outside is an argument of the whole.
+  const bool is_other = given == given_.end() || given->second != argument.value;
   const bool from_include =
-      set != scope_.configurations.end() && !argument.given && open_files_.size() > 1;
+      set != scope_.configurations.end() && is_other && open_files_.size() > 1;
   auto& all = description_.arguments;
   const bool known = std::any_of(all.begin(), all.end(),
                                  [&](const LaunchArgument& one) { return one.name == *name; });

@@ -144,6 +144,7 @@ Outcome<LaunchFileNodes> launch_file_nodes(const std::string& path,
   result.steps = steps_of(*description, moments);
   result.nodes = std::move(*nodes);
   result.files = std::move(description->files);
+  result.arguments = std::move(description->arguments);
   for (const LaunchLine& line : description->lines)
     result.remarks.push_back("the launch file says: " + line.text);
   return result;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "bundler/launch/launch_description.hpp"
 #include "bundler/launch/launch_graph.hpp"
 #include "bundler/launch/launch_scope.hpp"
 #include "workspace_schema/outcome.hpp"
@@ -14,9 +15,10 @@ namespace ros2wasm {
 struct LaunchFileNodes {
   std::vector<LaunchNode> nodes;
   std::vector<LaunchStep> steps;
-  Diagnostics warnings;              ///< R2W0412, R2W0415
-  std::vector<std::string> remarks;  ///< what the file logs
-  std::vector<std::string> files;    ///< that were read, as launch files see them
+  Diagnostics warnings;                   ///< R2W0412, R2W0415
+  std::vector<std::string> remarks;       ///< what the file logs
+  std::vector<std::string> files;         ///< that were read, as launch files see them
+  std::vector<LaunchArgument> arguments;  ///< that can be given, each once
 };
 
 /// `path`, `given` and `from` as evaluate_launch() takes them. What no site can start, such as

@@ -7,7 +7,6 @@
 #include "bundler/launch/launch_step.hpp"
 #include "bundler/launch/lifecycle_transitions.hpp"
 #include "bundler/launch/node_arguments.hpp"
-#include "workspace_schema/json_writer.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -175,15 +174,6 @@ void write_files(JsonWriter& json, const NodeEntry& node) {
   write_texts(json, "parameter_files", files);
 }
 
-void write_argument(JsonWriter& json, const LaunchArgument& one) {
-  json.begin_object().field("name", one.name).field("value", one.value);
-  if (one.default_value) json.field("default", *one.default_value);
-  json.field("description", one.description);
-  write_texts(json, "choices", one.choices);
-  write_place(json, one.span);
-  json.end_object();
-}
-
 void write_component(JsonWriter& json, const LaunchComponent& one) {
   json.begin_object().field("package", one.node.package.value).field("plugin", one.plugin);
   if (one.node.name) json.field("name", one.node.name->value);
@@ -243,6 +233,15 @@ void write_process(JsonWriter& json, const LaunchProcess& process) {
 
 }  // namespace
 
+void write_launch_argument(JsonWriter& json, const LaunchArgument& one) {
+  json.begin_object().field("name", one.name).field("value", one.value);
+  if (one.default_value) json.field("default", *one.default_value);
+  json.field("description", one.description);
+  write_texts(json, "choices", one.choices);
+  write_place(json, one.span);
+  json.end_object();
+}
+
 std::vector<std::string> launch_tree(const LaunchDescription& description) {
   Lines lines;
   add_arguments(description, lines);
@@ -270,7 +269,7 @@ std::vector<std::string> launch_tree(const LaunchDescription& description) {
 std::string launch_json(const LaunchDescription& description) {
   JsonWriter json;
   json.begin_object().key("arguments").begin_array();
-  for (const LaunchArgument& one : description.arguments) write_argument(json, one);
+  for (const LaunchArgument& one : description.arguments) write_launch_argument(json, one);
   json.end_array().key("processes").begin_array();
   for (const LaunchProcess& process : description.processes) write_process(json, process);
   json.end_array().key("log").begin_array();

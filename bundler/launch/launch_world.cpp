@@ -12,10 +12,6 @@ namespace ros2wasm {
 namespace fs = std::filesystem;
 namespace {
 
-Diagnostic unreadable(const std::string& path, std::string why) {
-  return {.code = "R2W0413", .message = "`" + path + "` cannot be read", .why = {std::move(why)}};
-}
-
 /// What a path of the site is on this machine: something in `root`, a folder of it.
 struct Inside {
   fs::path root;
@@ -33,19 +29,19 @@ bool has_hidden_part(const fs::path& path) {
 Outcome<fs::path> checked_path(const Inside& place, const std::string& shown) {
   std::error_code error;
   if (!fs::exists(place.root / place.below, error))
-    return unreadable(shown, "there is no such file");
+    return unreadable_launch_path(shown, kNoSuchLaunchFile);
   auto real = path_within(place.root, place.root / place.below);
   if (real && has_hidden_part(real->lexically_relative(fs::canonical(place.root, error))))
-    return unreadable(shown, "hidden files are not seen");
+    return unreadable_launch_path(shown, "hidden files are not seen");
   if (real) return std::move(*real);
-  return unreadable(shown, "it leads out of " + place.root.filename().string());
+  return unreadable_launch_path(shown, "it leads out of " + place.root.filename().string());
 }
 
 Outcome<std::string> read_within(const Inside& place, const std::string& shown) {
   const auto real = checked_path(place, shown);
   if (!real) return real.errors();
   auto text = read_file(*real);
-  if (!text) return unreadable(shown, text.errors().front().message);
+  if (!text) return unreadable_launch_path(shown, text.errors().front().message);
   return text;
 }
 
@@ -58,24 +54,6 @@ std::vector<std::string> names_within(const Inside& place) {
     if (!has_hidden_part(at->path().filename())) names.push_back(at->path().filename().string());
   std::sort(names.begin(), names.end());
   return names;
-}
-
-/// A file of the workspace by its place there, one of a package as share/<package>/...
-std::string shown_as(const std::string& path, const std::string& prefix) {
-  const fs::path normal = fs::path(path).lexically_normal();
-  for (const fs::path& root : {fs::path(kLaunchWorkspace), fs::path(prefix)}) {
-    const fs::path below = normal.lexically_relative(root);
-    if (!below.empty() && *below.begin() != "..") return below.generic_string();
-  }
-  return path;
-}
-
-std::string prefix_of(const std::string& distro) {
-  return "/opt/ros/" + distro;
-}
-
-std::string share_of(const std::string& distro, const std::string& package) {
-  return prefix_of(distro) + "/share/" + package;
 }
 
 /// The folder that a path is in, and the rest of the path.
@@ -93,10 +71,7 @@ Outcome<Inside> place_in(const std::vector<LaunchFolder>& folders, const std::st
                          const std::string& path) {
   if (auto found = found_in(folders, path))
     return Inside{found->first->from, std::move(found->second)};
-  const fs::path in_share = fs::path(path).lexically_normal().lexically_relative(prefix + "/share");
-  if (in_share.empty() || *in_share.begin() == "..")
-    return unreadable(path, "a site has the files of packages only, below " + prefix + "/share");
-  return unreadable(path, "there are no files of package `" + in_share.begin()->string() + "`");
+  return no_launch_path(path, prefix);
 }
 
 }  // namespace
@@ -108,7 +83,8 @@ std::vector<LaunchFolder> installed_launch_folders(const fs::path& folder,
   std::vector<LaunchFolder> result{{.at = kLaunchWorkspace, .from = folder}};
   std::error_code error;
   for (const InstalledPackage& one : installed) {
-    result.push_back({.at = share_of(distro, one.name), .from = one.prefix / "share" / one.name});
+    result.push_back(
+        {.at = launch_share(distro, one.name), .from = one.prefix / "share" / one.name});
     const fs::path modules = one.prefix / kPythonModules;
     if (one.prefix != environment && fs::is_directory(modules, error))
       result.push_back({.at = "/modules/" + one.name, .from = modules, .holds_modules = true});
@@ -121,7 +97,7 @@ std::vector<LaunchFolder> source_launch_folders(const fs::path& folder,
                                                 const std::string& distro) {
   std::vector<LaunchFolder> result{{.at = kLaunchWorkspace, .from = folder}};
   for (const LocalPackage& one : packages)
-    result.push_back({.at = share_of(distro, one.xml.name.value),
+    result.push_back({.at = launch_share(distro, one.xml.name.value),
                       .from = one.directory,
                       .holds_modules = one.xml.build_type == kPythonBuildType});
   return result;
@@ -129,20 +105,17 @@ std::vector<LaunchFolder> source_launch_folders(const fs::path& folder,
 
 LaunchWorld launch_world(std::vector<LaunchFolder> folders, const std::string& distro,
                          bool is_built) {
-  const std::string prefix = prefix_of(distro);
+  const std::string prefix = launch_prefix(distro);
   LaunchWorld world;
-  world.environment = {{"AMENT_PREFIX_PATH", prefix},
-                       {"HOME", "/home/user"},
-                       {"ROS_DISTRO", distro},
-                       {"ROS_VERSION", "2"}};
+  world.environment = launch_environment(distro);
   world.prefix_of = [prefix, folders, distro,
                      is_built](const std::string& package) -> std::optional<std::string> {
-    const bool has_files =
-        std::any_of(folders.begin(), folders.end(),
-                    [&](const LaunchFolder& one) { return one.at == share_of(distro, package); });
+    const bool has_files = std::any_of(
+        folders.begin(), folders.end(),
+        [&](const LaunchFolder& one) { return one.at == launch_share(distro, package); });
     return has_files || !is_built ? std::optional(prefix) : std::nullopt;
   };
-  world.shown = [prefix](const std::string& path) { return shown_as(path, prefix); };
+  world.shown = [prefix](const std::string& path) { return shown_launch_path(path, prefix); };
   if (!is_built)
     world.is_later = [prefix](const std::string& path) {
       return fs::path(path).lexically_normal().string().starts_with(prefix + "/share/");

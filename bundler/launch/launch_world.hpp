@@ -8,13 +8,11 @@
 #include <vector>
 
 #include "bundler/launch/launch_graph.hpp"
+#include "bundler/launch/launch_paths.hpp"
 #include "bundler/launch/launch_scope.hpp"
 #include "bundler/workspace/discovery.hpp"
 
 namespace ros2wasm {
-
-/// The manifest's folder, for launch files that are named by their place in it.
-inline constexpr const char* kLaunchWorkspace = "/workspace";
 
 /// A folder of this machine, and where launch files see it.
 struct LaunchFolder {

@@ -2,12 +2,14 @@
 #include "bundler/plan/site_plan.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 #include "bundler/build/wasm_module.hpp"
 #include "bundler/io/sha256.hpp"
 #include "bundler/plan/site_checks.hpp"
 #include "bundler/render/interfaces_json.hpp"
+#include "bundler/render/packed_launch_json.hpp"
 #include "bundler/render/page_html.hpp"
 #include "bundler/render/site_json.hpp"
 #include "workspace_schema/diagnostic_list.hpp"
@@ -19,7 +21,11 @@ namespace {
 constexpr std::string_view kHeadlessRoles = "headless";
 /// For Python nodes only.
 constexpr std::string_view kPythonRole = "python_worker";
+/// For sites whose launch file declares arguments only.
+constexpr std::string_view kLaunchRole = "launch_evaluator";
+constexpr std::string_view kLaunchScriptRole = "launch_script";
 constexpr std::string_view kPageRole = "page";
+constexpr const char* kLaunchData = "launch.json";
 
 bool is_python(const LaunchNode& node) {
   return node.kind == ProgramKind::kPython;
@@ -62,6 +68,8 @@ Outcome<SitePlan> plan_site(PlanInput input) {
   Diagnostics errors;
   std::set<std::string> paths;
   for (const LaunchNode& node : input.nodes) paths.insert(program_path(node));
+  const std::size_t count = input.nodes.size();
+  std::move(input.more_nodes.begin(), input.more_nodes.end(), std::back_inserter(input.nodes));
   const bool has_python = std::any_of(input.nodes.begin(), input.nodes.end(), is_python);
   const Manifest& manifest = input.manifest;
   const auto chosen = manifest.ui.find("theme");
@@ -69,6 +77,10 @@ Outcome<SitePlan> plan_site(PlanInput input) {
   for (RuntimeAsset& asset : input.runtime) {
     if (asset.role.starts_with(kHeadlessRoles) || (asset.role == kPythonRole && !has_python))
       continue;
+    const bool evaluates = asset.role == kLaunchRole || asset.role == kLaunchScriptRole;
+    if (evaluates && !input.launch) continue;
+    if (asset.role == kLaunchRole)
+      plan.launch = {.data = kLaunchData, .evaluator = asset.file, .arguments = {}};
     if (asset.role == kPageRole) {
       asset.bytes = page_html(std::move(asset.bytes),
                               manifest.title.empty() ? manifest.name.value : manifest.title, theme,
@@ -136,6 +148,12 @@ Outcome<SitePlan> plan_site(PlanInput input) {
     for (PythonSiteFile& file : python.files)
       add(plan, std::move(file.path), std::move(file.reason), std::move(file.bytes));
   }
+  if (plan.launch) {
+    plan.launch->arguments = input.launch->arguments;
+    add(plan, kLaunchData, "launch file, for other launch arguments",
+        packed_launch_json(*input.launch, plan.nodes));
+  }
+  plan.nodes.resize(count);
   std::set<std::string> packages(input.packages.begin(), input.packages.end());
   for (auto& [path, bytes] : input.shared) {
     const std::string package = package_of_shared(path);

@@ -5,11 +5,14 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "bundler/launch/launch_description.hpp"
 #include "bundler/launch/launch_graph.hpp"
+#include "bundler/launch/packed_launch.hpp"
 #include "bundler/launch/share_tree.hpp"
 #include "bundler/plan/python_site.hpp"
 #include "workspace_schema/manifest.hpp"
@@ -43,14 +46,22 @@ struct PlannedNode {
   std::vector<std::string> archives;  ///< of a Python node: what it unpacks, in order
 };
 
+/// A launch file that is evaluated when the site starts.
+struct PlannedLaunch {
+  std::string data;                       ///< path in the site of what the evaluation needs
+  std::string evaluator;                  ///< and of the program that does it
+  std::vector<LaunchArgument> arguments;  ///< as they are without others being given
+};
+
 struct SitePlan {
-  std::vector<PlannedFile> files;     ///< sorted by path; the last steps add site.json, SHA256SUMS
-  std::string sha256;                 ///< of site.json, which has that of every file: of the site
-  std::vector<PlannedNode> nodes;     ///< in launch order
-  std::vector<LaunchStep> steps;      ///< of the launch file
-  std::vector<std::string> packages;  ///< that the programs' index of packages has, sorted
-  std::vector<CheckEntry> checks;     ///< in the manifest's order, with ids of nodes
-  std::vector<ChannelFile> channel;   ///< sorted by path; empty unless it was asked for
+  std::vector<PlannedFile> files;  ///< sorted by path; the last steps add site.json, SHA256SUMS
+  std::string sha256;              ///< of site.json, which has that of every file: of the site
+  std::vector<PlannedNode> nodes;  ///< in launch order
+  std::vector<LaunchStep> steps;   ///< of the launch file
+  std::optional<PlannedLaunch> launch;  ///< when launch arguments can change what runs
+  std::vector<std::string> packages;    ///< that the programs' index of packages has, sorted
+  std::vector<CheckEntry> checks;       ///< in the manifest's order, with ids of nodes
+  std::vector<ChannelFile> channel;     ///< sorted by path; empty unless it was asked for
 };
 
 /// A file that the built runtime brings to every site.
@@ -65,6 +76,8 @@ struct PlanInput {
   const Manifest& manifest;
   std::vector<LaunchNode> nodes;
   std::vector<LaunchStep> steps;
+  std::vector<LaunchNode> more_nodes;  ///< that run with other launch arguments only
+  std::optional<PackedLaunch> launch;
   std::map<std::filesystem::path, std::string> programs;  ///< bytes of each node's program file
   std::map<std::filesystem::path, std::string> names;     ///< by program file, where there are any
   std::vector<RuntimeAsset> runtime;

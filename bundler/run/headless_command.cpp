@@ -88,6 +88,9 @@ std::vector<std::string> headless_command(const std::filesystem::path& node_js,
     words.push_back(*run.junit);
   }
   if (run.json) words.emplace_back("--json");
+  if (run.show_arguments) words.emplace_back("--show-args");
+  if (!run.given.empty()) words.emplace_back("--");
+  words.insert(words.end(), run.given.begin(), run.given.end());
   return words;
 }
 

@@ -24,6 +24,8 @@ struct HeadlessRun {
   bool checks = false;               ///< ends when the site's checks are decided
   std::optional<std::string> junit;  ///< file for their result
   bool json = false;
+  std::vector<std::string> given;  ///< launch arguments, `name:=value` each
+  bool show_arguments = false;     ///< instead of running anything
 };
 
 /// Runs a site.

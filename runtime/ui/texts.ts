@@ -11,6 +11,16 @@ export const texts = {
   version: (version: string): string => `version ${version}`,
   by: (names: string): string => `by ${names}`,
 
+  launch: {
+    title: 'Launch arguments',
+    apply: 'Apply and restart',
+    defaults: 'Back to defaults',
+    usual: (value: string): string => (value === '' ? 'default: empty' : `default: ${value}`),
+    none: 'no default',
+    decided:
+      'Some of what runs was decided in Python when the site was packed, for other values of the arguments.',
+  },
+
   time: {
     group: 'Time of the site',
     pause: 'Pause the time of all nodes',

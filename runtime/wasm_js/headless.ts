@@ -1,5 +1,5 @@
-// Runs a site without a browser: node headless.js SITE [--for 5s] [--until REGEX] [--json] [--link shared|port]
-// [--stepped [--seed N]] [--trace FILE] [--checks [--junit FILE]]
+// Runs a site without a browser: node headless.js SITE [NAME:=VALUE ...] [--show-args] [--for 5s] [--until REGEX] [--json]
+// [--link shared|port] [--stepped [--seed N]] [--trace FILE] [--checks [--junit FILE]]
 // stdout is what the nodes print, as `ros2 launch` shows it. Exit code: 0 met, 1 not met, 2 command line, 130 Ctrl-C.
 
 import { isMainThread } from 'node:worker_threads';
@@ -9,6 +9,8 @@ import { type Broker, PortBroker, SharedBroker, steppedBus } from './broker.ts';
 import { checkLine, junitXml } from './check_report.ts';
 import { type CheckRun, runChecks } from './check_run.ts';
 import { serveHeadlessWorker, siteErrorText } from './headless_session.ts';
+import { readGiven, shownArguments } from './launch_arguments.ts';
+import { siteWithArguments } from './launch_evaluation.ts';
 import { nodePlatform } from './node_platform.ts';
 import type { NodeView } from './session.ts';
 import { SiteError } from './site_error.ts';
@@ -16,7 +18,7 @@ import { readSite } from './site_reader.ts';
 import { SiteSession } from './site_session.ts';
 import { TraceFile } from './trace_file.ts';
 
-const usage = 'usage: node headless.js SITE [--for TIME] [--until REGEX] [--json] [--link shared|port] '
+const usage = 'usage: node headless.js SITE [NAME:=VALUE ...] [--show-args] [--for TIME] [--until REGEX] [--json] [--link shared|port] '
   + '[--stepped [--seed N]] [--trace FILE] [--checks [--junit FILE]]';
 const interrupted = 130;
 
@@ -32,6 +34,10 @@ interface Options {
   readonly trace: string | undefined;
   /** Ends when the site's checks are decided. */
   readonly checks: { readonly junit: string | undefined } | undefined;
+  /** Launch arguments. */
+  readonly given: ReadonlyMap<string, string>;
+  /** Print what launch arguments there are, and start nothing. */
+  readonly showArguments: boolean;
 }
 
 /** "5s", "500ms", "2m" in ms. */
@@ -56,10 +62,11 @@ export function parseOptions(argv: readonly string[]): Options {
       trace: { type: 'string' },
       checks: { type: 'boolean', default: false },
       junit: { type: 'string' },
+      'show-args': { type: 'boolean', default: false },
     },
   });
-  const [site] = positionals;
-  if (site === undefined || positionals.length !== 1) throw new TypeError('one SITE is wanted');
+  const [site, ...given] = positionals;
+  if (site === undefined) throw new TypeError('a SITE is wanted');
   if (values.link !== 'shared' && values.link !== 'port') throw new TypeError(`no such link: ${values.link}`);
   if (values.stepped && values.link === 'port') throw new TypeError('--stepped needs the shared link');
   if (values.seed !== undefined && !values.stepped) throw new TypeError('--seed is for --stepped');
@@ -75,6 +82,8 @@ export function parseOptions(argv: readonly string[]): Options {
     stepped: values.stepped ? { seed: Number(values.seed ?? 0) } : undefined,
     trace: values.trace,
     checks: values.checks ? { junit: values.junit } : undefined,
+    given: readGiven(given),
+    showArguments: values['show-args'],
   };
 }
 
@@ -130,10 +139,17 @@ function watchChecks(checks: CheckRun, { json, event, finish }: CheckTeller): vo
 /** Runs to the end and returns the exit code. */
 export async function runHeadless(options: Options, entry: URL): Promise<number> {
   const platform = nodePlatform(options.site, entry);
-  const site = readSite(await platform.json('site.json'));
-  platform.expect(site.files);
-  const broker = brokerFor(options);
   const print = (text: string): void => void process.stdout.write(`${text}\n`);
+  const packed = readSite(await platform.json('site.json'));
+  if (options.showArguments) {
+    print(shownArguments(packed.launch?.arguments ?? []));
+    return 0;
+  }
+  platform.expect(packed.files);
+  const site = await siteWithArguments(packed, options.given, platform);
+  for (const note of site.launch?.notes ?? []) process.stderr.write(`${note}\n`);
+  if (site.launch?.decided === true) process.stderr.write('some of what runs was decided in Python when the site was packed\n');
+  const broker = brokerFor(options);
   const event = (value: Record<string, unknown>): void => print(JSON.stringify(value));
   let finish: (code: number) => void = () => undefined;
   const finished = new Promise<number>((resolve) => {

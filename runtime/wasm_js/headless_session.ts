@@ -40,6 +40,7 @@ export async function openHeadless(folder: string, link: 'shared' | 'port', entr
   };
 }
 
-export function siteErrorText({ code, message, why, fix }: SiteError): string {
-  return [`error[${code}]: ${message}`, ...why.map((line) => `   = why: ${line}`), ...fix.map((line) => `   = fix: ${line}`), ''].join('\n');
+export function siteErrorText({ code, message, place, why, fix }: SiteError): string {
+  const where = place === undefined ? [] : [`  --> ${place}`];
+  return [`error[${code}]: ${message}`, ...where, ...why.map((line) => `   = why: ${line}`), ...fix.map((line) => `   = fix: ${line}`), ''].join('\n');
 }

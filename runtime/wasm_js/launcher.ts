@@ -3,6 +3,7 @@
 import { type Broker, PortBroker, SharedBroker, type SharedBrokerOptions, steppedBus } from './broker.ts';
 import { browserPlatform } from './browser_platform.ts';
 import { isolate, keepOffline } from './isolation.ts';
+import { givenInAddress } from './launch_arguments.ts';
 import { namedNodes } from './named_nodes.ts';
 import { promiseIntegration } from './program.ts';
 import type { LinkKind, Session } from './session.ts';
@@ -90,8 +91,10 @@ export async function startSession(options: LaunchOptions = {}): Promise<Session
     if (isolation === 'reloading') return new Promise(() => undefined);
   }
   const platform = browserPlatform(base, 'node_worker.js');
-  const site = readSite(await platform.json('site.json'));
-  platform.expect(site.files);
+  const packed = readSite(await platform.json('site.json'));
+  platform.expect(packed.files);
+  const given = givenInAddress(location.search);
+  const site = given.size === 0 ? packed : await (await import('./launch_evaluation.ts')).siteWithArguments(packed, given, platform);
   await platform.ready;
   const asked = new URLSearchParams(location.search);
   const nodes = asked.get('nodes');

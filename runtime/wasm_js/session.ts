@@ -99,6 +99,27 @@ export interface SiteFile {
   readonly reason: string;
 }
 
+export interface LaunchArgument {
+  readonly name: string;
+  readonly value: string;
+  readonly default?: string;
+  readonly description: string;
+  /** Empty: any value. */
+  readonly choices: readonly string[];
+}
+
+/** A launch file that can be evaluated again when the site starts. Paths are relative to site.json. */
+export interface LaunchView {
+  readonly data: string;
+  readonly evaluator: string;
+  /** With their present values. */
+  readonly arguments: readonly LaunchArgument[];
+  /** What its evaluation had to say, if there was one. */
+  readonly notes: readonly string[];
+  /** Something is as it was for other values, because only Python could tell. */
+  readonly decided: boolean;
+}
+
 /** site.json, checked. */
 export interface SiteDescription {
   readonly protocol: number;
@@ -111,6 +132,8 @@ export interface SiteDescription {
   readonly authors: readonly { readonly name: string }[];
   readonly nodes: readonly SiteNode[];
   readonly launchSteps: readonly LaunchStep[];
+  /** undefined: no launch argument can change what runs. */
+  readonly launch?: LaunchView;
   /** Path of interfaces.json, relative to site.json; empty when the site has none. */
   readonly interfaces: string;
   /** Those that programs can ask the index of packages for. */

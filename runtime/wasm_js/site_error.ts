@@ -1,15 +1,22 @@
 // What can go wrong with a site before any node runs, in the form that the terminal and the page show.
 
+type Texts = string | readonly string[];
+
+const listed = (texts: Texts | undefined): readonly string[] => (typeof texts === 'string' ? [texts] : texts ?? []);
+
 export class SiteError extends Error {
   readonly code: string;
   readonly why: readonly string[];
   readonly fix: readonly string[];
+  /** `file:line:column` of what is to blame. */
+  readonly place: string | undefined;
 
-  constructor(code: string, message: string, more: { readonly why?: string; readonly fix?: string } = {}) {
+  constructor(code: string, message: string, more: { readonly why?: Texts; readonly fix?: Texts; readonly place?: string } = {}) {
     super(message);
     this.name = 'SiteError';
     this.code = code;
-    this.why = more.why === undefined ? [] : [more.why];
-    this.fix = more.fix === undefined ? [] : [more.fix];
+    this.why = listed(more.why);
+    this.fix = listed(more.fix);
+    this.place = more.place;
   }
 }

@@ -4,7 +4,9 @@ import { protocolVersion } from '../protocol/generated/constants.ts';
 import { readCheck } from './check_reader.ts';
 import { SiteError } from './site_error.ts';
 import { fail, flag, list, number, object, path, readSource, text } from './site_values.ts';
-import type { LaunchMoment, LaunchStep, NodeMoment, PythonProgram, SiteDescription, SiteFile, SiteNode } from './session.ts';
+import type {
+  LaunchArgument, LaunchMoment, LaunchStep, LaunchView, NodeMoment, PythonProgram, SiteDescription, SiteFile, SiteNode,
+} from './session.ts';
 
 function readPython(value: unknown, what: string): PythonProgram {
   const json = object(value, what);
@@ -102,6 +104,50 @@ function readFile(value: unknown, what: string): SiteFile {
   };
 }
 
+/** In launch order, with ids of their own. `value`: has them as `nodes`. */
+export function readNodes(value: unknown): readonly SiteNode[] {
+  const nodes = list(object(value, 'the document'), 'nodes', 'site', readNode);
+  const ids = new Set(nodes.map((node) => node.id));
+  if (ids.size !== nodes.length) fail('two nodes have the same id');
+  for (const { startOn } of nodes) {
+    if (startOn !== undefined && !ids.has(startOn.node)) fail(`the launch speaks of ${startOn.node}, which is no node of the site`);
+  }
+  return nodes;
+}
+
+/** `value`: has them as `steps`. `nodes`: the ids that they may speak of. */
+export function readSteps(value: unknown, nodes: ReadonlySet<string>): readonly LaunchStep[] {
+  const steps = list(object(value, 'site.launch'), 'steps', 'site.launch', readStep);
+  for (const of of steps.flatMap((step) => [step.on?.node, step.do === 'transition' ? step.node : undefined])) {
+    if (of !== undefined && !nodes.has(of)) fail(`the launch speaks of ${of}, which is no node of the site`);
+  }
+  return steps;
+}
+
+export function readArguments(value: unknown, what: string): readonly LaunchArgument[] {
+  return list(object(value, what), 'arguments', what, (item, where) => {
+    const json = object(item, where);
+    return {
+      name: text(json, 'name', where),
+      value: text(json, 'value', where),
+      ...(json['default'] === undefined ? {} : { default: text(json, 'default', where) }),
+      description: text(json, 'description', where, ''),
+      choices: list(json, 'choices', where, (choice) => (typeof choice === 'string' ? choice : fail(`${where}.choices`))),
+    };
+  });
+}
+
+function readLaunch(value: unknown): LaunchView {
+  const json = object(value, 'site.launch');
+  return {
+    data: path(text(json, 'data', 'site.launch'), 'site.launch.data'),
+    evaluator: path(text(json, 'evaluator', 'site.launch'), 'site.launch.evaluator'),
+    arguments: readArguments(json, 'site.launch'),
+    notes: [],
+    decided: false,
+  };
+}
+
 /** Throws SiteError: R2W0700 for a broken file, R2W0709 for another protocol. */
 export function readSite(value: unknown): SiteDescription {
   const json = object(value, 'the document');
@@ -113,13 +159,9 @@ export function readSite(value: unknown): SiteDescription {
       fix: 'pack the workspace again and put the whole folder in place',
     });
   }
-  const nodes = list(json, 'nodes', 'site', readNode);
+  const nodes = readNodes(json);
   const ids = new Set(nodes.map((node) => node.id));
-  if (ids.size !== nodes.length) fail('two nodes have the same id');
-  const launchSteps = list(object(json['launch'] ?? {}, 'site.launch'), 'steps', 'site.launch', readStep);
-  for (const of of [...nodes.map(({ startOn }) => startOn?.node), ...launchSteps.flatMap((step) => [step.on?.node, step.do === 'transition' ? step.node : undefined])]) {
-    if (of !== undefined && !ids.has(of)) fail(`the launch speaks of ${of}, which is no node of the site`);
-  }
+  const launchSteps = readSteps(json['launch'] ?? {}, ids);
   const interfaces = text(json, 'interfaces', 'site', '');
   return {
     protocol,
@@ -132,6 +174,7 @@ export function readSite(value: unknown): SiteDescription {
     authors: list(json, 'authors', 'site', (item, what) => ({ name: text(object(item, what), 'name', what, '') })),
     nodes,
     launchSteps,
+    ...(json['launch_file'] === undefined ? {} : { launch: readLaunch(json['launch_file']) }),
     interfaces: interfaces === '' ? '' : path(interfaces, 'site.interfaces'),
     packages: list(json, 'packages', 'site', (item) => (typeof item === 'string' ? item : fail('site.packages'))),
     checks: list(json, 'checks', 'site', (item, what) => readCheck(item, what, ids)),

@@ -21,6 +21,8 @@ from tests.launch.launch_cases import CASES
 from tests.launch.launch_trees import Action, Sub, Text, action, file_texts, part
 
 CLI = Path(os.environ.get('ROS2WASM_CLI', 'build/ros2wasm')).resolve()
+EVALUATOR = Path(os.environ.get('ROS2WASM_BUILD', 'build')).resolve() / 'runtime' / 'launch_evaluator.wasm'
+IN_SITE = Path(__file__).with_name('evaluate_in_site.ts')
 GOLDEN = Path(__file__).with_name('launch_cases.golden')
 ENDINGS = ('xml', 'yaml', 'py')
 
@@ -61,6 +63,23 @@ class Languages:
         if result.returncode != 0:
             raise AssertionError(f'{ending}: {result.stderr}')
         return result.stdout
+
+    def in_site(self, ending: str, *given: str) -> Any:
+        """What a site makes of it: packed without launch arguments, started with these."""
+        data, share = self.folder / f'launch_{ending}.json', self.folder / 'share'
+        if not data.exists():
+            data.write_text(self.run(ending, '--site-data'), encoding='utf-8')
+        if not share.exists():
+            share.mkdir()
+            (share / 'demo').symlink_to('../demo')
+        result = subprocess.run(['node', str(IN_SITE), str(EVALUATOR), str(data), str(self.folder), *given],
+                                capture_output=True, text=True, check=False)
+        if result.returncode != 0:
+            raise AssertionError(f'{ending}: {result.stderr}')
+        return json.loads(result.stdout)
+
+    def whole(self, ending: str, *given: str) -> Any:
+        return json.loads(self.run(ending, *given, '--json').splitlines()[0])
 
     def tree(self, ending: str) -> str:
         """Without places."""
@@ -179,6 +198,11 @@ class LaunchLanguages(unittest.TestCase):
         for ending in ENDINGS:
             with self.subTest(ending):
                 self.assertEqual(languages.tree(ending), expected)
+                whole, given = languages.whole(ending), ('c:=True', 'x:=given')
+                self.assertEqual([], differences(whole, languages.in_site(ending)))
+                other = languages.whole(ending, *given)
+                self.assertNotEqual(other, whole)
+                self.assertEqual([], differences(other, languages.in_site(ending, *given)))
 
     def test_random_trees(self) -> None:
         seed = int(os.environ.get('ROS2WASM_SEED', '1'))
@@ -189,6 +213,8 @@ class LaunchLanguages(unittest.TestCase):
         self.assertGreater(len(xml['processes']), count // 4)
         for other in (yaml, python):
             self.assertEqual([], differences(xml, other), f'seed {seed}')
+        for ending in ENDINGS:
+            self.assertEqual([], differences(languages.whole(ending), languages.in_site(ending)), f'seed {seed}')
 
 
 if __name__ == '__main__':

@@ -4,6 +4,7 @@ import type { NodeView } from '../../wasm_js/session.ts';
 import { placeText } from '../model/problem.ts';
 import { formatDuration } from '../model/quantities.ts';
 import { IconButton } from '../parts/button.tsx';
+import { LaunchForm } from '../parts/launch_form.tsx';
 import { isAlive, StateBadge } from '../parts/node_state.tsx';
 import { Name } from '../parts/name.tsx';
 import { PanelFrame } from '../parts/panel.tsx';
@@ -16,6 +17,7 @@ export function NodesPanel({ session, focus, announce }: PanelProps) {
   const nodes = useNodes(session);
   const running = nodes.filter((node) => node.state.kind === 'running').length;
   const now = useNow(running > 0);
+  const { launch } = session.site;
   return (
     <PanelFrame
       id="nodes"
@@ -23,6 +25,9 @@ export function NodesPanel({ session, focus, announce }: PanelProps) {
       icon="nodes"
       note={texts.runningOf(running, nodes.length)}
     >
+      {launch === undefined || launch.arguments.length === 0 ? null : (
+        <LaunchForm launch={launch} />
+      )}
       {nodes.length === 0 ? <p class="hint">{texts.nodes.none}</p> : null}
       <ul class="nodes" role="list">
         {nodes.map((node) => (

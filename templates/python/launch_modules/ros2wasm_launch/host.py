@@ -7,6 +7,7 @@ from collections.abc import Callable
 from typing import Any
 
 import ros2wasm_host
+from ros2wasm_launch.configurations import Configurations
 
 #: Files of this path are not the user's.
 OURS = __file__.rsplit('/', 2)[0] + '/'
@@ -25,6 +26,9 @@ def ask(kind: str, **more: Any) -> dict[str, Any]:
 
 def evaluate(text: str, configurations: dict[str, str]) -> str:
     """What a text with substitutions comes to, where the evaluator now is."""
+    if isinstance(configurations, Configurations):
+        configurations.read_by(text)
+        configurations = configurations.plain()
     return str(ask('evaluate', text=text, configurations=configurations)['text'])
 
 

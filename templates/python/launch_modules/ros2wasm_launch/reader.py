@@ -19,6 +19,7 @@ import launch
 from launch.launch_description_sources import InvalidLaunchFileError
 from launch.substitutions import SubstitutionFailure
 from ros2wasm_launch import host
+from ros2wasm_launch.configurations import Configurations
 from ros2wasm_launch.entities import entities_of, entity
 
 _ENTRY = 'generate_launch_description'
@@ -92,14 +93,27 @@ def load(path: str) -> dict[str, Any]:
     return {'entity': entity('launch', {'file': path, 'line': 1}, {}, entities_of(description))}
 
 
+def reads_of(context: launch.LaunchContext) -> dict[str, Any]:
+    held = context.launch_configurations
+    return {'reads': sorted(held.reads)} if isinstance(held, Configurations) and held.reads is not None else {}
+
+
+def context_after(context: launch.LaunchContext) -> dict[str, Any]:
+    """What a function left, and which of what it found it looked at."""
+    reads, held = reads_of(context), context.launch_configurations
+    plain = held.plain() if isinstance(held, Configurations) else {str(k): str(v) for k, v in held.items()}
+    return {'configurations': plain, **reads}
+
+
 def call(request: dict[str, Any], context: launch.LaunchContext) -> dict[str, Any]:
     result = host.OBJECTS[request['number']](context)
     return {'entity': entity('launch', {'file': '', 'line': 0}, {}, entities_of(result)),
-            'configurations': {str(key): str(value) for key, value in context.launch_configurations.items()}}
+            **context_after(context)}
 
 
 def perform(request: dict[str, Any], context: launch.LaunchContext) -> dict[str, Any]:
-    return {'text': str(host.OBJECTS[request['number']].perform(context))}
+    text = str(host.OBJECTS[request['number']].perform(context))
+    return {'text': text, **reads_of(context)}
 
 
 def failure(error: BaseException, path: str) -> dict[str, Any]:
@@ -126,7 +140,7 @@ def answer(text: str) -> str:
     """JSON to JSON."""
     request = json.loads(text)
     context = launch.LaunchContext()
-    context.launch_configurations = dict(request.get('configurations', {}))
+    context.launch_configurations = Configurations(request.get('configurations', {}))
     before = dict(request['environment'])
     os.environ.clear()
     os.environ.update(before)

@@ -1,0 +1,210 @@
+// See launch_step.hpp.
+#include "bundler/launch_from_file.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <utility>
+
+#include "bundler/launch/argument_choices.hpp"
+#include "bundler/launch/launch_evaluation.hpp"
+#include "bundler/launch/launch_file_nodes.hpp"
+#include "bundler/launch/launch_world.hpp"
+#include "bundler/launch/left_out.hpp"
+#include "bundler/launch_tools.hpp"
+#include "workspace_schema/diagnostic_list.hpp"
+#include "workspace_schema/suggestion.hpp"
+
+namespace ros2wasm {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::size_t kMostTrials = 31;  // besides the one with the packed values
+/// Of the texts of the workspace that a site gets, each and together, in bytes.
+constexpr std::size_t kLargestText = 256U << 10U;
+constexpr std::size_t kMostText = 4U << 20U;
+/// What launch files and descriptions are made of, by the ends of names.
+constexpr std::string_view kEndings[] = {".json", ".launch", ".sdf", ".srdf", ".txt",
+                                         ".urdf", ".xacro",  ".xml", ".yaml", ".yml"};
+
+using Texts = std::map<std::string, std::string>;
+using Program = std::pair<std::string, std::string>;
+
+Program program_of(const LaunchNode& node) {
+  return {node.package, node.executable};
+}
+
+std::string written(const Texts& given) {
+  std::vector<std::string> words;
+  for (const auto& [name, value] : given) words.push_back(name + ":=" + value);
+  return name_list(words, words.size());
+}
+
+bool is_in_workspace(const std::string& path) {
+  return path.starts_with(std::string(kLaunchWorkspace) + "/");
+}
+
+/// What an evaluation reads.
+class Reading {
+ public:
+  LaunchWorld seen_through(LaunchWorld world) {
+    world.read = [this, read = world.read](const std::string& path) {
+      auto text = read(path);
+      const std::string normal = fs::path(path).lexically_normal().generic_string();
+      if (text && is_in_workspace(normal)) texts_[normal] = *text;
+      return text;
+    };
+    return world;
+  }
+
+  /// What was read in the workspace, and what lies beside it: an argument may name it at the start.
+  /// `left_out`: what is too much.
+  [[nodiscard]] Texts texts(const LaunchWorld& world, std::vector<std::string>& left_out) const {
+    Texts result = texts_;
+    std::set<std::string> folders;
+    std::size_t size = 0;
+    for (const auto& [path, text] : texts_) {
+      folders.insert(path.substr(0, path.rfind('/')));
+      size += text.size();
+    }
+    for (const std::string& folder : folders) {
+      for (const std::string& name : world.names_in(folder)) {
+        const std::string path = folder + "/" + name;
+        const bool is_meant =
+            std::any_of(std::begin(kEndings), std::end(kEndings),
+                        [&](std::string_view one) { return name.ends_with(one); });
+        if (!is_meant || result.contains(path)) continue;
+        auto text = world.read(path);
+        if (!text) continue;
+        if (text->size() > kLargestText || size + text->size() > kMostText) {
+          left_out.push_back(world.shown_path(path));
+          continue;
+        }
+        size += text->size();
+        result.emplace(path, std::move(*text));
+      }
+    }
+    return result;
+  }
+
+ private:
+  Texts texts_;
+};
+
+Diagnostic not_with(const Texts& given, const SourceSpan& span, const Diagnostics& errors) {
+  Diagnostic warning{.code = "R2W0440",
+                     .severity = Severity::kWarning,
+                     .message = "the launch file fails with " + written(given),
+                     .span = errors.front().span ? errors.front().span : span,
+                     .why = {errors.front().message}};
+  const std::vector<std::string>& more = errors.front().why;
+  warning.why.insert(warning.why.end(), more.begin(), more.end());
+  return warning;
+}
+
+}  // namespace
+
+Outcome<LaunchedFile> launch_from_file(const PackRequest& request, BuiltWorkspace& workspace,
+                                       const Spanned<std::string>& file,
+                                       const Cancellation& cancellation) {
+  workspace.watched.push_back(workspace.folder / file.value);
+  const auto folders = installed_launch_folders(workspace.folder, workspace.installed,
+                                                workspace.environment, workspace.manifest.distro);
+  const LaunchWorld world = launch_world(folders, workspace.manifest.distro, true);
+  const LaunchPython python = launch_python(
+      folders,
+      [&] {
+        return find_launch_tools(request.executable, request.variables, workspace.environment,
+                                 cancellation);
+      },
+      cancellation);
+  Reading reading;
+  PythonRecord record;
+  const std::string path = std::string(kLaunchWorkspace) + "/" + file.value;
+  const auto evaluate = [&](const Texts& given) {
+    LaunchWorld seen = reading.seen_through(world);
+    seen.python = record.recording(python);
+    return launch_file_nodes(path, given, seen, workspace.installed, file.span, workspace.left_out);
+  };
+  const auto watch = [&](const std::vector<std::string>& files) {
+    for (const std::string& one : files)
+      if (auto real = real_path(folders, one)) workspace.watched.push_back(std::move(*real));
+  };
+
+  auto launched = evaluate({});
+  if (!launched) return std::move(launched).errors();
+  Diagnostics refused = refused_when_strict(launched->warnings);
+  if (request.strict && !refused.empty()) return refused;
+  append(workspace.warnings, launched->warnings);
+  watch(launched->files);
+  for (std::string& remark : launched->remarks) workspace.remarks.push_back(std::move(remark));
+  LaunchedFile step;
+  std::set<Program> programs;
+  for (const LaunchNode& node : launched->nodes) programs.insert(program_of(node));
+  if (!launched->arguments.empty()) {
+    const ArgumentTrials tried = argument_trials(launched->arguments, kMostTrials);
+    for (const Texts& given : tried.trials) {
+      if (cancellation.requested()) return interrupted();
+      auto other = evaluate(given);
+      if (!other) {
+        workspace.warnings.push_back(not_with(given, file.span, other.errors()));
+        continue;
+      }
+      watch(other->files);
+      for (LaunchNode& node : other->nodes)
+        if (programs.insert(program_of(node)).second) step.more_nodes.push_back(std::move(node));
+    }
+    if (!tried.is_complete)
+      workspace.remarks.push_back(
+          "tried " + std::to_string(tried.trials.size() + 1) +
+          " values of launch arguments together; a program that only others start is not in the "
+          "site");
+    std::vector<std::string> left_out;
+    Texts texts = reading.texts(world, left_out);
+    if (!left_out.empty())
+      workspace.remarks.push_back("launch arguments cannot choose " + name_list(left_out) +
+                                  ": too large");
+    step.launch = PackedLaunch{.file = path,
+                               .from = file.span,
+                               .given = {},
+                               .distro = workspace.manifest.distro,
+                               .installed = workspace.installed,
+                               .left_out = workspace.left_out,
+                               .texts = std::move(texts),
+                               .python = record.exchanges(),
+                               .arguments = std::move(launched->arguments)};
+  }
+  if (launched->nodes.empty() && step.more_nodes.empty()) {
+    return Diagnostic{.code = "R2W0406",
+                      .message = "the launch file starts nothing that a site can run",
+                      .span = file.span,
+                      .why = {"`ros2wasm launch " + file.value + "` shows what it comes to"}};
+  }
+  step.nodes = std::move(launched->nodes);
+  step.steps = std::move(launched->steps);
+  return step;
+}
+
+Outcome<PackedLaunch> packed_launch(const std::string& path, const Texts& given,
+                                    const LaunchWorld& world,
+                                    const std::vector<InstalledPackage>& installed,
+                                    const std::string& distro) {
+  Reading reading;
+  PythonRecord record;
+  LaunchWorld seen = reading.seen_through(world);
+  seen.python = record.recording(world.python);
+  auto description = evaluate_launch(path, given, seen);
+  if (!description) return std::move(description).errors();
+  std::vector<std::string> left_out;
+  return PackedLaunch{.file = path,
+                      .from = {},
+                      .given = {},
+                      .distro = distro,
+                      .installed = installed,
+                      .left_out = {},
+                      .texts = reading.texts(world, left_out),
+                      .python = record.exchanges(),
+                      .arguments = std::move(description->arguments)};
+}
+
+}  // namespace ros2wasm

@@ -1,0 +1,37 @@
+// Step 7 of a pack with a launch file: what it starts, and what it starts with other launch
+// arguments. An edge: reads files, runs Python.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bundler/launch/packed_launch.hpp"
+#include "bundler/pipeline.hpp"
+
+namespace ros2wasm {
+
+struct LaunchedFile {
+  std::vector<LaunchNode> nodes;
+  std::vector<LaunchStep> steps;
+  std::vector<LaunchNode> more_nodes;  ///< one for each program that only other arguments start
+  std::optional<PackedLaunch> launch;  ///< when the launch file declares arguments
+};
+
+/// The nodes of the manifest's launch file. What else its arguments can start is found by trying
+/// their choices, and true and false, 32 times at most; faults there are warnings (R2W0440).
+[[nodiscard]] Outcome<LaunchedFile> launch_from_file(const PackRequest& request,
+                                                     BuiltWorkspace& workspace,
+                                                     const Spanned<std::string>& file,
+                                                     const Cancellation& cancellation);
+
+/// The same for one evaluation of any launch file, without programs: what a site would have of it.
+/// Errors of the launch file.
+[[nodiscard]] Outcome<PackedLaunch> packed_launch(const std::string& path,
+                                                  const std::map<std::string, std::string>& given,
+                                                  const LaunchWorld& world,
+                                                  const std::vector<InstalledPackage>& installed,
+                                                  const std::string& distro);
+
+}  // namespace ros2wasm

@@ -1,0 +1,20 @@
+// What a site makes of launch.json: node evaluate_in_site.ts EVALUATOR LAUNCH_JSON SHARED [NAME:=VALUE ...]
+// SHARED: the folder that has the site's share/ in it. Prints what `ros2wasm launch --json` prints.
+
+import { readdirSync, readFileSync, statSync } from 'node:fs';
+import { readFile } from 'node:fs/promises';
+import { join } from 'node:path';
+
+import { readGiven } from '../../runtime/wasm_js/launch_arguments.ts';
+import { evaluateLaunch, openEvaluator } from '../../runtime/wasm_js/launch_evaluation.ts';
+
+const [evaluator = '', data = '', folder = '', ...given] = process.argv.slice(2);
+
+const shared = readdirSync(join(folder, 'share'), { recursive: true, encoding: 'utf8' })
+  .map((path) => `share/${path}`)
+  .filter((path) => statSync(join(folder, path)).isFile());
+
+const evaluate = await openEvaluator(await WebAssembly.compile(readFileSync(evaluator)));
+const question = { given: Object.fromEntries(readGiven(given)), describe: true };
+const answer = await evaluateLaunch(evaluate, readFileSync(data, 'utf8'), question, shared, (path) => readFile(join(folder, path), 'utf8'));
+process.stdout.write(`${JSON.stringify(answer['description'])}\n`);

@@ -42,13 +42,14 @@ EnvironmentVariables child_environment(const PackageBuild& request, const BuildT
   result[kKeptHeadersVariable] = tools.kept_headers.string();
   // A native ROS installation that was sourced must not leak its packages in, nor what other
   // builds want of their compilers: the site has to be the same for everybody.
-  for (const char* name : {"AMENT_PREFIX_PATH", "CMAKE_PREFIX_PATH", "COLCON_PREFIX_PATH", "CFLAGS",
-                           "CXXFLAGS", "CPPFLAGS", "LDFLAGS", "CPATH", "C_INCLUDE_PATH",
-                           "CPLUS_INCLUDE_PATH", "LIBRARY_PATH", "EMCC_CFLAGS", "CMAKE_GENERATOR",
-                           "CMAKE_BUILD_TYPE", "CMAKE_CONFIGURATION_TYPES", "DESTDIR"}) {
+  for (const char* name :
+       {"AMENT_PREFIX_PATH", "CMAKE_PREFIX_PATH", "COLCON_PREFIX_PATH", "CFLAGS", "CXXFLAGS",
+        "CPPFLAGS", "LDFLAGS", "CPATH", "C_INCLUDE_PATH", "CPLUS_INCLUDE_PATH", "LIBRARY_PATH",
+        "EMCC_CFLAGS", "CMAKE_GENERATOR", "CMAKE_CONFIGURATION_TYPES", "DESTDIR"}) {
     result[name] = "";
   }
   result["EMCC_DEBUG"] = "0";
+  result["CMAKE_BUILD_TYPE"] = "Release";  // as the toolchain file has it
   result["LC_ALL"] = "C.UTF-8";
   return result;
 }

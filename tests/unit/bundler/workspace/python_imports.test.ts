@@ -27,7 +27,9 @@ def found(name):
 public = [name for name in sys.stdlib_module_names if not name.startswith('_') or name == '__future__']
 json.dumps([sorted(filter(found, public)), sorted(name for name in public if not found(name))])
 `) as string) as [string[], string[]];
-  assert.deepEqual(table('kModules').filter((name) => name !== '__main__'), names[0]);
+  // Not of Pyodide, but of every site: runtime/rclpy/ros2wasm/terminal.py.
+  const ours = ['__main__', 'termios'];
+  assert.deepEqual(table('kModules').filter((name) => !ours.includes(name)), names[0]);
   const lacking = table('kLacking');
   assert.deepEqual(lacking.filter((name) => !names[1].includes(name)), []);
 });

@@ -68,6 +68,8 @@ class Reading {
       size += text.size();
     }
     for (const std::string& folder : folders) {
+      // What else lies in the root of a workspace is the author's own affair: reports, notes, keys.
+      if (folder == kLaunchWorkspace) continue;
       for (const std::string& name : world.names_in(folder)) {
         const std::string path = folder + "/" + name;
         const bool is_meant =
@@ -143,11 +145,13 @@ Outcome<LaunchedFile> launch_from_file(const PackRequest& request, BuiltWorkspac
   for (const LaunchNode& node : launched->nodes) programs.insert(program_of(node));
   if (!launched->arguments.empty()) {
     const ArgumentTrials tried = argument_trials(launched->arguments, kMostTrials);
+    std::set<std::string> told;  // one wrong value makes every combination with it fail
     for (const Texts& given : tried.trials) {
       if (cancellation.requested()) return interrupted();
       auto other = evaluate(given);
       if (!other) {
-        workspace.warnings.push_back(not_with(given, file.span, other.errors()));
+        if (told.insert(other.errors().front().message).second)
+          workspace.warnings.push_back(not_with(given, file.span, other.errors()));
         continue;
       }
       watch(other->files);
@@ -164,8 +168,11 @@ Outcome<LaunchedFile> launch_from_file(const PackRequest& request, BuiltWorkspac
     if (!left_out.empty())
       workspace.remarks.push_back("launch arguments cannot choose " + name_list(left_out) +
                                   ": too large");
+    // The same site whatever folder the pack was started in.
+    SourceSpan from = file.span;
+    from.file = fs::path(from.file).filename().string();
     step.launch = PackedLaunch{.file = path,
-                               .from = file.span,
+                               .from = std::move(from),
                                .given = {},
                                .distro = workspace.manifest.distro,
                                .installed = workspace.installed,

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "bundler/io/files.hpp"
+#include "bundler/plan/site_plan.hpp"
 #include "bundler/resolve/lock_graph.hpp"
 #include "bundler/resolve/locked_solve.hpp"
 #include "bundler/verify/site_list.hpp"
@@ -101,6 +102,8 @@ int why(Context& context, const std::string& word) {
   if (!list) return context.console.fail(list.errors());
   if (relative == kSiteJsonName)
     return answer(context, relative, text->size(), "what runs in the site");
+  if (relative == kHashList)
+    return answer(context, relative, hash_list(*list).size(), kHashListReason);
   std::vector<std::string> known;
   for (const ListedFile& file : list->files) {
     known.push_back(file.path);

@@ -69,6 +69,13 @@ Outcome<SitePlan> plan_site(PlanInput input) {
   std::set<std::string> paths;
   for (const LaunchNode& node : input.nodes) paths.insert(program_path(node));
   const std::size_t count = input.nodes.size();
+  // Of the nodes that run with the packed arguments.
+  auto checks = site_checks(input.manifest.checks, input.nodes);
+  if (checks) {
+    plan.checks = std::move(checks).value();
+  } else {
+    append(errors, checks.errors());
+  }
   std::move(input.more_nodes.begin(), input.more_nodes.end(), std::back_inserter(input.nodes));
   const bool has_python = std::any_of(input.nodes.begin(), input.nodes.end(), is_python);
   const Manifest& manifest = input.manifest;
@@ -87,12 +94,6 @@ Outcome<SitePlan> plan_site(PlanInput input) {
                               {paths.begin(), paths.end()});
     }
     add(plan, asset.file, reason_of_asset(asset.role), std::move(asset.bytes));
-  }
-  auto checks = site_checks(manifest.checks, input.nodes);
-  if (checks) {
-    plan.checks = std::move(checks).value();
-  } else {
-    append(errors, checks.errors());
   }
   std::map<std::string, bool> threads_of;
   plan.steps = std::move(input.steps);
@@ -168,7 +169,7 @@ Outcome<SitePlan> plan_site(PlanInput input) {
   add(plan, "site.json", "what runs in the site", site_json(input.manifest, plan));
   plan.sha256 = plan.files.back().sha256;
   std::sort(plan.files.begin(), plan.files.end(), by_path);
-  add(plan, kHashList, "hashes of all files, for `sha256sum -c`", hash_list(plan.files));
+  add(plan, kHashList, kHashListReason, hash_list(plan.files));
   std::sort(plan.files.begin(), plan.files.end(), by_path);
   return plan;
 }

@@ -93,6 +93,7 @@ struct PlanInput {
 
 /// The file of a site that lists its files, site.json too, for `sha256sum --check`.
 inline constexpr const char* kHashList = "SHA256SUMS";
+inline constexpr const char* kHashListReason = "hashes of all files, for `sha256sum --check`";
 
 /// Its text. `files` in their order there.
 [[nodiscard]] std::string hash_list(const std::vector<PlannedFile>& files);

@@ -169,6 +169,11 @@ Outcome<std::vector<SiteDifference>> site_differences(const ComparedSite& first,
   for (const auto& [path, file] : theirs)
     by_path[path] = {SiteChange::kOnlySecond, path, file->reason, {}};
   for (auto& [path, difference] : by_path) result.push_back(std::move(difference));
+  // The same files for other reasons, or in another order.
+  if (result.empty())
+    result.push_back({.path = kSiteJsonName,
+                      .reason = "what runs in the site",
+                      .where = "what it says of its files"});
   return result;
 }
 

@@ -13,6 +13,8 @@
 namespace ros2wasm {
 namespace {
 
+constexpr std::uint64_t kLargestFile = std::uint64_t{1} << 40U;
+
 bool is_sha256(std::string_view text) {
   return text.size() == 64 && text.find_first_not_of("0123456789abcdef") == std::string_view::npos;
 }
@@ -43,8 +45,8 @@ Outcome<SiteList> read_site_list(std::string_view site_json, const std::string& 
                     .size = bytes.value_or(0),
                     .sha256 = one.text_of("sha256"),
                     .reason = one.text_of("reason")};
-    if (!bytes || !is_sha256(file.sha256))
-      return no_site(shown, "`" + file.path + "` has no size or no sha256");
+    if (!bytes || *bytes > kLargestFile || !is_sha256(file.sha256))
+      return no_site(shown, "`" + file.path + "` has no size that can be, or no sha256");
     if (auto refusal = refuse_site_path(file.path)) return *refusal;
     if (!seen.insert(file.path).second) return no_site(shown, "`" + file.path + "` stands twice");
     list.files.push_back(std::move(file));

@@ -30,6 +30,7 @@ export interface HeadlessSite {
 export async function openHeadless(folder: string, link: 'shared' | 'port', entry: URL): Promise<HeadlessSite> {
   const platform = nodePlatform(folder, entry);
   const site = readSite(await platform.json('site.json'));
+  platform.expect(site.files);
   const session = new SiteSession({ site, platform, broker: link === 'port' ? new PortBroker() : new SharedBroker() });
   return {
     session,

@@ -88,7 +88,7 @@ export class LaunchSteps {
   /** All nodes are about to be stopped. */
   shutdown(): void {
     if (this.ended) return;
-    for (const step of this.host.steps) if (step.on?.event === 'shutdown') this.run(step);
+    for (const step of this.host.steps) if (step.on?.event === 'shutdown' && step.do !== 'shutdown') this.run(step);
     this.ended = true;
     this.cancel();
   }

@@ -133,6 +133,8 @@ class Goal implements PageGoal {
   private readonly options: GoalOptions;
   private readonly answer = settled<boolean>();
   private readonly outcome = settled<GoalResult>();
+  /** Ends the waiting for a server. */
+  private readonly unsent = new AbortController();
   private readonly abandon = (): void => this.close();
   private last: GoalStatus = 'unknown';
   private givenUp = false;
@@ -171,7 +173,9 @@ class Goal implements PageGoal {
       const whole = new Uint8Array(request.length + Math.max(0, goal.length - header.length));
       whole.set(request);
       whole.set(goal.subarray(header.length), request.length);
-      const reply = await client.sending.call(whole, timeoutMs === undefined ? {} : { timeoutMs });
+      const reply = await client.sending.call(whole, {
+        signal: this.unsent.signal, ...(timeoutMs === undefined ? {} : { timeoutMs }),
+      });
       const accepted = reply[header.length] === 1;
       this.answer.resolve(accepted);
       if (!accepted) {
@@ -224,9 +228,13 @@ class Goal implements PageGoal {
   close(): void {
     if (this.givenUp || this.finished) return;
     this.givenUp = true;
+    this.answer.reject(closedError(this.client.name));
     this.outcome.reject(closedError(this.client.name));
-    // Until the server has answered it knows of no goal to cancel: run() does it then.
-    if (this.last === 'unknown') return;
+    // Until the server has answered it knows of no goal to cancel: run() does it then. One that waits for a server is not sent.
+    if (this.last === 'unknown') {
+      if (!this.client.sending.ready()) this.unsent.abort();
+      return;
+    }
     void this.cancel().catch(() => undefined).finally(() => this.drop(closedError(this.client.name)));
   }
 

@@ -40,6 +40,8 @@ function keyOf(site: SiteDescription, program: string, archives: readonly string
   return hash.hex();
 }
 
+const longestMakingMs = 60_000;
+
 interface Made {
   readonly bytes: Blob;
   /** Of an earlier visit. */
@@ -125,7 +127,10 @@ export class PythonImages {
         },
         failed: () => over(undefined),
       });
+      // A worker that ends without a word must not keep the nodes waiting: they boot then.
+      const watchdog = setTimeout(() => over(undefined), longestMakingMs);
       const over = (image: Blob | undefined): void => {
+        clearTimeout(watchdog);
         this.end = undefined;
         void worker.terminate();
         resolve(image);

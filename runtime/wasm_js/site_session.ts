@@ -290,7 +290,14 @@ export class SiteSession implements Session {
   }
 
   interfaces(): Promise<ReadonlyMap<string, string>> {
-    this.definitions ??= this.loadInterfaces();
+    if (this.definitions === undefined) {
+      const loading = this.loadInterfaces();
+      this.definitions = loading;
+      // Who asks next tries again.
+      loading.catch(() => {
+        this.definitions = undefined;
+      });
+    }
     return this.definitions;
   }
 

@@ -63,8 +63,9 @@ test('in Chromium', async () => {
   const browser = await chromium.launch(chromiumOptions());
   try {
     const page = await browser.newPage();
+    page.setDefaultTimeout(120_000);
     await page.goto(server.url);
-    await page.waitForFunction(() => /beta\.robot\]: the battery is empty[^]*beta\.robot\]: starting at 1\.0 m\/s/.test(document.body.innerText));
+    await page.waitForFunction(() => /beta\.robot\]: the battery is empty[^]*beta\.robot\]: starting at 1\.0 m\/s/.test(document.body?.innerText ?? ''));
   } finally {
     await browser.close();
     await server.close();

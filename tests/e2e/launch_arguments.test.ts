@@ -183,6 +183,7 @@ test('what only Python decides for another value stays as it was packed, and tha
   assert.match(run.stderr, /decided in Python when the site was packed/);
   assert.doesNotMatch(run.stdout, /size_large/);
   const exact = await workspace.run(['run', 'in_python', 'speed:=7.0', '--until', 'empty', '--for', WATCHDOG]);
+  assert.equal(exact.code, 0, exact.stderr);
   assert.doesNotMatch(exact.stderr, /decided in Python/);
 });
 
@@ -191,7 +192,8 @@ test('the form of the page starts the site anew with its values in the link', as
   const browser = await chromium.launch(chromiumOptions());
   try {
     const page = await browser.newPage();
-    const hears = (text: string) => page.waitForFunction((wanted) => document.body.innerText.includes(wanted), text);
+    page.setDefaultTimeout(120_000);
+    const hears = (text: string) => page.waitForFunction((wanted) => document.body?.innerText.includes(wanted) === true, text);
     await page.goto(server.url);
     await hears('gamma.robot]: starting at 1.0 m/s');
     await page.getByText('Launch arguments').click();

@@ -100,6 +100,7 @@ test('in Chromium the page shows what the launch says', async () => {
   const browser = await chromium.launch(chromiumOptions());
   try {
     const page = await browser.newPage();
+    page.setDefaultTimeout(120_000);
     await page.goto(server.url);
     const tile = page.getByRole('article', { name: 'Console of the launch file' });
     await tile.getByText('[launch.user]: good bye').waitFor();

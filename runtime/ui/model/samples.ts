@@ -1,5 +1,8 @@
 // Numbers over time, the newest so many of them; what a plot draws and writes to files. Times are seconds. Pure.
 
+/** Seconds. Messages of several publishers come a little out of order; a clock that begins anew goes back further. */
+export const kApart = 1;
+
 export class Samples {
   private times: Float64Array;
   private values: Float64Array;
@@ -17,9 +20,11 @@ export class Samples {
     return this.count;
   }
 
-  /** Time that goes back (a restart of the site's clock) begins anew. */
-  add(time: number, value: number): void {
-    if (this.count > 0 && time < this.time(this.count - 1)) this.clear();
+  /** When time goes back by more than that (a restart of the site's clock) all begins anew. */
+  add(published: number, value: number): void {
+    const last = this.count > 0 ? this.time(this.count - 1) : published;
+    if (last - published > kApart) this.clear();
+    const time = last - published > kApart ? published : Math.max(published, last);
     if (this.count === this.times.length && this.count < this.capacity) this.grow();
     const size = this.times.length;
     if (this.count === size) {

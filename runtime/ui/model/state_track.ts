@@ -1,5 +1,7 @@
 // The changes of one value that is a text: what it was from when to when. Times are seconds. Pure.
 
+import { kApart } from './samples.ts';
+
 export interface StateSpan {
   readonly from: number;
   readonly to: number;
@@ -18,8 +20,10 @@ export class StateTrack {
   private readonly colors = new Map<string, number>();
   private newest = Number.NEGATIVE_INFINITY;
 
-  add(time: number, text: string): void {
-    if (time < this.newest) this.changes = [];
+  add(published: number, text: string): void {
+    const isAnew = this.newest - published > kApart;
+    if (isAnew) this.changes = [];
+    const time = isAnew ? published : Math.max(published, this.newest);
     this.newest = time;
     if (this.last === text && this.changes.length > 0) return;
     if (this.changes.length === kMostChanges) this.changes.splice(0, kMostChanges / 2);

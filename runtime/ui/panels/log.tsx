@@ -75,6 +75,8 @@ export function LogPanel({ session, state, setState, announce }: PanelProps) {
       if (entry === null) return;
       if (names.current.size < kMostNames) names.current.add(entry.node);
       fresh.push(entry);
+      // No frame comes while the page is hidden.
+      if (fresh.length > 2 * kCapacity) fresh = fresh.slice(-kCapacity);
       if (frame === 0) frame = requestAnimationFrame(show);
     });
     return () => {

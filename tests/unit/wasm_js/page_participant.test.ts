@@ -226,6 +226,22 @@ for (const link of ['shared', 'port'] as const) {
       assert.equal(rung.length, last);
     }));
 
+  test(`${link}: a goal that waits for a server is given up at once, and is not sent later`, watchdog, () =>
+    withScene(link, async ({ session, peer }) => {
+      const client = session.node().actionClient('/count', count);
+      const waiting = new AbortController();
+      const goal = client.sendGoal(bytes(5, 0, 0, 0), { timeoutMs: Infinity, signal: waiting.signal });
+      waiting.abort();
+      await assert.rejects(goal.accepted, { code: 'R2W0718' });
+      await assert.rejects(goal.result, { code: 'R2W0718' });
+      const other = peer();
+      const server = new HandServer(other);
+      await holds(() => client.ready());
+      await server.ready();
+      client.sendGoal(bytes(6, 0, 0, 0));
+      assert.deepEqual([...(await other.next(server.goals)).bytes.subarray(20)], [6, 0, 0, 0]);
+    }));
+
   test(`${link}: a goal with feedback, status and result; one that is given up is canceled; one that is refused`, watchdog, () =>
     withScene(link, async ({ session, peer }) => {
       const client = session.node().actionClient('/count', count);

@@ -93,7 +93,8 @@ async function buildRow(row, out) {
     return;
   }
   if (row.kind === 'wasm') {
-    const folder = join(out, '..', 'launch');
+    // One folder whatever --out is: what has been compiled is compiled once.
+    const folder = join(root, 'build', 'launch');
     execFileSync('python3', [join(root, row.from), '--out', folder], { stdio: 'inherit' });
     writeFileSync(join(out, row.file), readFileSync(join(folder, row.file)));
     return;

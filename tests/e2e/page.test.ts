@@ -86,7 +86,7 @@ test('the first view is small: page, scripts and styles under 120 kB, without wh
   onSite({}, async (page) => {
     await page.getByText('2 of 2 running').waitFor();
     const loaded = await page.evaluate(() =>
-      performance.getEntriesByType('resource').map((entry) => new URL(entry.name).pathname.slice(1)),
+      performance.getEntriesByType('resource').map((entry) => new URL(entry.name).pathname.split('/').at(-1) ?? ''),
     );
     const view = ['index.html', ...new Set(loaded)].filter(
       (name) => /\.(html|js|css|svg)$/.test(name) && !name.endsWith('_worker.js'),

@@ -128,8 +128,10 @@ test('no file of the page refers to another host', () => {
   for (const name of readdirSync(stage.folder)) {
     const addresses =
       readFileSync(join(stage.folder, name), 'utf8').match(/https?:\/\/[^"'`\s)]+/g) ?? [];
+    // Names of XML, and where the Markdown reader wants to hear of its own errors: words, not requests.
+    const words = ['http://www.w3.org/', 'https://github.com/markedjs/marked'];
     assert.deepEqual(
-      addresses.filter((address) => !address.startsWith('http://www.w3.org/')),
+      addresses.filter((address) => !words.some((word) => address.startsWith(word))),
       [],
       name,
     );

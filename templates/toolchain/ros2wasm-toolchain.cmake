@@ -78,10 +78,6 @@ foreach(_prefix IN LISTS CMAKE_PREFIX_PATH)
     break()
   endif()
 endforeach()
-# A destructor gives back its object here, and the compiler has the C library call it at exit as a function that
-# gives back nothing, when the object is the temporary that a static reference is bound to: a call that WebAssembly
-# refuses. With atexit() each such object gets a function of its own, of the right type.
-string(APPEND _ros2wasm_flags " -fno-use-cxa-atexit")
 set(CMAKE_CXX_FLAGS_INIT "${_ros2wasm_flags}")
 if(NOT DEFINED CMAKE_BUILD_TYPE OR CMAKE_BUILD_TYPE STREQUAL "")
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type")

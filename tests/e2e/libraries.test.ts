@@ -16,6 +16,8 @@ const PROGRAMS = new Map([
   ['loader', 'plugin_checks'],
 ]);
 const CHECKS = [...PROGRAMS.keys()];
+/** What `documents` says once its checks hold, when objects end with the thread and with the program. */
+const FAREWELLS = ['the first', 'the last', ...['one', 'two', 'three', 'kept'].map((one) => `the thread's ${one}`)].map((one) => `${one} is gone`);
 const ROBOT = `<?xml version="1.0"?>
 <!-- a column, two arms, a hand that slides, and a wheel that follows the elbow -->
 <robot name="arm">
@@ -80,7 +82,7 @@ async function checksThatHold(site: string, link: string): Promise<{ missing: st
     heard[stream] += bytes.toString();
     for (const program of missing) {
       const lines = ['.*all \\d+ checks hold', 'process has finished cleanly'];
-      if (program === 'documents') lines.push('the first is gone', 'the last is gone');
+      if (program === 'documents') lines.push(...FAREWELLS);
       if (lines.every((line) => said(new RegExp(`^\\[${program}-\\d+\\] ${line}$`, 'm')))) missing.delete(program);
     }
     if (missing.size === 0 && !child.killed) child.kill('SIGINT');

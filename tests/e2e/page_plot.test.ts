@@ -69,17 +69,17 @@ test('a plot samples every message, and is saved as CSV, SVG and PNG', () =>
     await page.getByRole('button', { name: 'Hold the drawing' }).click();
     await play(page, 10);
     await page.getByRole('button', { name: 'Follow what comes' }).click();
-    // Something is drawn in the colour of the first series.
+    // The second series climbs over the whole drawing, in its colour; the first is flat beside it.
     await page.waitForFunction(() => {
       const canvas = document.querySelector<HTMLCanvasElement>('.plot-canvas canvas');
       if (canvas === null) return false;
       const context = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d', { willReadFrequently: true });
       context?.drawImage(canvas, 0, 0);
       const data = context?.getImageData(0, 0, canvas.width, canvas.height).data ?? [];
-      let blue = 0;
+      let red = 0;
       for (let i = 0; i < data.length; i += 4)
-        if ((data[i + 2] ?? 0) > (data[i] ?? 0) + 60 && (data[i + 3] ?? 0) > 100) blue += 1;
-      return blue > 20;
+        if ((data[i] ?? 0) > (data[i + 2] ?? 0) + 60 && (data[i + 3] ?? 0) > 100) red += 1;
+      return red > 40;
     });
   }));
 

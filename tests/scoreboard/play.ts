@@ -57,6 +57,7 @@ class Watched {
 
 export async function play(platform: Platform, expected: Expectation | undefined): Promise<Played> {
   const site = readSite(await platform.json('site.json'));
+  platform.expect(site.files);
   const broker = new NotingBroker();
   const watched = site.nodes.map(() => new Watched());
   const endpoints = new Set<string>();

@@ -6,7 +6,6 @@ import { received } from './posted.ts';
 async function playSite(text: string): Promise<Played> {
   const platform = browserPlatform(new URL('./', document.baseURI), 'node_worker.js');
   try {
-    await platform.ready;
     return await play(platform, received(text));
   } finally {
     platform.close();

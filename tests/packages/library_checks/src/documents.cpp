@@ -124,6 +124,15 @@ const Farewell& last() {
   return kept;
 }
 
+/// A thread's objects go before those of the program.
+std::string of_the_thread() {
+  static thread_local Farewell one("the thread's one");
+  static thread_local Farewell two[2] = {std::string("the thread's two"),
+                                         std::string("the thread's three")};
+  static thread_local const Farewell& kept = Farewell("the thread's kept");
+  return one.name + two[0].name + two[1].name + kept.name;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -134,5 +143,6 @@ int main(int argc, char** argv) {
   check_yaml(checks);
   check_expected(checks);
   CHECK(first.name + " and " + last().name == "the first and the last");
+  CHECK(of_the_thread().size() == 67);
   return checks.finish();
 }

@@ -8,7 +8,8 @@ import type { Turns } from './turns.ts';
 
 /** Who is woken sooner than this after falling asleep is in the middle of an exchange. */
 const briskMs = 0.2;
-const spinMs = 0.05;
+/** Longer than Chromium takes to wake a sleeper (55 us): else both sides of an exchange sleep just before each answer. */
+const spinMs = 0.12;
 /** In a stepped run, who only looks lets time go on by this: else nobody would get further. */
 const lookNs = 1000;
 const looksPerRound = 16;

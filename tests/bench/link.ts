@@ -26,6 +26,9 @@ const PAPER_SIZES = [8, 1000];
  */
 const PAPER_ROUND_TRIPS = 100;
 const PAPER_RATES = 1000;
+/** As COPIES says: by the writer of each message once, and by each reader. Workers copy side by side; the plain copy is one thread's. */
+const COPIES_OF_WRITER = 2;
+const COPIES_OF_READER = 2;
 const COPIES = 'CDR made by the writer; copies: serialise, to the bus, from the bus, deserialise';
 
 type Line = Readonly<Record<string, number>>;
@@ -155,11 +158,15 @@ export async function benchLink(context: BenchContext): Promise<void> {
         if (of.length === 0) continue;
         const each = middle(of.map((line) => line['per_second'] ?? 0));
         const papers = paper.get(bytes)?.perSecond;
+        const carried = (each * bytes * of.length) / 1e6;
+        const copied = (each * bytes * (COPIES_OF_WRITER + COPIES_OF_READER * of.length)) / 1e6;
+        const plain = copyRate(bytes) / 1e6;
         context.emit({
           bench: 'link', what: `throughput, 1 to ${to}`, place, link, bytes, qos: 'reliable, keep_all',
           lost: of.reduce((sum, line) => sum + (line['lost'] ?? 0), 0), per_second_each: each, sinks_counted: of.length,
-          mb_per_second: rounded((each * bytes * of.length) / 1e6), plain_copy_mb_per_second: rounded(copyRate(bytes) / 1e6),
-          copies: COPIES, ...(to === 1 ? { peer: 'ddsperf pub/sub, loopback', peer_per_second: rounded(peerRates.get(bytes) ?? Number.NaN) } : {}),
+          mb_per_second: rounded(carried), plain_copy_mb_per_second: rounded(plain),
+          copies: COPIES, copied_share_of_plain: rounded(copied / plain),
+          ...(to === 1 ? { peer: 'ddsperf pub/sub, loopback', peer_per_second: rounded(peerRates.get(bytes) ?? Number.NaN) } : {}),
           ...(to === 1 && papers !== undefined ? { paper_per_second: rounded(papers) } : {}), machine_load: machineLoad(),
         });
         if (link === 'shared' && to === 1 && papers !== undefined && each < papers * PAPER_RATES) {

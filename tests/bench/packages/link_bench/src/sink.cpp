@@ -15,7 +15,7 @@ int main(int argc, char ** argv)
 {
   rclcpp::init(argc, argv);
   auto node = std::make_shared<rclcpp::Node>("sink");
-  for (const std::uint64_t size : {8ULL, 1000ULL, 64000ULL, 6000000ULL}) {
+  for (const std::uint64_t size : {9ULL, 8ULL, 1000ULL, 64000ULL, 6000000ULL}) {
     std::uint64_t taken = 0;
     std::uint64_t expected = 0;
     bool over = false;

@@ -45,11 +45,13 @@ export class LaunchSteps {
   /** Ends what is heard of managed nodes. */
   private readonly hearing: (() => void)[] = [];
   private hears = false;
-  private readonly pending = new Set<() => void>();
+  /** What calls off a step that is yet to come. */
+  private readonly pending = new Map<() => void, LaunchStep>();
   private readonly talks = new Set<Talk>();
   /** Transitions that wait until their node runs. */
   private readonly waiting = new Map<Extract<LaunchStep, { do: 'transition' }>, string>();
   private readonly done = new Set<LaunchStep>();
+  private begun = false;
   private ended = false;
 
   constructor(host: LaunchStepsHost) {
@@ -61,15 +63,30 @@ export class LaunchSteps {
     if (!this.hears) this.hear();
   }
 
-  /** All nodes that start with the launch have been told to. */
-  launched(): void {
+  /**
+   * All nodes that start with the launch have been told to. `added`: those alone, while others of the launch still ran;
+   * of the steps only the transitions of these nodes are done again then.
+   */
+  launched(added?: ReadonlySet<string>): void {
+    if (added !== undefined && this.begun && !this.ended) {
+      for (const step of this.host.steps) {
+        if (step.on !== undefined || step.do !== 'transition' || !added.has(step.node)) continue;
+        for (const [callOff, of] of this.pending) if (of === step) callOff();
+        this.later(step);
+      }
+      return;
+    }
+    this.cancel();
+    this.begun = true;
     this.ended = false;
     this.done.clear();
     for (const step of this.host.steps) if (step.on === undefined) this.later(step);
   }
 
-  happened(node: string, event: 'start' | 'exit'): void {
-    if (event === 'exit') this.abandon(node);
+  /** `stop`: it has ended, but not by itself. */
+  happened(node: string, event: 'start' | 'exit' | 'stop'): void {
+    if (event !== 'start') this.abandon(node);
+    if (event === 'stop') return;
     this.follow((on) => on.node === node && on.event === event);
     if (event !== 'start') return;
     for (const [step, of] of [...this.waiting]) {
@@ -100,8 +117,7 @@ export class LaunchSteps {
   }
 
   private cancel(): void {
-    for (const callOff of this.pending) callOff();
-    this.pending.clear();
+    for (const callOff of this.pending.keys()) callOff();
     this.waiting.clear();
     for (const { abandoned } of this.talks) abandoned.abort();
   }
@@ -123,11 +139,15 @@ export class LaunchSteps {
       this.run(step);
       return;
     }
-    const callOff = this.host.after(step.after * 1000, () => {
+    const end = this.host.after(step.after * 1000, () => {
       this.pending.delete(callOff);
       this.run(step);
     });
-    this.pending.add(callOff);
+    const callOff = (): void => {
+      this.pending.delete(callOff);
+      end();
+    };
+    this.pending.set(callOff, step);
   }
 
   private run(step: LaunchStep): void {
@@ -171,7 +191,7 @@ export class LaunchSteps {
       }
     } catch (error) {
       if (talk.abandoned.signal.aborted) {
-        if (!this.ended) this.host.say('WARN', 'launch', `\`${name}\` ended before its transitions were made`);
+        this.tellUnmade(name);
       } else {
         this.fail(error instanceof SiteError ? error.code : 'R2W0725', error instanceof Error ? error.message : String(error));
       }
@@ -186,8 +206,16 @@ export class LaunchSteps {
     if (!this.ended) this.host.say('ERROR', 'launch', `error[${code}]: ${text}`);
   }
 
+  private tellUnmade(name: string): void {
+    if (!this.ended) this.host.say('WARN', 'launch', `\`${name}\` ended before its transitions were made`);
+  }
+
   private abandon(node: string): void {
-    for (const [step, of] of [...this.waiting]) if (of === node) this.waiting.delete(step);
+    for (const [step, of] of [...this.waiting]) {
+      if (of !== node) continue;
+      this.waiting.delete(step);
+      this.tellUnmade(step.name);
+    }
     for (const talk of this.talks) if (talk.node === node) talk.abandoned.abort();
   }
 

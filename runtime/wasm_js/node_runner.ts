@@ -43,8 +43,8 @@ export interface RunnerHost {
   readonly resetInput: (id: string) => void;
   /** A node ended with which all shall end. */
   readonly shutdown: () => void;
-  /** The node has started, or has ended by itself. */
-  readonly happened: (node: SiteNode, event: 'start' | 'exit') => void;
+  /** The node has started, has ended by itself, or otherwise (`stop`): it was stopped, or could not start. */
+  readonly happened: (node: SiteNode, event: 'start' | 'exit' | 'stop') => void;
   /** A batch of lines was taken over from a worker of the participant. */
   readonly lines: (node: SiteNode, report: Extract<WorkerReport, { t: 'lines' }>) => void;
 }
@@ -142,7 +142,10 @@ export class NodeRunner {
     const respawned = this.respawns();
     this.clearTimer();
     if (respawned) this.host.changed();
-    if (this.state.kind === 'waiting') this.set({ kind: 'stopped' });
+    if (this.state.kind === 'waiting') {
+      this.host.happened(this.node, 'stop');
+      this.set({ kind: 'stopped' });
+    }
     if (!this.active()) return;
     const { run } = this;
     if (run === undefined || this.stopping) {
@@ -232,6 +235,7 @@ export class NodeRunner {
     } catch (error) {
       if (this.attempt !== attempt) return;
       const code = error instanceof SiteError ? error.code : 'R2W0708';
+      this.host.happened(this.node, 'stop');
       this.set({ kind: 'crashed', code, message: error instanceof Error ? error.message : String(error) });
     }
   }
@@ -336,7 +340,7 @@ export class NodeRunner {
       this.retries += 1;
       this.keepFromStart = this.host.broker.after(delay, () => this.begin(0));
     }
-    if (byItself) this.host.happened(this.node, 'exit');
+    this.host.happened(this.node, byItself ? 'exit' : 'stop');
     this.stopping = false;
     this.again = false;
     this.attempt += 1;

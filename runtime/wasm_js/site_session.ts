@@ -36,9 +36,9 @@ export interface SessionOptions {
   readonly stepped?: { readonly seed: number; readonly time?: SteppedTime };
   /** Called with each message that a node sends, in order. */
   readonly onSent?: (node: SiteNode, message: SentMessage) => void;
-  /** Called with each batch of lines as it comes. */
   /** Called with each line of the launch itself. */
   readonly onLaunchLine?: (time: number, text: string) => void;
+  /** Called with each batch of lines as it comes. */
   readonly onLines?: (node: SiteNode, lines: readonly SentLine[], dropped: number) => void;
 }
 
@@ -213,10 +213,13 @@ export class SiteSession implements Session {
     this.runner(id).restart();
   }
 
+  /** While some nodes run, only the others are started: the launch goes on. */
   startAll(): void {
+    const running = new Set(this.running());
     this.steps.prepare();
-    for (const node of this.site.nodes) this.startAsLaunched(node);
-    this.steps.launched();
+    const others = this.site.nodes.filter(({ id }) => !running.has(id));
+    for (const node of others) this.startAsLaunched(node, running);
+    this.steps.launched(running.size === 0 ? undefined : new Set(others.map(({ id }) => id)));
   }
 
   /** Does a node start again by itself? */
@@ -224,9 +227,12 @@ export class SiteSession implements Session {
     return [...this.runners.values()].some((runner) => runner.respawns());
   }
 
-  private startAsLaunched({ id, startOn, startAfter }: SiteNode): void {
-    if (startOn === undefined) this.start(id, startAfter);
-    else this.runner(id).wait(startOn);
+  /** Who waits still waits; who waited once for a node that runs already would wait for ever. */
+  private startAsLaunched({ id, startOn, startAfter }: SiteNode, running: ReadonlySet<string> = new Set()): void {
+    const goesOn = startOn !== undefined && startOn.event !== 'exit' && running.has(startOn.node);
+    const runner = this.runner(id);
+    if (startOn === undefined || (goesOn && runner.view().state.kind !== 'waiting')) this.start(id, startAfter);
+    else runner.wait(startOn);
   }
 
   stopAll(): void {

@@ -26,6 +26,8 @@ class Host {
   readonly calls: number[] = [];
   readonly states = new Map<string, NodeState['kind']>();
   answers = true;
+  /** A call is answered when it is given up. */
+  silent = false;
   problem: SiteError | undefined;
   private tasks: { readonly at: number; readonly task: () => void; off: boolean }[] = [];
   private listener: MessageListener | undefined;
@@ -41,8 +43,9 @@ class Host {
       },
       client: () => ({
         problem: undefined, matched: () => 1, ready: () => true, close: () => undefined,
-        call: async (request) => {
+        call: async (request, options) => {
           this.calls.push(request[4] ?? -1);
+          if (this.silent) await new Promise((_resolve, reject) => options?.signal?.addEventListener('abort', () => reject(new Error('given up'))));
           if (this.problem !== undefined) throw this.problem;
           return new Uint8Array([0, 1, 0, 0, this.answers ? 1 : 0]);
         },
@@ -136,6 +139,48 @@ test('transitions are made one after the other when the node runs, and no furthe
   host.steps.launched();
   await turn();
   assert.equal(host.said[1], 'ERROR launch error[R2W0716]: the server has gone');
+});
+
+test('while the launch goes on, only the transitions of nodes that are added are made', async () => {
+  const once = log('once', { on: { event: 'start', node: 'b-1', once: true } });
+  const host = new Host([log('at once'), log('late', { after: 9 }), change(), { ...change(), after: 2 } as LaunchStep, once]);
+  host.steps.launched();
+  host.steps.happened('b-1', 'start');
+  await turn();
+  assert.deepEqual([host.said.length, host.calls], [2, [1, 3]]);
+  host.steps.launched(new Set(['b-1']));
+  host.steps.happened('b-1', 'start');
+  await turn();
+  assert.deepEqual([host.said.length, host.calls], [2, [1, 3]]);
+  host.steps.launched(new Set(['a-1']));
+  await turn();
+  assert.deepEqual([host.said.length, host.calls], [2, [1, 3, 1, 3]]);
+  host.ring();
+  await turn();
+  assert.deepEqual([host.said.slice(2), host.calls.length], [['INFO launch.user late'], 6]);
+  // After the end of all it is a launch again.
+  host.steps.shutdown();
+  host.steps.launched(new Set(['a-1']));
+  assert.equal(host.said.at(-1), 'INFO launch.user at once');
+});
+
+test('transitions of a node that was stopped, or could not start, are given up', async () => {
+  const host = new Host([change()]);
+  host.states.set('a-1', 'starting');
+  host.steps.launched();
+  host.steps.happened('a-1', 'stop');
+  host.steps.happened('a-1', 'start');
+  await turn();
+  const warning = 'WARN launch `/a` ended before its transitions were made';
+  assert.deepEqual([host.calls, host.said], [[], [warning]]);
+  host.states.delete('a-1');
+  host.silent = true;
+  host.steps.launched();
+  await turn();
+  assert.deepEqual(host.calls, [1]);
+  host.steps.happened('a-1', 'stop');
+  await turn();
+  assert.deepEqual([host.calls, host.said], [[1], [warning, warning]]);
 });
 
 test('changes of state start nodes and steps that ask for them', async () => {

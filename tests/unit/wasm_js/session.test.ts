@@ -271,6 +271,37 @@ test('a node that waits starts when another has started, or has ended by itself'
     assert.equal(kinds()[4], 'stopped');
   }));
 
+test('while some nodes run, starting all starts the others, and what the launch says is not said again', watchdog, () =>
+  withSession([
+    { program: 'spins.c' },
+    { program: 'exits.c', rules: { start_on: { node: 'spins-1', event: 'start' } } },
+    { program: 'exits.c', rules: { start_on: { node: 'exits-2', event: 'exit' } } },
+  ], async (session) => {
+    const kinds = (): string[] => session.nodes().map(({ state }) => state.kind);
+    const said = (): number => session.launchLog.lines().filter(({ text }) => text.endsWith('it begins')).length;
+    session.startAll();
+    await reaches(session, 'exits-3', 'exited');
+    assert.deepEqual([kinds(), said()], [['running', 'exited', 'exited'], 1]);
+    const since = session.nodes()[0]?.startedAt;
+    session.startAll();
+    assert.deepEqual([kinds(), said()], [['running', 'starting', 'waiting'], 1]);
+    await reaches(session, 'exits-3', 'exited');
+    assert.equal(session.nodes()[0]?.startedAt, since);
+    session.stop('spins-1');
+    session.stop('spins-1');
+    session.startAll();
+    assert.deepEqual([kinds(), said()], [['starting', 'waiting', 'waiting'], 2]);
+  }, 'shared', { launch: { steps: [{ do: 'log', level: 'info', text: 'it begins' }] } }));
+
+test('a managed node that is stopped gives up the transitions that were to be made', watchdog, () =>
+  withSession([{ program: 'spins.c' }, { program: 'spins.c' }], async (session) => {
+    session.startAll();
+    await reaches(session, 'spins-1', 'running');
+    session.stop('spins-1');
+    session.stop('spins-1');
+    await prints(session, 'launch', /^\[WARN\] \[launch\]: `\/a` ended before its transitions were made$/);
+  }, 'shared', { launch: { steps: [{ do: 'transition', node: 'spins-1', name: '/a', transitions: [1] }] } }));
+
 test('a node that hears nothing is killed at the second stop; restart starts it again', watchdog, () =>
   withSession([{ program: 'spins.c' }], async (session) => {
     session.startAll();

@@ -45,7 +45,8 @@ export function splitNames(module: Uint8Array): { readonly program: Uint8Array; 
   return { program: Buffer.concat(program), names: Buffer.concat(names) };
 }
 
-export function makeFolder(nodes: readonly FixtureNode[]): string {
+/** `more`: further members of site.json. */
+export function makeFolder(nodes: readonly FixtureNode[], more: Readonly<Record<string, unknown>> = {}): string {
   const folder = mkdtempSync(join(tmpdir(), 'ros2wasm-session-'));
   mkdirSync(join(folder, 'programs'));
   const described = nodes.map(({ program, threads = false, respawn = false, arguments: args = [], rules = {}, namesApart }, i) => {
@@ -68,16 +69,17 @@ export function makeFolder(nodes: readonly FixtureNode[]): string {
   writeFileSync(join(folder, 'site.json'), JSON.stringify({
     schema: 1, protocol: 1, generator: 'test', name: 'test', title: 'A test', version: '1', distro: 'jazzy',
     license: 'Apache-2.0', authors: [], nodes: described, interfaces: 'interfaces.json', ui: {}, files: [],
+    ...more,
   }));
   return folder;
 }
 
-/** Runs `use` with a session; everything is closed after it. `posted`: what went to workers, in order. */
+/** Runs `use` with a session; everything is closed after it. `posted`: what went to workers, in order. `more`: as of makeFolder(). */
 export async function withSession(
   nodes: readonly FixtureNode[], use: (session: SiteSession, folder: string, posted: readonly WorkerOrder[]) => Promise<void>,
-  link: LinkKind = 'shared',
+  link: LinkKind = 'shared', more: Readonly<Record<string, unknown>> = {},
 ): Promise<void> {
-  const folder = makeFolder(nodes);
+  const folder = makeFolder(nodes, more);
   const posted: WorkerOrder[] = [];
   const plain = nodePlatform(folder, entry);
   const platform = {
@@ -119,10 +121,10 @@ export function reaches(session: Session, id: string, kind: NodeState['kind']): 
   });
 }
 
-/** Resolves with the first console line that fits, also one that is there already. */
+/** Resolves with the first console line that fits, also one that is there already. Of `launch`: of the launch itself. */
 export function prints(session: Session, id: string, pattern: RegExp): Promise<string> {
   return new Promise((resolve) => {
-    const log = session.console(id);
+    const log = id === 'launch' ? session.launchLog : session.console(id);
     let done = false;
     const off = log.onLines((lines) => {
       const line = lines.find(({ text }) => pattern.test(text));

@@ -31,6 +31,8 @@ export class CheckRun implements SiteChecks {
   /** When the first node started, ms of the site's time. */
   private begin: number | undefined;
   private timer: PageTimer | undefined;
+  private telling = false;
+  private news = false;
 
   constructor(session: Session, codec: ReturnType<typeof createCodec>) {
     this.session = session;
@@ -43,6 +45,8 @@ export class CheckRun implements SiteChecks {
   }
 
   views(): readonly CheckView[] {
+    // Whoever asks what was seen looks once more, which may decide: so all are asked before any is shown.
+    for (const { look, verdict } of this.running) if (verdict === undefined) look?.seen();
     return this.running.map(({ check, look, verdict }) => ({
       title: checkTitle(check),
       state: verdict === undefined ? 'waiting' : verdict.passed ? 'passed' : 'failed',
@@ -138,8 +142,19 @@ export class CheckRun implements SiteChecks {
     for (const { look, verdict } of this.running) if (verdict === undefined) look?.close();
   }
 
+  /** What is decided while it is told is told after that, and once. */
   private tell(): void {
-    const views = this.views();
-    for (const listener of [...this.listeners]) listener(views);
+    this.news = true;
+    if (this.telling) return;
+    this.telling = true;
+    try {
+      while (this.news) {
+        const views = this.views();
+        this.news = false;
+        for (const listener of [...this.listeners]) listener(views);
+      }
+    } finally {
+      this.telling = false;
+    }
   }
 }

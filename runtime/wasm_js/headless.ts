@@ -122,7 +122,7 @@ interface CheckTeller {
 /** Tells what is decided, and finishes when all is. */
 function watchChecks(checks: CheckRun, { json, event, finish }: CheckTeller): void {
   const told = new Set<number>();
-  checks.onChange((views) => {
+  const stop = checks.onChange((views) => {
     for (const [index, view] of views.entries()) {
       if (view.state === 'waiting' || told.has(index)) continue;
       told.add(index);
@@ -130,6 +130,7 @@ function watchChecks(checks: CheckRun, { json, event, finish }: CheckTeller): vo
       else process.stderr.write(`${checkLine(view)}\n`);
     }
     if (told.size < views.length) return;
+    stop();
     const passed = views.filter(({ state }) => state === 'passed').length;
     if (!json) process.stderr.write(`${passed} of ${views.length} checks passed\n`);
     finish(passed === views.length ? 0 : 1);

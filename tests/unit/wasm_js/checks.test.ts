@@ -164,6 +164,33 @@ test('again() forgets what was seen and looks at what comes', watchdog, async ()
   });
 });
 
+test('what is found while another check is told is told once', watchdog, async () => {
+  await withSession([{ program: 'talker.c' }], async (plain) => {
+    const log = plain.console('talker-1');
+    // Lines as before the page draws: they are there, and nobody is told.
+    const quiet = { lines: () => log.lines(), onLines: () => () => undefined };
+    const session = Object.assign(plain, { console: () => quiet, site: { ...plain.site, checks: [
+      { title: '', aim: { kind: 'rate', topic: '/nowhere' } as const, withinMs: 600_000 },
+      { title: '', aim: { kind: 'log', log: 'World: 1\'' } as const, withinMs: 600_000 },
+    ] } });
+    const checks = await runChecks(session);
+    session.useChecks(checks);
+    const told: string[][] = [];
+    checks.onChange((views) => told.push(views.map(({ state }) => state)));
+    session.startAll();
+    await new Promise<void>((resolve) => {
+      const off = log.onLines((lines) => {
+        if (!lines.some(({ text }) => text.includes("World: 1'"))) return;
+        off();
+        resolve();
+      });
+    });
+    assert.deepEqual(told, []);
+    checks.end();
+    assert.deepEqual(told, [['failed', 'passed']]);
+  });
+});
+
 test('values are what they must be', () => {
   assert.equal(meets(5, { above: 4, below: 6 }), true);
   assert.equal(meets(5n, { above: 5 }), false);

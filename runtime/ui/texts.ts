@@ -77,6 +77,7 @@ export const texts = {
     call: 'Call',
     calling: 'Waits for the reply\u2026',
     giveUp: 'Give up',
+    gaveUp: 'The call was given up.',
     reply: 'Reply',
     replied: (name: string): string => `${name} has replied`,
     sendGoal: 'Send goal',

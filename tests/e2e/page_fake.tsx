@@ -224,7 +224,7 @@ function sheet(): FakeSession {
   });
 }
 
-/** A service that adds and an action that counts, served by another participant of a real graph. `globalThis.leave()` ends it. */
+/** A service that adds and an action that counts, served by another participant of a real graph. `globalThis.leave()` ends it, `hush(true)` silences the service. */
 async function services(): Promise<FakeSession> {
   // Not part of the first view, which a test measures.
   const { GraphPeer } = await import('../unit/wasm_js/graph_peer.ts');
@@ -247,6 +247,7 @@ async function services(): Promise<FakeSession> {
   let asked: Sample | undefined;
   let canceled = false;
   let here = true;
+  let hushed = false;
   const serve = async (endpoint: number, answer: (request: Sample) => void): Promise<void> => {
     while (here) {
       const request = await peer.next(endpoint);
@@ -254,6 +255,7 @@ async function services(): Promise<FakeSession> {
     }
   };
   void serve(add, (request) => {
+    if (hushed) return;
     const view = new DataView(request.bytes.buffer);
     const reply = body(...new Uint8Array(8));
     new DataView(reply.buffer).setBigInt64(4, view.getBigInt64(4, true) + view.getBigInt64(12, true), true);
@@ -282,6 +284,9 @@ async function services(): Promise<FakeSession> {
   };
   fake.setGraph(shown);
   Object.assign(globalThis, {
+    hush: (on: boolean): void => {
+      hushed = on;
+    },
     leave: (): void => {
       here = false;
       peer.leave();

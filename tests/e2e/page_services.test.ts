@@ -9,6 +9,8 @@ import { PageStage, expectAccessible, phone } from './page_stage.ts';
 declare global {
   // Set by page_fake.tsx in the scene "services".
   var leave: () => void;
+  /** Whether the service answers nothing. */
+  var hush: (on: boolean) => void;
 }
 
 const kOutput = fileURLToPath(new URL('../output', import.meta.url));
@@ -40,6 +42,21 @@ test('a call shows its reply, which stays when the server has gone', () =>
     await page.getByRole('textbox', { name: 'a of /add' }).fill('x');
     await page.getByRole('button', { name: 'Call' }).click();
     await page.getByRole('alert').getByText(/^a: /).waitFor();
+  }));
+
+test('a call that is given up is no problem, and another one can be made', () =>
+  stage.on(kScene, {}, async (page) => {
+    await page.getByRole('button', { name: /^\/add demo\/srv\/Add/ }).click();
+    await page.getByRole('textbox', { name: 'a of /add' }).fill('1');
+    await page.evaluate(() => hush(true));
+    await page.getByRole('button', { name: 'Call' }).click();
+    await page.getByRole('button', { name: 'Give up' }).click();
+    await page.locator('form .hint').getByText('The call was given up.').waitFor();
+    assert.equal(await page.getByRole('alert').count(), 0);
+    await page.evaluate(() => hush(false));
+    await page.getByRole('button', { name: 'Call' }).click();
+    await page.getByRole('group', { name: 'Reply of /add' }).waitFor();
+    assert.equal(await page.locator('form .hint').getByText('The call was given up.').count(), 0);
   }));
 
 test('a goal shows its feedback, is canceled, and shows its result', () =>

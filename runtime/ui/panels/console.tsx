@@ -6,8 +6,8 @@ import type { Level } from '../model/log_line.ts';
 import type { LineFilter } from '../model/line_list.ts';
 import { readPreference, writePreference } from '../model/preferences.ts';
 import { ConsoleTile } from '../parts/console_tile.tsx';
-import { Icon } from '../parts/icon.tsx';
 import { PanelFrame } from '../parts/panel.tsx';
+import { SearchField } from '../parts/search_field.tsx';
 import { useNodes } from '../parts/watch.ts';
 import { texts } from '../texts.ts';
 import type { PanelProps } from './panel_props.ts';
@@ -79,16 +79,7 @@ export function ConsolePanel({ session, focus, store, announce }: PanelProps) {
           <option value={name}>{texts.console.atLeast(name)}</option>
         ))}
       </select>
-      <label class="search">
-        <Icon name="search" />
-        <input
-          type="search"
-          value={text}
-          placeholder={texts.console.filter}
-          aria-label={texts.console.filter}
-          onInput={(event) => setText(event.currentTarget.value)}
-        />
-      </label>
+      <SearchField value={text} label={texts.console.filter} onText={setText} />
     </>
   );
   return (

@@ -9,10 +9,10 @@ import { LineList } from '../model/line_list.ts';
 import { LEVELS } from '../model/log_line.ts';
 import { formatCount } from '../model/quantities.ts';
 import { CopyButton, IconButton } from '../parts/button.tsx';
-import { Icon } from '../parts/icon.tsx';
 import { LineScroller } from '../parts/line_scroller.tsx';
 import { feed, useCodec } from '../parts/message_feed.ts';
 import { PanelFrame } from '../parts/panel.tsx';
+import { SearchField } from '../parts/search_field.tsx';
 import { texts } from '../texts.ts';
 import type { PanelProps } from './panel_props.ts';
 
@@ -124,16 +124,7 @@ export function LogPanel({ session, state, setState, announce }: PanelProps) {
               <option value={name}>{name}</option>
             ))}
           </select>
-          <label class="search">
-            <Icon name="search" />
-            <input
-              type="search"
-              value={text}
-              placeholder={texts.log.filter}
-              aria-label={texts.log.filter}
-              onInput={(event) => change({ text: event.currentTarget.value })}
-            />
-          </label>
+          <SearchField value={text} label={texts.log.filter} onText={(found) => change({ text: found })} />
           <CopyButton label={texts.log.copy} text={() => list.text()} announce={announce} />
           <IconButton icon="clear" label={texts.log.clear} onClick={clear} />
         </>

@@ -12,6 +12,7 @@ import { beginDraft, MessageEditor } from '../parts/message_editor.tsx';
 import { useCodec } from '../parts/message_feed.ts';
 import { PanelFrame } from '../parts/panel.tsx';
 import { useTopics } from '../parts/watch.ts';
+import { WorkProblem } from '../parts/work_problem.tsx';
 import { texts } from '../texts.ts';
 import type { PanelProps } from './panel_props.ts';
 
@@ -223,11 +224,7 @@ export function PublishPanel({ session, state, setState, instance }: PanelProps)
           </button>
           <span class="hint">{texts.publish.sent(sent)}</span>
         </div>
-        {problem === '' ? null : (
-          <p class="work-problem" role="alert">
-            {problem}
-          </p>
-        )}
+        <WorkProblem text={problem} />
       </form>
     </PanelFrame>
   );

@@ -4,20 +4,19 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import type { PageGoal, Session } from '../../wasm_js/session.ts';
 import type { Codec, Decoded } from '../../decode/codec.ts';
-import { toYaml } from '../../decode/yaml.ts';
 import { draftBytes, refusal } from '../model/draft_value.ts';
 import type { DraftText } from '../model/draft_value.ts';
 import { endpointsToCall } from '../model/callable.ts';
 import type { Callable } from '../model/callable.ts';
 import { problemOf } from '../model/problem.ts';
-import { CopyButton } from '../parts/button.tsx';
-import { Icon } from '../parts/icon.tsx';
+import { GraphRow } from '../parts/graph_row.tsx';
 import { beginDraft, MessageEditor } from '../parts/message_editor.tsx';
 import { useCodec } from '../parts/message_feed.ts';
-import { MessageTree } from '../parts/message_tree.tsx';
-import { Name } from '../parts/name.tsx';
+import { MessageView } from '../parts/message_view.tsx';
 import { PanelFrame } from '../parts/panel.tsx';
+import { SearchField } from '../parts/search_field.tsx';
 import { useGraph } from '../parts/watch.ts';
+import { WorkProblem } from '../parts/work_problem.tsx';
 import { texts } from '../texts.ts';
 import type { PanelProps } from './panel_props.ts';
 
@@ -44,16 +43,7 @@ export function ServicesPanel({ session, announce }: PanelProps) {
         <input type="checkbox" checked={all} onChange={(event) => setAll(event.currentTarget.checked)} />
         {texts.services.all}
       </label>
-      <label class="search">
-        <Icon name="search" />
-        <input
-          type="search"
-          value={text}
-          placeholder={texts.services.filter}
-          aria-label={texts.services.filter}
-          onInput={(event) => setText(event.currentTarget.value)}
-        />
-      </label>
+      <SearchField value={text} label={texts.services.filter} onText={setText} />
     </>
   );
   return (
@@ -91,40 +81,27 @@ interface RowProps extends Pick<PanelProps, 'session' | 'announce'> {
 }
 
 function Row({ row, gone, open, onToggle, session, codec, announce }: RowProps) {
-  const inside = `call-${encodeURIComponent(keyOf(row))}`;
+  const flow = (
+    <>
+      <span class="topic-rate">{row.kind === 'action' ? texts.services.action : texts.services.service}</span>
+      {gone ? <span class="topic-ends">{texts.services.gone}</span> : null}
+    </>
+  );
+  const inside = () => {
+    if (codec === null) return null;
+    const View = row.kind === 'action' ? GoalView : CallView;
+    return <View row={row} session={session} codec={codec} announce={announce} />;
+  };
   return (
-    <li class={`topic ${open ? 'topic-open' : ''}`}>
-      <button
-        type="button"
-        class="topic-head"
-        aria-expanded={open}
-        aria-controls={open ? inside : undefined}
-        onClick={onToggle}
-      >
-        <Icon name="chevron" class="topic-turn" />
-        <span class="topic-names">
-          <span class="topic-name">
-            <Name text={row.name} />
-          </span>
-          <span class="topic-type">
-            <Name text={row.type} />
-          </span>
-        </span>
-        <span class="topic-flow">
-          <span class="topic-rate">{row.kind === 'action' ? texts.services.action : texts.services.service}</span>
-          {gone ? <span class="topic-ends">{texts.services.gone}</span> : null}
-        </span>
-      </button>
-      {open && codec !== null ? (
-        <div class="topic-inside" id={inside}>
-          {row.kind === 'action' ? (
-            <GoalView row={row} session={session} codec={codec} announce={announce} />
-          ) : (
-            <CallView row={row} session={session} codec={codec} announce={announce} />
-          )}
-        </div>
-      ) : null}
-    </li>
+    <GraphRow
+      id={`call-${encodeURIComponent(keyOf(row))}`}
+      name={row.name}
+      type={row.type}
+      flow={flow}
+      open={open}
+      onToggle={onToggle}
+      inside={inside}
+    />
   );
 }
 
@@ -151,6 +128,7 @@ function CallView(props: ViewProps) {
   const request = `${row.type}_Request`;
   const [draft, setDraft] = useState<DraftText | string>(() => beginDraft(codec, request));
   const [calling, setCalling] = useState(false);
+  const [givenUp, setGivenUp] = useState(false);
   const [problem, setProblem] = useState('');
   const [reply, setReply] = useState<Decoded | null>(null);
   const abort = useRef<AbortController | null>(null);
@@ -160,6 +138,7 @@ function CallView(props: ViewProps) {
     const control = new AbortController();
     abort.current = control;
     setCalling(true);
+    setGivenUp(false);
     setProblem('');
     const bytes = await written(props, request, draft);
     const client = session.node().client(row.name, row.type);
@@ -174,8 +153,16 @@ function CallView(props: ViewProps) {
   const start = (): void => {
     if (calling) return;
     call()
-      .catch((error: unknown) => setProblem(problemOf(error).what))
+      .catch((error: unknown) => {
+        // What one asked for is no problem.
+        if (abort.current?.signal.aborted !== true) setProblem(problemOf(error).what);
+      })
       .finally(() => setCalling(false));
+  };
+  const giveUp = (): void => {
+    abort.current?.abort();
+    setGivenUp(true);
+    announce(texts.services.gaveUp);
   };
   return (
     <form
@@ -191,12 +178,13 @@ function CallView(props: ViewProps) {
           {calling ? texts.services.calling : texts.services.call}
         </button>
         {calling ? (
-          <button type="button" class="button" onClick={() => abort.current?.abort()}>
+          <button type="button" class="button" onClick={giveUp}>
             {texts.services.giveUp}
           </button>
         ) : null}
+        {givenUp ? <span class="hint">{texts.services.gaveUp}</span> : null}
       </div>
-      <Problem text={problem} />
+      <WorkProblem text={problem} />
       {reply === null ? null : <Answer title={texts.services.reply} of={row.name} decoded={reply} announce={announce} />}
     </form>
   );
@@ -263,7 +251,7 @@ function GoalView(props: ViewProps) {
         )}
         {state === '' ? null : <span class="hint">{state}</span>}
       </div>
-      <Problem text={problem} />
+      <WorkProblem text={problem} />
       {feedback === null ? null : (
         <Answer title={texts.services.feedback} of={row.name} decoded={feedback} announce={announce} />
       )}
@@ -271,14 +259,6 @@ function GoalView(props: ViewProps) {
         <Answer title={texts.services.result} of={row.name} decoded={result} announce={announce} />
       )}
     </form>
-  );
-}
-
-function Problem({ text }: { readonly text: string }) {
-  return text === '' ? null : (
-    <p class="work-problem" role="alert">
-      {text}
-    </p>
   );
 }
 
@@ -290,18 +270,14 @@ interface AnswerProps {
 }
 
 function Answer({ title, of, decoded, announce }: AnswerProps) {
-  if (decoded.kind === 'failed') return <Problem text={decoded.reason} />;
+  if (decoded.kind === 'failed') return <WorkProblem text={decoded.reason} />;
   return (
-    <div class="message">
-      <div class="message-head">
-        <h3 class="message-title">{title}</h3>
-        <CopyButton
-          label={texts.services.copy(title, of)}
-          text={() => toYaml(decoded.value, decoded.shape)}
-          announce={announce}
-        />
-      </div>
-      <MessageTree label={texts.services.answerOf(title, of)} value={decoded.value} shape={decoded.shape} />
-    </div>
+    <MessageView
+      title={title}
+      message={decoded}
+      label={texts.services.answerOf(title, of)}
+      copyLabel={texts.services.copy(title, of)}
+      announce={announce}
+    />
   );
 }

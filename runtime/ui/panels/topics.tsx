@@ -3,16 +3,14 @@
 import { useRef, useState } from 'preact/hooks';
 import type { QosView, TopicView } from '../../wasm_js/session.ts';
 import type { Decoded, Decoder } from '../../decode/decoder.ts';
-import { toYaml } from '../../decode/yaml.ts';
 import { isHiddenTopic } from '../model/hidden_names.ts';
 import { readPreference, writePreference } from '../model/preferences.ts';
 import { formatBandwidth, formatCount, formatDuration, formatRate } from '../model/quantities.ts';
-import { CopyButton } from '../parts/button.tsx';
-import { Icon } from '../parts/icon.tsx';
+import { GraphRow } from '../parts/graph_row.tsx';
 import { useCodec } from '../parts/message_feed.ts';
-import { MessageTree } from '../parts/message_tree.tsx';
-import { Name } from '../parts/name.tsx';
+import { MessageView } from '../parts/message_view.tsx';
 import { PanelFrame } from '../parts/panel.tsx';
+import { SearchField } from '../parts/search_field.tsx';
 import { useTopics } from '../parts/watch.ts';
 import { texts } from '../texts.ts';
 import type { PanelProps } from './panel_props.ts';
@@ -63,16 +61,7 @@ export function TopicsPanel({ session, store, announce }: PanelProps) {
         <span aria-hidden="true">{texts.topics.hiddenShort}</span>
       </label>
       {allowed.length < kFilterFrom && text === '' ? null : (
-        <label class="search">
-          <Icon name="search" />
-          <input
-            type="search"
-            value={text}
-            placeholder={texts.topics.filter}
-            aria-label={texts.topics.filter}
-            onInput={(event) => setText(event.currentTarget.value)}
-          />
-        </label>
+        <SearchField value={text} label={texts.topics.filter} onText={setText} />
       )}
     </>
   );
@@ -108,52 +97,43 @@ interface TopicRowProps extends Pick<PanelProps, 'session' | 'announce'> {
 }
 
 function TopicRow({ topic, open, onToggle, session, announce }: TopicRowProps) {
-  const inside = `topic-${encodeURIComponent(topic.name)}`;
+  const flow = (
+    <>
+      <span class="topic-rate">{formatRate(topic.rateHz)}</span>
+      <span class="topic-ends">
+        <span class="visually-hidden">
+          {texts.topics.publishers(topic.publishers)},{' '}
+          {texts.topics.subscriptions(topic.subscriptions)}
+        </span>
+        <span aria-hidden="true">
+          {topic.publishers} {texts.topics.publishersShort} {'\u2192'} {topic.subscriptions}{' '}
+          {texts.topics.subscriptionsShort}
+        </span>
+      </span>
+    </>
+  );
+  const inside = () => (
+    <>
+      <dl class="facts">
+        <Fact name={texts.topics.bandwidth} value={formatBandwidth(topic.bytesPerSecond)} />
+        <Fact name={texts.topics.count} value={formatCount(topic.count)} />
+        {topic.qos.map((qos) => (
+          <Fact name={texts.topics.qos} value={qosWords(qos)} />
+        ))}
+      </dl>
+      <LastMessageView topic={topic} session={session} announce={announce} />
+    </>
+  );
   return (
-    <li class={`topic ${open ? 'topic-open' : ''}`}>
-      <button
-        type="button"
-        class="topic-head"
-        aria-expanded={open}
-        aria-controls={open ? inside : undefined}
-        onClick={onToggle}
-      >
-        <Icon name="chevron" class="topic-turn" />
-        <span class="topic-names">
-          <span class="topic-name">
-            <Name text={topic.name} />
-          </span>
-          <span class="topic-type">
-            <Name text={topic.type} />
-          </span>
-        </span>
-        <span class="topic-flow">
-          <span class="topic-rate">{formatRate(topic.rateHz)}</span>
-          <span class="topic-ends">
-            <span class="visually-hidden">
-              {texts.topics.publishers(topic.publishers)},{' '}
-              {texts.topics.subscriptions(topic.subscriptions)}
-            </span>
-            <span aria-hidden="true">
-              {topic.publishers} {texts.topics.publishersShort} {'\u2192'} {topic.subscriptions}{' '}
-              {texts.topics.subscriptionsShort}
-            </span>
-          </span>
-        </span>
-      </button>
-      {open ? (
-        <div class="topic-inside" id={inside}>
-          <dl class="facts">
-            <Fact name={texts.topics.bandwidth} value={formatBandwidth(topic.bytesPerSecond)} />
-            <Fact name={texts.topics.count} value={formatCount(topic.count)} />
-            {topic.qos.map((qos) => (
-              <Fact name={texts.topics.qos} value={qosWords(qos)} />
-            ))}
-          </dl>
-          <LastMessageView topic={topic} session={session} announce={announce} />
-        </div>
-      ) : null}
-    </li>
+    <GraphRow
+      id={`topic-${encodeURIComponent(topic.name)}`}
+      name={topic.name}
+      type={topic.type}
+      flow={flow}
+      open={open}
+      onToggle={onToggle}
+      inside={inside}
+    />
   );
 }
 
@@ -190,33 +170,18 @@ function LastMessageView({
     };
   }
   const result = decoded.current.result;
+  if (result.kind === 'failed') return <p class="hint">{texts.topics.undecodable(result.reason)}</p>;
   const size = texts.topics.bytes(formatCount(last.bytes.byteLength));
   const ago = texts.topics.ago(formatDuration(session.time.view().now - last.receivedAt));
   return (
-    <div class="message">
-      <div class="message-head">
-        <div class="message-words">
-          <h3 class="message-title">{texts.topics.lastMessage}</h3>
-          <span class="message-facts">{`${ago}, ${size}`}</span>
-        </div>
-        {result.kind === 'value' ? (
-          <CopyButton
-            label={texts.topics.copy(topic.name)}
-            text={() => toYaml(result.value, result.shape)}
-            announce={announce}
-          />
-        ) : null}
-      </div>
-      {result.kind === 'value' ? (
-        <MessageTree
-          label={texts.topics.lastOf(topic.name)}
-          value={result.value}
-          shape={result.shape}
-        />
-      ) : (
-        <p class="hint">{texts.topics.undecodable(result.reason)}</p>
-      )}
-    </div>
+    <MessageView
+      title={texts.topics.lastMessage}
+      facts={`${ago}, ${size}`}
+      message={result}
+      label={texts.topics.lastOf(topic.name)}
+      copyLabel={texts.topics.copy(topic.name)}
+      announce={announce}
+    />
   );
 }
 

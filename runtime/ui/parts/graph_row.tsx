@@ -1,0 +1,49 @@
+// A row of a list of topics, services or actions: name and type, which open what is inside.
+
+import type { ComponentChildren } from 'preact';
+import { Icon } from './icon.tsx';
+import { Name } from './name.tsx';
+
+export interface GraphRowProps {
+  /** Of what is inside, in the page. */
+  readonly id: string;
+  readonly name: string;
+  readonly type: string;
+  /** At the end of the row. */
+  readonly flow: ComponentChildren;
+  readonly open: boolean;
+  readonly onToggle: () => void;
+  /** Shown while it is open; null: nothing yet. */
+  readonly inside: () => ComponentChildren;
+}
+
+export function GraphRow({ id, name, type, flow, open, onToggle, inside }: GraphRowProps) {
+  const content = open ? inside() : null;
+  return (
+    <li class={`topic ${open ? 'topic-open' : ''}`}>
+      <button
+        type="button"
+        class="topic-head"
+        aria-expanded={open}
+        aria-controls={open ? id : undefined}
+        onClick={onToggle}
+      >
+        <Icon name="chevron" class="topic-turn" />
+        <span class="topic-names">
+          <span class="topic-name">
+            <Name text={name} />
+          </span>
+          <span class="topic-type">
+            <Name text={type} />
+          </span>
+        </span>
+        <span class="topic-flow">{flow}</span>
+      </button>
+      {content === null ? null : (
+        <div class="topic-inside" id={id}>
+          {content}
+        </div>
+      )}
+    </li>
+  );
+}

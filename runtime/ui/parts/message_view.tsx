@@ -1,0 +1,33 @@
+// A message that came: its title, a button that copies it as YAML, and its values as a tree.
+
+import type { Decoded } from '../../decode/decoder.ts';
+import { toYaml } from '../../decode/yaml.ts';
+import { CopyButton } from './button.tsx';
+import { MessageTree } from './message_tree.tsx';
+
+export interface MessageViewProps {
+  readonly title: string;
+  /** Beside the title: when it came, how large it is. */
+  readonly facts?: string;
+  readonly message: Extract<Decoded, { readonly kind: 'value' }>;
+  /** Of the tree and of the button, in words. */
+  readonly label: string;
+  readonly copyLabel: string;
+  readonly announce: (text: string) => void;
+}
+
+export function MessageView({ title, facts, message, label, copyLabel, announce }: MessageViewProps) {
+  const { value, shape } = message;
+  return (
+    <div class="message">
+      <div class="message-head">
+        <div class="message-words">
+          <h3 class="message-title">{title}</h3>
+          {facts === undefined ? null : <span class="message-facts">{facts}</span>}
+        </div>
+        <CopyButton label={copyLabel} text={() => toYaml(value, shape)} announce={announce} />
+      </div>
+      <MessageTree label={label} value={value} shape={shape} />
+    </div>
+  );
+}

@@ -1,0 +1,25 @@
+// The field of a panel's tools that says what is shown.
+
+import { Icon } from './icon.tsx';
+
+export interface SearchFieldProps {
+  readonly value: string;
+  /** What it does, in words. */
+  readonly label: string;
+  readonly onText: (text: string) => void;
+}
+
+export function SearchField({ value, label, onText }: SearchFieldProps) {
+  return (
+    <label class="search">
+      <Icon name="search" />
+      <input
+        type="search"
+        value={value}
+        placeholder={label}
+        aria-label={label}
+        onInput={(event) => onText(event.currentTarget.value)}
+      />
+    </label>
+  );
+}

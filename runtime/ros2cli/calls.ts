@@ -4,9 +4,12 @@ import type { SiteError } from '../wasm_js/site_error.ts';
 import { CommandError, type Context } from './command.ts';
 import { decoded } from './filled_message.ts';
 
+/** Who calls: a command, or a panel of the page. */
+export type Caller = Pick<Context, 'session' | 'codec' | 'signal'>;
+
 /** Calls once; a CommandError says why there is no answer. `request`: fields; bytes are taken as they are. */
 export async function callService(
-  context: Context, name: string, type: string, request: unknown, timeoutMs = Infinity,
+  context: Caller, name: string, type: string, request: unknown, timeoutMs = Infinity,
 ): Promise<Readonly<Record<string, unknown>>> {
   const codec = await context.codec();
   let bytes: Uint8Array;

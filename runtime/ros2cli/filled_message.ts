@@ -36,7 +36,7 @@ export function stampOf(ms: number): { readonly sec: number; readonly nanosec: n
 }
 
 /** A message's value, or what is wrong with its bytes. */
-export async function decoded(context: Context, type: string, bytes: Uint8Array): Promise<{ readonly value: Readonly<Record<string, unknown>>; readonly shape: Shape }> {
+export async function decoded(context: Pick<Context, 'codec'>, type: string, bytes: Uint8Array): Promise<{ readonly value: Readonly<Record<string, unknown>>; readonly shape: Shape }> {
   const result = (await context.codec()).decode(type, bytes);
   if (result.kind === 'failed') throw new CommandError(result.reason);
   return { value: result.value as Readonly<Record<string, unknown>>, shape: result.shape };

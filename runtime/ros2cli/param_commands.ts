@@ -1,14 +1,12 @@
 // ros2 param list, get, set, delete, describe, dump.
 
-import { callService } from './calls.ts';
 import { type Command, CommandError, type Context, has } from './command.ts';
 import { shown } from './graph_lists.ts';
 import { findNode } from './node_commands.ts';
-import { dumpText, kindOf, parameterKinds, parameterValue, type ParameterValue, pythonValue } from './parameters.ts';
+import { descriptorsOf, namesOf, setText, setValue, valuesOf } from './parameter_calls.ts';
+import { dumpText, kindOf, parameterKinds, pythonValue } from './parameters.ts';
 import { reprFloat } from './python_text.ts';
 
-/** A node that is busy is not waited for without end. */
-const timeoutMs = 10_000;
 const node = { name: 'node_name', meaning: 'node' } as const;
 const parameter = { name: 'parameter_name', meaning: 'parameter' } as const;
 
@@ -16,40 +14,6 @@ function fullNode(context: Context, given: string): string {
   const found = findNode(context.session.graph(), given);
   if (found === undefined) throw new CommandError('Node not found');
   return found.name;
-}
-
-async function ask(context: Context, of: string, service: string, type: string, request: unknown): Promise<Readonly<Record<string, unknown>>> {
-  return await callService(context, `${of}/${service}`, `rcl_interfaces/srv/${type}`, request, timeoutMs);
-}
-
-async function namesOf(context: Context, of: string): Promise<string[]> {
-  const { result } = await ask(context, of, 'list_parameters', 'ListParameters', {});
-  return [...(result as { readonly names: readonly string[] }).names].sort();
-}
-
-async function valuesOf(context: Context, of: string, names: readonly string[]): Promise<readonly ParameterValue[]> {
-  const { values } = await ask(context, of, 'get_parameters', 'GetParameters', { names });
-  return values as readonly ParameterValue[];
-}
-
-interface SetResult {
-  readonly successful: boolean;
-  readonly reason: string;
-}
-
-async function setValue(context: Context, of: string, name: string, value: ParameterValue): Promise<SetResult> {
-  const { results } = await ask(context, of, 'set_parameters', 'SetParameters', { parameters: [{ name, value }] });
-  return (results as readonly SetResult[])[0] ?? { successful: false, reason: '' };
-}
-
-interface Descriptor {
-  readonly name: string;
-  readonly type: number;
-  readonly description: string;
-  readonly additional_constraints: string;
-  readonly read_only: boolean;
-  readonly floating_point_range: readonly Readonly<Record<'from_value' | 'to_value' | 'step', number>>[];
-  readonly integer_range: readonly Readonly<Record<'from_value' | 'to_value' | 'step', bigint>>[];
 }
 
 export const paramCommands: readonly Command[] = [
@@ -101,10 +65,7 @@ export const paramCommands: readonly Command[] = [
     options: [],
     run: async (context, given) => {
       const [of = '', name = '', text = ''] = given.positionals;
-      const { readYaml } = await import('../decode/read_yaml.ts');
-      const read = readYaml(text);
-      const value = parameterValue(text, read.kind === 'value' ? read.value : text);
-      const { successful, reason } = await setValue(context, fullNode(context, of), name, value);
+      const { successful, reason } = await setText(context, fullNode(context, of), name, text);
       if (successful) context.print(`Set parameter successful${reason === '' ? '' : `: ${reason}`}`);
       else throw new CommandError(`Setting parameter failed${reason === '' ? '' : `: ${reason}`}`);
       return 0;
@@ -130,8 +91,7 @@ export const paramCommands: readonly Command[] = [
     options: [],
     run: async (context, given) => {
       const [of = '', name = ''] = given.positionals;
-      const { descriptors } = await ask(context, fullNode(context, of), 'describe_parameters', 'DescribeParameters', { names: [name] });
-      for (const each of descriptors as readonly Descriptor[]) {
+      for (const each of await descriptorsOf(context, fullNode(context, of), [name])) {
         const lines = [`Parameter name: ${each.name}`, `  Type: ${parameterKinds[each.type]?.name ?? 'unknown'}`];
         if (each.description !== '') lines.push(`  Description: ${each.description}`);
         lines.push('  Constraints:');

@@ -312,6 +312,8 @@ const kScenes: Readonly<Record<string, () => FakeSession | Promise<FakeSession>>
   signals,
   sheet,
   services,
+  // Not part of the first view, which a test measures.
+  parameters: async () => (await import('./page_fake_parameters.ts')).parameters(kHostile),
   hostile,
   checks: () => {
     const fake = talkerListener();

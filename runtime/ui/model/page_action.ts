@@ -1,5 +1,6 @@
 // Links that act, in the text of a lab sheet: `ros2wasm:open?panel=plot&paths=/odom.pose.pose.position.x`,
-// `ros2wasm:start?node=talker`, `ros2wasm:stop?node=...`, `ros2wasm:restart?node=...`, and
+// `ros2wasm:start?node=talker`, `ros2wasm:stop?node=...`, `ros2wasm:restart?node=...`,
+// `ros2wasm:set_param?node=/robot&name=speed&value=1.5` and
 // `ros2wasm:publish?topic=/cmd_vel&type=geometry_msgs/msg/Twist&value={linear: {x: 1}}`. Pure: what they mean.
 
 import type { Json } from './json.ts';
@@ -7,6 +8,7 @@ import type { Json } from './json.ts';
 export type PageAction =
   | { readonly kind: 'open'; readonly panel: string; readonly state: Json }
   | { readonly kind: 'start' | 'stop' | 'restart'; readonly node: string }
+  | { readonly kind: 'set_param'; readonly node: string; readonly name: string; readonly value: string }
   | { readonly kind: 'publish'; readonly topic: string; readonly type: string; readonly value: string };
 
 const kScheme = 'ros2wasm:';
@@ -34,6 +36,10 @@ export function readPageAction(href: string): PageAction | null {
     case 'stop':
     case 'restart':
       return field('node') === '' ? null : { kind: name, node: field('node') };
+    case 'set_param': {
+      const action = { node: field('node'), name: field('name'), value: field('value') };
+      return action.node === '' || action.name === '' || !fields.has('value') ? null : { kind: 'set_param', ...action };
+    }
     case 'publish': {
       const action = { topic: field('topic'), type: field('type'), value: field('value') };
       return action.topic === '' || action.type === '' ? null : { kind: 'publish', ...action };

@@ -94,6 +94,13 @@ export const panels: readonly PanelRow[] = [
     keeps: true,
     source: { kind: 'lazy', load: () => import('./services.tsx').then((file) => file.ServicesPanel) },
   },
+  {
+    id: 'parameters',
+    title: texts.panels.parameters,
+    icon: 'sliders',
+    keeps: true,
+    source: { kind: 'lazy', load: () => import('./parameters.tsx').then((file) => file.ParametersPanel) },
+  },
 ];
 
 export function panelRow(id: string): PanelRow | undefined {

@@ -19,6 +19,7 @@ export function TextPanel({ session, instance, open }: PanelProps) {
   const [text, setText] = useState<string | null>(null);
   const [said, setSaid] = useState('');
   const publishers = useRef(new Map<string, PagePublisher>());
+  const leaving = useRef(new AbortController());
   const files = useMemo(() => new Set(session.site.files.map((one) => one.path)), [session]);
 
   useEffect(() => {
@@ -38,6 +39,7 @@ export function TextPanel({ session, instance, open }: PanelProps) {
   }, [path, files]);
   useEffect(
     () => () => {
+      leaving.current.abort();
       for (const publisher of publishers.current.values()) publisher.close();
     },
     [],
@@ -68,6 +70,14 @@ export function TextPanel({ session, instance, open }: PanelProps) {
     return problem === undefined ? texts.text.published(topic) : texts.text.failed(problem.message);
   };
 
+  const setParam = async (node: string, name: string, value: string): Promise<string> => {
+    const { setText } = await import('../../ros2cli/parameter_calls.ts');
+    const caller = { session, codec: () => codecOf(session), signal: leaving.current.signal };
+    const full = node.startsWith('/') ? node : `/${node}`;
+    const { successful, reason } = await setText(caller, full, name, value);
+    return successful ? texts.text.set(name, full) : texts.text.refused(full, reason);
+  };
+
   const act = (action: PageAction): void => {
     switch (action.kind) {
       case 'open':
@@ -75,6 +85,11 @@ export function TextPanel({ session, instance, open }: PanelProps) {
         return;
       case 'publish':
         publish(action.topic, action.type, action.value).then(setSaid, (error: unknown) =>
+          setSaid(texts.text.failed(problemOf(error).what)),
+        );
+        return;
+      case 'set_param':
+        setParam(action.node, action.name, action.value).then(setSaid, (error: unknown) =>
           setSaid(texts.text.failed(problemOf(error).what)),
         );
         return;

@@ -1,0 +1,185 @@
+// The parameters of all nodes: read, followed, set; a node's refusal stands beside the value that it keeps.
+// State: {text, closed}.
+
+import { useEffect, useReducer, useRef, useState } from 'preact/hooks';
+import { dumpText } from '../../ros2cli/parameters.ts';
+import { textMember, textsMember } from '../model/json.ts';
+import { CopyButton, IconButton } from '../parts/button.tsx';
+import { Icon } from '../parts/icon.tsx';
+import { useCodec } from '../parts/message_feed.ts';
+import { Name } from '../parts/name.tsx';
+import { PanelFrame } from '../parts/panel.tsx';
+import { ParameterRow } from '../parts/parameter_row.tsx';
+import { ParameterStore } from '../parts/parameter_store.ts';
+import type { KnownParameter, NodeParameters } from '../parts/parameter_store.ts';
+import { useTime } from '../parts/watch.ts';
+import { texts } from '../texts.ts';
+import type { PanelProps } from './panel_props.ts';
+
+/** Rows of one node that are drawn: the filter finds the others. */
+const kMostRows = 200;
+const kMostClosed = 100;
+const kLongestText = 200;
+
+export function ParametersPanel({ session, state, setState, announce, instance }: PanelProps) {
+  const text = textMember(state, 'text').slice(0, kLongestText);
+  const closed = textsMember(state, 'closed', kMostClosed);
+  const codec = useCodec(session);
+  const time = useTime(session);
+  const [hidden, setHidden] = useState(false);
+  const [, redraw] = useReducer<number, void>((n) => n + 1, 0);
+  const store = useRef<ParameterStore | null>(null);
+  const ready = codec !== null && typeof codec !== 'string';
+
+  useEffect(() => {
+    if (!ready) return undefined;
+    const made = new ParameterStore(session, codec, () => redraw());
+    store.current = made;
+    redraw();
+    return () => {
+      store.current = null;
+      made.close();
+    };
+  }, [session, codec]);
+
+  const change = (next: { text?: string; closed?: readonly string[] }): void => {
+    const { text: wanted, closed: names } = { text, closed, ...next };
+    setState({ text: wanted, closed: [...names] });
+  };
+  const nodes = store.current?.nodes(hidden) ?? [];
+  const wanted = text.trim().toLowerCase();
+  const found = nodes.flatMap((node) => {
+    const rows = [...node.parameters];
+    if (wanted === '' || node.name.toLowerCase().includes(wanted)) return [{ node, rows }];
+    const some = rows.filter(([name]) => name.toLowerCase().includes(wanted));
+    return some.length === 0 ? [] : [{ node, rows: some }];
+  });
+  const tools = (
+    <>
+      <label class="check">
+        <input type="checkbox" checked={hidden} onChange={(event) => setHidden(event.currentTarget.checked)} />
+        {texts.parameters.hidden}
+      </label>
+      <label class="search">
+        <Icon name="search" />
+        <input
+          type="search"
+          value={text}
+          placeholder={texts.parameters.filter}
+          aria-label={texts.parameters.filter}
+          onInput={(event) => change({ text: event.currentTarget.value })}
+        />
+      </label>
+    </>
+  );
+  return (
+    <PanelFrame id="parameters" title={texts.panels.parameters} icon="sliders" tools={tools}>
+      {typeof codec === 'string' ? <p class="hint">{codec}</p> : null}
+      {codec === null ? <p class="hint">{texts.starting}</p> : null}
+      {time.state === 'running' ? null : <p class="hint">{texts.parameters.held}</p>}
+      {ready && nodes.length === 0 ? <p class="hint">{texts.parameters.none}</p> : null}
+      {nodes.length > 0 && found.length === 0 ? <p class="hint">{texts.parameters.noneMatch}</p> : null}
+      <ul class="topics" role="list">
+        {found.map(({ node, rows }) => (
+          <NodeSection
+            key={node.name}
+            node={node}
+            rows={rows}
+            open={wanted !== '' || !closed.includes(node.name)}
+            onToggle={() =>
+              change({
+                closed: closed.includes(node.name)
+                  ? closed.filter((name) => name !== node.name)
+                  : [...closed, node.name].slice(-kMostClosed),
+              })
+            }
+            store={store}
+            announce={announce}
+            instance={instance}
+          />
+        ))}
+      </ul>
+    </PanelFrame>
+  );
+}
+
+interface NodeSectionProps extends Pick<PanelProps, 'announce' | 'instance'> {
+  readonly node: NodeParameters;
+  readonly rows: readonly (readonly [string, KnownParameter])[];
+  readonly open: boolean;
+  readonly onToggle: () => void;
+  readonly store: { readonly current: ParameterStore | null };
+}
+
+function NodeSection({ node, rows, open, onToggle, store, announce, instance }: NodeSectionProps) {
+  const inside = `parameters-${instance}-${encodeURIComponent(node.name)}`;
+  const values = (): Map<string, KnownParameter['value']> =>
+    new Map([...node.parameters].map(([name, { value }]) => [name, value]));
+  return (
+    <li class={`topic ${open ? 'topic-open' : ''}`}>
+      <div class="parameters-head">
+        <button
+          type="button"
+          class="topic-head"
+          aria-expanded={open}
+          aria-controls={open ? inside : undefined}
+          onClick={onToggle}
+        >
+          <Icon name="chevron" class="topic-turn" />
+          <span class="topic-names">
+            <span class="topic-name">
+              <Name text={node.name} />
+            </span>
+            <span class="topic-type">
+              {!node.here
+                ? node.parameters.size === 0
+                  ? texts.parameters.gone
+                  : texts.parameters.goneWith
+                : node.reading
+                  ? texts.parameters.reading
+                  : texts.parameters.count(node.parameters.size)}
+            </span>
+          </span>
+        </button>
+        <CopyButton
+          label={texts.parameters.copy(node.name)}
+          text={() => `${dumpText(node.name, values())}\n`}
+          announce={announce}
+        />
+        <IconButton
+          icon="restart"
+          label={texts.parameters.reload(node.name)}
+          disabled={!node.here || node.reading}
+          onClick={() => store.current?.reload(node.name)}
+        />
+      </div>
+      {open ? (
+        <div class="parameters-inside" id={inside}>
+          {node.here && !node.reading && node.problem !== '' ? (
+            <p class="work-problem" role="alert">
+              {texts.parameters.unread(node.problem)}
+            </p>
+          ) : null}
+          {rows.length > 0 ? (
+            <ul class="parameters" role="list">
+              {rows.slice(0, kMostRows).map(([name, parameter]) => (
+                <ParameterRow
+                  key={name}
+                  node={node.name}
+                  name={name}
+                  parameter={parameter}
+                  here={node.here}
+                  set={(value) =>
+                    store.current?.set(node.name, name, value) ?? Promise.reject(new Error(texts.parameters.gone))
+                  }
+                  announce={announce}
+                />
+              ))}
+            </ul>
+          ) : null}
+          {rows.length > kMostRows ? <p class="hint">{texts.parameters.more(kMostRows, rows.length)}</p> : null}
+        </div>
+      ) : null}
+    </li>
+  );
+}

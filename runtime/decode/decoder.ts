@@ -1,7 +1,8 @@
 // Turns the bytes of a message (CDR) into plain values for showing. Loaded when a message is looked at
 // for the first time, with the parser and reader of @foxglove. Malformed bytes give an error value.
 
-import { MessageReader } from '@foxglove/rosmsg2-serialization';
+// The package's index would bring its writer along, which nothing here uses.
+import { MessageReader } from '@foxglove/rosmsg2-serialization/dist/MessageReader.js';
 import type { Definitions } from './definitions.ts';
 import type { Shape } from './shape.ts';
 import { createTypes, messageOf, type Types } from './types.ts';

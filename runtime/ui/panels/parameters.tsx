@@ -12,7 +12,9 @@ import { PanelFrame } from '../parts/panel.tsx';
 import { ParameterRow } from '../parts/parameter_row.tsx';
 import { ParameterStore } from '../parts/parameter_store.ts';
 import type { KnownParameter, NodeParameters } from '../parts/parameter_store.ts';
+import { SearchField } from '../parts/search_field.tsx';
 import { useTime } from '../parts/watch.ts';
+import { WorkProblem } from '../parts/work_problem.tsx';
 import { texts } from '../texts.ts';
 import type { PanelProps } from './panel_props.ts';
 
@@ -60,16 +62,7 @@ export function ParametersPanel({ session, state, setState, announce, instance }
         <input type="checkbox" checked={hidden} onChange={(event) => setHidden(event.currentTarget.checked)} />
         {texts.parameters.hidden}
       </label>
-      <label class="search">
-        <Icon name="search" />
-        <input
-          type="search"
-          value={text}
-          placeholder={texts.parameters.filter}
-          aria-label={texts.parameters.filter}
-          onInput={(event) => change({ text: event.currentTarget.value })}
-        />
-      </label>
+      <SearchField value={text} label={texts.parameters.filter} onText={(typed) => change({ text: typed })} />
     </>
   );
   return (
@@ -155,11 +148,7 @@ function NodeSection({ node, rows, open, onToggle, store, announce, instance }: 
       </div>
       {open ? (
         <div class="parameters-inside" id={inside}>
-          {node.here && !node.reading && node.problem !== '' ? (
-            <p class="work-problem" role="alert">
-              {texts.parameters.unread(node.problem)}
-            </p>
-          ) : null}
+          <WorkProblem text={node.here && !node.reading && node.problem !== '' ? texts.parameters.unread(node.problem) : ''} />
           {rows.length > 0 ? (
             <ul class="parameters" role="list">
               {rows.slice(0, kMostRows).map(([name, parameter]) => (

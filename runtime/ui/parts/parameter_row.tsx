@@ -11,6 +11,7 @@ import { problemOf } from '../model/problem.ts';
 import { texts } from '../texts.ts';
 import { Name } from './name.tsx';
 import type { KnownParameter } from './parameter_store.ts';
+import { WorkProblem } from './work_problem.tsx';
 
 /** Longer texts are shown, cut, and not edited. */
 const kMostText = 10_000;
@@ -111,11 +112,7 @@ export function ParameterRow({ node, name, parameter, here, set, announce }: Par
           <span>{each}</span>
         ))}
       </p>
-      {problem === '' ? null : (
-        <p class="work-problem" role="alert">
-          {problem}
-        </p>
-      )}
+      <WorkProblem text={problem} />
     </li>
   );
 }

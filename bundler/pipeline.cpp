@@ -14,7 +14,7 @@
 #include "bundler/build/wasm_module.hpp"
 #include "bundler/channel/channel_index.hpp"
 #include "bundler/channel/transport.hpp"
-#include "bundler/emit/folder_output.hpp"
+#include "bundler/emit/site_output.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/installation.hpp"
 #include "bundler/launch/installed_tree.hpp"
@@ -530,7 +530,7 @@ Outcome<LockReport> lock(const LockRequest& request, const Cancellation& cancell
 Outcome<PackReport> pack(const PackRequest& request, const Cancellation& cancellation,
                          const ProgressSink& progress) {
   if (!request.plan_only) {
-    if (auto refusal = refuse_folder(request.output)) return *refusal;
+    if (auto refusal = refuse_output(request.output)) return *refusal;
   }
   auto workspace = build(request, cancellation, progress);
   if (!workspace) return std::move(workspace).errors();
@@ -553,7 +553,7 @@ Outcome<PackReport> pack(const PackRequest& request, const Cancellation& cancell
   // 9. write it
   if (!request.plan_only) {
     begin_step(progress, "emit");
-    if (auto emitted = emit_folder(*planned, request.output, cancellation); !emitted) {
+    if (auto emitted = emit_site(*planned, request.output, cancellation); !emitted) {
       return std::move(emitted).errors();
     }
   }

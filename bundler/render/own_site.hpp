@@ -2,8 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 
 namespace ros2wasm {
+
+/// By its `generator`.
+[[nodiscard]] bool is_site_json_of_ours(std::string_view text);
 
 /// By its site.json.
 [[nodiscard]] bool is_site_of_ours(const std::filesystem::path& folder);

@@ -38,6 +38,18 @@ test('what was packed is as it was packed, and the hash that pack said is that o
   assert.equal(createHash('sha256').update(readFileSync(join(site, 'site.json'))).digest('hex'), sha256);
 });
 
+test('-o NAME.zip writes the same site as one archive, the same one each time', async () => {
+  for (const name of ['one.zip', 'two.zip']) {
+    const packed = await ws.run(['pack', '-o', name]);
+    assert.equal(packed.code, 0, packed.stderr);
+  }
+  assert.deepEqual(readFileSync(join(ws.root, 'one.zip')), readFileSync(join(ws.root, 'two.zip')));
+  const unpacked = spawnSync('python3', ['-m', 'zipfile', '-e', 'one.zip', 'unpacked'], { cwd: ws.root, encoding: 'utf8' });
+  assert.equal(unpacked.status, 0, unpacked.stderr);
+  const whole = await ws.run(['verify', 'unpacked', '--hash', sha256]);
+  assert.equal(whole.code, 0, whole.stderr);
+});
+
 test('sha256sum finds every file as SHA256SUMS says, site.json too', () => {
   const checked = spawnSync('sha256sum', ['--check', '--strict', 'SHA256SUMS'], { cwd: site, encoding: 'utf8' });
   assert.equal(checked.status, 0, checked.stderr);

@@ -1,0 +1,21 @@
+// Where a site goes: into a folder or, when the name ends in .zip, into one archive.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "bundler/plan/site_plan.hpp"
+#include "workspace_schema/cancellation.hpp"
+#include "workspace_schema/outcome.hpp"
+
+namespace ros2wasm {
+
+/// Nothing when a site may be written there: nothing is there yet, or a site that ros2wasm made.
+/// R2W0601 otherwise. Asked before anything is built.
+[[nodiscard]] std::optional<Diagnostic> refuse_output(const std::filesystem::path& output);
+
+/// What emit_folder() or emit_zip() says.
+[[nodiscard]] Outcome<Done> emit_site(const SitePlan& plan, const std::filesystem::path& output,
+                                      const Cancellation& cancellation);
+
+}  // namespace ros2wasm

@@ -1,0 +1,102 @@
+// See zip_output.hpp.
+#include "bundler/emit/zip_output.hpp"
+
+#include <fstream>
+#include <string_view>
+
+#include "bundler/archive/zip_writer.hpp"
+#include "bundler/io/files.hpp"
+#include "bundler/plan/site_path.hpp"
+#include "bundler/render/own_site.hpp"
+#include "bundler/verify/site_list.hpp"
+
+namespace ros2wasm {
+namespace fs = std::filesystem;
+namespace {
+
+/// Of a member and of the whole, with room for the directory; and of members.
+constexpr std::uint64_t kMostBytes = 4'000'000'000;
+constexpr std::size_t kMostMembers = 65'000;
+constexpr std::uint64_t kMostOfSiteJson = 256'000'000;
+
+std::uint32_t number_at(std::string_view header, std::size_t at, int bytes) {
+  std::uint32_t value = 0;
+  for (int i = 0; i < bytes; ++i)
+    value |= std::uint32_t{static_cast<unsigned char>(header[at + i])} << (8 * i);
+  return value;
+}
+
+/// The first member of an archive that emit_zip() wrote; else empty.
+std::string first_site_json(const fs::path& file) {
+  constexpr std::string_view kName = kSiteJsonName;
+  constexpr std::size_t kHeader = 30;
+  std::ifstream in(file, std::ios::binary);
+  std::string header(kHeader + kName.size(), '\0');
+  if (!in.read(header.data(), static_cast<std::streamsize>(header.size()))) return {};
+  const std::uint32_t size = number_at(header, 22, 4);
+  if (!header.starts_with("PK\3\4") || number_at(header, 8, 2) != 0 ||
+      number_at(header, 26, 2) != kName.size() || number_at(header, 28, 2) != 0 ||
+      !header.ends_with(kName) || size > kMostOfSiteJson)
+    return {};
+  std::string text(size, '\0');
+  if (!in.read(text.data(), static_cast<std::streamsize>(size))) return {};
+  return text;
+}
+
+Diagnostic too_large(const fs::path& file, std::string why) {
+  return Diagnostic{.code = "R2W0609",
+                    .message = "the site does not fit into the archive `" + file.string() + "`",
+                    .why = {std::move(why)},
+                    .fix = {"write it as a folder, with a name that does not end in .zip"}};
+}
+
+}  // namespace
+
+std::optional<Diagnostic> refuse_zip(const fs::path& file) {
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (!fs::exists(status) && !fs::is_symlink(fs::symlink_status(file, error))) return std::nullopt;
+  if (fs::is_regular_file(status) && is_site_json_of_ours(first_site_json(file)))
+    return std::nullopt;
+  return Diagnostic{
+      .code = "R2W0601",
+      .message = "`" + file.string() + "` exists and is not a site made by ros2wasm",
+      .why =
+          {fs::is_regular_file(status)
+               ? "writing a site there would remove it; it does not begin with a site.json of ours"
+               : "it is not a file, and a name that ends in .zip asks for an archive"},
+      .fix = {"choose another place with -o"}};
+}
+
+Outcome<Done> emit_zip(const SitePlan& plan, const fs::path& file,
+                       const Cancellation& cancellation) {
+  if (auto refusal = refuse_zip(file)) return *refusal;
+  const std::size_t members = plan.files.size() + plan.channel.size();
+  if (members > kMostMembers)
+    return too_large(file, "it has " + std::to_string(members) + " files");
+  if (const std::uint64_t size = total_size(plan) + channel_size(plan); size > kMostBytes)
+    return too_large(file, "it has " + std::to_string(size) + " bytes");
+  ZipWriter archive;
+  const auto add = [&](const std::string& path, std::string_view bytes) -> Outcome<Done> {
+    if (cancellation.requested()) return interrupted();
+    if (auto refusal = refuse_site_path(path)) return *refusal;
+    archive.member(path, bytes);
+    return Done{};
+  };
+  const auto is_list = [](const PlannedFile& one) { return one.path == kSiteJsonName; };
+  for (const bool lists : {true, false}) {
+    for (const PlannedFile& one : plan.files) {
+      if (is_list(one) != lists) continue;
+      if (auto added = add(one.path, one.bytes); !added) return added;
+    }
+  }
+  for (const ChannelFile& one : plan.channel) {
+    const auto bytes =
+        one.copy_of.empty() ? Outcome<std::string>(one.bytes) : read_file(one.copy_of);
+    if (!bytes) return bytes.errors();
+    if (auto added = add(one.path, *bytes); !added) return added;
+  }
+  return write_file(file, archive.finish());
+}
+
+}  // namespace ros2wasm

@@ -2,7 +2,7 @@
 // The session is reachable as globalThis.fake.
 
 import { EndpointKind } from '../../runtime/protocol/generated/constants.ts';
-import type { GraphEndpointView, GraphView } from '../../runtime/wasm_js/session.ts';
+import type { GraphEndpointView, GraphNodeView, GraphView } from '../../runtime/wasm_js/session.ts';
 import type { Sample } from '../unit/wasm_js/graph_peer.ts';
 import type { PagePublisher } from '../../runtime/wasm_js/session.ts';
 import { mountPage } from '../../runtime/ui/mount.tsx';
@@ -165,6 +165,13 @@ function hostile(): FakeSession {
     { name: `/${kHostile}`, type: 'std_msgs/msg/String', count: 1 },
     { name: '/odd', type: kHostile, count: 1 },
   ]);
+  fake.setGraph({
+    nodes: [
+      graphNode(`/${kHostile}`, 'talker-1', { publishers: [endpoint(`/__proto__/${kHostile}`, kHostile), endpoint('/\u202eodd\u0000', kHostile)] }),
+      graphNode('/__proto__', 'talker-1', { subscriptions: [endpoint(`/__proto__/${kHostile}`, kHostile)] }),
+      graphNode('/constructor', 'talker-1', { subscriptions: [endpoint(`/${'x'.repeat(5000)}`, kHostile)] }),
+    ],
+  });
   fake.publish(`/${kHostile}`, stringBytes(kHostile));
   fake.publish('/odd', stringBytes(kHostile));
   return fake;
@@ -296,6 +303,56 @@ async function services(): Promise<FakeSession> {
   return fake;
 }
 
+function graphNode(name: string, process: string, has: Partial<GraphNodeView> = {}): GraphNodeView {
+  const rosout = endpoint('/rosout', 'rcl_interfaces/msg/Log');
+  return {
+    name, process, subscriptions: [], services: [], clients: [], actionServers: [], actionClients: [], ...has,
+    publishers: [...(has.publishers ?? []), rosout],
+  };
+}
+
+/** A robot in a namespace, a planner with an action, and nodes that a test adds and takes away: `globalThis.robotNodes()` is its graph. */
+function graph(): FakeSession {
+  const fake = new FakeSession({
+    nodes: [
+      { executable: 'laser', label: '/robot/laser' },
+      { executable: 'diff_drive', label: '/robot/diff_drive' },
+      { executable: 'planner', label: '/planner' },
+      { executable: 'mission', label: '/mission' },
+      { executable: 'safety', label: '/safety' },
+    ],
+    interfaces: kInterfaces,
+  });
+  const scan = endpoint('/robot/scan', 'sensor_msgs/msg/LaserScan');
+  const odom = endpoint('/robot/odom', 'nav_msgs/msg/Odometry');
+  const command = endpoint('/robot/cmd_vel', 'geometry_msgs/msg/Twist');
+  const tf = endpoint('/tf', 'tf2_msgs/msg/TFMessage');
+  const navigate = { name: '/navigate', type: 'demo/action/Navigate' };
+  const robotNodes = (): readonly GraphNodeView[] => [
+    graphNode('/_ros2wasm_page', 'page', { subscriptions: [scan] }),
+    graphNode('/mission', 'mission-4', { actionClients: [navigate] }),
+    graphNode('/planner', 'planner-3', {
+      subscriptions: [odom, scan],
+      publishers: [command, endpoint('/navigate/_action/feedback', 'demo/action/Navigate_FeedbackMessage')],
+      services: [endpoint('/planner/get_parameters', 'rcl_interfaces/srv/GetParameters')],
+      actionServers: [navigate],
+    }),
+    graphNode('/robot/diff_drive', 'diff_drive-2', { subscriptions: [command], publishers: [odom, tf] }),
+    graphNode('/robot/laser', 'laser-1', { publishers: [scan] }),
+    graphNode('/safety', 'safety-5', { subscriptions: [scan], publishers: [command] }),
+  ];
+  const set = (nodes: readonly GraphNodeView[]): void => fake.setGraph({ nodes: nodes.toSorted((a, b) => (a.name < b.name ? -1 : 1)) });
+  set(robotNodes());
+  fake.setTopics([
+    { name: '/robot/scan', type: scan.type, rateHz: 10, bytesPerSecond: 14_820, count: 812, subscriptions: 3 },
+    { name: '/robot/odom', type: odom.type, rateHz: 29.9, count: 2390 },
+    { name: '/robot/cmd_vel', type: command.type, rateHz: 12, publishers: 2, count: 30 },
+    { name: '/tf', type: tf.type, rateHz: 0 },
+  ]);
+  Object.assign(globalThis, { robotNodes, setNodes: set, graphNode, endpoint });
+  return fake;
+}
+
 function endpoint(name: string, type: string): GraphEndpointView {
   return {
     name, type, hash: '', gid: '0'.repeat(32),
@@ -314,6 +371,7 @@ const kScenes: Readonly<Record<string, () => FakeSession | Promise<FakeSession>>
   services,
   // Not part of the first view, which a test measures.
   parameters: async () => (await import('./page_fake_parameters.ts')).parameters(kHostile),
+  graph,
   hostile,
   checks: () => {
     const fake = talkerListener();

@@ -34,6 +34,12 @@ export const panels: readonly PanelRow[] = [
     source: { kind: 'lazy', load: () => import('./plot.tsx').then((file) => file.PlotPanel) },
   },
   {
+    id: 'graph',
+    title: texts.panels.graph,
+    icon: 'graph',
+    source: { kind: 'lazy', load: () => import('./graph.tsx').then((file) => file.GraphPanel) },
+  },
+  {
     id: 'timeline',
     title: texts.panels.timeline,
     icon: 'timeline',

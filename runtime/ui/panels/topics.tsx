@@ -1,9 +1,11 @@
-// The topics of the graph: who writes and reads, how often, and the last message of each opened one.
+// The topics of the graph: who writes and reads, how often, and the last message of each opened one. State: {topic}, one
+// that another panel asked for.
 
-import { useRef, useState } from 'preact/hooks';
+import { useEffect, useRef, useState } from 'preact/hooks';
 import type { QosView, TopicView } from '../../wasm_js/session.ts';
 import type { Decoded, Decoder } from '../../decode/decoder.ts';
 import { isHiddenTopic } from '../model/hidden_names.ts';
+import { textMember } from '../model/json.ts';
 import { readPreference, writePreference } from '../model/preferences.ts';
 import { formatBandwidth, formatCount, formatDuration, formatRate } from '../model/quantities.ts';
 import { GraphRow } from '../parts/graph_row.tsx';
@@ -18,7 +20,7 @@ import type { PanelProps } from './panel_props.ts';
 /** A filter is worth its room from this many topics on. */
 const kFilterFrom = 8;
 
-export function TopicsPanel({ session, store, announce }: PanelProps) {
+export function TopicsPanel({ session, store, announce, state, setState }: PanelProps) {
   const topics = useTopics(session);
   const [hidden, setHidden] = useState(
     () => readPreference(store, 'hiddenTopics', ['yes', 'no'], 'no') === 'yes',
@@ -26,7 +28,14 @@ export function TopicsPanel({ session, store, announce }: PanelProps) {
   const [text, setText] = useState('');
   const [opened, setOpened] = useState<ReadonlySet<string>>(new Set());
 
-  const allowed = topics.filter((topic) => hidden || !isHiddenTopic(topic.name));
+  const asked = textMember(state, 'topic');
+  useEffect(() => {
+    if (asked === '') return;
+    setText('');
+    setOpened((before) => new Set([...before, asked]));
+  }, [asked]);
+
+  const allowed = topics.filter((topic) => hidden || topic.name === asked || !isHiddenTopic(topic.name));
   const shown = allowed
     .filter(
       (topic) =>
@@ -37,6 +46,8 @@ export function TopicsPanel({ session, store, announce }: PanelProps) {
   const toggle = (name: string): void => {
     const next = new Set(opened);
     if (!next.delete(name)) next.add(name);
+    // It can be asked for again.
+    else if (name === asked) setState(null);
     setOpened(next);
   };
 
@@ -80,6 +91,7 @@ export function TopicsPanel({ session, store, announce }: PanelProps) {
             key={topic.name}
             topic={topic}
             open={opened.has(topic.name)}
+            asked={topic.name === asked}
             onToggle={() => toggle(topic.name)}
             session={session}
             announce={announce}
@@ -93,10 +105,12 @@ export function TopicsPanel({ session, store, announce }: PanelProps) {
 interface TopicRowProps extends Pick<PanelProps, 'session' | 'announce'> {
   readonly topic: TopicView;
   readonly open: boolean;
+  /** Comes into sight. */
+  readonly asked: boolean;
   readonly onToggle: () => void;
 }
 
-function TopicRow({ topic, open, onToggle, session, announce }: TopicRowProps) {
+function TopicRow({ topic, open, asked, onToggle, session, announce }: TopicRowProps) {
   const flow = (
     <>
       <span class="topic-rate">{formatRate(topic.rateHz)}</span>
@@ -131,6 +145,7 @@ function TopicRow({ topic, open, onToggle, session, announce }: TopicRowProps) {
       type={topic.type}
       flow={flow}
       open={open}
+      asked={asked}
       onToggle={onToggle}
       inside={inside}
     />

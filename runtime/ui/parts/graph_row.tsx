@@ -1,6 +1,7 @@
 // A row of a list of topics, services or actions: name and type, which open what is inside.
 
 import type { ComponentChildren } from 'preact';
+import { useEffect, useRef } from 'preact/hooks';
 import { Icon } from './icon.tsx';
 import { Name } from './name.tsx';
 
@@ -12,15 +13,21 @@ export interface GraphRowProps {
   /** At the end of the row. */
   readonly flow: ComponentChildren;
   readonly open: boolean;
+  /** Another panel asked for it: it comes into sight. */
+  readonly asked?: boolean;
   readonly onToggle: () => void;
   /** Shown while it is open; null: nothing yet. */
   readonly inside: () => ComponentChildren;
 }
 
-export function GraphRow({ id, name, type, flow, open, onToggle, inside }: GraphRowProps) {
+export function GraphRow({ id, name, type, flow, open, asked = false, onToggle, inside }: GraphRowProps) {
+  const row = useRef<HTMLLIElement>(null);
+  useEffect(() => {
+    if (asked) row.current?.scrollIntoView({ block: 'start' });
+  }, [asked]);
   const content = open ? inside() : null;
   return (
-    <li class={`topic ${open ? 'topic-open' : ''}`}>
+    <li class={`topic ${open ? 'topic-open' : ''}`} ref={row}>
       <button
         type="button"
         class="topic-head"

@@ -1,0 +1,117 @@
+// Pan and zoom of a drawing: by mouse, wheel and touch; fitted to its room until the visitor moves it.
+
+import { useCallback, useLayoutEffect, useRef, useState } from 'preact/hooks';
+import type { RefObject } from 'preact';
+import { fitted, moved, showing, zoomed } from '../model/camera.ts';
+import type { Camera } from '../model/camera.ts';
+import type { Place, Point, Size } from '../model/graph_layout.ts';
+
+export interface CameraControl {
+  readonly camera: Camera;
+  readonly view: Size;
+  readonly fit: () => void;
+  readonly zoom: (factor: number) => void;
+  readonly show: (place: Place) => void;
+  readonly onPointerDown: (event: PointerEvent) => void;
+  readonly onPointerMove: (event: PointerEvent) => void;
+  readonly onPointerEnd: (event: PointerEvent) => void;
+  /** The pointer has dragged the drawing: what follows is no click. */
+  readonly dragged: () => boolean;
+}
+
+const kDragFrom = 4;
+
+export function useCamera(host: RefObject<SVGSVGElement | null>, bounds: Place): CameraControl {
+  const [view, setView] = useState<Size>({ width: 0, height: 0 });
+  const [chosen, setChosen] = useState<Camera | null>(null);
+  const camera = chosen ?? fitted(bounds, view);
+  const latest = useRef({ camera, view });
+  latest.current = { camera, view };
+  const pointers = useRef(new Map<number, Point>());
+  const began = useRef<Point | null>(null);
+  const dragging = useRef(false);
+
+  const change = useCallback((next: (camera: Camera) => Camera): void => {
+    const { camera: now, view: room } = latest.current;
+    const changed = next(now);
+    latest.current = { camera: changed, view: room };
+    setChosen(changed);
+  }, []);
+
+  // Before it is first seen.
+  useLayoutEffect(() => {
+    const element = host.current;
+    if (element === null) return undefined;
+    const measure = (): void => setView({ width: element.clientWidth, height: element.clientHeight });
+    measure();
+    const resized = new ResizeObserver(measure);
+    resized.observe(element);
+    const wheel = (event: WheelEvent): void => {
+      event.preventDefault();
+      const lines = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 16 : 1;
+      change((now) => zoomed(now, Math.exp(-Math.max(-200, Math.min(200, event.deltaY * lines)) / 400), pointOf(event, element)));
+    };
+    // A listener of Preact's would be passive, and the page would scroll.
+    element.addEventListener('wheel', wheel, { passive: false });
+    return () => {
+      resized.disconnect();
+      element.removeEventListener('wheel', wheel);
+    };
+  }, []);
+
+  return {
+    camera,
+    view,
+    fit: () => setChosen(null),
+    zoom: (factor) => change((now) => zoomed(now, factor, { x: latest.current.view.width / 2, y: latest.current.view.height / 2 })),
+    show: (place) => {
+      const { camera: now, view: room } = latest.current;
+      const next = showing(now, place, room);
+      if (next.x !== now.x || next.y !== now.y) change(() => next);
+    },
+    onPointerDown(event) {
+      if (event.button !== 0 || host.current === null) return;
+      const at = pointOf(event, host.current);
+      if (pointers.current.size === 0) {
+        began.current = at;
+        dragging.current = false;
+      }
+      pointers.current.set(event.pointerId, at);
+    },
+    onPointerMove(event) {
+      const before = pointers.current.get(event.pointerId);
+      const element = host.current;
+      if (before === undefined || element === null) return;
+      const at = pointOf(event, element);
+      const start = began.current ?? at;
+      const others = [...pointers.current].filter(([id]) => id !== event.pointerId).map(([, point]) => point);
+      if (!dragging.current) {
+        if (others.length === 0 && distance(at, start) < kDragFrom) return;
+        dragging.current = true;
+        element.setPointerCapture(event.pointerId);
+      }
+      pointers.current.set(event.pointerId, at);
+      const [other] = others;
+      if (other === undefined) {
+        change((now) => moved(now, { x: at.x - before.x, y: at.y - before.y }));
+      } else {
+        const middle = { x: (at.x + other.x) / 2, y: (at.y + other.y) / 2 };
+        const shift = { x: (at.x - before.x) / 2, y: (at.y - before.y) / 2 };
+        change((now) => zoomed(moved(now, shift), distance(at, other) / Math.max(1, distance(before, other)), middle));
+      }
+    },
+    onPointerEnd(event) {
+      pointers.current.delete(event.pointerId);
+    },
+    dragged: () => dragging.current,
+  };
+}
+
+function pointOf(event: MouseEvent, element: Element): Point {
+  const box = element.getBoundingClientRect();
+  return { x: event.clientX - box.left, y: event.clientY - box.top };
+}
+
+function distance(a: Point, b: Point): number {
+  return Math.hypot(a.x - b.x, a.y - b.y);
+}

@@ -46,6 +46,7 @@ function limited(kilobytes: number): readonly string[] {
 /** Root may write everywhere, unless it gives this up. */
 const unprivileged = process.getuid?.() === 0 ? ['setpriv', '--bounding-set', '-dac_override'] : ['env'];
 
+// Guarantee, robust: a disk that becomes full: a clear error, and the old site stays
 test('a disk that becomes full while the site is written', async () => {
   const packed = await through(limited(16), ['pack', '-o', 'out/site']);
   assert.equal(packed.code, 3, packed.stderr);
@@ -79,6 +80,7 @@ for (const [what, folder] of [['the folder beside the site', 'out'], ['the whole
   });
 }
 
+// Guarantee, robust: a folder that is no site is never replaced
 test('a folder that is no site of ours', async () => {
   const packed = await ws.run(['pack', '-o', 'out']);
   assert.equal(packed.code, 1, packed.stderr);
@@ -86,6 +88,7 @@ test('a folder that is no site of ours', async () => {
   expectUntouched();
 });
 
+// Guarantee, robust: Ctrl-C at every step: the old site, or the new one, whole
 test('Ctrl-C at every step: the old site, or the new one, whole', async () => {
   const told = await ws.run(['pack', '--json', '-o', 'elsewhere']);
   assert.equal(told.code, 0, told.stderr);

@@ -14,6 +14,7 @@ before(async () => {
 
 after(() => stage.close());
 
+// Guarantee, hostile input: names, logs and messages with markup are shown as text
 test('hostile names, logs and messages are only text', () =>
   stage.on('hostile', {}, async (page) => {
     for (const head of await page.locator('.topic-head').all()) await head.click();
@@ -26,6 +27,8 @@ test('hostile names, logs and messages are only text', () =>
     assert.match((await page.textContent('h1')) ?? '', /<script>/);
   }));
 
+// Guarantee, hostile input: the page works under Trusted Types without a policy: it sets no markup
+// from text
 test('the page needs no sink that Trusted Types guard', async () => {
   const context = await stage.browser.newContext();
   const page = await context.newPage();

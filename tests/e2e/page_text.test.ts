@@ -130,6 +130,8 @@ test('the text fits a phone', async () => {
   });
 });
 
+// Guarantee, hostile input: lab sheets: nothing in a hostile Markdown text acts, loads or is
+// injected
 test('nothing in a hostile text acts, loads or is injected', async () => {
   put(kHostile);
   await stage.on('sheet', {}, async (page) => {

@@ -58,6 +58,8 @@ const DOORS = new Map([
   ['page', () => `__import__("pyodide.http").http.open_url("http://127.0.0.1:${port}/")`],
 ]);
 
+// Guarantee, hostile input: a setup.py reaches no network, environment, process or file outside the
+// workspace when it is read
 test('a setup.py that tries all doors gets nothing', async () => {
   addPackage('doors', `import gc, os, socket, subprocess, sys, urllib.request
 

@@ -66,6 +66,7 @@ function probeWorker(page: Page, way: 'url' | 'blob'): Promise<unknown> {
 
 const refused = { eval: 'EvalError', fetch: 'TypeError' };
 
+// Guarantee, hostile input: a page loads nothing from another host
 test('a host with the headers: shared memory, and nothing from elsewhere', watchdog, async () => {
   const host = await serveFolder(folder, { isolated: true });
   try {
@@ -87,6 +88,8 @@ test('a host with the headers: shared memory, and nothing from elsewhere', watch
   }
 });
 
+// Guarantee, hostile input: the Content-Security-Policy holds in workers too on a host that sends
+// no headers
 test('a host without headers: the service worker adds them, and the policy to worker scripts too', watchdog, async () => {
   const host = await serveFolder(folder);
   try {
@@ -102,6 +105,7 @@ test('a host without headers: the service worker adds them, and the policy to wo
   }
 });
 
+// Guarantee, robust: a site works offline after the first visit
 test('offline after the first visit', watchdog, async () => {
   const host = await serveFolder(folder);
   const page = await open();
@@ -127,6 +131,7 @@ test('a site of which a file does not come is not said to be kept', watchdog, as
   }
 });
 
+// Guarantee, robust: the next visit shows a new version of a site, whatever the browser may keep
 test('a new version of the site is what the next visit shows, whatever the browser may keep', watchdog, async () => {
   const changing = makeSite([{ program: 'talker.c' }, { program: 'listener.c' }]);
   const host = await serveFolder(changing, { maxAge: 3600 });
@@ -151,6 +156,7 @@ test('a new version of the site is what the next visit shows, whatever the brows
   }
 });
 
+// Guarantee, verified: the page runs only programs with the bytes that `site.json` lists
 test('a program that was changed on the host is refused, and the others run', watchdog, async () => {
   const changed = makeSite([{ program: 'talker.c' }, { program: 'listener.c' }, { program: 'echo.c' }]);
   const program = join(changed, 'programs/echo.wasm');
@@ -199,6 +205,7 @@ test('where no service worker can run, an old program in the browser\'s cache is
   }
 });
 
+// Guarantee, hostile input: where no service worker can run, node code cannot reach another host
 test('where no service worker can run: ports, and the policy holds in workers all the same', watchdog, async () => {
   const host = await serveFolder(folder);
   try {

@@ -125,8 +125,10 @@ async function same(surroundings: Surroundings): Promise<void> {
   assert.equal(lock(surroundings.root), lock(original.root));
 }
 
+// Guarantee, same bytes: packed again
 test('packed again, warm', () => same({ root: original.root, cache: join(original.root, 'cache') }));
 
+// Guarantee, same bytes: in another folder, with a space and letters of other scripts in its name, cold and warm
 test('another folder, with a space and letters of other scripts in its name, cold and then warm', async () => {
   const root = copy('Über uns/κόσμος');
   // One folder deeper: the site lies beside it.
@@ -134,6 +136,7 @@ test('another folder, with a space and letters of other scripts in its name, col
   await same({ root, cache: join(root, '../../cache') });
 });
 
+// Guarantee, same bytes: with another umask, language, time zone, home, user and host name, and on one processor
 test('another umask, language, time zone, home, user\'s name and host, and one processor', () => {
   const root = copy();
   const home = join(root, '../home');
@@ -148,6 +151,7 @@ test('another umask, language, time zone, home, user\'s name and host, and one p
   });
 });
 
+// Guarantee, same bytes: with environment variables that compilers, Python and CMake heed, and with more compilers at once
 test('variables that compilers, Python and CMake heed, and more compilers than processors', () =>
   same({
     root: copy(),
@@ -158,6 +162,7 @@ test('variables that compilers, Python and CMake heed, and more compilers than p
     },
   }));
 
+// Guarantee, same bytes: with files written in another order, with times long ago and to come
 test('files written in another order, with times long ago and to come', () => {
   const root = copy('copy', Object.keys(files).reverse());
   let year = 0;
@@ -169,6 +174,7 @@ test('files written in another order, with times long ago and to come', () => {
   return same({ root });
 });
 
+// Guarantee, same bytes: from a folder that may only be read, with files that anyone may run
 test('a folder that may only be read, with files that anyone may run', () => {
   const root = copy();
   cpSync(join(original.root, 'ros2wasm.lock'), join(root, 'ros2wasm.lock'));
@@ -178,6 +184,7 @@ test('a folder that may only be read, with files that anyone may run', () => {
   return same({ root, args: ['--locked'] });
 });
 
+// Guarantee, same bytes: with a cache that another workspace and a broken pack have used
 test('a cache that another workspace and a broken pack have used', async () => {
   const other = copy('other');
   writeFileSync(join(other, 'src/tools/src/a.cpp'), 'int broken() { return undeclared; }\n');

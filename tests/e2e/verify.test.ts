@@ -31,6 +31,7 @@ after(() => ws.close());
 
 const program = 'programs/quick/hello.wasm';
 
+// Guarantee, verified: `pack` prints the sha256 of the site, which `verify --hash` compares
 test('what was packed is as it was packed, and the hash that pack said is that of site.json', async () => {
   const whole = await ws.run(['verify', 'site', '--hash', sha256]);
   assert.equal(whole.code, 0, whole.stderr);
@@ -38,6 +39,7 @@ test('what was packed is as it was packed, and the hash that pack said is that o
   assert.equal(createHash('sha256').update(readFileSync(join(site, 'site.json'))).digest('hex'), sha256);
 });
 
+// Guarantee, same bytes: as one archive: `pack -o NAME.zip`
 test('-o NAME.zip writes the same site as one archive, the same one each time', async () => {
   for (const name of ['one.zip', 'two.zip']) {
     const packed = await ws.run(['pack', '-o', name]);
@@ -50,6 +52,7 @@ test('-o NAME.zip writes the same site as one archive, the same one each time', 
   assert.equal(whole.code, 0, whole.stderr);
 });
 
+// Guarantee, verified: `sha256sum --check SHA256SUMS` finds every file
 test('sha256sum finds every file as SHA256SUMS says, site.json too', () => {
   const checked = spawnSync('sha256sum', ['--check', '--strict', 'SHA256SUMS'], { cwd: site, encoding: 'utf8' });
   assert.equal(checked.status, 0, checked.stderr);
@@ -57,6 +60,7 @@ test('sha256sum finds every file as SHA256SUMS says, site.json too', () => {
   assert.match(checked.stdout, /^programs\/quick\/hello\.wasm: OK$/m);
 });
 
+// Guarantee, verified: one changed bit is found
 test('one bit of a program', async () => {
   const bytes = readFileSync(join(site, program));
   bytes[bytes.length - 1] = (bytes[bytes.length - 1] ?? 0) ^ 1;
@@ -67,6 +71,7 @@ test('one bit of a program', async () => {
   assert.match(changed.stderr, /\n1 error;/);
 });
 
+// Guarantee, verified: a list of hashes that was made to fit changed files is another site
 test('a list of hashes that was made to fit a changed program is another site', async () => {
   writeFileSync(join(site, program), 'another program');
   const other = createHash('sha256').update('another program').digest('hex');
@@ -114,6 +119,7 @@ async function served<T>(change: (path: string) => { status: number; body: Buffe
   }
 }
 
+// Guarantee, verified: a site on the web, by its address
 test('behind a server: whole, by the address of the page too', async () => {
   await served(() => undefined, async (url) => {
     for (const address of [url, `${url}index.html?graph=lab`, `${url}site.json`]) {

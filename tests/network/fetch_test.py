@@ -112,6 +112,8 @@ class Fetching(FetchCase):
         self.assertEqual(second.headers["range"], "bytes=90000-")
         self.assertEqual(second.status, 206)
 
+    # Guarantee, hostile input: a server that truncates, drips, resets, redirects in circles, lies about
+    # lengths or sends other bytes: one clear error, and a clean cache
     def test_faults_that_stay(self) -> None:
         wanted = self.packed()
         for code, fault in (
@@ -191,6 +193,7 @@ class Fetching(FetchCase):
         self.fail_with("R2W0232", "pack", "--offline")
         self.assertEqual(self.server.behaviour.seen, [])
 
+    # Guarantee, robust: a damaged package of the cache is found and made again
     def test_a_damaged_package_is_made_again(self) -> None:
         wanted = self.packed()
         for file in (self.folder / "cache").rglob("share/lib0/data"):
@@ -200,6 +203,7 @@ class Fetching(FetchCase):
         self.assertEqual(self.packed(), wanted)
         self.check_cache()
 
+    # Guarantee, robust: packs at once with one cache all succeed
     def test_two_packs_at_once(self) -> None:
         wanted = self.packed()
         self.forget_everything()
@@ -243,6 +247,7 @@ class ManyArchives(ChannelCase):
 
 
 class Killing(FetchCase):
+    # Guarantee, robust: `pack` killed (SIGKILL) at random moments: the next one gives the same bytes
     def test_killed_at_any_moment(self) -> None:
         started = time.monotonic()
         wanted = self.packed()

@@ -74,7 +74,7 @@ def checks() -> dict[str, object]:
         "house": house_rules,
         "types": lambda: run("node_modules/.bin/tsc", "--noEmit", "-p", "tsconfig.json"),
         "constants": lambda: run("node", "runtime/protocol/generate.mjs", "--check"),
-        "tables": lambda: run(sys.executable, "tests/tools/compatibility.py", "--check"),
+        "tables": lambda: run(sys.executable, "tests/tools/claims.py", "--check"),
         "python": lambda: run(PYTHON, "-m", "flake8", "--max-line-length=120", *python),
         "hints": lambda: run(PYTHON, "-m", "mypy", "--cache-dir=build/.mypy_cache", *hinted),
         "launch": lambda: run(PYTHON, "-m", "mypy", "--cache-dir=build/.mypy_launch", LAUNCH_MODULES,

@@ -125,6 +125,7 @@ TEST(YamlReader, RefusesWhatIsNoText) {
   }
 }
 
+// Guarantee, hostile input: YAML: depth, size and aliases are bounded
 TEST(YamlReader, Limits) {
   const auto nested = [](std::size_t depth) {
     return std::string(depth, '[') + std::string(depth, ']');

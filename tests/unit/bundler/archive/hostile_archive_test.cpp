@@ -99,6 +99,7 @@ TEST_F(HostileArchive, AGoodOneIsUnpacked) {
   EXPECT_EQ(code(RawTar().file("a", "body")), "unpacked");
 }
 
+// Guarantee, hostile input: archives: names that are absolute or lead outside
 TEST_F(HostileArchive, NamesThatLeadOutside) {
   for (const char* name : {"../a", "b/../../a", "/ros2wasm-escaped", "..", "a/..", "x\ny"}) {
     EXPECT_EQ(code(RawTar().file("a", "body").file(name, "evil")), "R2W0222") << name;
@@ -110,6 +111,7 @@ TEST_F(HostileArchive, DevicesAndPipes) {
     EXPECT_EQ(code(RawTar().file("a", "body").add("d", type)), "R2W0222") << type;
 }
 
+// Guarantee, hostile input: archives: links that lead outside, and files written through links
 TEST_F(HostileArchive, LinksThatLeadOutside) {
   for (const char* target : {"/etc/passwd", "../../x", "..", "b/../../../x", "b/.."}) {
     EXPECT_EQ(code(RawTar().file("a", "body").add("l", '2', {}, target)), "R2W0223") << target;
@@ -135,6 +137,7 @@ TEST_F(HostileArchive, NothingIsWrittenThroughALink) {
             "R2W0224");
 }
 
+// Guarantee, hostile input: archives: two members with one name, also by case
 TEST_F(HostileArchive, TwoMembersWithOneName) {
   EXPECT_EQ(code(RawTar().file("a", "body").file("a", "body")), "R2W0224");
   EXPECT_EQ(code(RawTar().file("a", "body").file("./a", "body")), "R2W0224");
@@ -149,6 +152,7 @@ TEST_F(HostileArchive, TwoMembersWithOneName) {
   EXPECT_EQ(code(twice.finish()), "R2W0224");
 }
 
+// Guarantee, hostile input: archives: bombs, by size, number and ratio
 TEST_F(HostileArchive, Bombs) {
   const std::string zeros(4U << 20U, '\0');
   const std::string bomb = conda(RawTar().file("a", zeros),

@@ -248,6 +248,7 @@ TEST(EmitFolder, RefusesWhatIsNotASite) {
   EXPECT_EQ(tree.read("home/letters.txt"), "dear");
 }
 
+// Guarantee, hostile input: nothing is written outside the site, whatever names packages bring
 TEST(EmitFolder, NothingIsWrittenOutsideTheSite) {
   const TemporaryTree tree;
   for (const std::string path : {"../evil", "channel/../../evil", "channel/noarch/..", ""}) {

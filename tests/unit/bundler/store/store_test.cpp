@@ -85,6 +85,7 @@ TEST_F(StoreTest, ADamagedInfoIsMadeAgain) {
   EXPECT_EQ(std::string(std::istreambuf_iterator<char>(healed), {}), "int a;");
 }
 
+// Guarantee, hostile input: an archive with other bytes than the lock says is not opened
 TEST_F(StoreTest, WrongArchivesAreNotOpened) {
   std::ofstream(archive_, std::ios::app) << "x";
   EXPECT_EQ(code_of(channel_.store().unpacked(record_)), "R2W0220");

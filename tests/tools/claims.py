@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Writes the tables of docs/compatibility.md from what the tests say that they show; --check only compares.
+"""Writes the tables of some pages in docs/ from what the tests say that they show; --check only compares.
 
 A test says so in a comment of its own, up to the end of the comment or to an empty line of it:
 
     // Compatibility, works: WHAT
     // Compatibility, differs: WHAT -> HOW, AND WHY
+    // Guarantee, KIND: WHAT
 """
 from __future__ import annotations
 
@@ -16,9 +17,14 @@ from collections import defaultdict
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-PAGE = ROOT / "docs" / "compatibility.md"
+# Page -> its tables.
+PAGES = {
+    "docs/compatibility.md": ("works", "differs"),
+    "docs/guarantees.md": ("same bytes", "verified", "hostile input", "robust"),
+}
 COMMENT = re.compile(r"^\s*(?://|#)\s?(.*)$")
-CLAIM = re.compile(r"^Compatibility, (works|differs): (.*)$")
+CLAIM = re.compile(r"^(?:Compatibility|Guarantee), ([a-z ]+): (.*)$")
+KINDS = [kind for kinds in PAGES.values() for kind in kinds]
 ENDINGS = (".ts", ".cpp", ".py", ".yaml", ".golden")
 
 Rows = dict[str, list[str]]  # a row's text -> the files that show it
@@ -44,11 +50,13 @@ def all_claims() -> dict[str, Rows]:
     """Returns, for each kind, the rows in the order of the files."""
     command = ["git", "ls-files", "-co", "--exclude-standard", "tests"]
     names = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True).stdout.splitlines()
-    rows: dict[str, Rows] = {"works": defaultdict(list), "differs": defaultdict(list)}
+    rows: dict[str, Rows] = {kind: defaultdict(list) for kind in KINDS}
     for name in sorted(names):
         if not name.endswith(ENDINGS) or (ROOT / name) == Path(__file__) or not (ROOT / name).is_file():
             continue
         for kind, text in claims_of((ROOT / name).read_text(encoding="utf-8")):
+            if kind not in rows:
+                raise SystemExit(f"{name}: `{kind}` is no table of {', '.join(PAGES)}")
             rows[kind][text].append(name)
     return rows
 
@@ -67,29 +75,35 @@ def table(kind: str, rows: Rows) -> str:
     return head + "".join(lines)
 
 
-def page(old: str) -> str:
+def page(name: str, old: str, rows: dict[str, Rows]) -> str:
     """Returns the page with its tables as the tests say."""
-    for kind, rows in all_claims().items():
+    for kind in PAGES[name]:
         begin, end = f"<!-- made from the tests: {kind} -->\n", "<!-- end -->\n"
         before, found, rest = old.partition(begin)
         _, ended, after = rest.partition(end)
         if not found or not ended:
-            raise SystemExit(f"docs/compatibility.md has no place for the table `{kind}`")
-        old = before + begin + table(kind, rows) + end + after
+            raise SystemExit(f"{name} has no place for the table `{kind}`")
+        old = before + begin + table(kind, rows[kind]) + end + after
     return old
 
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
-    parser.add_argument("--check", action="store_true", help="fail when the page is not current")
+    parser.add_argument("--check", action="store_true", help="fail when a page is not current")
     options = parser.parse_args()
-    old = PAGE.read_text(encoding="utf-8")
-    new = page(old)
-    if options.check and new != old:
-        print("docs/compatibility.md is not current: run tests/tools/compatibility.py", file=sys.stderr)
-        return 1
-    PAGE.write_text(new, encoding="utf-8")
-    return 0
+    rows = all_claims()
+    stale = False
+    for name in PAGES:
+        old = (ROOT / name).read_text(encoding="utf-8")
+        new = page(name, old, rows)
+        if new == old:
+            continue
+        stale = True
+        if options.check:
+            print(f"{name} is not current: run tests/tools/claims.py", file=sys.stderr)
+        else:
+            (ROOT / name).write_text(new, encoding="utf-8")
+    return 1 if stale and options.check else 0
 
 
 if __name__ == "__main__":

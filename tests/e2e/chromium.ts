@@ -17,3 +17,6 @@ export function chromiumOptions(extra: readonly string[] = []): LaunchOptions {
     ],
   };
 }
+
+/** Gives WebGL to a machine without a graphics card. */
+export const kSoftwareWebGl: readonly string[] = ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];

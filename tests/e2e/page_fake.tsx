@@ -198,18 +198,41 @@ async function signals(): Promise<FakeSession> {
       ['demo/msg/Sine', 'float64 value\nfloat64 other\nfloat32[] list\nstring mode\nint64 big\n'],
     ]),
   });
-  const { createCodec } = await import('../../runtime/decode/codec.ts');
-  const codec = createCodec(await fake.interfaces());
-  const publishers = new Map<string, PagePublisher>();
   fake.setTopics([
     { name: '/sine', type: 'demo/msg/Sine', rateHz: 100 },
     { name: '/camera', type: 'sensor_msgs/msg/Image' },
     { name: '/camera/compressed', type: 'sensor_msgs/msg/CompressedImage' },
     { name: '/rosout', type: 'rcl_interfaces/msg/Log' },
   ]);
+  await giveSend(fake);
+  return fake;
+}
+
+/** Frames and what stands in them; `globalThis.send` as in "signals", `goals` has what was published on /goal_pose. */
+async function world(): Promise<FakeSession> {
+  const { kWorldInterfaces, kWorldTopics } = await import('./world_interfaces.ts');
+  const fake = new FakeSession({ nodes: [{ executable: 'robot' }], interfaces: new Map(kWorldInterfaces) });
+  fake.setTopics(kWorldTopics);
+  await giveSend(fake);
+  const { createCodec } = await import('../../runtime/decode/codec.ts');
+  const codec = createCodec(await fake.interfaces());
+  const goals: unknown[] = [];
+  fake.node().subscription('/goal_pose', 'geometry_msgs/msg/PoseStamped', {}, (bytes) => {
+    const decoded = codec.decode('geometry_msgs/msg/PoseStamped', bytes);
+    goals.push(decoded.kind === 'value' ? decoded.value : decoded.reason);
+  });
+  Object.assign(globalThis, { goals });
+  return fake;
+}
+
+async function giveSend(fake: FakeSession): Promise<void> {
+  const { createCodec } = await import('../../runtime/decode/codec.ts');
+  const codec = createCodec(await fake.interfaces());
+  const publishers = new Map<string, PagePublisher>();
   Object.assign(globalThis, {
     send: (topic: string, type: string, value: unknown): void => {
-      const publisher = publishers.get(topic) ?? fake.node().publisher(topic, type, { depth: 1000 });
+      const { qos } = fake.topics().find(({ name }) => name === topic) ?? {};
+      const publisher = publishers.get(topic) ?? fake.node().publisher(topic, type, { ...qos?.[0], depth: 1000 });
       publishers.set(topic, publisher);
       const made = codec.encode(type, value);
       if (made.kind !== 'bytes') throw new Error(made.reason);
@@ -218,7 +241,6 @@ async function signals(): Promise<FakeSession> {
     },
     heard: (topic: string): number => publishers.get(topic)?.matched() ?? 0,
   });
-  return fake;
 }
 
 /** A site with a text: the test puts the files beside the page. */
@@ -367,6 +389,7 @@ const kScenes: Readonly<Record<string, () => FakeSession | Promise<FakeSession>>
   port: () => talkerListener({ link: 'port' }),
   crowd,
   signals,
+  world,
   sheet,
   services,
   // Not part of the first view, which a test measures.

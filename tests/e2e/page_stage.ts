@@ -42,12 +42,13 @@ export class PageStage {
     this.browser = browser;
   }
 
-  static async open(): Promise<PageStage> {
+  /** `flags`: more of Chromium's. */
+  static async open(flags: readonly string[] = []): Promise<PageStage> {
     const folder = await buildFakePage(mkdtempSync(join(tmpdir(), 'ros2wasm-page-')));
     return new PageStage(
       folder,
       await serveFolder(folder),
-      await chromium.launch(chromiumOptions()),
+      await chromium.launch(chromiumOptions(flags)),
     );
   }
 

@@ -94,6 +94,14 @@ export const panels: readonly PanelRow[] = [
     source: { kind: 'lazy', load: () => import('./image.tsx').then((file) => file.ImagePanel) },
   },
   {
+    id: 'scene',
+    title: texts.panels.scene,
+    icon: 'scene',
+    many: true,
+    keeps: true,
+    source: { kind: 'lazy', load: () => import('./scene.tsx').then((file) => file.ScenePanel) },
+  },
+  {
     id: 'services',
     title: texts.panels.services,
     icon: 'call',

@@ -1,0 +1,36 @@
+// What every display of a scene is: it takes messages as they come, builds their drawing when one is due, and says in
+// which frame its parts stand. Messages may be anything: what makes no sense is left out, or told by `problem`.
+
+import type { Group, Object3D } from 'three';
+import type { HeaderView } from '../model/transform.ts';
+
+/** A part of a scene that stands still in a frame. */
+export interface Anchored {
+  readonly object: Object3D;
+  readonly header: HeaderView;
+}
+
+export interface DisplayColors {
+  readonly text: string;
+  /** For what has no colour of its own. */
+  readonly accent: string;
+}
+
+export interface Display {
+  readonly group: Group;
+  /** Only keeps it, if the newest one is all that is shown. */
+  take(message: unknown): void;
+  /** Makes of what was taken what is drawn. `now`: seconds of the site's time. Later, the same way: when to ask again. */
+  build(now: number): number | undefined;
+  anchored(): Iterable<Anchored>;
+  /** Why nothing or not all is shown; empty: all is. */
+  readonly problem: string;
+  close(): void;
+}
+
+/** Coordinates beyond this many metres are no places: they would spoil the numbers of what is drawn with them. */
+export const kFarthest = 1e7;
+
+export function isPlace(x: number, y: number, z: number): boolean {
+  return Math.abs(x) < kFarthest && Math.abs(y) < kFarthest && Math.abs(z) < kFarthest;
+}

@@ -1,0 +1,171 @@
+// A scene on a canvas for as long as a component stands: fed from the session's topics, turned by its visitor.
+
+import { useEffect, useReducer, useRef, useState } from 'preact/hooks';
+import type { PageTimer, Session } from '../../wasm_js/session.ts';
+import type { Codec } from '../../decode/codec.ts';
+import { kUsualView } from '../model/camera_view.ts';
+import type { CameraView } from '../model/camera_view.ts';
+import type { SceneOptions } from '../model/scene_options.ts';
+import { TransformTree } from '../model/transform_tree.ts';
+import { followTransforms } from '../parts/follow_transforms.ts';
+import { feed } from '../parts/message_feed.ts';
+import { useTheme } from '../parts/watch.ts';
+import { texts } from '../texts.ts';
+import { controlCamera } from './camera_control.ts';
+import type { GoalPose } from './camera_control.ts';
+import { makeDisplay } from './kinds.ts';
+import { SceneView } from './scene_view.ts';
+import { Stage } from './stage.ts';
+
+export interface ShownTopic {
+  readonly name: string;
+  readonly type: string;
+}
+
+export interface SceneUse {
+  readonly session: Session;
+  readonly codec: Codec | string | null;
+  readonly options: SceneOptions;
+  readonly shown: readonly ShownTopic[];
+  readonly goalMode: boolean;
+  readonly onView: (view: CameraView) => void;
+  readonly onGoal: (goal: GoalPose, frame: string) => void;
+  readonly onLeaveGoalMode: () => void;
+}
+
+export interface Scene {
+  readonly canvas: { current: HTMLCanvasElement | null };
+  readonly view: SceneView | null;
+  readonly tree: TransformTree;
+  /** Why nothing can be drawn; empty: it can. */
+  readonly problem: string;
+  /** Forgets all frames and messages. */
+  readonly forget: () => void;
+  /** Why a topic cannot be shown. */
+  readonly unreadable: ReadonlyMap<string, string>;
+}
+
+const kWordsMs = 250;
+
+export function useScene(use: SceneUse): Scene {
+  const { session, codec, options, shown } = use;
+  const latest = useRef(use);
+  latest.current = use;
+  const theme = useTheme();
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const [tree] = useState(() => new TransformTree());
+  const [unreadable] = useState(() => new Map<string, string>());
+  const [view, setView] = useState<SceneView | null>(null);
+  const [problem, setProblem] = useState('');
+  const [era, begin] = useReducer<number, void>((n) => n + 1, 0);
+  const [, tell] = useReducer<number, void>((n) => n + 1, 0);
+
+  useEffect(() => {
+    const element = canvas.current;
+    if (element === null) return undefined;
+    let scene: SceneView | null = null;
+    let alarm: PageTimer | undefined;
+    const stage = Stage.open(element, latest.current.options.view, () => scene?.arrange());
+    if (stage === null) {
+      setProblem(texts.scene.noWebGl);
+      return undefined;
+    }
+    const made = new SceneView(stage, tree, latest.current.options.view, {
+      now: () => session.time.view().now / 1000,
+      wake(at) {
+        alarm?.close();
+        const inMs = at * 1000 - session.time.view().now;
+        alarm = session.node().timer(Math.max(10, Math.min(inMs, 1e9)), () => {
+          alarm?.close();
+          alarm = undefined;
+          made.messageTaken();
+        });
+      },
+    });
+    scene = made;
+    setView(made);
+    const stop = controlCamera(element, {
+      view: () => made.view,
+      look: (next) => made.look(next),
+      settle: () => latest.current.onView(made.view),
+      home: () => made.look({ ...kUsualView, top: made.view.top }),
+      isGoalMode: () => latest.current.goalMode,
+      groundAt: (x, y) => stage.groundAt(x, y),
+      aim: (goal) => made.aim(goal),
+      setGoal: (goal) => latest.current.onGoal(goal, made.fixedFrame),
+      leaveGoalMode: () => latest.current.onLeaveGoalMode(),
+    });
+    const lost = (): void => setProblem(texts.scene.lost);
+    const back = (): void => setProblem('');
+    element.addEventListener('webglcontextlost', lost);
+    element.addEventListener('webglcontextrestored', back);
+    // What is told in words follows at a pace that can be read.
+    let told = -1;
+    const timer = setInterval(() => {
+      if (told !== made.version) tell();
+      told = made.version;
+    }, kWordsMs);
+    return () => {
+      clearInterval(timer);
+      element.removeEventListener('webglcontextlost', lost);
+      element.removeEventListener('webglcontextrestored', back);
+      stop();
+      alarm?.close();
+      made.close();
+      setView(null);
+    };
+  }, [session]);
+
+  useEffect(() => view?.setColors(), [view, theme]);
+  useEffect(() => view?.look(options.view), [view, options.view]);
+  useEffect(() => view?.chooseFrame(options.frame), [view, options.frame]);
+  useEffect(() => view?.show(options), [view, options.grid, options.frames, options.names]);
+
+  useEffect(() => {
+    if (view === null || codec === null || typeof codec === 'string') return undefined;
+    return followTransforms(session, codec, tree, {
+      onTransforms(moved) {
+        if (moved) view.transformsMoved();
+      },
+      onProblem: (words) => {
+        unreadable.set('', words);
+        tell();
+      },
+    });
+  }, [session, view, codec, era]);
+
+  const names = shown.map(({ name, type }) => `${type} ${name}`).join('\n');
+  useEffect(() => {
+    if (view === null || codec === null || typeof codec === 'string') return undefined;
+    const stops = shown.map(({ name, type }) => {
+      const display = makeDisplay(name, type, view.displayColors);
+      if (display === null) return () => undefined;
+      view.add(name, display);
+      const stop = feed(session, codec, name, ({ decoded }) => {
+        if (decoded.kind === 'failed') {
+          unreadable.set(name, texts.topics.undecodable(decoded.reason));
+          tell();
+          return;
+        }
+        unreadable.delete(name);
+        display.take(decoded.value);
+        view.messageTaken();
+      });
+      return () => {
+        stop();
+        view.remove(name);
+        unreadable.delete(name);
+      };
+    });
+    return () => {
+      for (const stop of stops) stop();
+    };
+  }, [session, view, codec, names, era, theme]);
+
+  const forget = (): void => {
+    tree.clear();
+    view?.transformsMoved();
+    begin();
+  };
+  return { canvas, view, tree, problem, forget, unreadable };
+}

@@ -149,7 +149,7 @@ export const texts = {
     seen: (words: string): string => `Seen: ${words}`,
     passedOf: (passed: number, all: number): string => `${passed} of ${all} checks passed`,
   },
-  panels: { nodes: 'Nodes', console: 'Consoles', topics: 'Topics', plot: 'Plot', graph: 'Graph', timeline: 'States', checks: 'Checks', terminal: 'Terminal', publish: 'Publish', services: 'Services and actions', parameters: 'Parameters', text: 'Text', log: 'Log', image: 'Image', scene: '3D view' },
+  panels: { nodes: 'Nodes', console: 'Consoles', topics: 'Topics', plot: 'Plot', graph: 'Graph', timeline: 'States', checks: 'Checks', terminal: 'Terminal', publish: 'Publish', services: 'Services and actions', parameters: 'Parameters', text: 'Text', log: 'Log', image: 'Image', turtlesim: 'Turtlesim', scene: '3D view' },
   panelTabs: 'Panels',
 
   layout: {

@@ -115,6 +115,13 @@ export const panels: readonly PanelRow[] = [
     keeps: true,
     source: { kind: 'lazy', load: () => import('./parameters.tsx').then((file) => file.ParametersPanel) },
   },
+  {
+    id: 'turtlesim',
+    title: texts.panels.turtlesim,
+    icon: 'turtle',
+    many: true,
+    source: { kind: 'lazy', load: () => import('./turtlesim.tsx').then((file) => file.TurtlesimPanel) },
+  },
 ];
 
 export function panelRow(id: string): PanelRow | undefined {

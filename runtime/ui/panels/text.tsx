@@ -4,6 +4,7 @@ import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import type { PagePublisher } from '../../wasm_js/session.ts';
 import { problemOf } from '../model/problem.ts';
 import type { PageAction } from '../model/page_action.ts';
+import { matched } from '../parts/matched.ts';
 import { codecOf } from '../parts/message_feed.ts';
 import { MarkdownView } from '../parts/markdown_view.tsx';
 import { PanelFrame } from '../parts/panel.tsx';
@@ -11,7 +12,6 @@ import { texts } from '../texts.ts';
 import type { PanelProps } from './panel_props.ts';
 
 const kMostBytes = 1 << 20;
-const kMatchMs = 1000;
 
 export function TextPanel({ session, instance, open }: PanelProps) {
   const file = session.site.ui['text'];
@@ -128,11 +128,4 @@ async function readText(path: string): Promise<string> {
   const bytes = await response.arrayBuffer();
   if (bytes.byteLength > kMostBytes) throw new Error(texts.text.tooLong);
   return new TextDecoder().decode(bytes);
-}
-
-/** Until a subscription has found it: what is published before reaches nobody. No longer than a while. */
-async function matched(publisher: PagePublisher): Promise<void> {
-  const end = performance.now() + kMatchMs;
-  while (publisher.matched() === 0 && performance.now() < end)
-    await new Promise((go) => setTimeout(go, 20));
 }

@@ -47,6 +47,8 @@ export interface FeedMessage {
   readonly type: string;
   /** ms since 1970, by the site's time. */
   readonly publishedAt: number;
+  /** Of the publisher; 32 hexadecimal digits. */
+  readonly gid: string;
 }
 
 /** Calls the listener with each message of the topic from now on, until the returned function is called. */
@@ -77,7 +79,12 @@ export function feed(
         depth: kDepth,
       },
       (bytes, info) =>
-        listener({ decoded: codec.decode(type, bytes), type, publishedAt: info.publishedAt }),
+        listener({
+          decoded: codec.decode(type, bytes),
+          type,
+          publishedAt: info.publishedAt,
+          gid: info.gid,
+        }),
     );
     close = () => subscription.close();
   };

@@ -1,0 +1,193 @@
+// What a turtle simulator shows (turtlesim_scene/msg/Scene), and how its drawing is put together from scenes that may
+// begin in its middle. Whoever publishes may be hostile: numbers and sizes are bounded. Pure.
+
+import { isList } from '../../decode/yaml.ts';
+import { asNumber } from './field_path.ts';
+import { isRecord } from './json.ts';
+
+export interface SceneTurtle {
+  readonly name: string;
+  /** From the lower left corner, in units. */
+  readonly x: number;
+  readonly y: number;
+  /** Radians, counterclockwise from the x axis. */
+  readonly theta: number;
+  readonly shape: number;
+}
+
+/** In pixels of the sheet from its upper left corner. */
+export interface Stroke {
+  readonly x1: number;
+  readonly y1: number;
+  readonly x2: number;
+  readonly y2: number;
+  readonly width: number;
+  /** For CSS. */
+  readonly color: string;
+}
+
+export interface Scene {
+  /** Of the sheet, in pixels. */
+  readonly width: number;
+  readonly height: number;
+  /** Pixels per unit. */
+  readonly meter: number;
+  /** For CSS. */
+  readonly background: string;
+  readonly turtles: readonly SceneTurtle[];
+  /** Number of the sheet: each clearing takes a new one. */
+  readonly picture: number;
+  /** Number of the first stroke, from 0 on each sheet. */
+  readonly first: number;
+  readonly strokes: readonly Stroke[];
+}
+
+/** All that was drawn, as pixels: the reply of turtlesim_scene/srv/GetPicture. */
+export interface Picture {
+  readonly picture: number;
+  /** How many strokes are in it. */
+  readonly strokes: number;
+  readonly width: number;
+  readonly height: number;
+  readonly rgba: Uint8ClampedArray<ArrayBuffer>;
+}
+
+const kMostPixels = 2000;
+const kMostTurtles = 500;
+const kFar = 1e5;
+
+/** null when it shows no sheet. */
+export function readScene(value: unknown): Scene | null {
+  if (!isRecord(value)) return null;
+  const width = size(value['width']);
+  const height = size(value['height']);
+  const meter = asNumber(value['meter']);
+  if (width === 0 || height === 0 || !(meter >= 1 && meter <= kMostPixels)) return null;
+  return {
+    width,
+    height,
+    meter,
+    background: color(list(value['background'])),
+    turtles: list(value['turtles']).slice(0, kMostTurtles).flatMap(readTurtle),
+    picture: asNumber(value['picture']),
+    first: asNumber(value['first']),
+    strokes: list(value['strokes']).map(readStroke),
+  };
+}
+
+/** null when the pixels are not those of a sheet. */
+export function readPicture(value: unknown): Picture | null {
+  if (!isRecord(value)) return null;
+  const width = size(value['width']);
+  const height = size(value['height']);
+  if (width === 0 || height === 0) return null;
+  const rgba = new Uint8ClampedArray(width * height * 4);
+  const words = new DataView(rgba.buffer);
+  const colors = list(value['colors']);
+  let at = 0;
+  for (const [index, each] of list(value['lengths']).entries()) {
+    const argb = asNumber(colors[index]) >>> 0;
+    const end = at + asNumber(each) * 4;
+    if (!(end >= at && end <= rgba.length)) return null;
+    if (argb >>> 24 === 0) at = end;
+    for (; at < end; at += 4) words.setUint32(at, ((argb << 8) | (argb >>> 24)) >>> 0);
+  }
+  return { picture: asNumber(value['picture']), strokes: asNumber(value['strokes']), width, height, rgba };
+}
+
+/** What a scene brings to the sheet that is seen. */
+export interface SheetChange {
+  /** Begins with an empty one. */
+  readonly cleared: boolean;
+  readonly strokes: readonly Stroke[];
+  /** Strokes before these were missed: the picture is to be asked for. Told once until takePicture() or askAgain(). */
+  readonly ask: boolean;
+}
+
+/** Follows the scenes of one topic. */
+export class Sheet {
+  private publisher = '';
+  private picture = Number.NaN;
+  /** How many strokes of the sheet are known: all before this one, unless some are missing. */
+  private end = 0;
+  /** Scenes since strokes were missed. */
+  private late: Scene[] = [];
+  private missing = false;
+  private asked = false;
+
+  /** `publisher` tells a simulator from the one that ran before it. */
+  take(scene: Scene, publisher: string): SheetChange {
+    const cleared = publisher !== this.publisher || scene.picture !== this.picture;
+    if (cleared) {
+      this.publisher = publisher;
+      this.picture = scene.picture;
+      this.end = 0;
+      this.late = [];
+      this.missing = false;
+      this.asked = false;
+    }
+    const strokes = this.append(scene);
+    if (this.missing) this.late.push(scene);
+    const ask = this.missing && !this.asked;
+    this.asked = this.missing;
+    return { cleared, strokes, ask };
+  }
+
+  /** What has been drawn since the picture was made; null when it is not of this sheet. */
+  takePicture(picture: Picture): readonly Stroke[] | null {
+    this.asked = false;
+    if (!this.missing || picture.picture !== this.picture) return null;
+    const { late } = this;
+    this.late = [];
+    this.missing = false;
+    this.end = picture.strokes;
+    return late.flatMap((scene) => this.append(scene));
+  }
+
+  /** The picture did not come. */
+  askAgain(): void {
+    this.asked = false;
+  }
+
+  private append(scene: Scene): readonly Stroke[] {
+    if (scene.first > this.end) this.missing = true;
+    const fresh = scene.strokes.slice(Math.max(0, this.end - scene.first));
+    this.end = Math.max(this.end, scene.first + scene.strokes.length);
+    return fresh;
+  }
+}
+
+function readTurtle(value: unknown): readonly SceneTurtle[] {
+  if (!isRecord(value)) return [];
+  const name = value['name'];
+  const [x, y, theta] = [value['x'], value['y'], value['theta']].map(asNumber);
+  if (typeof name !== 'string' || x === undefined || y === undefined || theta === undefined) return [];
+  if (!(Math.abs(x) < kFar && Math.abs(y) < kFar && Number.isFinite(theta))) return [];
+  return [{ name: name.slice(0, 80), x, y, theta, shape: asNumber(value['shape']) }];
+}
+
+function readStroke(value: unknown): Stroke {
+  const of = isRecord(value) ? value : {};
+  return {
+    x1: asNumber(of['x1']),
+    y1: asNumber(of['y1']),
+    x2: asNumber(of['x2']),
+    y2: asNumber(of['y2']),
+    width: asNumber(of['width']),
+    color: color([of['r'], of['g'], of['b']]),
+  };
+}
+
+function color(channels: readonly unknown[]): string {
+  const [r, g, b] = channels.map((each) => Math.min(255, Math.max(0, Math.round(asNumber(each)) || 0)));
+  return `rgb(${r ?? 0} ${g ?? 0} ${b ?? 0})`;
+}
+
+function size(value: unknown): number {
+  const number = asNumber(value);
+  return number >= 1 && number <= kMostPixels ? Math.floor(number) : 0;
+}
+
+function list(value: unknown): readonly unknown[] {
+  return isList(value) ? Array.from(value) : [];
+}

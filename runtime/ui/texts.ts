@@ -423,6 +423,32 @@ export const texts = {
     meshes: (count: number): string => (count === 1 ? '1 mesh is not drawn' : `${count} meshes are not drawn`),
   },
 
+  turtlesim: {
+    none: 'No turtle simulator runs. Its drawing appears here when a turtlesim_node starts.',
+    waiting: 'Nothing is drawn yet.',
+    noScene: 'The simulator sent a drawing that this page cannot read.',
+    gone: 'The simulator has ended',
+    simulator: 'Simulator',
+    driven: 'Turtle that the keys drive',
+    clear: 'Clear the drawing',
+    reset: 'Reset the simulator: one turtle in the middle of an empty sheet',
+    keys: (turtle: string): string => `The arrow keys drive ${turtle}`,
+    held: 'Time is held: turtles stand still until it goes on.',
+    pad: 'Drive the turtle',
+    moves: {
+      forward: (turtle: string): string => `Drive ${turtle} forward`,
+      left: (turtle: string): string => `Turn ${turtle} left`,
+      back: (turtle: string): string => `Drive ${turtle} back`,
+      right: (turtle: string): string => `Turn ${turtle} right`,
+    },
+    turtle: (name: string, x: string, y: string, degrees: string): string =>
+      `${name} at x ${x}, y ${y}, heading ${degrees}\u00b0`,
+    shows: (node: string, turtles: readonly string[], count: number): string =>
+      count === 0
+        ? `Drawing of ${node}: no turtle`
+        : `Drawing of ${node}: ${turtles.join('; ')}${count > turtles.length ? `; ${count - turtles.length} more` : ''}`,
+  },
+
   text: {
     none: 'This site has no text.',
     done: 'done: ',

@@ -178,7 +178,6 @@ function hostile(): FakeSession {
 }
 
 /** Messages that really pass the graph: `globalThis.send(topic, type, value)` publishes one. */
-<<<<<<< HEAD
 async function signals(): Promise<FakeSession> {
   const fake = new FakeSession({
     nodes: [{ executable: 'robot' }],
@@ -226,56 +225,20 @@ async function world(): Promise<FakeSession> {
   return fake;
 }
 
-async function giveSend(fake: FakeSession): Promise<void> {
-  const { createCodec } = await import('../../runtime/decode/codec.ts');
-  const codec = createCodec(await fake.interfaces());
-  const publishers = new Map<string, PagePublisher>();
-=======
-function signals(): Promise<FakeSession> {
-  return messages(
-    new FakeSession({
-      nodes: [{ executable: 'robot' }],
-      interfaces: new Map([
-        ...kInterfaces,
-        [
-          'sensor_msgs/msg/Image',
-          'std_msgs/Header header\nuint32 height\nuint32 width\nstring encoding\nuint8 is_bigendian\nuint32 step\nuint8[] data\n',
-        ],
-        [
-          'sensor_msgs/msg/CompressedImage',
-          'std_msgs/Header header\nstring format\nuint8[] data\n',
-        ],
-        [
-          'rcl_interfaces/msg/Log',
-          'builtin_interfaces/Time stamp\nuint8 level\nstring name\nstring msg\nstring file\nstring function\nuint32 line\n',
-        ],
-        ['demo/msg/Sine', 'float64 value\nfloat64 other\nfloat32[] list\nstring mode\nint64 big\n'],
-      ]),
-    }),
-    [
-      { name: '/sine', type: 'demo/msg/Sine', rateHz: 100 },
-      { name: '/camera', type: 'sensor_msgs/msg/Image' },
-      { name: '/camera/compressed', type: 'sensor_msgs/msg/CompressedImage' },
-      { name: '/rosout', type: 'rcl_interfaces/msg/Log' },
-    ],
-  );
-}
-
 /** Two turtle simulators, whose scenes a test sends; what drives /turtle1 and /two/turtle2 is in `globalThis.moves`. */
 async function turtles(): Promise<FakeSession> {
-  const fake = await messages(
-    new FakeSession({
-      nodes: [{ executable: 'turtlesim_node', package: 'turtlesim' }],
-      interfaces: new Map([
-        ['turtlesim_scene/msg/Scene', 'uint16 width\nuint16 height\nfloat32 meter\nuint8[3] background\nTurtle[] turtles\nuint32 picture\nuint32 first\nStroke[] strokes\n'],
-        ['turtlesim_scene/msg/Turtle', 'string name\nfloat32 x\nfloat32 y\nfloat32 theta\nuint8 shape\nuint8[3] pen\nuint8 pen_width\nbool pen_on\n'],
-        ['turtlesim_scene/msg/Stroke', 'float32 x1\nfloat32 y1\nfloat32 x2\nfloat32 y2\nuint8 r\nuint8 g\nuint8 b\nuint8 width\n'],
-        ['geometry_msgs/msg/Twist', 'Vector3 linear\nVector3 angular\n'],
-        ['geometry_msgs/msg/Vector3', 'float64 x\nfloat64 y\nfloat64 z\n'],
-      ]),
-    }),
-    ['/turtlesim/_scene', '/two/turtlesim/_scene'].map((name) => ({ name, type: 'turtlesim_scene/msg/Scene' })),
-  );
+  const fake = new FakeSession({
+    nodes: [{ executable: 'turtlesim_node', package: 'turtlesim' }],
+    interfaces: new Map([
+      ['turtlesim_scene/msg/Scene', 'uint16 width\nuint16 height\nfloat32 meter\nuint8[3] background\nTurtle[] turtles\nuint32 picture\nuint32 first\nStroke[] strokes\n'],
+      ['turtlesim_scene/msg/Turtle', 'string name\nfloat32 x\nfloat32 y\nfloat32 theta\nuint8 shape\nuint8[3] pen\nuint8 pen_width\nbool pen_on\n'],
+      ['turtlesim_scene/msg/Stroke', 'float32 x1\nfloat32 y1\nfloat32 x2\nfloat32 y2\nuint8 r\nuint8 g\nuint8 b\nuint8 width\n'],
+      ['geometry_msgs/msg/Twist', 'Vector3 linear\nVector3 angular\n'],
+      ['geometry_msgs/msg/Vector3', 'float64 x\nfloat64 y\nfloat64 z\n'],
+    ]),
+  });
+  fake.setTopics(['/turtlesim/_scene', '/two/turtlesim/_scene'].map((name) => ({ name, type: 'turtlesim_scene/msg/Scene' })));
+  await giveSend(fake);
   const moves: string[] = [];
   for (const topic of ['/turtle1/cmd_vel', '/two/turtle2/cmd_vel']) {
     fake.node().subscription(topic, 'geometry_msgs/msg/Twist', { depth: 100 }, (bytes) => {
@@ -287,15 +250,10 @@ async function turtles(): Promise<FakeSession> {
   return fake;
 }
 
-async function messages(
-  fake: FakeSession,
-  topics: Parameters<FakeSession['setTopics']>[0],
-): Promise<FakeSession> {
+async function giveSend(fake: FakeSession): Promise<void> {
   const { createCodec } = await import('../../runtime/decode/codec.ts');
   const codec = createCodec(await fake.interfaces());
   const publishers = new Map<string, PagePublisher>();
-  fake.setTopics(topics);
->>>>>>> c79ec7d (Show turtle simulators on the page, and drive their turtles by keys and touch)
   Object.assign(globalThis, {
     send: (topic: string, type: string, value: unknown): void => {
       const { qos } = fake.topics().find(({ name }) => name === topic) ?? {};
@@ -456,11 +414,8 @@ const kScenes: Readonly<Record<string, () => FakeSession | Promise<FakeSession>>
   port: () => talkerListener({ link: 'port' }),
   crowd,
   signals,
-<<<<<<< HEAD
   world,
-=======
   turtles,
->>>>>>> c79ec7d (Show turtle simulators on the page, and drive their turtles by keys and touch)
   sheet,
   services,
   // Not part of the first view, which a test measures.

@@ -7,7 +7,8 @@ import type { WorkerReport, WorkerStart } from './node_worker.ts';
 import { functionsIn, withNames } from './function_names.ts';
 import type { Platform, WorkerHandle } from './platform.ts';
 import type { ProgramEnd } from './program.ts';
-import { folderOf, homeOf, type ImageOfStart, type PythonImages } from './python_images.ts';
+import { homeOf, type PythonFiles } from './python_files.ts';
+import { folderOf, type PythonImages } from './python_images.ts';
 import type { PythonStart } from './python_program.ts';
 import type { NodeMoment, NodeState, NodeView, SiteNode } from './session.ts';
 import { SiteError } from './site_error.ts';
@@ -32,6 +33,7 @@ export interface RunnerHost {
   readonly broker: Broker;
   /** undefined: Python programs boot by themselves. */
   readonly images: PythonImages | undefined;
+  readonly pythonFiles: PythonFiles;
   readonly changed: () => void;
   /** The node's program waits for the first time, or is over. */
   readonly settled: (node: SiteNode) => void;
@@ -205,10 +207,9 @@ export class NodeRunner {
       const startedAt = Date.now();
       const environment = { ...this.host.environment, ...this.node.environment };
       let module: WebAssembly.Module;
-      let image: ImageOfStart;
+      let python: PythonStart | undefined;
       try {
-        module = await this.host.platform.compile(this.node.program);
-        image = await this.host.images?.take(this.node, environment);
+        [module, python] = await Promise.all([this.host.platform.compile(this.node.program), this.python(environment)]);
         if (this.attempt === attempt) admission ??= this.admit();
       } catch (error) {
         this.bury(admission?.participant, [main], false);
@@ -221,7 +222,7 @@ export class NodeRunner {
       const { participant, ticket, transfer } = admission;
       const start: WorkerStart = {
         module,
-        python: this.python(image),
+        python,
         ticket,
         id: this.node.id,
         arguments: [this.node.executable, ...this.node.arguments],
@@ -240,9 +241,13 @@ export class NodeRunner {
     }
   }
 
-  private python(image: ImageOfStart): PythonStart | undefined {
+  private async python(environment: Readonly<Record<string, string>>): Promise<PythonStart | undefined> {
     const { python, program } = this.node;
-    return python === undefined ? undefined : { ...python, base: folderOf(this.host.platform.place), home: homeOf(program), image };
+    if (python === undefined) return undefined;
+    const { images, pythonFiles, platform } = this.host;
+    const image = await images?.take(this.node, environment);
+    const parts = await pythonFiles.parts(program, python.archives.slice(image?.archives ?? 0));
+    return { ...python, base: folderOf(platform.place), home: homeOf(program), parts, image };
   }
 
   /** It reports nothing before it is admitted. */

@@ -36,6 +36,8 @@ export interface PyodideOptions {
   readonly image: OpenImage | undefined;
   /** An image will be made of it. */
   readonly toBeKept: boolean;
+  /** What is there already of what Pyodide would fetch, by its address. */
+  readonly fetched: (address: string) => Blob | undefined;
 }
 
 export interface LoadedPyodide {
@@ -63,9 +65,9 @@ function followHost(imports: WebAssembly.Imports, { clock, random }: PythonPlace
   };
 }
 
-/** Calls `load` while whoever asks for Pyodide's own wasm file gets the given module. */
+/** Calls `load` while whoever asks for Pyodide's own wasm file gets the given module, and what is there need not be fetched. */
 async function withModule<T>(
-  module: WebAssembly.Module, prepare: (imports: WebAssembly.Imports) => void, load: () => Promise<T>,
+  { module, fetched }: PyodideOptions, prepare: (imports: WebAssembly.Imports) => void, load: () => Promise<T>,
 ): Promise<T> {
   const wasm = WebAssembly as { instantiate: unknown; instantiateStreaming: unknown };
   const scope = globalThis as { fetch: unknown };
@@ -77,8 +79,12 @@ async function withModule<T>(
   wasm.instantiate = given;
   wasm.instantiateStreaming = given;
   const fetchOther = fetch;
-  scope.fetch = (what: URL | string, ...rest: readonly RequestInit[]) =>
-    String(what).endsWith('/pyodide.asm.wasm') ? Promise.resolve(new Response()) : fetchOther(what, ...rest);
+  scope.fetch = (what: URL | string, ...rest: readonly RequestInit[]) => {
+    const address = String(what);
+    if (address.endsWith('/pyodide.asm.wasm')) return Promise.resolve(new Response());
+    const blob = fetched(address);
+    return blob === undefined ? fetchOther(what, ...rest) : Promise.resolve(new Response(blob));
+  };
   try {
     return await load();
   } finally {
@@ -128,7 +134,7 @@ async function withMemory<T>(image: OpenImage | undefined, load: () => Promise<T
 
 /** Throws what Pyodide throws. */
 export async function openPyodide(options: PyodideOptions): Promise<LoadedPyodide> {
-  const { module, open, home, environment, place, image, toBeKept } = options;
+  const { open, home, environment, place, image, toBeKept } = options;
   let memory: ProgramMemory | undefined;
   const prepare = (imports: WebAssembly.Imports): void => {
     memory = new ProgramMemory((imports['env'] as ModuleImports)['memory'] as WebAssembly.Memory);
@@ -140,7 +146,7 @@ export async function openPyodide(options: PyodideOptions): Promise<LoadedPyodid
     ...(toBeKept ? { _makeSnapshot: true } : {}),
     ...(image === undefined ? {} : { _loadSnapshot: image.description, _snapshotDeserializer: () => image.host }),
   };
-  const python = await withModule(module, prepare, () => withMemory(image, () => open(settings)));
+  const python = await withModule(options, prepare, () => withMemory(image, () => open(settings)));
   if (memory === undefined) throw new TypeError('Pyodide took another wasm file');
   return { python, memory };
 }

@@ -4,7 +4,9 @@
 
 import type { PyodideInterface } from 'pyodide';
 import type { PyBuffer, PyCallable, PyProxy } from 'pyodide/ffi';
+import { ExpectedFiles } from './expected_files.ts';
 import { openPyodide, type OpenImage } from './pyodide_loader.ts';
+import type { PythonParts } from './python_files.ts';
 import type { WorkerFiles } from './python_program.ts';
 
 /** Where the archives are unpacked: an installation, as colcon makes it. */
@@ -20,6 +22,8 @@ export interface ImageStart {
   readonly archives: readonly string[];
   /** Where the share files of the site are for programs. */
   readonly share: string;
+  /** All of it. */
+  readonly parts: PythonParts;
 }
 
 /** How python_worker.js is called in a browser to make an image. Throws when there can be none. */
@@ -79,6 +83,24 @@ export function addressOf(bytes: PyProxy, kept: PyBuffer[]): number {
   return (buffer['data'] as Uint8Array).byteOffset;
 }
 
+/** What a worker has of the site's files. */
+type Start = Pick<ImageStart, 'base' | 'parts'>;
+
+/** For Pyodide, when it asks for its own files. */
+export function fetchedOf({ base, parts }: Start): (address: string) => Blob | undefined {
+  return (address) => address.startsWith(base) ? parts.found.get(address.slice(base.length)) : undefined;
+}
+
+/** The bytes of archives: those that were given, else those that were packed. Throws SiteError R2W0724. */
+export function archivesOf({ base, parts }: Start, paths: readonly string[], files: WorkerFiles): Promise<Uint8Array<ArrayBuffer>[]> {
+  const expected = new ExpectedFiles();
+  expected.set(parts.listed);
+  return Promise.all(paths.map(async (path) => {
+    const given = parts.found.get(path);
+    return given === undefined ? expected.checked(path, await files.bytes(base + path)) : new Uint8Array(await given.arrayBuffer());
+  }));
+}
+
 /** Unpacks archives over each other, and has Python look among them. */
 export function install(python: PyodideInterface, archives: readonly Uint8Array[]): void {
   for (const bytes of archives) python.unpackArchive(bytes, 'zip', { extractDir: prefix });
@@ -100,10 +122,10 @@ export function startModule(python: PyodideInterface): StartModule {
 
 export const makeImage: MakePythonImage = async (module, start, files) => {
   const home = start.base + start.home;
-  const archives = await Promise.all(start.archives.map((path) => files.bytes(start.base + path)));
+  const archives = await archivesOf(start, start.archives, files);
   const { python } = await openPyodide({
     module, home, open: await files.pyodide(home), environment: pythonEnvironment({}, start.share),
-    place: undefined, image: undefined, toBeKept: true,
+    place: undefined, image: undefined, toBeKept: true, fetched: fetchedOf(start),
   });
   const buffers: PyBuffer[] = [];
   const host = { address: (bytes: PyProxy): number => addressOf(bytes, buffers) };

@@ -4,6 +4,7 @@
 import type { Platform } from './platform.ts';
 import { type ImageStart, imageVersion } from './python_image.ts';
 import { promiseIntegration } from './program.ts';
+import { homeOf, type PythonFiles } from './python_files.ts';
 import type { PythonStart } from './python_program.ts';
 import { RunningSha256 } from './running_sha256.ts';
 import type { SiteDescription, SiteNode } from './session.ts';
@@ -12,10 +13,6 @@ export type ImageOfStart = PythonStart['image'];
 
 export function folderOf(place: string): string {
   return place.endsWith('/') ? place : `${place}/`;
-}
-
-export function homeOf(program: string): string {
-  return program.slice(0, program.lastIndexOf('/') + 1);
 }
 
 /** What all begin with alike, in the same order. */
@@ -30,9 +27,14 @@ function bootsByItself(environment: Readonly<Record<string, string>>): boolean {
   return Object.keys(environment).some((name) => name.startsWith('PYTHON') || name === 'ROS_PYTHON_CHECK_FIELDS');
 }
 
-/** The bytes of an image depend on these, and on the browser. */
-function keyOf(site: SiteDescription, program: string, archives: readonly string[]): string {
+/**
+ * The bytes of an image depend on these, and on the browser. undefined: not all that it is made of has a hash, so that
+ * nobody could tell of what it was made.
+ */
+function keyOf(site: SiteDescription, program: string, archives: readonly string[]): string | undefined {
   const home = homeOf(program);
+  const hashed = new Set(site.files.filter(({ sha256 }) => sha256 !== '').map(({ path }) => path));
+  if (![program, ...archives].every((path) => hashed.has(path))) return undefined;
   const parts = site.files.filter(({ path }) => path.startsWith(home) || archives.includes(path) || path === 'python_worker.js');
   const told = [imageVersion, navigator.userAgent, ...parts.map(({ path, sha256 }) => `${path} ${sha256}`).sort()].join('\n');
   const hash = new RunningSha256();
@@ -51,6 +53,7 @@ interface Made {
 export class PythonImages {
   private readonly site: SiteDescription;
   private readonly platform: Platform;
+  private readonly files: PythonFiles;
   private readonly program: string | undefined;
   private readonly archives: readonly string[];
   private readonly share: string;
@@ -61,11 +64,12 @@ export class PythonImages {
   private closed = false;
 
   /** `share`: as in ImageStart. */
-  constructor(site: SiteDescription, platform: Platform, share: string) {
+  constructor(site: SiteDescription, platform: Platform, files: PythonFiles, share: string) {
     const nodes = site.nodes.filter(({ python }) => python !== undefined);
     const programs = new Set(nodes.map(({ program }) => program));
     this.site = site;
     this.platform = platform;
+    this.files = files;
     this.share = share;
     this.archives = commonBegin(nodes.map(({ python }) => python?.archives ?? []));
     // One that is kept pays off for one node too, at the next visit.
@@ -101,13 +105,14 @@ export class PythonImages {
 
   private async drop(): Promise<void> {
     const { program, platform: { kept } } = this;
-    if (kept !== undefined && program !== undefined) await kept.drop(keyOf(this.site, program, this.archives));
+    const key = program === undefined ? undefined : keyOf(this.site, program, this.archives);
+    if (key !== undefined) await kept?.drop(key);
   }
 
   private async keptOrMade(program: string): Promise<Made | undefined> {
     const { kept } = this.platform;
-    if (kept === undefined) return this.make(program);
     const key = keyOf(this.site, program, this.archives);
+    if (kept === undefined || key === undefined) return this.make(program);
     await this.dropped;
     const found = await kept.get(key);
     if (found !== undefined) return { bytes: found, kept: true };
@@ -117,9 +122,10 @@ export class PythonImages {
   }
 
   private async make(program: string): Promise<Made | undefined> {
-    const module = await this.platform.compile(program);
+    const { archives, share, platform } = this;
+    const [module, parts] = await Promise.all([platform.compile(program), this.files.parts(program, archives)]);
     if (this.closed) return undefined;
-    const start: ImageStart = { base: folderOf(this.platform.place), home: homeOf(program), archives: this.archives, share: this.share };
+    const start: ImageStart = { base: folderOf(platform.place), home: homeOf(program), archives, share, parts };
     const bytes = await new Promise<Blob | undefined>((resolve) => {
       const worker = this.platform.startWorker('python image', {
         report: (report) => {

@@ -8,9 +8,11 @@ import { hostImports } from './host_imports.ts';
 import { LineWriter } from './line_writer.ts';
 import { type ProgramEnd, type ProgramHost, promiseIntegration } from './program.ts';
 import type { ProgramMemory } from './program_memory.ts';
+import type { PythonParts } from './python_files.ts';
 import { type LoadedPyodide, openPyodide } from './pyodide_loader.ts';
-import { type MakePythonImage, addressOf, install, prefix, pythonEnvironment, readImage, restoreFiles, startModule } from './python_image.ts';
+import { type MakePythonImage, addressOf, archivesOf, fetchedOf, install, prefix, pythonEnvironment, readImage, restoreFiles, startModule } from './python_image.ts';
 import type { PythonProgram } from './session.ts';
+import { SiteError } from './site_error.ts';
 import type { Arrival } from './wasi.ts';
 
 /** What a worker needs to run a Python program. */
@@ -19,6 +21,8 @@ export interface PythonStart extends PythonProgram {
   readonly base: string;
   /** Pyodide's folder in the site, with "/" at the end. */
   readonly home: string;
+  /** Pyodide's files, and the archives that are in no image. */
+  readonly parts: PythonParts;
   /** What it begins with, and how many of the archives are in it. */
   readonly image: { readonly bytes: Blob; readonly archives: number } | undefined;
 }
@@ -234,6 +238,7 @@ export function mountShare(python: PyodideInterface, { files, readNow }: Pick<Pr
 /** How what Python could not catch reads. */
 export function failure(error: unknown): ProgramEnd {
   const message = error instanceof Error ? error.message : String(error);
+  if (error instanceof SiteError) return crash(error.code, message);
   if (error instanceof RangeError && /stack/i.test(message)) return crash('R2W0701', 'the stack is full: too deep a recursion?');
   if (error instanceof RangeError) return crash('R2W0710', `there is no memory for one more program: ${message}`);
   return crash('R2W0701', message);
@@ -247,12 +252,10 @@ async function begin(
   const home = start.base + start.home;
   const environment = pythonEnvironment(host.environment, host.files.prefix);
   const open = await files.pyodide(home);
-  const options = { module, home, open, environment, place: { clock: host.link.clock, random: host.random }, toBeKept: false };
-  const archives = (paths: readonly string[]): Promise<Uint8Array[]> =>
-    Promise.all(paths.map((path) => files.bytes(start.base + path)));
+  const options = { module, home, open, environment, place: { clock: host.link.clock, random: host.random }, toBeKept: false, fetched: fetchedOf(start) };
   if (start.image !== undefined) {
     try {
-      const more = archives(start.archives.slice(start.image.archives));
+      const more = archivesOf(start, start.archives.slice(start.image.archives), files);
       const image = readImage(await start.image.bytes.arrayBuffer());
       const opened = await openPyodide({ ...options, image: { ...image, host: functions } });
       restoreFiles(opened.python, image);
@@ -263,7 +266,7 @@ async function begin(
       broken();
     }
   }
-  const unpacked = archives(start.archives);
+  const unpacked = archivesOf(start, start.archives, files);
   unpacked.catch(() => undefined);
   const opened = await openPyodide({ ...options, image: undefined });
   opened.python.registerJsModule('ros2wasm_host', functions);

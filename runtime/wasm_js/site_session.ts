@@ -10,6 +10,7 @@ import { NodeRunner } from './node_runner.ts';
 import type { GraphView, PageNode } from './page_node.ts';
 import { PageParticipant } from './page_participant.ts';
 import type { Platform } from './platform.ts';
+import { PythonFiles } from './python_files.ts';
 import { PythonImages } from './python_images.ts';
 import { Sampler } from './sampler.ts';
 import type {
@@ -99,7 +100,8 @@ export class SiteSession implements Session {
     const environment = siteEnvironment(site);
     const files = siteFiles(site, platform.place);
     // The bytes of an image are of no run: one that is to be the same each time boots.
-    this.images = stepped === undefined ? new PythonImages(site, platform, files.prefix) : undefined;
+    const pythonFiles = new PythonFiles(site, platform);
+    this.images = stepped === undefined ? new PythonImages(site, platform, pythonFiles, files.prefix) : undefined;
     for (const node of site.nodes) {
       const console = new NodeConsole(platform.frame);
       this.runners.set(node.id, new NodeRunner(node, console, {
@@ -108,6 +110,7 @@ export class SiteSession implements Session {
         platform,
         broker,
         images: this.images,
+        pythonFiles,
         changed: () => this.nodesChanged(),
         settled: (of) => {
           unsettled.delete(of);

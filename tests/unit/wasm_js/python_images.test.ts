@@ -6,6 +6,7 @@ import type { KeptBytes } from '../../../runtime/wasm_js/kept_bytes.ts';
 import type { WorkerReport } from '../../../runtime/wasm_js/node_worker.ts';
 import type { Platform } from '../../../runtime/wasm_js/platform.ts';
 import { readImage } from '../../../runtime/wasm_js/python_image.ts';
+import { PythonFiles } from '../../../runtime/wasm_js/python_files.ts';
 import { PythonImages } from '../../../runtime/wasm_js/python_images.ts';
 import type { SiteDescription, SiteNode } from '../../../runtime/wasm_js/session.ts';
 
@@ -18,8 +19,14 @@ function node(id: string, archives: readonly string[] | undefined): SiteNode {
 
 const both = [node('a', ['channels.zip', 'workspace.zip']), node('b', ['channels.zip', 'workspace.zip', 'numpy.zip'])];
 
-function site(nodes: readonly SiteNode[]): SiteDescription {
-  return { nodes, files: [{ path: 'channels.zip', sha256: '1' }, { path: 'other', sha256: '2' }] } as unknown as SiteDescription;
+const paths = ['channels.zip', 'workspace.zip', 'numpy.zip', 'pyodide/pyodide.asm.wasm', 'pyodide/python_stdlib.zip', 'python_worker.js', 'other'];
+
+function site(nodes: readonly SiteNode[], listed: readonly string[] = paths): SiteDescription {
+  return { nodes, files: listed.map((path) => ({ path, size: 1, sha256: '1', reason: '' })) } as unknown as SiteDescription;
+}
+
+function imagesOf(described: SiteDescription, platform: Platform, share: string): PythonImages {
+  return new PythonImages(described, platform, new PythonFiles(described, platform), share);
 }
 
 /** A place whose workers answer with `makes`; they are counted. */
@@ -27,7 +34,7 @@ function place(makes: 'image' | 'nothing' | 'failure' | 'silence', kept?: KeptBy
   const begun: string[][] = [];
   let ended = 0;
   const platform = {
-    place: '/site', kept, compile: async () => ({}) as WebAssembly.Module,
+    place: '/site', kept, compile: async () => ({}) as WebAssembly.Module, bytes: async () => new ArrayBuffer(1),
     startWorker: (_name: string, events: { report: (report: WorkerReport) => void; failed: (why: string) => void }) => ({
       post: (order: { start: { archives: string[] } }) => {
         begun.push(order.start.archives);
@@ -56,7 +63,7 @@ function memory(): KeptBytes & { readonly found: Map<string, Blob> } {
 
 test('one worker makes it for all, of what all have', watchdog, async () => {
   const { platform, begun, ended } = place('image');
-  const images = new PythonImages(site(both), platform, '/opt/ros/jazzy');
+  const images = imagesOf(site(both), platform, '/opt/ros/jazzy');
   const [one, two] = await Promise.all(both.map((each) => images.take(each, {})));
   assert.ok(one !== undefined && one.bytes === two?.bytes);
   assert.deepEqual([begun, one.archives, ended()], [[['channels.zip', 'workspace.zip']], 2, 1]);
@@ -65,7 +72,7 @@ test('one worker makes it for all, of what all have', watchdog, async () => {
 test('who has settings of the interpreter, and who is no Python program, begins by itself', watchdog, async () => {
   const { platform, begun } = place('image');
   const compiled = node('c', undefined);
-  const images = new PythonImages(site([...both, compiled]), platform, '');
+  const images = imagesOf(site([...both, compiled]), platform, '');
   assert.equal(await images.take(both[0] as SiteNode, { PYTHONHASHSEED: '1' }), undefined);
   assert.equal(await images.take(both[0] as SiteNode, { ROS_PYTHON_CHECK_FIELDS: '1' }), undefined);
   assert.equal(await images.take(compiled, {}), undefined);
@@ -75,21 +82,21 @@ test('who has settings of the interpreter, and who is no Python program, begins 
 
 test('a single node makes none that nobody keeps, and nodes without archives in common none at all', watchdog, async () => {
   const single = [node('a', ['channels.zip'])];
-  assert.equal(await new PythonImages(site(single), place('image').platform, '').take(single[0] as SiteNode, {}), undefined);
-  assert.notEqual(await new PythonImages(site(single), place('image', memory()).platform, '').take(single[0] as SiteNode, {}), undefined);
+  assert.equal(await imagesOf(site(single), place('image').platform, '').take(single[0] as SiteNode, {}), undefined);
+  assert.notEqual(await imagesOf(site(single), place('image', memory()).platform, '').take(single[0] as SiteNode, {}), undefined);
   const apart = [node('a', ['x.zip']), node('b', ['y.zip'])];
-  assert.equal(await new PythonImages(site(apart), place('image').platform, '').take(apart[0] as SiteNode, {}), undefined);
+  assert.equal(await imagesOf(site(apart), place('image').platform, '').take(apart[0] as SiteNode, {}), undefined);
 });
 
 test('where none can be made, nodes begin by themselves', watchdog, async () => {
   for (const makes of ['nothing', 'failure'] as const) {
     const { platform, begun } = place(makes);
-    const images = new PythonImages(site(both), platform, '');
+    const images = imagesOf(site(both), platform, '');
     for (const each of both) assert.equal(await images.take(each, {}), undefined);
     assert.equal(begun.length, 1);
   }
   const { platform, ended } = place('silence');
-  const images = new PythonImages(site(both), platform, '');
+  const images = imagesOf(site(both), platform, '');
   const taken = images.take(both[0] as SiteNode, {});
   await new Promise(setImmediate);
   images.close();
@@ -100,11 +107,11 @@ test('where none can be made, nodes begin by themselves', watchdog, async () => 
 test('it is kept; a broken one is dropped and made anew once', watchdog, async () => {
   const kept = memory();
   const first = place('image', kept);
-  await new PythonImages(site(both), first.platform, '').take(both[0] as SiteNode, {});
+  await imagesOf(site(both), first.platform, '').take(both[0] as SiteNode, {});
   await new Promise(setImmediate);
   assert.equal(kept.found.size, 1);
   const later = place('image', kept);
-  const images = new PythonImages(site(both), later.platform, '');
+  const images = imagesOf(site(both), later.platform, '');
   const old = await images.take(both[0] as SiteNode, {});
   assert.equal(await old?.bytes.text(), 'image 1');
   assert.equal(later.begun.length, 0);

@@ -12,6 +12,7 @@ import { loadPyodide } from 'pyodide';
 import { PortWaits } from '../../../runtime/wasm_js/port_waits.ts';
 import type { ProgramEnd, ProgramHost } from '../../../runtime/wasm_js/program.ts';
 import { failure, mountShare, runPython } from '../../../runtime/wasm_js/python_program.ts';
+import type { SiteFile } from '../../../runtime/wasm_js/session.ts';
 
 const root = fileURLToPath(new URL('../../..', import.meta.url));
 const pyodide = `${dirname(createRequire(import.meta.url).resolve('pyodide'))}/`;
@@ -53,8 +54,8 @@ found`);
   assert.equal(read('late.txt'), 'yes');
 });
 
-/** Runs a script on a link to nobody, which suspends. */
-async function runScript(script: string): Promise<{ readonly end: ProgramEnd; readonly lines: readonly string[] }> {
+/** Runs a script on a link to nobody, which suspends. `listed`: what the archive must be. */
+async function runScript(script: string, listed: readonly SiteFile[] = []): Promise<{ readonly end: ProgramEnd; readonly lines: readonly string[] }> {
   const folder = mkdtempSync(join(tmpdir(), 'ros2wasm-python-'));
   try {
     mkdirSync(join(folder, 'lib'));
@@ -79,7 +80,7 @@ async function runScript(script: string): Promise<{ readonly end: ProgramEnd; re
       stepped: false, input: {},
     } as unknown as ProgramHost;
     const module = await WebAssembly.compile(readFileSync(`${pyodide}pyodide.asm.wasm`));
-    const start = { base: `${folder}/`, home: '', archives: ['all.zip'], entry: 'lib/test/script', image: undefined };
+    const start = { base: `${folder}/`, home: '', archives: ['all.zip'], entry: 'lib/test/script', image: undefined, parts: { found: new Map(), listed } };
     const end = await runPython(module, start, host, {
       pyodide: async () => (options) => loadPyodide({ ...options, indexURL: pyodide }),
       bytes: async (place) => Uint8Array.from(readFileSync(place)),
@@ -113,4 +114,10 @@ print('nobody goes on')
   assert.ok(!lines.includes('nobody goes on'));
   assert.equal(end.kind, 'crash');
   assert.match((end as { message: string }).message, /out of bounds/);
+});
+
+test('an archive that the worker has to fetch itself is the one that was packed, or is not run', watchdog, async () => {
+  const { end, lines } = await runScript("print('runs')", [{ path: 'all.zip', size: 1, sha256: '0'.repeat(64), reason: '' }]);
+  assert.deepEqual(lines, []);
+  assert.equal((end as { code: unknown }).code, 'R2W0724');
 });

@@ -1,0 +1,61 @@
+// The files that Python programs of a site are made of: Pyodide's, and the archives. The page fetches each once and finds
+// it to be the one that was packed, before a worker has it.
+
+import type { Platform } from './platform.ts';
+import type { SiteDescription, SiteFile } from './session.ts';
+
+/** What a worker is given of them. */
+export interface PythonParts {
+  /** By their paths in the site; those that are scripts are not among them, but were looked at. */
+  readonly found: ReadonlyMap<string, Blob>;
+  /** What the worker must find, should it need others. */
+  readonly listed: readonly SiteFile[];
+}
+
+/** Pyodide's folder in the site, with "/" at the end. */
+export function homeOf(program: string): string {
+  return program.slice(0, program.lastIndexOf('/') + 1);
+}
+
+/** Beside the program itself, which is compiled. */
+const ofPyodide = ['pyodide.js', 'pyodide.asm.js', 'pyodide-lock.json', 'python_stdlib.zip'];
+/** In a browser (python_worker_main.ts). */
+const script = 'python_worker.js';
+
+export class PythonFiles {
+  private readonly site: SiteDescription;
+  private readonly platform: Platform;
+  private readonly found = new Map<string, Promise<Blob>>();
+
+  constructor(site: SiteDescription, platform: Platform) {
+    this.site = site;
+    this.platform = platform;
+  }
+
+  /** What runs the program, with these archives. Throws SiteError R2W0706 or R2W0724. */
+  async parts(program: string, archives: readonly string[]): Promise<PythonParts> {
+    const home = homeOf(program);
+    const listed = new Map(this.site.files.map((file) => [file.path, file]));
+    const own = [script, ...ofPyodide.map((name) => home + name)].filter((path) => listed.has(path));
+    const all = await Promise.all([...own, ...archives].map(async (path) => [path, await this.whole(path)] as const));
+    return {
+      found: new Map(all.filter(([path]) => !path.endsWith('.js'))),
+      listed: this.archives().flatMap((path) => listed.get(path) ?? []),
+    };
+  }
+
+  private archives(): readonly string[] {
+    return [...new Set(this.site.nodes.flatMap(({ python }) => python?.archives ?? []))];
+  }
+
+  private whole(path: string): Promise<Blob> {
+    let blob = this.found.get(path);
+    if (blob === undefined) {
+      blob = this.platform.bytes(path).then((bytes) => new Blob([bytes]));
+      this.found.set(path, blob);
+      // What failed may be tried again.
+      blob.catch(() => this.found.delete(path));
+    }
+    return blob;
+  }
+}

@@ -149,7 +149,7 @@ export const texts = {
     seen: (words: string): string => `Seen: ${words}`,
     passedOf: (passed: number, all: number): string => `${passed} of ${all} checks passed`,
   },
-  panels: { nodes: 'Nodes', console: 'Consoles', topics: 'Topics', plot: 'Plot', graph: 'Graph', timeline: 'States', checks: 'Checks', terminal: 'Terminal', publish: 'Publish', services: 'Services and actions', parameters: 'Parameters', text: 'Text', log: 'Log', image: 'Image', turtlesim: 'Turtlesim', scene: '3D view' },
+  panels: { nodes: 'Nodes', console: 'Consoles', topics: 'Topics', plot: 'Plot', graph: 'Graph', frames: 'Frames', timeline: 'States', checks: 'Checks', terminal: 'Terminal', publish: 'Publish', services: 'Services and actions', parameters: 'Parameters', text: 'Text', log: 'Log', image: 'Image', turtlesim: 'Turtlesim', scene: '3D view' },
   panelTabs: 'Panels',
 
   layout: {
@@ -361,6 +361,42 @@ export const texts = {
     calls: 'Calls services',
     actionServers: 'Action servers',
     actionClients: 'Action clients',
+  },
+
+  frames: {
+    none: 'No transforms yet. They appear when a node publishes on /tf or /tf_static.',
+    noneMatch: 'No frame matches the filter.',
+    filter: 'Filter frames',
+    count: (count: number): string => (count === 1 ? '1 frame' : `${count} frames`),
+    more: (count: number): string => `${count} more are not shown: the filter finds them.`,
+    apart: (count: number, roots: string): string =>
+      `${count} trees that do not hang together, below ${roots}. Between them nothing can be transformed.`,
+    loop: (ring: string): string => `A ring of parents, so nobody knows where these frames are: ${ring}`,
+    within: ' in ',
+    refused: (count: number): string =>
+      `${count === 1 ? '1 transform was' : `${count} transforms were`} refused: no name, a number that is none, a rotation of zeros, or a frame in itself.`,
+    root: 'root',
+    rootLong: 'Nobody says where it is: the other frames of its tree are placed in it.',
+    inParent: (parent: string): string => `in ${parent}`,
+    looped: (about: string): string => `${about}, in a ring`,
+    isStatic: 'static',
+    age: (age: string): string => `${age} ago`,
+    translation: 'Translation',
+    quaternion: 'Quaternion',
+    angles: 'Rotation',
+    axes: ['roll', 'pitch', 'yaw'],
+    metres: 'm',
+    radians: 'rad',
+    degrees: '\u00b0',
+    between: 'From one frame to another',
+    source: 'Where is',
+    target: 'seen from',
+    noFrame: 'no frame',
+    choose: 'Choose two frames to see where the one is in the other.',
+    unknown: (frame: string): string => `Nobody has spoken of the frame \u201c${frame}\u201d.`,
+    onLoop: (frame: string): string => `The parents of \u201c${frame}\u201d lead round in a ring.`,
+    noWay: (first: string, second: string): string =>
+      `They belong to two trees, of \u201c${first}\u201d and of \u201c${second}\u201d: no transform joins them.`,
   },
 
   log: {

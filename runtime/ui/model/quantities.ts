@@ -22,6 +22,14 @@ export function formatBytes(bytes: number): string {
   return `${unit === 0 ? String(Math.round(value)) : threeDigits(value)} ${units[unit] ?? ''}`;
 }
 
+/** `12 ms`, `1.2 s`, then as durations: how long ago something was. What is still to come is 0. */
+export function formatAge(seconds: number): string {
+  if (!Number.isFinite(seconds)) return '\u2013';
+  const ms = Math.max(0, seconds * 1000);
+  if (ms < 999.5) return `${Math.round(ms)} ms`;
+  return ms < 9950 ? `${(ms / 1000).toFixed(1)} s` : formatDuration(ms);
+}
+
 /** `4 s`, `2:05`, `1:02:03`. */
 export function formatDuration(ms: number): string {
   const seconds = Math.max(0, Math.floor(ms / 1000));

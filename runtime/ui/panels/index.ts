@@ -40,6 +40,12 @@ export const panels: readonly PanelRow[] = [
     source: { kind: 'lazy', load: () => import('./graph.tsx').then((file) => file.GraphPanel) },
   },
   {
+    id: 'frames',
+    title: texts.panels.frames,
+    icon: 'frames',
+    source: { kind: 'lazy', load: () => import('./frames.tsx').then((file) => file.FramesPanel) },
+  },
+  {
     id: 'timeline',
     title: texts.panels.timeline,
     icon: 'timeline',

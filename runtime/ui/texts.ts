@@ -450,13 +450,14 @@ export const texts = {
     noCloud: 'no point cloud',
     noPlaces: 'its points have no fields x, y and z',
     noPose: 'no pose',
-    noPoses: 'no poses',
     noMap: 'its cells do not fit its size',
-    mapTooLarge: 'it has too many cells',
+    thinned: (step: number): string => `only one of ${step} cells in each direction is drawn`,
     markerType: (type: number): string => `a marker of type ${type} is not drawn`,
     markersLeftOut: 'too many markers',
     noRobot: (reason: string): string => `no robot description: ${reason}`,
-    meshes: (count: number): string => (count === 1 ? '1 mesh is not drawn' : `${count} meshes are not drawn`),
+    urdfFaults: { 'too-long': 'the text is too long', 'no-xml': 'the text is not XML', 'no-robot': 'it has no robot' },
+    shapesLeftOut: (count: number): string =>
+      count === 1 ? '1 shape is not drawn: a mesh, or without a size' : `${count} shapes are not drawn: meshes, or without a size`,
   },
 
   turtlesim: {

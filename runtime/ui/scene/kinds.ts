@@ -1,9 +1,12 @@
 // What a scene can show: for each type of messages, what draws it.
 
 import type { Display, DisplayColors } from './display.ts';
+import { Markers } from './markers.ts';
 import { NewestDisplay } from './newest_display.ts';
+import { occupancyGrid } from './occupancy_grid.ts';
 import { laserScan, pointCloud } from './points.ts';
 import { path, poseArray, singlePose } from './poses.ts';
+import { RobotModel } from './robot_model.ts';
 
 type Make = (colors: DisplayColors) => Display;
 
@@ -14,6 +17,9 @@ const kinds: ReadonlyMap<string, Make> = new Map<string, Make>([
   ['nav_msgs/msg/Odometry', ({ accent }) => new NewestDisplay(singlePose(accent))],
   ['geometry_msgs/msg/PoseStamped', ({ accent }) => new NewestDisplay(singlePose(accent))],
   ['geometry_msgs/msg/PoseWithCovarianceStamped', ({ accent }) => new NewestDisplay(singlePose(accent))],
+  ['nav_msgs/msg/OccupancyGrid', () => new NewestDisplay(occupancyGrid)],
+  ['visualization_msgs/msg/Marker', () => new Markers()],
+  ['visualization_msgs/msg/MarkerArray', () => new Markers()],
   ['geometry_msgs/msg/PoseArray', ({ accent }) => new NewestDisplay(poseArray(accent))],
 ]);
 
@@ -26,6 +32,7 @@ export function makeDisplay(topic: string, type: string, colors: DisplayColors):
 }
 
 function kindOf(topic: string, type: string): Make | undefined {
-  void topic;
+  // A text is a robot by the name of its topic only.
+  if (type === 'std_msgs/msg/String') return /(^|[/_])robot_description$/.test(topic) ? () => new RobotModel() : undefined;
   return kinds.get(type);
 }

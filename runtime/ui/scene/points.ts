@@ -44,7 +44,7 @@ export function pointCloud(message: unknown): Built {
 }
 
 /** Of one colour, or of one each: red, green, blue from 0 to 1, as on a screen. */
-export function points(positions: Float32Array, colors: string | Float32Array, size = kPointSize): Points {
+export function points(positions: Float32Array, colors: string | Float32Array, size = kPointSize): Points<BufferGeometry, PointsMaterial> {
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(positions, 3));
   const material = new PointsMaterial({ size: size * Math.min(2, devicePixelRatioOf()), sizeAttenuation: false });

@@ -7,11 +7,13 @@ import type { Transform } from '../model/transform.ts';
 import { texts } from '../texts.ts';
 import { isPlace } from './display.ts';
 import type { Built } from './newest_display.ts';
-import { arrow, mesh, named, pairsOf, placeAt, segments, solid } from './shapes.ts';
+import { lines, pairsOf } from './lines.ts';
+import { arrow, mesh, named, placeAt, solid } from './shapes.ts';
 import type { ArrowSize } from './shapes.ts';
 
 const kOne: ArrowSize = { length: 0.6, shaft: 0.05, head: 0.14, headLength: 0.18 };
 const kMany: ArrowSize = { length: 0.3, shaft: 0.025, head: 0.07, headLength: 0.09 };
+const kPathWidth = { width: 3, unit: 'pixels' } as const;
 const kMostPoses = 100_000;
 const kMostArrows = 10_000;
 
@@ -54,7 +56,7 @@ export function path(color: string): Make {
     const header = readHeader(message);
     const first: unknown = Array.isArray(list) ? list[0] : undefined;
     const frame = header.frame === '' ? readHeader(first).frame : header.frame;
-    return { object: segments(pairsOf(positions), named(color)), problem, header: { ...header, frame } };
+    return { object: lines(pairsOf(positions), named(color), null, kPathWidth), problem, header: { ...header, frame } };
   };
 }
 

@@ -82,14 +82,6 @@ export function segments(positions: Float32Array, look: Rgba | Float32Array, alp
   return object;
 }
 
-/** The pairs of a line through points: x, y, z of each. */
-export function pairsOf(positions: Float32Array): Float32Array {
-  const count = Math.max(0, positions.length / 3 - 1);
-  const pairs = new Float32Array(count * 6);
-  for (let i = 0; i < count; i += 1) pairs.set(positions.subarray(i * 3, i * 3 + 6), i * 6);
-  return pairs;
-}
-
 export function placeAt(object: Object3D, { translation, rotation }: Transform): void {
   object.position.set(...translation);
   object.quaternion.set(...rotation);

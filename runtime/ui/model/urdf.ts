@@ -1,0 +1,127 @@
+// A robot description (URDF) as far as it is seen: of each link the shapes, where they are in it and their colours.
+// The text may be anything. Joints are left to who publishes /tf.
+
+import { fromRollPitchYaw, kIdentity } from './transform.ts';
+import type { Transform, Vector } from './transform.ts';
+
+export type LinkShape =
+  | { readonly kind: 'box'; readonly size: Vector }
+  | { readonly kind: 'cylinder'; readonly radius: number; readonly length: number }
+  | { readonly kind: 'sphere'; readonly radius: number };
+
+export type Rgba = readonly [red: number, green: number, blue: number, alpha: number];
+
+export interface Visual {
+  readonly origin: Transform;
+  readonly shape: LinkShape;
+  /** null: none is said. */
+  readonly color: Rgba | null;
+}
+
+export interface RobotLink {
+  readonly name: string;
+  readonly visuals: readonly Visual[];
+}
+
+export interface Robot {
+  readonly name: string;
+  readonly links: readonly RobotLink[];
+  /** Shapes that are meshes in files of their own, or none that is known. */
+  readonly leftOut: number;
+}
+
+const kMostCharacters = 1 << 24;
+const kMostLinks = 2000;
+const kMostVisuals = 5000;
+const kLargest = 1e6;
+
+export type UrdfFault = 'too-long' | 'no-xml' | 'no-robot';
+
+export function readUrdf(text: string): Robot | UrdfFault {
+  if (text.length > kMostCharacters) return 'too-long';
+  const page = new DOMParser().parseFromString(text, 'application/xml');
+  if (page.getElementsByTagName('parsererror').length > 0) return 'no-xml';
+  const robot = page.documentElement;
+  if (robot.localName !== 'robot') return 'no-robot';
+  const colors = new Map<string, Rgba>();
+  for (const material of childrenOf(robot, 'material')) {
+    const color = colorOf(material);
+    if (color !== null) colors.set(material.getAttribute('name') ?? '', color);
+  }
+  let count = 0;
+  let leftOut = 0;
+  const links = childrenOf(robot, 'link').slice(0, kMostLinks).map((link): RobotLink => {
+    const visuals: Visual[] = [];
+    for (const element of childrenOf(link, 'visual')) {
+      const visual = count < kMostVisuals ? visualOf(element, colors) : null;
+      if (visual === null) leftOut += 1;
+      else visuals.push(visual);
+      count += 1;
+    }
+    return { name: link.getAttribute('name') ?? '', visuals };
+  });
+  return { name: robot.getAttribute('name') ?? '', links, leftOut };
+}
+
+function visualOf(visual: Element, colors: ReadonlyMap<string, Rgba>): Visual | null {
+  const [geometry] = childrenOf(visual, 'geometry');
+  const shape = geometry === undefined ? null : shapeOf(geometry);
+  const [origin] = childrenOf(visual, 'origin');
+  const place = origin === undefined ? kIdentity : originOf(origin);
+  if (shape === null || place === null) return null;
+  const [material] = childrenOf(visual, 'material');
+  const color = material === undefined ? null : (colorOf(material) ?? colors.get(material.getAttribute('name') ?? '') ?? null);
+  return { origin: place, shape, color };
+}
+
+function shapeOf(geometry: Element): LinkShape | null {
+  for (const element of geometry.children) {
+    const length = (name: string): number => numbersOf(element, name, 1)?.[0] ?? NaN;
+    switch (element.localName) {
+      case 'box': {
+        const [x = NaN, y = NaN, z = NaN] = numbersOf(element, 'size', 3) ?? [];
+        return [x, y, z].every(isLength) ? { kind: 'box', size: [x, y, z] } : null;
+      }
+      case 'cylinder': {
+        const [radius, along] = [length('radius'), length('length')];
+        return isLength(radius) && isLength(along) ? { kind: 'cylinder', radius, length: along } : null;
+      }
+      case 'sphere': {
+        const radius = length('radius');
+        return isLength(radius) ? { kind: 'sphere', radius } : null;
+      }
+      default:
+    }
+  }
+  return null;
+}
+
+/** null: numbers are said that are none. */
+function originOf(origin: Element): Transform | null {
+  const [x = NaN, y = NaN, z = NaN] = numbersOf(origin, 'xyz', 3) ?? [0, 0, 0];
+  const [roll = NaN, pitch = NaN, yaw = NaN] = numbersOf(origin, 'rpy', 3) ?? [0, 0, 0];
+  const isSound = [x, y, z, roll, pitch, yaw].every((value) => Math.abs(value) < kLargest);
+  return isSound ? { translation: [x, y, z], rotation: fromRollPitchYaw(roll, pitch, yaw) } : null;
+}
+
+function colorOf(material: Element): Rgba | null {
+  const [element] = childrenOf(material, 'color');
+  const [red = NaN, green = NaN, blue = NaN, alpha = NaN] = (element && numbersOf(element, 'rgba', 4)) ?? [];
+  return [red, green, blue, alpha].every(Number.isFinite) ? [red, green, blue, alpha] : null;
+}
+
+/** null: the attribute is missing. */
+function numbersOf(element: Element, name: string, count: number): readonly number[] | null {
+  const text = element.getAttribute(name);
+  if (text === null) return null;
+  const parts = text.trim().split(/\s+/).map(Number);
+  return parts.length === count ? parts : Array.from({ length: count }, () => NaN);
+}
+
+function isLength(value: number): boolean {
+  return value > 0 && value < kLargest;
+}
+
+function childrenOf(element: Element, name: string): readonly Element[] {
+  return [...element.children].filter((child) => child.localName === name);
+}

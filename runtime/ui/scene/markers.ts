@@ -1,0 +1,111 @@
+// Markers of a topic, Marker or MarkerArray: added, changed, deleted, and gone when their lifetime is over.
+
+import { Group } from 'three';
+import type { Object3D } from 'three';
+import { asNumber } from '../model/field_path.ts';
+import { member } from '../model/json.ts';
+import { readHeader } from '../model/transform.ts';
+import type { HeaderView } from '../model/transform.ts';
+import { texts } from '../texts.ts';
+import type { Anchored, Display } from './display.ts';
+import { disposeOf, emptied } from './dispose.ts';
+import { markerShape } from './marker_shape.ts';
+
+const kMostMarkers = 5000;
+
+/** As the message's constants number them; 1 is no longer used. */
+const MarkerAction = { add: 0, remove: 2, removeAll: 3 } as const;
+
+interface Kept {
+  /** null: it is drawn as it is. */
+  message: unknown;
+  object: Object3D | null;
+  header: HeaderView;
+  problem: string;
+  /** Seconds; 0: for good. */
+  lifetime: number;
+  /** Seconds of the site's time; Infinity: never. */
+  ends: number;
+}
+
+export class Markers implements Display {
+  readonly group = new Group();
+  private readonly kept = new Map<string, Kept>();
+  private refused = false;
+
+  get problem(): string {
+    if (this.refused) return texts.scene.markersLeftOut;
+    for (const { problem } of this.kept.values()) if (problem !== '') return problem;
+    return '';
+  }
+
+  take(message: unknown): void {
+    const list = member(message, 'markers');
+    if (!Array.isArray(list)) this.takeOne(message);
+    else for (const marker of list as readonly unknown[]) this.takeOne(marker);
+  }
+
+  build(now: number): number | undefined {
+    let next = Infinity;
+    for (const [key, marker] of this.kept) {
+      if (marker.message !== null) {
+        this.withdraw(marker);
+        const { object, problem } = markerShape(marker.message);
+        marker.message = null;
+        marker.object = object;
+        marker.problem = problem;
+        marker.ends = marker.lifetime > 0 ? now + marker.lifetime : Infinity;
+        if (object !== null) this.group.add(object);
+      }
+      if (marker.ends <= now) this.forget(key);
+      else next = Math.min(next, marker.ends);
+    }
+    return Number.isFinite(next) ? next : undefined;
+  }
+
+  *anchored(): Iterable<Anchored> {
+    for (const { object, header } of this.kept.values()) if (object !== null) yield { object, header };
+  }
+
+  close(): void {
+    emptied(this.group);
+    this.kept.clear();
+  }
+
+  private takeOne(marker: unknown): void {
+    const key = `${String(member(marker, 'ns'))}\n${String(member(marker, 'id'))}`;
+    switch (asNumber(member(marker, 'action'))) {
+      case MarkerAction.add: {
+        const { stamp, frame } = readHeader(marker);
+        const header = { stamp: member(marker, 'frame_locked') === true ? NaN : stamp, frame };
+        const lifetime = asNumber(member(marker, 'lifetime'));
+        const known = this.kept.get(key);
+        this.refused = known === undefined && this.kept.size >= kMostMarkers;
+        if (known !== undefined) Object.assign(known, { message: marker, header, lifetime });
+        else if (!this.refused)
+          this.kept.set(key, { message: marker, object: null, header, problem: '', lifetime, ends: Infinity });
+        return;
+      }
+      case MarkerAction.remove:
+        this.forget(key);
+        return;
+      case MarkerAction.removeAll:
+        for (const each of [...this.kept.keys()]) this.forget(each);
+        return;
+      default:
+    }
+  }
+
+  private forget(key: string): void {
+    const marker = this.kept.get(key);
+    if (marker !== undefined) this.withdraw(marker);
+    this.kept.delete(key);
+    this.refused = false;
+  }
+
+  private withdraw({ object }: Kept): void {
+    if (object === null) return;
+    this.group.remove(object);
+    disposeOf(object);
+  }
+}

@@ -1,0 +1,208 @@
+// What a scene makes of messages: places and colours as they are told, and nothing of values that make no sense.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { DataTexture, InstancedMesh, Mesh, MeshBasicMaterial, Points } from 'three';
+import type { Object3D } from 'three';
+import { eyeOf, kUsualView, panned, readView, turned, writeView, zoomed } from '../../../runtime/ui/model/camera_view.ts';
+import { readCloud } from '../../../runtime/ui/model/point_cloud.ts';
+import { readOptions, writeOptions } from '../../../runtime/ui/model/scene_options.ts';
+import { keyed } from '../../../runtime/ui/scene/camera_control.ts';
+import { canShow, makeDisplay } from '../../../runtime/ui/scene/kinds.ts';
+import { Markers } from '../../../runtime/ui/scene/markers.ts';
+import { occupancyGrid } from '../../../runtime/ui/scene/occupancy_grid.ts';
+import { laserScan } from '../../../runtime/ui/scene/points.ts';
+import { path, poseArray, singlePose } from '../../../runtime/ui/scene/poses.ts';
+
+const header = { stamp: { sec: 3, nanosec: 0 }, frame_id: 'map' };
+const upright = { x: 0, y: 0, z: 0, w: 1 };
+const pose = (x: number, y = 0, z = 0): unknown => ({ position: { x, y, z }, orientation: upright });
+
+function positions(object: Object3D | null): readonly number[] {
+  assert.ok(object instanceof Points);
+  return [...(object.geometry.getAttribute('position').array as Float32Array)].map((value) => Number(value.toFixed(4)) + 0);
+}
+
+test('a view turns, moves and zooms within bounds, and is kept', () => {
+  const [x, y, z] = eyeOf({ ...kUsualView, azimuth: 0, elevation: 0, target: [1, 2, 3] });
+  assert.deepEqual([x, y, z].map((part) => Number(part.toFixed(6))), [7, 2, 3]);
+  let view = kUsualView;
+  for (let i = 0; i < 100; i += 1) view = turned(view, 37, 500, 400);
+  assert.ok(view.elevation < Math.PI / 2 && Math.abs(view.azimuth) <= Math.PI);
+  for (let i = 0; i < 500; i += 1) view = zoomed(view, 0.5);
+  assert.ok(view.distance > 0);
+  for (let i = 0; i < 500; i += 1) view = zoomed(view, 2);
+  view = panned(view, 1e12, -1e12, 1);
+  assert.ok(view.target.every((part) => Math.abs(part) <= 1e6));
+  assert.deepEqual(zoomed(view, NaN), view);
+  // From above the ground follows the pointer: half a picture is half of what is seen.
+  const top = panned({ ...kUsualView, top: true }, 100, 0, 200);
+  assert.ok(Math.abs(top.target[0] + kUsualView.distance * Math.tan(Math.PI / 8)) < 1e-9);
+  assert.equal(top.target[1], 0);
+  assert.deepEqual(readView(writeView({ ...kUsualView, azimuth: Math.PI, elevation: 1.5697963 })).azimuth, 3.141);
+  assert.deepEqual(readView({ distance: -1, azimuth: 'no', x: Infinity, top: 7 }), kUsualView);
+  assert.equal(keyed(kUsualView, 'Home', false, 400), 'home');
+  assert.equal(keyed(kUsualView, 'a', false, 400), null);
+});
+
+test('what the panel keeps is read as it was written, and from links with care', () => {
+  const options = readOptions(writeOptions(readOptions({ frame: 'odom', topics: ['/scan'], grid: false })));
+  assert.deepEqual([options.frame, options.topics, options.grid], ['odom', ['/scan'], false]);
+  assert.deepEqual(readOptions(writeOptions(options)), options);
+  assert.equal(readOptions(null).topics, null);
+  assert.deepEqual(readOptions({ topics: 7, view: [], goal: {} }).topics, []);
+  assert.ok(JSON.stringify(writeOptions(options)).length < 1000);
+});
+
+test('beams of a scan stand at their angles, without those that hit nothing', () => {
+  const scan = {
+    header, angle_min: 0, angle_increment: Math.PI / 2, range_min: 0.1, range_max: 10,
+    ranges: Float32Array.of(1, 2, Infinity, 3, NaN, 0.01, 11, -1),
+  };
+  assert.deepEqual(positions(laserScan('#fff')(scan).object), [1, 0, 0, 0, 2, 0, 0, -3, 0]);
+  assert.equal(laserScan('#fff')({ ...scan, angle_increment: NaN }).object, null);
+  assert.notEqual(laserScan('#fff')({}).problem, '');
+});
+
+function cloud(fields: readonly (readonly [string, number, number])[], step: number, data: Uint8Array, more: object = {}): unknown {
+  return {
+    header, height: 1, width: data.length / step, point_step: step, row_step: data.length, is_bigendian: false, data,
+    fields: fields.map(([name, offset, datatype]) => ({ name, offset, datatype, count: 1 })),
+    ...more,
+  };
+}
+
+test('points of a cloud have their places and colours, in any layout', () => {
+  const bytes = new Uint8Array(32);
+  const view = new DataView(bytes.buffer);
+  for (const [index, value] of [1, 2, 3].entries()) view.setFloat32(index * 4, value, true);
+  view.setUint32(12, 0xff8000, true);
+  for (const [index, value] of [4, NaN, 6].entries()) view.setFloat32(16 + index * 4, value, true);
+  const fields = [['x', 0, 7], ['y', 4, 7], ['z', 8, 7], ['rgb', 12, 7]] as const;
+  const found = readCloud(cloud(fields, 16, bytes));
+  assert.ok(typeof found !== 'string');
+  assert.deepEqual([[...found.positions], found.coloredBy], [[1, 2, 3], 'rgb']);
+  assert.deepEqual([...found.colors].map((part) => Number(part.toFixed(3))), [1, 0.502, 0]);
+
+  // Big-endian 16-bit places with an intensity of 8 bits: least violet, most red.
+  const small = Uint8Array.of(0, 1, 0, 2, 0, 3, 10, 0, 4, 0, 5, 0, 6, 200);
+  const other = readCloud(cloud([['x', 0, 3], ['y', 2, 3], ['z', 4, 3], ['intensity', 6, 2]], 7, small, { is_bigendian: true }));
+  assert.ok(typeof other !== 'string');
+  assert.deepEqual([[...other.positions], other.coloredBy], [[1, 2, 3, 4, 5, 6], 'intensity']);
+  assert.deepEqual([...other.colors], [0.5, 0, 1, 1, 0, 0]);
+});
+
+test('clouds whose sizes lie give what they hold', () => {
+  const fields = [['x', 0, 7], ['y', 4, 7], ['z', 8, 7]] as const;
+  const data = new Uint8Array(24);
+  const lies: readonly object[] = [
+    { width: 4e9, height: 4e9 }, { row_step: 4e9 }, { width: 1, height: 1e9, row_step: 0 }, { width: 0, height: 5 }, { width: 1e9, height: 0 },
+  ];
+  for (const lie of lies) {
+    const found = readCloud(cloud(fields, 12, data, lie));
+    assert.ok(typeof found !== 'string' && found.positions.length <= 6, JSON.stringify(lie));
+  }
+  assert.equal(readCloud(cloud(fields, 12, data, { point_step: 0 })), 'no-data');
+  assert.equal(readCloud(cloud([['x', 0, 7], ['y', 4, 7], ['z', 9, 7]], 12, data)), 'no-places');
+  assert.equal(readCloud(cloud([['x', -4, 7], ['y', 4, 7], ['z', 8, 99]], 12, data)), 'no-places');
+  assert.equal(readCloud({ data: 'text' }), 'no-data');
+  assert.equal(readCloud(null), 'no-data');
+  const many = readCloud(cloud(fields, 12, new Uint8Array(12 * 1_000_010)));
+  assert.ok(typeof many !== 'string' && many.leftOut === 10);
+});
+
+test('poses stand where they are told, and what is none is said', () => {
+  const color = '#fff';
+  assert.deepEqual(singlePose(color)({ header, pose: pose(1, 2, 3) }).object?.position.toArray(), [1, 2, 3]);
+  // As in odometry: within a pose with its covariance.
+  assert.deepEqual(singlePose(color)({ header, pose: { pose: pose(4), covariance: [] } }).object?.position.toArray(), [4, 0, 0]);
+  for (const wrong of [{}, null, { pose: pose(NaN) }, { pose: pose(1e300) }, { pose: { position: 1 } }])
+    assert.notEqual(singlePose(color)(wrong).problem, '');
+  const array = poseArray(color)({ header, poses: [pose(1), pose(NaN), pose(2)] }).object;
+  assert.ok(array instanceof InstancedMesh && array.count === 2);
+  assert.notEqual(poseArray(color)({ poses: 'no' }).problem, '');
+  const line = path(color)({ header: { ...header, frame_id: '' }, poses: [{ header, pose: pose(1) }, { header, pose: pose(2) }] });
+  assert.equal(line.header?.frame, 'map');
+  assert.equal(path(color)({ header, poses: [] }).problem, '');
+  assert.equal(path(color)({}).problem, 'no pose');
+});
+
+test('a map has its cells in their colours, the first one at its origin', () => {
+  const grid = (more: object, data: unknown = Int8Array.of(0, 100, -1, 50)): unknown =>
+    ({ header, info: { width: 2, height: 2, resolution: 0.5, origin: pose(-1, -1), ...more }, data });
+  const { object } = occupancyGrid(grid({}));
+  assert.ok(object instanceof Mesh && object.material instanceof MeshBasicMaterial && object.material.map instanceof DataTexture);
+  const { data } = object.material.map.image as { data: Uint8Array };
+  assert.deepEqual([...data], [255, 255, 255, 255, 0, 0, 0, 255, 112, 137, 134, 255, 128, 128, 128, 255]);
+  assert.deepEqual(object.position.toArray(), [-1, -1, 0]);
+  const lies: readonly unknown[] = [
+    grid({ width: 3 }), grid({ width: 65536, height: 65536 }), grid({ resolution: NaN }), grid({ resolution: 0 }), grid({ resolution: 1e30 }),
+    grid({ origin: pose(NaN) }), grid({}, [0, 0, 0, 0]), grid({ width: 0, height: 0 }, new Int8Array(0)), {}, null,
+  ];
+  for (const lie of lies) assert.equal(occupancyGrid(lie).object, null);
+  const large = occupancyGrid(grid({ width: 5000, height: 2 }, new Int8Array(10_000)));
+  assert.match(large.problem, /one of 2 cells/);
+});
+
+const marker = (id: number, more: object = {}): unknown => ({
+  header, ns: 'n', id, type: 1, action: 0, pose: pose(id), scale: { x: 1, y: 1, z: 1 }, color: { r: 1, g: 0, b: 0, a: 1 },
+  lifetime: { sec: 0, nanosec: 0 }, frame_locked: false, points: [], colors: [], text: '', mesh_resource: '', ...more,
+});
+
+test('markers are added, changed and deleted, and end with their lifetime', () => {
+  const display = new Markers();
+  const shown = (): readonly number[] => [...display.anchored()].map(({ object }) => object.children[0]?.position.x ?? NaN);
+  display.take({ markers: [marker(1), marker(2), marker(3, { lifetime: { sec: 2, nanosec: 0 } })] });
+  assert.equal(display.build(100), 102);
+  assert.deepEqual(shown(), [1, 2, 3]);
+  display.take(marker(2, { pose: pose(20) }));
+  display.take(marker(1, { action: 2 }));
+  assert.equal(display.build(101), 102);
+  assert.deepEqual(shown(), [20, 3]);
+  assert.equal(display.build(102), undefined);
+  assert.deepEqual(shown(), [20]);
+  display.take({ markers: [marker(0, { action: 3 }), marker(9)] });
+  display.build(103);
+  assert.deepEqual(shown(), [9]);
+  // Locked to its frame, it is where the frame is now.
+  display.take(marker(9, { frame_locked: true }));
+  display.build(104);
+  assert.ok([...display.anchored()].every(({ header: { stamp } }) => Number.isNaN(stamp)));
+  display.close();
+  assert.equal(display.group.children.length, 0);
+});
+
+test('every type of marker is drawn, with points and colours that make no sense too', () => {
+  const points = [{ x: 0, y: 0, z: 0 }, { x: 1, y: 0, z: 0 }, { x: 0, y: 1, z: 0 }, { x: NaN, y: 0, z: 0 }, { x: 1e300, y: 0, z: 0 }, null];
+  for (const type of [0, 1, 2, 3, 4, 5, 6, 7, 8, 11, 12]) {
+    for (const more of [{ points: [] }, { points }, { points, colors: points.map(() => ({ r: 9, g: NaN, b: -1, a: 1 })) }, { points: 'no' }]) {
+      const display = new Markers();
+      display.take(marker(1, { type, ...more }));
+      display.build(0);
+      assert.equal(display.problem, '', String(type));
+      assert.equal([...display.anchored()].length, 1, String(type));
+    }
+  }
+  for (const wrong of [{ type: 10 }, { type: 99 }, { pose: null }, { scale: { x: NaN, y: 0, z: 0 } }, { scale: { x: 1e30, y: 0, z: 0 } }]) {
+    const display = new Markers();
+    display.take(marker(1, wrong));
+    display.build(0);
+    assert.notEqual(display.problem, '');
+  }
+  const display = new Markers();
+  for (const nothing of [null, 7, {}, { markers: [null, {}] }]) display.take(nothing);
+  display.take({ markers: Array.from({ length: 6000 }, (_, id) => marker(id)) });
+  display.build(0);
+  assert.equal([...display.anchored()].length, 5000);
+  assert.equal(display.problem, 'too many markers');
+});
+
+test('topics that can be shown are known by their type, robots by their name too', () => {
+  assert.ok(canShow('/scan', 'sensor_msgs/msg/LaserScan'));
+  assert.ok(canShow('/robot1/robot_description', 'std_msgs/msg/String'));
+  assert.ok(!canShow('/chatter', 'std_msgs/msg/String'));
+  assert.equal(makeDisplay('/chatter', 'std_msgs/msg/String', { text: '#000', accent: '#000' }), null);
+  const display = makeDisplay('/plan', 'nav_msgs/msg/Path', { text: '#000', accent: '#00f' });
+  display?.take({ header, poses: [] });
+  display?.build(0);
+  assert.equal(display?.problem, '');
+});

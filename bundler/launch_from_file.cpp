@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bundler/launch/argument_choices.hpp"
+#include "bundler/launch/given_arguments.hpp"
 #include "bundler/launch/launch_evaluation.hpp"
 #include "bundler/launch/launch_file_nodes.hpp"
 #include "bundler/launch/launch_world.hpp"
@@ -108,6 +109,7 @@ Diagnostic not_with(const Texts& given, const SourceSpan& span, const Diagnostic
 
 Outcome<LaunchedFile> launch_from_file(const PackRequest& request, BuiltWorkspace& workspace,
                                        const Spanned<std::string>& file,
+                                       const std::vector<GivenArgument>& arguments,
                                        const Cancellation& cancellation) {
   workspace.watched.push_back(workspace.folder / file.value);
   const auto folders = installed_launch_folders(workspace.folder, workspace.installed,
@@ -123,7 +125,9 @@ Outcome<LaunchedFile> launch_from_file(const PackRequest& request, BuiltWorkspac
   Reading reading;
   PythonRecord record;
   const std::string path = std::string(kLaunchWorkspace) + "/" + file.value;
-  const auto evaluate = [&](const Texts& given) {
+  const Texts packed_with = values_by_name(arguments);
+  const auto evaluate = [&](Texts given) {
+    given.insert(packed_with.begin(), packed_with.end());  // those that are tried stay
     LaunchWorld seen = reading.seen_through(world);
     seen.python = record.recording(python);
     return launch_file_nodes(path, given, seen, workspace.installed, file.span, workspace.left_out);
@@ -135,6 +139,8 @@ Outcome<LaunchedFile> launch_from_file(const PackRequest& request, BuiltWorkspac
 
   auto launched = evaluate({});
   if (!launched) return std::move(launched).errors();
+  if (Diagnostics errors = undeclared_in_manifest(arguments, launched->arguments); !errors.empty())
+    return errors;
   Diagnostics refused = refused_when_strict(launched->warnings);
   if (request.strict && !refused.empty()) return refused;
   append(workspace.warnings, launched->warnings);
@@ -173,7 +179,7 @@ Outcome<LaunchedFile> launch_from_file(const PackRequest& request, BuiltWorkspac
     from.file = fs::path(from.file).filename().string();
     step.launch = PackedLaunch{.file = path,
                                .from = std::move(from),
-                               .given = {},
+                               .given = packed_with,
                                .distro = workspace.manifest.distro,
                                .installed = workspace.installed,
                                .left_out = workspace.left_out,

@@ -19,11 +19,13 @@ struct LaunchedFile {
   std::optional<PackedLaunch> launch;  ///< when the launch file declares arguments
 };
 
-/// The nodes of the manifest's launch file. What else its arguments can start is found by trying
-/// their choices, and true and false, 32 times at most; faults there are warnings (R2W0440).
+/// The nodes of the manifest's launch file with the launch arguments that it gives (R2W0730). What
+/// else they can start is found by trying their choices, and true and false, 32 times at most;
+/// faults there are warnings (R2W0440).
 [[nodiscard]] Outcome<LaunchedFile> launch_from_file(const PackRequest& request,
                                                      BuiltWorkspace& workspace,
                                                      const Spanned<std::string>& file,
+                                                     const std::vector<GivenArgument>& arguments,
                                                      const Cancellation& cancellation);
 
 /// The same for one evaluation of any launch file, without programs: what a site would have of it.

@@ -315,7 +315,8 @@ Outcome<LaunchedFile> launch(const PackRequest& request, BuiltWorkspace& workspa
                              const Cancellation& cancellation) {
   Manifest& manifest = workspace.manifest;
   if (manifest.launch_file)
-    return launch_from_file(request, workspace, *manifest.launch_file, cancellation);
+    return launch_from_file(request, workspace, *manifest.launch_file, manifest.launch_arguments,
+                            cancellation);
   workspace.nodes_by_default = manifest.nodes.empty();
   if (workspace.nodes_by_default) {
     const auto local_end =

@@ -7,6 +7,7 @@
 #include "bundler/io/files.hpp"
 #include "bundler/languages/language.hpp"
 #include "bundler/launch/component_containers.hpp"
+#include "bundler/launch/given_arguments.hpp"
 #include "bundler/launch/launch_evaluation.hpp"
 #include "bundler/launch/launch_graph.hpp"
 #include "bundler/launch/launch_world.hpp"
@@ -65,10 +66,13 @@ Diagnostics check_launch_file(const CheckRequest& request, CheckReport& report,
       folders,
       [&] { return find_launch_tools(request.executable, request.variables, {}, cancellation); },
       cancellation);
+  const auto& given = report.manifest.launch_arguments;
   auto description =
-      evaluate_launch(std::string(kLaunchWorkspace) + "/" + report.manifest.launch_file->value, {},
-                      world, report.manifest.launch_file->span);
+      evaluate_launch(std::string(kLaunchWorkspace) + "/" + report.manifest.launch_file->value,
+                      values_by_name(given), world, report.manifest.launch_file->span);
   if (!description) return std::move(description).errors();
+  if (Diagnostics errors = undeclared_in_manifest(given, description->arguments); !errors.empty())
+    return errors;
   append(report.warnings, description->warnings);
   const auto is_known = [&](const std::string& package) {
     return std::any_of(report.packages.begin(), report.packages.end(),

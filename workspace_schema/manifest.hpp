@@ -122,6 +122,12 @@ struct CheckEntry {
   std::int64_t within_ms = 10'000;  ///< of the site's time
 };
 
+/// A launch argument with its value, as `name:=value` says it.
+struct GivenArgument {
+  Spanned<std::string> name;
+  std::string value;
+};
+
 struct Manifest {
   std::string file;  ///< path as given, for messages
   int schema = 1;
@@ -139,6 +145,7 @@ struct Manifest {
   std::vector<Spanned<std::string>> dependencies;  ///< conda match specs or ROS package names
   std::vector<Spanned<std::string>> packages;      ///< paths or globs, relative to the manifest
   std::optional<Spanned<std::string>> launch_file;
+  std::vector<GivenArgument> launch_arguments;  ///< for the launch file, in the written order
   std::vector<NodeEntry> nodes;
   std::vector<CheckEntry> checks;
   std::map<std::string, std::string> ui;    ///< scalar options of `ui:` (theme, layout ...)

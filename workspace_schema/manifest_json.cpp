@@ -151,7 +151,12 @@ std::string manifest_json(const Manifest& manifest) {
   json.end_array();
   texts(json, "packages", manifest.packages);
   json.key("launch");
-  if (manifest.launch_file) {
+  if (manifest.launch_file && !manifest.launch_arguments.empty()) {
+    json.begin_object().field("file", manifest.launch_file->value).key("arguments").begin_object();
+    for (const GivenArgument& one : manifest.launch_arguments)
+      json.field(one.name.value, one.value);
+    json.end_object().end_object();
+  } else if (manifest.launch_file) {
     json.string(manifest.launch_file->value);
   } else {
     json.begin_array();

@@ -7,7 +7,7 @@
 
 #include "workspace_schema/manifest_binding.hpp"
 #include "workspace_schema/manifest_checks.hpp"
-#include "workspace_schema/manifest_nodes.hpp"
+#include "workspace_schema/manifest_launch.hpp"
 #include "workspace_schema/match_spec.hpp"
 #include "workspace_schema/suggestion.hpp"
 #include "workspace_schema/yaml_scalar.hpp"
@@ -127,7 +127,7 @@ class Reader {
     }
     if (const YamlNode* node = given("distro")) read_distro(*node);
     read_lists();
-    read_launch();
+    read_what_runs();
     if (const YamlNode* node = given("checks")) {
       binder_.list(*node, "checks", [this](const YamlNode& item) {
         if (auto check = read_check(binder_, item)) manifest_.checks.push_back(*std::move(check));
@@ -298,7 +298,7 @@ class Reader {
     }
   }
 
-  void read_launch() {
+  void read_what_runs() {
     const YamlNode* node = given("launch");
     if (node == nullptr) {
       if (value_of(root_, "nodes") != nullptr)
@@ -310,26 +310,7 @@ class Reader {
       }
       return;
     }
-    if (node->kind == YamlKind::kScalar) {
-      if (auto file = binder_.path(*node, "launch")) manifest_.launch_file = *std::move(file);
-      return;
-    }
-    if (node->kind == YamlKind::kMap) {
-      Diagnostic& wrong = binder_.wrong_type(*node, "launch", "a launch file or a list of nodes");
-      wrong.why.push_back("each node of the list begins with `- `");
-      return;
-    }
-    if (node->kind == YamlKind::kNull) {
-      binder_.wrong_type(*node, "launch", "a launch file or a list of nodes");
-      return;
-    }
-    if (node->items.empty()) {
-      binder_.error("R2W0103", "`launch` names no node", node->range, "expected at least one");
-    }
-    for (const YamlNode& item : node->items) {
-      if (auto entry = read_node(binder_, item)) manifest_.nodes.push_back(*std::move(entry));
-    }
-    warn_of_equal_names(binder_, manifest_.nodes);
+    read_launch(binder_, *node, manifest_);
   }
 
   void read_options(const YamlNode& node, const std::string& what,

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "bundler/launch/given_arguments.hpp"
 #include "bundler/launch/launch_evaluation.hpp"
 #include "bundler/launch/launch_file_nodes.hpp"
 #include "bundler/launch/launch_paths.hpp"
@@ -15,7 +16,6 @@
 #include "bundler/render/site_node_json.hpp"
 #include "workspace_schema/json_reader.hpp"
 #include "workspace_schema/json_writer.hpp"
-#include "workspace_schema/suggestion.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
@@ -209,21 +209,15 @@ std::string refused(const Diagnostics& errors) {
   return json.end_object().text();
 }
 
-/// Names that no launch file declares: natively they are passed over, which hides a slip.
-Diagnostics undeclared(const Texts& given, const std::vector<LaunchArgument>& arguments) {
-  std::vector<std::string> names;
-  for (const LaunchArgument& one : arguments) names.push_back(one.name);
-  Diagnostics errors;
-  for (const auto& [name, value] : given) {
-    if (std::find(names.begin(), names.end(), name) != names.end()) continue;
-    Diagnostic error{
-        .code = "R2W0730",
-        .kind = FailureKind::kCommandLine,
-        .message = "the launch file has no argument `" + name + "`",
-        .why = {names.empty() ? "it declares none" : "its arguments are: " + name_list(names)}};
-    if (const auto similar = nearest(name, names)) error.fix.push_back(*similar + ":=" + value);
-    errors.push_back(std::move(error));
-  }
+/// As the command line and the address say them.
+Diagnostics undeclared(const Texts& given, const std::vector<LaunchArgument>& declared) {
+  std::vector<GivenArgument> all;
+  for (const auto& [name, value] : given)
+    all.push_back({.name = {.value = name, .span = {}}, .value = value});
+  Diagnostics errors = undeclared_arguments(
+      all, declared,
+      [](const std::string& name, const std::string& value) { return name + ":=" + value; });
+  for (Diagnostic& one : errors) one.kind = FailureKind::kCommandLine;
   return errors;
 }
 

@@ -26,7 +26,7 @@ from fingerprint import find_compiler  # noqa: E402
 
 # The pure files of the native half; the others of these folders reach the disk, processes or channels.
 LAUNCH = (
-    "component_containers", "file_pattern", "launch_actions", "launch_evaluation", "launch_events",
+    "component_containers", "file_pattern", "given_arguments", "launch_actions", "launch_evaluation", "launch_events",
     "launch_file_nodes", "launch_frontends", "launch_graph", "launch_paths", "launch_processes",
     "launch_python", "launch_scope", "launch_start", "launch_step", "left_out", "launch_text", "launch_tree",
     "launch_values", "node_arguments", "parameter_file", "python_arithmetic", "python_expression",

@@ -129,9 +129,13 @@ export async function siteWithArguments(
     return id === undefined || ids.has(id);
   });
   const without = site.checks.length - checks.length;
+  const packedWith = new Map(launch.arguments.map(({ name, packed }) => [name, packed]));
   const view: LaunchView = {
     ...launch,
-    arguments: readArguments(answer, 'arguments'),
+    arguments: readArguments(answer, 'arguments').map((one) => {
+      const packed = packedWith.get(one.name) ?? one.default;
+      return packed === undefined ? one : { ...one, packed };
+    }),
     notes: [...(without === 0 ? [] : [`${without} of ${site.checks.length} checks are left out: their nodes do not run`]), ...listOf(answer['warnings']).map((one) => textOf(one, 'message')), ...textsOf(answer['remarks'])],
     decided: answer['decided'] === true,
   };

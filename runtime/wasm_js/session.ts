@@ -102,7 +102,10 @@ export interface SiteFile {
 export interface LaunchArgument {
   readonly name: string;
   readonly value: string;
+  /** Of the launch file. */
   readonly default?: string;
+  /** What the site starts with when its address gives none. */
+  readonly packed?: string;
   readonly description: string;
   /** Empty: any value. */
   readonly choices: readonly string[];

@@ -142,7 +142,7 @@ function readLaunch(value: unknown): LaunchView {
   return {
     data: path(text(json, 'data', 'site.launch'), 'site.launch.data'),
     evaluator: path(text(json, 'evaluator', 'site.launch'), 'site.launch.evaluator'),
-    arguments: readArguments(json, 'site.launch'),
+    arguments: readArguments(json, 'site.launch').map((one) => ({ ...one, packed: one.value })),
     notes: [],
     decided: false,
   };

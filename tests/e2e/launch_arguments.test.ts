@@ -147,6 +147,23 @@ test('R2W0730, R2W0412, R2W0403, R2W0411: what is wrong with arguments is said b
   assert.match(none.stderr, /error\[R2W0902\]: `robot` is no launch argument/);
 });
 
+test('arguments that the manifest gives are those of the site, until a visitor gives others', async () => {
+  const manifest = readFileSync(join(EXAMPLE, 'workspace.yaml'), 'utf8');
+  workspace.write('workspace.yaml', manifest.replace(/^launch: .*$/m, 'launch: {file: start.launch.py, arguments: {robot: delta, speed: 2.50}}'));
+  const packed = await workspace.run(['pack', '-o', 'given']);
+  assert.equal(packed.code, 0, packed.stderr);
+  for (const [given, heard, never] of [
+    [[], /delta\.robot\]: starting at 2\.5 m\/s/, /gamma/],
+    [['robot:=gamma'], /gamma\.robot\]: starting at 2\.5 m\/s/, /delta|station/],
+    [['speed:=1.0', 'size:=small'], /delta\.robot\]: starting at 1\.0 m\/s/, /gamma/],
+  ] as const) {
+    const run = await workspace.run(['run', 'given', ...given, '--until', heard.source, '--for', WATCHDOG]);
+    assert.equal(run.code, 0, run.stdout + run.stderr);
+    assert.match(run.stdout, heard);
+    assert.doesNotMatch(run.stdout, never);
+  }
+});
+
 const wrong = `<launch>
   <arg name="mode" default="good"><choice value="good"/><choice value="bad"/></arg>
   <arg name="program" default="robot"/>

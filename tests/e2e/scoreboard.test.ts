@@ -26,14 +26,17 @@ function board(args: readonly string[]): Promise<{ readonly code: number; readon
 }
 
 test('components, linked, loaded and in a container; interfaces of another package of the workspace', { timeout: 500_000 }, async () => {
-  const { code, rows, output } = await board(['--only', 'board_companions', '--only', 'composed_talkers', '--only', 'countdown', '--only', 'key_reader']);
+  const { code, rows, output } = await board(['--only', 'board_companions', '--only', 'composed_talkers', '--only', 'countdown', '--only', 'key_reader', '--only', 'lifecycle_sensor/launch']);
   assert.equal(code, 0, output);
   assert.deepEqual(rows.map((row) => `${row.package}/${row.executable}`),
     ['board_companions/load_components', 'board_companions/set_parameters', 'composed_talkers/composed_talkers::Echo',
-      'composed_talkers/linked', 'composed_talkers/loaded', 'countdown/client', 'countdown/server', 'key_reader/keys']);
-  assert.ok(rows.every((row) => row.built && row.started && row.expected === true && row.log_lines.length > 0));
+      'composed_talkers/linked', 'composed_talkers/loaded', 'composed_talkers/launch/composed.launch.py', 'countdown/client',
+      'countdown/server', 'countdown/launch/countdown.launch.xml', 'key_reader/keys', 'lifecycle_sensor/launch/sensor.launch.yaml']);
+  assert.ok(rows.every((row) => row.built && row.started && row.expected === true));
+  assert.deepEqual(rows.filter((row) => row.log_lines.length === 0).map((row) => row.package), ['lifecycle_sensor']);
+  assert.deepEqual(rows.filter((row) => row.kind === 'launch').map((row) => row.package), ['composed_talkers', 'countdown', 'lifecycle_sensor']);
   assert.deepEqual(rows[4]?.endpoints, ['publisher /count std_msgs/msg/Int32', 'subscription /count std_msgs/msg/Int32']);
-  assert.match(output, /8 of 8 executables are green/);
+  assert.match(output, /8 of 8 executables and 3 of 3 launch files are green/);
 });
 
 test('in Chromium: files of a package and of a program, and standard input', { timeout: 500_000 }, async () => {
@@ -43,13 +46,18 @@ test('in Chromium: files of a package and of a program, and standard input', { t
     ['file_checks/own_files', 'file_checks/share', 'file_checks/threads_write', 'key_reader/keys']);
 });
 
-test('a row that is not as expected is red', { timeout: 500_000 }, async () => {
+test('a row that is not as expected is red, and a launch file with wrong arguments is not packed', { timeout: 500_000 }, async () => {
   const file = join(folder, 'wrong.yaml');
-  writeFileSync(file, '- {package: composed_talkers, executable: linked, log: [^/nobody$], exit: 0, seconds: 5}\n');
-  const { code, rows } = await board(['--only', 'composed_talkers/linked', '--expect', file]);
+  writeFileSync(file, `
+- {package: composed_talkers, executable: linked, log: [^/nobody$], exit: 0, seconds: 5}
+- {package: composed_talkers, launch: launch/composed.launch.py, log: [heard]}
+- {package: composed_talkers, launch: launch/absent.launch.xml, log: [heard]}
+`);
+  const { code, rows } = await board(['--only', 'composed_talkers/linked', '--only', 'composed_talkers/launch', '--expect', file]);
   assert.equal(code, 1);
-  assert.deepEqual(rows.map(({ expected, error }) => [expected, error]),
-    [[false, { code: 'unmet', reason: 'no line fits ^/nobody$' }]]);
+  assert.deepEqual(rows.map(({ executable, expected, error }) => [executable, expected, error?.code]), [
+    ['linked', false, 'unmet'], ['launch/absent.launch.xml', null, 'absent'], ['launch/composed.launch.py', null, 'R2W0412']]);
+  assert.equal(rows[0]?.error?.reason, 'no line fits ^/nobody$');
 });
 
 test('a word too many is refused with the usage', async () => {

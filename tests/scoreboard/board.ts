@@ -3,10 +3,11 @@ import type { Failure } from './site.ts';
 
 export interface Row {
   readonly package: string;
+  /** Of a launch file, its place in share/package/. */
   readonly executable: string;
   readonly language: 'cpp' | 'python';
-  /** `package`: it was not built, and nothing says which executables it has. */
-  readonly kind: 'executable' | 'package';
+  /** `package`: it was not built, and nothing says which executables and launch files it has. */
+  readonly kind: 'executable' | 'launch' | 'package';
   readonly built: boolean;
   readonly started: boolean;
   /** `publisher /topic std_msgs/msg/String`, sorted, without what every node brings. */
@@ -54,7 +55,10 @@ export function summary(rows: readonly Row[]): string {
   for (const [reason, names] of [...reasons].sort(([, a], [, b]) => b.length - a.length)) {
     lines.push(`${String(names.length).padStart(4)} red: ${reason} (${names.join(', ')})`);
   }
-  return [...lines, `${rows.filter(isGreen).length} of ${rows.length} executables are green`].join('\n');
+  const launches = rows.filter(({ kind }) => kind === 'launch');
+  const others = rows.filter(({ kind }) => kind !== 'launch');
+  const counted = [[others, 'executables'], [launches, 'launch files']] as const;
+  return [...lines, `${counted.filter(([of]) => of.length > 0).map(([of, what]) => `${of.filter(isGreen).length} of ${of.length} ${what}`).join(' and ')} are green`].join('\n');
 }
 
 function firstLine(text: string): string {

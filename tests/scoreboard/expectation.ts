@@ -1,4 +1,4 @@
-// What an executable must show to be green: one entry of a YAML file (README.md has the form). Whatever an
+// What an executable or a launch file must show to be green: one entry of a YAML file (README.md has the form). Whatever an
 // entry misspells is an error, since a key that silently does nothing would make a row green too easily.
 import { readFileSync } from 'node:fs';
 import { parse } from 'yaml';
@@ -21,6 +21,9 @@ export interface Start {
 }
 
 export interface Expectation extends Start {
+  readonly kind: 'executable' | 'launch';
+  /** Launch arguments, of a launch file. */
+  readonly given: Readonly<Record<string, string | number | boolean>>;
   /** The executable that is started, when the row is one of what it holds: a component in a container. */
   readonly program: string;
   /** Started beside it. */
@@ -36,13 +39,15 @@ export interface Expectation extends Start {
 
 export const NODE_KEYS = ['name', 'namespace', 'arguments', 'parameters', 'remappings'] as const;
 const START_KEYS = ['package', 'executable', 'input', 'stop', 'log', 'anywhere', 'never', ...NODE_KEYS];
-const KEYS = [...START_KEYS, 'program', 'beside', 'endpoints', 'values', 'exit', 'seconds'];
+const SEEN_KEYS = ['endpoints', 'values', 'exit', 'seconds'];
+const KEYS = [...START_KEYS, ...SEEN_KEYS, 'program', 'beside'];
+const LAUNCH_KEYS = ['package', 'launch', 'arguments', 'log', 'anywhere', 'never', ...SEEN_KEYS];
 /** On a busy machine a program's first line takes some seconds. */
 const SECONDS = 20;
 
 export class BadExpectation extends Error {}
 
-/** Key of a row: `package/executable`. */
+/** Key of a row: `package/executable`; of a launch file its place in share/package/, as `package/launch/all.launch.py`. */
 export function keyOf({ package: name, executable }: { readonly package: string; readonly executable: string }): string {
   return `${name}/${executable}`;
 }
@@ -62,17 +67,21 @@ export function parseExpectations(text: string, file: string): Expectation[] {
   const seen = new Set<string>();
   return entries.map((entry: unknown, index) => {
     const at = `${file}, entry ${index + 1}`;
-    const one = expectation(mapping(entry, KEYS, at), at);
+    const one = expectation(entry, at);
     if (seen.has(keyOf(one))) throw new BadExpectation(`${at}: ${keyOf(one)} stands there twice`);
     seen.add(keyOf(one));
     return one;
   });
 }
 
-function expectation(entry: Readonly<Record<string, unknown>>, at: string): Expectation {
-  const started = start(entry, at);
+function expectation(value: unknown, at: string): Expectation {
+  const isLaunch = typeof value === 'object' && value !== null && 'launch' in value;
+  const entry = mapping(value, isLaunch ? LAUNCH_KEYS : KEYS, at);
+  const started = start(isLaunch ? { ...entry, executable: entry['launch'], arguments: undefined } : entry, at);
   const read: Expectation = {
     ...started,
+    kind: isLaunch ? 'launch' : 'executable',
+    given: isLaunch ? given(entry['arguments'], at) : {},
     program: entry['program'] === undefined ? started.executable : text(entry['program'], at),
     beside: list(entry['beside'], at).map((one) => start(mapping(one, START_KEYS, at), at)),
     endpoints: list(entry['endpoints'], at).map((one) => text(one, at)),
@@ -84,6 +93,13 @@ function expectation(entry: Readonly<Record<string, unknown>>, at: string): Expe
   const says = read.log.length + read.anywhere.length + read.endpoints.length + read.values.size + read.beside.reduce((n, s) => n + s.log.length, 0);
   if (says === 0) throw new BadExpectation(`${at}: it says nothing that must be seen`);
   return read;
+}
+
+function given(value: unknown, at: string): Expectation['given'] {
+  return Object.fromEntries(Object.entries(mapping(value ?? {}, undefined, at)).map(([name, one]) => {
+    if (typeof one === 'string' || typeof one === 'number' || typeof one === 'boolean') return [name, one];
+    throw new BadExpectation(`${at}: ${name} has no value that a launch argument can have`);
+  }));
 }
 
 function start(entry: Readonly<Record<string, unknown>>, at: string): Start {

@@ -1,4 +1,4 @@
-// Plays a packed site until its first node is as expected, or cannot be any more, or time is up. Runs wherever a
+// Plays a packed site until its first node, or all that its launch file starts, is as expected, or cannot be any more, or time is up. Runs wherever a
 // site does.
 import { createDecoder } from '../../runtime/decode/decoder.ts';
 import { EndpointKind } from '../../runtime/protocol/generated/constants.ts';
@@ -10,7 +10,14 @@ import { SiteSession } from '../../runtime/wasm_js/site_session.ts';
 import type { Expectation } from './expectation.ts';
 import { judge, type Seen, type SeenNode, type Verdict } from './judge.ts';
 
+export interface Asked {
+  /** Of an executable, the first node of the site is looked at, and what stands beside it. */
+  readonly kind: 'executable' | 'launch';
+  readonly expected: Expectation | undefined;
+}
+
 export interface Played {
+  /** Of a launch file, all its nodes as one; its lines have the nodes' names before them. */
   readonly node: SeenNode;
   /** Those that it made. */
   readonly endpoints: readonly string[];
@@ -55,11 +62,13 @@ class Watched {
   }
 }
 
-export async function play(platform: Platform, expected: Expectation | undefined): Promise<Played> {
+export async function play(platform: Platform, { kind, expected }: Asked): Promise<Played> {
   const site = readSite(await platform.json('site.json'));
   platform.expect(site.files);
   const broker = new NotingBroker();
   const watched = site.nodes.map(() => new Watched());
+  /** All nodes as one. */
+  const all = new Watched();
   const endpoints = new Set<string>();
   const inputs = [expected, ...(expected?.beside ?? [])].map((start) => [...(start?.input ?? [])]);
   const stops = [expected, ...(expected?.beside ?? [])].map((start) => start?.stop);
@@ -67,13 +76,18 @@ export async function play(platform: Platform, expected: Expectation | undefined
     site,
     platform,
     broker,
-    onLines: (node, lines) => watched[site.nodes.indexOf(node)]?.lines.push(...lines.map(([, , text]) => text)),
+    onLines: (node, lines) => {
+      const texts = lines.map(([, , text]) => text);
+      watched[site.nodes.indexOf(node)]?.lines.push(...texts);
+      all.lines.push(...texts.map((text) => `[${node.id}] ${text}`));
+    },
+    onLaunchLine: (_, text) => all.lines.push(text),
   });
   const decoder = createDecoder(await session.interfaces());
   const own = new Set<number>();
   const seen: Seen = {
-    node: watched[0] ?? new Watched(),
-    beside: watched.slice(1),
+    node: kind === 'launch' ? all : watched[0] ?? new Watched(),
+    beside: kind === 'launch' ? [] : watched.slice(1),
     endpoints,
     value: (topic, path) => {
       const type = session.topics().find(({ name }) => name === topic)?.type;
@@ -85,9 +99,15 @@ export async function play(platform: Platform, expected: Expectation | undefined
   };
   const look = (): void => {
     for (const record of broker.link.records()) {
-      if (own.has(record.participant)) endpoints.add(`${KINDS[record.kind]} ${record.name} ${record.type}`);
+      if (kind === 'launch' ? broker.admitted.includes(record.participant) : own.has(record.participant)) endpoints.add(`${KINDS[record.kind]} ${record.name} ${record.type}`);
     }
-    session.nodes().forEach((view, index) => watched[index]?.note(view));
+    const views = session.nodes();
+    views.forEach((view, index) => watched[index]?.note(view));
+    all.started ||= site.nodes.every(({ startOn, startAfter }, index) => startOn !== undefined || startAfter > 0 || watched[index]?.started === true);
+    all.crash ??= watched.find(({ crash }) => crash !== undefined)?.crash;
+    const isOver = !session.respawns() && views.every(({ state }) => !['starting', 'running', 'waiting'].includes(state.kind));
+    if (isOver) all.exit = watched.find(({ exit }) => exit !== undefined && exit !== 0)?.exit ?? 0;
+    else all.exit = undefined;
     inputs.forEach((waiting, index) => {
       const [next] = waiting;
       const node = site.nodes[index];
@@ -105,7 +125,8 @@ export async function play(platform: Platform, expected: Expectation | undefined
     });
   };
   try {
-    for (const [index, node] of site.nodes.entries()) {
+    if (kind === 'launch') session.startAll();
+    else for (const [index, node] of site.nodes.entries()) {
       session.start(node.id);
       if (index === 0) for (const place of broker.admitted) own.add(place);
     }
@@ -117,7 +138,9 @@ export async function play(platform: Platform, expected: Expectation | undefined
       look();
       stopWhoSaidSo();
       verdict = expected === undefined ? undefined : judge(expected, seen);
-      if (verdict?.final === true || (expected === undefined && over(seen.node))) break;
+      // Of a launch file, one node may have said all while another starts.
+      if (verdict?.final === true && (seen.node.started || verdict.missing.length > 0)) break;
+      if (expected === undefined && over(seen.node)) break;
     } while (performance.now() < until);
     return { node: seen.node, endpoints: [...endpoints], verdict };
   } finally {

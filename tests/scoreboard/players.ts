@@ -7,23 +7,22 @@ import { chromium } from 'playwright-core';
 import { nodePlatform } from '../../runtime/wasm_js/node_platform.ts';
 import { chromiumOptions } from '../e2e/chromium.ts';
 import { serveFolder } from '../support/static_server.ts';
-import type { Expectation } from './expectation.ts';
-import { type Played, play } from './play.ts';
+import { type Asked, type Played, play } from './play.ts';
 import { posted } from './posted.ts';
 
 export interface Player {
   /** `folder`: a packed site. */
-  play(folder: string, expected: Expectation | undefined): Promise<Played>;
+  play(folder: string, asked: Asked): Promise<Played>;
   close(): Promise<void>;
 }
 
 /** `headless`: the built headless.js, which serves nodes as worker threads. */
 export function nodePlayer(headless: string): Player {
   return {
-    play: async (folder, expected) => {
+    play: async (folder, asked) => {
       const platform = nodePlatform(folder, pathToFileURL(headless));
       try {
-        return await play(platform, expected);
+        return await play(platform, asked);
       } finally {
         platform.close();
       }
@@ -40,7 +39,7 @@ export async function chromiumPlayer(): Promise<Player> {
   if (script === undefined) throw new Error('the script of the page is not made');
   const browser = await chromium.launch(chromiumOptions());
   return {
-    play: async (folder, expected) => {
+    play: async (folder, asked) => {
       writeFileSync(join(folder, 'play.js'), script.contents);
       writeFileSync(join(folder, 'play.html'), '<!doctype html><title>score board</title><script src="play.js"></script>');
       const host = await serveFolder(folder, { isolated: true });
@@ -50,7 +49,7 @@ export async function chromiumPlayer(): Promise<Player> {
         return await page.evaluate((text) => {
           const { playSite } = globalThis as unknown as { playSite: (text: string) => Promise<Played> };
           return playSite(text);
-        }, posted(expected));
+        }, posted(asked));
       } finally {
         await page.close();
         await host.close();

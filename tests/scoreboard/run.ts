@@ -1,4 +1,4 @@
-// The score board: builds each package of a folder, plays each executable, says which do what is expected.
+// The score board: builds each package of a folder, plays each executable and launch file, says which do what is expected.
 //   node tests/scoreboard/run.ts --build BUILD_DIR DIR [--chromium] [--json FILE] [--only PACKAGE...] [--expect FILE...]
 // Exit code: 0 every row is green, 1 one is not, 2 command line.
 import { mkdtempSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
@@ -9,9 +9,9 @@ import { isGreen, keptLines, ownEndpoints, type Row, rowText, summary } from './
 import { BadExpectation, type Expectation, keyOf, readExpectations } from './expectation.ts';
 import { findPackages, type Package } from './packages.ts';
 import { chromiumPlayer, nodePlayer, type Player } from './players.ts';
-import { Workshop } from './site.ts';
+import { launchFiles, type Packed, Workshop } from './site.ts';
 
-const USAGE = 'usage: ./dev scoreboard DIR [--chromium] [--json FILE] [--only PACKAGE[/EXECUTABLE]]... [--expect FILE]...';
+const USAGE = 'usage: ./dev scoreboard DIR [--chromium] [--json FILE] [--only PACKAGE[/NAME]]... [--expect FILE]...';
 /** Programs mostly wait, so some are played at a time. */
 const PLAYED_AT_ONCE = 3;
 /** The build adds one to every package with components: a row of its own only where something is expected of it. */
@@ -31,29 +31,46 @@ interface Board {
 async function rowsOf(board: Board, of: Package): Promise<Row[]> {
   const { workshop, expectations } = board;
   const built = await workshop.build(of.name);
-  const stated = [...expectations.values()].filter((one) => one.package === of.name).map((one) => one.executable);
+  const ours = [...expectations.values()].filter((one) => one.package === of.name);
+  const stated = ours.filter(({ kind }) => kind === 'executable').map((one) => one.executable);
+  const statedLaunches = ours.filter(({ kind }) => kind === 'launch').map((one) => one.executable);
   const made = 'executables' in built ? built.executables.filter((name) => name !== CONTAINER) : [];
   const names = [...new Set([...stated, ...made])].sort();
   const blank = { package: of.name, language: of.language, kind: 'executable', built: false, started: false, endpoints: [], log_lines: [], expected: null, error: null } as const;
   if ('failure' in built) {
-    if (names.length === 0) return [{ ...blank, executable: '', kind: 'package', error: built.failure }];
-    return names.map((executable) => ({ ...blank, executable, error: built.failure }));
+    const launches = [...new Set([...statedLaunches, ...launchFiles(of.folder)])].sort();
+    if (names.length + launches.length === 0) return [{ ...blank, executable: '', kind: 'package', error: built.failure }];
+    return [
+      ...names.map((executable): Row => ({ ...blank, executable, error: built.failure })),
+      ...launches.map((executable): Row => ({ ...blank, executable, kind: 'launch', error: built.failure })),
+    ];
   }
-  return inParallel(names.filter((name) => board.wanted(`${of.name}/${name}`)), PLAYED_AT_ONCE, async (executable) => {
+  const launches = [...new Set([...statedLaunches, ...built.launches])].sort();
+  const ofPrograms = await inParallel(names.filter((name) => board.wanted(`${of.name}/${name}`)), PLAYED_AT_ONCE, async (executable) => {
     const row: Row = { ...blank, executable };
     const expected = expectations.get(keyOf({ package: of.name, executable }));
     if (!built.executables.includes(expected?.program ?? executable)) return { ...row, error: { code: 'absent', reason: 'the package installs no such executable' } };
-    const packed = await workshop.pack({ package: of.name, executable }, expected);
-    if ('failure' in packed) return { ...row, built: true, error: packed.failure };
-    const { node, endpoints, verdict } = await board.player.play(packed.site, expected);
-    const missing = verdict?.missing[0];
-    return {
-      ...row, built: true, started: node.started, endpoints: ownEndpoints(endpoints), log_lines: keptLines(node.lines),
-      expected: verdict === undefined ? null : missing === undefined,
-      error: node.crash !== undefined ? { code: node.crash.code, reason: node.crash.message }
-        : missing === undefined ? null : { code: 'unmet', reason: missing },
-    };
+    return playedRow(board, row, await workshop.pack({ package: of.name, executable }, expected), expected);
   });
+  const ofLaunches = await inParallel(launches.filter((name) => board.wanted(`${of.name}/${name}`)), PLAYED_AT_ONCE, async (executable) => {
+    const row: Row = { ...blank, executable, kind: 'launch' };
+    const expected = expectations.get(keyOf({ package: of.name, executable }));
+    if (!built.launches.includes(executable)) return { ...row, error: { code: 'absent', reason: 'the package installs no such launch file' } };
+    return playedRow(board, row, await workshop.packLaunch(of.name, executable, expected?.given ?? {}), expected);
+  });
+  return [...ofPrograms, ...ofLaunches];
+}
+
+async function playedRow(board: Board, row: Row, packed: Packed, expected: Expectation | undefined): Promise<Row> {
+  if ('failure' in packed) return { ...row, built: true, error: packed.failure };
+  const { node, endpoints, verdict } = await board.player.play(packed.site, { kind: row.kind === 'launch' ? 'launch' : 'executable', expected });
+  const missing = verdict?.missing[0];
+  return {
+    ...row, built: true, started: node.started, endpoints: ownEndpoints(endpoints), log_lines: keptLines(node.lines),
+    expected: verdict === undefined ? null : missing === undefined,
+    error: node.crash !== undefined ? { code: node.crash.code, reason: node.crash.message }
+      : missing === undefined ? null : { code: 'unmet', reason: missing },
+  };
 }
 
 /** In the order of `items`. */

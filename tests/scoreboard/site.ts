@@ -1,7 +1,7 @@
 // `ros2wasm build` and `pack`, for the packages of a board: a manifest beside nothing of theirs, and what the
 // program said when it failed.
 import { execFile } from 'node:child_process';
-import { mkdirSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { join, relative } from 'node:path';
 import type { Expectation } from './expectation.ts';
 import { closure, type Package } from './packages.ts';
@@ -12,7 +12,9 @@ export interface Failure {
   readonly reason: string;
 }
 
-export type Built = { readonly executables: readonly string[] } | { readonly failure: Failure };
+export type Built = { readonly executables: readonly string[]; readonly launches: readonly string[] } | { readonly failure: Failure };
+
+export type Packed = { readonly site: string } | { readonly failure: Failure };
 
 /** As in a manifest, with further keys. */
 interface LaunchedNode {
@@ -36,31 +38,45 @@ export class Workshop {
 
   async build(name: string): Promise<Built> {
     // `build` starts nothing, but a manifest must name something.
-    const manifest = this.manifest(join(this.folder, name), [{ package: name, executable: 'any' }]);
+    const manifest = this.manifest(join(this.folder, name), [name], [{ package: name, executable: 'any' }]);
     const { failure, output } = await this.run(['build', '--quick', manifest]);
     if (failure !== undefined) return { failure };
     const built = JSON.parse(output) as readonly { readonly package: string; readonly prefix: string }[];
     const prefix = built.find((one) => one.package === name)?.prefix;
     if (prefix === undefined) return { failure: { code: 'R2W0514', reason: 'the package is left out' } };
-    return { executables: programs(join(prefix, 'lib', name)) };
+    return { executables: programs(join(prefix, 'lib', name)), launches: launchFiles(join(prefix, 'share', name)) };
   }
 
   /** The folder of a site with the executable and what runs beside it, the executable first. */
-  async pack(start: LaunchedNode, expected: Expectation | undefined): Promise<{ readonly site: string } | { readonly failure: Failure }> {
+  async pack(start: LaunchedNode, expected: Expectation | undefined): Promise<Packed> {
     const folder = join(this.folder, start.package, start.executable);
     const nodes = expected === undefined ? [{ ...start, options: {} }] : [{ ...expected, executable: expected.program }, ...expected.beside];
-    const manifest = this.manifest(folder, nodes.map(({ package: of, executable, options }) => ({ package: of, executable, ...options })));
+    const launch = nodes.map(({ package: of, executable, options }) => ({ package: of, executable, ...options }));
+    return this.packSite(folder, this.manifest(folder, nodes.map((node) => node.package), launch));
+  }
+
+  /** The folder of a site with what the launch file of a package starts. */
+  async packLaunch(name: string, file: string, given: Expectation['given']): Promise<Packed> {
+    const folder = join(this.folder, name, file);
+    mkdirSync(folder, { recursive: true });
+    // A launch file of the manifest lies beside it; this one is where the package installs it.
+    const place = `$(find-pkg-share ${name})/${file}`.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('"', '&quot;');
+    writeFileSync(join(folder, 'board.launch.xml'), `<launch><include file="${place}"/></launch>\n`);
+    return this.packSite(folder, this.manifest(folder, [name], { file: 'board.launch.xml', arguments: given }));
+  }
+
+  private async packSite(folder: string, manifest: string): Promise<Packed> {
     const site = join(folder, 'site');
     rmSync(site, { recursive: true, force: true });
     const { failure } = await this.run(['pack', '--quick', manifest, '--output', site]);
     return failure === undefined ? { site } : { failure };
   }
 
-  private manifest(folder: string, launch: readonly LaunchedNode[]): string {
+  private manifest(folder: string, packages: readonly string[], launch: unknown): string {
     mkdirSync(folder, { recursive: true });
     // Always all that any site of the package needs: another set would be another environment, and all built anew.
-    const [first = ''] = launch.map((node) => node.package);
-    const names = [...new Set([...launch.map((node) => node.package), ...(this.companions.get(first) ?? [])])];
+    const [first = ''] = packages;
+    const names = [...new Set([...packages, ...(this.companions.get(first) ?? [])])];
     const local = closure(names, this.packages);
     const file = join(folder, 'workspace.yaml');
     writeFileSync(file, JSON.stringify({
@@ -100,6 +116,14 @@ function programs(folder: string): string[] {
   } catch {
     return [];
   }
+}
+
+/** Below a folder, as `ros2 launch` offers them; sorted. */
+export function launchFiles(folder: string): string[] {
+  if (!existsSync(folder)) return [];
+  return readdirSync(folder, { recursive: true, encoding: 'utf8' })
+    .filter((path) => /(?:[._]launch\.(?:py|xml|ya?ml)|\.launch)$/.test(path) && statSync(join(folder, path)).isFile())
+    .sort();
 }
 
 function isScript(file: string): boolean {

@@ -12,9 +12,9 @@ export function launchLink(
   // Which nodes are asked for has no meaning among others.
   const kept = [...url.searchParams].filter(([key]) => !key.endsWith(':') && key !== 'nodes');
   const words = [new URLSearchParams(kept.map(([key, value]) => [key, value])).toString()];
-  for (const { name, default: usual } of all) {
+  for (const { name, packed } of all) {
     const value = values.get(name);
-    if (value !== undefined && value !== usual)
+    if (value !== undefined && value !== packed)
       words.push(`${encodeURIComponent(name)}:=${encodeURIComponent(value)}`);
   }
   url.search = words.filter((word) => word !== '').join('&');

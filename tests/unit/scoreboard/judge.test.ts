@@ -4,6 +4,7 @@ import { test } from 'node:test';
 import { isGreen, ownEndpoints, type Row, summary } from '../../scoreboard/board.ts';
 import { BadExpectation, parseExpectations, type Expectation } from '../../scoreboard/expectation.ts';
 import { judge, type Seen, type SeenNode } from '../../scoreboard/judge.ts';
+import { posted, received } from '../../scoreboard/posted.ts';
 import { closure, readPackage } from '../../scoreboard/packages.ts';
 import { valueAt } from '../../scoreboard/play.ts';
 import { firstError } from '../../scoreboard/site.ts';
@@ -56,6 +57,15 @@ test('an expectation that says nothing, or what is not known, is refused', () =>
   assert.throws(() => parseExpectations('[{package: p, executable: e, log: [x]}, {package: p, executable: e, log: [y]}]', 'x.yaml'), /twice/);
 });
 
+test('of a launch file, arguments and what all nodes together show are stated', () => {
+  const [one] = parseExpectations('- {package: p, launch: launch/all.launch.py, arguments: {robot: r2, speed: 2.5, sim: true}, log: [x]}', 'x.yaml');
+  assert.deepEqual([one?.kind, one?.executable, one?.given], ['launch', 'launch/all.launch.py', { robot: 'r2', speed: 2.5, sim: true }]);
+  const passed = received(posted({ kind: 'launch', expected: one }));
+  assert.deepEqual([passed.kind, passed.expected?.given, passed.expected?.log], ['launch', one?.given, one?.log]);
+  for (const text of ['executable: e', 'beside: []', 'arguments: [robot:=r2]', 'arguments: {a: [1]}', 'input: []'])
+    assert.throws(() => parseExpectations(`- {package: p, launch: l.launch.py, log: [x], ${text}}`, 'x.yaml'), BadExpectation, text);
+});
+
 test('a row without expectation is not green', () => {
   const row: Row = { package: 'p', executable: 'e', language: 'cpp', kind: 'executable', built: true, started: true, endpoints: [], log_lines: [], expected: true, error: null };
   assert.equal(isGreen(row), true);
@@ -63,6 +73,8 @@ test('a row without expectation is not green', () => {
     assert.equal(isGreen({ ...row, ...worse }), false);
   }
   assert.match(summary([row, { ...row, executable: 'f', expected: null }]), /1 of {2}2 {2}p\n +1 red: no expectation \(p\/f\)\n1 of 2 executables are green$/);
+  const launch: Row = { ...row, executable: 'launch/all.launch.py', kind: 'launch' };
+  assert.match(summary([row, launch, { ...launch, expected: false }]), /1 of 1 executables and 1 of 2 launch files are green$/);
 });
 
 test('endpoints that every node brings are left out', () => {

@@ -6,7 +6,7 @@ import { SiteError } from '../../../runtime/wasm_js/site_error.ts';
 import { isGiven, launchLink, valuesOf } from '../../../runtime/ui/model/launch_link.ts';
 
 const argument = (name: string, usual: string | undefined, value = usual ?? '', choices: readonly string[] = []) =>
-  ({ name, value, description: '', choices, ...(usual === undefined ? {} : { default: usual }) });
+  ({ name, value, description: '', choices, ...(usual === undefined ? {} : { default: usual, packed: usual }) });
 
 test('an address and a command line give the same', () => {
   assert.deepEqual([...givenInAddress('?robot:=a%20b&seed=3&empty:=&x:=1:=2')], [['robot', 'a b'], ['empty', ''], ['x', '1:=2']]);
@@ -19,7 +19,7 @@ test('R2W0730: what is no launch argument', () => {
     assert.throws(() => readGiven([word]), (error) => error instanceof SiteError && error.code === 'R2W0730');
 });
 
-test('a link has what differs from the defaults, and keeps what else it had', () => {
+test('a link has what differs from the values without it, and keeps what else it had', () => {
   const all = [argument('robot', 'a'), argument('speed', '1.0'), argument('must', undefined, 'x')];
   const values = new Map([['robot', 'a'], ['speed', '2 & 3'], ['must', 'x']]);
   const link = launchLink('https://example.org/site/?old:=1&graph=g&nodes=n-1#layout=x', all, values);
@@ -27,6 +27,13 @@ test('a link has what differs from the defaults, and keeps what else it had', ()
   assert.deepEqual([...givenInAddress(new URL(link).search)], [['speed', '2 & 3'], ['must', 'x']]);
   assert.equal(isGiven(link), true);
   assert.equal(isGiven(launchLink(link, [], new Map())), false);
+});
+
+test('a link has what differs from what the site was packed with, be it the default', () => {
+  const all = [{ ...argument('robot', 'a'), packed: 'b' }];
+  const link = (robot: string): string => launchLink('https://example.org/', all, new Map([['robot', robot]]));
+  assert.equal(link('b'), 'https://example.org/');
+  assert.equal(link('a'), 'https://example.org/?robot:=a');
 });
 
 test('what can be chosen from: choices, and truths as the file writes them', () => {

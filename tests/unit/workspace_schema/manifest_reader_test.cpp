@@ -96,6 +96,20 @@ TEST(ManifestReader, DefaultsOfTheSmallest) {
   EXPECT_TRUE(manifest.channels.empty());
 }
 
+TEST(ManifestReader, LaunchArgumentsAreTextsAsWritten) {
+  const Manifest manifest = read(example("valid/launch_arguments.yaml"));
+  EXPECT_EQ(manifest.launch_file->value, "src/demo/launch/bringup.launch.py");
+  std::vector<std::pair<std::string, std::string>> given;
+  for (const GivenArgument& one : manifest.launch_arguments)
+    given.emplace_back(one.name.value, one.value);
+  const std::vector<std::pair<std::string, std::string>> expected{
+      {"robot", "r2"},  {"speed", "2.50"},         {"use_sim_time", "true"}, {"frame", ""},
+      {"port", "0x1F"}, {"lines", "two\nlines\n"}, {"odd name", "x"}};
+  EXPECT_EQ(given, expected);
+  EXPECT_EQ(manifest.launch_arguments[1].name.span.line, 7U);
+  EXPECT_EQ(manifest.launch_arguments[1].name.span.column, 5U);
+}
+
 TEST(ManifestReader, AllStylesOfText) {
   const Manifest manifest = read(example("valid/texts_in_all_styles.yaml"));
   EXPECT_EQ(manifest.name.value, "2024");
@@ -132,6 +146,15 @@ TEST(ManifestJson, IsCompleteAndKeepsOrder) {
   EXPECT_NE(json.find(R"("parameters":["config/defaults.yaml",{"rate":10,)"), std::string::npos)
       << json;
   EXPECT_NE(json.find(R"("gains":[1.0,0.5]},"config/robot1.yaml"])"), std::string::npos) << json;
+}
+
+TEST(ManifestJson, HasTheLaunchFileWithItsArguments) {
+  const std::string json = manifest_json(read(example("valid/launch_arguments.yaml")));
+  EXPECT_NE(
+      json.find(
+          R"("launch":{"file":"src/demo/launch/bringup.launch.py","arguments":{"robot":"r2","speed":"2.50")"),
+      std::string::npos)
+      << json;
 }
 
 }  // namespace

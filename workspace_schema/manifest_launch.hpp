@@ -1,0 +1,11 @@
+// `launch` of the manifest: a launch file, one with arguments, or a list of nodes.
+#pragma once
+
+#include "workspace_schema/manifest_binding.hpp"
+
+namespace ros2wasm {
+
+/// Fills `launch_file` with `launch_arguments`, or `nodes`.
+void read_launch(Binder& binder, const YamlNode& node, Manifest& manifest);
+
+}  // namespace ros2wasm

@@ -2,6 +2,7 @@
 
 import { type Broker, PortBroker, SharedBroker, type SharedBrokerOptions, steppedBus } from './broker.ts';
 import { browserPlatform } from './browser_platform.ts';
+import { whenIdle } from './idle.ts';
 import { isolate, keepOffline } from './isolation.ts';
 import { givenInAddress } from './launch_arguments.ts';
 import { namedNodes } from './named_nodes.ts';
@@ -118,8 +119,7 @@ export async function startSession(options: LaunchOptions = {}): Promise<Session
     document.documentElement.dataset['offline'] = kept ? 'kept' : 'not_kept';
     options.onOffline?.(kept);
   });
-  if ('requestIdleCallback' in globalThis) requestIdleCallback(later, { timeout: 3000 });
-  else setTimeout(later, 1000);
+  whenIdle(later);
   window.addEventListener('pagehide', (event) => {
     if (!event.persisted) session.close();
   });

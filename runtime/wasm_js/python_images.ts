@@ -1,6 +1,7 @@
-// Which image the Python nodes of a site begin with, and who makes it: one for all of them, made by a worker of its own
-// when the first node starts, or kept from an earlier visit.
+// Which image the Python nodes of a site begin with, and who makes it: one for all of them, kept from an earlier visit, or
+// made by a worker of its own: when a second node starts, or, to be kept, when a node that is alone has come to wait.
 
+import { whenIdle } from './idle.ts';
 import type { Platform } from './platform.ts';
 import { type ImageStart, imageVersion } from './python_image.ts';
 import { promiseIntegration } from './program.ts';
@@ -58,6 +59,12 @@ export class PythonImages {
   private readonly archives: readonly string[];
   private readonly share: string;
   private made: Promise<Made | undefined> | undefined;
+  /** Whether one is kept. */
+  private looked: Promise<Made | undefined> | undefined;
+  /** Ids of the nodes that asked. */
+  private readonly asked = new Set<string>();
+  /** Id of one that boots by itself, as it is alone: making an image first would take it longer. */
+  private alone: string | undefined;
   /** A kept one that cannot be opened is gone when this resolves. */
   private dropped: Promise<void> | undefined;
   private end: (() => void) | undefined;
@@ -82,9 +89,29 @@ export class PythonImages {
   async take(node: SiteNode, environment: Readonly<Record<string, string>>): Promise<ImageOfStart> {
     const { program } = this;
     if (program === undefined || program !== node.program || node.python === undefined || bootsByItself(environment)) return undefined;
-    this.made ??= this.keptOrMade(program).catch(() => undefined);
-    const made = await this.made;
+    this.asked.add(node.id);
+    if (this.made === undefined) {
+      this.looked ??= this.keptOne(program).catch(() => undefined);
+      const kept = await this.looked;
+      if (kept !== undefined) this.made ??= Promise.resolve(kept);
+      else if (this.asked.size === 1) {
+        this.alone = node.id;
+        return undefined;
+      }
+    }
+    const made = await this.begun(program);
     return made === undefined ? undefined : { bytes: made.bytes, archives: this.archives.length };
+  }
+
+  /** The node waits for the first time, or is over. */
+  settled(node: SiteNode): void {
+    const { program, alone, platform: { kept } } = this;
+    if (alone !== node.id) return;
+    this.alone = undefined;
+    if (kept === undefined || program === undefined || keyOf(this.site, program, this.archives) === undefined) return;
+    whenIdle(() => {
+      if (!this.closed) void this.begun(program);
+    });
   }
 
   /** It could not be opened: a kept one is made anew, with one that was just made nobody tries again. */
@@ -94,6 +121,7 @@ export class PythonImages {
     void made.then((found) => {
       if (found === undefined || found.bytes !== image?.bytes || this.made !== made) return;
       this.made = found.kept ? undefined : Promise.resolve(undefined);
+      this.looked = undefined;
       this.dropped = this.drop();
     });
   }
@@ -109,15 +137,24 @@ export class PythonImages {
     if (key !== undefined) await kept?.drop(key);
   }
 
-  private async keptOrMade(program: string): Promise<Made | undefined> {
+  private async keptOne(program: string): Promise<Made | undefined> {
     const { kept } = this.platform;
     const key = keyOf(this.site, program, this.archives);
-    if (kept === undefined || key === undefined) return this.make(program);
+    if (kept === undefined || key === undefined) return undefined;
     await this.dropped;
     const found = await kept.get(key);
-    if (found !== undefined) return { bytes: found, kept: true };
+    return found === undefined ? undefined : { bytes: found, kept: true };
+  }
+
+  private begun(program: string): Promise<Made | undefined> {
+    this.made ??= this.makeAndKeep(program).catch(() => undefined);
+    return this.made;
+  }
+
+  private async makeAndKeep(program: string): Promise<Made | undefined> {
     const made = await this.make(program);
-    if (made !== undefined) void kept.put(key, made.bytes);
+    const key = keyOf(this.site, program, this.archives);
+    if (made !== undefined && key !== undefined) void this.platform.kept?.put(key, made.bytes);
     return made;
   }
 

@@ -113,6 +113,7 @@ export class SiteSession implements Session {
         pythonFiles,
         changed: () => this.nodesChanged(),
         settled: (of) => {
+          this.images?.settled(of);
           unsettled.delete(of);
           if (unsettled.size === 0) allSettled();
         },

@@ -92,11 +92,11 @@ test('a stepped run has no image, and the same random numbers each time', watchd
   assert.equal(one?.[0]?.[0], false);
 });
 
-/** Opens the page and waits until all nodes have told. */
-async function visit(context: BrowserContext, url: string): Promise<{ readonly page: Page; readonly nodes: (Told | undefined)[] }> {
+/** Opens the page and waits until so many nodes have told. */
+async function visit(context: BrowserContext, url: string, count = 3): Promise<{ readonly page: Page; readonly nodes: (Told | undefined)[] }> {
   const page = await context.newPage();
   await page.goto(url);
-  await page.waitForFunction(() => (document.body?.textContent?.match(/fresh \{"image".*?\}/g) ?? []).length >= 3, null, patience);
+  await page.waitForFunction((least) => (document.body?.textContent?.match(/fresh \{"image".*?\}/g) ?? []).length >= least, count, patience);
   return { page, nodes: toldIn(await page.evaluate(() => document.body.textContent ?? '')) };
 }
 
@@ -147,3 +147,22 @@ for (const [link, isolated] of [['shared', true], ['port', false]] as const) {
     }
   });
 }
+
+test('a node that is alone boots by itself at the first visit, and begins with an image at the next one', watchdog, async () => {
+  assert.ok(browser);
+  const alone = makeSite([], {}, {}, { nodes: [{ entry: 'lib/chatter_py/fresh', executable: 'fresh', arguments: ['one'] }], packages: ownPackage('chatter_py') });
+  const host = await serveFolder(alone, { isolated: true });
+  const context = await browser.newContext({ serviceWorkers: 'block' });
+  try {
+    const first = await visit(context, host.url, 1);
+    assert.equal(first.nodes[0]?.image, false);
+    await until('it is kept', async () => (await keptSizes(first.page)).some((size) => size > 1 << 20));
+    await first.page.close();
+    const second = await visit(context, host.url, 1);
+    assert.equal(second.nodes[0]?.image, true);
+  } finally {
+    await context.close();
+    await host.close();
+    rmSync(alone, { recursive: true });
+  }
+});

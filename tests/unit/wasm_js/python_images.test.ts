@@ -51,6 +51,10 @@ function place(makes: 'image' | 'nothing' | 'failure' | 'silence', kept?: KeptBy
   return { platform, begun, ended: () => ended };
 }
 
+async function holds(condition: () => boolean): Promise<void> {
+  while (!condition()) await new Promise((resolve) => setTimeout(resolve, 10));
+}
+
 function memory(): KeptBytes & { readonly found: Map<string, Blob> } {
   const found = new Map<string, Blob>();
   return {
@@ -77,42 +81,76 @@ test('who has settings of the interpreter, and who is no Python program, begins 
   assert.equal(await images.take(both[0] as SiteNode, { ROS_PYTHON_CHECK_FIELDS: '1' }), undefined);
   assert.equal(await images.take(compiled, {}), undefined);
   assert.deepEqual(begun, []);
-  assert.notEqual(await images.take(both[0] as SiteNode, { ROS_PYTHON_VERSION: '3' }), undefined);
+  const [other] = await Promise.all(both.map((each) => images.take(each, { ROS_PYTHON_VERSION: '3' })));
+  assert.notEqual(other, undefined);
 });
 
-test('a single node makes none that nobody keeps, and nodes without archives in common none at all', watchdog, async () => {
+test('one that starts alone boots by itself; then one is made for the next visit, or for who starts later', watchdog, async () => {
   const single = [node('a', ['channels.zip'])];
-  assert.equal(await imagesOf(site(single), place('image').platform, '').take(single[0] as SiteNode, {}), undefined);
-  assert.notEqual(await imagesOf(site(single), place('image', memory()).platform, '').take(single[0] as SiteNode, {}), undefined);
+  const kept = memory();
+  const first = place('image', kept);
+  const images = imagesOf(site(single), first.platform, '');
+  assert.equal(await images.take(single[0] as SiteNode, {}), undefined);
+  assert.deepEqual(first.begun, []);
+  images.settled(single[0] as SiteNode);
+  await holds(() => kept.found.size === 1);
+  assert.notEqual(await images.take(single[0] as SiteNode, {}), undefined);
+  assert.equal(first.begun.length, 1);
+  const later = place('image', kept);
+  assert.notEqual(await imagesOf(site(single), later.platform, '').take(single[0] as SiteNode, {}), undefined);
+  assert.equal(later.begun.length, 0);
+
+  const two = place('image');
+  const shared = imagesOf(site(both), two.platform, '');
+  assert.equal(await shared.take(both[0] as SiteNode, {}), undefined);
+  assert.notEqual(await shared.take(both[1] as SiteNode, {}), undefined);
+});
+
+test('there is none that nobody keeps for a single node, none of files without hashes is kept, and nodes without archives in common have none', watchdog, async () => {
+  const single = [node('a', ['channels.zip'])];
+  const nobody = place('image');
+  const images = imagesOf(site(single), nobody.platform, '');
+  for (let i = 0; i < 2; i += 1) {
+    assert.equal(await images.take(single[0] as SiteNode, {}), undefined);
+    images.settled(single[0] as SiteNode);
+  }
+  assert.deepEqual(nobody.begun, []);
+  const kept = memory();
+  const unlisted = imagesOf(site(both, paths.slice(1)), place('image', kept).platform, '');
+  for (const one of await Promise.all(both.map((each) => unlisted.take(each, {})))) assert.notEqual(one, undefined);
+  await new Promise(setImmediate);
+  assert.equal(kept.found.size, 0);
   const apart = [node('a', ['x.zip']), node('b', ['y.zip'])];
-  assert.equal(await imagesOf(site(apart), place('image').platform, '').take(apart[0] as SiteNode, {}), undefined);
+  const none = imagesOf(site(apart), place('image').platform, '');
+  for (const each of apart) assert.equal(await none.take(each, {}), undefined);
 });
 
 test('where none can be made, nodes begin by themselves', watchdog, async () => {
   for (const makes of ['nothing', 'failure'] as const) {
     const { platform, begun } = place(makes);
     const images = imagesOf(site(both), platform, '');
-    for (const each of both) assert.equal(await images.take(each, {}), undefined);
+    assert.deepEqual(await Promise.all(both.map((each) => images.take(each, {}))), [undefined, undefined]);
     assert.equal(begun.length, 1);
   }
   const { platform, ended } = place('silence');
   const images = imagesOf(site(both), platform, '');
-  const taken = images.take(both[0] as SiteNode, {});
+  const taken = both.map((each) => images.take(each, {}));
   await new Promise(setImmediate);
   images.close();
-  assert.equal(await taken, undefined);
+  assert.deepEqual(await Promise.all(taken), [undefined, undefined]);
   assert.equal(ended(), 1);
 });
 
 test('it is kept; a broken one is dropped and made anew once', watchdog, async () => {
   const kept = memory();
   const first = place('image', kept);
-  await imagesOf(site(both), first.platform, '').take(both[0] as SiteNode, {});
+  const makers = imagesOf(site(both), first.platform, '');
+  await Promise.all(both.map((each) => makers.take(each, {})));
   await new Promise(setImmediate);
   assert.equal(kept.found.size, 1);
   const later = place('image', kept);
   const images = imagesOf(site(both), later.platform, '');
-  const old = await images.take(both[0] as SiteNode, {});
+  const [old] = await Promise.all(both.map((each) => images.take(each, {})));
   assert.equal(await old?.bytes.text(), 'image 1');
   assert.equal(later.begun.length, 0);
   images.broken(old);

@@ -1,6 +1,7 @@
 // The 3D view in Chromium, with messages that pass a real graph, drawn by SwiftShader.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
 import type { Page } from 'playwright-core';
 import { kSoftwareWebGl } from './chromium.ts';
 import { PageStage, expectAccessible, phone } from './page_stage.ts';
@@ -12,6 +13,7 @@ declare global {
   var goals: readonly unknown[];
 }
 
+const kOutput = fileURLToPath(new URL('../output', import.meta.url));
 let stage: PageStage;
 
 before(async () => {
@@ -238,7 +240,7 @@ test('robots, maps, scans, clouds, paths, poses and markers are drawn, and each 
     await page.waitForFunction(() => document.querySelectorAll('.scene-problem').length === 1);
     const boxes = panel.locator('.scene-topics input');
     assert.equal(await boxes.count(), 8);
-    const all = await panel.locator('.scene-canvas').screenshot();
+    const all = await panel.locator('.scene-canvas').screenshot({ path: `${kOutput}/scene.png` });
     // Markers and particles alone are blue; without them much less is.
     const blue = await pixels(page, 'blue');
     for (const name of ['/markers', '/plan', '/particles', '/odom', '/scan', '/points']) {

@@ -1,0 +1,96 @@
+// Example 04, packed: its checks without a browser, and its arm in the 3D view of the page, moved by a parameter.
+import assert from 'node:assert/strict';
+import { cpSync, mkdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { chromium } from 'playwright-core';
+import type { Browser, Page } from 'playwright-core';
+import { chromiumOptions, kSoftwareWebGl } from './chromium.ts';
+import { Scratch, ServedSite, runCli } from './served_site.ts';
+
+const kExample = fileURLToPath(new URL('../../examples/04_robot_arm', import.meta.url));
+const kOutput = fileURLToPath(new URL('../output', import.meta.url));
+const watchdog = { timeout: 600_000 };
+const scratch = new Scratch();
+const site = join(scratch.path, 'site');
+let browser: Browser;
+
+before(async () => {
+  mkdirSync(kOutput, { recursive: true });
+  const workspace = join(scratch.path, 'workspace');
+  cpSync(kExample, workspace, { recursive: true });
+  const packed = await runCli(['pack', join(workspace, 'workspace.yaml'), '-o', site]);
+  assert.equal(packed.code, 0, packed.errors);
+  browser = await chromium.launch(chromiumOptions(kSoftwareWebGl));
+});
+
+after(async () => {
+  await browser.close();
+  scratch[Symbol.dispose]();
+});
+
+test('the arm waves, its checks pass, and it can begin without waving', watchdog, async () => {
+  // Stepped, so that a loaded machine changes no rate.
+  const stepped = await runCli(['run', site, '--stepped', '--checks']);
+  const said = stepped.output + stepped.errors;
+  assert.equal(stepped.code, 0, said);
+  assert.match(said, /3 of 3 checks passed/);
+  for (const line of readFileSync(join(kExample, 'expected.txt'), 'utf8').trimEnd().split('\n'))
+    assert.match(stepped.output, new RegExp(line));
+  const waiting = await runCli([
+    'run', site, 'wave:=false', '--link', 'port', '--for', '120s', '--until', 'waiting for a joint to be set',
+  ]);
+  assert.equal(waiting.code, 0, waiting.output + waiting.errors);
+});
+
+test('the page shows the arm, which goes where a parameter says and turns to a goal', watchdog, async () => {
+  await using server = await ServedSite.start([site, '--port', '0']);
+  const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
+  page.setDefaultTimeout(120_000);
+  const troubles: string[] = [];
+  page.on('console', (message) => { if (message.type() === 'error') troubles.push(message.text()); });
+  page.on('pageerror', (error) => troubles.push(error.message));
+  const view = { view: { distance: 2.4, z: 0.5, azimuth: 0.9 }, names: false, list: false };
+  const layout = { row: [{ column: ['parameters', 'console'] }, { scene: view }], sizes: [2, 3] };
+  await page.goto(`${server.url}#layout=${encodeURIComponent(JSON.stringify(layout))}`);
+  await page.getByText('8 frames', { exact: true }).waitFor();
+  const canvas = page.locator('.scene-canvas');
+  // It waves: the picture changes again and again.
+  await drawnMore(page, 20);
+  const turn = page.getByRole('textbox', { name: 'turn of /arm/mover', exact: true });
+  await turn.fill('1.5');
+  await turn.press('Enter');
+  await page.getByText('turn goes to 1.50').first().waitFor();
+  await atRest(page);
+  await canvas.screenshot({ path: join(kOutput, 'robot_arm.png') });
+  const before = await canvas.screenshot();
+  await page.getByRole('button', { name: 'Set a goal' }).click();
+  const box = (await canvas.boundingBox()) ?? assert.fail();
+  await canvas.click({ position: { x: box.width * 0.2, y: box.height * 0.85 } });
+  await page.getByText(/turn goes to -?\d\.(?!50)\d\d/).first().waitFor();
+  await atRest(page);
+  assert.notDeepEqual(await canvas.screenshot(), before);
+  await page.screenshot({ path: join(kOutput, 'robot_arm_page.png') });
+  assert.deepEqual(troubles, []);
+  await page.close();
+});
+
+/** Waits until the scene was drawn so many times more. */
+async function drawnMore(page: Page, count: number): Promise<void> {
+  const now = await page.locator('.scene-canvas').evaluate((canvas) => Number(canvas.dataset['drawings'] ?? 0));
+  await page.waitForFunction(
+    (wanted) => Number(document.querySelector<HTMLElement>('.scene-canvas')?.dataset['drawings']) >= wanted,
+    now + count,
+  );
+}
+
+/** Waits until the scene is no longer drawn. */
+async function atRest(page: Page): Promise<void> {
+  await page.waitForFunction(async () => {
+    const drawings = (): string => document.querySelector<HTMLElement>('.scene-canvas')?.dataset['drawings'] ?? '';
+    const before = drawings();
+    await new Promise((go) => { setTimeout(go, 1000); });
+    return drawings() === before;
+  });
+}

@@ -13,6 +13,15 @@ constexpr std::size_t kDeepest = 16;
 constexpr std::size_t kLargestCount = 100;
 /// Each multiplies the longest time by the length of a line.
 constexpr std::size_t kMostEndless = 5;
+/// Of the whole: from one place in a line, so many ways may be tried one after the other.
+constexpr std::size_t kMostWays = 100'000;
+/// As many ways a repetition without an end counts for; kMostEndless bounds them by themselves.
+constexpr std::size_t kWaysOfEndless = 5;
+
+/// Up to one more than kMostWays.
+std::size_t bounded(std::size_t ways) {
+  return std::min(ways, kMostWays + 1);
+}
 
 using Bytes = std::bitset<256>;
 
@@ -22,6 +31,7 @@ struct Part {
   bool empty = false;      ///< it can match nothing at all
   bool varies = false;     ///< it has a repetition whose count is not fixed
   bool ambiguous = false;  ///< two of its alternatives can begin alike
+  std::size_t ways = 1;    ///< in which it can be tried at one place, at most; see bounded()
 };
 
 class PatternReader {
@@ -32,8 +42,11 @@ class PatternReader {
     if (text_.empty()) return PatternFault{.why = "it is empty", .length = 0};
     if (text_.size() > kLongest)
       return PatternFault{.why = "it is longer than 256 bytes", .offset = kLongest};
-    alternatives(0);
+    const Part whole = alternatives(0);
     if (!fault_ && at_ < text_.size()) fail("a parenthesis is not opened");
+    if (whole.ways > kMostWays)
+      fail_at(0, "it can be tried in more than 100000 ways: too much of it varies in length",
+              text_.size());
     return fault_;
   }
 
@@ -54,8 +67,9 @@ class PatternReader {
     while (more() && peek() == '|') {
       ++at_;
       const Part next = sequence(depth);
-      all.ambiguous = all.ambiguous || next.ambiguous || all.empty || next.empty ||
-                      (all.first & next.first).any();
+      const bool alike = all.empty || next.empty || (all.first & next.first).any();
+      all.ambiguous = all.ambiguous || next.ambiguous || alike;
+      all.ways = alike ? bounded(all.ways + next.ways) : std::max(all.ways, next.ways);
       all.first |= next.first;
       all.empty = all.empty || next.empty;
       all.varies = all.varies || next.varies;
@@ -75,6 +89,7 @@ class PatternReader {
       all.empty = all.empty && part.empty;
       all.varies = all.varies || part.varies;
       all.ambiguous = all.ambiguous || part.ambiguous;
+      all.ways = bounded(all.ways * part.ways);
     }
     return all;
   }
@@ -196,6 +211,7 @@ class PatternReader {
       return;
     }
     part.varies = part.varies || !most || *most != least;
+    part.ways = bounded(part.ways * (most ? *most - least + 1 : kWaysOfEndless));
     part.empty = part.empty || least == 0;
   }
 

@@ -18,8 +18,9 @@ struct PatternFault {
 
 /// Nothing for an expression of characters, `.`, classes, `\d \w \s \b` and their opposites, `^`,
 /// `$`, groups, `|` and repetitions, with counts up to 100. Refused, beside what is no expression:
-/// look-around, back-references, and repetitions of what repeats or branches ambiguously, which can
-/// take a time that grows without bounds.
+/// look-around, back-references, repetitions of what repeats or branches ambiguously, which can
+/// take a time that grows without bounds, and so many small choices one after the other that all of
+/// them together take as long.
 [[nodiscard]] std::optional<PatternFault> check_pattern_fault(std::string_view text);
 
 }  // namespace ros2wasm

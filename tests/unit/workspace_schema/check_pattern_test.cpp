@@ -47,6 +47,32 @@ TEST(CheckPattern, RefusesWhatCanTakeForEver) {
   EXPECT_TRUE(check_pattern_fault(std::string(17, '(') + "a" + std::string(17, ')')));
 }
 
+std::string times(std::size_t count, std::string_view text) {
+  std::string all;
+  for (std::size_t i = 0; i < count; ++i) all += text;
+  return all;
+}
+
+TEST(CheckPattern, BoundsTheWhole) {
+  for (const std::string& text :
+       {times(30, "a?") + times(30, "a"), times(20, "(a|a)"), times(10, "(a{0,99})") + "b",
+        times(9, "(?:x|(a|ab)?)c?"),
+        std::string("(((((a{1,50})?b){0,1}){1,1}c){0,1}[a-c]{1,100}){0,1}d{0,99}e{1,9}")}) {
+    const auto fault = check_pattern_fault(text);
+    ASSERT_TRUE(fault) << text;
+  }
+  const auto fault = check_pattern_fault(times(30, "a?") + times(30, "a"));
+  EXPECT_EQ(fault->why,
+            "it can be tried in more than 100000 ways: too much of it varies in length");
+  EXPECT_EQ(fault->offset, 0U);
+  EXPECT_EQ(fault->length, 90U);
+  for (const std::string& text :
+       {std::string("^\\d{1,3}\\.\\d{1,3}\\.\\d{1,3}\\.\\d{1,3}$"), times(40, "(a|b)"),
+        times(60, "a{2}"), std::string("x=-?\\d+\\.\\d+ y=-?\\d+\\.\\d+ z=-?\\d+"), times(16, "a?"),
+        times(16, "(ab|ac)")})
+    EXPECT_FALSE(check_pattern_fault(text)) << text;
+}
+
 TEST(CheckPattern, NamesThePlace) {
   const auto fault = check_pattern_fault("ab(c+)*d");
   ASSERT_TRUE(fault);

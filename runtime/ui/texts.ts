@@ -128,6 +128,23 @@ export const texts = {
     noBoolean: 'neither true nor false',
     noList: (kind: string): string => `no ${kind}: a list is written as [1, 2]`,
   },
+  teleop: {
+    pad: (topic: string): string => `Pad that drives ${topic}: arrow keys or W, A, S, D, held; space stops`,
+    buttons: 'Directions',
+    directions: { ahead: 'Ahead', left: 'Turn left', right: 'Turn right', back: 'Back' },
+    stop: 'Stop',
+    speed: (linear: number, angular: number): string =>
+      `${linear.toFixed(2)}\u00a0m/s, ${angular.toFixed(2)}\u00a0rad/s`,
+    silent: 'at rest, nothing is sent',
+    sending: (topic: string): string => `driving ${topic}`,
+    unheard: (topic: string, type: string): string => `Nobody waits for ${type} on ${topic} yet.`,
+    linear: 'Most ahead, m/s',
+    angular: 'Most turning, rad/s',
+    stamped: 'TwistStamped',
+    frame: 'frame_id',
+    gamepad: 'Gamepad (press one of its buttons)',
+    gamepadOf: (id: string): string => `Gamepad: ${id}`,
+  },
   publish: {
     topic: 'Topic',
     type: 'Type',
@@ -149,7 +166,7 @@ export const texts = {
     seen: (words: string): string => `Seen: ${words}`,
     passedOf: (passed: number, all: number): string => `${passed} of ${all} checks passed`,
   },
-  panels: { nodes: 'Nodes', console: 'Consoles', topics: 'Topics', plot: 'Plot', graph: 'Graph', frames: 'Frames', timeline: 'States', checks: 'Checks', terminal: 'Terminal', publish: 'Publish', services: 'Services and actions', parameters: 'Parameters', text: 'Text', log: 'Log', image: 'Image', turtlesim: 'Turtlesim', scene: '3D view' },
+  panels: { nodes: 'Nodes', console: 'Consoles', topics: 'Topics', plot: 'Plot', graph: 'Graph', frames: 'Frames', timeline: 'States', checks: 'Checks', terminal: 'Terminal', publish: 'Publish', services: 'Services and actions', parameters: 'Parameters', teleop: 'Teleop', text: 'Text', log: 'Log', image: 'Image', turtlesim: 'Turtlesim', scene: '3D view' },
   panelTabs: 'Panels',
 
   layout: {

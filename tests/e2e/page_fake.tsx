@@ -421,6 +421,7 @@ const kScenes: Readonly<Record<string, () => FakeSession | Promise<FakeSession>>
   // Not part of the first view, which a test measures.
   parameters: async () => (await import('./page_fake_parameters.ts')).parameters(kHostile),
   graph,
+  teleop: async () => (await import('./page_fake_teleop.ts')).teleop(),
   hostile,
   checks: () => {
     const fake = talkerListener();

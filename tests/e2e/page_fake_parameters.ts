@@ -3,9 +3,9 @@
 
 import { EndpointKind } from '../../runtime/protocol/generated/constants.ts';
 import { createCodec, type Codec } from '../../runtime/decode/codec.ts';
-import { graphView } from '../../runtime/wasm_js/graph_view.ts';
 import { FakeSession } from '../unit/ui/fake_session.ts';
 import { GraphPeer } from '../unit/wasm_js/graph_peer.ts';
+import { followGraph } from './page_fake_graph.ts';
 
 type Value = Readonly<Record<string, unknown>>;
 
@@ -129,14 +129,7 @@ export async function parameters(hostile: string): Promise<FakeSession> {
     ['__proto__', plain({ type: 2, integer_value: 9007199254740993n })],
   ]));
   const silent = new ParameterNode(fake, codec, 'silent', undefined);
-  const { link } = fake.broker;
-  let seen = -1;
-  setInterval(() => {
-    const version = link.graphVersion();
-    if (version === seen) return;
-    seen = version;
-    fake.setGraph(graphView(link.graphReplica.nodes.values(), link.records(), () => undefined));
-  }, 20);
+  followGraph(fake);
   Object.assign(globalThis, { robot, silent });
   return fake;
 }

@@ -79,6 +79,13 @@ export const panels: readonly PanelRow[] = [
     source: { kind: 'lazy', load: () => import('./publish.tsx').then((file) => file.PublishPanel) },
   },
   {
+    id: 'teleop',
+    title: texts.panels.teleop,
+    icon: 'drive',
+    many: true,
+    source: { kind: 'lazy', load: () => import('./teleop.tsx').then((file) => file.TeleopPanel) },
+  },
+  {
     id: 'text',
     title: texts.panels.text,
     icon: 'text',

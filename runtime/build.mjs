@@ -45,6 +45,37 @@ const options = {
   node: { format: 'esm', platform: 'node', target: 'node26' },
 };
 
+/**
+ * @foxglove/rosmsg is one file: with the reader of ROS 2's definitions come a grammar and a parser generator for ROS 1's
+ * and MD5, 30 kB that nothing here calls. They are left out of what sites load: webpack's modules by their content.
+ */
+const unusedOfRosmsg = new Map([
+  ['function Column(grammar', '(module) => { module.exports = { Grammar: { fromCompiled: () => undefined } }; }'],
+  ['var grammar = {', '(module, exports) => { exports.default = {}; }'],
+  ['__WEBPACK_AMD_DEFINE_FACTORY__', '() => {}'],
+  ['Md5.AddUnsigned =', '(module, exports) => { exports.Md5 = {}; }'],
+]);
+
+const leanRosmsg = {
+  name: 'lean-rosmsg',
+  setup(esbuild) {
+    esbuild.onLoad({ filter: /@foxglove[\\/]rosmsg[\\/]dist[\\/]index\.js$/ }, ({ path }) => {
+      let left = unusedOfRosmsg.size;
+      const contents = readFileSync(path, 'utf8')
+        .replace(/(\n\/\*{3}\/ \d+:\n)\/\*{3}\/ ([^]*?\n\/\*{3}\/ \}\)),?\n/g, (whole, head, body) => {
+          for (const [mark, stub] of unusedOfRosmsg) {
+            if (!body.includes(mark)) continue;
+            left -= 1;
+            return `${head}(${stub}),\n`;
+          }
+          return whole;
+        });
+      if (left !== 0) throw new Error(`${path} is not as it was: ${left} of its parts are not found`);
+      return { contents };
+    });
+  },
+};
+
 /** Leaves dynamic imports of our files out of the bundle and notes them: file name -> source. */
 function separateImports(later) {
   return {
@@ -67,6 +98,7 @@ async function buildShared({ file, from }, out) {
     ...options.modules,
     entryPoints: { [file.replace(/\.[^.]+$/, '')]: from },
     outdir: out,
+    plugins: [leanRosmsg],
     splitting: true,
     chunkNames: '[name]-[hash]',
     metafile: true,
@@ -106,7 +138,7 @@ async function buildRow(row, out) {
     ...options[row.kind],
     entryPoints: { [name]: row.from },
     outdir: out,
-    plugins: row.kind === 'modules' ? [separateImports(later)] : [],
+    plugins: row.kind === 'modules' ? [leanRosmsg, separateImports(later)] : [leanRosmsg],
   });
   for (const [file, from] of later) {
     if (file === 'mount.js') await buildShared({ file, from }, out);

@@ -1,0 +1,63 @@
+// The panel that drives on a packed site, in Chromium on both links: it finds the turtle of the simulator, which goes
+// while a key is held and stands when it is let go.
+
+// Compatibility, works: driving a node from the page by Twist: keys, buttons, finger, gamepad
+
+import assert from 'node:assert/strict';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { type Browser, chromium, type Page } from 'playwright-core';
+import { chromiumOptions } from './chromium.ts';
+import { PackWorkspace } from './pack_workspace.ts';
+import { withTabs } from './site_tabs.ts';
+
+const watchdog = { timeout: 400_000 };
+let workspace: PackWorkspace;
+let browser: Browser;
+
+before(async () => {
+  workspace = new PackWorkspace();
+  workspace.write('workspace.yaml', `schema: 1
+name: turtle
+dependencies: [turtlesim]
+launch:
+  - {package: turtlesim, executable: turtlesim_node}
+`);
+  const packed = await workspace.run(['pack', 'workspace.yaml', '--output', 'site']);
+  assert.equal(packed.code, 0, packed.stderr);
+  browser = await chromium.launch(chromiumOptions());
+}, { timeout: 500_000 });
+
+after(async () => {
+  await browser.close();
+  workspace.close();
+});
+
+/** The pose's field says so, as the topic's last message shows it. */
+const poses = (page: Page, line: RegExp): Promise<unknown> =>
+  page.waitForFunction(
+    (wanted) => new RegExp(wanted).test(document.querySelector('.panel-topics .tree')?.textContent ?? ''),
+    line.source,
+    { timeout: 120_000 },
+  );
+
+for (const link of ['shared', 'port'] as const) {
+  test(`${link}: a key drives the turtle`, watchdog, () =>
+    withTabs(browser, join(workspace.root, 'site'), link, async (open) => {
+      const layout = { row: [{ topics: { topic: '/turtle1/pose' } }, { teleop: { linear: 1.5 } }] };
+      const page = await open(`#layout=${encodeURIComponent(JSON.stringify(layout))}`);
+      page.setDefaultTimeout(120_000);
+      await poses(page, /linear_velocity: 0\.0/);
+      await page.waitForFunction(() => document.querySelector<HTMLInputElement>('.panel-teleop input[list]')?.value === '/turtle1/cmd_vel');
+      await page.waitForFunction(() => !(document.querySelector('.panel-teleop')?.textContent ?? '').includes('Nobody waits'));
+      await page.locator('.drive-pad').focus();
+      await page.keyboard.down('ArrowUp');
+      await poses(page, /linear_velocity: 1\.5/);
+      await page.keyboard.down('ArrowLeft');
+      await poses(page, /angular_velocity: 1\.0/);
+      await page.keyboard.up('ArrowUp');
+      await page.keyboard.up('ArrowLeft');
+      await poses(page, /linear_velocity: 0\.0.*angular_velocity: 0\.0|angular_velocity: 0\.0.*linear_velocity: 0\.0/);
+      await page.getByText('at rest, nothing is sent').waitFor();
+    }));
+}

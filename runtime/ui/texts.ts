@@ -454,6 +454,11 @@ export const texts = {
     canvas: 'Scene. Arrow keys turn it, with Shift they move it, plus and minus zoom, Home goes back.',
     noWebGl: 'This browser gives the page no WebGL, so nothing can be drawn. It may be switched off in its settings, or there is no graphics driver.',
     lost: 'The graphics card took the drawing away. It comes back by itself when it can.',
+    rviz: 'Show what an RViz file says',
+    rvizOpen: 'Open an .rviz file\u2026',
+    noRviz: (name: string): string => `${name} is no file of RViz`,
+    rvizRead: (name: string, leftOut: readonly string[]): string =>
+      leftOut.length === 0 ? `As in ${name}` : `As in ${name}, without ${leftOut.slice(0, 5).join(', ')}`,
     goal: (topic: string): string => `Set a goal: publishes on ${topic}`,
     goalHint: 'Press where to go, and draw the heading. Enter: the middle of the picture. Escape: no goal.',
     goalSent: (x: string, y: string, degrees: string): string => `Goal published: ${x}, ${y}, ${degrees}\u00b0`,

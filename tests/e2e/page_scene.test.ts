@@ -311,6 +311,36 @@ test('a goal is set with the pointer or by keys, in the fixed frame', () =>
     await page.getByText('3 frames').waitFor();
   }));
 
+test('an .rviz file says what is shown', () =>
+  on(null, async (page) => {
+    await fillWorld(page);
+    const open = async (name: string, text: string): Promise<void> => {
+      await page.getByRole('button', { name: 'Show what an RViz file says' }).click();
+      const [chooser] = await Promise.all([
+        page.waitForEvent('filechooser'),
+        page.getByRole('menuitem', { name: 'Open an .rviz file' }).click(),
+      ]);
+      await chooser.setFiles({ name, mimeType: 'text/plain', buffer: Buffer.from(text) });
+    };
+    const note = page.locator('.panel-note');
+    await open('notes.rviz', '<b>no</b>');
+    await note.getByText('notes.rviz is no file of RViz').waitFor();
+    await open('arm.rviz', `Visualization Manager:
+  Displays:
+    - {Class: rviz_default_plugins/Path, Enabled: true, Name: Plan, Topic: {Value: /plan}}
+    - {Class: rviz_default_plugins/Camera, Enabled: true, Name: Camera}
+    - {Class: rviz_default_plugins/Map, Enabled: false, Name: Map, Topic: {Value: /map}}
+  Global Options: {Fixed Frame: base}
+  Tools: [{Class: rviz_default_plugins/SetGoal, Topic: {Value: /there}}]
+`);
+    await note.getByText('As in arm.rviz, without Camera').waitFor();
+    const checked = page.locator('.scene-topics input:checked');
+    await page.waitForFunction(() => document.querySelectorAll('.scene-topics input:checked').length === 1);
+    assert.equal(await checked.evaluate((input) => input.closest('label')?.textContent), '/planPath');
+    assert.equal(await page.getByRole('combobox', { name: 'Fixed frame' }).inputValue(), 'base');
+    await page.getByRole('button', { name: 'Set a goal: publishes on /there' }).waitFor();
+  }));
+
 for (const colorScheme of ['light', 'dark'] as const) {
   test(`axe finds nothing in the 3D view, on a phone too, ${colorScheme}`, () =>
     stage.on(withScene(null), { colorScheme, reducedMotion: 'reduce' }, async (page) => {

@@ -6,13 +6,16 @@ import type { PagePublisher } from '../../wasm_js/session.ts';
 import { kUsualView } from '../model/camera_view.ts';
 import { stampOf } from '../model/draft_value.ts';
 import { isHiddenTopic } from '../model/hidden_names.ts';
+import { problemOf } from '../model/problem.ts';
 import { readOptions, writeOptions } from '../model/scene_options.ts';
 import type { SceneOptions } from '../model/scene_options.ts';
 import { fromRollPitchYaw } from '../model/transform.ts';
 import { IconButton } from '../parts/button.tsx';
+import { MenuButton } from '../parts/menu.tsx';
 import { useCodec } from '../parts/message_feed.ts';
 import { PanelFrame } from '../parts/panel.tsx';
 import { SceneList } from '../parts/scene_list.tsx';
+import { chooseText, readSiteText } from '../parts/site_text.ts';
 import { useTopics } from '../parts/watch.ts';
 import type { GoalPose } from '../scene/camera_control.ts';
 import { canShow } from '../scene/kinds.ts';
@@ -24,6 +27,7 @@ import type { PanelProps } from './panel_props.ts';
 /** Of those that nobody chose. */
 const kMostUnasked = 20;
 const kMostOffers = 1000;
+const kMostFiles = 20;
 const kPose = 'geometry_msgs/msg/PoseStamped';
 
 export function ScenePanel({ session, state, setState, announce }: PanelProps) {
@@ -31,7 +35,7 @@ export function ScenePanel({ session, state, setState, announce }: PanelProps) {
   const codec = useCodec(session);
   const topics = useTopics(session);
   const [goalMode, setGoalMode] = useState(false);
-  const [goalWords, setGoalWords] = useState('');
+  const [said, setSaid] = useState('');
   const publisher = useRef<PagePublisher | null>(null);
 
   const latest = useRef({ options, setState });
@@ -50,19 +54,19 @@ export function ScenePanel({ session, state, setState, announce }: PanelProps) {
   useEffect(() => {
     if (!goalMode) return undefined;
     publisher.current = session.node().publisher(options.goal, kPose);
-    setGoalWords(texts.scene.goalHint);
+    setSaid(texts.scene.goalHint);
     return () => {
       publisher.current?.close();
       publisher.current = null;
-      setGoalWords('');
+      setSaid('');
     };
   }, [session, goalMode, options.goal]);
 
-  const publishGoal = (goal: GoalPose, frame: string): void => {
-    const words = sendGoal(goal, frame);
-    setGoalWords(words);
+  const say = (words: string): void => {
+    setSaid(words);
     announce(words);
   };
+  const publishGoal = (goal: GoalPose, frame: string): void => say(sendGoal(goal, frame));
   const sendGoal = ({ place: [x, y], heading }: GoalPose, frame: string): string => {
     if (frame === '') return texts.scene.goalNoFrame;
     if (codec === null || typeof codec === 'string' || publisher.current === null) return texts.topics.decoding;
@@ -75,6 +79,22 @@ export function ScenePanel({ session, state, setState, announce }: PanelProps) {
     const problem = publisher.current.problem ?? publisher.current.publish(encoded.bytes);
     if (problem !== undefined) return texts.text.failed(problem.message);
     return texts.scene.goalSent(x.toFixed(2), y.toFixed(2), ((heading * 180) / Math.PI).toFixed(0));
+  };
+
+  const files = useMemo(
+    () => session.site.files.map(({ path }) => path).filter((path) => path.endsWith('.rviz')).slice(0, kMostFiles),
+    [session],
+  );
+  const showAs = async (file: Promise<{ readonly name: string; readonly text: string }>): Promise<void> => {
+    try {
+      const { name, text } = await file;
+      const { readRviz } = await import('../model/rviz_config.ts');
+      const scene = readRviz(text);
+      if (scene !== null) change(scene.options);
+      say(scene === null ? texts.scene.noRviz(name) : texts.scene.rvizRead(name, scene.leftOut));
+    } catch (error) {
+      say(texts.text.failed(problemOf(error).what));
+    }
   };
 
   const { canvas, view, tree, problem, forget, unreadable } = useScene({
@@ -101,7 +121,7 @@ export function ScenePanel({ session, state, setState, announce }: PanelProps) {
       id="scene"
       title={texts.panels.scene}
       icon="scene"
-      note={goalWords === '' && view !== null ? texts.scene.frameCount(view.frameCount) : goalWords}
+      note={said === '' && view !== null ? texts.scene.frameCount(view.frameCount) : said}
       tools={
         <>
           <select
@@ -141,6 +161,18 @@ export function ScenePanel({ session, state, setState, announce }: PanelProps) {
             pressed={goalMode}
             onClick={() => setGoalMode(!goalMode)}
           />
+          <MenuButton
+            icon="layout"
+            label={texts.scene.rviz}
+            items={[
+              ...files.map((path) => ({
+                id: path,
+                words: nameOf(path),
+                choose: () => void showAs(readSiteText(path).then((text) => ({ name: nameOf(path), text }))),
+              })),
+              { id: '', words: texts.scene.rvizOpen, choose: () => void showAs(chooseText('.rviz')) },
+            ]}
+          />
           <IconButton icon="restart" label={texts.scene.forget} onClick={forget} />
         </>
       }
@@ -174,4 +206,8 @@ export function ScenePanel({ session, state, setState, announce }: PanelProps) {
       </div>
     </PanelFrame>
   );
+}
+
+function nameOf(path: string): string {
+  return path.slice(path.lastIndexOf('/') + 1);
 }

@@ -8,10 +8,10 @@ import { matched } from '../parts/matched.ts';
 import { codecOf } from '../parts/message_feed.ts';
 import { MarkdownView } from '../parts/markdown_view.tsx';
 import { PanelFrame } from '../parts/panel.tsx';
+import { readSiteText } from '../parts/site_text.ts';
 import { texts } from '../texts.ts';
 import type { PanelProps } from './panel_props.ts';
 
-const kMostBytes = 1 << 20;
 
 export function TextPanel({ session, instance, open }: PanelProps) {
   const file = session.site.ui['text'];
@@ -25,7 +25,7 @@ export function TextPanel({ session, instance, open }: PanelProps) {
   useEffect(() => {
     if (path === null || !files.has(path)) return undefined;
     let current = true;
-    readText(path).then(
+    readSiteText(path).then(
       (found) => {
         if (current) setText(found);
       },
@@ -120,12 +120,4 @@ export function TextPanel({ session, instance, open }: PanelProps) {
       </p>
     </PanelFrame>
   );
-}
-
-async function readText(path: string): Promise<string> {
-  const response = await fetch(path.split('/').map(encodeURIComponent).join('/'));
-  if (!response.ok) throw new Error(`HTTP ${response.status}`);
-  const bytes = await response.arrayBuffer();
-  if (bytes.byteLength > kMostBytes) throw new Error(texts.text.tooLong);
-  return new TextDecoder().decode(bytes);
 }

@@ -1,0 +1,33 @@
+// Texts that the page reads: files of the site, and one that the visitor chooses. Both reject with an Error.
+
+import { texts } from '../texts.ts';
+
+const kMostBytes = 1 << 20;
+
+/** `path`: as in site.json. */
+export async function readSiteText(path: string): Promise<string> {
+  const response = await fetch(path.split('/').map(encodeURIComponent).join('/'));
+  if (!response.ok) throw new Error(`HTTP ${response.status}`);
+  return textOf(await response.arrayBuffer());
+}
+
+/** Never settles when the visitor chooses none. `kinds`: endings of names, such as `.rviz`. */
+export function chooseText(kinds: string): Promise<{ readonly name: string; readonly text: string }> {
+  return new Promise((resolve, reject) => {
+    const input = document.createElement('input');
+    input.type = 'file';
+    input.accept = kinds;
+    input.addEventListener('change', () => {
+      const file = input.files?.[0];
+      if (file === undefined) return;
+      if (file.size > kMostBytes) reject(new Error(texts.text.tooLong));
+      else file.arrayBuffer().then((bytes) => resolve({ name: file.name, text: textOf(bytes) }), reject);
+    });
+    input.click();
+  });
+}
+
+function textOf(bytes: ArrayBuffer): string {
+  if (bytes.byteLength > kMostBytes) throw new Error(texts.text.tooLong);
+  return new TextDecoder().decode(bytes);
+}

@@ -1,0 +1,64 @@
+// What an .rviz file says about a scene, and files that say nothing.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { readRviz } from '../../../runtime/ui/model/rviz_config.ts';
+
+const kFile = `
+Panels:
+  - Class: rviz_common/Displays
+    Name: Displays
+Visualization Manager:
+  Class: ""
+  Displays:
+    - {Class: rviz_default_plugins/Grid, Enabled: true, Name: Grid, Cell Size: 1}
+    - Class: rviz_default_plugins/RobotModel
+      Description Topic: {Depth: 5, Durability Policy: Volatile, Value: /robot_description}
+      Enabled: true
+      Name: RobotModel
+    - Class: rviz_common/Group
+      Enabled: true
+      Name: Sensors
+      Displays:
+        - {Class: rviz_default_plugins/LaserScan, Enabled: true, Name: LaserScan, Topic: {Value: scan}}
+        - {Class: rviz_default_plugins/PointCloud2, Enabled: false, Name: Cloud, Topic: {Value: /points}}
+    - {Class: rviz_common/Group, Enabled: false, Displays: [{Class: rviz_default_plugins/Map, Enabled: true, Topic: {Value: /hidden}}]}
+    - {Class: rviz/Map, Enabled: true, Name: Map, Topic: /map}
+    - {Class: rviz_default_plugins/TF, Enabled: true, Name: TF, Show Names: false}
+    - {Class: nav2_rviz_plugins/ParticleCloud, Enabled: true, Name: Swarm}
+  Enabled: true
+  Global Options: {Background Color: 48; 48; 48, Fixed Frame: /odom, Frame Rate: 30}
+  Tools:
+    - Class: rviz_default_plugins/Interact
+    - Class: rviz_default_plugins/SetGoal
+      Topic: {Value: /robot/goal}
+  Views:
+    Current: {Class: rviz_default_plugins/Orbit, Distance: 4.5, Pitch: 0.6, Yaw: 5.5, Focal Point: {X: 1, Y: -2, Z: 0.5}}
+`;
+
+test('displays, frame, view and goal are taken over', () => {
+  const scene = readRviz(kFile) ?? assert.fail();
+  const { view, ...options } = scene.options;
+  assert.deepEqual(options, {
+    topics: ['/robot_description', '/scan', '/map'], grid: true, frames: true, names: false, frame: 'odom', goal: '/robot/goal',
+  });
+  assert.deepEqual(scene.leftOut, ['Swarm']);
+  assert.deepEqual(view?.target, [1, -2, 0.5]);
+  assert.equal(view?.distance, 4.5);
+  assert.ok(Math.abs((view?.azimuth ?? 0) - (5.5 - 2 * Math.PI)) < 1e-9);
+  const top = readRviz(kFile.replace(/Current: .*/, 'Current: {Class: rviz_default_plugins/TopDownOrtho, Scale: 100, X: 3, Y: 4}'));
+  assert.deepEqual([top?.options.view?.top, top?.options.view?.target], [true, [3, 4, 0]]);
+  assert.ok(Math.abs((top?.options.view?.distance ?? 0) - 3 / Math.tan(Math.PI / 8)) < 1e-9);
+});
+
+test('what is no such file is refused, and odd values are as usual', () => {
+  const bomb = `a0: &a0 [x, x]\n${Array.from({ length: 30 }, (_, i) => `a${i + 1}: &a${i + 1} [*a${i}, *a${i}]`).join('\n')}\n`;
+  for (const text of ['', 'just words', '[1, 2', 'Visualization Manager: 7', 'Visualization Manager: {Displays: no}', bomb, 'x'.repeat(2_000_000)])
+    assert.equal(readRviz(text), null, text.slice(0, 40));
+  let nest = '{Class: x/Grid, Enabled: true}';
+  for (let i = 0; i < 50; i += 1) nest = `{Class: x/Group, Enabled: true, Displays: [${nest}]}`;
+  assert.equal(readRviz(`Visualization Manager: {Displays: [${nest}]}`)?.options.grid, false);
+  const odd = readRviz('Visualization Manager: {Displays: [null, 7, {Enabled: true}], Views: {Current: {Class: x/Orbit, Distance: .nan, Yaw: .inf}}, Tools: 3}');
+  assert.equal(odd?.options.view?.distance, 6);
+  assert.deepEqual(odd?.options.topics, []);
+  assert.equal(odd?.options.view?.azimuth, Math.PI / 4);
+});

@@ -1,42 +1,20 @@
 // ros2 lifecycle nodes, get, list, set.
 
-import { callService } from './calls.ts';
 import { type Command, CommandError, type Context } from './command.ts';
 import { shown } from './graph_lists.ts';
+import { changeState, managedNodes, stateOf, transitionsOf } from './lifecycle_calls.ts';
 import { findNode } from './node_commands.ts';
 
-const timeoutMs = 10_000;
 const node = { name: 'node_name', meaning: 'node' } as const;
 
-interface State {
-  readonly id: number;
-  readonly label: string;
-}
-
-interface TransitionDescription {
-  readonly transition: State;
-  readonly start_state: State;
-  readonly goal_state: State;
-}
-
 function managed(context: Context): string[] {
-  const nodes = context.session.graph().nodes.filter(({ name, services }) => services.some((service) => service.name === `${name}/get_state`));
-  return shown(nodes, false).map(({ name }) => name);
+  return shown(managedNodes(context.session.graph()), false).map(({ name }) => name);
 }
 
 function managedNode(context: Context, given: string): string {
   const name = findNode(context.session.graph(), given)?.name;
   if (name === undefined || !managed(context).includes(name)) throw new CommandError('Node not found');
   return name;
-}
-
-async function stateOf(context: Context, of: string): Promise<State> {
-  return (await callService(context, `${of}/get_state`, 'lifecycle_msgs/srv/GetState', {}, timeoutMs))['current_state'] as State;
-}
-
-async function transitionsOf(context: Context, of: string): Promise<readonly TransitionDescription[]> {
-  const reply = await callService(context, `${of}/get_available_transitions`, 'lifecycle_msgs/srv/GetAvailableTransitions', {}, timeoutMs);
-  return reply['available_transitions'] as readonly TransitionDescription[];
 }
 
 export const lifecycleCommands: readonly Command[] = [
@@ -90,8 +68,7 @@ export const lifecycleCommands: readonly Command[] = [
       if (chosen === undefined) {
         throw new CommandError(['Unknown transition requested, available ones are:', ...available.map(({ label, id }) => `- ${label} [${id}]`)].join('\n'));
       }
-      const reply = await callService(context, `${name}/change_state`, 'lifecycle_msgs/srv/ChangeState', { transition: { id: chosen.id } }, timeoutMs);
-      if (reply['success'] !== true) throw new CommandError('Transitioning failed');
+      if (!await changeState(context, name, chosen.id)) throw new CommandError('Transitioning failed');
       context.print('Transitioning successful');
       return 0;
     },

@@ -166,7 +166,7 @@ export const texts = {
     seen: (words: string): string => `Seen: ${words}`,
     passedOf: (passed: number, all: number): string => `${passed} of ${all} checks passed`,
   },
-  panels: { nodes: 'Nodes', console: 'Consoles', topics: 'Topics', plot: 'Plot', graph: 'Graph', frames: 'Frames', timeline: 'States', checks: 'Checks', terminal: 'Terminal', publish: 'Publish', services: 'Services and actions', parameters: 'Parameters', teleop: 'Teleop', text: 'Text', log: 'Log', image: 'Image', turtlesim: 'Turtlesim', scene: '3D view' },
+  panels: { nodes: 'Nodes', console: 'Consoles', topics: 'Topics', plot: 'Plot', graph: 'Graph', frames: 'Frames', diagnostics: 'Diagnostics', lifecycle: 'Lifecycle', timeline: 'States', checks: 'Checks', terminal: 'Terminal', publish: 'Publish', services: 'Services and actions', parameters: 'Parameters', teleop: 'Teleop', text: 'Text', log: 'Log', image: 'Image', turtlesim: 'Turtlesim', scene: '3D view' },
   panelTabs: 'Panels',
 
   layout: {
@@ -378,6 +378,36 @@ export const texts = {
     calls: 'Calls services',
     actionServers: 'Action servers',
     actionClients: 'Action clients',
+  },
+
+  diagnostics: {
+    none: 'Nobody has told of the health of anything since this panel was opened. Nodes do on /diagnostics.',
+    noneMatch: 'No status matches.',
+    filter: 'Filter diagnostics',
+    forget: 'Forget what was told',
+    levels: 'Level shown',
+    all: 'All',
+    level: { error: 'Error', warn: 'Warning', stale: 'Stale', ok: 'OK' },
+    was: (now: string, before: string): string => `${now}, was ${before}`,
+    unnamed: 'without a name',
+    message: 'Message',
+    hardware: 'Hardware',
+    more: (count: number): string => `${count} more are not shown: the filter finds them.`,
+    moreValues: (count: number): string => `and ${count} more`,
+    leftOut: (count: number): string => `${count} statuses were left out: there are too many names.`,
+  },
+
+  lifecycle: {
+    none: 'No managed nodes. They are nodes with a lifecycle: configured, activated, deactivated from outside.',
+    held: 'Time is held: the nodes answer when it goes on.',
+    reading: 'Asks for its state\u2026',
+    gone: 'has gone',
+    ask: (label: string, name: string): string => `${label} ${name}`,
+    asking: (label: string): string => `${label}: waits for the answer\u2026`,
+    done: (label: string): string => `${label}: done`,
+    refused: (label: string): string => `${label}: the node has not made this transition. Its console may tell why.`,
+    failed: (label: string, reason: string): string => `${label}: ${reason}`,
+    told: (name: string, words: string): string => `${name}, ${words}`,
   },
 
   frames: {

@@ -419,6 +419,11 @@ const kScenes: Readonly<Record<string, () => FakeSession | Promise<FakeSession>>
   sheet,
   services,
   // Not part of the first view, which a test measures.
+  health: async () => {
+    const fake = await (await import('./page_fake_health.ts')).health();
+    await giveSend(fake);
+    return fake;
+  },
   parameters: async () => (await import('./page_fake_parameters.ts')).parameters(kHostile),
   graph,
   teleop: async () => (await import('./page_fake_teleop.ts')).teleop(),

@@ -46,6 +46,19 @@ export const panels: readonly PanelRow[] = [
     source: { kind: 'lazy', load: () => import('./frames.tsx').then((file) => file.FramesPanel) },
   },
   {
+    id: 'diagnostics',
+    title: texts.panels.diagnostics,
+    icon: 'health',
+    keeps: true,
+    source: { kind: 'lazy', load: () => import('./diagnostics.tsx').then((file) => file.DiagnosticsPanel) },
+  },
+  {
+    id: 'lifecycle',
+    title: texts.panels.lifecycle,
+    icon: 'lifecycle',
+    source: { kind: 'lazy', load: () => import('./lifecycle.tsx').then((file) => file.LifecyclePanel) },
+  },
+  {
     id: 'timeline',
     title: texts.panels.timeline,
     icon: 'timeline',

@@ -1,0 +1,88 @@
+// What the parts of a robot say of their health on /diagnostics: the newest status of each by name. Pure; what it is given
+// may be hostile.
+
+import { asNumber } from './field_path.ts';
+import { member, textMember } from './json.ts';
+
+export const kLevels = ['error', 'warn', 'stale', 'ok'] as const;
+export type DiagnosticLevel = (typeof kLevels)[number];
+
+export interface DiagnosticStatus {
+  readonly name: string;
+  /** As it was told; a number that is no level is an error. */
+  readonly told: DiagnosticLevel;
+  readonly message: string;
+  readonly hardwareId: string;
+  readonly values: readonly { readonly key: string; readonly value: string }[];
+  /** How many more values it had. */
+  readonly more: number;
+  /** Seconds, of the site's time. */
+  readonly at: number;
+}
+
+export interface DiagnosticRow extends DiagnosticStatus {
+  readonly level: DiagnosticLevel;
+}
+
+const kStaleSeconds = 5;
+const kMostNames = 2000;
+const kMostValues = 200;
+const kLongest = 2000;
+
+const kByNumber: readonly DiagnosticLevel[] = ['ok', 'warn', 'error', 'stale'];
+
+export class Diagnostics {
+  private readonly known = new Map<string, DiagnosticStatus>();
+  private leftOutCount = 0;
+
+  /** Statuses that were left out because there are too many names. */
+  get leftOut(): number {
+    return this.leftOutCount;
+  }
+
+  /** Takes a diagnostic_msgs/msg/DiagnosticArray that was published at `at`. */
+  add(message: unknown, at: number): void {
+    const list = member(message, 'status');
+    if (!Array.isArray(list)) return;
+    for (const status of list as readonly unknown[]) {
+      const name = textOf(status, 'name');
+      if (!this.known.has(name) && this.known.size >= kMostNames) {
+        this.leftOutCount += 1;
+        continue;
+      }
+      const values = member(status, 'values');
+      const pairs: readonly unknown[] = Array.isArray(values) ? values : [];
+      this.known.set(name, {
+        name,
+        told: kByNumber[asNumber(member(status, 'level'))] ?? 'error',
+        message: textOf(status, 'message'),
+        hardwareId: textOf(status, 'hardware_id'),
+        values: pairs.slice(0, kMostValues).map((pair) => ({ key: textOf(pair, 'key'), value: textOf(pair, 'value') })),
+        more: Math.max(0, pairs.length - kMostValues),
+        at,
+      });
+    }
+  }
+
+  /** The worst first, then by name. `now`: seconds, of the site's time. */
+  rows(now: number): readonly DiagnosticRow[] {
+    return [...this.known.values()]
+      .map((status): DiagnosticRow => ({ ...status, level: now - status.at > kStaleSeconds ? 'stale' : status.told }))
+      .sort((a, b) => kLevels.indexOf(a.level) - kLevels.indexOf(b.level) || (a.name < b.name ? -1 : 1));
+  }
+
+  clear(): void {
+    this.known.clear();
+    this.leftOutCount = 0;
+  }
+}
+
+export function countLevels(rows: readonly DiagnosticRow[]): Readonly<Record<DiagnosticLevel, number>> {
+  const counts = { error: 0, warn: 0, stale: 0, ok: 0 };
+  for (const { level } of rows) counts[level] += 1;
+  return counts;
+}
+
+function textOf(value: unknown, name: string): string {
+  return textMember(value, name).slice(0, kLongest);
+}

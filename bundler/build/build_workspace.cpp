@@ -32,13 +32,16 @@ Outcome<std::string> hash_of(const LocalPackage& package,
                              const std::string& toolchain_hash,
                              const std::string& setup_reader_hash, const BuildTools& tools,
                              const BuildSettings& settings) {
-  const auto sources = hash_of_tree(package.directory, settings.base);
+  const bool is_python = package.xml.build_type == kPythonBuildType;
+  // CMake reads what links lead to, wherever that is; setup.py gets a copy without it.
+  const auto sources = hash_of_tree(package.directory, settings.base,
+                                    is_python ? LinksOut::kNamed : LinksOut::kHashed);
   if (!sources) return sources.errors();
   HashBuilder hash;
   hash.add("format", kBuildFormat).add("ros2wasm", ROS2WASM_VERSION);
   hash.add("toolchain", toolchain_hash).add("compiler", tools.compiler.identity);
   if (!tools.quick_links.empty()) hash.add("link", "quick");
-  if (package.xml.build_type == kPythonBuildType) hash.add("setup", setup_reader_hash);
+  if (is_python) hash.add("setup", setup_reader_hash);
   hash.add("environment", settings.environment_key);
   for (const BuiltPackage* need : needs) hash.add(need->name, need->hash);
   hash.add("sources", *sources);

@@ -9,9 +9,17 @@
 
 namespace ros2wasm {
 
+/// What of a folder elsewhere, to which a link leads, is in a hash.
+enum class LinksOut {
+  kNamed,   ///< where the link leads
+  kHashed,  ///< what is there, too, for builds that read it: of its first 20,000 files and folders
+            ///< the bytes, and past 64 MB of them, or where they cannot be read, sizes and times
+};
+
 /// Of what source_tree() finds. R2W0210: what cannot be read has no hash.
 [[nodiscard]] Outcome<std::string> hash_of_tree(const std::filesystem::path& folder,
-                                                const std::filesystem::path& workspace = {});
+                                                const std::filesystem::path& workspace = {},
+                                                LinksOut links_out = LinksOut::kNamed);
 
 /// Collects named parts; the order in which they are added matters.
 class HashBuilder {

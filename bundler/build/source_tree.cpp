@@ -32,8 +32,8 @@ Outcome<std::vector<fs::path>> sorted_entries(const fs::path& folder) {
 
 class TreeWalk {
  public:
-  TreeWalk(fs::path root, fs::path workspace)
-      : root_(std::move(root)), workspace_(std::move(workspace)) {}
+  TreeWalk(fs::path root, fs::path workspace, std::size_t most)
+      : root_(std::move(root)), workspace_(std::move(workspace)), most_(most) {}
 
   Outcome<Done> add_folder(const fs::path& folder) {
     std::error_code error;
@@ -47,6 +47,7 @@ class TreeWalk {
     const auto entries = sorted_entries(folder);
     if (!entries) return entries.errors();
     for (const fs::path& entry : *entries) {
+      if (found_.size() >= most_) break;
       const bool is_folder = fs::is_directory(entry, error);
       if (is_folder && fs::is_symlink(entry, error) && leads_out(entry)) {
         found_.push_back({.path = path_of(entry),
@@ -78,14 +79,16 @@ class TreeWalk {
 
   fs::path root_;
   fs::path workspace_;
+  std::size_t most_;
   std::map<fs::path, std::string> read_;  ///< real path -> the path it was read under
   std::vector<SourceEntry> found_;
 };
 
 }  // namespace
 
-Outcome<std::vector<SourceEntry>> source_tree(const fs::path& folder, const fs::path& workspace) {
-  TreeWalk walk(folder, workspace);
+Outcome<std::vector<SourceEntry>> source_tree(const fs::path& folder, const fs::path& workspace,
+                                              std::size_t most) {
+  TreeWalk walk(folder, workspace, most);
   if (auto added = walk.add_folder(folder); !added) return std::move(added).errors();
   return std::move(walk).found();
 }

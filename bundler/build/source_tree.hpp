@@ -1,7 +1,9 @@
 // The files of a package as builds see them. An edge: reads folders.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -19,8 +21,9 @@ struct SourceEntry {
 /// All folders and files below `folder`, each folder before what is in it. Hidden files, Python
 /// caches, folders that hold COLCON_IGNORE and sites that ros2wasm made do not count. Links are
 /// followed within `folder` and `workspace`, which may be empty; a folder that several names lead
-/// to is read once. R2W0210.
+/// to is read once. Ends early when `most` are found. R2W0210.
 [[nodiscard]] Outcome<std::vector<SourceEntry>> source_tree(
-    const std::filesystem::path& folder, const std::filesystem::path& workspace = {});
+    const std::filesystem::path& folder, const std::filesystem::path& workspace = {},
+    std::size_t most = std::numeric_limits<std::size_t>::max());
 
 }  // namespace ros2wasm

@@ -53,6 +53,8 @@ std::string times(std::size_t count, std::string_view text) {
   return all;
 }
 
+// Guarantee, hostile input: an expression of a check that could be tried in exponentially many ways
+// is refused
 TEST(CheckPattern, BoundsTheWhole) {
   for (const std::string& text :
        {times(30, "a?") + times(30, "a"), times(20, "(a|a)"), times(10, "(a{0,99})") + "b",

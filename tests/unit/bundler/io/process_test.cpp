@@ -243,6 +243,46 @@ TEST(SourceTree, DoesNotWalkLinksOutOfTheWorkspace) {
   EXPECT_NE(*hash_of_tree(tree / "w/a"), changed);
 }
 
+// Guarantee, robust: a CMake package is built again when what a link leads to, out of the workspace,
+// has changed
+TEST(SourceHash, LinksOutOfTheWorkspaceCountWithWhatTheyLeadToWhereBuildsReadIt) {
+  const testing::TemporaryTree tree;
+  tree.write("w/a/x.cpp", "");
+  tree.write("elsewhere/include/z.hpp", "1");
+  std::filesystem::create_directory_symlink("../../elsewhere", tree / "w/a/out");
+  const auto hash = [&] { return *hash_of_tree(tree / "w/a", tree / "w", LinksOut::kHashed); };
+  const std::string before = hash();
+  EXPECT_EQ(hash(), before);
+  EXPECT_NE(*hash_of_tree(tree / "w/a", tree / "w"), before);
+  tree.write("elsewhere/include/z.hpp", "2");
+  const std::string changed = hash();
+  EXPECT_NE(changed, before);
+  tree.write("elsewhere/more.hpp", "");
+  EXPECT_NE(hash(), changed);
+  tree.write("elsewhere/include/z.hpp", "1");
+  std::filesystem::remove(tree / "elsewhere/more.hpp");
+  EXPECT_EQ(hash(), before) << "times do not count";
+
+  // Past the bytes that are read, sizes and times stand for them.
+  tree.write("elsewhere/large", "");
+  std::filesystem::resize_file(tree / "elsewhere/large", 65'000'000);
+  const std::string large = hash();
+  EXPECT_EQ(hash(), large);
+  std::filesystem::last_write_time(
+      tree / "elsewhere/large",
+      std::filesystem::file_time_type::clock::now() + std::chrono::hours(1));
+  EXPECT_NE(hash(), large);
+  // What cannot be read fails no build.
+  std::filesystem::create_directory_symlink("/proc/self", tree / "w/a/endless");
+  EXPECT_FALSE(hash().empty());
+}
+
+TEST(SourceTree, EndsEarlyWhereItIsTold) {
+  const testing::TemporaryTree tree;
+  for (const char* name : {"a", "b/c", "b/d", "e"}) tree.write(name, "");
+  EXPECT_EQ(source_tree(tree.root(), {}, 3)->size(), 3U);
+}
+
 TEST(SourceHash, LinksThatLeadRoundEndAndCount) {
   const testing::TemporaryTree tree;
   tree.write("a/x.cpp", "one");

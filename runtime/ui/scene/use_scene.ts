@@ -3,7 +3,7 @@
 import { useEffect, useReducer, useRef, useState } from 'preact/hooks';
 import type { PageTimer, Session } from '../../wasm_js/session.ts';
 import type { Codec } from '../../decode/codec.ts';
-import { kUsualView } from '../model/camera_view.ts';
+import { kUsualView, writeView } from '../model/camera_view.ts';
 import type { CameraView } from '../model/camera_view.ts';
 import type { SceneOptions } from '../model/scene_options.ts';
 import { TransformTree } from '../model/transform_tree.ts';
@@ -58,6 +58,7 @@ export function useScene(use: SceneUse): Scene {
   const [view, setView] = useState<SceneView | null>(null);
   const [problem, setProblem] = useState('');
   const [era, begin] = useReducer<number, void>((n) => n + 1, 0);
+  const settled = useRef('');
   const [, tell] = useReducer<number, void>((n) => n + 1, 0);
 
   useEffect(() => {
@@ -87,7 +88,10 @@ export function useScene(use: SceneUse): Scene {
     const stop = controlCamera(element, {
       view: () => made.view,
       look: (next) => made.look(next),
-      settle: () => latest.current.onView(made.view),
+      settle: () => {
+        settled.current = keyOf(made.view);
+        latest.current.onView(made.view);
+      },
       home: () => made.look({ ...kUsualView, top: made.view.top }),
       isGoalMode: () => latest.current.goalMode,
       groundAt: (x, y) => stage.groundAt(x, y),
@@ -117,7 +121,12 @@ export function useScene(use: SceneUse): Scene {
   }, [session]);
 
   useEffect(() => view?.setColors(), [view, theme]);
-  useEffect(() => view?.look(options.view), [view, options.view]);
+  useEffect(() => {
+    // What the visitor's own hand has set comes back late and rounded: by then the hand may be further.
+    if (keyOf(options.view) === settled.current) return;
+    settled.current = '';
+    view?.look(options.view);
+  }, [view, options.view]);
   useEffect(() => view?.chooseFrame(options.frame), [view, options.frame]);
   useEffect(() => view?.show(options), [view, options.grid, options.frames, options.names]);
 
@@ -168,4 +177,8 @@ export function useScene(use: SceneUse): Scene {
     begin();
   };
   return { canvas, view, tree, problem, forget, unreadable };
+}
+
+function keyOf(view: CameraView): string {
+  return JSON.stringify(writeView(view));
 }

@@ -115,21 +115,21 @@ Outcome<LaunchedFile> launch_from_file(const PackRequest& request, BuiltWorkspac
   const auto folders = installed_launch_folders(workspace.folder, workspace.installed,
                                                 workspace.environment, workspace.manifest.distro);
   const LaunchWorld world = launch_world(folders, workspace.manifest.distro, true);
-  const LaunchPython python = launch_python(
-      folders,
-      [&] {
-        return find_launch_tools(request.executable, request.variables, workspace.environment,
-                                 cancellation);
-      },
-      cancellation);
   Reading reading;
   PythonRecord record;
   const std::string path = std::string(kLaunchWorkspace) + "/" + file.value;
   const Texts packed_with = values_by_name(arguments);
+  const LaunchInterpreter interpreter = launch_interpreter({.executable = request.executable,
+                                                            .variables = request.variables,
+                                                            .environment = workspace.environment,
+                                                            .folders = folders,
+                                                            .file = path,
+                                                            .given = packed_with},
+                                                           cancellation);
   const auto evaluate = [&](Texts given) {
     given.insert(packed_with.begin(), packed_with.end());  // those that are tried stay
     LaunchWorld seen = reading.seen_through(world);
-    seen.python = record.recording(python);
+    seen.python = record.recording(interpreter.python);
     return launch_file_nodes(path, given, seen, workspace.installed, file.span, workspace.left_out);
   };
   const auto watch = [&](const std::vector<std::string>& files) {
@@ -187,6 +187,7 @@ Outcome<LaunchedFile> launch_from_file(const PackRequest& request, BuiltWorkspac
                                .python = record.exchanges(),
                                .arguments = std::move(launched->arguments)};
   }
+  interpreter.keep();
   if (launched->nodes.empty() && step.more_nodes.empty()) {
     return Diagnostic{.code = "R2W0406",
                       .message = "the launch file starts nothing that a site can run",

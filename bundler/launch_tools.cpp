@@ -4,16 +4,23 @@
 #include <memory>
 #include <utility>
 
+#include "bundler/build/source_hash.hpp"
+#include "bundler/io/files.hpp"
 #include "bundler/io/installation.hpp"
+#include "bundler/io/sha256.hpp"
 #include "bundler/launch/python_tree.hpp"
+#include "bundler/launch/seen_path.hpp"
 #include "bundler/resolve/solve.hpp"
 #include "bundler/run/node_js.hpp"
+#include "bundler/store/build_place.hpp"
 #include "bundler/store/environment.hpp"
 #include "bundler/workspace/workspace_channels.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
 namespace {
+
+constexpr const char* kReader = "the reader of Python files";
 
 /// Pyodide of the program's own channel, unpacked in the cache.
 Outcome<fs::path> own_pyodide(const fs::path& executable,
@@ -39,6 +46,45 @@ Outcome<fs::path> own_pyodide(const fs::path& executable,
   return environment->prefix / kPyodideFolder;
 }
 
+/// Another place for everything that is not among the files that the interpreter looks at: its own
+/// parts, where the folders are, and what is asked of it.
+fs::path kept_place(const LaunchEvaluationAsked& asked) {
+  HashBuilder key;
+  const auto templates = find_own_data(asked.executable, "templates/python", kReader);
+  if (templates) {
+    if (const auto hash = hash_of_tree(*templates)) key.add("reader", *hash);
+  }
+  Manifest nothing;
+  const auto channels =
+      workspace_channels(nothing, fs::current_path(), asked.executable, asked.variables);
+  if (channels) {
+    const auto index = hash_file(channels->roots.embedded / "noarch" / "repodata.json");
+    if (index) key.add("channel", index->sha256);
+  }
+  key.add("environment", asked.environment.string()).add("file", asked.file);
+  for (const auto& [name, value] : asked.given) key.add("argument", name).add("value", value);
+  std::error_code error;
+  for (const LaunchFolder& folder : asked.folders) {
+    key.add("at", folder.at).add("from", fs::absolute(folder.from, error).string());
+    key.add("is", fs::is_directory(folder.from, error) ? "there" : "absent");
+    key.add("holds", folder.holds_modules ? "modules" : "files");
+  }
+  return kept_launch_place(default_cache_directory(asked.variables)) / (key.finish() + ".json");
+}
+
+/// Nothing when there is none, or when something of what it was made of is not as it was.
+std::vector<PythonRemark> kept_talk(const fs::path& place,
+                                    const std::vector<LaunchFolder>& folders) {
+  std::error_code error;
+  if (!fs::is_regular_file(place, error)) return {};
+  const auto text = read_file(place);
+  auto kept = text ? read_kept_python(*text) : std::nullopt;
+  if (!kept) return {};
+  for (const auto& [path, state] : kept->seen)
+    if (!is_still(folders, path, state)) return {};
+  return std::move(kept->remarks);
+}
+
 }  // namespace
 
 Outcome<PythonTools> find_launch_tools(const fs::path& executable,
@@ -48,8 +94,7 @@ Outcome<PythonTools> find_launch_tools(const fs::path& executable,
   const auto path = variables.find("PATH");
   auto node = find_node_js(executable, path == variables.end() ? "" : path->second, cancellation);
   if (!node) return std::move(node).errors();
-  const auto templates =
-      find_own_data(executable, "templates/python", "the reader of Python files");
+  const auto templates = find_own_data(executable, "templates/python", kReader);
   if (!templates) return templates.errors();
   std::error_code error;
   fs::path pyodide = environment / kPyodideFolder;
@@ -63,14 +108,37 @@ Outcome<PythonTools> find_launch_tools(const fs::path& executable,
                      .templates = fs::canonical(*templates, error)};
 }
 
-LaunchPython launch_python(const std::vector<LaunchFolder>& folders,
-                           std::function<Outcome<PythonTools>()> find_tools,
-                           const Cancellation& cancellation) {
-  const auto host = std::make_shared<PythonHost>(std::move(find_tools), folders, cancellation);
-  return [host](const std::string& request,
-                const std::function<std::string(const std::string&)>& reply) {
-    return host->ask(request, reply);
+LaunchInterpreter launch_interpreter(const LaunchEvaluationAsked& asked,
+                                     const Cancellation& cancellation) {
+  const auto host = std::make_shared<PythonHost>(
+      [asked, cancellation] {
+        return find_launch_tools(asked.executable, asked.variables, asked.environment,
+                                 cancellation);
+      },
+      asked.folders, cancellation);
+  // Read when Python is first asked: most launch files have none.
+  const auto transcript = std::make_shared<std::optional<PythonTranscript>>();
+  const auto place = std::make_shared<fs::path>();
+  LaunchInterpreter result;
+  result.python = [=](const std::string& request,
+                      const std::function<std::string(const std::string&)>& reply) {
+    if (!*transcript) {
+      *place = kept_place(asked);
+      transcript->emplace(
+          kept_talk(*place, asked.folders),
+          [host](const auto& one, const auto& told) { return host->ask(one, told); });
+    }
+    return (*transcript)->ask(request, reply);
   };
+  result.keep = [=] {
+    if (!*transcript || !(*transcript)->is_live() || (*transcript)->has_failed()) return;
+    auto seen = host->seen();
+    if (!seen) return;
+    const KeptPython kept{.remarks = (*transcript)->remarks(), .seen = std::move(*seen)};
+    // What cannot be kept is asked again.
+    static_cast<void>(write_file(*place, kept_python_json(kept)));
+  };
+  return result;
 }
 
 }  // namespace ros2wasm

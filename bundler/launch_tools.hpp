@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "bundler/launch/python_host.hpp"
 
@@ -16,9 +17,25 @@ namespace ros2wasm {
     const std::filesystem::path& executable, const std::map<std::string, std::string>& variables,
     const std::filesystem::path& environment, const Cancellation& cancellation);
 
-/// The interpreter for a world with these folders, which starts when it is needed.
-[[nodiscard]] LaunchPython launch_python(const std::vector<LaunchFolder>& folders,
-                                         std::function<Outcome<PythonTools>()> find_tools,
-                                         const Cancellation& cancellation);
+/// What decides what the interpreter of one evaluation says, beside the files that it looks at.
+struct LaunchEvaluationAsked {
+  std::filesystem::path executable;
+  std::map<std::string, std::string> variables;
+  std::filesystem::path environment;  ///< as find_launch_tools() takes it
+  std::vector<LaunchFolder> folders;
+  std::string file;                          ///< as launch files see it
+  std::map<std::string, std::string> given;  ///< launch arguments
+};
+
+/// The interpreter of one evaluation, or of several that follow from it.
+struct LaunchInterpreter {
+  LaunchPython python;         ///< starts when it is needed
+  std::function<void()> keep;  ///< call it when all went well: the next time need not start it
+};
+
+/// What was said in an evaluation before stands while all that the interpreter looked at is as it
+/// was: then none is started. It lies in `<cache>/launch`.
+[[nodiscard]] LaunchInterpreter launch_interpreter(const LaunchEvaluationAsked& asked,
+                                                   const Cancellation& cancellation);
 
 }  // namespace ros2wasm

@@ -62,15 +62,20 @@ Diagnostics check_launch_file(const CheckRequest& request, CheckReport& report,
   if (!report.manifest.launch_file) return {};
   const auto folders = source_launch_folders(folder, report.packages, report.manifest.distro);
   LaunchWorld world = launch_world(folders, report.manifest.distro, false);
-  world.python = launch_python(
-      folders,
-      [&] { return find_launch_tools(request.executable, request.variables, {}, cancellation); },
-      cancellation);
   const auto& given = report.manifest.launch_arguments;
+  const std::string path = std::string(kLaunchWorkspace) + "/" + report.manifest.launch_file->value;
+  const LaunchInterpreter interpreter = launch_interpreter({.executable = request.executable,
+                                                            .variables = request.variables,
+                                                            .environment = {},
+                                                            .folders = folders,
+                                                            .file = path,
+                                                            .given = values_by_name(given)},
+                                                           cancellation);
+  world.python = interpreter.python;
   auto description =
-      evaluate_launch(std::string(kLaunchWorkspace) + "/" + report.manifest.launch_file->value,
-                      values_by_name(given), world, report.manifest.launch_file->span);
+      evaluate_launch(path, values_by_name(given), world, report.manifest.launch_file->span);
   if (!description) return std::move(description).errors();
+  interpreter.keep();
   if (Diagnostics errors = undeclared_in_manifest(given, description->arguments); !errors.empty())
     return errors;
   append(report.warnings, description->warnings);

@@ -77,13 +77,15 @@ int run(Context& context, const LaunchOptions& options) {
   if (!packages) return context.console.fail(packages.errors());
   const auto folders = source_launch_folders(folder, *packages, manifest->distro);
   LaunchWorld world = launch_world(folders, manifest->distro, false);
-  world.python = launch_python(
-      folders,
-      [&] {
-        return find_launch_tools(context.executable, context.environment, {}, context.cancellation);
-      },
-      context.cancellation);
   const std::string path = std::string(kLaunchWorkspace) + "/" + inside.generic_string();
+  const LaunchInterpreter interpreter = launch_interpreter({.executable = context.executable,
+                                                            .variables = context.environment,
+                                                            .environment = {},
+                                                            .folders = folders,
+                                                            .file = path,
+                                                            .given = *given},
+                                                           context.cancellation);
+  world.python = interpreter.python;
   if (options.site_data) {
     std::vector<InstalledPackage> installed;
     for (const LocalPackage& one : *packages)
@@ -91,11 +93,13 @@ int run(Context& context, const LaunchOptions& options) {
           {.name = one.xml.name.value, .version = {}, .prefix = {}, .programs = {}});
     const auto packed = packed_launch(path, *given, world, installed, manifest->distro);
     if (!packed) return context.console.fail(packed.errors());
+    interpreter.keep();
     context.console.result_text(packed_launch_json(*packed, {}));
     return 0;
   }
   const auto description = evaluate_launch(path, *given, world);
   if (!description) return context.console.fail(description.errors());
+  interpreter.keep();
   const auto is_known = [&](const std::string& package) {
     return std::any_of(packages->begin(), packages->end(),
                        [&](const LocalPackage& one) { return one.xml.name.value == package; });

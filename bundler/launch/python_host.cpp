@@ -63,4 +63,10 @@ Outcome<std::string> PythonHost::ask(const std::string& request,
   }
 }
 
+std::optional<SeenPaths> PythonHost::seen() {
+  if (!conversation_) return std::nullopt;
+  const auto answer = conversation_->ask("\"seen\"", std::chrono::steady_clock::now() + kTimeLimit);
+  return answer ? read_seen_paths(*answer) : std::nullopt;
+}
+
 }  // namespace ros2wasm

@@ -5,11 +5,13 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "bundler/io/process.hpp"
 #include "bundler/launch/launch_world.hpp"
+#include "bundler/launch/python_transcript.hpp"
 
 namespace ros2wasm {
 
@@ -32,6 +34,9 @@ class PythonHost {
   /// As LaunchPython has it.
   [[nodiscard]] Outcome<std::string> ask(
       const std::string& request, const std::function<std::string(const std::string&)>& reply);
+
+  /// What was looked at in the folders so far; nothing when it was never asked.
+  [[nodiscard]] std::optional<SeenPaths> seen();
 
  private:
   [[nodiscard]] Outcome<Done> start();

@@ -1,5 +1,6 @@
-// Where packages of workspaces are built. Ninja does not see that another ros2wasm links
-// differently, so each version and format has a folder of its own, and those of others can go.
+// Where packages of workspaces are built, and where launch files are kept. Ninja does not see that
+// another ros2wasm links differently, so each version and format has a folder of its own, and those
+// of others can go.
 #pragma once
 
 #include <filesystem>
@@ -18,6 +19,16 @@ inline constexpr const char* kBuildFormat = "4";
 /// Of this ros2wasm: `<cache>/build/0.1.0-4`.
 [[nodiscard]] inline std::filesystem::path build_place(const std::filesystem::path& cache) {
   return build_area(cache) / (std::string(ROS2WASM_VERSION) + "-" + kBuildFormat);
+}
+
+/// Of all versions: what launch files in Python said before. `<cache>/launch`.
+[[nodiscard]] inline std::filesystem::path launch_area(const std::filesystem::path& cache) {
+  return cache / "launch";
+}
+
+/// Of this ros2wasm.
+[[nodiscard]] inline std::filesystem::path kept_launch_place(const std::filesystem::path& cache) {
+  return launch_area(cache) / ROS2WASM_VERSION;
 }
 
 }  // namespace ros2wasm

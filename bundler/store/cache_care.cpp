@@ -252,6 +252,11 @@ Outcome<Pruned> prune_cache(const fs::path& cache, const PruneRequest& request,
   for (const fs::path& entry : entries_of(build_area(cache))) {
     if (entry != build_place(cache)) pruner.remove(entry);
   }
+  for (const fs::path& entry : entries_of(launch_area(cache))) {
+    if (entry != kept_launch_place(cache)) pruner.remove(entry);
+  }
+  for (const fs::path& file : entries_of(kept_launch_place(cache)))
+    if (is_leftover_name(file)) pruner.remove_if_old(file);
   for (const char* area : {"packages", "environments", "index"}) {
     for (const fs::path& entry : entries_of(cache / area / "unfinished"))
       pruner.remove_if_old(entry);

@@ -48,8 +48,8 @@ struct Pruned {
                                               const Cancellation& cancellation);
 
 /// Removes what nobody needs: leftovers of runs that were ended (older than an hour), archives that
-/// are unpacked, old copies of indexes, kept indexes of anything but the copies in use, builds of
-/// other versions of ros2wasm, and whatever is damaged. R2W0211.
+/// are unpacked, old copies of indexes, kept indexes of anything but the copies in use, builds and
+/// launch files of other versions of ros2wasm, and whatever is damaged. R2W0211.
 [[nodiscard]] Outcome<Pruned> prune_cache(const std::filesystem::path& cache,
                                           const PruneRequest& request,
                                           const Cancellation& cancellation);

@@ -1,5 +1,7 @@
 // A folder of this machine among Pyodide's files, to be read only. No link leads out of it, and nothing hidden is there.
+// What is looked at is noted, in the words of bundler/launch/python_transcript.hpp.
 
+import { createHash } from 'node:crypto';
 import { readFileSync, readdirSync, realpathSync, statSync } from 'node:fs';
 import { join, sep } from 'node:path';
 
@@ -18,12 +20,16 @@ const isHidden = (name) => startsWith(name, '.');
 /** Whether a real path is in a folder, by no hidden name. */
 const isOpen = (root, path) => path === root || (startsWith(path, root + sep) && !includes(slice(path, root.length), `${sep}.`));
 
-/** For FS.mount(). `fs`: Pyodide's; options: `from`, a path without links. */
-export function mountedFiles(fs) {
+const digest = (bytes) => createHash('sha256').update(bytes).digest('hex');
+
+/** For FS.mount(). `fs`: Pyodide's; options: `from`, a path without links, and `at`, where it is mounted. `seen`: a Map to fill. */
+export function mountedFiles(fs, seen) {
+  /** What is known more exactly stays. */
+  const note = (path, state) => { if (!startsWith(`${seen.get(path)} `, `${state} `)) seen.set(path, state); };
   const refuse = (code) => { throw new fs.ErrnoError(code); };
-  const node = (parent, name, path, root, facts) => {
+  const node = (parent, name, path, root, at, facts) => {
     const result = fs.createNode(parent, name, facts.isDirectory() ? directory : regular, 0);
-    return Object.assign(result, { path, root, bytes: facts.isDirectory() ? 4096 : facts.size, node_ops: nodes, stream_ops: streams });
+    return Object.assign(result, { path, root, at, bytes: facts.isDirectory() ? 4096 : facts.size, node_ops: nodes, stream_ops: streams });
   };
   const nodes = {
     getattr: (of) => ({
@@ -33,16 +39,21 @@ export function mountedFiles(fs) {
     lookup(parent, name) {
       let path;
       if (isHidden(name)) refuse(notThere);
-      try { path = realpathSync.native(join(parent.path, name)); } catch { refuse(notThere); }
-      if (!isOpen(parent.root, path)) refuse(notThere);
+      const at = `${parent.at}/${name}`;
+      const refuseIt = () => { note(at, 'none'); refuse(notThere); };
+      try { path = realpathSync.native(join(parent.path, name)); } catch { refuseIt(); }
+      if (!isOpen(parent.root, path)) refuseIt();
       const facts = statSync(path);
-      if (!facts.isDirectory() && !facts.isFile()) refuse(notThere);
-      return node(parent, name, path, parent.root, facts);
+      if (!facts.isDirectory() && !facts.isFile()) refuseIt();
+      note(at, facts.isDirectory() ? 'directory' : `file ${facts.size}`);
+      return node(parent, name, path, parent.root, at, facts);
     },
     readdir(of) {
       let names;
       try { names = readdirSync(of.path); } catch { refuse(notPermitted); }
-      return ['.', '..', ...names.filter((name) => !isHidden(name)).sort()];
+      const shown = names.filter((name) => !isHidden(name)).sort();
+      note(`${of.at}/`, `names ${digest(shown.map((name) => `${name}\n`).join(''))}`);
+      return ['.', '..', ...shown];
     },
     setattr: () => refuse(readOnly), mknod: () => refuse(readOnly), rename: () => refuse(readOnly),
     unlink: () => refuse(readOnly), rmdir: () => refuse(readOnly), symlink: () => refuse(readOnly),
@@ -51,7 +62,9 @@ export function mountedFiles(fs) {
   const streams = {
     open(stream) {
       if ((stream.flags & 3) !== 0) refuse(readOnly);
-      if (fs.isFile(stream.node.mode)) stream.content = readFileSync(stream.node.path);
+      if (!fs.isFile(stream.node.mode)) return;
+      stream.content = readFileSync(stream.node.path);
+      note(stream.node.at, `file ${stream.content.length} ${digest(stream.content)}`);
     },
     read(stream, buffer, offset, length, position) {
       const part = stream.content.subarray(position, position + length);
@@ -68,5 +81,5 @@ export function mountedFiles(fs) {
   // Not looked at: Node.js lets nobody look at a permitted folder, but at what lies in it, when its name is the beginning
   // of that of another permitted one, as `rcl` is of `rclcpp`.
   const top = { isDirectory: () => true, size: 0 };
-  return { mount: (mount) => node(null, '/', mount.opts.from, mount.opts.from, top) };
+  return { mount: (mount) => node(null, '/', mount.opts.from, mount.opts.from, mount.opts.at, top) };
 }

@@ -46,6 +46,8 @@ export function layOut(picture: Picture, sizes: Sizes, direction: Direction): Gr
     nodesep: kBetweenBoxes,
     edgesep: kBetweenWires,
     ranksep: kBetweenLayers[direction],
+    // Turns fewer wires round than the usual way, and is several times as fast where many lead back.
+    acyclicer: 'greedy',
   });
   // Numbers for names: what programs call themselves is no key here.
   const keys = new Map(picture.boxes.map(({ id }, index) => [id, `b${index}`]));
@@ -66,17 +68,58 @@ export function layOut(picture: Picture, sizes: Sizes, direction: Direction): Gr
     const [a, b] = [keys.get(from), keys.get(to)];
     if (a !== undefined && b !== undefined) graph.setEdge(a, b, { ...(label ?? kNoSize), labelpos: 'c' }, `w${index}`);
   });
-  layout(graph);
-  return {
-    boxes: new Map(picture.boxes.map(({ id }) => {
-      const { x, y, width, height } = placeOf(graph.node(keys.get(id) ?? ''));
-      return [id, { x, y, width, height }];
-    })),
-    routes: new Map(picture.wires.flatMap(({ id, from, to, lines }, index): [string, Route][] => {
-      const edge = routeOf(graph.edge(keys.get(from) ?? '', keys.get(to) ?? '', `w${index}`));
-      return edge === undefined ? [] : [[id, { points: edge.points, label: lines.length > 0 ? edge.label : null }]];
-    })),
-  };
+  try {
+    layout(graph);
+  } catch {
+    // dagre throws when a wire would end in the middle of a box: better plain than not at all.
+    return inColumns(picture, sizes);
+  }
+  const boxes = new Map(picture.boxes.map(({ id }) => {
+    const { x, y, width, height } = placeOf(graph.node(keys.get(id) ?? ''));
+    return [id, { x, y, width, height }];
+  }));
+  const routes = new Map(picture.wires.flatMap(({ id, from, to, lines }, index): [string, Route][] => {
+    const edge = routeOf(graph.edge(keys.get(from) ?? '', keys.get(to) ?? '', `w${index}`));
+    if (edge === undefined) return [];
+    const points = from === to ? edge.points : fromSideToSide(edge.points, boxes.get(from), boxes.get(to), direction);
+    return [[id, { points, label: lines.length > 0 ? edge.label : null }]];
+  }));
+  return { boxes, routes };
+}
+
+/** dagre lets a steep wire end at the top of a box, behind the boxes above it in its layer: it ends at the side it comes from. */
+function fromSideToSide(
+  points: readonly Point[], from: Place | undefined, to: Place | undefined, direction: Direction,
+): readonly Point[] {
+  const [second, last] = [points[1], points.at(-2)];
+  if (points.length < 3 || from === undefined || to === undefined || second === undefined || last === undefined) return points;
+  return [sideOf(from, second, direction), ...points.slice(1, -1), sideOf(to, last, direction)];
+}
+
+function sideOf({ x, y, width, height }: Place, towards: Point, direction: Direction): Point {
+  const near = (middle: number, at: number, size: number): number => middle + Math.max(-size / 5, Math.min(size / 5, at - middle));
+  return direction === 'right'
+    ? { x: x + (Math.sign(towards.x - x) * width) / 2, y: near(y, towards.y, height) }
+    : { x: near(x, towards.x, width), y: y + (Math.sign(towards.y - y) * height) / 2 };
+}
+
+/** A column for each group, without routes: for a graph that dagre cannot lay out. */
+export function inColumns(picture: Picture, sizes: Sizes): GraphLayout {
+  const columns = [null, ...picture.groups.map(({ id }) => id).sort()];
+  const places = new Map<string, Place>();
+  let left = 0;
+  for (const column of columns) {
+    const boxes = picture.boxes.filter(({ group }) => group === column);
+    const width = Math.max(0, ...boxes.map(({ id }) => sizes.boxes.get(id)?.width ?? 0));
+    let top = 0;
+    for (const { id } of boxes) {
+      const size = sizes.boxes.get(id) ?? kNoSize;
+      places.set(id, { ...size, x: left + width / 2, y: top + size.height / 2 });
+      top += size.height + kBetweenBoxes;
+    }
+    if (boxes.length > 0) left += width + kBetweenLayers.right;
+  }
+  return { boxes: places, routes: new Map() };
 }
 
 const kNoSize: Size = { width: 0, height: 0 };

@@ -64,8 +64,11 @@ export interface Picture {
   readonly leftOut: number;
 }
 
-const kMostBoxes = 250;
-const kMostWires = 1000;
+/** More take the layout too long, and nobody could read them. */
+const kMostBoxes = 150;
+const kMostWires = 400;
+/** Of nodes that are looked at: far more than are drawn. */
+const kMostPairs = 50_000;
 const kMostLines = 4;
 const kLongestLabel = 40;
 
@@ -133,18 +136,27 @@ export function pictureOf(graph: GraphView, options: PictureOptions): Picture {
   }
   const near = nearText(boxes, wires, options.text);
   const wanted = boxes.filter(({ id }) => near.has(id));
-  const kept = wanted.slice(0, kMostBoxes);
-  const ids = new Set(kept.map(({ id }) => id));
+  let kept = wanted.slice(0, kMostBoxes);
+  let shown = between(wires, kept);
+  while (shown.length > kMostWires) {
+    kept = kept.slice(0, Math.floor(kept.length * 0.8));
+    shown = between(wires, kept);
+  }
   const grouped = options.groups ? groupsOf(kept) : { groups: [], of: new Map<string, string>() };
   return {
     boxes: kept.map((box): Box => {
       const group = grouped.of.get(box.id) ?? null;
       return { ...box, group, label: shortName(group === null ? box.name : box.name.slice(group.length + 1)) };
     }),
-    wires: wires.filter(({ from, to }) => ids.has(from) && ids.has(to)).slice(0, kMostWires),
+    wires: shown,
     groups: grouped.groups,
     leftOut: wanted.length - kept.length,
   };
+}
+
+function between(wires: readonly Wire[], boxes: readonly Bare[]): readonly Wire[] {
+  const ids = new Set(boxes.map(({ id }) => id));
+  return wires.filter(({ from, to }) => ids.has(from) && ids.has(to));
 }
 
 /** Node to topic, topic to node. */
@@ -171,10 +183,11 @@ function wiresBetween(topics: ReadonlyMap<string, Ends>, actions: ReadonlyMap<st
       for (const a of from) {
         for (const b of to) {
           const key = `${kind} ${a} > ${b}`;
-          const pair = byPair.get(key) ?? { from: a, to: b, names: [] };
+          const known = byPair.get(key);
+          if (known === undefined && byPair.size >= kMostPairs) continue;
+          const pair = known ?? { from: a, to: b, names: [] };
           byPair.set(key, pair);
           pair.names.push(name);
-          if (byPair.size > 2 * kMostWires) return found;
         }
       }
     }

@@ -21,9 +21,9 @@ export interface Arrangement {
 const kFewBoxes = 8;
 const kFewNew = 0.2;
 /** Larger graphs are laid out in one direction only. */
-const kManyBoxes = 60;
+const kManyBoxes = 30;
 /** Flowing the likely way is worth something. */
-const kBetter = 1.15;
+const kBetter = 1.3;
 const kGap = 18;
 const kGroupRoom = { side: 12, top: 26, bottom: 12 } as const;
 /** So many steps away from where it would stand best. */

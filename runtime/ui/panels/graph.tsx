@@ -24,6 +24,8 @@ import type { PanelProps } from './panel_props.ts';
 
 /** The graph is looked at this often: nodes that start make many endpoints one after the other. */
 const kPauseMs = 150;
+/** And no more of the time than one part in so many is spent on laying it out. */
+const kLayoutPart = 5;
 const kMargin = 16;
 
 function readOptions(state: Json): PictureOptions {
@@ -37,13 +39,14 @@ function readOptions(state: Json): PictureOptions {
 
 export function GraphPanel({ session, focus, announce, state, setState, open }: PanelProps) {
   const options = useMemo(() => readOptions(state), [state]);
-  const graph = useCalmGraph(session);
+  const took = useRef(0);
+  const graph = useCalmGraph(session, took);
   const topics = useTopics(session);
   const [selected, setSelected] = useState<string | null>(null);
   const svg = useRef<SVGSVGElement>(null);
   const [room, setRoom] = useState<HTMLDivElement | null>(null);
   const picture = useMemo(() => pictureOf(graph, options), [graph, options]);
-  const { arrangement, layOutAgain } = useArrangement(picture, options, room);
+  const { arrangement, layOutAgain } = useArrangement(picture, options, room, took);
   const change = (next: Partial<PictureOptions>): void => setState({ ...options, ...next });
   const rates = new Map(topics.map((topic) => [topic.name, topic.rateHz > 0 ? formatRate(topic.rateHz) : '']));
 
@@ -168,7 +171,7 @@ function Check({ label, title, checked, onChange }: CheckProps) {
 }
 
 /** The graph, a moment after it changed. */
-function useCalmGraph(session: Session): GraphView {
+function useCalmGraph(session: Session, took: { readonly current: number }): GraphView {
   const [graph, setGraph] = useState(() => session.graph());
   useEffect(() => {
     let timer: ReturnType<typeof setTimeout> | undefined;
@@ -177,7 +180,7 @@ function useCalmGraph(session: Session): GraphView {
       timer ??= setTimeout(() => {
         timer = undefined;
         setGraph(session.graph());
-      }, kPauseMs);
+      }, Math.max(kPauseMs, kLayoutPart * took.current));
     });
     return () => {
       stop();
@@ -199,6 +202,8 @@ interface Kept {
 /** The arrangement of the picture: as before, as far as that can be. */
 function useArrangement(
   picture: Picture, { mode, hidden, groups, text }: PictureOptions, room: HTMLElement | null,
+  /** Is told how long the last one took, in ms. */
+  took: { current: number },
 ): { readonly arrangement: Arrangement; readonly layOutAgain: () => void } {
   const kept = useRef<Kept | null>(null);
   const [, redraw] = useState(0);
@@ -213,7 +218,9 @@ function useArrangement(
   };
   if (kept.current === null || kept.current.of !== of || kept.current.picture !== picture) {
     // Nothing stands anywhere before it is known how much room there is.
+    const began = performance.now();
     const arrangement = room === null ? anew(null, kNothing, kNoSizes, view) : make(sizesOf(picture));
+    took.current = performance.now() - began;
     kept.current = { of, picture, arrangement };
   }
   const { arrangement } = kept.current;

@@ -1,6 +1,6 @@
 // Draws an arranged graph as SVG: boxes, wires with rates, groups. One tab stop; arrow keys go from box to box.
 
-import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks';
+import { useEffect, useLayoutEffect, useMemo, useRef, useState } from 'preact/hooks';
 import type { RefObject } from 'preact';
 import type { Place, Point, Sizes } from '../model/graph_layout.ts';
 import type { Arrangement } from '../model/graph_places.ts';
@@ -255,13 +255,15 @@ interface WireLineProps {
 }
 
 function WireLine({ wire, points, rateOf, lit }: WireLineProps) {
+  // The same for as long as it stands there, however often the rates change.
+  const [line, arrow] = useMemo(() => [pathOf(points), arrowOf(points)] as const, [points]);
   const rate = wire.rateOf === null ? '' : rateOf(wire.rateOf);
   const flows = wire.kind === 'topic' && wire.names.some((name) => rateOf(name) !== '');
   const middle = points[Math.floor(points.length / 2)] ?? { x: 0, y: 0 };
   return (
     <g class={`graph-wire graph-wire-${wire.kind} ${flows ? 'graph-flows' : ''} ${lit ? 'graph-lit' : ''}`} aria-hidden="true">
-      <path class="graph-line" d={pathOf(points)} />
-      <path class="graph-arrow" d={arrowOf(points)} />
+      <path class="graph-line" d={line} />
+      <path class="graph-arrow" d={arrow} />
       {rate === '' ? null : (
         <text class="graph-wire-text graph-rate" x={middle.x} y={middle.y - 5}>
           {rate}

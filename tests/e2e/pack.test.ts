@@ -231,3 +231,17 @@ test('--plan writes nothing, --locked holds what was written', async () => {
   assert.equal(refused.code, 1);
   assert.match(refused.stderr, /error\[R2W0320\]/);
 });
+
+// Guarantee, robust: a CMake package is built again when what a link leads to, out of the workspace, has changed
+test('a header that a link out of the workspace leads to', async () => {
+  const [ws, other] = [workspace(), workspace()];
+  ws.addPackage('linked', { hello: '#include <cstdio>\n#include "../words/word.h"\nint main() { std::puts(WORD); }\n' });
+  mkdirSync(join(other.root, 'words'));
+  symlinkSync(join(other.root, 'words'), join(ws.root, 'src/linked/words'));
+  for (const word of ['one', 'two']) {
+    other.write('words/word.h', `#define WORD "${word}"\n`);
+    const packed = await ws.run(['pack']);
+    assert.equal(packed.code, 0, packed.stderr);
+    assert.match((await ws.run(['run', 'site'])).stdout, new RegExp(`\\] ${word}$`, 'm'));
+  }
+});

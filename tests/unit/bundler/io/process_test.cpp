@@ -243,8 +243,6 @@ TEST(SourceTree, DoesNotWalkLinksOutOfTheWorkspace) {
   EXPECT_NE(*hash_of_tree(tree / "w/a"), changed);
 }
 
-// Guarantee, robust: a CMake package is built again when what a link leads to, out of the
-// workspace, has changed
 TEST(SourceHash, LinksOutOfTheWorkspaceCountWithWhatTheyLeadToWhereBuildsReadIt) {
   const testing::TemporaryTree tree;
   tree.write("w/a/x.cpp", "");

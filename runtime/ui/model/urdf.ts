@@ -3,6 +3,8 @@
 
 import { fromRollPitchYaw, kIdentity } from './transform.ts';
 import type { Transform, Vector } from './transform.ts';
+import { readXml } from './xml.ts';
+import type { XmlElement } from './xml.ts';
 
 export type LinkShape =
   | { readonly kind: 'box'; readonly size: Vector }
@@ -39,14 +41,13 @@ export type UrdfFault = 'too-long' | 'no-xml' | 'no-robot';
 
 export function readUrdf(text: string): Robot | UrdfFault {
   if (text.length > kMostCharacters) return 'too-long';
-  const page = new DOMParser().parseFromString(text, 'application/xml');
-  if (page.getElementsByTagName('parsererror').length > 0) return 'no-xml';
-  const robot = page.documentElement;
-  if (robot.localName !== 'robot') return 'no-robot';
+  const robot = readXml(text);
+  if (robot === null) return 'no-xml';
+  if (robot.name !== 'robot') return 'no-robot';
   const colors = new Map<string, Rgba>();
   for (const material of childrenOf(robot, 'material')) {
     const color = colorOf(material);
-    if (color !== null) colors.set(material.getAttribute('name') ?? '', color);
+    if (color !== null) colors.set(material.attributes.get('name') ?? '', color);
   }
   let count = 0;
   let leftOut = 0;
@@ -58,26 +59,26 @@ export function readUrdf(text: string): Robot | UrdfFault {
       else visuals.push(visual);
       count += 1;
     }
-    return { name: link.getAttribute('name') ?? '', visuals };
+    return { name: link.attributes.get('name') ?? '', visuals };
   });
-  return { name: robot.getAttribute('name') ?? '', links, leftOut };
+  return { name: robot.attributes.get('name') ?? '', links, leftOut };
 }
 
-function visualOf(visual: Element, colors: ReadonlyMap<string, Rgba>): Visual | null {
+function visualOf(visual: XmlElement, colors: ReadonlyMap<string, Rgba>): Visual | null {
   const [geometry] = childrenOf(visual, 'geometry');
   const shape = geometry === undefined ? null : shapeOf(geometry);
   const [origin] = childrenOf(visual, 'origin');
   const place = origin === undefined ? kIdentity : originOf(origin);
   if (shape === null || place === null) return null;
   const [material] = childrenOf(visual, 'material');
-  const color = material === undefined ? null : (colorOf(material) ?? colors.get(material.getAttribute('name') ?? '') ?? null);
+  const color = material === undefined ? null : (colorOf(material) ?? colors.get(material.attributes.get('name') ?? '') ?? null);
   return { origin: place, shape, color };
 }
 
-function shapeOf(geometry: Element): LinkShape | null {
+function shapeOf(geometry: XmlElement): LinkShape | null {
   for (const element of geometry.children) {
     const length = (name: string): number => numbersOf(element, name, 1)?.[0] ?? NaN;
-    switch (element.localName) {
+    switch (element.name) {
       case 'box': {
         const [x = NaN, y = NaN, z = NaN] = numbersOf(element, 'size', 3) ?? [];
         return [x, y, z].every(isLength) ? { kind: 'box', size: [x, y, z] } : null;
@@ -97,23 +98,23 @@ function shapeOf(geometry: Element): LinkShape | null {
 }
 
 /** null: numbers are said that are none. */
-function originOf(origin: Element): Transform | null {
+function originOf(origin: XmlElement): Transform | null {
   const [x = NaN, y = NaN, z = NaN] = numbersOf(origin, 'xyz', 3) ?? [0, 0, 0];
   const [roll = NaN, pitch = NaN, yaw = NaN] = numbersOf(origin, 'rpy', 3) ?? [0, 0, 0];
   const isSound = [x, y, z, roll, pitch, yaw].every((value) => Math.abs(value) < kLargest);
   return isSound ? { translation: [x, y, z], rotation: fromRollPitchYaw(roll, pitch, yaw) } : null;
 }
 
-function colorOf(material: Element): Rgba | null {
+function colorOf(material: XmlElement): Rgba | null {
   const [element] = childrenOf(material, 'color');
   const [red = NaN, green = NaN, blue = NaN, alpha = NaN] = (element && numbersOf(element, 'rgba', 4)) ?? [];
   return [red, green, blue, alpha].every(Number.isFinite) ? [red, green, blue, alpha] : null;
 }
 
 /** null: the attribute is missing. */
-function numbersOf(element: Element, name: string, count: number): readonly number[] | null {
-  const text = element.getAttribute(name);
-  if (text === null) return null;
+function numbersOf(element: XmlElement, name: string, count: number): readonly number[] | null {
+  const text = element.attributes.get(name);
+  if (text === undefined) return null;
   const parts = text.trim().split(/\s+/).map(Number);
   return parts.length === count ? parts : Array.from({ length: count }, () => NaN);
 }
@@ -122,6 +123,6 @@ function isLength(value: number): boolean {
   return value > 0 && value < kLargest;
 }
 
-function childrenOf(element: Element, name: string): readonly Element[] {
-  return [...element.children].filter((child) => child.localName === name);
+function childrenOf(element: XmlElement, name: string): readonly XmlElement[] {
+  return element.children.filter((child) => child.name === name);
 }

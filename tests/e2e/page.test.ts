@@ -82,6 +82,17 @@ test('the listener hears the talker, in the exact format', () =>
     await page.getByText('workspace.yaml:14:17').waitFor();
   }));
 
+test('the graph shows the two nodes and their topic, with its rate', () =>
+  onSite({}, async (page) => {
+    await page.getByText('2 of 2 running').waitFor();
+    await page.getByRole('button', { name: 'Open a panel here' }).nth(1).click();
+    await page.getByRole('menuitem', { name: 'Graph' }).click();
+    for (const name of ['Node /minimal_publisher', 'Node /minimal_subscriber', 'Topic /topic'])
+      await page.locator(`.graph-box[aria-label^="${name}"]`).waitFor();
+    await page.locator('.graph-wire .graph-rate').getByText(/^[12]\.\d\d Hz$/).waitFor();
+    assert.equal(await page.locator('.graph-box').count(), 3);
+  }));
+
 test('the first view is small: page, scripts and styles under 120 kB, without what runs the nodes', () =>
   onSite({}, async (page) => {
     await page.getByText('2 of 2 running').waitFor();

@@ -83,7 +83,7 @@ Diagnostics check_launch_file(const CheckRequest& request, CheckReport& report,
     return std::any_of(report.packages.begin(), report.packages.end(),
                        [&](const LocalPackage& one) { return one.xml.name.value == package; });
   };
-  append(report.warnings, left_out_of_site(*description, is_known));
+  append(report.warnings, left_out_of_site(*description, is_known, world));
   for (const LaunchProcess& process : description->processes) {
     const std::string& package = process.node.package.value;
     if (stand_in(package, is_known)) continue;

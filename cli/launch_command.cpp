@@ -104,7 +104,7 @@ int run(Context& context, const LaunchOptions& options) {
     return std::any_of(packages->begin(), packages->end(),
                        [&](const LocalPackage& one) { return one.xml.name.value == package; });
   };
-  const Diagnostics left_out = left_out_of_site(*description, is_known);
+  const Diagnostics left_out = left_out_of_site(*description, is_known, world);
   if (options.strict && !left_out.empty())
     return context.console.fail(refused_when_strict(left_out));
   for (const Diagnostic& warning : description->warnings) context.console.report(warning);

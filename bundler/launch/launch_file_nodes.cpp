@@ -103,7 +103,7 @@ Outcome<LaunchFileNodes> launch_file_nodes(const std::string& path,
            std::any_of(installed.begin(), installed.end(),
                        [&](const auto& one) { return one.name == package; });
   };
-  append(result.warnings, left_out_of_site(*description, is_known));
+  append(result.warnings, left_out_of_site(*description, is_known, world));
 
   std::vector<LaunchProcess> processes;
   std::vector<std::size_t> numbers;  // in the description

@@ -1,7 +1,11 @@
 // See left_out.hpp.
 #include "bundler/launch/left_out.hpp"
 
+#include <algorithm>
 #include <utility>
+
+#include "bundler/launch/rviz_config.hpp"
+#include "workspace_schema/suggestion.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -20,7 +24,7 @@ constexpr StandIn kStandIns[] = {
     {"joint_state_publisher_gui", "joint_state_publisher publishes the joints' zero positions"},
     {"plotjuggler*", "the page shows the messages of topics"},
     {"rqt*", "the page shows nodes and topics"},
-    {"rviz*", "the page shows the messages of topics"},
+    {"rviz*", "the 3D view of the page stands in for it"},
     {"xterm", "a site has no windows of programs"},
 };
 
@@ -30,6 +34,28 @@ Diagnostic left_out(const std::string& what, const std::string& why, const Sourc
           .message = "`" + what + "` is left out of the site",
           .span = span,
           .why = {why}};
+}
+
+constexpr std::size_t kMostDisplays = 12;
+
+/// What of the configuration that `rviz2 -d FILE` has is shown, and where.
+std::vector<std::string> displays_of(const NodeEntry& node, const LaunchWorld& world) {
+  const auto& words = node.arguments;
+  const auto option = std::find_if(words.begin(), words.end(), [](const std::string& word) {
+    return word == "-d" || word == "--display-config";
+  });
+  if (option == words.end() || option + 1 == words.end()) return {};
+  const auto text = world.read(*(option + 1));
+  if (!text) return {};  // it may be made later, or lie where no site looks
+  const RvizDisplays displays = rviz_displays(*text);
+  std::vector<std::string> result;
+  const auto tell = [&](const std::vector<std::string>& names, const std::string& what) {
+    if (!names.empty()) result.push_back(what + ": " + name_list(names, kMostDisplays));
+  };
+  tell(displays.shown, "of what its configuration displays it shows");
+  tell(displays.elsewhere, "the panel Image shows");
+  tell(displays.missing, "the page does not show");
+  return result;
 }
 
 }  // namespace
@@ -45,15 +71,19 @@ std::optional<std::string> stand_in(const std::string& package, const IsKnownPac
   return std::nullopt;
 }
 
-Diagnostics left_out_of_site(const LaunchDescription& description, const IsKnownPackage& is_known) {
+Diagnostics left_out_of_site(const LaunchDescription& description, const IsKnownPackage& is_known,
+                             const LaunchWorld& world) {
   Diagnostics result;
   for (const LaunchLeftOut& one : description.left_out)
     result.push_back(left_out(one.what, one.instead, one.span));
   for (const LaunchProcess& process : description.processes) {
     const NodeEntry& node = process.node;
-    if (const auto instead = stand_in(node.package.value, is_known))
-      result.push_back(
-          left_out(node.package.value + "/" + node.executable.value, *instead, node.span));
+    const auto instead = stand_in(node.package.value, is_known);
+    if (!instead) continue;
+    result.push_back(
+        left_out(node.package.value + "/" + node.executable.value, *instead, node.span));
+    if (!node.package.value.starts_with("rviz")) continue;
+    for (std::string& one : displays_of(node, world)) result.back().why.push_back(std::move(one));
   }
   return result;
 }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "bundler/launch/launch_description.hpp"
+#include "bundler/launch/launch_scope.hpp"
 
 namespace ros2wasm {
 
@@ -17,9 +18,10 @@ using IsKnownPackage = std::function<bool(const std::string& package)>;
 [[nodiscard]] std::optional<std::string> stand_in(const std::string& package,
                                                   const IsKnownPackage& is_known);
 
-/// A warning (R2W0415) each.
+/// A warning (R2W0415) each. Of rviz2 it says what its configuration displays, when `world` has it.
 [[nodiscard]] Diagnostics left_out_of_site(const LaunchDescription& description,
-                                           const IsKnownPackage& is_known);
+                                           const IsKnownPackage& is_known,
+                                           const LaunchWorld& world);
 
 /// These warnings as errors: of `--strict`.
 [[nodiscard]] Diagnostics refused_when_strict(const Diagnostics& warnings);

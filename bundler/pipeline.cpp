@@ -34,6 +34,7 @@
 #include "bundler/workspace/channel_request.hpp"
 #include "bundler/workspace/default_manifest.hpp"
 #include "bundler/workspace/discovery.hpp"
+#include "bundler/workspace/page_text.hpp"
 #include "bundler/workspace/workspace_channels.hpp"
 #include "workspace_schema/diagnostic_list.hpp"
 #include "workspace_schema/manifest_reader.hpp"
@@ -149,6 +150,11 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
   if (!read) return std::move(read).errors();
   BuiltWorkspace workspace = std::move(read).value();
   const Manifest& manifest = workspace.manifest;
+
+  if (manifest.ui_text) {  // told before anything is built
+    if (const auto text = read_page_text(workspace.folder, *manifest.ui_text); !text)
+      return text.errors();
+  }
 
   // 2. the packages of the workspace, and the order of building them
   auto packages = discover_packages(workspace.folder, workspace.shown_folder, manifest.packages,
@@ -397,7 +403,14 @@ Outcome<SitePlan> plan(const PackRequest& request, BuiltWorkspace& workspace, La
                   .shared = {},
                   .packages = {},
                   .python = {},
-                  .python_index = {}};
+                  .python_index = {},
+                  .text = {}};
+  if (workspace.manifest.ui_text) {
+    auto text = read_page_text(workspace.folder, *workspace.manifest.ui_text);
+    if (!text) return std::move(text).errors();
+    for (const PageFile& file : *text) workspace.watched.push_back(workspace.folder / file.path);
+    input.text = std::move(*text);
+  }
   const auto read = [&](const std::vector<LaunchNode>& nodes) {
     return read_programs(request, workspace, nodes, input, cancellation);
   };

@@ -17,6 +17,7 @@
 #include "bundler/launch_tools.hpp"
 #include "bundler/workspace/build_order.hpp"
 #include "bundler/workspace/channel_request.hpp"
+#include "bundler/workspace/page_text.hpp"
 #include "bundler/workspace/workspace_channels.hpp"
 #include "workspace_schema/diagnostic_list.hpp"
 #include "workspace_schema/manifest_reader.hpp"
@@ -119,6 +120,10 @@ Outcome<CheckReport> check_workspace(const CheckRequest& request,
   const auto order = order_packages(report.packages, report.manifest.distro);
   if (!order) append(errors, order.errors());
   append(errors, check_parameters(report.manifest, folder));
+  if (report.manifest.ui_text) {
+    const auto page_text = read_page_text(folder, *report.manifest.ui_text);
+    if (!page_text) append(errors, page_text.errors());
+  }
   append(errors, check_launch_file(request, report, folder, cancellation));
 
   Manifest asked = report.manifest;  // the report keeps the dependencies as they are written

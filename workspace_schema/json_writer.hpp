@@ -25,6 +25,8 @@ class JsonWriter {
   JsonWriter& number(double number);
   /// A number whose digits the caller made.
   JsonWriter& raw_number(std::string_view digits);
+  /// A whole value that another writer made.
+  JsonWriter& raw_value(std::string_view json) { return raw_number(json); }
   JsonWriter& boolean(bool value);
   JsonWriter& null();
 

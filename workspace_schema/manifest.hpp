@@ -148,9 +148,11 @@ struct Manifest {
   std::vector<GivenArgument> launch_arguments;  ///< for the launch file, in the written order
   std::vector<NodeEntry> nodes;
   std::vector<CheckEntry> checks;
-  std::map<std::string, std::string> ui;    ///< scalar options of `ui:` (theme, layout ...)
-  std::map<std::string, std::string> site;  ///< scalar options of `site:`
-  std::vector<Diagnostic> warnings;         ///< found while reading; show them, then go on
+  std::map<std::string, std::string> ui;  ///< scalar options of `ui:` (theme, autostart)
+  std::string ui_layout;  ///< `ui: layout:` as one line of JSON; empty: the page's own
+  std::optional<Spanned<std::string>> ui_text;  ///< Markdown file of the text panel
+  std::map<std::string, std::string> site;      ///< scalar options of `site:`
+  std::vector<Diagnostic> warnings;             ///< found while reading; show them, then go on
 };
 
 }  // namespace ros2wasm

@@ -176,6 +176,9 @@ std::string manifest_json(const Manifest& manifest) {
        {std::pair("ui", &manifest.ui), std::pair("site", &manifest.site)}) {
     json.key(key).begin_object();
     for (const auto& [name, value] : *options) json.field(name, value);
+    if (options == &manifest.ui && !manifest.ui_layout.empty())
+      json.key("layout").raw_value(manifest.ui_layout);
+    if (options == &manifest.ui && manifest.ui_text) json.field("text", manifest.ui_text->value);
     json.end_object();
   }
   json.end_object();

@@ -9,6 +9,7 @@
 #include "workspace_schema/manifest_checks.hpp"
 #include "workspace_schema/manifest_launch.hpp"
 #include "workspace_schema/match_spec.hpp"
+#include "workspace_schema/page_layout.hpp"
 #include "workspace_schema/suggestion.hpp"
 #include "workspace_schema/yaml_scalar.hpp"
 
@@ -133,9 +134,15 @@ class Reader {
         if (auto check = read_check(binder_, item)) manifest_.checks.push_back(*std::move(check));
       });
     }
-    if (const YamlNode* node = given("ui")) read_options(*node, "ui", ui_options(), manifest_.ui);
+    if (const YamlNode* node = given("ui")) {
+      read_options(*node, "ui", ui_options(), {"layout", "text"}, manifest_.ui);
+      if (const YamlNode* layout = value_of(*node, "layout"))
+        manifest_.ui_layout = read_page_layout(binder_, *layout);
+      if (const YamlNode* text = value_of(*node, "text"))
+        manifest_.ui_text = binder_.path(*text, "text");
+    }
     if (const YamlNode* node = given("site"))
-      read_options(*node, "site", site_options(), manifest_.site);
+      read_options(*node, "site", site_options(), {}, manifest_.site);
     return std::move(manifest_);
   }
 
@@ -313,11 +320,13 @@ class Reader {
     read_launch(binder_, *node, manifest_);
   }
 
+  /// `others` are keys that the caller reads.
   void read_options(const YamlNode& node, const std::string& what,
-                    const std::vector<OptionRow>& rows,
+                    const std::vector<OptionRow>& rows, const std::vector<std::string_view>& others,
                     std::map<std::string, std::string>& target) {
     std::vector<KeyRow> keys;
     for (const OptionRow& row : rows) keys.push_back({.name = row.name, .also_called = {}});
+    for (const std::string_view other : others) keys.push_back({.name = other, .also_called = {}});
     if (!binder_.mapping(node, "`" + what + "`", keys)) {
       binder_.wrong_type(node, what, "a mapping");
       return;

@@ -63,6 +63,10 @@ std::string reason_of_asset(std::string_view role) {
 
 }  // namespace
 
+std::string page_text_path(const std::string& path) {
+  return "text/" + std::filesystem::path(path).lexically_normal().generic_string();
+}
+
 Outcome<SitePlan> plan_site(PlanInput input) {
   SitePlan plan;
   Diagnostics errors;
@@ -95,6 +99,8 @@ Outcome<SitePlan> plan_site(PlanInput input) {
     }
     add(plan, asset.file, reason_of_asset(asset.role), std::move(asset.bytes));
   }
+  for (PageFile& file : input.text)
+    add(plan, page_text_path(file.path), "`ui: text:` of the manifest", std::move(file.bytes));
   std::map<std::string, bool> threads_of;
   plan.steps = std::move(input.steps);
   for (const LaunchNode& node : input.nodes) {

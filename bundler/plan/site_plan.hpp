@@ -71,6 +71,15 @@ struct RuntimeAsset {
   std::string bytes;
 };
 
+/// A file of the workspace that the page shows.
+struct PageFile {
+  std::string path;  ///< relative to the manifest, with `/`, within its folder
+  std::string bytes;
+};
+
+/// Where the site has it: below `text/`.
+[[nodiscard]] std::string page_text_path(const std::string& path);
+
 /// What the plan is made of.
 struct PlanInput {
   const Manifest& manifest;
@@ -86,6 +95,7 @@ struct PlanInput {
   std::vector<std::string> packages;      ///< of the workspace
   PythonInput python;                     ///< empty without Python nodes
   std::vector<std::string> python_index;  ///< all packages that Python nodes can find
+  std::vector<PageFile> text;             ///< the Markdown of the text panel and its images
 };
 
 /// R2W0606 a program is not WebAssembly, R2W0430 a check names a node that is not there.

@@ -24,16 +24,17 @@ void write_checks(JsonWriter& json, const std::vector<CheckEntry>& checks) {
   json.end_array();
 }
 
-void write_options(JsonWriter& json, std::string_view name,
-                   const std::map<std::string, std::string>& options) {
-  json.key(name).begin_object();
-  for (const auto& [key, value] : options) {
+void write_ui(JsonWriter& json, const Manifest& manifest) {
+  json.key("ui").begin_object();
+  for (const auto& [key, value] : manifest.ui) {
     if (value == "true" || value == "false") {
       json.field_boolean(key, value == "true");
     } else {
       json.field(key, value);
     }
   }
+  if (!manifest.ui_layout.empty()) json.key("layout").raw_value(manifest.ui_layout);
+  if (manifest.ui_text) json.field("text", page_text_path(manifest.ui_text->value));
   json.end_object();
 }
 
@@ -78,7 +79,7 @@ std::string site_json(const Manifest& manifest, const SitePlan& plan) {
   for (const std::string& package : plan.packages) json.string(package);
   json.end_array();
   write_checks(json, plan.checks);
-  write_options(json, "ui", manifest.ui);
+  write_ui(json, manifest);
   json.key("files").begin_array();
   for (const PlannedFile& file : plan.files) {
     json.begin_object().field("path", file.path);

@@ -229,6 +229,7 @@ async function world(): Promise<FakeSession> {
 async function turtles(): Promise<FakeSession> {
   const fake = new FakeSession({
     nodes: [{ executable: 'turtlesim_node', package: 'turtlesim' }],
+    checks: [{ title: '', aim: { kind: 'rate', topic: '/turtle1/pose' }, withinMs: 10_000 }],
     interfaces: new Map([
       ['turtlesim_scene/msg/Scene', 'uint16 width\nuint16 height\nfloat32 meter\nuint8[3] background\nTurtle[] turtles\nuint32 picture\nuint32 first\nStroke[] strokes\n'],
       ['turtlesim_scene/msg/Turtle', 'string name\nfloat32 x\nfloat32 y\nfloat32 theta\nuint8 shape\nuint8[3] pen\nuint8 pen_width\nbool pen_on\n'],

@@ -23,14 +23,21 @@ const kAlone = `#layout=${encodeURIComponent(JSON.stringify('turtlesim'))}`;
 
 const kTabs = `#layout=${encodeURIComponent(JSON.stringify({ tabs: ['turtlesim', 'nodes'] }))}`;
 
+const scratch = new Scratch();
 let stage: PageStage;
 
 before(async () => {
   stage = await PageStage.open();
   mkdirSync(kOutput, { recursive: true });
+  cpSync(kExample, join(scratch.path, 'example'), { recursive: true });
+  const packed = await runCli(['pack', join(scratch.path, 'example/workspace.yaml'), '-o', join(scratch.path, 'site')]);
+  assert.equal(packed.code, 0, packed.errors);
 });
 
-after(() => stage.close());
+after(async () => {
+  await stage.close();
+  scratch[Symbol.dispose]();
+});
 
 type Rgb = readonly [number, number, number];
 
@@ -188,6 +195,20 @@ test('while time is held the panel says so, and without a simulator too', () =>
     await page.getByText('No turtle simulator runs.').waitFor();
   }));
 
+test('a site with a simulator and checks has both in its usual layout, and a phone shows the turtle first', async () => {
+  await stage.on('turtles', {}, async (page) => {
+    await begin(page, { turtles: kOne });
+    await drawing(page, /turtle1/).waitFor();
+    assert.deepEqual(await page.getByRole('tab').allInnerTexts(), ['Nodes', 'Checks', 'Turtlesim', 'Consoles', 'Topics']);
+    await page.screenshot({ path: join(kOutput, 'turtlesim_usual.png') });
+  });
+  await stage.on('turtles', phone, async (page) => {
+    await begin(page, { turtles: kOne });
+    await drawing(page, /turtle1/).waitFor();
+    assert.equal(await page.getByRole('tab', { selected: true }).innerText(), 'Turtlesim');
+  });
+});
+
 for (const colorScheme of ['light', 'dark'] as const) {
   test(`axe finds nothing, on a narrow phone too, ${colorScheme}`, () =>
     stage.on(`turtles${kAlone}`, { colorScheme, reducedMotion: 'reduce' }, async (page) => {
@@ -201,12 +222,8 @@ for (const colorScheme of ['light', 'dark'] as const) {
     }));
 }
 
-/** Example 03, packed and open at that layout. Fails on any trouble of the page. */
+/** Example 03, open at that address. Fails on any trouble of the page. */
 async function onExample(options: BrowserContextOptions, fragment: string, body: (page: Page) => Promise<void>): Promise<void> {
-  using scratch = new Scratch();
-  cpSync(kExample, join(scratch.path, 'example'), { recursive: true });
-  const packed = await runCli(['pack', join(scratch.path, 'example/workspace.yaml'), '-o', join(scratch.path, 'site')]);
-  assert.equal(packed.code, 0, packed.errors);
   const served = await serveFolder(join(scratch.path, 'site'));
   const context = await stage.browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
   const page = await context.newPage();
@@ -223,6 +240,23 @@ async function onExample(options: BrowserContextOptions, fragment: string, body:
     await served.close();
   }
 }
+
+test('example 03 opens as its manifest says: beside its lab sheet, and on a phone with the turtle', async () => {
+  await onExample({ viewport: { width: 1440, height: 900 } }, '', async (page) => {
+    await page.getByRole('heading', { name: 'Drive a turtle' }).waitFor();
+    await drawing(page, /turtle1 at x 5\.5/).waitFor();
+    await page.locator('.panel-checks').getByText('2 of 2 checks passed').waitFor();
+    await page.getByRole('link', { name: 'publish one' }).or(page.getByRole('button', { name: 'publish one' })).click();
+    await page.waitForFunction(() => !/heading 0°/.test(document.querySelector('.turtle-sheet')?.getAttribute('aria-label') ?? 'heading 0°'));
+    await expectAccessible(page);
+    await page.screenshot({ path: join(kOutput, 'turtlesim_example.png') });
+  });
+  await onExample({ ...phone, hasTouch: true, isMobile: true }, '', async (page) => {
+    await drawing(page, /turtle1 at x 5\.5/).waitFor();
+    await page.getByRole('button', { name: 'Drive turtle1 forward' }).tap();
+    await drawing(page, /turtle1 at x [67]\.\d/).waitFor();
+  });
+});
 
 /** Where the drawing says that turtle1 is. */
 async function pose(page: Page): Promise<readonly number[]> {

@@ -98,7 +98,7 @@ describe('init', WATCHDOG, () => {
     paper: '\\[walk\\]: after 400 steps the mean squared distance is (3[6-9]|4[0-3])\\d\\.\\d\\d',
   };
   for (const [template, seen] of Object.entries(templates)) {
-    test(`a new workspace of template ${template} packs without a warning and runs at once`, async () => {
+    test(`a new workspace of template ${template} packs without a warning, runs at once and passes its checks`, async () => {
       const folder = join(scratch.path, `my_${template}`);
       assert.equal((await runCli(['init', template, folder])).code, 0);
       const out = join(scratch.path, `${template}_site`);
@@ -107,6 +107,9 @@ describe('init', WATCHDOG, () => {
       assert.doesNotMatch(packed.errors, /R2W/);
       const ended = await runCli(['run', out, '--until', seen, '--for', '120s']);
       assert.equal(ended.code, 0, `${ended.output}${ended.errors}`);
+      const checked = await runCli(['run', out, '--checks', '--stepped']);
+      assert.equal(checked.code, 0, `${checked.output}${checked.errors}`);
+      assert.match(checked.errors, /^\[check\] passed: /m);
     });
   }
 

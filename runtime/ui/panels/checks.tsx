@@ -43,11 +43,15 @@ export function ChecksPanel({ session, announce }: PanelProps) {
       }
     >
       {views.length === 0 ? <p class="hint">{texts.checks.none}</p> : null}
-      <ul class="nodes" role="list">
-        {views.map((view) => (
-          <CheckRow view={view} />
-        ))}
-      </ul>
+      {views.length === 0 ? null : (
+        <div class="checks" role="group" aria-label={texts.panels.checks} tabIndex={0}>
+          <ul class="nodes" role="list">
+            {views.map((view) => (
+              <CheckRow view={view} />
+            ))}
+          </ul>
+        </div>
+      )}
     </PanelFrame>
   );
 }

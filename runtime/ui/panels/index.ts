@@ -1,5 +1,6 @@
 // The panels of the page, one row each, in the order of the "+" menu.
 
+import type { SiteDescription } from '../../wasm_js/session.ts';
 import { texts } from '../texts.ts';
 import { ConsolePanel } from './console.tsx';
 import { NodesPanel } from './nodes.tsx';
@@ -70,6 +71,7 @@ export const panels: readonly PanelRow[] = [
     id: 'checks',
     title: texts.panels.checks,
     icon: 'check',
+    usual: { place: 'list', when: (site) => site.checks.length > 0 },
     source: { kind: 'lazy', load: () => import('./checks.tsx').then((file) => file.ChecksPanel) },
   },
   {
@@ -102,6 +104,7 @@ export const panels: readonly PanelRow[] = [
     id: 'text',
     title: texts.panels.text,
     icon: 'text',
+    usual: { place: 'guide', when: (site) => typeof site.ui['text'] === 'string' },
     source: { kind: 'lazy', load: () => import('./text.tsx').then((file) => file.TextPanel) },
   },
   {
@@ -146,6 +149,11 @@ export const panels: readonly PanelRow[] = [
     title: texts.panels.turtlesim,
     icon: 'turtle',
     many: true,
+    usual: {
+      place: 'stage',
+      when: (site) =>
+        site.nodes.some((node) => node.package === 'turtlesim' && node.executable === 'turtlesim_node'),
+    },
     source: { kind: 'lazy', load: () => import('./turtlesim.tsx').then((file) => file.TurtlesimPanel) },
   },
 ];
@@ -154,19 +162,32 @@ export function panelRow(id: string): PanelRow | undefined {
   return panels.find((row) => row.id === id);
 }
 
-/** The usual layout, in the form of model/layout_text.ts: for a wide page, or one with room for two columns. */
-export function usualLayout(wide: boolean, hasText: boolean): unknown {
+/** The usual layout of a site, in the form of model/layout_text.ts: for a wide page, or one with room for two columns. */
+export function usualLayout(wide: boolean, site: SiteDescription): unknown {
+  const placed = (place: 'guide' | 'stage' | 'list'): readonly string[] =>
+    panels
+      .filter(({ usual }) => usual?.place === place && usual.when(site))
+      .map(({ id }) => id);
+  const guide = placed('guide');
+  const stage = placed('stage');
+  const list = ['nodes', ...placed('list')];
+  const seen = column([...stage, 'console'], 3, 2);
   if (!wide)
     return {
-      row: [{ column: [...(hasText ? ['text'] : []), 'nodes', 'topics'] }, 'console'],
+      row: [column([...guide, ...list, 'topics']), seen],
       sizes: [2, 3],
-      shown: hasText ? 'text' : 'console',
+      shown: guide[0] ?? stage[0] ?? 'console',
     };
-  if (hasText)
-    return {
-      row: ['text', { column: ['nodes', 'console'], sizes: [1, 2] }, 'topics'],
-      sizes: [33, 42, 25],
-      shown: 'text',
-    };
-  return { row: ['nodes', 'console', 'topics'], sizes: [19, 56, 25], shown: 'console' };
+  const shown = stage[0] ?? guide[0] ?? 'console';
+  if (guide.length === 0) return { row: [column(list), seen, 'topics'], sizes: [19, 56, 25], shown };
+  const middle = stage.length === 0 ? column([...list, 'console'], 1, 2) : seen;
+  const right = stage.length === 0 ? 'topics' : column([...list, 'topics']);
+  return { row: [column(guide), middle, right], sizes: [33, 42, 25], shown };
+}
+
+/** Below each other, each of that size and the last one of its own. */
+function column(panes: readonly string[], each = 1, last = 1): unknown {
+  return panes.length === 1
+    ? panes[0]
+    : { column: panes, sizes: panes.map((_, index) => (index === panes.length - 1 ? last : each)) };
 }

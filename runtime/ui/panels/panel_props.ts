@@ -1,7 +1,7 @@
 // What a panel is given, and what makes one: a panel is one file here and one row in index.ts.
 
 import type { ComponentType } from 'preact';
-import type { Session } from '../../wasm_js/session.ts';
+import type { Session, SiteDescription } from '../../wasm_js/session.ts';
 import type { Json } from '../model/json.ts';
 import type { Store } from '../model/preferences.ts';
 import type { IconName } from '../parts/icon.tsx';
@@ -44,6 +44,11 @@ export interface PanelRow {
   readonly many?: boolean;
   /** Goes on while another tab is in front of it, once it was seen. */
   readonly keeps?: boolean;
+  /** Part of the usual layout of some sites: a text to read first, something to look at above the consoles, or a list. */
+  readonly usual?: {
+    readonly place: 'guide' | 'stage' | 'list';
+    readonly when: (site: SiteDescription) => boolean;
+  };
   /** Part of the first view; or loaded when the panel is opened. */
   readonly source:
     | { readonly kind: 'ready'; readonly component: PanelComponent }

@@ -46,8 +46,7 @@ export function useLayout(
   const name = useMemo(() => `layout.${new URL('.', document.baseURI).pathname}`, []);
   const usual = useMemo((): Layout => {
     const author = readLayout(session.site.ui['layout'], isKnown).layout;
-    const hasText = typeof session.site.ui['text'] === 'string';
-    return author ?? readLayout(usualLayout(wide, hasText), isKnown).layout ?? kNothing;
+    return author ?? readLayout(usualLayout(wide, session.site), isKnown).layout ?? kNothing;
   }, [session, wide]);
   // null: the visitor has changed nothing, so the usual layout follows the width.
   const [chosen, setChosen] = useState<Layout | null>(

@@ -69,6 +69,7 @@ export interface FakeOptions {
   readonly interfaces?: ReadonlyMap<string, string>;
   readonly launchSteps?: SiteDescription['launchSteps'];
   readonly ui?: Readonly<Record<string, unknown>>;
+  readonly checks?: SiteDescription['checks'];
   /** Paths of files of the site, beside the page's own. */
   readonly files?: readonly string[];
 }
@@ -204,7 +205,7 @@ export class FakeSession implements Session {
       license: 'Apache-2.0',
       authors: (options.authors ?? ['Ada Example']).map((name) => ({ name })),
       nodes,
-      checks: [],
+      checks: options.checks ?? [],
       launchSteps: options.launchSteps ?? [],
       packages: [], interfaces: 'interfaces.json',
       ui: options.ui ?? {},

@@ -1,0 +1,198 @@
+// See page_text.hpp.
+#include "bundler/workspace/page_text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <optional>
+
+#include "bundler/io/files.hpp"
+
+namespace ros2wasm {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::size_t kMostText = std::size_t{1} << 20;
+constexpr std::size_t kMostBytes = std::size_t{16} << 20;
+constexpr std::array<std::string_view, 6> kImages{".png", ".jpg", ".jpeg", ".gif", ".svg", ".webp"};
+
+/// `%20` and the like; nothing for a broken one, or for a byte that no name has.
+std::optional<std::string> percent_decoded(std::string_view text) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '%') {
+      out += text[i];
+      continue;
+    }
+    const auto digit = [&](std::size_t at) {
+      if (at >= text.size()) return -1;
+      const char c = text[at];
+      if (c >= '0' && c <= '9') return c - '0';
+      if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+      if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+      return -1;
+    };
+    const int high = digit(i + 1);
+    const int low = digit(i + 2);
+    if (high < 0 || low < 0) return std::nullopt;
+    const int byte = high * 16 + low;
+    if (byte < 0x20 || byte == 0x7f) return std::nullopt;
+    out += static_cast<char>(byte);
+    i += 2;
+  }
+  return out;
+}
+
+/// `https:`, `data:`, `//host`, `/root`, `#place`: nothing of the workspace's folder.
+bool is_address(std::string_view path) {
+  if (path.empty() || path.front() == '/' || path.front() == '#' || path.front() == '?')
+    return true;
+  const std::size_t colon = path.find(':');
+  return colon != std::string_view::npos && path.find('/') > colon;
+}
+
+/// The line without its code spans: their text, and nothing else, is blanked.
+std::string without_code_spans(std::string_view line) {
+  std::string out(line);
+  for (std::size_t i = 0; i < out.size();) {
+    if (out[i] != '`') {
+      ++i;
+      continue;
+    }
+    std::size_t ticks = i;
+    while (ticks < out.size() && out[ticks] == '`') ++ticks;
+    const std::size_t length = ticks - i;
+    std::size_t end = ticks;
+    while (end < out.size()) {
+      if (out[end] != '`') {
+        ++end;
+        continue;
+      }
+      std::size_t close = end;
+      while (close < out.size() && out[close] == '`') ++close;
+      if (close - end == length) break;
+      end = close;
+    }
+    if (end >= out.size()) {
+      i = ticks;
+      continue;
+    }
+    std::fill(out.begin() + static_cast<std::ptrdiff_t>(i),
+              out.begin() + static_cast<std::ptrdiff_t>(end + length), ' ');
+    i = end + length;
+  }
+  return out;
+}
+
+/// The mark of a fenced block at the beginning of a line: "```" or more, "~~~" or more.
+std::string_view fence_of(std::string_view line) {
+  const std::size_t begin = line.find_first_not_of(' ');
+  if (begin == std::string_view::npos || begin > 3) return {};
+  const char mark = line[begin];
+  if (mark != '`' && mark != '~') return {};
+  std::size_t end = begin;
+  while (end < line.size() && line[end] == mark) ++end;
+  return end - begin >= 3 ? line.substr(begin, end - begin) : std::string_view();
+}
+
+void images_of_line(std::string_view line, std::vector<std::string>& found) {
+  const std::string text = without_code_spans(line);
+  for (std::size_t at = text.find("!["); at != std::string::npos; at = text.find("![", at + 2)) {
+    if (at > 0 && text[at - 1] == '\\') continue;
+    const std::size_t words = text.find(']', at + 2);
+    if (words == std::string::npos) return;
+    if (words + 1 >= text.size() || text[words + 1] != '(') continue;
+    const std::size_t end = text.find_first_of(" \t)", words + 2);
+    if (end == std::string::npos) continue;
+    std::string_view path = std::string_view(text).substr(words + 2, end - words - 2);
+    if (text[end] != ')') {  // only a title may follow
+      const std::size_t quote = text.find_first_not_of(" \t", end);
+      if (quote == std::string::npos || (text[quote] != '"' && text[quote] != ')')) continue;
+    }
+    if (is_address(path)) continue;
+    path = path.substr(0, path.find_first_of("?#"));
+    auto decoded = percent_decoded(path);
+    if (!decoded || decoded->empty()) continue;
+    if (std::find(found.begin(), found.end(), *decoded) == found.end())
+      found.push_back(std::move(*decoded));
+  }
+}
+
+Diagnostic refused(const Spanned<std::string>& file, const std::string& path, std::string why) {
+  return Diagnostic{.code = "R2W0118",
+                    .message = "`" + path + "` cannot be part of the page",
+                    .span = file.span,
+                    .label = path == file.value ? "" : "named in this file",
+                    .why = {std::move(why)}};
+}
+
+}  // namespace
+
+std::vector<std::string> markdown_images(std::string_view markdown) {
+  std::vector<std::string> found;
+  std::string fence;
+  while (!markdown.empty()) {
+    const std::size_t end = std::min(markdown.find('\n'), markdown.size());
+    const std::string_view line = markdown.substr(0, end);
+    markdown.remove_prefix(std::min(end + 1, markdown.size()));
+    const std::string_view mark = fence_of(line);
+    if (!fence.empty()) {
+      if (!mark.empty() && mark.front() == fence.front() && mark.size() >= fence.size())
+        fence.clear();
+      continue;
+    }
+    if (!mark.empty()) {
+      fence = mark;
+      continue;
+    }
+    images_of_line(line, found);
+  }
+  return found;
+}
+
+Outcome<std::vector<PageFile>> read_page_text(const fs::path& folder,
+                                              const Spanned<std::string>& file) {
+  std::vector<PageFile> files;
+  std::size_t size = 0;
+  const auto take = [&](const fs::path& relative, bool image) -> std::optional<Diagnostic> {
+    const fs::path clean = relative.lexically_normal();
+    const std::string path = clean.generic_string();
+    if (clean.is_absolute() || path.empty() || *clean.begin() == "..")
+      return refused(file, path, "it is not in the folder of the manifest");
+    std::string ending = clean.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (image && std::find(kImages.begin(), kImages.end(), ending) == kImages.end())
+      return refused(file, path, "the page shows png, jpg, gif, svg and webp");
+    const auto known = std::any_of(files.begin(), files.end(),
+                                   [&](const PageFile& one) { return one.path == path; });
+    if (known) return std::nullopt;
+    const auto real = path_within(folder, folder / clean);
+    std::error_code error;
+    if (!real || !fs::is_regular_file(*real, error)) {
+      const bool there = fs::exists(folder / clean, error);
+      return refused(file, path,
+                     there ? "it is a link out of the folder of the manifest, or no file"
+                           : "there is no such file in the folder of the manifest");
+    }
+    const std::size_t most = image ? kMostBytes : kMostText;
+    if (size + fs::file_size(*real, error) > most)
+      return refused(file, path,
+                     image ? "the text and its images have more than 16 MiB together"
+                           : "the text has more than 1 MiB");
+    auto bytes = read_file(*real);
+    if (!bytes) return bytes.errors().front();
+    size += bytes->size();
+    files.push_back({.path = path, .bytes = std::move(*bytes)});
+    return std::nullopt;
+  };
+  if (auto problem = take(fs::path(file.value), false)) return *std::move(problem);
+  const fs::path beside = fs::path(files.front().path).parent_path();
+  Diagnostics problems;
+  for (const std::string& image : markdown_images(std::string(files.front().bytes)))
+    if (auto problem = take(beside / fs::path(image), true)) problems.push_back(*problem);
+  if (!problems.empty()) return problems;
+  return files;
+}
+
+}  // namespace ros2wasm

@@ -51,9 +51,7 @@ test('the page shows the arm, which goes where a parameter says and turns to a g
   const troubles: string[] = [];
   page.on('console', (message) => { if (message.type() === 'error') troubles.push(message.text()); });
   page.on('pageerror', (error) => troubles.push(error.message));
-  const view = { view: { distance: 2.4, z: 0.5, azimuth: 0.9 }, names: false, list: false };
-  const layout = { row: [{ column: ['parameters', 'console'] }, { scene: view }], sizes: [2, 3] };
-  await page.goto(`${server.url}#layout=${encodeURIComponent(JSON.stringify(layout))}`);
+  await page.goto(server.url);
   await page.getByText('8 frames', { exact: true }).waitFor();
   const canvas = page.locator('.scene-canvas');
   // It waves: the picture changes again and again.

@@ -2,6 +2,7 @@
 // and where no service worker may run. Each time a message is heard, nothing leaves the site, and a
 // node's worker can neither run text as code nor reach another host.
 import assert from 'node:assert/strict';
+import { createHash } from 'node:crypto';
 import { cpSync, readFileSync, writeFileSync } from 'node:fs';
 import { type IncomingMessage, createServer } from 'node:http';
 import type { AddressInfo } from 'node:net';
@@ -50,12 +51,19 @@ function probeScript(foreignUrl: string, mark: string): string {
 `;
 }
 
-/** A copy of the site whose node workers run the probe first. */
+/** A copy of the site whose node workers run the probe first, as its list of files says. */
 function probedCopy(from: string, foreignUrl: string): string {
   const folder = join(scratch.path, 'probed');
   cpSync(from, folder, { recursive: true });
-  const script = join(folder, 'node_worker.js');
-  writeFileSync(script, probeScript(foreignUrl, 'node') + readFileSync(script, 'utf8'));
+  const name = 'node_worker.js';
+  const script = probeScript(foreignUrl, 'node') + readFileSync(join(folder, name), 'utf8');
+  writeFileSync(join(folder, name), script);
+  const list = join(folder, 'site.json');
+  const json = JSON.parse(readFileSync(list, 'utf8')) as { files: { path: string; size: number; sha256: string }[] };
+  const entry = json.files.find(({ path }) => path === name) ?? assert.fail();
+  entry.size = Buffer.byteLength(script);
+  entry.sha256 = createHash('sha256').update(script).digest('hex');
+  writeFileSync(list, JSON.stringify(json));
   return folder;
 }
 
@@ -123,7 +131,10 @@ async function visit(options: BrowserContextOptions = {}): Promise<Visit> {
   const requests: string[] = [];
   let loads = 0;
   context.on('request', (request) => requests.push(request.url()));
-  page.on('domcontentloaded', () => (loads += 1));
+  // A page that is loaded again at once may never be complete the first time.
+  page.on('request', (request) => {
+    if (request.isNavigationRequest() && request.frame() === page.mainFrame()) loads += 1;
+  });
   await page.addInitScript((channel) => {
     const found: unknown[] = [];
     Object.assign(globalThis, { found });

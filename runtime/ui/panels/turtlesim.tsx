@@ -1,7 +1,7 @@
 // The window of a turtle simulator: its sheet with turtles and strokes. Arrow keys and a pad drive a turtle, as
 // turtle_teleop_key does. State: {node, turtle}.
 
-import { useEffect, useRef, useState } from 'preact/hooks';
+import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks';
 import type { Session } from '../../wasm_js/session.ts';
 import type { Codec } from '../../decode/codec.ts';
 import { textMember } from '../model/json.ts';
@@ -79,8 +79,9 @@ export function TurtlesimPanel({ session, state, setState }: PanelProps) {
   }, [session, ready, node]);
   useEffect(() => sheet.current?.mark(turtle), [turtle, node, ready]);
 
-  // Keys that nobody else is there for drive, too: whoever opens the page can begin at once.
-  useEffect(() => {
+  // Keys that nobody else is there for drive, too: whoever opens the page can begin at once. Heard from the moment on in
+  // which the words beside the pad say so.
+  useLayoutEffect(() => {
     const press = (event: KeyboardEvent): void => {
       const at = document.activeElement;
       if (at === null || at === document.body || frame.current?.contains(at) === true) drive.key(event);

@@ -21,7 +21,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 
 # More failures in one suite than this are no accident: nothing is run again.
-SECOND_TRIES = 4
+SECOND_TRIES = 8
 
 
 @dataclass(frozen=True)

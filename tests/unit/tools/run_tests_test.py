@@ -8,7 +8,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from tests.tools.run_tests import Counts, Suite, run
+from tests.tools.run_tests import SECOND_TRIES, Counts, Suite, run
 
 # Fails as long as there are fewer than `needed` lines in the file beside it, and adds one.
 FAILS_AT_FIRST = """
@@ -54,8 +54,9 @@ class SecondTryTest(unittest.TestCase):
         self.assertIn("2 failed", printed)
 
     def test_many_failures_are_no_accident(self) -> None:
-        counts, printed = self.outcome({f"shaky_{n}": 1 for n in range(5)})
-        self.assertEqual((counts.passed, counts.failed), (5, 5))
+        many = SECOND_TRIES + 1
+        counts, printed = self.outcome({f"shaky_{n}": 1 for n in range(many)})
+        self.assertEqual((counts.passed, counts.failed), (many, many))
         self.assertNotIn("once more", printed)
 
 

@@ -106,11 +106,12 @@ test('every stepped run of a seed decides at the same times', watchdog, async ()
   const decided = async (): Promise<Json[]> => {
     const { code, out, err } = await run([site, '--checks', '--stepped', '--json']);
     assert.equal(code, 1, err);
-    return out.trim().split('\n').map((line) => JSON.parse(line) as Json).filter(({ event }) => event === 'check')
+    const events = out.trim().split('\n').map((line) => JSON.parse(line) as Json).filter(({ event }) => event === 'check')
       .sort((a, b) => Number(a['index']) - Number(b['index']));
+    assert.equal(events.length, 4, `${out}\n${err}`);
+    return events;
   };
   const [first, second] = await Promise.all([decided(), decided()]);
-  assert.equal(first.length, 4);
   // Lines are told with the frames of the page, which are not of the site's time.
   const plain = (events: readonly Json[]): unknown[] => events.slice(1, 3).map(({ state, afterMs, seen }) => ({ state, afterMs, seen }));
   assert.deepEqual(plain(first), plain(second));

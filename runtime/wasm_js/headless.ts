@@ -252,20 +252,27 @@ export async function runHeadless(options: Options, entry: URL): Promise<number>
   return code;
 }
 
+/** Once all that was printed has gone out: a pipe takes only so much at a time, and exit() drops the rest. */
+async function leave(code: number): Promise<never> {
+  const gone = (stream: NodeJS.WriteStream): Promise<void> => new Promise((done) => void stream.write('', () => done()));
+  await Promise.all([gone(process.stdout), gone(process.stderr)]);
+  process.exit(code);
+}
+
 async function main(): Promise<void> {
   let options: Options;
   try {
     options = parseOptions(process.argv.slice(2));
   } catch (error) {
     process.stderr.write(`${error instanceof Error ? error.message : String(error)}\n${usage}\n`);
-    process.exit(2);
+    return await leave(2);
   }
   try {
-    process.exit(await runHeadless(options, new URL(import.meta.url)));
+    await leave(await runHeadless(options, new URL(import.meta.url)));
   } catch (error) {
     if (!(error instanceof SiteError)) throw error;
     process.stderr.write(siteErrorText(error));
-    process.exit(1);
+    await leave(1);
   }
 }
 

@@ -2,7 +2,7 @@
 // nodes, runs the command and ends with its exit code. The nodes' own output is not shown.
 
 import { isMainThread } from 'node:worker_threads';
-import { openHeadless, serveHeadlessWorker, siteErrorText } from '../wasm_js/headless_session.ts';
+import { exitWhenPrinted, openHeadless, serveHeadlessWorker, siteErrorText } from '../wasm_js/headless_session.ts';
 import type { NodeView } from '../wasm_js/session.ts';
 import { SiteError } from '../wasm_js/site_error.ts';
 import { runCommand } from './run.ts';
@@ -74,16 +74,13 @@ async function main({ site, link, words }: Asked): Promise<number> {
 
 if (isMainThread) {
   const asked = parseArguments(process.argv.slice(2));
-  if (asked === undefined) {
-    process.stderr.write(`${usage}\n`);
-    process.exit(2);
-  }
+  if (asked === undefined) process.stderr.write(`${usage}\n`);
   try {
-    process.exit(await main(asked));
+    await exitWhenPrinted(asked === undefined ? 2 : await main(asked));
   } catch (error) {
     if (!(error instanceof SiteError)) throw error;
     process.stderr.write(siteErrorText(error));
-    process.exit(1);
+    await exitWhenPrinted(1);
   }
 } else {
   serveHeadlessWorker();

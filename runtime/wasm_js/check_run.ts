@@ -46,11 +46,11 @@ export class CheckRun implements SiteChecks {
 
   views(): readonly CheckView[] {
     // Whoever asks what was seen looks once more, which may decide: so all are asked before any is shown.
-    for (const { look, verdict } of this.running) if (verdict === undefined) look?.seen();
-    return this.running.map(({ check, look, verdict }) => ({
+    const looked = this.running.map(({ look, verdict }) => verdict === undefined ? look?.seen() : undefined);
+    return this.running.map(({ check, verdict }, at) => ({
       title: checkTitle(check),
       state: verdict === undefined ? 'waiting' : verdict.passed ? 'passed' : 'failed',
-      seen: verdict?.seen ?? look?.seen() ?? '',
+      seen: verdict?.seen ?? looked[at] ?? '',
       ...(verdict === undefined ? {} : { afterMs: verdict.afterMs }),
       withinMs: check.withinMs,
       ...(check.source === undefined ? {} : { source: check.source }),
@@ -149,6 +149,7 @@ export class CheckRun implements SiteChecks {
     this.telling = true;
     try {
       while (this.news) {
+        // What the looks of views() decide is in what they give.
         const views = this.views();
         this.news = false;
         for (const listener of [...this.listeners]) listener(views);

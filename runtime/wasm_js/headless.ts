@@ -8,7 +8,7 @@ import { writeFileSync } from 'node:fs';
 import { type Broker, PortBroker, SharedBroker, steppedBus } from './broker.ts';
 import { checkLine, junitXml } from './check_report.ts';
 import { type CheckRun, runChecks } from './check_run.ts';
-import { serveHeadlessWorker, siteErrorText } from './headless_session.ts';
+import { exitWhenPrinted, serveHeadlessWorker, siteErrorText } from './headless_session.ts';
 import { readGiven, shownArguments } from './launch_arguments.ts';
 import { siteWithArguments } from './launch_evaluation.ts';
 import { nodePlatform } from './node_platform.ts';
@@ -252,27 +252,20 @@ export async function runHeadless(options: Options, entry: URL): Promise<number>
   return code;
 }
 
-/** Once all that was printed has gone out: a pipe takes only so much at a time, and exit() drops the rest. */
-async function leave(code: number): Promise<never> {
-  const gone = (stream: NodeJS.WriteStream): Promise<void> => new Promise((done) => void stream.write('', () => done()));
-  await Promise.all([gone(process.stdout), gone(process.stderr)]);
-  process.exit(code);
-}
-
 async function main(): Promise<void> {
   let options: Options;
   try {
     options = parseOptions(process.argv.slice(2));
   } catch (error) {
     process.stderr.write(`${error instanceof Error ? error.message : String(error)}\n${usage}\n`);
-    return await leave(2);
+    return await exitWhenPrinted(2);
   }
   try {
-    await leave(await runHeadless(options, new URL(import.meta.url)));
+    await exitWhenPrinted(await runHeadless(options, new URL(import.meta.url)));
   } catch (error) {
     if (!(error instanceof SiteError)) throw error;
     process.stderr.write(siteErrorText(error));
-    await leave(1);
+    await exitWhenPrinted(1);
   }
 }
 

@@ -45,3 +45,10 @@ export function siteErrorText({ code, message, place, why, fix }: SiteError): st
   const where = place === undefined ? [] : [`  --> ${place}`];
   return [`error[${code}]: ${message}`, ...where, ...why.map((line) => `   = why: ${line}`), ...fix.map((line) => `   = fix: ${line}`), ''].join('\n');
 }
+
+/** Once all that was printed has gone out: a pipe takes only so much at a time, and exit() drops the rest. */
+export async function exitWhenPrinted(code: number): Promise<never> {
+  const gone = (stream: NodeJS.WriteStream): Promise<void> => new Promise((done) => void stream.write('', () => done()));
+  await Promise.all([gone(process.stdout), gone(process.stderr)]);
+  process.exit(code);
+}

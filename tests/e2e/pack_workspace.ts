@@ -66,6 +66,13 @@ ament_package()
     return finished(this.start(args, environment));
   }
 
+  /** Packs it into the folder `site`, and gives that. */
+  async packed(): Promise<string> {
+    const { code, stderr } = await this.run(['pack', 'workspace.yaml', '--output', 'site']);
+    if (code !== 0) throw new Error(stderr);
+    return join(this.root, 'site');
+  }
+
   read(path: string): Buffer<ArrayBuffer> {
     return readFileSync(join(this.root, path));
   }

@@ -3,9 +3,9 @@
 
 import { EndpointKind } from '../../runtime/protocol/generated/constants.ts';
 import { createCodec, type Codec } from '../../runtime/decode/codec.ts';
-import { graphView } from '../../runtime/wasm_js/graph_view.ts';
 import { FakeSession } from '../unit/ui/fake_session.ts';
 import { GraphPeer } from '../unit/wasm_js/graph_peer.ts';
+import { followGraph } from './page_fake_graph.ts';
 
 type Value = Readonly<Record<string, unknown>>;
 
@@ -115,14 +115,7 @@ export async function health(): Promise<FakeSession> {
   const codec = createCodec(await fake.interfaces());
   const driver = new ManagedPeer(fake, codec, 'driver');
   const camera = new ManagedPeer(fake, codec, 'camera');
-  const { link } = fake.broker;
-  let seen = -1;
-  setInterval(() => {
-    const version = link.graphVersion();
-    if (version === seen) return;
-    seen = version;
-    fake.setGraph(graphView(link.graphReplica.nodes.values(), link.records(), () => undefined));
-  }, 20);
+  followGraph(fake);
   Object.assign(globalThis, { driver, camera });
   return fake;
 }

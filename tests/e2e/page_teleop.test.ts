@@ -41,13 +41,6 @@ const hears = (page: Page, linear: number, angular: number, topic = '/turtle1/cm
     [linear, angular, topic] as const,
   );
 
-/** What the page has been told is drawn, and what follows from that is done. */
-const settled = (page: Page): Promise<void> =>
-  page.evaluate(async () => {
-    for (let i = 0; i < 3; i += 1)
-      await new Promise((next) => { requestAnimationFrame(() => setTimeout(next)); });
-  });
-
 /** It stands still: the last message is a zero, the only one, and no timer sends another. */
 async function stopped(page: Page, topic = '/turtle1/cmd_vel'): Promise<void> {
   await page.waitForFunction(() => driven.at(-1)?.linear === 0 && driven.at(-1)?.angular === 0);
@@ -212,7 +205,6 @@ test('TwistStamped is taken from the graph or chosen, with the time of the site'
     await page.waitForFunction(() => document.querySelector<HTMLInputElement>('.panel-teleop input[list]')?.value === '/z/cmd_vel');
     await page.getByRole('textbox', { name: 'frame_id' }).fill('base_link');
     await pad(page).focus();
-    await settled(page);
     await page.keyboard.down('w');
     await hears(page, 3, 0, '/z/cmd_vel');
     await page.keyboard.up('w');
@@ -222,7 +214,6 @@ test('TwistStamped is taken from the graph or chosen, with the time of the site'
     await page.getByText('Nobody waits for geometry_msgs/msg/Twist on /z/cmd_vel yet.').waitFor();
     await topic.fill('/no name');
     await topic.press('Enter');
-    await settled(page);
     await pad(page).focus();
     await page.getByRole('alert').getByText(/is no name/).waitFor();
   }));

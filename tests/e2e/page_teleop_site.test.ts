@@ -3,7 +3,6 @@
 
 // Compatibility, works: driving a node from the page by Twist: keys, buttons, finger, gamepad
 
-import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { type Browser, chromium, type Page } from 'playwright-core';
@@ -23,8 +22,7 @@ dependencies: [turtlesim]
 launch:
   - {package: turtlesim, executable: turtlesim_node}
 `);
-  const packed = await workspace.run(['pack', 'workspace.yaml', '--output', 'site']);
-  assert.equal(packed.code, 0, packed.stderr);
+  await workspace.packed();
   browser = await chromium.launch(chromiumOptions());
 }, { timeout: 500_000 });
 

@@ -32,8 +32,7 @@ launch:
   - {package: command_robot, executable: robot}
   - {package: command_robot, executable: gripper}
 `);
-  const packed = await workspace.run(['pack', 'workspace.yaml', '--output', 'site']);
-  assert.equal(packed.code, 0, packed.stderr);
+  await workspace.packed();
   browser = await chromium.launch(chromiumOptions());
 }, { timeout: 500_000 });
 

@@ -25,8 +25,7 @@ launch:
   - {package: ${name}, executable: counter}
   - {package: ${name}, executable: asker}
 `);
-  const packed = await workspace.run(['pack', 'workspace.yaml', '--output', 'site']);
-  assert.equal(packed.code, 0, packed.stderr);
+  await workspace.packed();
   browser = await chromium.launch(chromiumOptions());
 }, { timeout: 500_000 });
 

@@ -13,6 +13,7 @@ import type { IconName } from '../parts/icon.tsx';
 import { feed, useCodec } from '../parts/message_feed.ts';
 import { PanelFrame } from '../parts/panel.tsx';
 import { SearchField } from '../parts/search_field.tsx';
+import { useOpened } from '../parts/use_opened.ts';
 import { texts } from '../texts.ts';
 import type { PanelProps } from './panel_props.ts';
 
@@ -34,7 +35,7 @@ export function DiagnosticsPanel({ session, state, setState, instance }: PanelPr
   const board = useMemo(() => new Diagnostics(), [session]);
   const [, redraw] = useReducer<number, void>((n) => n + 1, 0);
   const [problem, setProblem] = useState('');
-  const [opened, setOpened] = useState<ReadonlySet<string>>(new Set());
+  const [opened, toggle] = useOpened();
 
   useEffect(() => {
     if (codec === null || typeof codec === 'string') return undefined;
@@ -57,11 +58,6 @@ export function DiagnosticsPanel({ session, state, setState, instance }: PanelPr
     ({ level, name, message, hardwareId }) => (wanted === null || level === wanted) && [name, message, hardwareId].some(has),
   );
   const change = (level: DiagnosticLevel | null, filter: string): void => setState({ level, text: filter });
-  const toggle = (name: string): void => {
-    const next = new Set(opened);
-    if (!next.delete(name)) next.add(name);
-    setOpened(next);
-  };
 
   return (
     <PanelFrame

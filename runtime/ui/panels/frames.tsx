@@ -16,6 +16,7 @@ import { useCodec } from '../parts/message_feed.ts';
 import { Name } from '../parts/name.tsx';
 import { PanelFrame } from '../parts/panel.tsx';
 import { SearchField } from '../parts/search_field.tsx';
+import { useOpened } from '../parts/use_opened.ts';
 import { texts } from '../texts.ts';
 import type { PanelProps } from './panel_props.ts';
 
@@ -39,7 +40,7 @@ export function FramesPanel({ session, state, setState, instance }: PanelProps) 
   const tree = useMemo(() => new TransformTree(), [session]);
   const [, redraw] = useReducer<number, void>((n) => n + 1, 0);
   const [problem, setProblem] = useState('');
-  const [opened, setOpened] = useState<ReadonlySet<string>>(new Set());
+  const [opened, toggle] = useOpened();
   const came = useRef(0);
   const shape = useRef<{ readonly came: number; readonly rows: ReturnType<typeof frameRows> } | null>(null);
 
@@ -66,11 +67,6 @@ export function FramesPanel({ session, state, setState, instance }: PanelProps) 
   const found = rows.filter(({ frame }) => frame.name.toLowerCase().includes(wanted));
   const names = rows.map(({ frame }) => frame.name).toSorted().slice(0, kMostNames);
   const change = (next: Partial<FramesOptions>): void => setState({ ...options, ...next });
-  const toggle = (name: string): void => {
-    const next = new Set(opened);
-    if (!next.delete(name)) next.add(name);
-    setOpened(next);
-  };
 
   return (
     <PanelFrame

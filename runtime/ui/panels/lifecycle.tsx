@@ -1,13 +1,13 @@
 // The managed nodes: in which state each is, and a button for each transition that it takes now.
 
-import { useEffect, useReducer, useRef } from 'preact/hooks';
+import { useEffect, useRef } from 'preact/hooks';
 import { LifecycleStore } from '../parts/lifecycle_store.ts';
 import type { ManagedNode } from '../parts/lifecycle_store.ts';
 import { Icon } from '../parts/icon.tsx';
 import type { IconName } from '../parts/icon.tsx';
-import { useCodec } from '../parts/message_feed.ts';
 import { Name } from '../parts/name.tsx';
 import { PanelFrame } from '../parts/panel.tsx';
+import { useStore } from '../parts/use_store.ts';
 import { useTime } from '../parts/watch.ts';
 import { WorkProblem } from '../parts/work_problem.tsx';
 import { texts } from '../texts.ts';
@@ -24,24 +24,11 @@ const kLooks: Readonly<Record<number, { readonly icon: IconName; readonly tone: 
 const kBusy = { icon: 'arc', tone: 'busy' } as const;
 
 export function LifecyclePanel({ session, announce }: PanelProps) {
-  const codec = useCodec(session);
+  const { store, codec } = useStore(session, LifecycleStore);
   const time = useTime(session);
-  const [, redraw] = useReducer<number, void>((n) => n + 1, 0);
-  const store = useRef<LifecycleStore | null>(null);
   const ready = codec !== null && typeof codec !== 'string';
 
-  useEffect(() => {
-    if (!ready) return undefined;
-    const made = new LifecycleStore(session, codec, () => redraw());
-    store.current = made;
-    redraw();
-    return () => {
-      store.current = null;
-      made.close();
-    };
-  }, [session, codec]);
-
-  const nodes = store.current?.nodes() ?? [];
+  const nodes = store?.nodes() ?? [];
   return (
     <PanelFrame id="lifecycle" title={texts.panels.lifecycle} icon="lifecycle">
       {typeof codec === 'string' ? <p class="hint">{codec}</p> : null}
@@ -52,7 +39,7 @@ export function LifecyclePanel({ session, announce }: PanelProps) {
           <NodeRow
             key={node.name}
             node={node}
-            onChange={(transition) => void store.current?.change(node.name, transition).then((words) => {
+            onChange={(transition) => void store?.change(node.name, transition).then((words) => {
               if (words !== '') announce(texts.lifecycle.told(node.name, words));
             })}
           />

@@ -1,18 +1,18 @@
 // The parameters of all nodes: read, followed, set; a node's refusal stands beside the value that it keeps.
 // State: {text, closed}.
 
-import { useEffect, useReducer, useRef, useState } from 'preact/hooks';
+import { useState } from 'preact/hooks';
 import { dumpText } from '../../ros2cli/parameters.ts';
 import { textMember, textsMember } from '../model/json.ts';
 import { CopyButton, IconButton } from '../parts/button.tsx';
 import { Icon } from '../parts/icon.tsx';
-import { useCodec } from '../parts/message_feed.ts';
 import { Name } from '../parts/name.tsx';
 import { PanelFrame } from '../parts/panel.tsx';
 import { ParameterRow } from '../parts/parameter_row.tsx';
 import { ParameterStore } from '../parts/parameter_store.ts';
 import type { KnownParameter, NodeParameters } from '../parts/parameter_store.ts';
 import { SearchField } from '../parts/search_field.tsx';
+import { useStore } from '../parts/use_store.ts';
 import { useTime } from '../parts/watch.ts';
 import { WorkProblem } from '../parts/work_problem.tsx';
 import { texts } from '../texts.ts';
@@ -26,29 +26,16 @@ const kLongestText = 200;
 export function ParametersPanel({ session, state, setState, announce, instance }: PanelProps) {
   const text = textMember(state, 'text').slice(0, kLongestText);
   const closed = textsMember(state, 'closed', kMostClosed);
-  const codec = useCodec(session);
+  const { store, codec } = useStore(session, ParameterStore);
   const time = useTime(session);
   const [hidden, setHidden] = useState(false);
-  const [, redraw] = useReducer<number, void>((n) => n + 1, 0);
-  const store = useRef<ParameterStore | null>(null);
   const ready = codec !== null && typeof codec !== 'string';
-
-  useEffect(() => {
-    if (!ready) return undefined;
-    const made = new ParameterStore(session, codec, () => redraw());
-    store.current = made;
-    redraw();
-    return () => {
-      store.current = null;
-      made.close();
-    };
-  }, [session, codec]);
 
   const change = (next: { text?: string; closed?: readonly string[] }): void => {
     const { text: wanted, closed: names } = { text, closed, ...next };
     setState({ text: wanted, closed: [...names] });
   };
-  const nodes = store.current?.nodes(hidden) ?? [];
+  const nodes = store?.nodes(hidden) ?? [];
   const wanted = text.trim().toLowerCase();
   const found = nodes.flatMap((node) => {
     const rows = [...node.parameters];
@@ -101,7 +88,7 @@ interface NodeSectionProps extends Pick<PanelProps, 'announce' | 'instance'> {
   readonly rows: readonly (readonly [string, KnownParameter])[];
   readonly open: boolean;
   readonly onToggle: () => void;
-  readonly store: { readonly current: ParameterStore | null };
+  readonly store: ParameterStore | null;
 }
 
 function NodeSection({ node, rows, open, onToggle, store, announce, instance }: NodeSectionProps) {
@@ -143,7 +130,7 @@ function NodeSection({ node, rows, open, onToggle, store, announce, instance }: 
           icon="restart"
           label={texts.parameters.reload(node.name)}
           disabled={!node.here || node.reading}
-          onClick={() => store.current?.reload(node.name)}
+          onClick={() => store?.reload(node.name)}
         />
       </div>
       {open ? (
@@ -159,7 +146,7 @@ function NodeSection({ node, rows, open, onToggle, store, announce, instance }: 
                   parameter={parameter}
                   here={node.here}
                   set={(value) =>
-                    store.current?.set(node.name, name, value) ?? Promise.reject(new Error(texts.parameters.gone))
+                    store?.set(node.name, name, value) ?? Promise.reject(new Error(texts.parameters.gone))
                   }
                   announce={announce}
                 />

@@ -1,7 +1,7 @@
 // Drives a robot by hand: keys, buttons, a joystick for finger or mouse, a gamepad. Whatever lets go (a key, the focus,
 // the page, the panel) stops the robot. State: {topic, stamped, frame, linear, angular, rate, gamepad}.
 
-import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
+import { useEffect, useLayoutEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { expandName } from '../../decode/ros_names.ts';
 import { flagMember, member, numberMember, textMember } from '../model/json.ts';
 import { driveTopics, isRest, kRest, kTwist, kTwistStamped, padStick, sumOf } from '../model/twist.ts';
@@ -60,7 +60,8 @@ export function TeleopPanel({ session, state, setState, instance }: PanelProps) 
     tell();
   };
 
-  useEffect(() => {
+  // At once: who turns to the pad now drives what is shown.
+  useLayoutEffect(() => {
     if (!ready) return undefined;
     const made = new TwistSender(session, codec, { topic, stamped, frame }, setProblem);
     sender.current = made;
@@ -72,7 +73,7 @@ export function TeleopPanel({ session, state, setState, instance }: PanelProps) 
       made.close();
     };
   }, [session, codec, topic, stamped, frame]);
-  useEffect(() => {
+  useLayoutEffect(() => {
     if (sender.current === null) return;
     sender.current.limits = { linear, angular };
     sender.current.rateHz = rate;

@@ -69,6 +69,26 @@ test('--for alone is 0 unless a node fails', watchdog, async () => {
   assert.match(failed.err, /\[throws-1\] error\[R2W0702\]: .*\n {2}what\(\): {2}the wheel came off\n {2}--> workspace\.yaml:3:5/);
 });
 
+test('a reader that is slow gets all of it', watchdog, async () => {
+  const folder = site({ program: 'talker.c' });
+  const child = spawn(process.execPath, [script, folder, '--stepped', '--for', '400s', '--trace', `${folder}/trace`], { stdio: ['ignore', 'pipe', 'pipe'] });
+  const ended = new Promise((resolve) => child.on('exit', resolve));
+  // What it says last, on the other stream, while more waits than a pipe holds.
+  await new Promise<void>((resolve) => {
+    let err = '';
+    child.stderr.on('data', (bytes: Buffer) => {
+      err += bytes.toString();
+      if (err.includes('trace: ')) resolve();
+    });
+  });
+  // One that does not wait is gone by then.
+  await Promise.race([ended, new Promise((resolve) => setTimeout(resolve, 1000))]);
+  let out = '';
+  for await (const bytes of child.stdout) out += String(bytes);
+  assert.equal(await ended, 0);
+  assert.match(out.trimEnd().split('\n').at(-1) ?? '', /^\[talker-1\] Publishing: 'Hello World: 2000\d' as \d+$/);
+});
+
 test('without conditions it runs until all nodes ended', watchdog, async () => {
   assert.equal((await run([site({ program: 'exits.c' })])).code, 0);
   const died = await run([site({ program: 'exits.c', arguments: ['--code', '9'] })]);

@@ -21,12 +21,12 @@ export interface Decoder {
 }
 
 export function createDecoder(interfaces: Definitions, types: Types = createTypes(interfaces)): Decoder {
-  const readers = new Map<string, TypeReader | string>();
+  const readers = new Map<string, TypeReader>();
   const readerOf = (type: string): TypeReader | string => {
     const known = readers.get(type);
     if (known !== undefined) return known;
     const made = makeReader(type, types);
-    readers.set(type, made);
+    if (typeof made !== 'string') readers.set(type, made);
     return made;
   };
   return {

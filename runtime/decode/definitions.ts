@@ -29,33 +29,84 @@ const kTimes: ReadonlySet<string> = new Set([
   'builtin_interfaces/msg/Duration',
 ]);
 
+const kTimeText: ReadonlyMap<string, string> = new Map([...kTimes].map((time) => [time, 'int32 sec\nuint32 nanosec']));
+
 /** The text for one message type, or the name of the type that is missing. */
 export function gatherDefinition(
   type: string,
   interfaces: Definitions,
 ): { text: string } | { missing: string } {
+  const found = gatherParts(type, interfaces);
+  return 'missing' in found ? found : { text: found.parts.map(({ text }) => text).join(kSeparator) };
+}
+
+/**
+ * The same as bags have it (`ros2msg` of MCAP's registry): definitions as they were written, each but the first behind a
+ * line `MSG: package/Name`.
+ */
+export function gatherSchema(type: string, interfaces: Definitions): string | undefined {
+  const found = gatherParts(type, interfaces);
+  if ('missing' in found) return undefined;
+  const times = [...kTimes].filter((time) => time !== type && found.parts.some(({ uses }) => uses.has(time)));
+  const all = [...found.parts, ...times.map((time) => ({ type: time, source: interfaces.get(time) ?? kTimeText.get(time) ?? '' }))];
+  return all.map(({ type: name, source }, index) => {
+    const [package_name = '', , own = ''] = name.split('/');
+    return index === 0 ? source.trimEnd() : `MSG: ${package_name}/${own}\n${source.trimEnd()}`;
+  }).join(kSeparator);
+}
+
+/** The types in a schema of a bag, by their full names; `type` is that of the first. What has no form is left out. */
+export function splitSchema(type: string, schema: string): Map<string, string> {
+  const found = new Map<string, string>();
+  for (const [index, part] of schema.replaceAll('\r\n', '\n').split(/^={3,}$\n?/m).entries()) {
+    if (index === 0) {
+      found.set(type, part);
+      continue;
+    }
+    const match = /^MSG:[ \t]*([A-Za-z]\w*)\/(?:(msg|srv|action)\/)?([A-Za-z]\w*)[ \t]*(?:\n|$)/.exec(part);
+    if (match === null) continue;
+    const [head, package_name = '', kind = 'msg', name = ''] = match;
+    found.set(`${package_name}/${kind}/${name}`, part.slice(head.length));
+  }
+  return found;
+}
+
+interface Part {
+  readonly type: string;
+  /** As it was written. */
+  readonly source: string;
+  /** With full names. */
+  readonly text: string;
+  /** Those of kTimes that it names. */
+  readonly uses: ReadonlySet<string>;
+}
+
+/** A type and all types inside it. */
+function gatherParts(type: string, interfaces: Definitions): { parts: Part[] } | { missing: string } {
   const done = new Set<string>([type]);
   const queue: string[] = [type];
-  const parts: string[] = [];
+  const parts: Part[] = [];
   for (let next = queue.shift(); next !== undefined; next = queue.shift()) {
     const source = interfaces.get(next) ?? derivedDefinition(next, interfaces);
     if (source === undefined) {
       return { missing: next };
     }
+    const uses = new Set<string>();
     const lines: string[] = next === type ? [] : [`MSG: ${next}`];
     for (const line of source.split('\n')) {
       const field = readField(line);
       if (field === null) continue;
       const full = qualify(field.type, next);
+      if (full !== null && kTimes.has(full)) uses.add(full);
       if (full !== null && !done.has(full) && !kTimes.has(full)) {
         done.add(full);
         queue.push(full);
       }
       lines.push(`${full ?? field.type}${field.rest}`);
     }
-    parts.push(lines.join('\n'));
+    parts.push({ type: next, source, text: lines.join('\n'), uses });
   }
-  return { text: parts.join(kSeparator) };
+  return { parts };
 }
 
 /** `geometry_msgs/msg/Point` for `Point` in `geometry_msgs/msg/Pose`; null for a primitive type. */

@@ -18,13 +18,19 @@ export interface Types {
 }
 
 export function createTypes(interfaces: Definitions): Types {
-  const known = new Map<string, ParsedType | string>();
+  const known = new Map<string, ParsedType>();
+  // More definitions may come, with a bag: what failed is tried again then.
+  const failed = new Map<string, string>();
+  let size = interfaces.size;
   return {
     get(type) {
-      const before = known.get(type);
+      if (interfaces.size !== size) failed.clear();
+      size = interfaces.size;
+      const before = known.get(type) ?? failed.get(type);
       if (before !== undefined) return before;
       const found = parseType(type, interfaces);
-      known.set(type, found);
+      if (typeof found === 'string') failed.set(type, found);
+      else known.set(type, found);
       return found;
     },
   };

@@ -6,6 +6,7 @@ import { AboutDialog } from './parts/about_dialog.tsx';
 import { Boundary } from './parts/boundary.tsx';
 import { IconButton } from './parts/button.tsx';
 import { Dock, tabTitle } from './parts/dock.tsx';
+import { watchDrops } from './parts/dropped_files.ts';
 import { PageHeader } from './parts/header.tsx';
 import { LayoutMenu } from './parts/layout_menu.tsx';
 import { LazyPanel } from './parts/lazy_panel.tsx';
@@ -37,6 +38,9 @@ export function Page({ session, store, offline }: PageProps) {
   useEffect(() => session.onTopics(() => undefined), [session]);
 
   const { open } = control;
+  const newestOpen = useRef(open);
+  newestOpen.current = open;
+  useEffect(() => watchDrops(() => newestOpen.current(null, 'bag')), []);
   const focus = useMemo<NodeFocus>(
     () => ({
       id: focusId,

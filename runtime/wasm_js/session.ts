@@ -283,8 +283,10 @@ export interface Session {
   onTopics(listener: (topics: readonly TopicView[]) => void): Unsubscribe;
   /** undefined before the first one, and for a large one that nobody looked at in time. */
   lastMessage(topic: string): LastMessage | undefined;
-  /** Type name -> definition text; fetched at the first call. */
+  /** Type name -> definition text; fetched at the first call. The same map at each, which learn() makes larger. */
   interfaces(): Promise<ReadonlyMap<string, string>>;
+  /** Definitions from elsewhere, as a bag brings them: those of types that the site knows itself are left out. */
+  learn(definitions: ReadonlyMap<string, string>): Promise<void>;
   /** The page as a participant of the graph, made at the first call. */
   node(): PageNode;
   /** undefined: the site has none. They look from before the first node starts. */

@@ -67,7 +67,7 @@ export class SiteSession implements Session {
   checks: (SiteChecks & { close(): void }) | undefined;
   private nodesTold = true;
   private sampling: ReturnType<typeof setInterval> | undefined;
-  private definitions: Promise<ReadonlyMap<string, string>> | undefined;
+  private definitions: Promise<Map<string, string>> | undefined;
   private tabs: Tabs | undefined;
   private closed = false;
 
@@ -299,7 +299,7 @@ export class SiteSession implements Session {
     return this.sampler.lastMessage(topic, this.now());
   }
 
-  interfaces(): Promise<ReadonlyMap<string, string>> {
+  interfaces(): Promise<Map<string, string>> {
     if (this.definitions === undefined) {
       const loading = this.loadInterfaces();
       this.definitions = loading;
@@ -311,7 +311,12 @@ export class SiteSession implements Session {
     return this.definitions;
   }
 
-  private async loadInterfaces(): Promise<ReadonlyMap<string, string>> {
+  async learn(definitions: ReadonlyMap<string, string>): Promise<void> {
+    const known = await this.interfaces();
+    for (const [type, text] of definitions) if (!known.has(type)) known.set(type, text);
+  }
+
+  private async loadInterfaces(): Promise<Map<string, string>> {
     if (this.site.interfaces === '') return new Map();
     const json = await this.platform.json(this.site.interfaces);
     if (typeof json !== 'object' || json === null) return new Map();

@@ -13,8 +13,9 @@ ALLOWED: dict[str, set[str]] = {
     "cli": {"bundler", "workspace_schema"},
     "bundler": {"workspace_schema"},
     "workspace_schema": set(),
-    "runtime/ui": {"runtime/decode", "runtime/ros2cli", "runtime/wasm_js", "runtime/protocol"},
-    "runtime/ros2cli": {"runtime/decode", "runtime/wasm_js"},
+    "runtime/ui": {"runtime/bag", "runtime/decode", "runtime/ros2cli", "runtime/wasm_js", "runtime/protocol"},
+    "runtime/ros2cli": {"runtime/bag", "runtime/decode", "runtime/wasm_js"},
+    "runtime/bag": {"runtime/decode", "runtime/wasm_js"},
     "runtime/decode": set(),
     "runtime/wasm_js": {"runtime/decode", "runtime/protocol"},
     "runtime/protocol": set(),
@@ -22,7 +23,7 @@ ALLOWED: dict[str, set[str]] = {
 }
 # The page sees the runtime through these files only.
 UI_DOORS = {"session.ts", "launcher.ts"}
-# Commands know no more than panels do; the program for Node.js opens the site itself.
+# Commands and bags know no more than panels do; the program for Node.js opens the site itself.
 COMMAND_DOORS = {"session.ts", "site_error.ts"}
 HEADLESS_MAIN = "runtime/ros2cli/headless_main.ts"
 # The bus looks into no message: of the layer that does it uses the rules of names only.
@@ -67,7 +68,7 @@ def violations() -> list[str]:
                 reads_messages = layer == "runtime/decode" and Path(used).name not in DECODE_DOORS
                 if folder == "runtime/wasm_js" and reads_messages and file.name not in MESSAGE_READERS:
                     errors.append(f"{name}: uses {used}; the bus knows no messages")
-                if folder == "runtime/ros2cli" and layer == "runtime/wasm_js" and name != HEADLESS_MAIN \
+                if folder in {"runtime/bag", "runtime/ros2cli"} and layer == "runtime/wasm_js" and name != HEADLESS_MAIN \
                         and Path(used).name not in COMMAND_DOORS:
                     errors.append(f"{name}: uses {used}; commands see only {', '.join(sorted(COMMAND_DOORS))}")
                 if folder == "runtime/ui" and layer == "runtime/wasm_js" and Path(used).name not in UI_DOORS:

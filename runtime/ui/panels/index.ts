@@ -145,6 +145,13 @@ export const panels: readonly PanelRow[] = [
     source: { kind: 'lazy', load: () => import('./parameters.tsx').then((file) => file.ParametersPanel) },
   },
   {
+    id: 'bag',
+    title: texts.panels.bag,
+    icon: 'bag',
+    keeps: true,
+    source: { kind: 'lazy', load: () => import('./bag.tsx').then((file) => file.BagPanel) },
+  },
+  {
     id: 'turtlesim',
     title: texts.panels.turtlesim,
     icon: 'turtle',

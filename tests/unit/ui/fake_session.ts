@@ -168,7 +168,7 @@ export class FakeSession implements Session {
   private readonly last = new Map<string, LastMessage>();
   private readonly nodeListeners = new Set<(nodes: readonly NodeView[]) => void>();
   private readonly topicListeners = new Set<(topics: readonly TopicView[]) => void>();
-  private readonly known: ReadonlyMap<string, string>;
+  private readonly known: Map<string, string>;
   /** A graph of its own, on which the page is alone unless a test admits others. */
   readonly broker = new PortBroker();
   private page: PageParticipant | undefined;
@@ -177,7 +177,7 @@ export class FakeSession implements Session {
 
   constructor(options: FakeOptions) {
     this.link = options.link ?? 'shared';
-    this.known = options.interfaces ?? new Map([['std_msgs/msg/String', 'string data\n']]);
+    this.known = new Map(options.interfaces ?? [['std_msgs/msg/String', 'string data\n']]);
     const nodes = options.nodes.map((node, index): SiteNode => ({
       id: `${node.executable}-${index + 1}`,
       package: node.package ?? `tutorial_${node.executable}`,
@@ -295,6 +295,11 @@ export class FakeSession implements Session {
     return Promise.resolve(this.known);
   }
 
+  learn(definitions: ReadonlyMap<string, string>): Promise<void> {
+    for (const [type, text] of definitions) if (!this.known.has(type)) this.known.set(type, text);
+    return Promise.resolve();
+  }
+
   node(): PageNode {
     this.page ??= new PageParticipant(this.broker);
     return this.page;
@@ -326,6 +331,11 @@ export class FakeSession implements Session {
   setGraph(graph: GraphView): void {
     this.shownGraph = graph;
     for (const listener of this.graphListeners) listener(graph);
+  }
+
+  /** The page has made or closed endpoints. */
+  graphChanged(): void {
+    for (const listener of this.graphListeners) listener(this.graph());
   }
 
   setState(id: string, state: NodeState): void {

@@ -1,0 +1,287 @@
+// Plays a bag on the graph of a site: publishers of the page's node with the recorded QoS, each message when its time in
+// the bag has come, by the site's time: it waits while that is held, and is as fast or slow.
+
+import type { PagePublisher, PageTimer, Session } from '../wasm_js/session.ts';
+import { SiteError } from '../wasm_js/site_error.ts';
+import type { Bag, BagMessage } from './bag_file.ts';
+import { offerFor } from './qos_profiles.ts';
+
+export const slowestRate = 0.01;
+export const fastestRate = 100;
+/** Between the first publisher and the first message, so that subscriptions find each other. */
+const discoveryMs = 50;
+/** For so long nobody else has the page. */
+const longestTurnMs = 8;
+const clockTopic = '/clock';
+
+export interface PlayOptions {
+  readonly rate?: number;
+  readonly loop?: boolean;
+  /** How often the bag's time is published on /clock, by the site's time; 0: never. */
+  readonly clockHz?: number;
+  /** Topics of the bag; all when left out. */
+  readonly topics?: readonly string[];
+  /** From a topic of the bag to the name that it is published under. */
+  readonly names?: ReadonlyMap<string, string>;
+}
+
+export type PlayState = 'paused' | 'playing' | 'ended';
+
+export class BagPlayer {
+  readonly bag: Bag;
+  private readonly session: Session;
+  private readonly changed: () => void;
+  private options: Required<PlayOptions>;
+  /** The place in the bag at a time of the site, from which the present one follows. */
+  private anchor: { readonly siteMs: number; readonly ns: bigint };
+  private publishers = new Map<number, PagePublisher>();
+  private running: AbortController | undefined;
+  private clock: { readonly publisher: PagePublisher; readonly timer: PageTimer } | undefined;
+  /** Ends a wait before its time. */
+  private hurry: (() => void) | undefined;
+  state: PlayState = 'paused';
+  /** What ended it, or keeps a topic from being published. */
+  problem: SiteError | undefined;
+  sent = 0;
+  /** Messages that could not be sent, because a subscription had no room. */
+  unsent = 0;
+
+  /** `changed` is called when anything but place() and the counts is another. */
+  constructor(session: Session, bag: Bag, changed: () => void, options: PlayOptions = {}) {
+    this.session = session;
+    this.bag = bag;
+    this.changed = changed;
+    this.options = { rate: 1, loop: false, clockHz: 0, topics: playable(bag), names: new Map(), ...options };
+    this.anchor = { siteMs: 0, ns: bag.start };
+  }
+
+  /** ns since 1970, within the bag. */
+  place(): bigint {
+    const { anchor } = this;
+    if (this.state !== 'playing') return anchor.ns;
+    const past = (this.session.time.view().now - anchor.siteMs) * 1e6 * this.options.rate;
+    const now = anchor.ns + BigInt(Math.max(0, Math.round(past)));
+    return now > this.bag.end ? this.bag.end : now;
+  }
+
+  play(): void {
+    if (this.state === 'playing') return;
+    if (this.state === 'ended') this.anchor = { siteMs: 0, ns: this.bag.start };
+    this.begin();
+  }
+
+  pause(): void {
+    if (this.state !== 'playing') return;
+    this.halt();
+    this.state = 'paused';
+    this.changed();
+  }
+
+  /** Bounded by the bag. */
+  seek(to: bigint): void {
+    const ns = to < this.bag.start ? this.bag.start : to > this.bag.end ? this.bag.end : to;
+    const goesOn = this.state === 'playing';
+    this.halt();
+    this.state = 'paused';
+    this.anchor = { siteMs: 0, ns };
+    if (goesOn) this.begin();
+    else this.changed();
+  }
+
+  set(options: PlayOptions): void {
+    const goesOn = this.state === 'playing';
+    const publishesOthers = options.topics !== undefined || options.names !== undefined || options.clockHz !== undefined;
+    this.keepPlace();
+    this.options = { ...this.options, ...options };
+    if (publishesOthers) {
+      this.halt();
+      this.state = goesOn ? 'paused' : this.state;
+      this.closePublishers();
+      if (goesOn) {
+        this.begin();
+        return;
+      }
+    }
+    this.hurry?.();
+    this.changed();
+  }
+
+  close(): void {
+    this.halt();
+    this.state = 'paused';
+    this.closePublishers();
+  }
+
+  private begin(): void {
+    const abort = new AbortController();
+    this.running = abort;
+    this.state = 'playing';
+    this.problem = undefined;
+    this.anchor = { siteMs: this.session.time.view().now, ns: this.anchor.ns };
+    this.changed();
+    this.run(abort.signal).catch((error: unknown) => {
+      if (abort.signal.aborted) return;
+      this.halt();
+      this.state = 'paused';
+      this.problem = error instanceof SiteError ? error
+        : new SiteError('R2W0741', `the bag \`${this.bag.name}\` is damaged`, { why: error instanceof Error ? error.message : String(error) });
+      this.changed();
+    });
+  }
+
+  private async run(signal: AbortSignal): Promise<void> {
+    if (this.openPublishers()) await this.wait(discoveryMs, signal);
+    for (;;) {
+      if (signal.aborted) return;
+      const from = this.anchor.ns;
+      if (from > this.bag.start) await this.sendLatched(from, signal);
+      if (signal.aborted) return;
+      this.anchor = { siteMs: this.session.time.view().now, ns: from };
+      await this.sendFrom(from, signal);
+      if (signal.aborted) return;
+      await this.until(this.bag.end, signal);
+      if (signal.aborted) return;
+      if (!this.options.loop || this.bag.messages === 0) break;
+      this.anchor = { siteMs: this.session.time.view().now, ns: this.bag.start };
+      // A bag of one moment would go round for ever within one turn.
+      await this.wait(1, signal);
+    }
+    this.halt();
+    this.anchor = { siteMs: 0, ns: this.bag.end };
+    this.state = 'ended';
+    this.changed();
+  }
+
+  private async sendFrom(from: bigint, signal: AbortSignal): Promise<void> {
+    let turn = performance.now();
+    for await (const message of this.bag.read(from, this.options.topics)) {
+      if (signal.aborted) return;
+      if (await this.until(message.logTime, signal)) turn = performance.now();
+      if (signal.aborted) return;
+      this.send(message);
+      if (performance.now() - turn > longestTurnMs) {
+        await nextTurn();
+        turn = performance.now();
+      }
+    }
+  }
+
+  /** What a latched topic held at that place: late subscriptions would have it. */
+  private async sendLatched(before: bigint, signal: AbortSignal): Promise<void> {
+    const latched = new Map(this.bag.channels.filter(({ topic, offered }) =>
+      this.options.topics.includes(topic) && offerFor(offered).durability === 'transient_local')
+      .map(({ id, topic, offered }) => [id, { topic, depth: offerFor(offered).depth ?? 10, last: [] as BagMessage[] }]));
+    if (latched.size === 0) return;
+    let turn = performance.now();
+    for await (const message of this.bag.read(this.bag.start, [...new Set([...latched.values()].map(({ topic }) => topic))])) {
+      if (signal.aborted || message.logTime >= before) break;
+      const channel = latched.get(message.channel);
+      channel?.last.push(message);
+      if (channel !== undefined && channel.last.length > channel.depth) channel.last.shift();
+      if (performance.now() - turn > longestTurnMs) {
+        await nextTurn();
+        turn = performance.now();
+      }
+    }
+    if (signal.aborted) return;
+    for (const { last } of latched.values()) for (const message of last) this.send(message);
+  }
+
+  private send({ channel, data }: BagMessage): void {
+    const publisher = this.publishers.get(channel);
+    if (publisher === undefined) return;
+    if (publisher.publish(data) === undefined) this.sent += 1;
+    else this.unsent += 1;
+  }
+
+  /** Has the place been waited for? */
+  private async until(ns: bigint, signal: AbortSignal): Promise<boolean> {
+    let waited = false;
+    while (!signal.aborted) {
+      const { anchor, options } = this;
+      // In ms of the site, without rounding: place() may be behind by a hair for ever.
+      const left = Number(ns - anchor.ns) / 1e6 / options.rate - (this.session.time.view().now - anchor.siteMs);
+      if (left <= 0.001) break;
+      waited = true;
+      await this.wait(Math.min(left, 1000), signal);
+    }
+    return waited;
+  }
+
+  /** Of the site's time; less when the speed changes. */
+  private wait(ms: number, signal: AbortSignal): Promise<void> {
+    return new Promise((resolve) => {
+      const done = (): void => {
+        timer.close();
+        signal.removeEventListener('abort', done);
+        this.hurry = undefined;
+        resolve();
+      };
+      const timer = this.session.node().timer(ms, done);
+      signal.addEventListener('abort', done, { once: true });
+      this.hurry = done;
+    });
+  }
+
+  private halt(): void {
+    this.keepPlace();
+    this.running?.abort();
+    this.running = undefined;
+  }
+
+  private keepPlace(): void {
+    if (this.state === 'playing') this.anchor = { siteMs: this.session.time.view().now, ns: this.place() };
+  }
+
+  /** Were some made? */
+  private openPublishers(): boolean {
+    const node = this.session.node();
+    const { topics, names, clockHz } = this.options;
+    let made = false;
+    for (const { id, topic, type, encoding, offered } of this.bag.channels) {
+      const hasOwnClock = topic === clockTopic && clockHz > 0;
+      if (this.publishers.has(id) || hasOwnClock || encoding !== 'cdr' || !topics.includes(topic)) continue;
+      const publisher = node.publisher(names.get(topic) ?? topic, type, offerFor(offered));
+      this.problem ??= publisher.problem;
+      this.publishers.set(id, publisher);
+      made = true;
+    }
+    if (clockHz > 0 && this.clock === undefined) {
+      const publisher = node.publisher(clockTopic, 'rosgraph_msgs/msg/Clock', { reliability: 'best_effort', depth: 1 });
+      const timer = node.timer(1000 / clockHz, () => {
+        if (this.state === 'playing') publisher.publish(clockBytes(this.place()));
+      });
+      this.clock = { publisher, timer };
+      made = true;
+    }
+    return made;
+  }
+
+  private closePublishers(): void {
+    for (const publisher of this.publishers.values()) publisher.close();
+    this.publishers.clear();
+    this.clock?.timer.close();
+    this.clock?.publisher.close();
+    this.clock = undefined;
+  }
+}
+
+/** Topics that can be played. */
+export function playable({ channels }: Bag): string[] {
+  return [...new Set(channels.filter(({ encoding, type }) => encoding === 'cdr' && type !== '').map(({ topic }) => topic))];
+}
+
+/** rosgraph_msgs/msg/Clock. */
+function clockBytes(ns: bigint): Uint8Array {
+  const view = new DataView(new ArrayBuffer(12));
+  view.setUint8(1, 1);
+  view.setInt32(4, Number(ns / 1_000_000_000n), true);
+  view.setUint32(8, Number(ns % 1_000_000_000n), true);
+  return new Uint8Array(view.buffer);
+}
+
+function nextTurn(): Promise<void> {
+  return new Promise((resolve) => {
+    setTimeout(resolve, 0);
+  });
+}

@@ -2,7 +2,7 @@
 // nodes, runs the command and ends with its exit code. The nodes' own output is not shown.
 
 import { isMainThread } from 'node:worker_threads';
-import { exitWhenPrinted, openHeadless, serveHeadlessWorker, siteErrorText } from '../wasm_js/headless_session.ts';
+import { endWhenNobodyReads, exitWhenPrinted, openHeadless, serveHeadlessWorker, siteErrorText } from '../wasm_js/headless_session.ts';
 import type { NodeView } from '../wasm_js/session.ts';
 import { SiteError } from '../wasm_js/site_error.ts';
 import { runCommand } from './run.ts';
@@ -45,11 +45,7 @@ async function main({ site, link, words }: Asked): Promise<number> {
     abort.abort();
   });
   process.on('SIGTERM', () => abort.abort());
-  // Who reads has enough, as `| head -1`.
-  process.stdout.on('error', (error: NodeJS.ErrnoException) => {
-    if (error.code === 'EPIPE') process.exit(0);
-    throw error;
-  });
+  endWhenNobodyReads(() => process.exit(0));
   const { session, close } = await openHeadless(site, link, new URL(import.meta.url));
   const told = new Set<string>();
   const tell = (nodes: readonly NodeView[]): void => {

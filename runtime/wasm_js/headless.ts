@@ -1,6 +1,7 @@
 // Runs a site without a browser: node headless.js SITE [NAME:=VALUE ...] [--show-args] [--for 5s] [--until REGEX] [--json]
 // [--link shared|port] [--stepped [--seed N]] [--trace FILE] [--checks [--junit FILE]]
 // stdout is what the nodes print, as `ros2 launch` shows it. Exit code: 0 met, 1 not met, 2 command line, 130 Ctrl-C.
+// Who reads it may leave: then the run ends, met unless it has a condition.
 
 import { isMainThread } from 'node:worker_threads';
 import { parseArgs } from 'node:util';
@@ -8,7 +9,7 @@ import { writeFileSync } from 'node:fs';
 import { type Broker, PortBroker, SharedBroker, steppedBus } from './broker.ts';
 import { checkLine, junitXml } from './check_report.ts';
 import { type CheckRun, runChecks } from './check_run.ts';
-import { exitWhenPrinted, serveHeadlessWorker, siteErrorText } from './headless_session.ts';
+import { endWhenNobodyReads, exitWhenPrinted, serveHeadlessWorker, siteErrorText } from './headless_session.ts';
 import { readGiven, shownArguments } from './launch_arguments.ts';
 import { siteWithArguments } from './launch_evaluation.ts';
 import { nodePlatform } from './node_platform.ts';
@@ -139,6 +140,11 @@ function watchChecks(checks: CheckRun, { json, event, finish }: CheckTeller): vo
 
 /** Runs to the end and returns the exit code. */
 export async function runHeadless(options: Options, entry: URL): Promise<number> {
+  let finish: (code: number) => void = () => undefined;
+  const finished = new Promise<number>((resolve) => {
+    finish = resolve;
+  });
+  endWhenNobodyReads(() => finish(options.until === undefined && options.checks === undefined ? 0 : 1));
   const platform = nodePlatform(options.site, entry);
   const print = (text: string): void => void process.stdout.write(`${text}\n`);
   const packed = readSite(await platform.json('site.json'));
@@ -152,10 +158,6 @@ export async function runHeadless(options: Options, entry: URL): Promise<number>
   if (site.launch?.decided === true) process.stderr.write('some of what runs was decided in Python when the site was packed\n');
   const broker = brokerFor(options);
   const event = (value: Record<string, unknown>): void => print(JSON.stringify(value));
-  let finish: (code: number) => void = () => undefined;
-  const finished = new Promise<number>((resolve) => {
-    finish = resolve;
-  });
   let met = false;
   const trace = options.trace === undefined ? undefined : new TraceFile(options.trace);
 

@@ -1,5 +1,6 @@
 // What programs for Node.js that run a site share: their workers, a session, the words for a site that cannot be run.
 
+import type { Writable } from 'node:stream';
 import { parentPort, workerData } from 'node:worker_threads';
 import { PortBroker, SharedBroker } from './broker.ts';
 import { nodeFiles, nodePlatform, readFileNow, workerMark } from './node_platform.ts';
@@ -47,8 +48,22 @@ export function siteErrorText({ code, message, place, why, fix }: SiteError): st
 }
 
 /** Once all that was printed has gone out: a pipe takes only so much at a time, and exit() drops the rest. */
-export async function exitWhenPrinted(code: number): Promise<never> {
-  const gone = (stream: NodeJS.WriteStream): Promise<void> => new Promise((done) => void stream.write('', () => done()));
-  await Promise.all([gone(process.stdout), gone(process.stderr)]);
-  process.exit(code);
+export async function exitWhenPrinted(
+  code: number,
+  streams: readonly Writable[] = [process.stdout, process.stderr],
+  exit: (code: number) => void = (given) => process.exit(given),
+): Promise<void> {
+  const gone = (stream: Writable): Promise<void> => new Promise((done) => void stream.write('', () => done()));
+  await Promise.all(streams.map(gone));
+  exit(code);
+}
+
+/** Whoever reads what is printed has enough, as `| head -1`: what comes after is lost, and no fault of the program. */
+export function endWhenNobodyReads(end: () => void): void {
+  for (const stream of [process.stdout, process.stderr]) {
+    stream.on('error', (error: NodeJS.ErrnoException) => {
+      if (error.code !== 'EPIPE') throw error;
+      end();
+    });
+  }
 }

@@ -1,5 +1,5 @@
 // The scene "teleop" of page_fake.tsx: nodes on a real graph that wait to be driven, /turtle1 by Twist and /robot by
-// TwistStamped. `globalThis.driven` has what they heard.
+// TwistStamped. `globalThis.driven` has what they heard, and `arrive` lets one more come.
 
 import { createCodec } from '../../runtime/decode/codec.ts';
 import { EndpointKind } from '../../runtime/protocol/generated/constants.ts';
@@ -55,6 +55,6 @@ export async function teleop(): Promise<FakeSession> {
   listen('turtlesim', '/turtle1/cmd_vel', 'geometry_msgs/msg/Twist');
   listen('robot', '/z/cmd_vel', 'geometry_msgs/msg/TwistStamped');
   followGraph(fake);
-  Object.assign(globalThis, { driven });
+  Object.assign(globalThis, { driven, arrive: listen });
   return fake;
 }

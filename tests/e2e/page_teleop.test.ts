@@ -12,6 +12,7 @@ import { PageStage, expectAccessible, phone } from './page_stage.ts';
 declare global {
   // Set by page_fake_teleop.ts.
   var driven: Heard[];
+  var arrive: (node: string, topic: string, type: string) => void;
 }
 
 const kOutput = fileURLToPath(new URL('../output', import.meta.url));
@@ -188,6 +189,10 @@ test('a gamepad drives by its sticks and its cross', () =>
     await hears(page, 1, 0);
     await set([0, -1, 1, 0], -1);
     await hears(page, 1, -2);
+    // One more robot, the first by its name: it is not driven.
+    await page.evaluate(() => arrive('alpha', '/alpha/cmd_vel', 'geometry_msgs/msg/Twist'));
+    await page.locator('datalist option[value="/alpha/cmd_vel"]').waitFor({ state: 'attached' });
+    assert.equal(await page.getByRole('combobox', { name: 'Topic' }).inputValue(), '/turtle1/cmd_vel');
     await set([0.1, -0.1, 0, 0], -1);
     await stopped(page);
     await set([0, 0, 0, 0], 14);

@@ -15,6 +15,8 @@ declare global {
   var send: (topic: string, type: string, value: unknown) => void;
   var heard: (topic: string) => number;
   var moves: readonly string[];
+  // Set by a test here: timers that run.
+  var held: number;
 }
 
 const kExample = fileURLToPath(new URL('../../examples/03_turtlesim', import.meta.url));
@@ -155,10 +157,49 @@ test('keys and pad drive the turtle as the keys of turtle_teleop_key do', () =>
     // Elsewhere the keys do what they do there.
     await page.getByRole('tab', { name: 'Turtlesim' }).focus();
     await page.keyboard.press('ArrowUp');
-    await page.getByRole('button', { name: 'Drive turtle1 forward' }).dispatchEvent('pointerdown', { button: 0 });
+    await holdForward(page);
     await page.waitForFunction(() => moves.length >= 8);
-    await page.getByRole('button', { name: 'Drive turtle1 forward' }).dispatchEvent('pointerup', { button: 0 });
+    await page.mouse.up();
     assert.deepEqual([...new Set((await page.evaluate(() => moves)).slice(5))], ['/turtle1/cmd_vel 2 0']);
+  }));
+
+/** Presses there and stays. */
+async function holdForward(page: Page): Promise<void> {
+  const box = (await page.getByRole('button', { name: 'Drive turtle1 forward' }).boundingBox()) ?? assert.fail();
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await page.mouse.down();
+}
+
+test('the pad is let go when the window loses the focus or the page is hidden, and by a finger that has slid off it', () =>
+  stage.on(`turtles${kAlone}`, {}, async (page) => {
+    await begin(page, { turtles: kOne });
+    await page.getByText('The arrow keys drive turtle1').waitFor();
+    // The timer that would send more is the only one: without it time goes on, and nothing is sent.
+    await page.evaluate(() => {
+      const node = fake.node();
+      const real = node.timer.bind(node);
+      Object.assign(globalThis, { held: 0 });
+      node.timer = (ms, ring) => {
+        const timer = real(ms, ring);
+        held += 1;
+        return { close: () => { held -= 1; timer.close(); } };
+      };
+      fake.node = () => node;
+    });
+    const free = (): Promise<unknown> => page.waitForFunction(() => held === 0);
+    for (const event of ['blur', 'visibilitychange'] as const) {
+      await holdForward(page);
+      await page.waitForFunction(() => held === 1);
+      await page.evaluate((name) => (name === 'blur' ? window : document).dispatchEvent(new Event(name)), event);
+      await free();
+      await page.mouse.up();
+    }
+    await holdForward(page);
+    await page.waitForFunction(() => held === 1);
+    await page.mouse.move(5, 5);
+    assert.equal(await page.evaluate(() => held), 1);
+    await page.mouse.up();
+    await free();
   }));
 
 test('several turtles have names and are chosen, several simulators too', () =>

@@ -54,6 +54,8 @@ export interface Picture {
 
 const kMostPixels = 2000;
 const kMostTurtles = 500;
+/** Of one scene, and of those that wait for the picture: the newest. The picture has the others. */
+const kMostStrokes = 10_000;
 const kFar = 1e5;
 
 /** null when it shows no sheet. */
@@ -63,6 +65,8 @@ export function readScene(value: unknown): Scene | null {
   const height = size(value['height']);
   const meter = asNumber(value['meter']);
   if (width === 0 || height === 0 || !(meter >= 1 && meter <= kMostPixels)) return null;
+  const strokes = list(value['strokes']);
+  const dropped = Math.max(0, strokes.length - kMostStrokes);
   return {
     width,
     height,
@@ -70,8 +74,8 @@ export function readScene(value: unknown): Scene | null {
     background: color(list(value['background'])),
     turtles: list(value['turtles']).slice(0, kMostTurtles).flatMap(readTurtle),
     picture: asNumber(value['picture']),
-    first: asNumber(value['first']),
-    strokes: list(value['strokes']).map(readStroke),
+    first: asNumber(value['first']) + dropped,
+    strokes: strokes.slice(dropped).map(readStroke),
   };
 }
 
@@ -110,7 +114,7 @@ export class Sheet {
   private picture = Number.NaN;
   /** How many strokes of the sheet are known: all before this one, unless some are missing. */
   private end = 0;
-  /** Scenes since strokes were missed. */
+  /** Of the scenes since strokes were missed, those with strokes. */
   private late: Scene[] = [];
   private missing = false;
   private asked = false;
@@ -127,7 +131,7 @@ export class Sheet {
       this.asked = false;
     }
     const strokes = this.append(scene);
-    if (this.missing) this.late.push(scene);
+    if (this.missing) this.keep(scene);
     const ask = this.missing && !this.asked;
     this.asked = this.missing;
     return { cleared, strokes, ask };
@@ -147,6 +151,13 @@ export class Sheet {
   /** The picture did not come. */
   askAgain(): void {
     this.asked = false;
+  }
+
+  /** Those that are dropped here are in the picture, or are asked for once more. */
+  private keep(scene: Scene): void {
+    if (scene.strokes.length > 0) this.late.push(scene);
+    let count = this.late.reduce((sum, { strokes }) => sum + strokes.length, 0);
+    while (count > kMostStrokes) count -= this.late.shift()?.strokes.length ?? count;
   }
 
   private append(scene: Scene): readonly Stroke[] {

@@ -54,7 +54,7 @@ interface NodeRowProps {
   readonly onChange: (transition: ManagedNode['transitions'][number]) => void;
 }
 
-function NodeRow({ node: { name, here, state, transitions, asked, answer, problem }, onChange }: NodeRowProps) {
+function NodeRow({ node: { name, here, state, transitions, asked, answer, problem, unread }, onChange }: NodeRowProps) {
   const row = useRef<HTMLLIElement>(null);
   const pressed = useRef(false);
   // The button that was pressed goes with its transition: the keyboard stays in the row.
@@ -92,6 +92,7 @@ function NodeRow({ node: { name, here, state, transitions, asked, answer, proble
       {asked === null ? null : <p class="hint">{texts.lifecycle.asking(asked.label)}</p>}
       {answer === '' ? null : <p class="hint">{answer}</p>}
       <WorkProblem text={problem} />
+      <WorkProblem text={unread} />
     </li>
   );
 }

@@ -9,6 +9,7 @@ import type { Stick } from '../model/twist.ts';
 import { DrivePad } from '../parts/drive_pad.tsx';
 import { useCodec } from '../parts/message_feed.ts';
 import { PanelFrame } from '../parts/panel.tsx';
+import { useLetGo } from '../parts/use_let_go.ts';
 import { TwistSender } from '../parts/twist_sender.ts';
 import { useGraph } from '../parts/watch.ts';
 import { WorkProblem } from '../parts/work_problem.tsx';
@@ -50,9 +51,17 @@ export function TeleopPanel({ session, state, setState, instance }: PanelProps) 
     sender.current?.hold(now);
     setShown((before) => (before.ahead === now.ahead && before.turn === now.turn ? before : now));
   };
+  /** What is driven is not another robot because one more has come. */
+  const pin = (): void => {
+    if (written === '') change({ topic });
+  };
   const hold = (source: string, stick: Stick): void => {
-    if (isRest(stick)) held.current.delete(source);
-    else held.current.set(source, stick);
+    if (isRest(stick)) {
+      held.current.delete(source);
+    } else {
+      held.current.set(source, stick);
+      pin();
+    }
     tell();
   };
   const release = (): void => {
@@ -79,21 +88,12 @@ export function TeleopPanel({ session, state, setState, instance }: PanelProps) 
     sender.current.rateHz = rate;
     sender.current.pace();
   }, [session, codec, topic, stamped, frame, linear, angular, rate]);
-  useEffect(() => {
-    const leave = (): void => release();
-    window.addEventListener('blur', leave);
-    document.addEventListener('visibilitychange', leave);
-    return () => {
-      window.removeEventListener('blur', leave);
-      document.removeEventListener('visibilitychange', leave);
-    };
-  }, []);
+  useLetGo(release);
   const pad = useGamepad(usesPad, (stick) => hold('gamepad', stick));
 
   const open = (): void => {
     sender.current?.open();
-    // What is driven is not another robot because one more has come.
-    if (written === '') change({ topic });
+    pin();
   };
   const type = stamped ? kTwistStamped : kTwist;
   const heard = waiting.some((each) => each.stamped === stamped);

@@ -1,7 +1,7 @@
 // The managed nodes of the graph: their states and the transitions that they take now, read over their services and
 // followed over `transition_event`; and what came of a transition that was asked for. A node that has gone stays, as gone.
 
-import type { GraphView, Session, Unsubscribe } from '../../wasm_js/session.ts';
+import type { GraphView, PageTimer, Session, Unsubscribe } from '../../wasm_js/session.ts';
 import type { Codec } from '../../decode/codec.ts';
 import type { Caller } from '../../ros2cli/calls.ts';
 import { changeState, managedNodes, stateOf, transitionsOf } from '../../ros2cli/lifecycle_calls.ts';
@@ -12,6 +12,8 @@ import { texts } from '../texts.ts';
 
 const kEventType = 'lifecycle_msgs/msg/TransitionEvent';
 const kMostTransitions = 30;
+/** After a read that failed: the node may only have been busy. By the site's time. */
+const kAgainMs = 2000;
 
 export interface ManagedNode {
   /** Fully qualified. */
@@ -26,8 +28,10 @@ export interface ManagedNode {
   readonly asked: State | null;
   /** What came of the last one. */
   readonly answer: string;
-  /** Why its state could not be read, or a transition was not made; empty: nothing. */
+  /** Why the last one was not made; empty: it was. */
   readonly problem: string;
+  /** Why its state could not be read; empty: it was. */
+  readonly unread: string;
 }
 
 interface Entry {
@@ -39,6 +43,8 @@ interface Entry {
   /** Ends what is asked of the node that has gone. */
   abort: AbortController;
   stop: Unsubscribe;
+  /** Reads once more, after a read that failed. */
+  again: PageTimer | undefined;
 }
 
 export class LifecycleStore {
@@ -70,29 +76,30 @@ export class LifecycleStore {
     const entry = this.entries.get(name);
     if (entry === undefined || !entry.view.here || entry.view.asked !== null) return '';
     const { abort } = entry;
+    // What is being read is then of the past.
+    entry.turn += 1;
+    entry.again?.close();
     this.show(entry, { asked: transition, answer: '', problem: '' });
     try {
       const done = await changeState(this.caller(abort), name, transition.id, Number.POSITIVE_INFINITY);
       if (abort.signal.aborted) return '';
       const words = done ? texts.lifecycle.done(transition.label) : texts.lifecycle.refused(transition.label);
       this.show(entry, { asked: null, ...(done ? { answer: words } : { problem: words }) });
-      this.read(entry);
       return words;
     } catch (error) {
       if (abort.signal.aborted) return '';
       const words = texts.lifecycle.failed(transition.label, wordsOf(error));
       this.show(entry, { asked: null, problem: words });
       return words;
+    } finally {
+      this.read(entry);
     }
   }
 
   close(): void {
     this.closed = true;
     this.stop();
-    for (const { abort, stop } of this.entries.values()) {
-      abort.abort();
-      stop();
-    }
+    for (const entry of this.entries.values()) this.leave(entry);
   }
 
   private caller({ signal }: AbortController): Caller {
@@ -108,15 +115,15 @@ export class LifecycleStore {
     for (const entry of this.entries.values()) {
       if (gids.has(entry.view.name) || !entry.view.here) continue;
       this.leave(entry);
-      this.show(entry, { here: false, transitions: [], asked: null });
+      this.show(entry, { here: false, transitions: [], asked: null, unread: '' });
     }
     for (const [name, gid] of gids) {
       const known = this.entries.get(name);
       if (known?.gid === gid) continue;
       if (known !== undefined) this.leave(known);
       const entry: Entry = {
-        view: { name, here: true, state: null, transitions: [], asked: null, answer: '', problem: '' },
-        gid, turn: 0, abort: new AbortController(), stop: () => undefined,
+        view: { name, here: true, state: null, transitions: [], asked: null, answer: '', problem: '', unread: '' },
+        gid, turn: 0, abort: new AbortController(), stop: () => undefined, again: undefined,
       };
       this.entries.set(name, entry);
       // Before it is read: what happens meanwhile is not missed.
@@ -137,21 +144,28 @@ export class LifecycleStore {
     entry.abort.abort();
     entry.stop();
     entry.stop = () => undefined;
+    entry.again?.close();
   }
 
+  /** While a transition is made the node's callback works and nothing else is answered: what is true is read at its end. */
   private read(entry: Entry): void {
-    if (entry.abort.signal.aborted) return;
+    if (entry.abort.signal.aborted || entry.view.asked !== null) return;
     entry.turn += 1;
+    entry.again?.close();
     const { turn } = entry;
     const { name } = entry.view;
     const caller = this.caller(entry.abort);
     Promise.all([stateOf(caller, name), transitionsOf(caller, name)]).then(
       ([state, transitions]) => {
         if (entry.turn !== turn) return;
-        this.show(entry, { state, transitions: transitions.slice(0, kMostTransitions).map(({ transition }) => transition) });
+        this.show(entry, {
+          state, transitions: transitions.slice(0, kMostTransitions).map(({ transition }) => transition), unread: '',
+        });
       },
       (error: unknown) => {
-        if (entry.turn === turn && !entry.abort.signal.aborted) this.show(entry, { problem: wordsOf(error) });
+        if (entry.turn !== turn || entry.abort.signal.aborted) return;
+        entry.again = this.session.node().timer(kAgainMs, () => this.read(entry));
+        this.show(entry, { unread: wordsOf(error) });
       },
     );
     this.show(entry, {});

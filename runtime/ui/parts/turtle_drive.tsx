@@ -7,6 +7,7 @@ import { problemOf } from '../model/problem.ts';
 import { texts } from '../texts.ts';
 import { Icon } from './icon.tsx';
 import { matched } from './matched.ts';
+import { useLetGo } from './use_let_go.ts';
 
 const kTwist = 'geometry_msgs/msg/Twist';
 /** Units per second and radians per second, as turtle_teleop_key. */
@@ -115,6 +116,7 @@ class Driver implements TurtleDrive {
 }
 
 export function TurtlePad({ drive, turtle }: { readonly drive: TurtleDrive; readonly turtle: string }) {
+  useLetGo(drive.release);
   return (
     <div class="turtle-pad" role="group" aria-label={texts.turtlesim.pad}>
       {kMoveNames.map((move) => (
@@ -125,11 +127,13 @@ export function TurtlePad({ drive, turtle }: { readonly drive: TurtleDrive; read
           aria-label={texts.turtlesim.moves[move](turtle)}
           aria-disabled={turtle === '' ? 'true' : undefined}
           onPointerDown={(event) => {
-            if (event.button === 0) drive.hold(move);
+            if (event.button !== 0) return;
+            event.currentTarget.setPointerCapture(event.pointerId);
+            drive.hold(move);
           }}
           onPointerUp={drive.release}
-          onPointerLeave={drive.release}
           onPointerCancel={drive.release}
+          onLostPointerCapture={drive.release}
           onContextMenu={(event) => event.preventDefault()}
           onClick={(event) => {
             // A pointer has moved the turtle already: this is a key, or a click that a program makes.

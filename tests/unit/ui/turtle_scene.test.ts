@@ -67,6 +67,24 @@ test('another sheet and another simulator begin anew; a picture of the old sheet
   assert.deepEqual([restarted.cleared, numbers(restarted.strokes)], [true, [0, 1]]);
 });
 
+test('while no picture comes only the newest strokes wait for it, and what is missing then is asked for again', () => {
+  const sheet = new Sheet();
+  assert.equal(sheet.take(scene(1, 5, 1), 'a').ask, true);
+  for (let i = 0; i < 30; i += 1) assert.equal(sheet.take(scene(1, 6 + i * 1000, 1000), 'a').ask, false);
+  const fresh = numbers(sheet.takePicture(picture(1, 6))) ?? [];
+  assert.deepEqual([fresh.length, fresh[0], fresh.at(-1)], [10_000, 20_006, 30_005]);
+  assert.equal(sheet.take(scene(1, 30_006, 1), 'a').ask, true);
+  // One that has all of them leaves nothing to ask for.
+  assert.deepEqual(numbers(sheet.takePicture(picture(1, 30_007))), []);
+  assert.equal(sheet.take(scene(1, 30_007, 1), 'a').ask, false);
+});
+
+test('of a scene with too many strokes the newest are drawn, and the picture is asked for', () => {
+  const large = scene(1, 0, 25_000);
+  assert.deepEqual([large.first, large.strokes.length], [15_000, 10_000]);
+  assert.equal(new Sheet().take(large, 'a').ask, true);
+});
+
 test('a picture is its runs of pixels', () => {
   const read = readPicture({
     picture: 4, strokes: 2, width: 2, height: 2,

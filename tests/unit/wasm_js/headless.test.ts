@@ -81,12 +81,22 @@ test('a reader that is slow gets all of it', watchdog, async () => {
       if (err.includes('trace: ')) resolve();
     });
   });
-  // One that does not wait is gone by then.
-  await Promise.race([ended, new Promise((resolve) => setTimeout(resolve, 1000))]);
   let out = '';
   for await (const bytes of child.stdout) out += String(bytes);
   assert.equal(await ended, 0);
   assert.match(out.trimEnd().split('\n').at(-1) ?? '', /^\[talker-1\] Publishing: 'Hello World: 2000\d' as \d+$/);
+});
+
+test('a reader that has enough ends it: without a fault, met where nothing was to be met', watchdog, async () => {
+  const folder = site({ program: 'talker.c' });
+  for (const [more, met] of [[[], 0], [['--until', 'never'], 1]] as const) {
+    const child = spawn(process.execPath, [script, folder, ...more], { stdio: ['ignore', 'pipe', 'pipe'] });
+    let err = '';
+    child.stderr.on('data', (bytes: Buffer) => { err += bytes.toString(); });
+    child.stdout.once('data', () => child.stdout.destroy());
+    assert.equal(await new Promise((resolve) => child.on('close', resolve)), met, err);
+    assert.equal(err, '');
+  }
 });
 
 test('without conditions it runs until all nodes ended', watchdog, async () => {

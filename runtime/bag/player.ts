@@ -3,7 +3,7 @@
 
 import type { PagePublisher, PageTimer, Session } from '../wasm_js/session.ts';
 import { SiteError } from '../wasm_js/site_error.ts';
-import type { Bag, BagMessage } from './bag_file.ts';
+import type { Bag, BagChannel, BagMessage } from './bag_file.ts';
 import { offerFor } from './qos_profiles.ts';
 
 export const slowestRate = 0.01;
@@ -23,6 +23,9 @@ export interface PlayOptions {
   readonly topics?: readonly string[];
   /** From a topic of the bag to the name that it is published under. */
   readonly names?: ReadonlyMap<string, string>;
+  /** The part that is played, in ns since 1970; all of the bag when left out. */
+  readonly from?: bigint;
+  readonly to?: bigint;
 }
 
 export type PlayState = 'paused' | 'playing' | 'ended';
@@ -51,8 +54,10 @@ export class BagPlayer {
     this.session = session;
     this.bag = bag;
     this.changed = changed;
-    this.options = { rate: 1, loop: false, clockHz: 0, topics: playable(bag), names: new Map(), ...options };
-    this.anchor = { siteMs: 0, ns: bag.start };
+    this.options = {
+      rate: 1, loop: false, clockHz: 0, topics: playable(bag), names: new Map(), from: bag.start, to: bag.end, ...options,
+    };
+    this.anchor = { siteMs: 0, ns: this.options.from };
   }
 
   /** ns since 1970, within the bag. */
@@ -61,12 +66,12 @@ export class BagPlayer {
     if (this.state !== 'playing') return anchor.ns;
     const past = (this.session.time.view().now - anchor.siteMs) * 1e6 * this.options.rate;
     const now = anchor.ns + BigInt(Math.max(0, Math.round(past)));
-    return now > this.bag.end ? this.bag.end : now;
+    return now > this.options.to ? this.options.to : now;
   }
 
   play(): void {
     if (this.state === 'playing') return;
-    if (this.state === 'ended') this.anchor = { siteMs: 0, ns: this.bag.start };
+    if (this.state === 'ended') this.anchor = { siteMs: 0, ns: this.options.from };
     this.begin();
   }
 
@@ -79,7 +84,8 @@ export class BagPlayer {
 
   /** Bounded by the bag. */
   seek(to: bigint): void {
-    const ns = to < this.bag.start ? this.bag.start : to > this.bag.end ? this.bag.end : to;
+    const { from, to: last } = this.options;
+    const ns = to < from ? from : to > last ? last : to;
     const goesOn = this.state === 'playing';
     this.halt();
     this.state = 'paused';
@@ -139,15 +145,15 @@ export class BagPlayer {
       this.anchor = { siteMs: this.session.time.view().now, ns: from };
       await this.sendFrom(from, signal);
       if (signal.aborted) return;
-      await this.until(this.bag.end, signal);
+      await this.until(this.options.to, signal);
       if (signal.aborted) return;
       if (!this.options.loop || this.bag.messages === 0) break;
-      this.anchor = { siteMs: this.session.time.view().now, ns: this.bag.start };
+      this.anchor = { siteMs: this.session.time.view().now, ns: this.options.from };
       // A bag of one moment would go round for ever within one turn.
       await this.wait(1, signal);
     }
     this.halt();
-    this.anchor = { siteMs: 0, ns: this.bag.end };
+    this.anchor = { siteMs: 0, ns: this.options.to };
     this.state = 'ended';
     this.changed();
   }
@@ -155,7 +161,7 @@ export class BagPlayer {
   private async sendFrom(from: bigint, signal: AbortSignal): Promise<void> {
     let turn = performance.now();
     for await (const message of this.bag.read(from, this.options.topics)) {
-      if (signal.aborted) return;
+      if (signal.aborted || message.logTime > this.options.to) return;
       if (await this.until(message.logTime, signal)) turn = performance.now();
       if (signal.aborted) return;
       this.send(message);
@@ -168,9 +174,10 @@ export class BagPlayer {
 
   /** What a latched topic held at that place: late subscriptions would have it. */
   private async sendLatched(before: bigint, signal: AbortSignal): Promise<void> {
-    const latched = new Map(this.bag.channels.filter(({ topic, offered }) =>
-      this.options.topics.includes(topic) && offerFor(offered).durability === 'transient_local')
-      .map(({ id, topic, offered }) => [id, { topic, depth: offerFor(offered).depth ?? 10, last: [] as BagMessage[] }]));
+    const isLatched = ({ topic, offered }: BagChannel): boolean =>
+      this.options.topics.includes(topic) && offerFor(offered).durability === 'transient_local';
+    const latched = new Map(this.bag.channels.filter(isLatched).map(({ id, topic, offered }) =>
+      [id, { topic, depth: offerFor(offered).depth ?? 10, last: [] as BagMessage[] }]));
     if (latched.size === 0) return;
     let turn = performance.now();
     for await (const message of this.bag.read(this.bag.start, [...new Set([...latched.values()].map(({ topic }) => topic))])) {

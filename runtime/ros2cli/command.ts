@@ -1,9 +1,25 @@
 // What a command of `ros2` is, and what it may use: a Session, a place to print, a signal for Ctrl-C.
 
+import type { BagSource } from '../bag/bag_file.ts';
+import type { BagSink } from '../bag/bag_writer.ts';
 import type { Codec } from '../decode/codec.ts';
 import type { Session } from '../wasm_js/session.ts';
 
+/** Where bags are, by name: the files of a shell, or what a page keeps. */
+export interface BagPlace {
+  /** undefined: there is none of that name. */
+  open(name: string): Promise<BagSource | undefined>;
+  /** undefined: there is one already. */
+  create(name: string): Promise<BagOutput | undefined>;
+}
+
+export interface BagOutput extends BagSink {
+  /** All is written. */
+  end(): void;
+}
+
 export interface Terminal {
+  readonly bags: BagPlace;
   /** One line or several, without the newline at the end. */
   print(text: string): void;
   /** The same, for what is no result. */
@@ -23,6 +39,8 @@ export interface Positional {
   readonly meaning: Meaning;
   /** May be left out. */
   readonly optional?: boolean;
+  /** The last one, any number of times. */
+  readonly many?: boolean;
 }
 
 export interface Option {
@@ -30,6 +48,10 @@ export interface Option {
   readonly names: readonly string[];
   /** What its value is called; undefined: it has none. */
   readonly value?: string;
+  /** Takes all words up to the next option; Given has them with spaces between. */
+  readonly many?: boolean;
+  /** The value when it is given without one. */
+  readonly alone?: string;
   /** The values that it may have. */
   readonly choices?: readonly string[];
   /** Is the value a number? */

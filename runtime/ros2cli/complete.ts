@@ -43,7 +43,8 @@ function choices(before: readonly string[], word: string, known: Known): readonl
   if (option?.value !== undefined) return option.choices ?? [];
   if (word.startsWith('-')) return [...command.options.flatMap(({ names }) => names), '--help'];
   const given = positionalsOf(command, before.slice(3));
-  const next = command.positionals[given.length];
+  const final = command.positionals.at(-1);
+  const next = command.positionals[given.length] ?? (final?.many === true ? final : undefined);
   return next === undefined ? [] : meant(next.meaning, given, known);
 }
 

@@ -5,6 +5,7 @@ import { isMainThread } from 'node:worker_threads';
 import { endWhenNobodyReads, exitWhenPrinted, openHeadless, serveHeadlessWorker, siteErrorText } from '../wasm_js/headless_session.ts';
 import type { NodeView } from '../wasm_js/session.ts';
 import { SiteError } from '../wasm_js/site_error.ts';
+import { bagFiles } from './bag_files.ts';
 import { runCommand } from './run.ts';
 
 const usage = 'usage: node ros2.js [--link shared|port] SITE COMMAND...';
@@ -61,6 +62,7 @@ async function main({ site, link, words }: Asked): Promise<number> {
   if (session.link === 'port') await pause(discoveryMs);
   const code = await runCommand(session, words, {
     signal: abort.signal,
+    bags: bagFiles,
     print: (text) => void process.stdout.write(`${text}\n`),
     warn: (text) => void process.stderr.write(`${text}\n`),
   });

@@ -81,8 +81,15 @@ function parseWords(command: Command, words: readonly string[]): Parsed {
       options.set(keyOf(option), '');
       continue;
     }
-    const value = attached ?? words[++i];
-    if (value === undefined) return wrong(`argument ${names}: expected one argument`);
+    const isNext = (): boolean => i + 1 < words.length && !/^-[^\d.]/.test(words[i + 1]!);
+    const value = attached ?? (option.alone !== undefined && !isNext() ? option.alone : isNext() || option.many !== true ? words[++i] : undefined);
+    if (value !== undefined && option.many === true) {
+      const all = [value];
+      while (isNext()) all.push(words[++i]!);
+      options.set(keyOf(option), all.join(' '));
+      continue;
+    }
+    if (value === undefined) return wrong(`argument ${names}: expected ${option.many === true ? 'at least one argument' : 'one argument'}`);
     if (option.choices?.includes(value) === false) {
       return wrong(`argument ${names}: invalid choice: '${value}' (choose from ${option.choices.map((each) => `'${each}'`).join(', ')})`);
     }
@@ -93,7 +100,7 @@ function parseWords(command: Command, words: readonly string[]): Parsed {
   if (positionals.length < wanted.length) {
     return wrong(`the following arguments are required: ${wanted.slice(positionals.length).map(({ name }) => name).join(', ')}`);
   }
-  if (positionals.length > command.positionals.length) {
+  if (positionals.length > command.positionals.length && command.positionals.at(-1)?.many !== true) {
     return wrong(`unrecognized arguments: ${positionals.slice(command.positionals.length).join(' ')}`);
   }
   return { kind: 'run', command, given: { positionals, options } };
@@ -108,15 +115,20 @@ export function keyOf(option: Option): string {
   return option.names[0]!.replace(/^-+/, '');
 }
 
+function valueOf({ value, many, alone }: Option): string {
+  if (value === undefined) return '';
+  return alone === undefined ? ` ${value}${many === true ? ` [${value} ...]` : ''}` : ` [${value}]`;
+}
+
 function usage(command: Command): string {
-  const options = command.options.map(({ names, value }) => `[${names[0]}${value === undefined ? '' : ` ${value}`}]`);
-  const positionals = command.positionals.map(({ name, optional }) => optional === true ? `[${name}]` : name);
+  const options = command.options.map((option) => `[${option.names[0]}${valueOf(option)}]`);
+  const positionals = command.positionals.map(({ name, optional, many }) =>
+    many === true ? `[${name} ...]` : optional === true ? `[${name}]` : name);
   return ['usage: ros2', ...command.words, '[-h]', ...options, ...positionals].join(' ');
 }
 
 function commandHelp(command: Command): string {
-  const rows = command.options.map(({ names, value, help }) =>
-    `  ${`${names.join(', ')}${value === undefined ? '' : ` ${value}`}`.padEnd(30)} ${help}`);
+  const rows = command.options.map((option) => `  ${`${option.names.join(', ')}${valueOf(option)}`.padEnd(30)} ${option.help}`);
   return [usage(command), '', command.help, ...(rows.length === 0 ? [] : ['', 'options:', ...rows])].join('\n');
 }
 

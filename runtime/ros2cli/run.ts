@@ -35,6 +35,7 @@ export async function runCommand(session: Session, words: readonly string[], ter
   const context = {
     session,
     signal: terminal.signal,
+    bags: terminal.bags,
     print: (text: string) => terminal.print(text),
     warn: (text: string) => terminal.warn(text),
     codec: async () => {

@@ -1,6 +1,7 @@
 // All commands of `ros2`, in the order in which help shows them. A new one is a row in its group's file.
 
 import { actionCommands } from './action_commands.ts';
+import { bagCommands } from './bag_commands.ts';
 import type { Command } from './command.ts';
 import { interfaceCommands } from './interface_commands.ts';
 import { lifecycleCommands } from './lifecycle_commands.ts';
@@ -14,6 +15,7 @@ import { topicPub } from './topic_pub.ts';
 
 export const commands: readonly Command[] = [
   ...actionCommands,
+  ...bagCommands,
   ...interfaceCommands,
   ...lifecycleCommands,
   ...nodeCommands,

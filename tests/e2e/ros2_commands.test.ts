@@ -10,6 +10,7 @@ import { cpSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { after, before, test } from 'node:test';
 import { type Browser, chromium, type Page } from 'playwright-core';
+import { bagFiles } from '../../runtime/ros2cli/bag_files.ts';
 import { runCommand } from '../../runtime/ros2cli/run.ts';
 import { openHeadless } from '../../runtime/wasm_js/headless_session.ts';
 import type { Session } from '../../runtime/wasm_js/session.ts';
@@ -60,6 +61,7 @@ class Shell {
     let [out, warned] = ['', ''];
     const code = await runCommand(this.session, words, {
       signal: abort.signal,
+      bags: bagFiles,
       print: (text) => {
         out += `${text}\n`;
         if (until?.test(out) === true) abort.abort();

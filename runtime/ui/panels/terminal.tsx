@@ -2,6 +2,7 @@
 // goes on while another tab is in front, and ends with the panel.
 
 import { useEffect, useRef, useState } from 'preact/hooks';
+import type { BagPlace } from '../../ros2cli/command.ts';
 import { complete } from '../../ros2cli/complete.ts';
 import { splitLine } from '../../ros2cli/parse.ts';
 import { runCommand } from '../../ros2cli/run.ts';
@@ -57,6 +58,15 @@ class Screen {
   }
 }
 
+/** The shelf of the panel for bags, which comes with the first command that needs it. */
+function bagsOf(session: Session): BagPlace {
+  const place = async (): Promise<BagPlace> => (await import('../parts/bag_desk.ts')).bagDesk(session).place;
+  return {
+    open: async (name) => (await place()).open(name),
+    create: async (name) => (await place()).create(name),
+  };
+}
+
 export function TerminalPanel({ session, announce }: PanelProps) {
   const [version, setVersion] = useState(0);
   const screen = useRef<Screen | null>(null);
@@ -109,7 +119,7 @@ export function TerminalPanel({ session, announce }: PanelProps) {
     const abort = new AbortController();
     current.current = abort;
     setRunning(abort);
-    await runCommand(session, rest, { signal: abort.signal, print, warn });
+    await runCommand(session, rest, { signal: abort.signal, bags: bagsOf(session), print, warn });
     current.current = null;
     setRunning(null);
   };

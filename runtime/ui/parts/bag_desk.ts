@@ -2,11 +2,12 @@
 // goes on and the bag that is played. One desk per session, which panel and terminal share.
 
 import { type Bag, type BagSource, openBag } from '../../bag/bag_file.ts';
+import { bagName, withEnding } from '../../bag/bag_name.ts';
 import type { BagSink } from '../../bag/bag_writer.ts';
 import { BagPlayer } from '../../bag/player.ts';
 import { Recorder } from '../../bag/recorder.ts';
+import type { BagPlace } from '../../ros2cli/command.ts';
 import type { Session, Unsubscribe } from '../../wasm_js/session.ts';
-import { bagName } from '../../bag/bag_name.ts';
 import { type Problem, problemOf } from '../model/problem.ts';
 
 /** Parts of a recording are given to the browser at this size, which keeps them outside of the page's memory. */
@@ -106,6 +107,22 @@ export class BagDesk {
       return undefined;
     }
   }
+
+  /** For the terminal. */
+  readonly place: BagPlace = {
+    open: async (name) => {
+      const bag = this.shelf.find((one) => one.name === name || one.name === withEnding(name));
+      return bag === undefined ? undefined : blobSource(bag.name, await bag.content());
+    },
+    create: (name) => {
+      if (this.shelf.some((one) => one.name === name)) return Promise.resolve(undefined);
+      const sink = new BlobSink();
+      return Promise.resolve({
+        write: (bytes) => sink.write(bytes),
+        end: () => void this.put(name, sink.blob(), 'recorded'),
+      });
+    },
+  };
 
   /** Another one of the same name stays, under that name. */
   put(name: string, blob: Blob, origin: 'file' | 'recorded'): ShelfBag {

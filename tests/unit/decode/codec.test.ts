@@ -127,3 +127,14 @@ test('what does not fit says where and why, and throws nothing', () => {
   assert.match(JSON.stringify(codec.encode('demo/msg/Huge', {})), /more than 1048576 items/);
   assert.match(JSON.stringify(codec.draft('demo/msg/None')), /has no definition of demo\/msg\/None/);
 });
+
+test('a type that became known later is read, and what is known stays', () => {
+  const known = new Map([['a/msg/A', 'b/B inner']]);
+  const late = createCodec(known);
+  const bytes = Uint8Array.from([0, 1, 0, 0, 7, 0, 0, 0]);
+  const before = late.decode('a/msg/A', bytes);
+  assert.match(before.kind === 'failed' ? before.reason : '', /no definition of b\/msg\/B/);
+  known.set('b/msg/B', 'int32 x');
+  const after = late.decode('a/msg/A', bytes);
+  assert.deepEqual(after.kind === 'value' ? after.value : after.reason, { inner: { x: 7 } });
+});

@@ -30,6 +30,17 @@ test('options in all their forms', () => {
   assert.deepEqual(given('topic', 'echo', '/x', '--qos-reliability', 'best_effort'), [['/x'], { 'qos-reliability': 'best_effort' }]);
 });
 
+test('lists of words, and options that may stand alone', () => {
+  assert.deepEqual(given('bag', 'record', '-o', 'run', '/a', '/b'), [['/a', '/b'], { output: 'run' }]);
+  assert.deepEqual(given('bag', 'record', '--topics', '/a', '/b', '-o', 'run'), [[], { topics: '/a /b', output: 'run' }]);
+  assert.deepEqual(given('bag', 'play', 'run', '--clock', '--remap', '/a:=/b', '/c:=/d'), [['run'], { clock: '40', remap: '/a:=/b /c:=/d' }]);
+  assert.deepEqual(given('bag', 'play', 'run', '--clock', '100'), [['run'], { clock: '100' }]);
+  assert.deepEqual(given('bag', 'play', 'run', '--clock=5', '-l'), [['run'], { clock: '5', loop: '' }]);
+  assert.match(String(given('bag', 'play', 'run', '--topics')), /argument --topics: expected at least one argument$/);
+  assert.match(String(given('bag', 'play', 'run', '--topics', '-l')), /argument --topics: expected at least one argument$/);
+  assert.match(String(given('bag', 'record', '-h')), /^usage: ros2 bag record \[-h\] .*\[--topics Topic \[Topic \.\.\.\]\].* \[Topic \.\.\.\]\n/);
+});
+
 test('what is wrong is told as argparse tells it', () => {
   for (const [words, pattern] of [
     [['topic', 'echo'], /error: the following arguments are required: topic_name$/],

@@ -1,0 +1,39 @@
+// Bags of a shell: files, relative to where it is.
+
+import { closeSync, fstatSync, openSync, readSync, writeSync } from 'node:fs';
+import type { BagPlace } from './command.ts';
+
+export const bagFiles: BagPlace = {
+  open: (name) => Promise.resolve().then(() => {
+    const file = opened(name, 'r', 'ENOENT');
+    if (file === undefined || !fstatSync(file).isFile()) return undefined;
+    return {
+      name, size: fstatSync(file).size,
+      read: (from: number, length: number) => Promise.resolve().then(() => {
+        const bytes = new Uint8Array(Math.max(0, Math.min(length, fstatSync(file).size - from)));
+        let at = 0;
+        for (let got = 1; at < bytes.length && got > 0; at += got) got = readSync(file, bytes, at, bytes.length - at, from + at);
+        return bytes.subarray(0, at);
+      }),
+    };
+  }),
+  create: (name) => Promise.resolve().then(() => {
+    const file = opened(name, 'wx', 'EEXIST');
+    if (file === undefined) return undefined;
+    return {
+      write: (bytes: Uint8Array) => {
+        for (let at = 0; at < bytes.length;) at += writeSync(file, bytes, at);
+      },
+      end: () => closeSync(file),
+    };
+  }),
+};
+
+function opened(name: string, flags: string, expected: string): number | undefined {
+  try {
+    return openSync(name, flags);
+  } catch (error) {
+    if ((error as NodeJS.ErrnoException).code === expected) return undefined;
+    throw error;
+  }
+}

@@ -139,6 +139,26 @@ test('what comes and goes moves nothing else', () =>
     assert.equal(await all.getAttribute('transform'), again);
   }));
 
+test('a pointer that was lifted outside drags nothing, and a click without a pointer counts after a drag', () =>
+  stage.on(withGraph(), {}, async (page) => {
+    await box(page, 'Node /planner').waitFor();
+    const all = page.locator('.graph-all');
+    const room = (await page.locator('.graph-drawing').boundingBox()) ?? assert.fail();
+    const before = await all.getAttribute('transform');
+    await page.mouse.move(room.x + 1, room.y + 40);
+    await page.mouse.down();
+    await page.mouse.move(room.x - 40, room.y + 40);
+    await page.mouse.up();
+    await page.mouse.move(room.x + 90, room.y + 60, { steps: 4 });
+    assert.equal(await all.getAttribute('transform'), before);
+    await page.mouse.down();
+    await page.mouse.move(room.x + 20, room.y + 20, { steps: 4 });
+    await page.mouse.up();
+    assert.notEqual(await all.getAttribute('transform'), before);
+    await box(page, 'Node /robot/laser').dispatchEvent('click');
+    await page.getByRole('region', { name: 'Details of /robot/laser' }).waitFor();
+  }));
+
 test('by keyboard: one stop, arrow keys from box to box, Enter chooses, plus zooms', () =>
   stage.on(withGraph(), {}, async (page) => {
     await box(page, 'Node /mission').waitFor();

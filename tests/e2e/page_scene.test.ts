@@ -189,6 +189,9 @@ async function heardOnce(page: Page, topic: string, type: string, value: unknown
   await publish(page, topic, type, value);
 }
 
+const inTheme = (page: Page, name: string): Promise<void> =>
+  page.evaluate((theme) => { document.documentElement.dataset['theme'] = theme; }, name);
+
 async function fillWorld(page: Page): Promise<void> {
   await frames(page, tree);
   await publish(page, '/robot_description', 'std_msgs/msg/String', { data: kRobot });
@@ -242,14 +245,24 @@ test('robots, maps, scans, clouds, paths, poses and markers are drawn, and each 
     const all = await panel.locator('.scene-canvas').screenshot({ path: `${kOutput}/scene.png` });
     // Markers and particles alone are blue; without them much less is.
     const blue = await pixels(page, 'blue');
-    for (const name of ['/markers', '/plan', '/particles', '/odom', '/scan', '/points']) {
-      const box = panel.getByRole('checkbox', { name });
+    const redrawn = async (what: () => Promise<void>): Promise<void> => {
       const drawn = await drawings(page);
-      await box.uncheck();
+      await what();
       await page.waitForFunction(
         (count) => Number(document.querySelector<HTMLElement>('.scene-canvas')?.dataset['drawings']) > count, drawn,
       );
+    };
+    // What was said once stays when other topics go and come, and in other colours.
+    const scan = panel.getByRole('checkbox', { name: '/scan' });
+    await redrawn(() => scan.uncheck());
+    assert.ok((await pixels(page, 'blue')) > blue * 0.7);
+    await redrawn(() => scan.check());
+    for (const theme of ['dark', 'light']) {
+      await redrawn(() => inTheme(page, theme));
+      assert.ok((await pixels(page, 'blue')) > blue * 0.7, theme);
     }
+    for (const name of ['/markers', '/plan', '/particles', '/odom', '/scan', '/points'])
+      await redrawn(() => panel.getByRole('checkbox', { name }).uncheck());
     assert.ok((await pixels(page, 'blue')) < blue / 2);
     assert.notDeepEqual(await panel.locator('.scene-canvas').screenshot(), all);
     // What was chosen stays chosen.

@@ -125,8 +125,8 @@ export function GraphDrawing({ picture, arrangement, label, rateOf, selected, on
     // As SVG spells it: in an SVG element it is an attribute as it stands here.
     tabindex: id === stop ? 0 : -1,
     'aria-pressed': subject === selected,
-    onClick: () => {
-      if (control.dragged()) return;
+    onClick: (event: MouseEvent) => {
+      if (control.dragged(event)) return;
       setCurrent(id);
       onSelect(subject);
     },

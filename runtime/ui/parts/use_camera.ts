@@ -15,8 +15,8 @@ export interface CameraControl {
   readonly onPointerDown: (event: PointerEvent) => void;
   readonly onPointerMove: (event: PointerEvent) => void;
   readonly onPointerEnd: (event: PointerEvent) => void;
-  /** The pointer has dragged the drawing: what follows is no click. */
-  readonly dragged: () => boolean;
+  /** The pointer has dragged the drawing: this click is the end of it. */
+  readonly dragged: (click: MouseEvent) => boolean;
 }
 
 const kDragFrom = 4;
@@ -72,6 +72,7 @@ export function useCamera(host: RefObject<SVGSVGElement | null>, bounds: Place):
     onPointerDown(event) {
       if (event.button !== 0 || host.current === null) return;
       const at = pointOf(event, host.current);
+      pointers.current.delete(event.pointerId);
       if (pointers.current.size === 0) {
         began.current = at;
         dragging.current = false;
@@ -79,6 +80,8 @@ export function useCamera(host: RefObject<SVGSVGElement | null>, bounds: Place):
       pointers.current.set(event.pointerId, at);
     },
     onPointerMove(event) {
+      // Lifted outside, before it was dragged far enough to be followed there.
+      if (event.buttons === 0) pointers.current.delete(event.pointerId);
       const before = pointers.current.get(event.pointerId);
       const element = host.current;
       if (before === undefined || element === null) return;
@@ -103,7 +106,8 @@ export function useCamera(host: RefObject<SVGSVGElement | null>, bounds: Place):
     onPointerEnd(event) {
       pointers.current.delete(event.pointerId);
     },
-    dragged: () => dragging.current,
+    // A click without a pointer, as by what reads the page, has no count.
+    dragged: (click) => click.detail > 0 && dragging.current,
   };
 }
 

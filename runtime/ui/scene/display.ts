@@ -10,6 +10,7 @@ export interface Anchored {
   readonly header: HeaderView;
 }
 
+/** As they are now: another theme changes them. */
 export interface DisplayColors {
   readonly text: string;
   /** For what has no colour of its own. */
@@ -23,6 +24,8 @@ export interface Display {
   /** Makes of what was taken what is drawn. `now`: seconds of the site's time. Later, the same way: when to ask again. */
   build(now: number): number | undefined;
   anchored(): Iterable<Anchored>;
+  /** The colours have changed: what has them is to be built again. */
+  repaint?(): void;
   /** Why nothing or not all is shown; empty: all is. */
   readonly problem: string;
   close(): void;

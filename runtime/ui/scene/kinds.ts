@@ -3,6 +3,7 @@
 import type { Display, DisplayColors } from './display.ts';
 import { Markers } from './markers.ts';
 import { NewestDisplay } from './newest_display.ts';
+import type { Built } from './newest_display.ts';
 import { occupancyGrid } from './occupancy_grid.ts';
 import { laserScan, pointCloud } from './points.ts';
 import { path, poseArray, singlePose } from './poses.ts';
@@ -10,17 +11,20 @@ import { RobotModel } from './robot_model.ts';
 
 type Make = (colors: DisplayColors) => Display;
 
+const colored = (make: (accent: string) => (message: unknown) => Built): Make =>
+  (colors) => new NewestDisplay((message) => make(colors.accent)(message), true);
+
 const kinds: ReadonlyMap<string, Make> = new Map<string, Make>([
-  ['sensor_msgs/msg/LaserScan', ({ accent }) => new NewestDisplay(laserScan(accent))],
+  ['sensor_msgs/msg/LaserScan', colored(laserScan)],
   ['sensor_msgs/msg/PointCloud2', () => new NewestDisplay(pointCloud)],
-  ['nav_msgs/msg/Path', ({ accent }) => new NewestDisplay(path(accent))],
-  ['nav_msgs/msg/Odometry', ({ accent }) => new NewestDisplay(singlePose(accent))],
-  ['geometry_msgs/msg/PoseStamped', ({ accent }) => new NewestDisplay(singlePose(accent))],
-  ['geometry_msgs/msg/PoseWithCovarianceStamped', ({ accent }) => new NewestDisplay(singlePose(accent))],
+  ['nav_msgs/msg/Path', colored(path)],
+  ['nav_msgs/msg/Odometry', colored(singlePose)],
+  ['geometry_msgs/msg/PoseStamped', colored(singlePose)],
+  ['geometry_msgs/msg/PoseWithCovarianceStamped', colored(singlePose)],
   ['nav_msgs/msg/OccupancyGrid', () => new NewestDisplay(occupancyGrid)],
   ['visualization_msgs/msg/Marker', () => new Markers()],
   ['visualization_msgs/msg/MarkerArray', () => new Markers()],
-  ['geometry_msgs/msg/PoseArray', ({ accent }) => new NewestDisplay(poseArray(accent))],
+  ['geometry_msgs/msg/PoseArray', colored(poseArray)],
 ]);
 
 export function canShow(topic: string, type: string): boolean {

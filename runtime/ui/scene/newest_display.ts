@@ -19,10 +19,19 @@ export class NewestDisplay implements Display {
   problem = '';
   private readonly make: (message: unknown) => Built;
   private waiting: { readonly message: unknown } | null = null;
+  /** Kept for another theme. */
+  private shown: { readonly message: unknown } | null = null;
+  private readonly isColored: boolean;
   private header: HeaderView = { stamp: NaN, frame: '' };
 
-  constructor(make: (message: unknown) => Built) {
+  /** `isColored`: with a colour of the page. */
+  constructor(make: (message: unknown) => Built, isColored = false) {
     this.make = make;
+    this.isColored = isColored;
+  }
+
+  repaint(): void {
+    this.waiting ??= this.shown;
   }
 
   take(message: unknown): void {
@@ -32,6 +41,7 @@ export class NewestDisplay implements Display {
   build(): undefined {
     if (this.waiting === null) return;
     const { message } = this.waiting;
+    if (this.isColored) this.shown = this.waiting;
     this.waiting = null;
     emptied(this.group);
     const { object, problem, header } = this.make(message);

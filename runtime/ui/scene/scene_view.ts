@@ -85,7 +85,11 @@ export class SceneView {
   }
 
   get displayColors(): DisplayColors {
-    return { text: this.stage.colors.text, accent: this.stage.colors.accent };
+    const { stage } = this;
+    return {
+      get text() { return stage.colors.text; },
+      get accent() { return stage.colors.accent; },
+    };
   }
 
   /** While a goal is set. */
@@ -103,6 +107,7 @@ export class SceneView {
   setColors(): void {
     this.stage.setColors();
     this.framesMoved = true;
+    for (const display of this.displays.values()) display.repaint?.();
   }
 
   add(topic: string, display: Display): void {

@@ -59,6 +59,8 @@ export function useScene(use: SceneUse): Scene {
   const [problem, setProblem] = useState('');
   const [era, begin] = useReducer<number, void>((n) => n + 1, 0);
   const settled = useRef('');
+  /** By type and name: ends what shows the topic. */
+  const followed = useRef(new Map<string, () => void>());
   const [, tell] = useReducer<number, void>((n) => n + 1, 0);
 
   useEffect(() => {
@@ -144,11 +146,23 @@ export function useScene(use: SceneUse): Scene {
   }, [session, view, codec, era]);
 
   const names = shown.map(({ name, type }) => `${type} ${name}`).join('\n');
+  useEffect(() => () => {
+    for (const stop of followed.current.values()) stop();
+    followed.current.clear();
+  }, [session, view, codec, era]);
   useEffect(() => {
-    if (view === null || codec === null || typeof codec === 'string') return undefined;
-    const stops = shown.map(({ name, type }) => {
+    if (view === null || codec === null || typeof codec === 'string') return;
+    const wanted = new Map(shown.map((topic) => [`${topic.type} ${topic.name}`, topic]));
+    // What stays keeps what it has heard: most of it is not said twice.
+    for (const [key, stop] of followed.current) {
+      if (wanted.has(key)) continue;
+      stop();
+      followed.current.delete(key);
+    }
+    for (const [key, { name, type }] of wanted) {
+      if (followed.current.has(key)) continue;
       const display = makeDisplay(name, type, view.displayColors);
-      if (display === null) return () => undefined;
+      if (display === null) continue;
       view.add(name, display);
       const stop = feed(session, codec, name, ({ decoded }) => {
         if (decoded.kind === 'failed') {
@@ -160,16 +174,13 @@ export function useScene(use: SceneUse): Scene {
         display.take(decoded.value);
         view.messageTaken();
       });
-      return () => {
+      followed.current.set(key, () => {
         stop();
         view.remove(name);
         unreadable.delete(name);
-      };
-    });
-    return () => {
-      for (const stop of stops) stop();
-    };
-  }, [session, view, codec, names, era, theme]);
+      });
+    }
+  }, [session, view, codec, names, era]);
 
   const forget = (): void => {
     tree.clear();

@@ -52,8 +52,7 @@ class Interface:
 
     def _add_service(self, described: List[td.Description]) -> None:
         self._add(self.services, described[:1])
-        self._add(self.messages, described[1:3])
-        self.descriptions += described[3:]  # the event: described, but no C++ type yet
+        self._add(self.messages, described[1:])
 
     def sources(self, package: str, places: Dict[str, Path]) -> Dict[str, Tuple[str, str]]:
         """Return encoding and text of each type; parts of services and actions have no text."""

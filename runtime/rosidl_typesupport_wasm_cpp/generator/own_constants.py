@@ -1,12 +1,9 @@
 """Reads each constant as one of the structure that it stands in.
 
 Debian's rosidl_parser looks for a constant by its text, so one that the feedback of an action has like the
-result is taken for a second one of the result. Importing this module mends that; run as a script, it runs the
-generator named first, mended.
+result is taken for a second one of the result. Importing this module mends that.
 """
 
-import runpy
-import sys
 from typing import Any, List, Optional
 
 from lark.tree import Tree
@@ -26,7 +23,3 @@ def _find_path(node: Any, target: Any) -> Optional[List[Any]]:
 
 
 parser._find_path = _find_path
-
-if __name__ == '__main__':
-    del sys.argv[0]
-    runpy.run_path(sys.argv[0], run_name='__main__')

@@ -54,7 +54,7 @@ def message_descriptions(folders: list[Path]) -> dict[str, dict[str, Any]]:
         full = json.loads(file.read_text(encoding="utf-8"))["type_description_msg"]
         for one in (full["type_description"], *full["referenced_type_descriptions"]):
             found[one["type_name"]] = one
-    # Services and actions as such are not messages, and events have no C++ type.
+    # Services and actions as such are not messages; events are made of parts that are here.
     parts = ("_Request", "_Response", "_Goal", "_Result", "_Feedback", "_FeedbackMessage")
     return {
         name: one for name, one in sorted(found.items())

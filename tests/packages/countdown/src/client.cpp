@@ -14,6 +14,14 @@ int main(int argc, char** argv) {
   auto node = std::make_shared<rclcpp::Node>("countdown_client");
   auto hold = node->create_client<Hold>("hold");
   hold->wait_for_service();
+  hold->configure_introspection(node->get_clock(), rclcpp::ServicesQoS(),
+                                RCL_SERVICE_INTROSPECTION_CONTENTS);
+  auto watcher = node->create_subscription<Hold::Event>(
+      "hold/_service_event", rclcpp::ServicesQoS(), [&](const Hold::Event& event) {
+        for (const auto& asked : event.request) {
+          RCLCPP_INFO(node->get_logger(), "event: asked to hold for %d", asked.steps);
+        }
+      });
   auto request = std::make_shared<Hold::Request>();
   request->steps = 3;
   auto answer = hold->async_send_request(request);

@@ -72,6 +72,16 @@ class Descriptions(unittest.TestCase):
         self.assertIn('{"info", &kType_service_msgs__msg__ServiceEventInfo, "", 0u, 0u, 1},', text)
         self.assertIn('{"request", &kType_p__srv__S_Request, "", 1u, 0u, 97},', text)
 
+    def test_the_event_of_a_service_is_a_message(self) -> None:
+        interface = described("p", "srv/S.srv", "int32 a\n---\nstring b")
+        self.assertEqual(interface.messages, [f"p/srv/S_{part}" for part in ("Request", "Response", "Event")])
+        types = td.TypeTable()
+        types.add(interface.descriptions)
+        text = source([], interface.messages, interface.services, [], {}, types, LayoutTable(types))
+        self.assertIn("read_sequence(reader, message.request, 1, 0);", text)
+        self.assertIn("get_message_type_support_handle<::p::srv::S_Event>()", text)
+        self.assertEqual(nested_types(interface), {"service_msgs/msg/ServiceEventInfo", "p/srv/S_Request", "p/srv/S_Response"})
+
     def test_what_people_wrote_goes_before_what_was_made_of_it(self) -> None:
         places = source_places({
             "idl_tuples": ["/made:msg/A.idl", "/own:msg/B.idl"], "non_idl_tuples": ["/own:msg/A.msg"]})

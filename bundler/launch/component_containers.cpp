@@ -2,6 +2,8 @@
 #include "bundler/launch/component_containers.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -12,12 +14,13 @@ namespace ros2wasm {
 namespace {
 
 constexpr std::string_view kContainerPackage = "rclcpp_components";
-constexpr const char* kContainer = "component_container";
+/// Each package with components has all of them.
+constexpr std::string_view kContainers[] = {"component_container", "component_container_mt",
+                                            "component_container_isolated"};
 constexpr const char* kCode = "R2W0417";
 
-void give(const LaunchComponent& component, const std::vector<FileRules>& files,
-          LaunchProcess& container) {
-  std::vector<std::string>& words = container.node.arguments;
+void add_words(const LaunchComponent& component, const std::vector<FileRules>& files,
+               std::vector<std::string>& words) {
   words.push_back("--component=" + component.plugin);
   for (const std::string& word : node_arguments(component.node, files))
     words.push_back("--component-arg=" + word);
@@ -51,9 +54,12 @@ Outcome<ContainerProcesses> container_processes(const LaunchProcess& container,
   }
   if (container.components.empty())
     warn("`" + name + "` is left out of the site", "no component is loaded into it");
-  if (node.executable.value != kContainer)
+  const bool is_known = std::find(std::begin(kContainers), std::end(kContainers),
+                                  node.executable.value) != std::end(kContainers);
+  if (!is_known)
     warn("`" + node.executable.value + "` runs as `component_container`",
-         "the callbacks of its components take turns in one thread");
+         "rclcpp_components has no container of this name");
+  std::vector<std::vector<std::string>> words;  // of each process
   for (const LaunchComponent& component : container.components) {
     const std::string& package = component.node.package.value;
     auto process = std::find_if(result.processes.begin(), result.processes.end(),
@@ -62,13 +68,20 @@ Outcome<ContainerProcesses> container_processes(const LaunchProcess& container,
       LaunchProcess own = container;
       own.components.clear();
       own.node.package = component.node.package;
-      own.node.executable.value = kContainer;
+      if (!is_known) own.node.executable.value = kContainers[0];
       if (!result.processes.empty() && own.node.name) own.node.name->value += "_" + package;
       process = result.processes.insert(result.processes.end(), std::move(own));
+      words.emplace_back();
     }
     const auto files = file_rules(component.node, parameter_files);
     if (!files) return files.errors();
-    give(component, *files, *process);
+    add_words(component, *files,
+              words[static_cast<std::size_t>(process - result.processes.begin())]);
+  }
+  // Before the container's own, which may end with `--ros-args`.
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    std::vector<std::string>& all = result.processes[i].node.arguments;
+    all.insert(all.begin(), words[i].begin(), words[i].end());
   }
   return result;
 }

@@ -1,5 +1,5 @@
 // Components that a launch file loads into a container: they run in the container of their package, with their names,
-// remappings, parameters and extra arguments.
+// remappings, parameters and extra arguments; callbacks take turns there, or do not, as the container's name says.
 
 import assert from 'node:assert/strict';
 import { cpSync } from 'node:fs';
@@ -20,7 +20,7 @@ def component(plugin, **more):
 
 def generate_launch_description():
     box = ComposableNodeContainer(
-        package='rclcpp_components', executable='component_container_mt', name='box', namespace='/c',
+        package='rclcpp_components', executable='my_container', name='box', namespace='/c',
         composable_node_descriptions=[
             component('Counter', name='source', remappings=[('TOPIC', '/numbers')],
                       extra_arguments=[{'use_intra_process_comms': True}]),
@@ -35,6 +35,29 @@ def generate_launch_description():
     ])
 `;
 
+/** A visitor waits within a callback until the porter opens the gate, in each kind of container. */
+const gates = `
+from launch import LaunchDescription
+from launch_ros.actions import ComposableNodeContainer
+from launch_ros.descriptions import ComposableNode
+
+
+def container(name, executable, *words):
+    return ComposableNodeContainer(
+        package='rclcpp_components', executable=executable, name='box', namespace=name, arguments=list(words),
+        composable_node_descriptions=[
+            ComposableNode(package='composed_talkers', plugin='composed_talkers::Visitor', namespace=name, parameters=[{'patience': 1}]),
+            ComposableNode(package='composed_talkers', plugin='composed_talkers::Porter', namespace=name)])
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        container('turns', 'component_container'),
+        container('mt', 'component_container_mt', '--ros-args', '-p', 'thread_num:=2'),
+        container('apart', 'component_container_isolated'),
+        container('apart_mt', 'component_container_isolated', '--use_multi_threaded_executor')])
+`;
+
 let workspace: PackWorkspace;
 before(async () => {
   workspace = new PackWorkspace();
@@ -44,7 +67,7 @@ before(async () => {
   workspace.write('more.yaml', '/**:\n  ros__parameters: {gain: 2.5}\n');
   const packed = await workspace.run(['pack']);
   assert.equal(packed.code, 0, packed.stderr);
-  assert.match(packed.stderr, /warning\[R2W0417\].*`component_container_mt` runs as `component_container`/);
+  assert.match(packed.stderr, /warning\[R2W0417\].*`my_container` runs as `component_container`/);
 });
 after(() => workspace.close());
 
@@ -78,3 +101,26 @@ for (const link of ['shared', 'port']) {
     assert.match(run.stdout, /\[in\.ear\]: heard 5/);
   });
 }
+
+test('callbacks of a container take turns, or run at the same time', async () => {
+  workspace.write('gates.launch.py', gates.replaceAll("{'patience': 1}", "{'patience': 600}").replace("container('turns', 'component_container'),", ''));
+  workspace.write('gates.yaml', 'schema: 1\nname: gates\npackages: [src/*]\nlaunch: gates.launch.py\n');
+  const packed = await workspace.run(['pack', 'gates.yaml', '--output', 'gates']);
+  assert.equal(packed.code, 0, packed.stderr);
+  assert.doesNotMatch(packed.stderr, /R2W0417/);
+  const { nodes } = JSON.parse(workspace.read('gates/site.json').toString()) as { nodes: { executable: string }[] };
+  assert.deepEqual(nodes.map((node) => node.executable), ['component_container_mt', 'component_container_isolated', 'component_container_isolated']);
+  for (const name of ['mt', 'apart', 'apart_mt']) {
+    const run = await workspace.run(['run', 'gates', '--link', 'shared', '--until', `\\[${name}\\.visitor\\]: came in`, '--for', '60s']);
+    assert.equal(run.code, 0, `${run.stdout}${run.stderr}`);
+  }
+  const refused = await workspace.run(['run', 'gates', '--link', 'port', '--for', '20s']);
+  assert.notEqual(refused.code, 0);
+  assert.match(`${refused.stdout}${refused.stderr}`, /R2W0704/);
+
+  workspace.write('gates.launch.py', gates);
+  const again = await workspace.run(['pack', 'gates.yaml', '--output', 'gates']);
+  assert.equal(again.code, 0, again.stderr);
+  const turns = await workspace.run(['run', 'gates', '--link', 'shared', '--until', '\\[turns\\.visitor\\]: waited in vain', '--for', '60s']);
+  assert.equal(turns.code, 0, `${turns.stdout}${turns.stderr}`);
+});

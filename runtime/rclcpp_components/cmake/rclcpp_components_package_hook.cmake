@@ -1,14 +1,20 @@
-# At ament_package(): makes the container of the package's components, unless the package sets
+# At ament_package(): makes the containers of the package's components, unless the package sets
 # RCLCPP_COMPONENTS_NO_CONTAINER; programs that load libraries
 # of classes at run time, and link none of the package's themselves, get all of them, since nothing
 # can be loaded later; writes the components into the package's index.
 list(REMOVE_DUPLICATES _RCLCPP_COMPONENTS_LIBRARIES)
 _rclcpp_components_keep_once(${_RCLCPP_COMPONENTS_LIBRARIES})
 if(NOT TARGET component_container AND NOT RCLCPP_COMPONENTS_NO_CONTAINER)
-  add_executable(component_container ${rclcpp_components_DIR}/component_container.cpp)
-  target_link_libraries(component_container
-    ${_RCLCPP_COMPONENTS_LIBRARIES} rclcpp_components::component_manager)
-  install(TARGETS component_container DESTINATION lib/${PROJECT_NAME})
+  foreach(_container component_container component_container_mt component_container_isolated)
+    set(_main component_container_mt.cpp)
+    if(_container STREQUAL "component_container")
+      set(_main component_container.cpp)
+    endif()
+    add_executable(${_container} ${rclcpp_components_DIR}/${_main})
+    target_link_libraries(${_container}
+      ${_RCLCPP_COMPONENTS_LIBRARIES} rclcpp_components::component_manager)
+    install(TARGETS ${_container} DESTINATION lib/${PROJECT_NAME})
+  endforeach()
 endif()
 get_property(_targets DIRECTORY PROPERTY BUILDSYSTEM_TARGETS)
 foreach(_target IN LISTS _targets)

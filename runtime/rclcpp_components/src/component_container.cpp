@@ -1,5 +1,5 @@
-// A program that components are loaded into: those that its command line names, and those that it
-// is asked for later.
+// Programs that components are loaded into: those that their command lines name, and those that
+// they are asked for later. The ones with threads are in component_container_mt.cpp.
 #include <memory>
 #include <string_view>
 #include <vector>
@@ -7,6 +7,7 @@
 #include "rclcpp/rclcpp.hpp"
 #include "rclcpp_components/component_manager.hpp"
 #include "rclcpp_components/component_program.hpp"
+#include "rclcpp_components/detail/container.hpp"
 
 namespace rclcpp_components {
 namespace {
@@ -44,10 +45,10 @@ std::vector<Component> components_in(int argc, char** argv) {
 
 }  // namespace
 
-int run_container(int argc, char** argv) {
-  rclcpp::init(argc, argv);
-  auto executor = std::make_shared<rclcpp::executors::SingleThreadedExecutor>();
-  auto manager = std::make_shared<ComponentManager>(executor);
+namespace detail {
+
+void spin_container(int argc, char** argv, const std::shared_ptr<ComponentManager>& manager,
+                    rclcpp::Executor& executor) {
   for (const Component& component : components_in(argc, argv)) {
     try {
       manager->load(component.plugin, component.arguments, component.extras);
@@ -55,8 +56,16 @@ int run_container(int argc, char** argv) {
       RCLCPP_ERROR(manager->get_logger(), "%s", error.what());
     }
   }
-  executor->add_node(manager);
-  executor->spin();
+  executor.add_node(manager);
+  executor.spin();
+}
+
+}  // namespace detail
+
+int run_container(int argc, char** argv) {
+  rclcpp::init(argc, argv);
+  auto executor = std::make_shared<rclcpp::executors::SingleThreadedExecutor>();
+  detail::spin_container(argc, argv, std::make_shared<ComponentManager>(executor), *executor);
   return 0;
 }
 

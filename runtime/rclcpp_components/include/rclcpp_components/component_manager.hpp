@@ -55,6 +55,7 @@ class ComponentManager : public rclcpp::Node {
   /// Null when the library has no such class.
   virtual std::shared_ptr<rclcpp_components::NodeFactory> create_component_factory(
       const ComponentResource& resource);
+  virtual void set_executor(const std::weak_ptr<rclcpp::Executor> executor);
 
  private:
   std::optional<uint64_t> instantiate(const std::string& plugin,
@@ -62,7 +63,6 @@ class ComponentManager : public rclcpp::Node {
 
  protected:
   virtual rclcpp::NodeOptions create_node_options(const std::shared_ptr<LoadNode::Request> request);
-  virtual void set_executor(const std::weak_ptr<rclcpp::Executor> executor);
   virtual void add_node_to_executor(uint64_t node_id);
   virtual void remove_node_from_executor(uint64_t node_id);
   virtual void on_load_node(const std::shared_ptr<rmw_request_id_t> request_header,

@@ -19,4 +19,9 @@ int run_component(int argc, char** argv, const char* program, const char* compon
 /// `--component-arg=WORD` as arguments and the boolean extra arguments `--component-flag=NAME`.
 int run_container(int argc, char** argv);
 
+/// The same with threads. `name` is the program's: `component_container_mt` has one executor with
+/// as many threads as its parameter `thread_num` says; `component_container_isolated` one for each
+/// component, in a thread of its own (with `--use_multi_threaded_executor` a multi-threaded one).
+int run_container_mt(int argc, char** argv, const char* name);
+
 }  // namespace rclcpp_components

@@ -336,32 +336,43 @@ TEST(Launch, WhatASiteCannotStartIsLeftOutOrRefused) {
 TEST(Launch, AContainerBecomesOneOfEachPackage) {
   std::vector<InstalledPackage> installed;
   for (const char* name : {"a", "b"})
-    installed.push_back({.name = name,
-                         .programs = {{.package = name,
-                                       .executable = "component_container",
-                                       .file = "/p/component_container.wasm",
-                                       .kind = ProgramKind::kWasm}}});
+    for (const std::string container :
+         {"component_container", "component_container_mt", "component_container_isolated"}) {
+      if (installed.empty() || installed.back().name != name) installed.push_back({.name = name});
+      installed.back().programs.push_back({.package = name,
+                                           .executable = container,
+                                           .file = "/p/" + container + ".wasm",
+                                           .kind = ProgramKind::kWasm});
+    }
   const std::string text =
       "<launch><node_container pkg='rclcpp_components' exec='component_container_isolated' "
-      "name='box' namespace='/n'>"
+      "name='box' namespace='/n' args='--use_multi_threaded_executor'>"
       "<composable_node pkg='a' plugin='a::One' name='one'><param name='p' value='1'/>"
       "<extra_arg name='use_intra_process_comms' value='true'/></composable_node>"
       "<composable_node pkg='b' plugin='b::Two'/><composable_node pkg='a' plugin='a::Three'/>"
       "</node_container>"
+      "<node_container pkg='rclcpp_components' exec='component_container_mt' name='mt' "
+      "namespace=''><composable_node pkg='a' plugin='a::One'/></node_container>"
+      "<node_container pkg='rclcpp_components' exec='my_container' name='own' "
+      "namespace=''><composable_node pkg='a' plugin='a::One'/></node_container>"
       "<node_container pkg='rclcpp_components' exec='component_container' name='none' "
       "namespace=''/>"
       "</launch>";
   const LaunchWorld world = world_with("a.launch.xml", text);
   const auto made = launch_file_nodes("/f/a.launch.xml", {}, world, installed, {});
   ASSERT_TRUE(made.ok());
-  ASSERT_EQ(made->nodes.size(), 2U);
+  ASSERT_EQ(made->nodes.size(), 4U);
   EXPECT_EQ(made->nodes[0].label, "/n/box");
-  EXPECT_EQ(made->nodes[0].arguments,
-            (std::vector<std::string>{
-                "--component=a::One", "--component-arg=--ros-args", "--component-arg=-r",
-                "--component-arg=__node:=one", "--component-arg=-p", "--component-arg=p:=1",
-                "--component-flag=use_intra_process_comms", "--component=a::Three", "--ros-args",
-                "-r", "__node:=box", "-r", "__ns:=/n"}));
+  EXPECT_EQ(made->nodes[0].executable, "component_container_isolated");
+  EXPECT_EQ(made->nodes[2].executable, "component_container_mt");
+  EXPECT_EQ(made->nodes[3].executable, "component_container");
+  EXPECT_EQ(
+      made->nodes[0].arguments,
+      (std::vector<std::string>{
+          "--component=a::One", "--component-arg=--ros-args", "--component-arg=-r",
+          "--component-arg=__node:=one", "--component-arg=-p", "--component-arg=p:=1",
+          "--component-flag=use_intra_process_comms", "--component=a::Three",
+          "--use_multi_threaded_executor", "--ros-args", "-r", "__node:=box", "-r", "__ns:=/n"}));
   EXPECT_EQ(made->nodes[1].label, "/n/box_b");
   EXPECT_EQ(made->nodes[1].package, "b");
   ASSERT_EQ(made->warnings.size(), 2U);

@@ -88,3 +88,40 @@ for (const { title, name, programs } of [
     }
   });
 }
+
+/** What tf2_echo prints of base in map, and tf2_monitor of the way there: two metres ahead, turned by a quarter. */
+const ECHO = [
+  /At time \d+\.\d+$/, /- Translation: \[2\.000, 0\.000, 0\.000\]$/, /- Rotation: in Quaternion \[0\.000, 0\.000, 0\.707, 0\.707\]$/,
+  /- Rotation: in RPY \(radian\) \[0\.000, -?0\.000, 1\.571\]$/, /- Rotation: in RPY \(degree\) \[0\.000, -?0\.000, 90\.000\]$/, /- Matrix:$/,
+  / {2}-?0\.000 -1\.000 {2}0\.000 {2}2\.000$/, / {2}1\.000 {2}-?0\.000 {2}0\.000 {2}0\.000$/, / {2}0\.000 {2}0\.000 {2}1\.000 {2}0\.000$/, / {2}0\.000 {2}0\.000 {2}0\.000 {2}1\.000$/,
+];
+const MONITOR = [
+  /Waiting for transform chain to become available between map and base \.*$/, /Gathering data on map -> base for 10 seconds\.\.\.$/, /RESULTS: for map to base$/,
+  /Chain is: map -> base$/, /Net delay {5}avg = [-\d.e+]+: max = [-\d.e+]+$/, /Frames:$/,
+  /Frame: base, published by <no authority available>, Average Delay: [-\d.e+]+, Max Delay: [-\d.e+]+$/, /All Broadcasters:$/,
+  /Node: <no authority available> [\d.e+]+ Hz, Average Delay: [-\d.e+]+ Max Delay: [-\d.e+]+$/,
+];
+
+test('the programs of tf2_ros say where frames are, and answer who asks', { timeout: 500_000 }, async () => {
+  const frames = '  - {package: tf2_ros, executable: static_transform_publisher, arguments: [--x, 2, --yaw, 1.5707963267948966, --frame-id, map, --child-frame-id, base]}\n';
+  const tools = '  - {package: tf2_ros, executable: tf2_echo, arguments: [map, base, 2]}\n  - {package: tf2_ros, executable: tf2_monitor, arguments: [map, base]}\n';
+  workspace.write('tools.yaml', manifest('tf2_checks', []) + frames + tools);
+  workspace.write('remote.yaml', `${manifest('tf2_checks', ['remote'])}  - {package: tf2_ros, executable: buffer_server}\n${frames}`);
+  for (const name of ['tools', 'remote']) {
+    const packed = await workspace.run(['pack', `${name}.yaml`, '--output', `site_${name}`]);
+    assert.equal(packed.code, 0, packed.stderr);
+  }
+  // Ten seconds of the monitor take none in a stepped run.
+  const said = await workspace.run(['run', 'site_tools', '--stepped', '--seed', '1', '--until', 'Node: <no authority available>', '--for', '60s']);
+  assert.equal(said.code, 0, `${said.stdout}${said.stderr}`);
+  for (const [program, lines] of [['tf2_echo', ECHO], ['tf2_monitor', MONITOR]] as const) {
+    const own = said.stdout.split('\n').filter((line) => line.startsWith(`[${program}-`));
+    let at = -1;
+    for (const line of lines) {
+      at = own.findIndex((text, i) => i > at && line.test(text));
+      assert.notEqual(at, -1, `${String(line)}\n${own.join('\n')}`);
+    }
+  }
+  const asked = await workspace.run(['run', 'site_remote', '--link', 'shared', '--until', '\\[remote\\]: all \\d+ checks hold', '--for', '60s']);
+  assert.equal(asked.code, 0, `${asked.stdout}${asked.stderr}`);
+});

@@ -33,6 +33,7 @@ export const bagTexts = {
   held: 'The time of the site is held. The bag goes on with it.',
   unsent: (count: number): string => `${count} messages found no room at a subscription.`,
   topics: 'Topics of the bag',
+  asShort: 'as',
   as: (topic: string): string => `Name that ${topic} is published under`,
   unplayable: 'its encoding is not that of ROS 2',
   began: (time: string): string => `recorded ${time}`,

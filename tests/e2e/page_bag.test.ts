@@ -1,12 +1,15 @@
 // The panel for bags in Chromium, over messages that really pass a graph: recorded, downloaded, read back, dropped and
 // played; keyboard, axe-core, 320 px, and files that are no bags.
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import { parse } from '@foxglove/rosmsg';
 import { MessageReader } from '@foxglove/rosmsg2-serialization';
 import { McapIndexedReader } from '@mcap/core';
 import type { Page } from 'playwright-core';
+import { Recorder } from '../../runtime/bag/recorder.ts';
+import { MemorySink, until } from '../unit/bag/bag_parts.ts';
+import { FakeSession } from '../unit/ui/fake_session.ts';
 import { dropFile } from './drop_file.ts';
 import { PageStage, expectAccessible } from './page_stage.ts';
 
@@ -104,6 +107,30 @@ test('keyboard alone: seek, speed, loop; and axe-core finds nothing in both them
       assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 320);
     });
   }
+});
+
+test('a bag of the site plays by itself, where its panel says so, with types that the site does not have', async () => {
+  const session = new FakeSession({ nodes: [], interfaces: new Map([['old/msg/Step', 'old/Length length'], ['old/msg/Length', 'float32 metres']]) });
+  const steps = session.node().publisher('/steps', 'old/msg/Step');
+  const sink = new MemorySink();
+  const recorder = await Recorder.begin(session, sink, { wants: () => true });
+  await until(() => steps.matched() === 1);
+  steps.publish(Uint8Array.from([0, 1, 0, 0, 0, 0, 32, 63]));
+  await until(() => recorder.messages === 1);
+  await recorder.stop();
+  session.close();
+  mkdirSync(`${stage.folder}/bags`);
+  writeFileSync(`${stage.folder}/bags/walk.mcap`, sink.bytes());
+  const panel = { bag: { file: 'walk.mcap', play: true, loop: true } };
+  const layout = JSON.stringify({ column: [panel, 'terminal'], shown: 'bag' });
+  await stage.on(`bagged#layout=${encodeURIComponent(layout)}`, {}, async (page) => {
+    await page.getByRole('button', { name: /^walk\.mcap .*, part of the site$/ }).waitFor();
+    await page.getByRole('button', { name: 'Pause', exact: true }).waitFor();
+    await page.waitForFunction(() => fake.graph().nodes.some(({ publishers }) => publishers.some(({ name }) => name === '/steps')));
+    await page.getByRole('textbox', { name: 'Command' }).fill('ros2 topic echo --once /steps');
+    await page.getByRole('textbox', { name: 'Command' }).press('Enter');
+    await page.getByText('metres: 0.625').waitFor();
+  });
 });
 
 test('what is no bag says so, and a cut one plays what is there', () =>

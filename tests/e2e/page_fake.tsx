@@ -6,7 +6,7 @@ import type { GraphEndpointView, GraphNodeView, GraphView } from '../../runtime/
 import type { Sample } from '../unit/wasm_js/graph_peer.ts';
 import type { PagePublisher } from '../../runtime/wasm_js/session.ts';
 import { mountPage } from '../../runtime/ui/mount.tsx';
-import { FakeChecks, FakeSession, stringBytes } from '../unit/ui/fake_session.ts';
+import { FakeChecks, type FakeOptions, FakeSession, stringBytes } from '../unit/ui/fake_session.ts';
 
 const kInterfaces = new Map([
   ['std_msgs/msg/String', 'string data\n'],
@@ -178,9 +178,10 @@ function hostile(): FakeSession {
 }
 
 /** Messages that really pass the graph: `globalThis.send(topic, type, value)` publishes one. */
-async function signals(): Promise<FakeSession> {
+async function signals(options: Partial<FakeOptions> = {}): Promise<FakeSession> {
   const fake = new FakeSession({
     nodes: [{ executable: 'robot' }],
+    ...options,
     interfaces: new Map([
       ...kInterfaces,
       [
@@ -414,7 +415,8 @@ const kScenes: Readonly<Record<string, () => FakeSession | Promise<FakeSession>>
   talker: () => talkerListener(),
   port: () => talkerListener({ link: 'port' }),
   crowd,
-  signals,
+  signals: () => signals(),
+  bagged: () => signals({ ui: { bags: ['bags/walk.mcap'] }, files: ['bags/walk.mcap'] }),
   world,
   turtles,
   sheet,

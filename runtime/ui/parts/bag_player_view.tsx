@@ -47,8 +47,7 @@ export function BagPlayerView({ session, player, options, change, announce }: Ba
   return (
     <section class="bag-player" aria-label={words.player(bag.name)}>
       <p class="bag-facts">
-        <span class="bag-name">{bag.name}</span>
-        {` ${words.messages(formatCount(bag.messages))}, ${words.began(startOf(bag.start))}`}
+        {`${words.messages(formatCount(bag.messages))}, ${words.began(startOf(bag.start))}`}
       </p>
       {bag.damage === undefined ? null : <p class="hint">{words.damage(bag.damage)}</p>}
       {bag.messages === 0 ? <p class="hint">{words.empty}</p> : null}
@@ -131,6 +130,13 @@ function TopicTable({ player }: { readonly player: BagPlayer }) {
   const [chosen, setChosen] = useState<readonly string[]>(() => playable(bag));
   const [names, setNames] = useState<ReadonlyMap<string, string>>(new Map());
   const can = new Set(playable(bag));
+  const rename = (topic: string, name: string): void => {
+    const next = new Map(names);
+    if (name === '' || name === topic) next.delete(topic);
+    else next.set(topic, name);
+    setNames(next);
+    player.set({ names: next });
+  };
   return (
     <ul class="bag-channels" role="list" aria-label={words.topics}>
       {bag.channels.map(({ id, topic, type, count }) => (
@@ -150,23 +156,21 @@ function TopicTable({ player }: { readonly player: BagPlayer }) {
           </label>
           <span class="bag-facts">{can.has(topic) ? `${type}, ${words.messages(formatCount(count))}` : words.unplayable}</span>
           {can.has(topic) ? (
-            <input
-              type="text"
-              class="field"
-              aria-label={words.as(topic)}
-              value={names.get(topic) ?? topic}
-              autocomplete="off"
-              autocapitalize="off"
-              spellcheck={false}
-              onChange={(event) => {
-                const name = event.currentTarget.value.trim();
-                const next = new Map(names);
-                if (name === '' || name === topic) next.delete(topic);
-                else next.set(topic, name);
-                setNames(next);
-                player.set({ names: next });
-              }}
-            />
+            <span class="bag-as">
+              <span class="bag-facts" aria-hidden="true">
+                {words.asShort}
+              </span>
+              <input
+                type="text"
+                class="field"
+                aria-label={words.as(topic)}
+                value={names.get(topic) ?? topic}
+                autocomplete="off"
+                autocapitalize="off"
+                spellcheck={false}
+                onChange={(event) => rename(topic, event.currentTarget.value.trim())}
+              />
+            </span>
           ) : null}
         </li>
       ))}

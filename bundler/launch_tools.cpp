@@ -64,12 +64,16 @@ fs::path kept_place(const LaunchEvaluationAsked& asked) {
   key.add("environment", asked.environment.string()).add("file", asked.file);
   for (const auto& [name, value] : asked.given) key.add("argument", name).add("value", value);
   std::error_code error;
+  // What is built lies in another folder after each change; what it holds was looked at.
+  const fs::path cache = default_cache_directory(asked.variables);
+  const std::string built = fs::absolute(build_area(cache), error).string() + "/";
   for (const LaunchFolder& folder : asked.folders) {
-    key.add("at", folder.at).add("from", fs::absolute(folder.from, error).string());
+    const std::string from = fs::absolute(folder.from, error).string();
+    key.add("at", folder.at).add("from", from.starts_with(built) ? "a build" : from);
     key.add("is", fs::is_directory(folder.from, error) ? "there" : "absent");
     key.add("holds", folder.holds_modules ? "modules" : "files");
   }
-  return kept_launch_place(default_cache_directory(asked.variables)) / (key.finish() + ".json");
+  return kept_launch_place(cache) / (key.finish() + ".json");
 }
 
 /// Nothing when there is none, or when something of what it was made of is not as it was.
@@ -82,6 +86,8 @@ std::vector<PythonRemark> kept_talk(const fs::path& place,
   if (!kept) return {};
   for (const auto& [path, state] : kept->seen)
     if (!is_still(folders, path, state)) return {};
+  // By that the cache sees which are in use.
+  fs::last_write_time(place, fs::file_time_type::clock::now(), error);
   return std::move(kept->remarks);
 }
 

@@ -19,9 +19,9 @@ struct SourceEntry {
 };
 
 /// All folders and files below `folder`, each folder before what is in it. Hidden files, Python
-/// caches, folders that hold COLCON_IGNORE and sites that ros2wasm made do not count. Links are
-/// followed within `folder` and `workspace`, which may be empty; a folder that several names lead
-/// to is read once. Ends early when `most` are found. R2W0210.
+/// caches, folders that hold COLCON_IGNORE and sites that ros2wasm made, as folders or archives, do
+/// not count. Links are followed within `folder` and `workspace`, which may be empty; a folder that
+/// several names lead to is read once. Ends early when `most` are found. R2W0210.
 [[nodiscard]] Outcome<std::vector<SourceEntry>> source_tree(
     const std::filesystem::path& folder, const std::filesystem::path& workspace = {},
     std::size_t most = std::numeric_limits<std::size_t>::max());

@@ -1,7 +1,6 @@
 // See zip_output.hpp.
 #include "bundler/emit/zip_output.hpp"
 
-#include <fstream>
 #include <string_view>
 
 #include "bundler/archive/zip_writer.hpp"
@@ -17,31 +16,6 @@ namespace {
 /// Of a member and of the whole, with room for the directory; and of members.
 constexpr std::uint64_t kMostBytes = 4'000'000'000;
 constexpr std::size_t kMostMembers = 65'000;
-constexpr std::uint64_t kMostOfSiteJson = 256'000'000;
-
-std::uint32_t number_at(std::string_view header, std::size_t at, int bytes) {
-  std::uint32_t value = 0;
-  for (int i = 0; i < bytes; ++i)
-    value |= std::uint32_t{static_cast<unsigned char>(header[at + i])} << (8 * i);
-  return value;
-}
-
-/// The first member of an archive that emit_zip() wrote; else empty.
-std::string first_site_json(const fs::path& file) {
-  constexpr std::string_view kName = kSiteJsonName;
-  constexpr std::size_t kHeader = 30;
-  std::ifstream in(file, std::ios::binary);
-  std::string header(kHeader + kName.size(), '\0');
-  if (!in.read(header.data(), static_cast<std::streamsize>(header.size()))) return {};
-  const std::uint32_t size = number_at(header, 22, 4);
-  if (!header.starts_with("PK\3\4") || number_at(header, 8, 2) != 0 ||
-      number_at(header, 26, 2) != kName.size() || number_at(header, 28, 2) != 0 ||
-      !header.ends_with(kName) || size > kMostOfSiteJson)
-    return {};
-  std::string text(size, '\0');
-  if (!in.read(text.data(), static_cast<std::streamsize>(size))) return {};
-  return text;
-}
 
 Diagnostic too_large(const fs::path& file, std::string why) {
   return Diagnostic{.code = "R2W0609",
@@ -56,8 +30,7 @@ std::optional<Diagnostic> refuse_zip(const fs::path& file) {
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
   if (!fs::exists(status) && !fs::is_symlink(fs::symlink_status(file, error))) return std::nullopt;
-  if (fs::is_regular_file(status) && is_site_json_of_ours(first_site_json(file)))
-    return std::nullopt;
+  if (fs::is_regular_file(status) && is_site_archive_of_ours(file)) return std::nullopt;
   return Diagnostic{
       .code = "R2W0601",
       .message = "`" + file.string() + "` exists and is not a site made by ros2wasm",

@@ -1,22 +1,60 @@
 // See own_site.hpp.
 #include "bundler/render/own_site.hpp"
 
+#include <cstdint>
+#include <fstream>
+
 #include "bundler/io/files.hpp"
 #include "bundler/render/site_json.hpp"
+#include "bundler/verify/site_list.hpp"
 #include "workspace_schema/json_reader.hpp"
 
 namespace ros2wasm {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::uint64_t kMostOfSiteJson = 256'000'000;
+
+std::uint32_t number_at(std::string_view header, std::size_t at, int bytes) {
+  std::uint32_t value = 0;
+  for (int i = 0; i < bytes; ++i)
+    value |= std::uint32_t{static_cast<unsigned char>(header[at + i])} << (8 * i);
+  return value;
+}
+
+/// The first member of an archive that emit_zip() wrote; else empty.
+std::string first_site_json(const fs::path& file) {
+  constexpr std::string_view kName = kSiteJsonName;
+  constexpr std::size_t kHeader = 30;
+  std::ifstream in(file, std::ios::binary);
+  std::string header(kHeader + kName.size(), '\0');
+  if (!in.read(header.data(), static_cast<std::streamsize>(header.size()))) return {};
+  const std::uint32_t size = number_at(header, 22, 4);
+  if (!header.starts_with("PK\3\4") || number_at(header, 8, 2) != 0 ||
+      number_at(header, 26, 2) != kName.size() || number_at(header, 28, 2) != 0 ||
+      !header.ends_with(kName) || size > kMostOfSiteJson)
+    return {};
+  std::string text(size, '\0');
+  if (!in.read(text.data(), static_cast<std::streamsize>(size))) return {};
+  return text;
+}
+
+}  // namespace
 
 bool is_site_json_of_ours(std::string_view text) {
   const auto json = parse_json(text, "site.json", "R2W0605");
   return json && json->text_of("generator").starts_with(kSiteGenerator);
 }
 
-bool is_site_of_ours(const std::filesystem::path& folder) {
+bool is_site_of_ours(const fs::path& folder) {
   std::error_code error;
-  if (!std::filesystem::is_regular_file(folder / "site.json", error)) return false;
+  if (!fs::is_regular_file(folder / "site.json", error)) return false;
   const auto text = read_file(folder / "site.json");
   return text && is_site_json_of_ours(*text);
+}
+
+bool is_site_archive_of_ours(const fs::path& file) {
+  return is_site_json_of_ours(first_site_json(file));
 }
 
 }  // namespace ros2wasm

@@ -1,4 +1,5 @@
-// Which folders are sites that ros2wasm made: they may be replaced, and are no sources.
+// Which folders and archives are sites that ros2wasm made: they may be replaced, and are no
+// sources.
 #pragma once
 
 #include <filesystem>
@@ -11,5 +12,8 @@ namespace ros2wasm {
 
 /// By its site.json.
 [[nodiscard]] bool is_site_of_ours(const std::filesystem::path& folder);
+
+/// By its first member, which emit_zip() makes the site.json.
+[[nodiscard]] bool is_site_archive_of_ours(const std::filesystem::path& file);
 
 }  // namespace ros2wasm

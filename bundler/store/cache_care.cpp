@@ -21,6 +21,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::chrono::hours kLeftoverAge{1};
+/// Since they were last of use.
+constexpr std::chrono::hours kKeptLaunchAge{30 * 24};
 
 /// What is directly in a folder, sorted; nothing when it is not there.
 std::vector<fs::path> entries_of(const fs::path& folder) {
@@ -168,10 +170,10 @@ class Pruner {
     pruned_.bytes += bytes;
   }
 
-  void remove_if_old(const fs::path& path) {
+  void remove_if_old(const fs::path& path, std::chrono::hours most = kLeftoverAge) {
     std::error_code error;
     const auto age = fs::file_time_type::clock::now() - fs::last_write_time(path, error);
-    if (!error && age > kLeftoverAge) remove(path);
+    if (!error && age > most) remove(path);
   }
 
   Outcome<Pruned> end() {
@@ -256,7 +258,7 @@ Outcome<Pruned> prune_cache(const fs::path& cache, const PruneRequest& request,
     if (entry != kept_launch_place(cache)) pruner.remove(entry);
   }
   for (const fs::path& file : entries_of(kept_launch_place(cache)))
-    if (is_leftover_name(file)) pruner.remove_if_old(file);
+    pruner.remove_if_old(file, is_leftover_name(file) ? kLeftoverAge : kKeptLaunchAge);
   for (const char* area : {"packages", "environments", "index"}) {
     for (const fs::path& entry : entries_of(cache / area / "unfinished"))
       pruner.remove_if_old(entry);

@@ -49,7 +49,8 @@ struct Pruned {
 
 /// Removes what nobody needs: leftovers of runs that were ended (older than an hour), archives that
 /// are unpacked, old copies of indexes, kept indexes of anything but the copies in use, builds and
-/// launch files of other versions of ros2wasm, and whatever is damaged. R2W0211.
+/// launch files of other versions of ros2wasm, launch files that nobody has asked for in a month,
+/// and whatever is damaged. R2W0211.
 [[nodiscard]] Outcome<Pruned> prune_cache(const std::filesystem::path& cache,
                                           const PruneRequest& request,
                                           const Cancellation& cancellation);

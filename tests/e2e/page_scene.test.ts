@@ -137,8 +137,8 @@ test('the view turns, moves and zooms by mouse, wheel and keys, and is kept', ()
     assert.equal(await top.getAttribute('aria-pressed'), 'true');
   }));
 
-// Guarantee, hostile input: frames in loops, robot descriptions and maps whose texts or sizes lie
-// neither hang nor stop the 3D view
+// Guarantee, hostile input: frames in loops, robot descriptions and maps whose texts or sizes lie, and markers without
+// number neither hang nor stop the 3D view
 test('scenes of hostile frames neither hang nor throw, and say what is wrong', () =>
   on({ frame: 'nowhere' }, async (page) => {
     await frames(page, [
@@ -192,6 +192,13 @@ async function heardOnce(page: Page, topic: string, type: string, value: unknown
 const inTheme = (page: Page, name: string): Promise<void> =>
   page.evaluate((theme) => { document.documentElement.dataset['theme'] = theme; }, name);
 
+const marker = (id: number, type: number, more: object): unknown => ({
+  header: header('map'), ns: 'things', id, type, action: 0, pose: pose(-1 + id / 2, -1.5, 0.25), scale: { x: 0.3, y: 0.3, z: 0.3 },
+  color: kColors, lifetime: { sec: 0, nanosec: 0 }, frame_locked: false, points: [], colors: [], texture_resource: '',
+  texture: { header: header(''), format: '', data: [] }, uv_coordinates: [], text: '', mesh_resource: '',
+  mesh_file: { filename: '', data: [] }, mesh_use_embedded_materials: false, ...more,
+});
+
 async function fillWorld(page: Page): Promise<void> {
   await frames(page, tree);
   await publish(page, '/robot_description', 'std_msgs/msg/String', { data: kRobot });
@@ -219,12 +226,6 @@ async function fillWorld(page: Page): Promise<void> {
   });
   await heardOnce(page, '/particles', 'geometry_msgs/msg/PoseArray', {
     header: header('map'), poses: Array.from({ length: 30 }, (_, i) => pose(-1 - (i % 6) / 5, 1 + Math.floor(i / 6) / 5)),
-  });
-  const marker = (id: number, type: number, more: object): unknown => ({
-    header: header('map'), ns: 'things', id, type, action: 0, pose: pose(-1 + id / 2, -1.5, 0.25), scale: { x: 0.3, y: 0.3, z: 0.3 },
-    color: kColors, lifetime: { sec: 0, nanosec: 0 }, frame_locked: false, points: [], colors: [], texture_resource: '',
-    texture: { header: header(''), format: '', data: [] }, uv_coordinates: [], text: '', mesh_resource: '',
-    mesh_file: { filename: '', data: [] }, mesh_use_embedded_materials: false, ...more,
   });
   await heardOnce(page, '/markers', 'visualization_msgs/msg/MarkerArray', {
     markers: [
@@ -270,6 +271,16 @@ test('robots, maps, scans, clouds, paths, poses and markers are drawn, and each 
     await panel.getByRole('checkbox', { name: '/scan' }).waitFor();
     assert.equal(await panel.getByRole('checkbox', { name: '/scan' }).isChecked(), false);
     assert.equal(await panel.getByRole('checkbox', { name: '/map' }).isChecked(), true);
+  }));
+
+test('markers of many large texts are drawn as far as there is room', () =>
+  on(null, async (page) => {
+    await frames(page, tree);
+    const text = `${'W'.repeat(150)}${'\n'.repeat(19)}`;
+    const markers = Array.from({ length: 300 }, (_, id) => marker(id, 9, { text, pose: pose(0, 0) }));
+    await heardOnce(page, '/markers', 'visualization_msgs/msg/MarkerArray', { markers });
+    await page.locator('.scene-problem').getByText('too many markers').waitFor();
+    assert.ok((await pixels(page, 'blue')) > 30);
   }));
 
 test('what cannot be drawn is said beside its topic', () =>

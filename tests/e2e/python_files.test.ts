@@ -62,8 +62,8 @@ function shows(page: Page, pattern: string, count: number): Promise<unknown> {
   );
 }
 
-// Guarantee, verified: the page and `ros2wasm run` run Python only with the archives, the scripts and the Pyodide that
-// `site.json` lists, and no image of an interpreter is kept of others
+// Guarantee, verified: the page and `ros2wasm run` run Python only with the archives and the Pyodide that `site.json` lists,
+// and no image of an interpreter is kept of others; its scripts are looked at first, and then loaded from the host once more
 for (const path of ['python/packages.zip', 'pyodide/python_stdlib.zip', 'pyodide/pyodide.asm.js', 'python_worker.js']) {
   test(`${path}, changed on the host, is refused by the page`, watchdog, () => withChange(path, () =>
     visit(path !== 'python_worker.js', async (page) => {

@@ -4,6 +4,7 @@ Whether Python was asked shows in the words: what is kept is changed by hand, so
 """
 from __future__ import annotations
 
+import json
 import os
 import subprocess
 import tempfile
@@ -54,6 +55,14 @@ class Kept(unittest.TestCase):
                                 env=environment, capture_output=True, text=True, check=False)
         self.assertEqual(result.returncode, 0, result.stderr)
         return result.stdout
+
+    def pack(self) -> str:
+        """What the site says of its launch file."""
+        environment = {**os.environ, 'XDG_CACHE_HOME': str(self.folder / '.cache')}
+        result = subprocess.run([str(CLI), 'pack', '-o', 'site'], cwd=self.folder, env=environment, capture_output=True,
+                                text=True, check=False)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return json.dumps(json.loads((self.folder / 'site/site.json').read_bytes())['launch'])
 
     def kept(self) -> list[Path]:
         return sorted((self.folder / '.cache/ros2wasm/launch').glob('*/*.json'))
@@ -110,6 +119,18 @@ class Kept(unittest.TestCase):
         self.assertIn('memory speaks of one', self.launch())
         self.assertIn('memory speaks of two', self.launch('robot:=two'))
 
+    def test_prune_takes_what_nobody_asked_for_in_a_month(self) -> None:
+        self.launch()
+        [used] = self.kept()
+        self.launch('robot:=two')
+        long_ago = used.stat().st_mtime - 40 * 24 * 3600
+        for path in self.kept():
+            os.utime(path, (long_ago, long_ago))
+        self.launch()
+        environment = {**os.environ, 'XDG_CACHE_HOME': str(self.folder / '.cache')}
+        subprocess.run([str(CLI), 'cache', 'prune'], env=environment, capture_output=True, check=True)
+        self.assertEqual(self.kept(), [used])
+
     def test_what_is_damaged_is_made_again(self) -> None:
         first = self.launch()
         [path] = self.kept()
@@ -118,6 +139,31 @@ class Kept(unittest.TestCase):
             path.write_text(text, encoding='utf-8')
             self.assertEqual(self.launch(), first)
             self.assertEqual(path.read_text(encoding='utf-8'), whole)
+
+    def test_a_rebuild_of_what_nobody_looked_at_changes_nothing(self) -> None:
+        for name, text in {
+            'workspace.yaml': 'schema: 1\nname: kept\nversion: 1.0.0\nlicense: Apache-2.0\ndistro: jazzy\n'
+                              'packages: [demo]\nlaunch: demo/launch/all.launch.py\n',
+            'demo/package.xml': PACKAGE.replace(
+                '</package>', '<exec_depend>rclpy</exec_depend><export><build_type>ament_python</build_type></export></package>'),
+            'demo/setup.py': "from setuptools import setup\nsetup(name='demo', version='1.2.3', packages=['demo'], data_files=[('share/"
+                             "demo', ['package.xml'])], entry_points={'console_scripts': ['talker = demo.talker:main']})\n",
+            'demo/setup.cfg': '[develop]\nscript_dir=$base/lib/demo\n[install]\ninstall_scripts=$base/lib/demo\n',
+            'demo/demo/__init__.py': '', 'demo/demo/talker.py': 'def main():\n    pass\n',
+        }.items():
+            (self.folder / name).parent.mkdir(parents=True, exist_ok=True)
+            self.write(name, text)
+        self.assertIn('python speaks', self.pack())
+        first = self.kept()
+        self.assertEqual(len(first), 1)
+        self.forge()
+        # It is built anew, in another folder.
+        self.write('demo/demo/talker.py', 'def main():\n    print("more")\n')
+        self.assertIn('memory speaks', self.pack())
+        self.assertEqual(self.kept(), first)
+        self.write('demo/launch/names.txt', 'n2\n')
+        self.assertIn('python speaks', self.pack())
+        self.assertEqual(self.kept(), first)
 
 
 if __name__ == '__main__':

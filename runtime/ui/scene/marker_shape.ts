@@ -1,7 +1,7 @@
 // The drawing of one visualization_msgs/msg/Marker, by its type.
 
 import {
-  BufferAttribute, BufferGeometry, Color, DoubleSide, Group, InstancedMesh, Matrix4, Vector3,
+  BufferAttribute, BufferGeometry, Color, DoubleSide, Group, InstancedMesh, Matrix4, Quaternion, Vector3,
 } from 'three';
 import type { Object3D } from 'three';
 import { asNumber } from '../model/field_path.ts';
@@ -13,12 +13,13 @@ import { isPlace } from './display.ts';
 import { lines, pairsOf } from './lines.ts';
 import type { Built } from './newest_display.ts';
 import { points } from './points.ts';
-import { arrow, ball, box, cylinder, mesh, placeAt, rgba, solid, words } from './shapes.ts';
+import { arrow, ball, box, cylinder, mesh, pixelsOfWords, placeAt, rgba, solid, words } from './shapes.ts';
 import type { Rgba } from './shapes.ts';
 
 const kMostPoints = 200_000;
 const kMostSolids = 20_000;
 const kLargest = 1e5;
+const kAhead = new Vector3(1, 0, 0);
 
 /** As the message's constants number them. */
 export const MarkerType = {
@@ -34,6 +35,28 @@ interface Parts {
   /** Red, green, blue of each point in three's light; null: they have the marker's colour. */
   readonly colors: Float32Array | null;
   readonly text: string;
+}
+
+/** What a marker takes, at most; each part is bounded for all markers of a display together. */
+export interface MarkerCost {
+  readonly points: number;
+  /** Cubes, balls and arrows of lists. */
+  readonly solids: number;
+  /** Of written words. */
+  readonly pixels: number;
+}
+
+export function markerCost(marker: unknown): MarkerCost {
+  const type = asNumber(member(marker, 'type'));
+  const [all, text] = [member(marker, 'points'), member(marker, 'text')];
+  const points = Array.isArray(all) ? Math.min(all.length, kMostPoints) : 0;
+  const isStrip = type === MarkerType.arrowStrip;
+  const isList = type === MarkerType.cubeList || type === MarkerType.sphereList || type === MarkerType.points;
+  return {
+    points,
+    solids: isStrip || (isList && points <= kMostSolids) ? Math.min(points, kMostSolids) : 0,
+    pixels: type === MarkerType.text && typeof text === 'string' ? pixelsOfWords(text) : 0,
+  };
 }
 
 export function markerShape(marker: unknown): Built {
@@ -84,11 +107,8 @@ function shapeOf(type: number, parts: Parts): Object3D | string {
       return text === '' ? new Group() : words(text, scale[2], look, false);
     case MarkerType.triangleList:
       return triangles(parts);
-    case MarkerType.arrowStrip: {
-      const strip = new Group();
-      for (let i = 0; i + 6 <= Math.min(places.length, kMostSolids * 3); i += 3) strip.add(arrowBetween(parts, i));
-      return strip;
-    }
+    case MarkerType.arrowStrip:
+      return arrowStrip(parts);
     default:
       return texts.scene.markerType(type);
   }
@@ -104,6 +124,33 @@ function arrowBetween({ places, scale: [shaft, head, headLength], look }: Parts,
   object.position.copy(start);
   if (length > 0) object.quaternion.setFromUnitVectors(new Vector3(1, 0, 0), way.normalize());
   return object;
+}
+
+/** Of two pieces each, drawn all at once. */
+function arrowStrip({ places, scale: [shaft, head, headLength], look }: Parts): Object3D {
+  const most = Math.min(Math.max(0, places.length / 3 - 1), kMostSolids);
+  const material = solid(look);
+  const sticks = new InstancedMesh(arrow({ length: 1, shaft: 1, head: 0, headLength: 0 }), material, most);
+  const tips = new InstancedMesh(arrow({ length: 1, shaft: 0, head: 1, headLength: 1 }), material, most);
+  const [matrix, at, size, turn] = [new Matrix4(), new Vector3(), new Vector3(), new Quaternion()];
+  let count = 0;
+  for (let i = 0; i < most; i += 1) {
+    const way = new Vector3().fromArray(places, i * 3 + 3).sub(at.fromArray(places, i * 3));
+    const length = way.length();
+    if (length === 0) continue;
+    const tip = Math.min(headLength > 0 ? headLength : length * 0.23, length);
+    // What is flat has no sides that the light could fall on.
+    const stick = Math.max(length - tip, length * 1e-6);
+    turn.setFromUnitVectors(kAhead, way.divideScalar(length));
+    sticks.setMatrixAt(count, matrix.compose(at, turn, size.set(stick, shaft, shaft)));
+    tips.setMatrixAt(count, matrix.compose(at.addScaledVector(way, length - tip), turn, size.set(tip, head, head)));
+    count += 1;
+  }
+  for (const each of [sticks, tips]) {
+    each.count = count;
+    each.frustumCulled = false;
+  }
+  return new Group().add(sticks, tips);
 }
 
 function many(geometry: BufferGeometry, { places, colors, look }: Parts): Object3D {

@@ -9,9 +9,13 @@ import type { HeaderView } from '../model/transform.ts';
 import { texts } from '../texts.ts';
 import type { Anchored, Display } from './display.ts';
 import { disposeOf, emptied } from './dispose.ts';
-import { markerShape } from './marker_shape.ts';
+import { markerCost, markerShape } from './marker_shape.ts';
+import type { MarkerCost } from './marker_shape.ts';
 
 const kMostMarkers = 5000;
+/** Of all together. Some hundred MB at most. */
+const kMost: MarkerCost = { points: 1_000_000, solids: 100_000, pixels: 32_000_000 };
+const kNothing: MarkerCost = { points: 0, solids: 0, pixels: 0 };
 
 /** As the message's constants number them; 1 is no longer used. */
 const MarkerAction = { add: 0, remove: 2, removeAll: 3 } as const;
@@ -20,6 +24,8 @@ interface Kept {
   /** null: it is drawn as it is. */
   message: unknown;
   object: Object3D | null;
+  /** Of the object. */
+  cost: MarkerCost;
   header: HeaderView;
   problem: string;
   /** Seconds; 0: for good. */
@@ -32,6 +38,7 @@ export class Markers implements Display {
   readonly group = new Group();
   private readonly kept = new Map<string, Kept>();
   private refused = false;
+  private spent = kNothing;
 
   get problem(): string {
     if (this.refused) return texts.scene.markersLeftOut;
@@ -50,7 +57,11 @@ export class Markers implements Display {
     for (const [key, marker] of this.kept) {
       if (marker.message !== null) {
         this.withdraw(marker);
-        const { object, problem } = markerShape(marker.message);
+        const cost = markerCost(marker.message);
+        const after = sum(this.spent, cost, 1);
+        const fits = after.points <= kMost.points && after.solids <= kMost.solids && after.pixels <= kMost.pixels;
+        const { object, problem } = fits ? markerShape(marker.message) : { object: null, problem: texts.scene.markersLeftOut };
+        if (object !== null) [marker.cost, this.spent] = [cost, after];
         marker.message = null;
         marker.object = object;
         marker.problem = problem;
@@ -70,6 +81,7 @@ export class Markers implements Display {
   close(): void {
     emptied(this.group);
     this.kept.clear();
+    this.spent = kNothing;
   }
 
   private takeOne(marker: unknown): void {
@@ -83,7 +95,7 @@ export class Markers implements Display {
         this.refused = known === undefined && this.kept.size >= kMostMarkers;
         if (known !== undefined) Object.assign(known, { message: marker, header, lifetime });
         else if (!this.refused)
-          this.kept.set(key, { message: marker, object: null, header, problem: '', lifetime, ends: Infinity });
+          this.kept.set(key, { message: marker, object: null, cost: kNothing, header, problem: '', lifetime, ends: Infinity });
         return;
       }
       case MarkerAction.remove:
@@ -103,9 +115,17 @@ export class Markers implements Display {
     this.refused = false;
   }
 
-  private withdraw({ object }: Kept): void {
+  private withdraw(marker: Kept): void {
+    const { object, cost } = marker;
     if (object === null) return;
     this.group.remove(object);
     disposeOf(object);
+    marker.object = null;
+    this.spent = sum(this.spent, cost, -1);
+    marker.cost = kNothing;
   }
+}
+
+function sum(a: MarkerCost, b: MarkerCost, sign: 1 | -1): MarkerCost {
+  return { points: a.points + sign * b.points, solids: a.solids + sign * b.solids, pixels: a.pixels + sign * b.pixels };
 }

@@ -89,19 +89,41 @@ export function placeAt(object: Object3D, { translation, rotation }: Transform):
 
 const kLetterPixels = 48;
 const kMostLetters = 200;
+const kMostLines = 20;
+const kWidest = 4096;
+
+function linesOf(text: string): readonly string[] {
+  const shown = [...text.slice(0, 4 * kMostLetters)].slice(0, kMostLetters).join('');
+  return shown.split('\n').slice(0, kMostLines);
+}
+
+/** The most that words() draws of the lines: letters are seldom wider than high. */
+function roomOf(lines: readonly string[]): { readonly width: number; readonly height: number } {
+  const longest = Math.max(...lines.map(({ length }) => length));
+  return {
+    width: Math.min(kWidest, longest * kLetterPixels + 8),
+    height: Math.ceil(lines.length * kLetterPixels * 1.3),
+  };
+}
+
+/** Of the picture that words() makes of the text, at most. */
+export function pixelsOfWords(text: string): number {
+  const { width, height } = roomOf(linesOf(text));
+  return width * height;
+}
 
 /** Words that face the eye: `height` of a capital letter, in metres, or in parts of the picture's height when `fixed`. */
 export function words(text: string, height: number, look: Rgba, fixed: boolean): Sprite {
-  const shown = [...text.slice(0, 4 * kMostLetters)].slice(0, kMostLetters).join('');
   const canvas = document.createElement('canvas');
   const context = canvas.getContext('2d');
   const font = `${kLetterPixels}px system-ui, sans-serif`;
-  const lines = shown.split('\n').slice(0, 20);
+  const lines = linesOf(text);
+  const room = roomOf(lines);
   if (context !== null) {
     context.font = font;
     const width = Math.max(1, ...lines.map((line) => context.measureText(line).width));
-    canvas.width = Math.min(4096, Math.ceil(width) + 8);
-    canvas.height = Math.ceil(lines.length * kLetterPixels * 1.3);
+    canvas.width = Math.min(room.width, Math.ceil(width) + 8);
+    canvas.height = room.height;
     context.font = font;
     context.textBaseline = 'middle';
     context.fillStyle = '#ffffff';

@@ -1,7 +1,7 @@
 // What a scene makes of messages: places and colours as they are told, and nothing of values that make no sense.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { DataTexture, InstancedMesh, Mesh, MeshBasicMaterial, Points } from 'three';
+import { DataTexture, InstancedMesh, Matrix4, Mesh, MeshBasicMaterial, Points, Quaternion, Vector3 } from 'three';
 import type { Object3D } from 'three';
 import { eyeOf, kUsualView, panned, readView, turned, writeView, zoomed } from '../../../runtime/ui/model/camera_view.ts';
 import { readCloud } from '../../../runtime/ui/model/point_cloud.ts';
@@ -194,6 +194,52 @@ test('every type of marker is drawn, with points and colours that make no sense 
   display.build(0);
   assert.equal([...display.anchored()].length, 5000);
   assert.equal(display.problem, 'too many markers');
+});
+
+const row = (count: number): unknown => Array.from({ length: count }, (_, x) => ({ x, y: 0, z: 0 }));
+
+test('a strip of arrows is drawn at once, each from its point to the next', () => {
+  const display = new Markers();
+  display.take(marker(1, { type: 12, scale: { x: 0.1, y: 0.2, z: 0.25 }, points: [{ x: 1, y: 0, z: 0 }, { x: 1, y: 0, z: 0 }, { x: 1, y: 2, z: 0 }, { x: 3, y: 2, z: 0 }] }));
+  display.build(0);
+  const found: InstancedMesh[] = [];
+  display.group.traverse((each) => { if (each instanceof InstancedMesh) found.push(each); });
+  // One that goes nowhere is none.
+  assert.deepEqual(found.map(({ count }) => count), [2, 2]);
+  const places = found.map((each) => [0, 1].map((index) => {
+    const [matrix, at, turn, size] = [new Matrix4(), new Vector3(), new Quaternion(), new Vector3()];
+    each.getMatrixAt(index, matrix);
+    matrix.decompose(at, turn, size);
+    return [...at.toArray(), ...size.toArray()].map((part) => Number(part.toFixed(4)) + 0);
+  }));
+  assert.deepEqual(places, [
+    [[1, 0, 0, 1.75, 0.1, 0.1], [1, 2, 0, 1.75, 0.1, 0.1]],
+    [[1, 1.75, 0, 0.25, 0.2, 0.2], [2.75, 2, 0, 0.25, 0.2, 0.2]],
+  ]);
+  display.close();
+});
+
+test('hostile markers are bounded together, and leave room when they go', () => {
+  for (const [more, fit] of [
+    [{ type: 6, points: row(20_000) }, 5], [{ type: 12, points: row(20_000) }, 5], [{ type: 4, points: row(200_000) }, 5],
+  ] as const) {
+    const display = new Markers();
+    const shown = (): number => [...display.anchored()].length;
+    for (let id = 0; id < 8; id += 1) display.take(marker(id, more));
+    display.build(0);
+    assert.deepEqual([shown(), display.problem], [fit, 'too many markers']);
+    for (let id = 0; id < 8; id += 1) display.take(marker(id, { action: 2 }));
+    display.take(marker(9, more));
+    display.build(1);
+    assert.deepEqual([shown(), display.problem], [1, '']);
+    // Said again it is the same one.
+    for (let i = 0; i < 8; i += 1) {
+      display.take(marker(9, more));
+      display.build(2 + i);
+    }
+    assert.deepEqual([shown(), display.problem], [1, '']);
+    display.close();
+  }
 });
 
 test('topics that can be shown are known by their type, robots by their name too', () => {

@@ -35,6 +35,7 @@
 #include "bundler/workspace/default_manifest.hpp"
 #include "bundler/workspace/discovery.hpp"
 #include "bundler/workspace/page_text.hpp"
+#include "bundler/workspace/wheel_request.hpp"
 #include "bundler/workspace/workspace_channels.hpp"
 #include "workspace_schema/diagnostic_list.hpp"
 #include "workspace_schema/manifest_reader.hpp"
@@ -123,12 +124,12 @@ std::optional<Diagnostic> refuse_own_channel(const PackRequest& request,
   return std::nullopt;
 }
 
-/// The packages of a lock in place of those of the channels, so that no channel is asked. `absent`
-/// becomes what no channel had.
-Outcome<RepoIndex> locked_index(const fs::path& lock_file, std::vector<std::string>& absent) {
+/// The packages of a lock in place of those of the channels, so that no channel is asked. `rest`
+/// becomes what else it says.
+Outcome<RepoIndex> locked_index(const fs::path& lock_file, LockRest& rest) {
   auto lock = read_lock_file(lock_file);
   if (!lock) return std::move(lock).errors();
-  absent = std::move(lock->absent);
+  rest = {.absent = std::move(lock->absent), .wheels = std::move(lock->wheels)};
   std::vector<std::string> names;
   for (const PackageRecord& record : lock->packages) names.push_back(record.name);
   std::sort(names.begin(), names.end());
@@ -160,8 +161,6 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
   auto packages = discover_packages(workspace.folder, workspace.shown_folder, manifest.packages,
                                     ros_condition_variables(manifest.distro));
   if (!packages) return std::move(packages).errors();
-  auto order = order_packages(*packages, manifest.distro);
-  if (!order) return std::move(order).errors();
   for (const LocalPackage& package : *packages) workspace.watched.push_back(package.directory);
   auto compiler = find_compiler(request.variables);
   if (!compiler) return std::move(compiler).errors();
@@ -176,13 +175,27 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
   if (roots.embedded.empty() && manifest.channels.empty())
     return embedded_channel(request.executable).errors();
   if (auto refusal = refuse_own_channel(request, addresses, workspace.folder)) return *refusal;
+  auto wheels = read_wheels(manifest, roots, *limits, true, cancellation);
+  if (!wheels) return std::move(wheels).errors();
+  drop_met_by_wheels(*wheels, manifest.distro, *packages);
+  for (const WheelEntry& wheel : manifest.wheels) {
+    if (!wheel.is_url) workspace.watched.push_back(workspace.folder / wheel.place.value);
+  }
+  auto order = order_packages(*packages, manifest.distro);
+  if (!order) return std::move(order).errors();
   KnownNames known{.names = {}, .of_lock = request.frozen, .absent = {}};
   std::set<std::string> packaged;  // versions of the compiler that there are packages for
   std::optional<OpenChannels> open;
   Outcome<RepoIndex> index = RepoIndex();
   if (request.frozen) {
-    index = locked_index((workspace.shown_folder / kLockFileName).lexically_normal(), known.absent);
+    LockRest rest;
+    index = locked_index((workspace.shown_folder / kLockFileName).lexically_normal(), rest);
     if (!index) return std::move(index).errors();
+    known.absent = std::move(rest.absent);
+    if (auto faults = other_wheels(rest.wheels, locked_wheels(*wheels)); !faults.empty()) {
+      faults.back().fix.emplace_back("ros2wasm lock");
+      return faults;
+    }
     known.names = index->names();
     for (const PackageRecord& record : index->records)
       if (record.name == kCompilerPackage) packaged.insert(record.version);
@@ -202,6 +215,7 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
   auto left_out = left_out_packages(*packages, *order, known, manifest.distro, known_build_types());
   auto wanted = channel_request(manifest, *packages, left_out, known, compiler->version);
   if (!wanted) return std::move(wanted).errors();
+  add_wheel_request(*wheels, known, manifest.distro, *wanted);
   if (open) {
     std::vector<std::string> texts;
     for (const RequestedSpec& spec : wanted->specs) texts.push_back(spec.text);
@@ -213,6 +227,7 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
   }
   append(workspace.warnings, wanted->warnings);
   workspace.channel_names = known.names;
+  workspace.wheels = std::move(*wheels);
   std::vector<std::string> all_packages = ros_names(known.names, manifest.distro);
   return Question{.workspace = std::move(workspace),
                   .packages = std::move(*packages),
@@ -238,7 +253,9 @@ std::vector<ChannelSource> places_of(const std::vector<PackageRecord>& records) 
 Outcome<std::vector<PackageRecord>> resolve(const PackRequest& request, Question& question,
                                             const Cancellation& cancellation) {
   const fs::path lock_file = question.workspace.folder / kLockFileName;
-  auto solved = solve_with_lock(question.specs, question.absent, question.index, lock_file,
+  const LockRest rest{.absent = question.absent,
+                      .wheels = locked_wheels(question.workspace.wheels)};
+  auto solved = solve_with_lock(question.specs, rest, question.index, lock_file,
                                 question.workspace.manifest.channel_priority, request.locked, {},
                                 cancellation);
   if (!solved) return std::move(solved).errors();
@@ -530,7 +547,9 @@ Outcome<LockReport> lock(const LockRequest& request, const Cancellation& cancell
     report.packages = std::move(question->index.records);
     return report;
   }
-  auto solved = solve_with_lock(question->specs, question->absent, question->index, report.file,
+  const LockRest rest{.absent = question->absent,
+                      .wheels = locked_wheels(question->workspace.wheels)};
+  auto solved = solve_with_lock(question->specs, rest, question->index, report.file,
                                 question->workspace.manifest.channel_priority, false,
                                 request.update, cancellation);
   if (!solved) return std::move(solved).errors();

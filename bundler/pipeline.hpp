@@ -9,6 +9,7 @@
 #include "bundler/build/build_workspace.hpp"
 #include "bundler/plan/site_plan.hpp"
 #include "bundler/resolve/locked_solve.hpp"
+#include "bundler/store/wheel_files.hpp"
 #include "workspace_schema/cancellation.hpp"
 #include "workspace_schema/manifest.hpp"
 #include "workspace_schema/outcome.hpp"
@@ -47,6 +48,7 @@ struct BuiltWorkspace {
   std::vector<InstalledPackage>
       installed;                      ///< of workspace and channels; the workspace comes first
   std::filesystem::path environment;  ///< the prefix with the packages of the channels
+  std::vector<NamedWheel> wheels;     ///< of the manifest, sorted by project
   std::vector<ChannelFile> channel;   ///< what lies beside the site, if it was asked for
   std::vector<std::filesystem::path> watched;  ///< files and folders that a rebuild depends on
   std::filesystem::path cache;

@@ -33,6 +33,20 @@ std::string source_of(const BuiltWorkspace& workspace, const std::string& path,
   return shown_path(*first, workspace.folder, workspace.shown_folder);
 }
 
+std::string installed(const std::string& path) {
+  return std::string(kPythonModules) + "/" + path;
+}
+
+/// "parts-1.2-py3-none-any.whl/parts/arm.py".
+std::string place_in_wheel(const std::vector<NamedWheel>& wheels, const std::string& path) {
+  for (const NamedWheel& one : wheels) {
+    for (const auto& [file, bytes] : one.wheel.files) {
+      if (installed(file) == path) return one.file_name + "/" + file;
+    }
+  }
+  return path;
+}
+
 Outcome<PythonInput> read_python(BuiltWorkspace& workspace) {
   PythonInput input;
   std::vector<Outcome<LeftOut>> parts;
@@ -46,6 +60,9 @@ Outcome<PythonInput> read_python(BuiltWorkspace& workspace) {
   for (const auto& part : parts) {
     if (!part) return part.errors();
     for (const std::string& one : *part) workspace.remarks.push_back("left out " + one);
+  }
+  for (const NamedWheel& one : workspace.wheels) {
+    for (const auto& [file, bytes] : one.wheel.files) input.wheels.emplace(installed(file), bytes);
   }
   const fs::path pyodide = workspace.environment / kPyodideFolder;
   std::error_code error;
@@ -65,6 +82,7 @@ Outcome<Done> check_python_imports(BuiltWorkspace& workspace, const PythonInput&
                                    std::vector<LaunchNode>& nodes) {
   const PythonWorld world{.workspace = python.workspace,
                           .channels = python.channels,
+                          .wheels = python.wheels,
                           .interfaces = interfaces,
                           .channel_names = workspace.channel_names,
                           .distro = workspace.manifest.distro};
@@ -82,7 +100,10 @@ Outcome<Done> check_python_imports(BuiltWorkspace& workspace, const PythonInput&
     for (Diagnostic& one : report.missing) {
       can_run = can_run && one.severity != Severity::kError;
       if (!told.emplace(one.span->file, one.span->line, one.message).second) continue;
-      one.span->file = source_of(workspace, one.span->file, python.workspace.at(one.span->file));
+      const auto own = python.workspace.find(one.span->file);
+      one.span->file = own == python.workspace.end()
+                           ? place_in_wheel(workspace.wheels, one.span->file)
+                           : source_of(workspace, one.span->file, own->second);
       const bool is_warning = one.severity != Severity::kError || !because.empty();
       if (is_warning && one.severity == Severity::kError)
         one.why.push_back("`" + node.executable + "` of package `" + node.package +

@@ -18,6 +18,7 @@
 #include "bundler/workspace/build_order.hpp"
 #include "bundler/workspace/channel_request.hpp"
 #include "bundler/workspace/page_text.hpp"
+#include "bundler/workspace/wheel_request.hpp"
 #include "bundler/workspace/workspace_channels.hpp"
 #include "workspace_schema/diagnostic_list.hpp"
 #include "workspace_schema/manifest_reader.hpp"
@@ -117,6 +118,13 @@ Outcome<CheckReport> check_workspace(const CheckRequest& request,
   } else {
     append(errors, packages.errors());
   }
+  Manifest asked = report.manifest;  // the report keeps the dependencies as they are written
+  const auto channels = workspace_channels(asked, folder, request.executable, request.variables);
+  if (!channels) append(errors, channels.errors());
+  const auto wheels = channels ? read_wheels(asked, channels->roots, {}, false, cancellation)
+                               : std::vector<NamedWheel>();
+  if (!wheels) append(errors, wheels.errors());
+  if (wheels) drop_met_by_wheels(*wheels, report.manifest.distro, report.packages);
   const auto order = order_packages(report.packages, report.manifest.distro);
   if (!order) append(errors, order.errors());
   append(errors, check_parameters(report.manifest, folder));
@@ -126,9 +134,6 @@ Outcome<CheckReport> check_workspace(const CheckRequest& request,
   }
   append(errors, check_launch_file(request, report, folder, cancellation));
 
-  Manifest asked = report.manifest;  // the report keeps the dependencies as they are written
-  const auto channels = workspace_channels(asked, folder, request.executable, request.variables);
-  if (!channels) append(errors, channels.errors());
   // A program without its channel says so when it packs; the manifest is not to blame.
   const bool names_are_known = packages && order && channels && embedded_only(*channels);
   KnownNames known{.names = {}, .of_lock = !names_are_known, .absent = {}};

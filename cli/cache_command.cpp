@@ -5,6 +5,7 @@
 #include "bundler/resolve/locked_solve.hpp"
 #include "bundler/store/cache_care.hpp"
 #include "bundler/store/store.hpp"
+#include "bundler/store/wheel_files.hpp"
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
 #include "workspace_schema/json_writer.hpp"
@@ -105,6 +106,8 @@ int fetch(Context& context, const std::filesystem::path& cache, const std::strin
   const auto folders =
       Store(roots, *limits).unpacked_all(lock->packages, context.cancellation, context.progress);
   if (!folders) return context.console.fail(folders.errors());
+  if (const auto wheels = fetch_wheels(lock->wheels, roots, context.cancellation); !wheels)
+    return context.console.fail(wheels.errors());
   if (context.json) {
     JsonWriter json;
     json.begin_object().key("packages").unsigned_integer(folders->size()).end_object();

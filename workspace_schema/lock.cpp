@@ -51,6 +51,16 @@ void put_package(std::string& out, const PackageRecord& record) {
   }
 }
 
+void put_wheel(std::string& out, const LockedWheel& wheel) {
+  const std::string indent = "    ";
+  out.append("  - name: ").append(as_yaml_text(wheel.project)).append("\n");
+  put_text(out, indent, "version", wheel.version);
+  if (wheel.url.empty()) put_text(out, indent, "file", wheel.file);
+  if (!wheel.url.empty()) put_text(out, indent, "url", wheel.url);
+  put_text(out, indent, "sha256", wheel.sha256);
+  put_number(out, indent, "size", wheel.size);
+}
+
 }  // namespace
 
 std::string write_lock(const Lock& lock) {
@@ -71,6 +81,9 @@ std::string write_lock(const Lock& lock) {
             [](const PackageRecord* a, const PackageRecord* b) { return a->name < b->name; });
   out += packages.empty() ? "packages: []\n" : "packages:\n";
   for (const PackageRecord* record : packages) put_package(out, *record);
+  if (lock.wheels.empty()) return out;
+  out += "wheels:\n";
+  for (const LockedWheel& wheel : lock.wheels) put_wheel(out, wheel);
   return out;
 }
 

@@ -1,6 +1,7 @@
 // ros2wasm.lock: the chosen packages, complete and sorted, as YAML with one form for one content.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,6 +11,18 @@
 
 namespace ros2wasm {
 
+/// A wheel that the manifest names.
+struct LockedWheel {
+  std::string project;  ///< normal_project_name()
+  std::string version;
+  std::string file;  ///< relative to the manifest; empty: from `url`
+  std::string url;
+  std::string sha256;
+  std::uint64_t size = 0;
+
+  bool operator==(const LockedWheel&) const = default;
+};
+
 struct Lock {
   int schema = 1;
   std::string platform = "emscripten-wasm32";
@@ -18,6 +31,7 @@ struct Lock {
   /// What no channel had, sorted: packages that need one of these to be built are left out.
   std::vector<std::string> absent;
   std::vector<PackageRecord> packages;  ///< sorted by name
+  std::vector<LockedWheel> wheels;      ///< sorted by project
 };
 
 /// The text of a lock; the same for the same content.

@@ -117,7 +117,8 @@ class Reader {
                  {"channels", [&](const YamlNode& node) { texts(node, lock.channels); }},
                  {"specs", [&](const YamlNode& node) { texts(node, lock.specs); }},
                  {"absent", [&](const YamlNode& node) { texts(node, lock.absent); }},
-                 {"packages", [&](const YamlNode& node) { read_packages(node, lock.packages); }}},
+                 {"packages", [&](const YamlNode& node) { read_packages(node, lock.packages); }},
+                 {"wheels", [&](const YamlNode& node) { read_wheels(node, lock.wheels); }}},
                 {"schema", "platform", "packages"});
     std::sort(lock.absent.begin(), lock.absent.end());
     if (lock.schema != 1 && faults_.empty()) {
@@ -139,6 +140,26 @@ class Reader {
     for (std::size_t i = 0; i < packages.size(); ++i) {
       if (++seen[packages[i].name] == 2)
         fail(node, "the package `" + packages[i].name + "` is there twice");
+    }
+  }
+
+  void read_wheels(const YamlNode& node, std::vector<LockedWheel>& wheels) {
+    if (node.kind != YamlKind::kSequence) return fail(node, "a list is expected here");
+    for (const YamlNode& item : node.items) {
+      if (item.kind != YamlKind::kMap) {
+        fail(item, "a wheel is a map");
+        continue;
+      }
+      LockedWheel& wheel = wheels.emplace_back();
+      read_fields(item,
+                  {{"name", [&](const YamlNode& one) { text(one, wheel.project); }},
+                   {"version", [&](const YamlNode& one) { text(one, wheel.version); }},
+                   {"file", [&](const YamlNode& one) { text(one, wheel.file); }},
+                   {"url", [&](const YamlNode& one) { text(one, wheel.url); }},
+                   {"sha256", [&](const YamlNode& one) { hash(one, wheel.sha256, 64); }},
+                   {"size", [&](const YamlNode& one) { number(one, wheel.size); }}},
+                  {"name", "version", "sha256"});
+      if (wheel.file.empty() == wheel.url.empty()) fail(item, "a wheel has `file` or `url`");
     }
   }
 

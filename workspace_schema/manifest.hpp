@@ -128,6 +128,13 @@ struct GivenArgument {
   std::string value;
 };
 
+/// One entry of `python: wheels:`: a wheel of Python files alone.
+struct WheelEntry {
+  Spanned<std::string> place;  ///< relative to the manifest, or an address
+  bool is_url = false;
+  std::string sha256;  ///< hex; of a file it may be empty
+};
+
 struct Manifest {
   std::string file;  ///< path as given, for messages
   int schema = 1;
@@ -144,6 +151,7 @@ struct Manifest {
   std::vector<Spanned<std::string>> ignore_link_scripts;  ///< packages that need not run theirs
   std::vector<Spanned<std::string>> dependencies;  ///< conda match specs or ROS package names
   std::vector<Spanned<std::string>> packages;      ///< paths or globs, relative to the manifest
+  std::vector<WheelEntry> wheels;                  ///< for Python nodes, each project once
   std::optional<Spanned<std::string>> launch_file;
   std::vector<GivenArgument> launch_arguments;  ///< for the launch file, in the written order
   std::vector<NodeEntry> nodes;

@@ -88,6 +88,17 @@ void write_node(JsonWriter& json, const NodeEntry& node) {
   json.end_object();
 }
 
+void write_wheels(JsonWriter& json, const std::vector<WheelEntry>& wheels) {
+  json.key("python").begin_object().key("wheels").begin_array();
+  for (const WheelEntry& wheel : wheels) {
+    json.begin_object().field(wheel.is_url ? "url" : "file",
+                              with_masked_secrets(wheel.place.value));
+    if (!wheel.sha256.empty()) json.field("sha256", wheel.sha256);
+    json.end_object();
+  }
+  json.end_array().end_object();
+}
+
 }  // namespace
 
 void write_parameter(JsonWriter& json, const ParameterValue& parameter) {
@@ -150,6 +161,7 @@ std::string manifest_json(const Manifest& manifest) {
   for (const auto& spec : manifest.dependencies) json.string(with_masked_secrets(spec.value));
   json.end_array();
   texts(json, "packages", manifest.packages);
+  if (!manifest.wheels.empty()) write_wheels(json, manifest.wheels);
   json.key("launch");
   if (manifest.launch_file && !manifest.launch_arguments.empty()) {
     json.begin_object().field("file", manifest.launch_file->value).key("arguments").begin_object();

@@ -8,6 +8,7 @@
 #include "workspace_schema/manifest_binding.hpp"
 #include "workspace_schema/manifest_checks.hpp"
 #include "workspace_schema/manifest_launch.hpp"
+#include "workspace_schema/manifest_python.hpp"
 #include "workspace_schema/match_spec.hpp"
 #include "workspace_schema/page_layout.hpp"
 #include "workspace_schema/suggestion.hpp"
@@ -60,6 +61,7 @@ const std::vector<KeyRow>& manifest_keys() {
       {"ignore_link_scripts", {"allow_link_scripts", "link_scripts", "run-post-link-scripts"}},
       {"dependencies", {"depends", "depend", "deps", "requirements"}},
       {"packages", {"package", "sources", "src"}},
+      {"python", {"wheels", "pip"}},
       {"launch", {"nodes", "node", "run"}},
       {"checks", {"check", "tests", "expect"}},
       {"ui", {"page"}},
@@ -128,6 +130,7 @@ class Reader {
     }
     if (const YamlNode* node = given("distro")) read_distro(*node);
     read_lists();
+    if (const YamlNode* node = given("python")) read_python(binder_, *node, manifest_);
     read_what_runs();
     if (const YamlNode* node = given("checks")) {
       binder_.list(*node, "checks", [this](const YamlNode& item) {

@@ -22,6 +22,8 @@ struct Hint {
 };
 
 constexpr std::string_view kHardware = "a browser reaches no hardware of this kind";
+constexpr std::string_view kWheel =
+    "a wheel of it for `py3-none-any` can be named under `python: wheels:` of workspace.yaml";
 constexpr std::string_view kNoWindows = "a node has no window: its output is its console";
 
 /// What people ask for and no site can have.
@@ -37,7 +39,6 @@ constexpr auto kHints = std::to_array<Hint>({
     {"smbus2", kHardware},
     {"spidev", kHardware},
     {"tkinter", kNoWindows},
-    {"transforms3d", "`tf_transformations` is there, which needs none of it"},
     {"turtle", kNoWindows},
 });
 
@@ -75,10 +76,15 @@ class Walk {
     const auto [seen, is_new] = visited_.emplace(path, needed);
     if (!is_new && (seen->second || !needed)) return;
     seen->second = needed;
-    const auto file = world_.workspace.find(path);
-    if (file == world_.workspace.end()) return;
-    for (const PythonImport& one : python_imports(file->second, path))
+    const bool is_own = world_.workspace.contains(path);
+    const PythonFiles& files = is_own ? world_.workspace : world_.wheels;
+    const auto file = files.find(path);
+    if (file == files.end()) return;
+    for (const PythonImport& one : python_imports(file->second, path)) {
+      // What a library of others can do without is nothing to warn of.
+      quiet_ = !is_own && !(needed && one.needed);
       follow(one, path, needed && one.needed);
+    }
   }
 
   /// Of a channel's modules only what they cannot do without matters: are there compiled ones?
@@ -111,7 +117,8 @@ class Walk {
       if (!import_module(part, needed)) return missing(one, module, part, needed);
     for (const std::string& name : one.names) {
       const std::string inner = module + "." + name;
-      if (find_file(world_.workspace, inner) || find_file(world_.channels, inner))
+      if (find_file(world_.workspace, inner) || find_file(world_.wheels, inner) ||
+          find_file(world_.channels, inner))
         import_module(inner, needed);
       if (is_interface_module(module) && name != "*" && !has_interface(module, name))
         missing_interface(one, module, name, needed);
@@ -120,14 +127,19 @@ class Walk {
 
   /// Is there such a module? One of the workspace is read.
   bool import_module(const std::string& module, bool needed) {
-    if (const auto file = find_file(world_.workspace, module)) {
-      visit(*file, needed);
-      return true;
+    for (const PythonFiles* files : {&world_.workspace, &world_.wheels}) {
+      if (const auto file = find_file(*files, module)) {
+        const bool quiet = quiet_;
+        visit(*file, needed);
+        quiet_ = quiet;
+        return true;
+      }
     }
     if (const auto file = find_file(world_.channels, module)) visit_channel(*file);
     const std::string base = modules_ + slashed(module);
     return is_below(world_.workspace, base + "/") || is_below(world_.channels, base + "/") ||
-           is_below(world_.channels, base + ".") || is_interface_module(module) ||
+           is_below(world_.wheels, base + "/") || is_below(world_.channels, base + ".") ||
+           is_interface_module(module) ||
            is_below(world_.workspace, script_folder_ + slashed(module) + "/");
   }
 
@@ -199,6 +211,7 @@ class Walk {
 
   void add(const PythonImport& one, std::string message, std::vector<std::string> why,
            bool needed) {
+    if (quiet_) return;
     report_.missing.push_back(Diagnostic{.code = "R2W0518",
                                          .severity = needed ? Severity::kError : Severity::kWarning,
                                          .message = std::move(message),
@@ -237,7 +250,11 @@ class Walk {
     }
     if (why.empty())
       why.push_back("no channel has " + tried + ", nor has the workspace a module of that name");
-    if (std::string hint = hint_for(top); !hint.empty()) why.push_back(std::move(hint));
+    const std::string hint = hint_for(top);
+    why.push_back(hint.empty() ? std::string(kWheel) : hint);
+    if (top == "transforms3d")
+      why.emplace_back(
+          "`tf_transformations` is in the channel inside ros2wasm, and needs none of it");
     add(one, "no package of the site has the module `" + top + "`", std::move(why), needed);
   }
 
@@ -252,6 +269,7 @@ class Walk {
   const std::string modules_ = modules_folder();
   std::string script_folder_;
   std::map<std::string, bool> visited_;  ///< file -> whether it is needed
+  bool quiet_ = false;                   ///< what is missing is not told
   ImportReport report_;
 };
 

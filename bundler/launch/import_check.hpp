@@ -15,6 +15,7 @@ namespace ros2wasm {
 struct PythonWorld {
   const PythonFiles& workspace;
   const PythonFiles& channels;
+  const PythonFiles& wheels;  ///< of the manifest; followed as the workspace's are
   const std::map<std::string, std::string>& interfaces;  ///< by type: "std_msgs/msg/String"
   const std::vector<std::string>& channel_names;         ///< of all packages there, sorted
   std::string distro;

@@ -85,6 +85,7 @@ PythonSite python_site(PythonInput input, const InterfaceTexts& interfaces,
         add(name + ".zip", "what Python nodes find installed of the " + name, files));
   };
   add_part("channels", input.channels);
+  add_part("wheels", input.wheels);
   add_part("workspace", input.workspace);
   return site;
 }

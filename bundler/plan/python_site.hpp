@@ -21,6 +21,7 @@ inline constexpr const char* kPythonProgram = "pyodide/pyodide.asm.wasm";
 struct PythonInput {
   PythonFiles pyodide;    ///< by name
   PythonFiles channels;   ///< modules and scripts of the packages of channels
+  PythonFiles wheels;     ///< of the manifest
   PythonFiles workspace;  ///< and of the workspace's
 };
 

@@ -66,6 +66,32 @@ std::vector<std::string> changes_of(const std::vector<PackageRecord>& locked,
   return changes;
 }
 
+/// As sentences.
+std::vector<std::string> changed_wheels(const std::vector<LockedWheel>& locked,
+                                        const std::vector<LockedWheel>& wanted) {
+  std::vector<std::string> changes;
+  const auto of_project = [](const std::vector<LockedWheel>& wheels, const LockedWheel& one) {
+    const auto found = std::find_if(wheels.begin(), wheels.end(), [&](const LockedWheel& other) {
+      return other.project == one.project;
+    });
+    return found == wheels.end() ? nullptr : &*found;
+  };
+  for (const LockedWheel& wheel : wanted) {
+    const LockedWheel* before = of_project(locked, wheel);
+    if (before == nullptr) {
+      changes.push_back("the wheel of `" + wheel.project + "` would be new");
+    } else if (*before != wheel) {
+      changes.push_back("the wheel of `" + wheel.project + "` is another one: it was " +
+                        before->version + " with sha256 " + before->sha256);
+    }
+  }
+  for (const LockedWheel& wheel : locked) {
+    if (of_project(wanted, wheel) == nullptr)
+      changes.push_back("the manifest names no wheel of `" + wheel.project + "` any more");
+  }
+  return changes;
+}
+
 bool is_among(const std::string& name, const std::vector<PackageRecord>& packages) {
   return std::any_of(packages.begin(), packages.end(),
                      [&name](const PackageRecord& record) { return record.name == name; });
@@ -81,6 +107,14 @@ Diagnostic not_in_lock(const std::string& name, const std::vector<PackageRecord>
   return made;
 }
 
+Diagnostics other_wheels(const std::vector<LockedWheel>& locked,
+                         const std::vector<LockedWheel>& wanted) {
+  Diagnostics faults;
+  for (std::string& one : changed_wheels(locked, wanted))
+    faults.push_back({.code = "R2W0311", .message = std::move(one)});
+  return faults;
+}
+
 Outcome<Lock> read_lock_file(const std::filesystem::path& file) {
   std::error_code error;
   if (!std::filesystem::exists(file, error)) {
@@ -94,13 +128,16 @@ Outcome<Lock> read_lock_file(const std::filesystem::path& file) {
   return read_lock(*text, file.string());
 }
 
-Outcome<LockedSolution> solve_with_lock(
-    const std::vector<RequestedSpec>& specs, const std::vector<std::string>& absent,
-    const RepoIndex& index, const std::filesystem::path& lock_file, ChannelPriority priority,
-    bool must_fit, const LockUpdate& update, const Cancellation& cancellation) {
+Outcome<LockedSolution> solve_with_lock(const std::vector<RequestedSpec>& specs,
+                                        const LockRest& rest, const RepoIndex& index,
+                                        const std::filesystem::path& lock_file,
+                                        ChannelPriority priority, bool must_fit,
+                                        const LockUpdate& update,
+                                        const Cancellation& cancellation) {
   std::error_code error;
   std::string old_text;
   std::vector<PackageRecord> locked;
+  std::vector<LockedWheel> old_wheels;
   std::vector<std::string> strangers;  // to choose anew, but not in the lock
   if (std::filesystem::exists(lock_file, error)) {
     auto text = read_file(lock_file);
@@ -109,6 +146,7 @@ Outcome<LockedSolution> solve_with_lock(
     auto lock = read_lock(old_text, lock_file.filename().string());
     if (!lock) return std::move(lock).errors();
     locked = std::move(lock->packages);
+    old_wheels = std::move(lock->wheels);
     std::copy_if(
         update.names.begin(), update.names.end(), std::back_inserter(strangers),
         [&locked](const std::string& name) { return !name.empty() && !is_among(name, locked); });
@@ -140,14 +178,19 @@ Outcome<LockedSolution> solve_with_lock(
       unknown.push_back(not_in_lock(name, resolution->packages));
   }
   if (!unknown.empty()) return unknown;
-  Lock lock{.channels = index.channels, .absent = absent, .packages = resolution->packages};
+  Lock lock{.channels = index.channels,
+            .absent = rest.absent,
+            .packages = resolution->packages,
+            .wheels = rest.wheels};
   for (const RequestedSpec& spec : specs) lock.specs.push_back(spec.text);
   std::sort(lock.packages.begin(), lock.packages.end(), by_name);
   LockedSolution result{.packages = std::move(resolution->packages), .lock_text = write_lock(lock)};
   result.lock_changed = result.lock_text != old_text;
   if (must_fit) {
-    if (auto changes = changes_of(locked, lock.packages); !changes.empty())
-      return lock_does_not_fit(lock_file, std::move(changes));
+    auto changes = changes_of(locked, lock.packages);
+    for (std::string& one : changed_wheels(old_wheels, rest.wheels))
+      changes.push_back(std::move(one));
+    if (!changes.empty()) return lock_does_not_fit(lock_file, std::move(changes));
   }
   return result;
 }

@@ -23,8 +23,18 @@ struct LockUpdate {
 [[nodiscard]] Diagnostic not_in_lock(const std::string& name,
                                      const std::vector<PackageRecord>& packages);
 
+/// R2W0311: wheels that are others than those of a lock.
+[[nodiscard]] Diagnostics other_wheels(const std::vector<LockedWheel>& locked,
+                                       const std::vector<LockedWheel>& wanted);
+
 /// R2W0330 there is none, R2W0310 it is damaged, R2W0210.
 [[nodiscard]] Outcome<Lock> read_lock_file(const std::filesystem::path& file);
+
+/// What a lock says beside the packages.
+struct LockRest {
+  std::vector<std::string> absent;  ///< as in Lock
+  std::vector<LockedWheel> wheels;
+};
 
 struct LockedSolution {
   std::vector<PackageRecord> packages;  ///< in install order
@@ -32,13 +42,15 @@ struct LockedSolution {
   bool lock_changed = false;            ///< the file does not say so yet
 };
 
-/// `absent` goes into the lock as it is. `must_fit`: the lock has to hold as it is. R2W0320 it is
+/// `rest` goes into the lock as it is. `must_fit`: the lock has to hold as it is. R2W0320 it is
 /// missing or does not fit; R2W0310 it is damaged; R2W0331 a package to choose anew is neither in
 /// the lock nor needed; errors of solve(). Locked records that their channel no longer has are
 /// chosen anew, unless `must_fit`.
-[[nodiscard]] Outcome<LockedSolution> solve_with_lock(
-    const std::vector<RequestedSpec>& specs, const std::vector<std::string>& absent,
-    const RepoIndex& index, const std::filesystem::path& lock_file, ChannelPriority priority,
-    bool must_fit, const LockUpdate& update = {}, const Cancellation& cancellation = {});
+[[nodiscard]] Outcome<LockedSolution> solve_with_lock(const std::vector<RequestedSpec>& specs,
+                                                      const LockRest& rest, const RepoIndex& index,
+                                                      const std::filesystem::path& lock_file,
+                                                      ChannelPriority priority, bool must_fit,
+                                                      const LockUpdate& update = {},
+                                                      const Cancellation& cancellation = {});
 
 }  // namespace ros2wasm

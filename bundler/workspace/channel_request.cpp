@@ -9,6 +9,7 @@
 #include "bundler/workspace/library_packages.hpp"
 #include "bundler/workspace/python_modules.hpp"
 #include "workspace_schema/names.hpp"
+#include "workspace_schema/text_pattern.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -38,8 +39,12 @@ std::vector<Spanned<std::string>> forgotten(const LocalPackage& package,
   };
   std::vector<Spanned<std::string>> uses = package.cmake_packages;
   for (const Spanned<std::string>& module : package.python_modules) {
-    if (!is_local(module.value))
-      uses.push_back({.value = std::string(package_of_module(module.value)), .span = module.span});
+    if (is_local(module.value)) continue;
+    std::string name(package_of_module(module.value));
+    // Of no ROS package, but of one that is called like the module.
+    if (!has(known.names, conda_name(name, distro)) && has(known.names, ascii_lower(name)))
+      name = "python3-" + ascii_lower(name);
+    uses.push_back({.value = std::move(name), .span = module.span});
   }
   std::set<std::string> asked;
   for (Spanned<std::string>& one : uses) {

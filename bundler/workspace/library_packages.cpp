@@ -20,10 +20,14 @@ constexpr auto kLibraryPackages = std::to_array<LibraryPackage>({
     {"nlohmann-json-dev", "nlohmann_json"},
     {"nlohmann_json", "nlohmann_json"},
     {"numpy", "numpy"},
-    {"python3-numpy", "numpy"},
+    {"python3-pil", "pillow"},
+    {"python3-serial", "pyserial"},
     {"python3-yaml", "pyyaml"},
     {"yaml-cpp", "yaml-cpp"},
 });
+
+constexpr std::string_view kPythonKey = "python3-";
+constexpr std::string_view kPipKey = "-pip";
 
 }  // namespace
 
@@ -31,7 +35,12 @@ std::string_view library_package(std::string_view rosdep_key) {
   const auto found =
       std::find_if(kLibraryPackages.begin(), kLibraryPackages.end(),
                    [&](const LibraryPackage& row) { return row.rosdep_key == rosdep_key; });
-  return found == kLibraryPackages.end() ? std::string_view() : found->conda_name;
+  if (found != kLibraryPackages.end()) return found->conda_name;
+  // Keys of Python modules, which are no ROS packages.
+  if (!rosdep_key.starts_with(kPythonKey)) return {};
+  rosdep_key.remove_prefix(kPythonKey.size());
+  if (rosdep_key.ends_with(kPipKey)) rosdep_key.remove_suffix(kPipKey.size());
+  return rosdep_key;
 }
 
 }  // namespace ros2wasm

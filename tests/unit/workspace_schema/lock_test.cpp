@@ -65,6 +65,29 @@ packages:
     noarch: generic
 )";
 
+TEST(Lock, KeepsWheels) {
+  const LockedWheel beside{.project = "parts",
+                           .version = "1.0",
+                           .file = "wheels/parts-1.0-py3-none-any.whl",
+                           .url = "",
+                           .sha256 = std::string(64, 'a'),
+                           .size = 12};
+  LockedWheel far = beside;
+  far.file.clear();
+  far.url = "https://example.org/parts-1.0-py3-none-any.whl";
+  Lock with = lock();
+  with.wheels = {beside, far};
+  const std::string text = write_lock(with);
+  const auto read = read_lock(text, "ros2wasm.lock");
+  ASSERT_TRUE(read.ok());
+  EXPECT_EQ(read->wheels, with.wheels);
+  EXPECT_EQ(write_lock(*read), text);
+  with.wheels.front().url = far.url;  // only one of both is written
+  EXPECT_TRUE(read_lock(write_lock(with), "ros2wasm.lock").ok());
+  EXPECT_FALSE(read_lock(text + "  - name: a\n", "ros2wasm.lock").ok());
+  EXPECT_FALSE(read_lock(text + "    file: both\n", "ros2wasm.lock").ok());
+}
+
 TEST(Lock, HasOneForm) {
   EXPECT_EQ(write_lock({.channels = {"embedded"}, .specs = {"a"}, .packages = {record("a")}}),
             kText);

@@ -17,6 +17,7 @@ class ImportCheckTest : public testing::Test {
     workspace_[kScript] = script;
     report_ = check_imports(kScript, {.workspace = workspace_,
                                       .channels = channels_,
+                                      .wheels = wheels_,
                                       .interfaces = interfaces_,
                                       .channel_names = names_,
                                       .distro = "jazzy"});
@@ -28,6 +29,7 @@ class ImportCheckTest : public testing::Test {
 
   using Lines = std::vector<std::string>;
   PythonFiles workspace_;
+  PythonFiles wheels_;
   PythonFiles channels_{
       {std::string(kPythonModules) + "/rclpy/__init__.py", "import nowhere"},
       {std::string(kPythonModules) + "/rclpy/node.py", ""},
@@ -38,6 +40,21 @@ class ImportCheckTest : public testing::Test {
   std::vector<std::string> names_{"opencv", "ros-jazzy-rclpy"};
   ImportReport report_;
 };
+
+TEST_F(ImportCheckTest, WheelsAreFollowedForWhatAProgramNeeds) {
+  const std::string modules = std::string(kPythonModules) + "/";
+  wheels_ = {{modules + "parts/__init__.py", "from .arm import Arm\n"},
+             {modules + "parts/arm.py",
+              "import math, numpy\nimport gone\ntry:\n  import faster\nexcept ImportError: pass\n"},
+             {modules + "parts/unused.py", "import never\n"}};
+  EXPECT_EQ(messages("import parts\n"), (Lines{"no package of the site has the module `gone`"}));
+  EXPECT_EQ(report_.missing[0].span->file, modules + "parts/arm.py");
+  EXPECT_EQ(report_.missing[0].span->line, 2U);
+  EXPECT_EQ(report_.compiled, std::set<std::string>{"numpy"});
+  EXPECT_EQ(messages("try:\n  import parts.arm\nexcept ImportError: pass\n"), Lines{});
+  EXPECT_EQ(messages("import parts.leg\n"),
+            (Lines{"no package of the site has the module `gone`", "`parts.leg` is not there"}));
+}
 
 TEST_F(ImportCheckTest, FollowsTheModulesOfTheWorkspaceOnly) {
   module("demo/__init__.py", "");
@@ -100,6 +117,7 @@ TEST_F(ImportCheckTest, ProgramsOfChannelsGetTheirCompiledModules) {
   channels_["lib/clouds/run"] = "from clouds.main import main\n";
   const ImportReport report = check_imports("lib/clouds/run", {.workspace = workspace_,
                                                                .channels = channels_,
+                                                               .wheels = wheels_,
                                                                .interfaces = interfaces_,
                                                                .channel_names = names_,
                                                                .distro = "jazzy"});

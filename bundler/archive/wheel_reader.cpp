@@ -1,0 +1,273 @@
+// See wheel_reader.hpp.
+#include "bundler/archive/wheel_reader.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "bundler/archive/archive_library.hpp"
+#include "bundler/archive/link_rules.hpp"
+#include "bundler/io/files.hpp"
+#include "bundler/io/sha256.hpp"
+#include "workspace_schema/text_pattern.hpp"
+
+namespace ros2wasm {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t kMostBytes = 256ULL << 20U;
+constexpr std::size_t kMostFaults = 10;
+constexpr std::string_view kHashKind = "sha256=";
+
+using Files = std::map<std::string, std::string>;
+
+std::string called(const WheelName& name) {
+  return name.project + "-" + name.version + "-" + name.tags + ".whl";
+}
+
+Diagnostic refused(std::string code, const std::string& name, std::vector<std::string> why) {
+  return Diagnostic{.code = std::move(code),
+                    .kind = FailureKind::kEnvironment,
+                    .message = "the archive of `" + name + "` was refused",
+                    .why = std::move(why)};
+}
+
+Diagnostic unfit(const std::string& name, std::string why) {
+  return Diagnostic{.code = "R2W0243",
+                    .message = "the wheel `" + name + "` cannot be installed for a site",
+                    .why = {std::move(why)}};
+}
+
+/// Every member that may be kept.
+class Collector {
+ public:
+  Collector(const std::string& name, const ExtractLimits& limits, std::uint64_t packed_bytes)
+      : name_(name), meter_(limits, name, packed_bytes) {}
+
+  Outcome<Done> member(const ArchiveMember& member, const ByteSource& source) {
+    if (auto counted = meter_.member(); !counted) return counted;
+    const auto path = safe_member_path(member.path);
+    if (!path) return refused("R2W0222", name_, {"a member leads outside of the wheel"});
+    if (member.kind == MemberKind::kDirectory) return Done{};
+    if (member.kind != MemberKind::kFile)
+      return refused("R2W0223", name_, {"the member `" + *path + "` is no file, but a link"});
+    const auto [found, is_new] = claimed_.emplace(ascii_lower(*path), *path);
+    if (!is_new) {
+      return refused("R2W0224", name_,
+                     {"`" + found->second + "` and `" + *path + "` are one file on some machines"});
+    }
+    std::string bytes;
+    for (;;) {
+      const auto piece = source();
+      if (!piece) return piece.errors();
+      if (piece->empty()) break;
+      if (auto counted = meter_.bytes(piece->size()); !counted) return counted;
+      bytes += *piece;
+    }
+    files_.emplace(*path, std::move(bytes));
+    return Done{};
+  }
+
+  Files take() { return std::move(files_); }
+
+ private:
+  const std::string& name_;
+  ExtractMeter meter_;
+  std::map<std::string, std::string> claimed_;  ///< lower case -> as it came
+  Files files_;
+};
+
+std::string url_base64(const std::string& hex) {
+  constexpr std::string_view kDigits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
+  const auto nibble = [&](std::size_t i) {
+    const char c = hex[i];
+    return static_cast<unsigned>(c <= '9' ? c - '0' : c - 'a' + 10);
+  };
+  std::string out;
+  unsigned value = 0;
+  unsigned bits = 0;
+  for (std::size_t i = 0; i < hex.size(); ++i) {
+    value = (value << 4U) | nibble(i);
+    for (bits += 4; bits >= 6; bits -= 6) out += kDigits[(value >> (bits - 6)) & 63U];
+  }
+  if (bits > 0) out += kDigits[(value << (6 - bits)) & 63U];
+  return out;
+}
+
+std::vector<std::string_view> lines_of(std::string_view text) {
+  std::vector<std::string_view> lines;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string_view line = text.substr(0, end);
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    lines.push_back(line);
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return lines;
+}
+
+struct RecordRow {
+  std::string path;
+  std::string hash;
+  std::string size;
+};
+
+/// `path,hash,size`, where a path with a comma stands in quotes.
+std::optional<RecordRow> record_row(std::string_view line) {
+  std::vector<std::string> cells(1);
+  bool quoted = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == '"') {
+      const bool doubled = quoted && i + 1 < line.size() && line[i + 1] == '"';
+      if (doubled) cells.back() += line[i++];
+      if (!doubled) quoted = !quoted;
+    } else if (line[i] == ',' && !quoted) {
+      cells.emplace_back();
+    } else {
+      cells.back() += line[i];
+    }
+  }
+  if (quoted || cells.size() != 3) return std::nullopt;
+  return RecordRow{std::move(cells[0]), std::move(cells[1]), std::move(cells[2])};
+}
+
+/// What RECORD says and the files are not, as sentences.
+std::vector<std::string> record_faults(const Files& files, const std::string& info) {
+  const std::string own = info + "RECORD";
+  std::vector<std::string> faults;
+  std::map<std::string, RecordRow> rows;
+  for (const std::string_view line : lines_of(files.at(own))) {
+    if (line.empty()) continue;
+    auto row = record_row(line);
+    if (!row) {
+      faults.emplace_back("RECORD has a line that is none");
+      continue;
+    }
+    std::string path = row->path;
+    rows.emplace(std::move(path), std::move(*row));
+  }
+  for (const auto& [path, bytes] : files) {
+    // These can stand in no list of hashes, since they hold it.
+    if (path == own || path == own + ".jws" || path == own + ".p7s") continue;
+    const auto row = rows.find(path);
+    if (row == rows.end()) {
+      faults.push_back("`" + path + "` is not listed");
+    } else if (!row->second.hash.starts_with(kHashKind)) {
+      faults.push_back("`" + path + "` is listed without a sha256");
+    } else if (row->second.hash.substr(kHashKind.size()) != url_base64(sha256_hex(bytes))) {
+      faults.push_back("`" + path + "` has another sha256 than listed");
+    } else if (!row->second.size.empty() && row->second.size != std::to_string(bytes.size())) {
+      faults.push_back("`" + path + "` has another size than listed");
+    }
+  }
+  for (const auto& [path, row] : rows) {
+    if (!files.contains(path)) faults.push_back("`" + path + "` is missing");
+  }
+  if (faults.size() > kMostFaults) {
+    const std::size_t more = faults.size() - kMostFaults;
+    faults.resize(kMostFaults);
+    faults.push_back("and " + std::to_string(more) + " more");
+  }
+  return faults;
+}
+
+/// The values of a header, as in a mail: "Name: x", up to the first empty line.
+std::vector<std::string> header(std::string_view text, std::string_view name) {
+  std::vector<std::string> values;
+  for (const std::string_view line : lines_of(text)) {
+    if (line.empty()) break;
+    const std::size_t colon = line.find(':');
+    if (colon == std::string_view::npos || ascii_lower(std::string(line.substr(0, colon))) != name)
+      continue;
+    const std::size_t start = line.find_first_not_of(" \t", colon + 1);
+    values.emplace_back(start == std::string_view::npos ? "" : line.substr(start));
+  }
+  return values;
+}
+
+std::string first_of(const std::vector<std::string>& values) {
+  return values.empty() ? std::string() : values.front();
+}
+
+/// "demo-1.0.dist-info/" of the only folder of that kind.
+std::optional<std::string> info_folder(const Files& files) {
+  std::optional<std::string> found;
+  constexpr std::string_view kInfo = ".dist-info/";
+  for (const auto& [path, bytes] : files) {
+    const std::size_t end = path.find('/') + 1;
+    if (end == 0 || !std::string_view(path).substr(0, end).ends_with(kInfo)) continue;
+    if (found && *found != path.substr(0, end)) return std::nullopt;
+    found = path.substr(0, end);
+  }
+  return found;
+}
+
+/// Where a member goes below site-packages; nothing for what a site has no use for.
+std::optional<std::string> installed_path(const std::string& path) {
+  constexpr std::string_view kData = ".data/";
+  const std::size_t first = path.find('/') + 1;
+  std::string result = path;
+  if (first != 0 && std::string_view(path).substr(0, first).ends_with(kData)) {
+    const std::size_t second = path.find('/', first) + 1;
+    const std::string scheme = second == 0 ? "" : path.substr(first, second - first);
+    if (scheme != "purelib/" && scheme != "platlib/") return std::nullopt;
+    result = path.substr(second);
+  }
+  if (result.ends_with(".pyc")) return std::nullopt;
+  return result;
+}
+
+bool is_compiled(const std::string& path) {
+  return path.ends_with(".so") || path.ends_with(".pyd") || path.ends_with(".dylib");
+}
+
+}  // namespace
+
+Outcome<Wheel> read_wheel(const fs::path& file, const WheelName& wanted, ExtractLimits limits) {
+  const std::string name = called(wanted);
+  std::error_code error;
+  const std::uint64_t packed_bytes = fs::file_size(file, error);
+  if (error) return cannot_read(file, error.value());
+  limits.total_bytes = std::min(limits.total_bytes, kMostBytes);
+  Collector collector(name, limits, packed_bytes);
+  const auto visited =
+      visit_zip(file, name, [&](const ArchiveMember& member, const ByteSource& bytes) {
+        return collector.member(member, bytes);
+      });
+  if (!visited) return visited.errors();
+  Files files = collector.take();
+  const auto info = info_folder(files);
+  if (!info) return damaged_archive(name, "it has no .dist-info folder, or several");
+  for (const char* needed : {"METADATA", "RECORD", "WHEEL"}) {
+    if (!files.contains(*info + needed))
+      return damaged_archive(name, "it has no " + *info + needed);
+  }
+  if (auto faults = record_faults(files, *info); !faults.empty()) {
+    faults.insert(faults.begin(), "its files are not those that its RECORD lists");
+    return refused("R2W0226", name, std::move(faults));
+  }
+  const std::string& metadata = files.at(*info + "METADATA");
+  Wheel wheel{.project = first_of(header(metadata, "name")),
+              .version = first_of(header(metadata, "version")),
+              .requirements = header(metadata, "requires-dist"),
+              .python = first_of(header(metadata, "requires-python")),
+              .files = {}};
+  if (normal_project_name(wheel.project) != normal_project_name(wanted.project))
+    return unfit(name, "its METADATA is that of `" + wheel.project + "`");
+  if (normal_project_name(wheel.version) != normal_project_name(wanted.version))
+    return unfit(name, "its METADATA is that of version " + wheel.version);
+  if (!first_of(header(files.at(*info + "WHEEL"), "wheel-version")).starts_with("1."))
+    return unfit(name, "its form is newer than version 1");
+  for (auto& [path, bytes] : files) {
+    auto place = installed_path(path);
+    if (!place) continue;
+    if (is_compiled(*place))
+      return unfit(name, "it has a compiled module, `" + *place + "`, whatever its name says");
+    if (!wheel.files.emplace(*place, std::move(bytes)).second)
+      return refused("R2W0224", name, {"two of its members go to `" + *place + "`"});
+  }
+  return wheel;
+}
+
+}  // namespace ros2wasm

@@ -5,6 +5,9 @@
 // `~/get_type_description` with hashes and sources (`start_type_description_service`),
 // `/parameter_events`, `/rosout` (1000, transient local, 10 s), logger services when asked for
 
+// Compatibility, works: `rclcpp::node_interfaces::NodeInterfaces`: some interfaces of a node, in
+// place of it
+
 #include <algorithm>
 #include <map>
 #include <set>
@@ -12,6 +15,7 @@
 #include "checks.hpp"
 #include "example_interfaces/srv/add_two_ints.hpp"
 #include "rcl_interfaces/msg/log.hpp"
+#include "rcl_interfaces/msg/parameter.hpp"
 #include "rcl_interfaces/msg/parameter_event.hpp"
 #include "rcl_interfaces/srv/describe_parameters.hpp"
 #include "rcl_interfaces/srv/get_logger_levels.hpp"
@@ -20,6 +24,7 @@
 #include "rcl_interfaces/srv/list_parameters.hpp"
 #include "rcl_interfaces/srv/set_parameters.hpp"
 #include "rcl_interfaces/srv/set_parameters_atomically.hpp"
+#include "rclcpp/node_interfaces/node_interfaces.hpp"
 #include "type_description_interfaces/srv/get_type_description.hpp"
 
 using namespace std::chrono_literals;
@@ -124,6 +129,33 @@ void check_service_type(Checks& checks, const rclcpp::Node::SharedPtr& node,
             .count("/silent/get_type_description") == 0);
 }
 
+using Few =
+    rclcpp::node_interfaces::NodeInterfaces<rclcpp::node_interfaces::NodeBaseInterface,
+                                            rclcpp::node_interfaces::NodeTopicsInterface,
+                                            rclcpp::node_interfaces::NodeParametersInterface>;
+
+std::string name_of(const Few& node) {
+  return node.get_node_base_interface()->get_fully_qualified_name();
+}
+
+// What stands for a node where one is asked for.
+void check_interfaces(Checks& checks, const rclcpp::Node::SharedPtr& node) {
+  using namespace rclcpp::node_interfaces;
+  CHECK(name_of(*node) == "/under/test");
+  NodeInterfaces<ALL_RCLCPP_NODE_INTERFACES> all(*node);
+  CHECK(name_of(all) == "/under/test");
+  CHECK(all.get<NodeGraphInterface>() == node->get_node_graph_interface());
+  const NodeInterfaces<NodeClockInterface> clock(node->get_node_clock_interface());
+  CHECK(clock.get_node_clock_interface()->get_clock() == node->get_clock());
+  Few few(all);
+  CHECK(few.get<NodeTopicsInterface>() == node->get_node_topics_interface());
+  const auto publisher = rclcpp::create_publisher<rcl_interfaces::msg::Parameter>(
+      few, "by_interfaces", rclcpp::QoS(1));
+  CHECK(node->count_publishers("/under/by_interfaces") == 1);
+  few.set<NodeTopicsInterface>(nullptr);
+  CHECK(few.get_node_topics_interface() == nullptr);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -136,6 +168,7 @@ int main(int argc, char** argv) {
   executor.add_node(node);
   executor.add_node(tool);
   node->declare_parameter("count", 1);
+  check_interfaces(checks, node);
 
   const auto services = tool->get_service_names_and_types_by_node("test", "/under");
   const std::map<std::string, std::string> expected = {

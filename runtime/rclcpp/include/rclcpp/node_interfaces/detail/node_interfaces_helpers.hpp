@@ -40,6 +40,13 @@ auto& dereference(T& node) {
     static std::shared_ptr<InterfaceT> get(NodeT& node) {                     \
       return node.get_node_##NAME##_interface();                              \
     }                                                                         \
+    /* The same question, answered by a class that keeps interfaces. */       \
+    template <typename KeeperT>                                               \
+    struct Getter {                                                           \
+      std::shared_ptr<InterfaceT> get_node_##NAME##_interface() const {       \
+        return static_cast<const KeeperT&>(*this).template get<InterfaceT>(); \
+      }                                                                       \
+    };                                                                        \
   };                                                                          \
   }                                                                           \
   namespace rclcpp::node_interfaces {                                         \

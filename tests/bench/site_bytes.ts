@@ -7,6 +7,9 @@ import { join, relative } from 'node:path';
 import { brotliCompressSync, constants, gzipSync } from 'node:zlib';
 import type { BenchContext } from './run.ts';
 
+/** What the first C++ node of most people weighs at most, compressed with gzip: bytes. */
+const AIMS: Readonly<Record<string, number>> = { 'programs/tutorial_talker/talker.wasm': 150_000 };
+
 export function packedExample(context: BenchContext, folder: string, example = '01_talker_listener'): string {
   const site = join(folder, 'site');
   const run = spawnSync(
@@ -40,7 +43,10 @@ export function benchBytes(context: BenchContext): void {
       total.raw += raw;
       total.gzip += gzip;
       total.brotli += brotli;
-      context.emit({ bench: 'bytes', file: relative(site, file), raw, gzip, brotli });
+      const name = relative(site, file);
+      const aim = AIMS[name];
+      context.emit({ bench: 'bytes', file: name, raw, gzip, brotli, ...(aim === undefined ? {} : { gzip_aim: aim }) });
+      if (aim !== undefined && gzip >= aim) context.fail(`${name} has ${String(gzip)} bytes compressed, ${String(aim)} are the aim`);
     }
     context.emit({ bench: 'bytes', file: 'all', ...visit });
     context.emit({ bench: 'bytes', file: 'all, for crash reports', ...crash });

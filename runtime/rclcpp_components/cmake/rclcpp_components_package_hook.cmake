@@ -4,8 +4,11 @@
 # can be loaded later; writes the components into the package's index.
 list(REMOVE_DUPLICATES _RCLCPP_COMPONENTS_LIBRARIES)
 _rclcpp_components_keep_once(${_RCLCPP_COMPONENTS_LIBRARIES})
-if(NOT TARGET component_container AND NOT RCLCPP_COMPONENTS_NO_CONTAINER)
+if(NOT RCLCPP_COMPONENTS_NO_CONTAINER)
   foreach(_container component_container component_container_mt component_container_isolated)
+    if(TARGET ${_container})  # the package's own
+      continue()
+    endif()
     set(_main component_container_mt.cpp)
     if(_container STREQUAL "component_container")
       set(_main component_container.cpp)

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <variant>
 
 #include "workspace_schema/json_writer.hpp"
@@ -88,11 +89,7 @@ class LayoutReader {
     if (const YamlNode* front = value_of(node, "front"); front != nullptr && tabs)
       write_front(*front, list.items.size());
     if (const YamlNode* shown = value_of(node, "shown"); shown != nullptr && depth == 0) {
-      if (const auto id = binder_.line(*shown, "shown")) {
-        json_.field("shown", id->value);
-      } else {
-        good_ = false;
-      }
+      write_shown(*shown);
     }
     json_.end_object();
   }
@@ -127,9 +124,34 @@ class LayoutReader {
     json_.field_integer("front", *number);
   }
 
+  /// All panels have been read.
+  void write_shown(const YamlNode& node) {
+    const auto id = binder_.line(node, "shown");
+    if (!id) {
+      good_ = false;
+    } else if (std::find(ids_.begin(), ids_.end(), id->value) != ids_.end()) {
+      json_.field("shown", id->value);
+    } else {
+      good_ = false;
+      Diagnostic& unknown =
+          binder_.error("R2W0102", "there is no panel `" + id->value + "` in this layout",
+                        node.range, "not here");
+      unknown.why.push_back("its panels are: " + name_list(ids_, 64));
+      if (const auto near = nearest(id->value, ids_))
+        unknown.fix.push_back("write `" + *near + "`");
+    }
+  }
+
+  /// Of several of a kind the second is `plot-2`, as the page counts them.
+  void count(const std::string& name) {
+    const auto before = ++counts_[name];
+    ids_.push_back(before == 1 ? name : name + "-" + std::to_string(before));
+  }
+
   void panel(const YamlNode& node) {
     panels_ += 1;
     if (node.kind == YamlKind::kScalar) {
+      count(node.text);
       if (check_name(node.text, node.range)) json_.string(node.text);
       return;
     }
@@ -139,6 +161,7 @@ class LayoutReader {
       return;
     }
     const YamlEntry& entry = node.entries.front();
+    count(entry.key);
     check_name(entry.key, entry.key_range);
     json_.begin_object().key(entry.key);
     options(entry.value, 0);
@@ -216,6 +239,8 @@ class LayoutReader {
   Binder& binder_;
   JsonWriter json_;
   std::size_t panels_ = 0;
+  std::vector<std::string> ids_;  ///< of the panels so far
+  std::map<std::string, int> counts_;
   bool good_ = true;
 };
 

@@ -2,6 +2,7 @@
 #include "bundler/launch/rviz_config.hpp"
 
 #include <algorithm>
+#include <span>
 
 #include "workspace_schema/source_text.hpp"
 #include "workspace_schema/yaml_reader.hpp"
@@ -9,12 +10,14 @@
 namespace ros2wasm {
 namespace {
 
-/// Of rviz_default_plugins; what draws them here is in runtime/ui/scene/kinds.ts.
-constexpr std::string_view kShown[] = {
-    "Axes",       "Grid", "LaserScan", "Map",       "Marker",      "MarkerArray",
-    "Odometry",   "Path", "Pose",      "PoseArray", "PointCloud2", "PoseWithCovariance",
-    "RobotModel", "TF",
+/// What draws them is in runtime/ui/scene/kinds.ts; the page's own list is kDrawn in
+/// runtime/ui/model/rviz_config.ts, and a test holds it against this one.
+constexpr std::string_view kDrawn[] = {
+    "LaserScan", "Map",       "Marker",      "MarkerArray",        "Odometry",   "Path",
+    "Pose",      "PoseArray", "PointCloud2", "PoseWithCovariance", "RobotModel",
 };
+/// Without a topic.
+constexpr std::string_view kOfTheScene[] = {"Grid", "TF"};
 constexpr std::string_view kImage = "Image";
 
 const YamlNode* member(const YamlNode& map, std::string_view key) {
@@ -41,11 +44,21 @@ std::string topic_of(const YamlNode& display) {
   return {};
 }
 
+/// As RViz: what does not say so is off, and its value stands for that.
+bool is_on(const YamlNode& display) {
+  const std::string enabled = text_of(display, "Enabled");
+  return (enabled.empty() ? text_of(display, "Value") : enabled) == "true";
+}
+
+bool is_among(std::span<const std::string_view> kinds, std::string_view kind) {
+  return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+}
+
 void add_displays(const YamlNode& parent, RvizDisplays& result) {
   const YamlNode* displays = member(parent, "Displays");
   if (displays == nullptr) return;
   for (const YamlNode& display : displays->items) {
-    if (text_of(display, "Enabled") == "false") continue;
+    if (!is_on(display)) continue;
     const std::string plugin = text_of(display, "Class");
     const std::string kind = plugin.substr(plugin.rfind('/') + 1);
     if (kind == "Group") {
@@ -55,12 +68,16 @@ void add_displays(const YamlNode& parent, RvizDisplays& result) {
     if (kind.empty()) continue;
     std::string name = text_of(display, "Name");
     if (name.empty()) name = kind;
-    if (const std::string topic = topic_of(display); !topic.empty()) name += " (" + topic + ")";
-    const bool is_shown = plugin.starts_with("rviz_default_plugins/") &&
-                          std::find(std::begin(kShown), std::end(kShown), kind) != std::end(kShown);
-    (is_shown         ? result.shown
-     : kind == kImage ? result.elsewhere
-                      : result.missing)
+    const std::string topic = topic_of(display);
+    if (!topic.empty()) name += " (" + topic + ")";
+    // `rviz` is what ROS 1 calls it.
+    const bool is_known =
+        plugin.starts_with("rviz_default_plugins/") || plugin.starts_with("rviz/");
+    const bool is_shown =
+        is_known && (is_among(kOfTheScene, kind) || (is_among(kDrawn, kind) && !topic.empty()));
+    (is_shown                     ? result.shown
+     : is_known && kind == kImage ? result.elsewhere
+                                  : result.missing)
         .push_back(std::move(name));
   }
 }

@@ -95,19 +95,88 @@ std::string_view fence_of(std::string_view line) {
   return end - begin >= 3 ? line.substr(begin, end - begin) : std::string_view();
 }
 
-void images_of_line(std::string_view line, std::vector<std::string>& found) {
-  const std::string text = without_code_spans(line);
-  for (std::size_t at = text.find("!["); at != std::string::npos; at = text.find("![", at + 2)) {
+/// Two hidden ends and what is between them are blanked, over several lines too.
+class Comments {
+ public:
+  /// `line` has no code any more; `after` is the rest of the text.
+  void blank(std::string& line, std::string_view after) {
+    for (std::size_t at = 0;;) {
+      if (!open_) {
+        at = line.find("<!--", at);
+        if (at == std::string::npos) return;
+        const bool is_block = line.find_first_not_of(' ') == at && at < 4;
+        // In the middle of a line an end must come; a block goes on to the end of the text.
+        if (!is_block && line.find("-->", at + 4) == std::string::npos &&
+            after.find("-->") == std::string_view::npos)
+          return;
+        open_ = true;
+      }
+      const std::size_t end = line.find("-->", at);
+      open_ = end == std::string::npos;
+      const std::size_t until = open_ ? line.size() : end + 3;
+      std::fill(line.begin() + static_cast<std::ptrdiff_t>(at),
+                line.begin() + static_cast<std::ptrdiff_t>(until), ' ');
+      if (open_) return;
+      at = until;
+    }
+  }
+
+  [[nodiscard]] bool is_open() const { return open_; }
+
+ private:
+  bool open_ = false;
+};
+
+/// `- `, `* `, `+ `, `1. `, `1) `.
+bool begins_list(std::string_view line) {
+  std::size_t at = line.find_first_not_of(' ');
+  if (at == std::string_view::npos) return false;
+  const std::size_t begin = at;
+  while (at < line.size() && line[at] >= '0' && line[at] <= '9') ++at;
+  if (at == line.size()) return false;
+  const std::string_view marks = at == begin ? "-*+" : ".)";
+  return marks.find(line[at]) != std::string_view::npos &&
+         (at + 1 == line.size() || line[at + 1] == ' ' || line[at + 1] == '\t');
+}
+
+/// Which lines are code because they are indented. What stands in lists is taken for text.
+class Indented {
+ public:
+  bool is_code(std::string_view line) {
+    const std::size_t begin = line.find_first_not_of(" \t\r");
+    if (begin == std::string_view::npos) {
+      after_blank_ = true;
+      return false;
+    }
+    const bool is_deep = begin >= 4 || line.substr(0, begin).find('\t') != std::string_view::npos;
+    if (begins_list(line) && !is_deep)
+      in_list_ = true;
+    else if (begin == 0 && after_blank_)
+      in_list_ = false;
+    // Within a paragraph such a line goes on with it.
+    const bool found = is_deep && after_blank_ && !in_list_;
+    after_blank_ = found;
+    return found;
+  }
+
+ private:
+  bool after_blank_ = true;  ///< or after such code
+  bool in_list_ = false;
+};
+
+void images_of_line(std::string_view text, std::vector<std::string>& found) {
+  for (std::size_t at = text.find("!["); at != std::string_view::npos;
+       at = text.find("![", at + 2)) {
     if (at > 0 && text[at - 1] == '\\') continue;
     const std::size_t words = text.find(']', at + 2);
-    if (words == std::string::npos) return;
+    if (words == std::string_view::npos) return;
     if (words + 1 >= text.size() || text[words + 1] != '(') continue;
     const std::size_t end = text.find_first_of(" \t)", words + 2);
-    if (end == std::string::npos) continue;
-    std::string_view path = std::string_view(text).substr(words + 2, end - words - 2);
+    if (end == std::string_view::npos) continue;
+    std::string_view path = text.substr(words + 2, end - words - 2);
     if (text[end] != ')') {  // only a title may follow
       const std::size_t quote = text.find_first_not_of(" \t", end);
-      if (quote == std::string::npos || (text[quote] != '"' && text[quote] != ')')) continue;
+      if (quote == std::string_view::npos || (text[quote] != '"' && text[quote] != ')')) continue;
     }
     if (is_address(path)) continue;
     path = path.substr(0, path.find_first_of("?#"));
@@ -131,6 +200,8 @@ Diagnostic refused(const Spanned<std::string>& file, const std::string& path, st
 std::vector<std::string> markdown_images(std::string_view markdown) {
   std::vector<std::string> found;
   std::string fence;
+  Comments comments;
+  Indented indented;
   while (!markdown.empty()) {
     const std::size_t end = std::min(markdown.find('\n'), markdown.size());
     const std::string_view line = markdown.substr(0, end);
@@ -141,11 +212,14 @@ std::vector<std::string> markdown_images(std::string_view markdown) {
         fence.clear();
       continue;
     }
-    if (!mark.empty()) {
-      fence = mark;
-      continue;
+    if (!comments.is_open()) {
+      const bool is_code = indented.is_code(line);
+      if (!mark.empty()) fence = mark;
+      if (is_code || !mark.empty()) continue;
     }
-    images_of_line(line, found);
+    std::string text = comments.is_open() ? std::string(line) : without_code_spans(line);
+    comments.blank(text, markdown);
+    images_of_line(text, found);
   }
   return found;
 }

@@ -20,7 +20,17 @@ const kDeepest = 8;
 /** RViz writes pixels for a metre; this is taken for the height of its picture. */
 const kPictureHeight = 600;
 
+/** Displays with a topic that the scene draws. `pack` tells by the same list what the page has (bundler/launch/rviz_config.cpp). */
+export const kDrawn: ReadonlySet<string> = new Set([
+  'LaserScan', 'Map', 'Marker', 'MarkerArray', 'Odometry', 'Path', 'Pose', 'PoseArray', 'PointCloud2', 'PoseWithCovariance',
+  'RobotModel',
+]);
+/** `rviz` is what ROS 1 calls it. */
+const kLibraries: ReadonlySet<string> = new Set(['rviz_default_plugins/', 'rviz/']);
+const kTopics = ['Topic', 'Description Topic', 'Image Topic', 'Marker Topic'] as const;
+
 interface Display {
+  /** Empty: of somebody else's library. */
   readonly kind: string;
   readonly name: string;
   readonly value: unknown;
@@ -36,8 +46,8 @@ export function readRviz(text: string): RvizScene | null {
   const leftOut: string[] = [];
   for (const { kind, name, value } of on) {
     if (kind === 'Grid' || kind === 'TF') continue;
-    const topic = topicOf(member(value, kind === 'RobotModel' ? 'Description Topic' : 'Topic'));
-    if (topic === '') leftOut.push(name);
+    const topic = kTopics.map((key) => topicOf(member(value, key))).find((each) => each !== '');
+    if (topic === undefined || !kDrawn.has(kind)) leftOut.push(name);
     else topics.add(topic);
   }
   const frames = on.find(({ kind }) => kind === 'TF');
@@ -72,10 +82,16 @@ function parsed(text: string): unknown {
 function* enabled(list: unknown, depth: number): Iterable<Display> {
   if (!Array.isArray(list) || depth > kDeepest) return;
   for (const value of list as readonly unknown[]) {
-    if (member(value, 'Enabled') !== true) continue;
-    const [, kind = ''] = /([^/]*)$/.exec(textMember(value, 'Class')) ?? [];
-    if (kind === 'Group') yield* enabled(member(value, 'Displays'), depth + 1);
-    else yield { kind, name: textMember(value, 'Name', kind).slice(0, 80), value };
+    // As RViz: what does not say so is off, and its value stands for that.
+    if ((member(value, 'Enabled') ?? member(value, 'Value')) !== true) continue;
+    const [, library = '', plain = ''] = /^(.*?)([^/]*)$/.exec(textMember(value, 'Class')) ?? [];
+    if (plain === 'Group') {
+      yield* enabled(member(value, 'Displays'), depth + 1);
+      continue;
+    }
+    const isKnown = kLibraries.has(library);
+    const name = textMember(value, 'Name').slice(0, 80);
+    if (plain !== '') yield { kind: isKnown ? plain : '', name: name === '' ? plain : name, value };
   }
 }
 

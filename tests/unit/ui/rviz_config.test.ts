@@ -1,7 +1,8 @@
 // What an .rviz file says about a scene, and files that say nothing.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { readRviz } from '../../../runtime/ui/model/rviz_config.ts';
+import { kDrawn, readRviz } from '../../../runtime/ui/model/rviz_config.ts';
 
 const kFile = `
 Panels:
@@ -48,6 +49,16 @@ test('displays, frame, view and goal are taken over', () => {
   const top = readRviz(kFile.replace(/Current: .*/, 'Current: {Class: rviz_default_plugins/TopDownOrtho, Scale: 100, X: 3, Y: 4}'));
   assert.deepEqual([top?.options.view?.top, top?.options.view?.target], [true, [3, 4, 0]]);
   assert.ok(Math.abs((top?.options.view?.distance ?? 0) - 3 / Math.tan(Math.PI / 8)) < 1e-9);
+});
+
+test('kinds of displays are those that pack tells of, and what is not drawn is left out', () => {
+  const read = (path: string): string => readFileSync(new URL(`../../../${path}`, import.meta.url), 'utf8');
+  const scene = readRviz(read('tests/support/rviz/kinds.rviz')) ?? assert.fail();
+  assert.deepEqual(scene.options.topics, ['/t1', '/t2', '/t3', '/t4', '/t5']);
+  assert.deepEqual([scene.options.grid, scene.options.frames], [true, true]);
+  assert.deepEqual(scene.leftOut, ['image 1', 'image 2', ...[1, 2, 3, 4, 5, 6, 7].map((number) => `left out ${number}`)]);
+  const [, list = ''] = /kDrawn\[\] = \{([^}]*)\}/.exec(read('bundler/launch/rviz_config.cpp')) ?? [];
+  assert.deepEqual([...list.matchAll(/"(\w+)"/g)].map(([, kind]) => kind).sort(), [...kDrawn].sort());
 });
 
 test('what is no such file is refused, and odd values are as usual', () => {

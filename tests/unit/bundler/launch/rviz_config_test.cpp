@@ -3,6 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
+
+#include "bundler/io/files.hpp"
+
 namespace ros2wasm {
 namespace {
 
@@ -22,19 +27,38 @@ Visualization Manager:
     - {Class: rviz_default_plugins/Path, Enabled: true, Name: Old, Topic: /plan}
     - {Class: rviz_default_plugins/Odometry, Enabled: false, Name: Hidden, Topic: {Value: /odom}}
     - Class: rviz_common/Group
+      Enabled: true
       Name: Robot
       Displays:
         - Class: rviz_default_plugins/RobotModel
+          Enabled: true
           Name: ""
           Description Topic: {Value: /robot_description}
-        - {Class: rviz_default_plugins/Image, Name: Camera, Topic: {Value: /image}}
-        - {Class: nav2_rviz_plugins/LaserScan, Name: Other}
-    - {Class: rviz_default_plugins/Effort, Name: Effort}
+        - {Class: rviz_default_plugins/Image, Enabled: true, Name: Camera, Topic: {Value: /image}}
+        - {Class: nav2_rviz_plugins/LaserScan, Enabled: true, Name: Other}
+    - {Class: rviz_default_plugins/Effort, Enabled: true, Name: Effort}
 )");
   EXPECT_EQ(found.shown, (Names{"Grid", "Front laser (/scan)", "Old (/plan)",
                                 "RobotModel (/robot_description)"}));
   EXPECT_EQ(found.elsewhere, Names{"Camera (/image)"});
   EXPECT_EQ(found.missing, (Names{"Other", "Effort"}));
+}
+
+TEST(RvizConfig, KindsAreThoseOfThePage) {
+  const auto text =
+      read_file(std::filesystem::path(ROS2WASM_SOURCE_DIR) / "tests/support/rviz/kinds.rviz");
+  ASSERT_TRUE(text);
+  const RvizDisplays found = rviz_displays(*text);
+  const auto begin_with = [](const Names& names, std::string_view word) {
+    return std::all_of(names.begin(), names.end(),
+                       [&](const std::string& name) { return name.starts_with(word); });
+  };
+  EXPECT_EQ(found.shown.size(), 7U);
+  EXPECT_TRUE(begin_with(found.shown, "drawn"));
+  EXPECT_EQ(found.elsewhere.size(), 2U);
+  EXPECT_TRUE(begin_with(found.elsewhere, "image"));
+  EXPECT_EQ(found.missing.size(), 7U);
+  EXPECT_TRUE(begin_with(found.missing, "left out"));
 }
 
 TEST(RvizConfig, WhatIsNoneHasNone) {

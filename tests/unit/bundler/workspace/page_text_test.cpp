@@ -27,6 +27,18 @@ TEST(PageText, LeavesOutCodeAddressesAndOtherForms) {
   EXPECT_EQ(markdown_images("a ` b ![x](a.png)"), Paths{"a.png"});
 }
 
+TEST(PageText, LeavesOutIndentedCodeAndComments) {
+  EXPECT_EQ(markdown_images("    ![x](a.png)\n\n\t![x](b.png)\n    ![x](c.png)\n\nText\n"
+                            "<!-- ![x](d.png) --> <!--\n![x](e.png)\n\n```\n--> \n"
+                            "Words <!-- ![x](f.png)\n-->\n<!--\n![x](g.png)\n"),
+            Paths());
+  // A paragraph goes on, a list has such lines, and what is no comment is text.
+  EXPECT_EQ(markdown_images("Text\n    ![x](a.png)\n\n1. Item\n\n    ![x](b.png)\n\nText\n\n"
+                            "    ![x](no.png)\n`<!--` ![x](c.png) \\`-->\n<!---->![x](d.png)\n"
+                            "Words <!-- open ![x](e.png)"),
+            (Paths{"a.png", "b.png", "c.png", "d.png", "e.png"}));
+}
+
 TEST(PageText, ReadsTheTextAndItsImages) {
   const testing::TemporaryTree tree;
   tree.write("lab/README.md", "![a](img/a.png) ![b](../b.svg)");

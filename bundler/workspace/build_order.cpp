@@ -132,6 +132,15 @@ bool matters_for_building(DependencyKind kind) {
   return false;
 }
 
+bool cannot_be_missing(const LocalPackage& package, const PackageDependency& dependency) {
+  if (!matters_for_building(dependency.kind)) return false;
+  if (package.xml.build_type == "ament_python") return false;
+  const auto& asked = package.cmake_packages;
+  return !package.only_installs || std::any_of(asked.begin(), asked.end(), [&](const auto& one) {
+    return one.value == dependency.name.value;
+  });
+}
+
 bool is_absent(std::string_view package, const KnownNames& known, std::string_view distro) {
   const std::string wanted = conda_name(package, distro);
   const auto& names = known.of_lock ? known.absent : known.names;
@@ -222,6 +231,7 @@ std::vector<ExternalDependency> external_dependencies(const std::vector<LocalPac
       entry.name = name;
       add_limits(dependency, limits[name]);
       entry.needed_to_build = entry.needed_to_build || building;
+      if (cannot_be_missing(packages[i], dependency)) entry.can_be_missing = false;
       // One <depend> is three dependencies with one place.
       if (entry.places.empty() || !(entry.places.back() == dependency.name.span)) {
         entry.places.push_back(dependency.name.span);
@@ -242,10 +252,11 @@ Diagnostics missing_dependencies(const std::vector<ExternalDependency>& external
   for (const ExternalDependency& dependency : external) {
     const std::string wanted = conda_name(dependency.name, distro);
     if (std::binary_search(known.names.begin(), known.names.end(), wanted)) continue;
-    if (known.of_lock && dependency.needed_to_build) continue;
+    if (known.of_lock && dependency.needed_to_build && !is_absent(dependency.name, known, distro))
+      continue;
     Diagnostic diagnostic{
         .code = "R2W0513",
-        .severity = dependency.needed_to_build ? Severity::kError : Severity::kWarning,
+        .severity = dependency.can_be_missing ? Severity::kWarning : Severity::kError,
         .message = (known.of_lock ? "the lock has no `" : "no channel has `") + dependency.name +
                    "`, and the workspace has not either",
         .span = dependency.places.front(),

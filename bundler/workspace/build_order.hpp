@@ -17,6 +17,7 @@ struct ExternalDependency {
   std::string name;                ///< as package.xml says it
   std::string match_spec;          ///< conda: "ros-jazzy-std-msgs >=5.0"
   bool needed_to_build = false;    ///< else only when nodes run
+  bool can_be_missing = true;      ///< no package is left out for it
   std::vector<SourceSpan> places;  ///< where it is asked for; the first is shown
 };
 
@@ -48,6 +49,12 @@ struct BuildOrder {
 
 [[nodiscard]] bool matters_for_building(DependencyKind kind);
 
+/// Does a package stay out of the site when nobody has a dependency? Not one in Python, whose
+/// imports tell what it needs (R2W0518), nor one that compiles nothing and asks CMake for no such
+/// package.
+[[nodiscard]] bool cannot_be_missing(const LocalPackage& package,
+                                     const PackageDependency& dependency);
+
 /// Names of packages, sorted, and whose they are.
 struct KnownNames {
   std::vector<std::string> names;
@@ -64,9 +71,10 @@ struct KnownNames {
                                                       const KnownNames& known,
                                                       std::string_view distro);
 
-/// What no channel has, each with the line that asks for it: R2W0513. Dependencies that only matter
-/// when nodes run become warnings of the same code; against a lock they are all that is told here,
-/// as check_solution() tells of the others.
+/// What no channel has, each with the line that asks for it: R2W0513. Dependencies that can be
+/// missing become warnings of the same code; against a lock those that only matter when nodes run,
+/// and those that no channel had, are all that is told here, as check_solution() tells of the
+/// others.
 [[nodiscard]] Diagnostics missing_dependencies(const std::vector<ExternalDependency>& external,
                                                const KnownNames& known, std::string_view distro);
 

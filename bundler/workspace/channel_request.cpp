@@ -22,8 +22,8 @@ bool has(const std::vector<std::string>& sorted, std::string_view name) {
   return std::binary_search(sorted.begin(), sorted.end(), name, std::less<>());
 }
 
-/// What CMakeLists.txt asks for or Python imports, a channel has, and package.xml forgets. Where
-/// all of ROS 2 is installed nobody notices.
+/// What CMakeLists.txt asks for, Python imports or a launch file starts, a channel has, and
+/// package.xml forgets. Where all of ROS 2 is installed nobody notices.
 std::vector<Spanned<std::string>> forgotten(const LocalPackage& package,
                                             const std::vector<LocalPackage>& packages,
                                             const KnownNames& known, std::string_view distro) {
@@ -38,6 +38,7 @@ std::vector<Spanned<std::string>> forgotten(const LocalPackage& package,
         [&](const PackageDependency& one) { return conda_name(one.name.value, distro) == wanted; });
   };
   std::vector<Spanned<std::string>> uses = package.cmake_packages;
+  uses.insert(uses.end(), package.launch_packages.begin(), package.launch_packages.end());
   for (const Spanned<std::string>& module : package.python_modules) {
     if (is_local(module.value)) continue;
     std::string name(package_of_module(module.value));
@@ -89,11 +90,17 @@ Diagnostic forgotten_warning(const LocalPackage& package,
                     .fix = {"add `" + lines + "` to package.xml"}};
 }
 
-/// The names without which packages are left out, as channels would have them.
+/// What was looked for in vain, as channels would have it: the names without which packages are
+/// left out, and those of the others that can be missing.
 std::vector<std::string> absent_names(const std::vector<LocalPackage>& packages,
-                                      const LeftOutPackages& left_out, const KnownNames& known,
-                                      std::string_view distro) {
+                                      const LeftOutPackages& left_out,
+                                      const std::vector<ExternalDependency>& external,
+                                      const KnownNames& known, std::string_view distro) {
   std::set<std::string> names;
+  for (const ExternalDependency& one : external) {
+    if (one.needed_to_build && is_absent(one.name, known, distro))
+      names.insert(conda_name(one.name, distro));
+  }
   for (const auto& [index, reason] : left_out) {
     for (const PackageDependency* one :
          lacking_dependencies(packages[index], packages, known, distro))
@@ -133,10 +140,11 @@ Outcome<ChannelRequest> channel_request(const Manifest& manifest,
   }
   if (!errors.empty()) return errors;
 
-  request.absent = absent_names(packages, left_out, known, manifest.distro);
+  request.absent = absent_names(packages, left_out, external, known, manifest.distro);
   for (const ExternalDependency& dependency : external) {
     if (!has(known.names, conda_name(dependency.name, manifest.distro)) &&
-        !(known.of_lock && dependency.needed_to_build))
+        !(known.of_lock && dependency.needed_to_build &&
+          !is_absent(dependency.name, known, manifest.distro)))
       continue;
     request.specs.push_back({.text = dependency.match_spec,
                              .origin = dependency.places.front().file,

@@ -10,6 +10,7 @@
 
 #include "bundler/io/files.hpp"
 #include "bundler/workspace/cmake_packages.hpp"
+#include "bundler/workspace/launch_packages.hpp"
 #include "bundler/workspace/python_imports.hpp"
 
 namespace ros2wasm {
@@ -135,6 +136,44 @@ std::vector<Spanned<std::string>> python_modules(const fs::path& folder, const f
   return result;
 }
 
+/// Folders of a package whose launch files are not its own, or only of its tests.
+constexpr auto kNoLaunchFolders =
+    std::to_array<std::string_view>({"build", "install", "log", "test", "tests"});
+
+std::vector<fs::path> launch_files(const fs::path& folder) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (fs::recursive_directory_iterator it(folder, error), end; !error && it != end;
+       it.increment(error)) {
+    const std::string name = it->path().filename().string();
+    if (it->is_directory(error)) {
+      const bool is_other = std::find(kNoLaunchFolders.begin(), kNoLaunchFolders.end(), name) !=
+                            kNoLaunchFolders.end();
+      if (is_other || name.starts_with('.')) it.disable_recursion_pending();
+    } else if (is_launch_file_name(name) && it->is_regular_file(error) &&
+               it->file_size(error) <= kBiggestScript) {
+      files.push_back(it->path());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::vector<Spanned<std::string>> packages_of_launch_files(const fs::path& folder,
+                                                           const fs::path& base,
+                                                           const fs::path& shown_base) {
+  std::vector<Spanned<std::string>> result;
+  std::set<std::string> known;
+  for (const fs::path& file : launch_files(folder)) {
+    const auto text = read_file(file);
+    if (!text) continue;
+    for (Spanned<std::string>& one : launch_packages(*text, shown_path(file, base, shown_base))) {
+      if (known.insert(one.value).second) result.push_back(std::move(one));
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 std::vector<fs::path> find_package_folders(const fs::path& root) {
@@ -196,7 +235,9 @@ Outcome<std::vector<LocalPackage>> discover_packages(
                           .directory = folder,
                           .cmake_packages = cmake_packages(cmake ? *cmake : "",
                                                            shown_path(lists, base, shown_base)),
-                          .python_modules = python_modules(folder, base, shown_base)});
+                          .only_installs = only_installs(cmake ? *cmake : ""),
+                          .python_modules = python_modules(folder, base, shown_base),
+                          .launch_packages = packages_of_launch_files(folder, base, shown_base)});
     } else {
       errors.insert(errors.end(), xml.errors().begin(), xml.errors().end());
     }

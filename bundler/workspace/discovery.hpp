@@ -16,8 +16,12 @@ struct LocalPackage {
   std::filesystem::path directory;  ///< absolute
   /// What its CMakeLists.txt asks for, whether package.xml names it or not.
   std::vector<Spanned<std::string>> cmake_packages;
+  /// Its CMakeLists.txt compiles nothing.
+  bool only_installs = false;
   /// What its Python files need that neither Python nor its own folder has: top-level modules.
   std::vector<Spanned<std::string>> python_modules;
+  /// What its launch files start or look up.
+  std::vector<Spanned<std::string>> launch_packages;
 };
 
 /// Folders with a package.xml at or below `root`, sorted. A package's own folder is not searched

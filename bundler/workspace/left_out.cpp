@@ -61,7 +61,7 @@ Dependencies lacking_dependencies(const LocalPackage& package,
   std::set<std::string> names;
   for (const PackageDependency& one : package.xml.dependencies) {
     const std::string& name = one.name.value;
-    const bool there = !matters_for_building(one.kind) || !is_absent(name, known, distro) ||
+    const bool there = !cannot_be_missing(package, one) || !is_absent(name, known, distro) ||
                        is_local(name) || !host_package_reason(name).empty();
     if (!there && names.insert(name).second) result.push_back(&one);
   }

@@ -226,6 +226,54 @@ TEST(LeftOut, WhatLacksSomethingAndWhatNeedsIt) {
           .empty());
 }
 
+TEST(LeftOut, NotWhatCanBePackedWithoutANameOfItsPackageXml) {
+  const TemporaryTree tree;
+  const std::string wants = "<depend>gazebo_ros</depend>\n<depend>std_msgs</depend>\n";
+  std::string python = package_xml("arm", wants);
+  python.replace(python.find("ament_cmake"), 11, "ament_python");
+  tree.write("src/arm/package.xml", python);
+  tree.write("src/model/package.xml", package_xml("model", wants));
+  tree.write("src/model/CMakeLists.txt",
+             "find_package(ament_cmake REQUIRED)\ninstall(DIRECTORY urdf DESTINATION share)\n");
+  // These ask CMake for it, or compile something that may need it.
+  tree.write("src/plugin/package.xml", package_xml("plugin", wants));
+  tree.write("src/plugin/CMakeLists.txt",
+             "find_package(gazebo_ros REQUIRED)\ninstall(DIRECTORY urdf DESTINATION share)\n");
+  tree.write("src/sim/package.xml", package_xml("sim", wants));
+  tree.write("src/sim/CMakeLists.txt", "add_executable(sim sim.cpp)\n");
+  const auto packages = discovered(tree, "src");
+  const auto order = order_packages(packages, "jazzy");
+  ASSERT_TRUE(order);
+  const std::vector<std::string> types = {"ament_cmake", "ament_python"};
+  const KnownNames known{.names = {"ros-jazzy-std-msgs"}};
+  const auto left_out = left_out_packages(packages, *order, known, "jazzy", types);
+  std::vector<std::string> out;
+  for (const auto& [index, reason] : left_out) out.push_back(packages[index].xml.name.value);
+  EXPECT_EQ(out, (std::vector<std::string>{"plugin", "sim"}));
+
+  const auto request = channel_request(Manifest{}, packages, left_out, known, "");
+  ASSERT_TRUE(request);
+  ASSERT_EQ(request->specs.size(), 1U);
+  EXPECT_EQ(request->specs[0].text, "ros-jazzy-std-msgs");
+  ASSERT_EQ(request->warnings.size(), 1U);
+  EXPECT_EQ(request->warnings[0].message,
+            "no channel has `gazebo_ros`, and the workspace has not either");
+  EXPECT_EQ(request->absent, std::vector<std::string>{"ros-jazzy-gazebo-ros"});
+
+  // The lock says the same; what it never heard of may be in a channel by now, and is asked for.
+  const KnownNames locked{.names = known.names, .of_lock = true, .absent = request->absent};
+  const auto again =
+      channel_request(Manifest{}, packages,
+                      left_out_packages(packages, *order, locked, "jazzy", types), locked, "");
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->specs.size(), 1U);
+  EXPECT_EQ(again->absent, request->absent);
+  const auto asked =
+      channel_request(Manifest{}, packages, {}, {.names = known.names, .of_lock = true}, "");
+  ASSERT_TRUE(asked);
+  EXPECT_EQ(asked->specs.size(), 2U);
+}
+
 TEST(LeftOut, NoneWhenNothingWouldRemain) {
   const TemporaryTree tree;
   tree.write("src/lab/package.xml", package_xml("lab", "<depend>sim</depend>\n"));

@@ -1,0 +1,143 @@
+// See launch_packages.hpp.
+#include "bundler/workspace/launch_packages.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace ros2wasm {
+namespace {
+
+/// What stands between a word and the name of a package.
+enum class Form {
+  kAssigned,  ///< `=` and a quote, or `:`
+  kCalled,    ///< `(` and a quote
+  kSpaced,    ///< a space
+};
+
+struct Word {
+  std::string_view text;
+  Form form;
+};
+
+constexpr auto kWords = std::to_array<Word>({
+    {"package", Form::kAssigned},
+    {"pkg", Form::kAssigned},
+    {"FindPackagePrefix", Form::kCalled},
+    {"FindPackageShare", Form::kCalled},
+    {"get_package_prefix", Form::kCalled},
+    {"get_package_share_directory", Form::kCalled},
+    {"get_package_share_path", Form::kCalled},
+    {"find-pkg-prefix", Form::kSpaced},
+    {"find-pkg-share", Form::kSpaced},
+});
+
+constexpr auto kEndings = std::to_array<std::string_view>(
+    {"launch.py", "launch.xml", "launch.yaml", "launch.yml", ".launch"});
+
+bool is_letter(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-';
+}
+
+bool is_quote(char c) {
+  return c == '\'' || c == '"';
+}
+
+/// Comments become blanks, so that all else keeps its place.
+std::string without_comments(std::string text) {
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    const std::size_t first = text.find_first_not_of(" \t", at);
+    if (first < end && text[first] == '#')
+      std::fill(text.begin() + static_cast<std::ptrdiff_t>(first),
+                text.begin() + static_cast<std::ptrdiff_t>(end), ' ');
+    at = end + 1;
+  }
+  for (std::size_t at = text.find("<!--"); at != std::string::npos; at = text.find("<!--", at)) {
+    const std::size_t end = std::min(text.find("-->", at), text.size());
+    for (; at < end; ++at) {
+      if (text[at] != '\n') text[at] = ' ';
+    }
+  }
+  return text;
+}
+
+/// Reads on from `at`, over spaces and, in brackets, over lines.
+void skip_spaces(std::string_view text, std::size_t& at, bool lines) {
+  while (at < text.size() && (text[at] == ' ' || text[at] == '\t' || (lines && text[at] == '\n')))
+    ++at;
+}
+
+bool skip_one(std::string_view text, std::size_t& at, bool (*fits)(char)) {
+  if (at >= text.size() || !fits(text[at])) return false;
+  ++at;
+  return true;
+}
+
+/// From behind the word to the name; false when something else stands there.
+bool skip_to_name(std::string_view text, std::size_t& at, Form form) {
+  switch (form) {
+    case Form::kAssigned: {
+      skip_one(text, at, is_quote);  // of a key in quotes
+      skip_spaces(text, at, false);
+      const bool of_yaml = at < text.size() && text[at] == ':';
+      if (!skip_one(text, at, [](char c) { return c == '=' || c == ':'; })) return false;
+      skip_spaces(text, at, false);
+      return skip_one(text, at, is_quote) || of_yaml;
+    }
+    case Form::kCalled:
+      skip_spaces(text, at, false);
+      if (!skip_one(text, at, [](char c) { return c == '('; })) return false;
+      skip_spaces(text, at, true);
+      return skip_one(text, at, is_quote);
+    case Form::kSpaced:
+      skip_spaces(text, at, false);
+      return at < text.size() && text[at - 1] == ' ';
+  }
+  return false;
+}
+
+SourceSpan span_at(std::string_view text, std::size_t at, std::size_t length,
+                   const std::string& file) {
+  const std::size_t before = at == 0 ? std::string_view::npos : text.rfind('\n', at - 1);
+  const std::size_t start = before == std::string_view::npos ? 0 : before + 1;
+  return {.file = file,
+          .line = static_cast<std::uint32_t>(
+              1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n')),
+          .column = static_cast<std::uint32_t>(at - start + 1),
+          .length = static_cast<std::uint32_t>(length),
+          .line_text = std::string(text.substr(start, text.find('\n', start) - start))};
+}
+
+}  // namespace
+
+bool is_launch_file_name(std::string_view name) {
+  return std::any_of(kEndings.begin(), kEndings.end(),
+                     [&](std::string_view ending) { return name.ends_with(ending); });
+}
+
+std::vector<Spanned<std::string>> launch_packages(std::string_view text, const std::string& file) {
+  const std::string code = without_comments(std::string(text));
+  std::vector<Spanned<std::string>> found;
+  for (std::size_t at = 0; at < code.size();) {
+    if (!is_letter(code[at])) {
+      ++at;
+      continue;
+    }
+    const std::size_t start = at;
+    while (at < code.size() && is_letter(code[at])) ++at;
+    const std::string_view word = std::string_view(code).substr(start, at - start);
+    const auto* row = std::find_if(kWords.begin(), kWords.end(),
+                                   [&](const Word& one) { return one.text == word; });
+    if (row == kWords.end() || !skip_to_name(code, at, row->form)) continue;
+    const std::size_t place = at;
+    while (at < code.size() && is_letter(code[at])) ++at;
+    const std::string name = code.substr(place, at - place);
+    const auto same = [&](const Spanned<std::string>& one) { return one.value == name; };
+    if (name.empty() || std::any_of(found.begin(), found.end(), same)) continue;
+    found.push_back({.value = name, .span = span_at(text, place, name.size(), file)});
+  }
+  return found;
+}
+
+}  // namespace ros2wasm

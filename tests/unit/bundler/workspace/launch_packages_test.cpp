@@ -1,0 +1,71 @@
+#include "bundler/workspace/launch_packages.hpp"
+
+#include <gtest/gtest.h>
+
+namespace ros2wasm {
+namespace {
+
+std::vector<std::string> names(std::string_view text) {
+  std::vector<std::string> result;
+  for (const auto& one : launch_packages(text, "a.launch.py")) result.push_back(one.value);
+  return result;
+}
+
+TEST(LaunchPackages, TellsThoseOfPythonLaunchFiles) {
+  EXPECT_EQ(
+      names("Node(package='turtlesim', executable='a'),\n"
+            "Node(\n  package = \"lab_nodes\"),\n"
+            "ComposableNode(package='lab_nodes', plugin='x::Y'),\n"
+            "FindPackageShare('lab_maps'), FindPackageShare( package='lab_world'),\n"
+            "get_package_share_directory(\n  'lab_model')"),
+      (std::vector<std::string>{"turtlesim", "lab_nodes", "lab_maps", "lab_world", "lab_model"}));
+}
+
+TEST(LaunchPackages, TellsThoseOfXmlAndYaml) {
+  EXPECT_EQ(names("<node pkg=\"turtlesim\" exec=\"a\"/>\n"
+                  "<include file=\"$(find-pkg-share lab_maps)/launch/a.launch.xml\"/>"),
+            (std::vector<std::string>{"turtlesim", "lab_maps"}));
+  EXPECT_EQ(names("launch:\n- node:\n    pkg: turtlesim\n    \"pkg\": 'lab_nodes'\n"),
+            (std::vector<std::string>{"turtlesim", "lab_nodes"}));
+}
+
+TEST(LaunchPackages, LeavesOutCommentsVariablesAndOtherWords) {
+  EXPECT_EQ(names("# Node(package='a')\n  # pkg: b\n<!-- <node pkg=\"c\"/>\n -->\n"
+                  "Node(package=name_of_it, executable='d')\nFindPackageShare(name_of_it)\n"
+                  "my_package='e' FindPackageShares('f') package == 'g' pkg='' find-pkg-share"),
+            std::vector<std::string>{});
+}
+
+TEST(LaunchPackages, TellsPlaces) {
+  const auto found = launch_packages("\n  Node(package='turtlesim')\n", "a.launch.py");
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].span.line, 2U);
+  EXPECT_EQ(found[0].span.column, 17U);
+  EXPECT_EQ(found[0].span.length, 9U);
+  EXPECT_EQ(found[0].span.line_text, "  Node(package='turtlesim')");
+}
+
+TEST(LaunchPackages, EndsOnAnyText) {
+  const std::string pieces[] = {
+      "package",        "=", "'", "pkg", ":", " ", "\n", "#", "<!--", "(", "FindPackageShare",
+      "find-pkg-share", "a"};
+  std::string text;
+  unsigned seed = 7;
+  for (int i = 0; i < 20000; ++i) {
+    seed = seed * 1103515245U + 12345U;
+    text += pieces[(seed >> 16U) % std::size(pieces)];
+  }
+  for (std::size_t length = 0; length < 200; ++length) (void)names(text.substr(0, length));
+  EXPECT_LE(names(text).size(), text.size());
+}
+
+TEST(LaunchPackages, KnowsLaunchFilesByTheirNames) {
+  for (const std::string name :
+       {"a.launch.py", "a_launch.py", "launch.xml", "a.launch.yaml", "a_launch.yml", "a.launch"})
+    EXPECT_TRUE(is_launch_file_name(name)) << name;
+  for (const std::string name : {"a.py", "launch.txt", "launches", "a.launch.py.orig"})
+    EXPECT_FALSE(is_launch_file_name(name)) << name;
+}
+
+}  // namespace
+}  // namespace ros2wasm

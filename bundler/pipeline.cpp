@@ -34,7 +34,7 @@
 #include "bundler/workspace/channel_request.hpp"
 #include "bundler/workspace/default_manifest.hpp"
 #include "bundler/workspace/discovery.hpp"
-#include "bundler/workspace/page_text.hpp"
+#include "bundler/workspace/page_bags.hpp"
 #include "bundler/workspace/wheel_request.hpp"
 #include "bundler/workspace/workspace_channels.hpp"
 #include "workspace_schema/diagnostic_list.hpp"
@@ -152,10 +152,8 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
   BuiltWorkspace workspace = std::move(read).value();
   const Manifest& manifest = workspace.manifest;
 
-  if (manifest.ui_text) {  // told before anything is built
-    if (const auto text = read_page_text(workspace.folder, *manifest.ui_text); !text)
-      return text.errors();
-  }
+  if (const auto page = read_page_files(workspace.folder, manifest); !page)
+    return page.errors();  // told before anything is built
 
   // 2. the packages of the workspace, and the order of building them
   auto packages = discover_packages(workspace.folder, workspace.shown_folder, manifest.packages,
@@ -421,13 +419,14 @@ Outcome<SitePlan> plan(const PackRequest& request, BuiltWorkspace& workspace, La
                   .packages = {},
                   .python = {},
                   .python_index = {},
-                  .text = {}};
-  if (workspace.manifest.ui_text) {
-    auto text = read_page_text(workspace.folder, *workspace.manifest.ui_text);
-    if (!text) return std::move(text).errors();
-    for (const PageFile& file : *text) workspace.watched.push_back(workspace.folder / file.path);
-    input.text = std::move(*text);
-  }
+                  .text = {},
+                  .bags = {}};
+  auto page = read_page_files(workspace.folder, workspace.manifest);
+  if (!page) return std::move(page).errors();
+  for (const auto* files : {&page->text, &page->bags})
+    for (const PageFile& file : *files) workspace.watched.push_back(workspace.folder / file.path);
+  input.text = std::move(page->text);
+  input.bags = std::move(page->bags);
   const auto read = [&](const std::vector<LaunchNode>& nodes) {
     return read_programs(request, workspace, nodes, input, cancellation);
   };

@@ -17,7 +17,7 @@
 #include "bundler/launch_tools.hpp"
 #include "bundler/workspace/build_order.hpp"
 #include "bundler/workspace/channel_request.hpp"
-#include "bundler/workspace/page_text.hpp"
+#include "bundler/workspace/page_bags.hpp"
 #include "bundler/workspace/wheel_request.hpp"
 #include "bundler/workspace/workspace_channels.hpp"
 #include "workspace_schema/diagnostic_list.hpp"
@@ -128,10 +128,8 @@ Outcome<CheckReport> check_workspace(const CheckRequest& request,
   const auto order = order_packages(report.packages, report.manifest.distro);
   if (!order) append(errors, order.errors());
   append(errors, check_parameters(report.manifest, folder));
-  if (report.manifest.ui_text) {
-    const auto page_text = read_page_text(folder, *report.manifest.ui_text);
-    if (!page_text) append(errors, page_text.errors());
-  }
+  if (const auto page = read_page_files(folder, report.manifest); !page)
+    append(errors, page.errors());
   append(errors, check_launch_file(request, report, folder, cancellation));
 
   // A program without its channel says so when it packs; the manifest is not to blame.

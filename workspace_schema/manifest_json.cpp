@@ -191,6 +191,11 @@ std::string manifest_json(const Manifest& manifest) {
     if (options == &manifest.ui && !manifest.ui_layout.empty())
       json.key("layout").raw_value(manifest.ui_layout);
     if (options == &manifest.ui && manifest.ui_text) json.field("text", manifest.ui_text->value);
+    if (options == &manifest.ui && !manifest.ui_bags.empty()) {
+      json.key("bags").begin_array();
+      for (const auto& bag : manifest.ui_bags) json.string(bag.value);
+      json.end_array();
+    }
     json.end_object();
   }
   json.end_object();

@@ -138,11 +138,16 @@ class Reader {
       });
     }
     if (const YamlNode* node = given("ui")) {
-      read_options(*node, "ui", ui_options(), {"layout", "text"}, manifest_.ui);
+      read_options(*node, "ui", ui_options(), {"layout", "text", "bags"}, manifest_.ui);
       if (const YamlNode* layout = value_of(*node, "layout"))
         manifest_.ui_layout = read_page_layout(binder_, *layout);
       if (const YamlNode* text = value_of(*node, "text"))
         manifest_.ui_text = binder_.path(*text, "text");
+      if (const YamlNode* bags = value_of(*node, "bags")) {
+        manifest_.ui_bags = binder_.texts(*bags, "bags", [this](const YamlNode& item) {
+          return binder_.path(item, "an item of `bags`");
+        });
+      }
     }
     if (const YamlNode* node = given("site"))
       read_options(*node, "site", site_options(), {}, manifest_.site);

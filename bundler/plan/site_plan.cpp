@@ -67,6 +67,10 @@ std::string page_text_path(const std::string& path) {
   return "text/" + std::filesystem::path(path).lexically_normal().generic_string();
 }
 
+std::string page_bag_path(const std::string& path) {
+  return "bags/" + std::filesystem::path(path).lexically_normal().generic_string();
+}
+
 Outcome<SitePlan> plan_site(PlanInput input) {
   SitePlan plan;
   Diagnostics errors;
@@ -101,6 +105,8 @@ Outcome<SitePlan> plan_site(PlanInput input) {
   }
   for (PageFile& file : input.text)
     add(plan, page_text_path(file.path), "`ui: text:` of the manifest", std::move(file.bytes));
+  for (PageFile& file : input.bags)
+    add(plan, page_bag_path(file.path), "`ui: bags:` of the manifest", std::move(file.bytes));
   std::map<std::string, bool> threads_of;
   plan.steps = std::move(input.steps);
   for (const LaunchNode& node : input.nodes) {

@@ -79,6 +79,8 @@ struct PageFile {
 
 /// Where the site has it: below `text/`.
 [[nodiscard]] std::string page_text_path(const std::string& path);
+/// The same for bags: below `bags/`.
+[[nodiscard]] std::string page_bag_path(const std::string& path);
 
 /// What the plan is made of.
 struct PlanInput {
@@ -96,6 +98,7 @@ struct PlanInput {
   PythonInput python;                     ///< empty without Python nodes
   std::vector<std::string> python_index;  ///< all packages that Python nodes can find
   std::vector<PageFile> text;             ///< the Markdown of the text panel and its images
+  std::vector<PageFile> bags;             ///< recordings that the page plays
 };
 
 /// R2W0606 a program is not WebAssembly, R2W0430 a check names a node that is not there.

@@ -35,6 +35,11 @@ void write_ui(JsonWriter& json, const Manifest& manifest) {
   }
   if (!manifest.ui_layout.empty()) json.key("layout").raw_value(manifest.ui_layout);
   if (manifest.ui_text) json.field("text", page_text_path(manifest.ui_text->value));
+  if (!manifest.ui_bags.empty()) {
+    json.key("bags").begin_array();
+    for (const auto& bag : manifest.ui_bags) json.string(page_bag_path(bag.value));
+    json.end_array();
+  }
   json.end_object();
 }
 

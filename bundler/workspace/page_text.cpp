@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "bundler/io/files.hpp"
+#include "bundler/workspace/page_file.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
@@ -187,14 +188,6 @@ void images_of_line(std::string_view text, std::vector<std::string>& found) {
   }
 }
 
-Diagnostic refused(const Spanned<std::string>& file, const std::string& path, std::string why) {
-  return Diagnostic{.code = "R2W0118",
-                    .message = "`" + path + "` cannot be part of the page",
-                    .span = file.span,
-                    .label = path == file.value ? "" : "named in this file",
-                    .why = {std::move(why)}};
-}
-
 }  // namespace
 
 std::vector<std::string> markdown_images(std::string_view markdown) {
@@ -229,31 +222,24 @@ Outcome<std::vector<PageFile>> read_page_text(const fs::path& folder,
   std::vector<PageFile> files;
   std::size_t size = 0;
   const auto take = [&](const fs::path& relative, bool image) -> std::optional<Diagnostic> {
-    const fs::path clean = relative.lexically_normal();
-    const std::string path = clean.generic_string();
-    if (clean.is_absolute() || path.empty() || *clean.begin() == "..")
-      return refused(file, path, "it is not in the folder of the manifest");
-    std::string ending = clean.extension().string();
+    const std::string path = relative.lexically_normal().generic_string();
+    if (leaves_folder(path)) return page_file_refused(file, path, kNotInFolder);
+    std::string ending = relative.extension().string();
     std::transform(ending.begin(), ending.end(), ending.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     if (image && std::find(kImages.begin(), kImages.end(), ending) == kImages.end())
-      return refused(file, path, "the page shows png, jpg, gif, svg and webp");
+      return page_file_refused(file, path, "the page shows png, jpg, gif, svg and webp");
     const auto known = std::any_of(files.begin(), files.end(),
                                    [&](const PageFile& one) { return one.path == path; });
     if (known) return std::nullopt;
-    const auto real = path_within(folder, folder / clean);
+    const auto real = find_page_file(folder, file, path);
+    if (!real) return real.errors().front();
     std::error_code error;
-    if (!real || !fs::is_regular_file(*real, error)) {
-      const bool there = fs::exists(folder / clean, error);
-      return refused(file, path,
-                     there ? "it is a link out of the folder of the manifest, or no file"
-                           : "there is no such file in the folder of the manifest");
-    }
     const std::size_t most = image ? kMostBytes : kMostText;
     if (size + fs::file_size(*real, error) > most)
-      return refused(file, path,
-                     image ? "the text and its images have more than 16 MiB together"
-                           : "the text has more than 1 MiB");
+      return page_file_refused(file, path,
+                               image ? "the text and its images have more than 16 MiB together"
+                                     : "the text has more than 1 MiB");
     auto bytes = read_file(*real);
     if (!bytes) return bytes.errors().front();
     size += bytes->size();

@@ -8,17 +8,21 @@
 // are no keys to pause it, and services are recorded by their event topics only when those are named
 
 import assert from 'node:assert/strict';
-import { cpSync, mkdtempSync, readFileSync } from 'node:fs';
+import { createHash } from 'node:crypto';
+import { cpSync, mkdirSync, mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { after, before, test } from 'node:test';
 import { parse } from '@foxglove/rosmsg';
 import { MessageReader } from '@foxglove/rosmsg2-serialization';
 import { McapIndexedReader } from '@mcap/core';
 import { type Browser, chromium, type Page } from 'playwright-core';
+import { Recorder } from '../../runtime/bag/recorder.ts';
 import { bagFiles } from '../../runtime/ros2cli/bag_files.ts';
 import { runCommand } from '../../runtime/ros2cli/run.ts';
 import { openHeadless } from '../../runtime/wasm_js/headless_session.ts';
 import type { Session } from '../../runtime/wasm_js/session.ts';
+import { MemorySink, until } from '../unit/bag/bag_parts.ts';
+import { FakeSession, stringBytes } from '../unit/ui/fake_session.ts';
 import { chromiumOptions } from './chromium.ts';
 import { dropFile } from './drop_file.ts';
 import { finished, PackWorkspace } from './pack_workspace.ts';
@@ -34,8 +38,11 @@ let browser: Browser;
 before(async () => {
   workspace = new PackWorkspace();
   cpSync(resolve(import.meta.dirname, '../../examples/01_talker_listener/src'), join(workspace.root, 'src'), { recursive: true });
+  mkdirSync(join(workspace.root, 'bags'));
+  writeFileSync(join(workspace.root, 'bags/walk.mcap'), await oneMessage('/topic', 'from the bag'));
   workspace.write('workspace.yaml', `schema: 1
 name: bags
+ui: {bags: [bags/walk.mcap]}
 packages: [src/*]
 dependencies: [turtlesim]
 launch:
@@ -54,6 +61,20 @@ after(async () => {
   workspace.close();
 });
 
+/** A bag with one std_msgs/msg/String. */
+async function oneMessage(topic: string, text: string): Promise<Uint8Array> {
+  const session = new FakeSession({ nodes: [] });
+  const publisher = session.node().publisher(topic, 'std_msgs/msg/String');
+  const sink = new MemorySink();
+  const recorder = await Recorder.begin(session, sink, { wants: () => true });
+  await until(() => publisher.matched() === 1);
+  publisher.publish(stringBytes(text));
+  await until(() => recorder.messages === 1);
+  await recorder.stop();
+  session.close();
+  return sink.bytes();
+}
+
 interface Running {
   readonly out: string[];
   readonly warned: string[];
@@ -68,10 +89,6 @@ function start(session: Session, ...words: string[]): Running {
     signal: abort.signal, bags: bagFiles, print: (text) => void out.push(text), warn: (text) => void warned.push(text),
   });
   return { out, warned, code, stop: () => abort.abort() };
-}
-
-async function until(condition: () => boolean): Promise<void> {
-  while (!condition()) await new Promise((done) => setTimeout(done, 5));
 }
 
 interface Contents {
@@ -169,6 +186,19 @@ for (const link of ['shared', 'port'] as const) {
   });
 }
 
+// Compatibility, works: bags that the manifest packs into a site (`ui: bags:`)
+test('a bag of the manifest is a file of the site, with its hash', watchdog, () => {
+  const { ui, files } = JSON.parse(readFileSync(join(site, 'site.json'), 'utf8')) as {
+    ui: unknown; files: { path: string; sha256: string; reason: string }[];
+  };
+  assert.deepEqual(ui, { bags: ['bags/bags/walk.mcap'] });
+  const bytes = readFileSync(join(workspace.root, 'bags/walk.mcap'));
+  const listed = files.find(({ path }) => path === 'bags/bags/walk.mcap');
+  assert.equal(listed?.sha256, createHash('sha256').update(bytes).digest('hex'));
+  assert.equal(listed?.reason, '`ui: bags:` of the manifest');
+  assert.deepEqual(readFileSync(join(site, 'bags/bags/walk.mcap')), bytes);
+});
+
 test('from a shell: Ctrl-C ends a recording, which is whole', watchdog, async () => {
   const child = workspace.start(['ros2', site, 'bag', 'record', '-o', 'shell', '-a']);
   const ended = finished(child);
@@ -219,6 +249,11 @@ for (const link of ['shared', 'port'] as const) {
       await heardTimes(page, `I heard: '${texts.at(-1)}'`, 1);
       await page.locator('.terminal-input input').press('Enter');
       await shows(page, 'Topic: /turtle1/pose | Type: turtlesim/msg/Pose | Count: ');
+
+      // The author's own, which is a file of the site with its hash.
+      await page.getByRole('button', { name: /^walk\.mcap .*, part of the site$/ }).click();
+      await page.getByRole('region', { name: 'Play walk.mcap' }).getByRole('button', { name: 'Play', exact: true }).click();
+      await shows(page, "I heard: 'from the bag'");
     });
   });
 }

@@ -61,7 +61,9 @@ def generate_launch_description():
 let workspace: PackWorkspace;
 before(async () => {
   workspace = new PackWorkspace();
-  cpSync(resolve(import.meta.dirname, '../packages/composed_talkers'), join(workspace.root, 'src/composed_talkers'), { recursive: true });
+  for (const name of ['composed_talkers', 'board_companions']) {
+    cpSync(resolve(import.meta.dirname, '../packages', name), join(workspace.root, 'src', name), { recursive: true });
+  }
   workspace.write('workspace.yaml', 'schema: 1\nname: composed\npackages: [src/*]\nlaunch: all.launch.py\n');
   workspace.write('all.launch.py', launchFile.replaceAll('TOPIC', topic()));
   workspace.write('more.yaml', '/**:\n  ros__parameters: {gain: 2.5}\n');
@@ -123,4 +125,23 @@ test('callbacks of a container take turns, or run at the same time', async () =>
   assert.equal(again.code, 0, again.stderr);
   const turns = await workspace.run(['run', 'gates', '--link', 'shared', '--until', '\\[turns\\.visitor\\]: waited in vain', '--for', '60s']);
   assert.equal(turns.code, 0, `${turns.stdout}${turns.stderr}`);
+});
+
+test('containers with threads load, unload and list as the other one', async () => {
+  for (const container of ['component_container_mt', 'component_container_isolated']) {
+    workspace.write('asked.yaml', `schema: 1
+name: asked
+packages: [src/*]
+launch:
+  - {package: composed_talkers, executable: ${container}}
+  - {package: board_companions, executable: load_components, arguments: [/ComponentManager, composed_talkers, 'composed_talkers::Counter:=clock', 'composed_talkers::Silent', '1', '7']}
+`);
+    const packed = await workspace.run(['pack', 'asked.yaml', '--output', container]);
+    assert.equal(packed.code, 0, packed.stderr);
+    const run = await workspace.run(['run', container, '--link', 'shared', '--until', '2 /silent', '--for', '60s']);
+    const said = `${run.stdout}${run.stderr}`;
+    assert.equal(run.code, 0, said);
+    const told = said.split('\n').filter((line) => /^\[load_components-2\] (load|unload|\d)/.test(line)).map((line) => line.slice('[load_components-2] '.length));
+    assert.deepEqual(told, ['load composed_talkers::Counter: /clock', 'load composed_talkers::Silent: /silent', 'unload 1: done', 'unload 7: No node found with unique_id: 7', '2 /silent']);
+  }
 });

@@ -15,6 +15,7 @@
 #include "bundler/launch_tools.hpp"
 #include "workspace_schema/diagnostic_list.hpp"
 #include "workspace_schema/suggestion.hpp"
+#include "workspace_schema/text_encoding.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
@@ -58,6 +59,16 @@ class Reading {
     return world;
   }
 
+  /// Reads what Python read, which sites need that run it anew: of the workspace, and text.
+  void add_python(const LaunchWorld& world, const SeenPaths& seen) {
+    endings_.push_back(".launch.py");
+    for (const auto& [path, state] : seen) {
+      if (!state.starts_with("file ") || !is_in_workspace(path) || texts_.contains(path)) continue;
+      auto text = world.read(path);
+      if (text && !first_invalid_utf8(*text)) of_python_.emplace(path, std::move(*text));
+    }
+  }
+
   /// What was read in the workspace, and what lies beside it: an argument may name it at the start.
   /// `left_out`: what is too much.
   [[nodiscard]] Texts texts(const LaunchWorld& world, std::vector<std::string>& left_out) const {
@@ -68,23 +79,26 @@ class Reading {
       folders.insert(path.substr(0, path.rfind('/')));
       size += text.size();
     }
+    const auto add = [&](const std::string& path, std::string text) {
+      if (text.size() > kLargestText || size + text.size() > kMostText) {
+        left_out.push_back(world.shown_path(path));
+        return;
+      }
+      size += text.size();
+      result.emplace(path, std::move(text));
+    };
+    for (const auto& [path, text] : of_python_) add(path, text);
     for (const std::string& folder : folders) {
       // What else lies in the root of a workspace is the author's own affair: reports, notes, keys.
       if (folder == kLaunchWorkspace) continue;
       for (const std::string& name : world.names_in(folder)) {
         const std::string path = folder + "/" + name;
         const bool is_meant =
-            std::any_of(std::begin(kEndings), std::end(kEndings),
+            std::any_of(endings_.begin(), endings_.end(),
                         [&](std::string_view one) { return name.ends_with(one); });
         if (!is_meant || result.contains(path)) continue;
         auto text = world.read(path);
-        if (!text) continue;
-        if (text->size() > kLargestText || size + text->size() > kMostText) {
-          left_out.push_back(world.shown_path(path));
-          continue;
-        }
-        size += text->size();
-        result.emplace(path, std::move(*text));
+        if (text) add(path, std::move(*text));
       }
     }
     return result;
@@ -92,7 +106,14 @@ class Reading {
 
  private:
   Texts texts_;
+  Texts of_python_;
+  std::vector<std::string_view> endings_{std::begin(kEndings), std::end(kEndings)};
 };
+
+bool runs_python(const std::vector<LaunchNode>& nodes) {
+  return std::any_of(nodes.begin(), nodes.end(),
+                     [](const LaunchNode& node) { return node.kind == ProgramKind::kPython; });
+}
 
 Diagnostic not_with(const Texts& given, const SourceSpan& span, const Diagnostics& errors) {
   Diagnostic warning{.code = "R2W0440",
@@ -119,6 +140,7 @@ Outcome<LaunchedFile> launch_from_file(const PackRequest& request, BuiltWorkspac
   PythonRecord record;
   const std::string path = std::string(kLaunchWorkspace) + "/" + file.value;
   const Texts packed_with = values_by_name(arguments);
+  const auto given_at = places_by_name(arguments);
   const LaunchInterpreter interpreter = launch_interpreter({.executable = request.executable,
                                                             .variables = request.variables,
                                                             .environment = workspace.environment,
@@ -130,6 +152,7 @@ Outcome<LaunchedFile> launch_from_file(const PackRequest& request, BuiltWorkspac
     given.insert(packed_with.begin(), packed_with.end());  // those that are tried stay
     LaunchWorld seen = reading.seen_through(world);
     seen.python = record.recording(interpreter.python);
+    seen.given_at = given_at;
     return launch_file_nodes(path, given, seen, workspace.installed, file.span, workspace.left_out);
   };
   const auto watch = [&](const std::vector<std::string>& files) {
@@ -169,6 +192,15 @@ Outcome<LaunchedFile> launch_from_file(const PackRequest& request, BuiltWorkspac
           "tried " + std::to_string(tried.trials.size() + 1) +
           " values of launch arguments together; a program that only others start is not in the "
           "site");
+    // With Pyodide in the site, Python is run there again.
+    PythonFiles modules;
+    if (!record.exchanges().empty() &&
+        (runs_python(launched->nodes) || runs_python(step.more_nodes))) {
+      auto read = launch_modules(request.executable);
+      if (!read) return std::move(read).errors();
+      modules = std::move(*read);
+      reading.add_python(world, interpreter.seen());
+    }
     std::vector<std::string> left_out;
     Texts texts = reading.texts(world, left_out);
     if (!left_out.empty())
@@ -185,7 +217,9 @@ Outcome<LaunchedFile> launch_from_file(const PackRequest& request, BuiltWorkspac
                                .left_out = workspace.left_out,
                                .texts = std::move(texts),
                                .python = record.exchanges(),
-                               .arguments = std::move(launched->arguments)};
+                               .arguments = std::move(launched->arguments),
+                               .tried = tried.names,
+                               .modules = std::move(modules)};
   }
   interpreter.keep();
   if (launched->nodes.empty() && step.more_nodes.empty()) {
@@ -218,7 +252,9 @@ Outcome<PackedLaunch> packed_launch(const std::string& path, const Texts& given,
                       .left_out = {},
                       .texts = reading.texts(world, left_out),
                       .python = record.exchanges(),
-                      .arguments = std::move(description->arguments)};
+                      .arguments = std::move(description->arguments),
+                      .tried = {},
+                      .modules = {}};
 }
 
 }  // namespace ros2wasm

@@ -77,8 +77,7 @@ fs::path kept_place(const LaunchEvaluationAsked& asked) {
 }
 
 /// Nothing when there is none, or when something of what it was made of is not as it was.
-std::vector<PythonRemark> kept_talk(const fs::path& place,
-                                    const std::vector<LaunchFolder>& folders) {
+KeptPython kept_talk(const fs::path& place, const std::vector<LaunchFolder>& folders) {
   std::error_code error;
   if (!fs::is_regular_file(place, error)) return {};
   const auto text = read_file(place);
@@ -88,10 +87,25 @@ std::vector<PythonRemark> kept_talk(const fs::path& place,
     if (!is_still(folders, path, state)) return {};
   // By that the cache sees which are in use.
   fs::last_write_time(place, fs::file_time_type::clock::now(), error);
-  return std::move(kept->remarks);
+  return std::move(*kept);
 }
 
 }  // namespace
+
+Outcome<PythonFiles> launch_modules(const fs::path& executable) {
+  const auto folder = find_own_data(executable, "templates/python/launch_modules", kReader);
+  if (!folder) return folder.errors();
+  const auto tree = list_tree(*folder);
+  if (!tree) return tree.errors();
+  PythonFiles result;
+  for (const TreeEntry& entry : *tree) {
+    if (entry.kind != FileKind::kFile || !entry.path.ends_with(".py")) continue;
+    auto bytes = read_file(*folder / entry.path);
+    if (!bytes) return std::move(bytes).errors();
+    result.emplace(entry.path, std::move(*bytes));
+  }
+  return result;
+}
 
 Outcome<PythonTools> find_launch_tools(const fs::path& executable,
                                        const std::map<std::string, std::string>& variables,
@@ -125,14 +139,17 @@ LaunchInterpreter launch_interpreter(const LaunchEvaluationAsked& asked,
   // Read when Python is first asked: most launch files have none.
   const auto transcript = std::make_shared<std::optional<PythonTranscript>>();
   const auto place = std::make_shared<fs::path>();
+  const auto seen_before = std::make_shared<SeenPaths>();
   LaunchInterpreter result;
   result.python = [=](const std::string& request,
                       const std::function<std::string(const std::string&)>& reply) {
     if (!*transcript) {
       *place = kept_place(asked);
-      transcript->emplace(
-          kept_talk(*place, asked.folders),
-          [host](const auto& one, const auto& told) { return host->ask(one, told); });
+      KeptPython kept = kept_talk(*place, asked.folders);
+      *seen_before = std::move(kept.seen);
+      transcript->emplace(std::move(kept.remarks), [host](const auto& one, const auto& told) {
+        return host->ask(one, told);
+      });
     }
     return (*transcript)->ask(request, reply);
   };
@@ -143,6 +160,11 @@ LaunchInterpreter launch_interpreter(const LaunchEvaluationAsked& asked,
     const KeptPython kept{.remarks = (*transcript)->remarks(), .seen = std::move(*seen)};
     // What cannot be kept is asked again.
     static_cast<void>(write_file(*place, kept_python_json(kept)));
+  };
+  result.seen = [=]() -> SeenPaths {
+    if (!*transcript) return {};
+    if (!(*transcript)->is_live()) return *seen_before;
+    return host->seen().value_or(SeenPaths());
   };
   return result;
 }

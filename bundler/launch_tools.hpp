@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bundler/launch/python_host.hpp"
+#include "bundler/launch/python_tree.hpp"
 
 namespace ros2wasm {
 
@@ -31,7 +32,13 @@ struct LaunchEvaluationAsked {
 struct LaunchInterpreter {
   LaunchPython python;         ///< starts when it is needed
   std::function<void()> keep;  ///< call it when all went well: the next time need not start it
+  /// What it looked at so far; empty when it was never asked.
+  std::function<SeenPaths()> seen;
 };
+
+/// The modules that launch files in Python are recorded with, by path, for sites that run them
+/// anew. R2W0210, R2W0912.
+[[nodiscard]] Outcome<PythonFiles> launch_modules(const std::filesystem::path& executable);
 
 /// What was said in an evaluation before stands while all that the interpreter looked at is as it
 /// was: then none is started. It lies in `<cache>/launch`.

@@ -74,6 +74,7 @@ Diagnostics check_launch_file(const CheckRequest& request, CheckReport& report,
                                                             .given = values_by_name(given)},
                                                            cancellation);
   world.python = interpreter.python;
+  world.given_at = places_by_name(given);
   auto description =
       evaluate_launch(path, values_by_name(given), world, report.manifest.launch_file->span);
   if (!description) return std::move(description).errors();

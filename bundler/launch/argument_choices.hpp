@@ -15,6 +15,7 @@ struct ArgumentTrials {
   /// then two at once, and so on, in the order of declaration.
   std::vector<std::map<std::string, std::string>> trials;
   bool is_complete = true;
+  std::vector<std::string> names;  ///< of the arguments that have other values to try
 };
 
 /// The choices of each argument; for one that is true or false, the other. `most` trials.

@@ -14,6 +14,13 @@ std::map<std::string, std::string> values_by_name(const std::vector<GivenArgumen
   return result;
 }
 
+std::map<std::string, SourceSpan> places_by_name(const std::vector<GivenArgument>& given) {
+  std::map<std::string, SourceSpan> result;
+  for (const GivenArgument& one : given)
+    if (!one.name.span.file.empty()) result[one.name.value] = one.name.span;
+  return result;
+}
+
 Diagnostics undeclared_arguments(
     const std::vector<GivenArgument>& given, const std::vector<LaunchArgument>& declared,
     const std::function<std::string(const std::string& name, const std::string& value)>& written) {

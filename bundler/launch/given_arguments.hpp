@@ -15,6 +15,10 @@ namespace ros2wasm {
 [[nodiscard]] std::map<std::string, std::string> values_by_name(
     const std::vector<GivenArgument>& given);
 
+/// Where they stand, for LaunchWorld.
+[[nodiscard]] std::map<std::string, SourceSpan> places_by_name(
+    const std::vector<GivenArgument>& given);
+
 /// R2W0730 for each name that is not declared: natively they are passed over, which hides a slip.
 /// `written` is how the giver writes a name with a value.
 [[nodiscard]] Diagnostics undeclared_arguments(

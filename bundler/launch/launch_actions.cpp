@@ -52,8 +52,15 @@ void LaunchEvaluator::declare_argument(const LaunchEntity& entity) {
   const auto& choices = argument.choices;
   if (!choices.empty() &&
       std::find(choices.begin(), choices.end(), argument.value) == choices.end()) {
+    std::vector<std::string> why = {"its values are: " + name_list(choices, choices.size())};
+    const auto place = world_.given_at.find(*name);
+    const bool is_given =
+        place != world_.given_at.end() && given != given_.end() && given->second == argument.value;
+    if (is_given)
+      why.push_back("it is declared in " + entity.span.file + ":" +
+                    std::to_string(entity.span.line));
     fail("R2W0412", "`" + argument.value + "` is no value of the launch argument `" + *name + "`",
-         entity.span, {"its values are: " + name_list(choices, choices.size())});
+         is_given ? place->second : entity.span, std::move(why));
     return;
   }
   scope_.configurations[*name] = argument.value;

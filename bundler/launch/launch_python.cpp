@@ -143,6 +143,10 @@ Diagnostic failure(const JsonValue& error, const PythonMoment& moment) {
     result.why = {"a site is packed the same on every machine, so the machine's own are not seen"};
     result.fix = {"os.environ.get('" + name + "', ...), or a launch argument"};
   }
+  if (const JsonValue* callers = error.find("callers"))
+    for (const JsonValue& one : callers->items())
+      result.why.push_back("called from " + moment.world.shown_path(one.text_of("file")) + ":" +
+                           std::to_string(line_of(one)) + ", in " + one.text_of("name"));
   return result;
 }
 

@@ -88,7 +88,9 @@ Start read_start(const JsonValue& json) {
                          .left_out = {},
                          .texts = texts_of(json.find("texts")),
                          .python = read_python_exchanges(json.find("python")),
-                         .arguments = {}},
+                         .arguments = {},
+                         .tried = {},
+                         .modules = {}},
               .programs = {}};
   if (const JsonValue* from = json.find("from")) {
     start.launch.from.file = from->text_of("file");
@@ -116,8 +118,8 @@ Start read_start(const JsonValue& json) {
 /// The files of a site, of which some are fetched when they are asked for.
 class SiteFiles {
  public:
-  SiteFiles(const PackedLaunch& launch, const JsonValue& question)
-      : prefix_(launch_prefix(launch.distro)), texts_(launch.texts) {
+  SiteFiles(const PackedLaunch& launch, const JsonValue& question, const LaunchPlace& place)
+      : prefix_(launch_prefix(launch.distro)), texts_(launch.texts), file_(place.file) {
     for (const std::string& path : list_of(question.find("shared")))
       shared_.insert(prefix_ + "/" + path);
     for (auto& [path, text] : texts_of(question.find("files")))
@@ -129,7 +131,12 @@ class SiteFiles {
     const std::string normal = fs::path(path).lexically_normal().generic_string();
     if (const auto text = texts_.find(normal); text != texts_.end()) return text->second;
     if (shared_.contains(normal)) {
-      needs_.insert(normal.substr(prefix_.size() + 1));
+      const std::string below = normal.substr(prefix_.size() + 1);
+      if (file_) {
+        if (auto text = file_(below)) return texts_[normal] = std::move(*text);
+        return unreadable_launch_path(path, "it cannot be had");
+      }
+      needs_.insert(below);
       return unreadable_launch_path(path, "it is not fetched yet");
     }
     const std::string share = prefix_ + "/share/";
@@ -163,6 +170,7 @@ class SiteFiles {
  private:
   std::string prefix_;
   Texts texts_;
+  std::function<std::optional<std::string>(const std::string&)> file_;
   std::set<std::string> shared_;
   std::set<std::string> packages_;
   std::set<std::string> needs_;
@@ -202,11 +210,11 @@ void write_findings(JsonWriter& json, const char* key, const Diagnostics& findin
   json.end_array();
 }
 
-std::string refused(const Diagnostics& errors) {
+std::string refused(const Diagnostics& errors, bool decided = false) {
   JsonWriter json;
   json.begin_object();
   write_findings(json, "errors", errors);
-  return json.end_object().text();
+  return json.field_boolean("decided", decided).end_object().text();
 }
 
 /// As the command line and the address say them.
@@ -247,7 +255,7 @@ Outcome<std::vector<PlannedNode>> planned(std::vector<LaunchNode> nodes, const S
 
 }  // namespace
 
-std::string evaluate_packed_launch(std::string_view text) {
+std::string evaluate_packed_launch(std::string_view text, const LaunchPlace& place) {
   const auto question = parse_json(text, kQuestion, "R2W0700");
   if (!question) return refused(question.errors());
   const JsonValue* data = question->find("launch");
@@ -257,11 +265,11 @@ std::string evaluate_packed_launch(std::string_view text) {
   Texts given = launch.given;
   for (const auto& [name, value] : own) given[name] = value;
 
-  SiteFiles files(launch, *question);
+  SiteFiles files(launch, *question, place);
   PythonRecord record(launch.python);
   bool decided = false;
   LaunchWorld world = world_of(files, launch.distro);
-  world.python = record.replaying([&] { decided = true; });
+  world.python = place.python ? place.python : record.replaying([&] { decided = true; });
   const auto needed = [&] {
     JsonWriter json;
     json.begin_object();
@@ -271,17 +279,17 @@ std::string evaluate_packed_launch(std::string_view text) {
   if (is_true(*question, "describe")) {
     const auto description = evaluate_launch(launch.file, given, world);
     if (!files.needs().empty()) return needed();
-    if (!description) return refused(description.errors());
+    if (!description) return refused(description.errors(), decided);
     return "{\"description\":" + launch_json(*description) + "}";
   }
   auto launched =
       launch_file_nodes(launch.file, given, world, launch.installed, launch.from, launch.left_out);
   if (!files.needs().empty()) return needed();
-  if (!launched) return refused(launched.errors());
+  if (!launched) return refused(launched.errors(), decided);
   if (const Diagnostics errors = undeclared(own, launched->arguments); !errors.empty())
-    return refused(errors);
+    return refused(errors, decided);
   const auto nodes = planned(std::move(launched->nodes), start);
-  if (!nodes) return refused(nodes.errors());
+  if (!nodes) return refused(nodes.errors(), decided);
 
   JsonWriter json;
   json.begin_object().key("nodes").begin_array();

@@ -21,6 +21,9 @@ struct PackedLaunch {
   std::map<std::string, std::string> texts;  ///< files of the workspace, by path
   std::vector<PythonExchange> python;
   std::vector<LaunchArgument> arguments;  ///< with the values that the site is packed with
+  std::vector<std::string> tried;         ///< names of those of which each value was tried
+  /// Files that launch files in Python import, when the site runs them anew.
+  std::map<std::string, std::string> modules;
 };
 
 }  // namespace ros2wasm

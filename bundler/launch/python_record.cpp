@@ -184,12 +184,14 @@ LaunchPython PythonRecord::replaying(std::function<void()> decided) {
       if (number) decided();
     }
     if (number) return answered(*number, asked, *evaluation, reply);
+    decided();
     return Diagnostic{
         .code = "R2W0732",
         .message = "the launch arguments lead to Python that was not run when the site was packed",
-        .why = {asked.kind == "load" ? "it is the launch file " + asked.subject
-                                     : "a site has no Python that reads launch files, only what it "
-                                       "answered for the values of arguments that were tried"},
+        .why = {asked.kind == "load"
+                    ? "it is the launch file " + asked.subject
+                    : "this site has no Python that reads launch files, only what it "
+                      "answered for the values of arguments that were tried"},
         .fix = {"list the values as `choices` of the argument, and pack again"}};
   };
 }

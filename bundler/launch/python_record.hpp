@@ -34,7 +34,8 @@ class PythonRecord {
   [[nodiscard]] LaunchPython recording(LaunchPython python);
 
   /// The same without Python. What was not asked with these launch configurations is answered as it
-  /// was with others, and `decided` is told. R2W0732 for what was never asked.
+  /// was with others, and `decided` is told. For what was never asked R2W0732, and
+  /// `decided` is told too.
   [[nodiscard]] LaunchPython replaying(std::function<void()> decided);
 
   [[nodiscard]] const std::vector<PythonExchange>& exchanges() const { return exchanges_; }

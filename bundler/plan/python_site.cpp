@@ -14,12 +14,6 @@ namespace {
 constexpr std::string_view kFolder = "python/";
 constexpr std::string_view kPackageIndex = "share/ament_index/resource_index/packages/";
 
-std::string zipped(const PythonFiles& files) {
-  ZipWriter zip;
-  for (const auto& [path, bytes] : files) zip.member(path, bytes);
-  return zip.finish();
-}
-
 /// The files of a top-level module, which are gone from `files` then.
 PythonFiles taken_out(PythonFiles& files, const std::string& module) {
   PythonFiles taken;
@@ -42,6 +36,12 @@ std::string definition_path(const std::string& type) {
 }
 
 }  // namespace
+
+std::string python_archive(const PythonFiles& files) {
+  ZipWriter zip;
+  for (const auto& [path, bytes] : files) zip.member(path, bytes);
+  return zip.finish();
+}
 
 std::string package_of_shared(const std::string& path) {
   const std::filesystem::path parts = path;
@@ -71,7 +71,7 @@ PythonSite python_site(PythonInput input, const InterfaceTexts& interfaces,
   const auto add = [&](const std::string& name, const std::string& reason,
                        const PythonFiles& files) {
     site.files.push_back(
-        {.path = std::string(kFolder) + name, .reason = reason, .bytes = zipped(files)});
+        {.path = std::string(kFolder) + name, .reason = reason, .bytes = python_archive(files)});
     return site.files.back().path;
   };
   for (const std::string& module : compiled_modules(input.channels)) {

@@ -37,6 +37,14 @@ struct PythonSite {
   std::map<std::string, std::string> compiled;  ///< and of those for who imports a compiled module
 };
 
+/// The archive of what the packages of the workspace bring, when they bring something.
+inline constexpr const char* kPythonWorkspace = "python/workspace.zip";
+/// And that of the modules that launch files are recorded with.
+inline constexpr const char* kLaunchModules = "python/launch.zip";
+
+/// The same files give the same bytes.
+[[nodiscard]] std::string python_archive(const PythonFiles& files);
+
 /// "share/demo/config/gains.yaml" or "share/ament_index/resource_index/plugins/demo": of "demo".
 [[nodiscard]] std::string package_of_shared(const std::string& path);
 

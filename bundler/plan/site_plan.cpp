@@ -95,7 +95,12 @@ Outcome<SitePlan> plan_site(PlanInput input) {
     const bool evaluates = asset.role == kLaunchRole || asset.role == kLaunchScriptRole;
     if (evaluates && !input.launch) continue;
     if (asset.role == kLaunchRole)
-      plan.launch = {.data = kLaunchData, .evaluator = asset.file, .arguments = {}};
+      plan.launch = {.data = kLaunchData,
+                     .evaluator = asset.file,
+                     .arguments = {},
+                     .asks_python = !input.launch->python.empty(),
+                     .python = {},
+                     .tried = input.launch->tried};
     if (asset.role == kPageRole) {
       asset.bytes = page_html(std::move(asset.bytes),
                               manifest.title.empty() ? manifest.name.value : manifest.title, theme,
@@ -157,6 +162,14 @@ Outcome<SitePlan> plan_site(PlanInput input) {
       planned.archives = python.archives;
       for (const std::string& module : planned.node.compiled_modules)
         planned.archives.push_back(python.compiled.at(module));
+    }
+    if (plan.launch && plan.launch->asks_python && !input.launch->modules.empty()) {
+      add(plan, kLaunchModules, "what launch files in Python import, for other launch arguments",
+          python_archive(input.launch->modules));
+      plan.launch->python = {kLaunchModules};
+      if (std::find(python.archives.begin(), python.archives.end(), kPythonWorkspace) !=
+          python.archives.end())
+        plan.launch->python.emplace_back(kPythonWorkspace);
     }
     for (PythonSiteFile& file : python.files)
       add(plan, std::move(file.path), std::move(file.reason), std::move(file.bytes));

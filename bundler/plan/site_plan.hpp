@@ -51,6 +51,9 @@ struct PlannedLaunch {
   std::string data;                       ///< path in the site of what the evaluation needs
   std::string evaluator;                  ///< and of the program that does it
   std::vector<LaunchArgument> arguments;  ///< as they are without others being given
+  bool asks_python = false;               ///< it, or what it includes, is written in Python
+  std::vector<std::string> python;        ///< what runs it in the site, archives; empty: nothing
+  std::vector<std::string> tried;  ///< arguments whose values Python was asked about for the site
 };
 
 struct SitePlan {

@@ -47,7 +47,22 @@ void write_launch(JsonWriter& json, const PlannedLaunch& launch) {
   json.key("launch_file").begin_object().field("data", launch.data);
   json.field("evaluator", launch.evaluator).key("arguments").begin_array();
   for (const LaunchArgument& one : launch.arguments) write_launch_argument(json, one);
-  json.end_array().end_object();
+  json.end_array();
+  if (launch.asks_python) {
+    const auto list = [&](const char* key, const std::vector<std::string>& texts) {
+      json.key(key).begin_array();
+      for (const std::string& one : texts) json.string(one);
+      json.end_array();
+    };
+    json.key("python").begin_object();
+    list("tried", launch.tried);
+    if (!launch.python.empty()) {
+      json.field("program", kPythonProgram);
+      list("archives", launch.python);
+    }
+    json.end_object();
+  }
+  json.end_object();
 }
 
 }  // namespace

@@ -155,6 +155,7 @@ export async function runHeadless(options: Options, entry: URL): Promise<number>
   platform.expect(packed.files);
   const site = await siteWithArguments(packed, options.given, platform);
   for (const note of site.launch?.notes ?? []) process.stderr.write(`${note}\n`);
+  if (site.launch?.reran === true) process.stderr.write('the launch file\'s Python was run again for these launch arguments\n');
   if (site.launch?.decided === true) process.stderr.write('some of what runs was decided in Python when the site was packed\n');
   const broker = brokerFor(options);
   const event = (value: Record<string, unknown>): void => print(JSON.stringify(value));

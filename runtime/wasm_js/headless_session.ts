@@ -17,6 +17,7 @@ export function serveHeadlessWorker(): void {
     files: nodeFiles,
     python: async () => ({
       run: (await import('./python_program.ts')).runPython, makeImage: (await import('./python_image.ts')).makeImage,
+      runLaunch: (await import('./launch_python.ts')).runLaunch,
     }),
   });
   port.on('message', (order: WorkerOrder) => handle(order));

@@ -1,60 +1,18 @@
 // Evaluates the site's launch file with launch arguments of the visitor's: runs launch_evaluator.wasm, the same code that
-// packed the site, and fetches the files that the arguments lead to. Nothing of it is loaded without such arguments.
+// packed the site, and fetches the files that the arguments lead to. What only Python can decide is asked of Python again
+// where the site has it (launch_worker.ts). Nothing of it is loaded without such arguments.
 
+import { type Evaluate, openEvaluator } from './launch_evaluator.ts';
+import { askWithPython } from './launch_worker.ts';
 import type { Platform } from './platform.ts';
 import type { LaunchView, SiteDescription } from './session.ts';
 import { SiteError } from './site_error.ts';
 import { readArguments, readNodes, readSteps } from './site_reader.ts';
 
 type Json = Readonly<Record<string, unknown>>;
-type Evaluate = (question: string) => unknown;
-
-interface EvaluatorExports {
-  readonly memory: WebAssembly.Memory;
-  readonly _initialize: () => void;
-  readonly ros2wasm_question: (size: number) => number;
-  readonly ros2wasm_evaluate: (question: number, size: number) => number;
-  readonly ros2wasm_answer: () => number;
-}
-
 /** Each turn fetches what the one before found missing: an include in an include in an include. */
 const mostTurns = 200;
 const shared = 'share/';
-
-/** The evaluator by itself, for as many questions as one likes. JSON in, JSON out. */
-export async function openEvaluator(module: WebAssembly.Module): Promise<Evaluate> {
-  const instance = await WebAssembly.instantiate(module, {
-    env: { emscripten_notify_memory_growth: () => undefined },
-    wasi_snapshot_preview1: {
-      proc_exit: (code: number) => {
-        throw new SiteError('R2W0733', `the evaluation of the launch file ended with ${code}`, {
-          why: 'it may need more memory than this browser gives',
-          fix: 'leave the launch arguments out of the address',
-        });
-      },
-      environ_get: () => 0,
-      environ_sizes_get: (count: number, size: number) => {
-        const words = new DataView(memory().buffer);
-        words.setUint32(count, 0, true);
-        words.setUint32(size, 0, true);
-        return 0;
-      },
-    },
-  });
-  const evaluator = instance.exports as unknown as EvaluatorExports;
-  function memory(): WebAssembly.Memory {
-    return evaluator.memory;
-  }
-  evaluator._initialize();
-  return (question) => {
-    const bytes = new TextEncoder().encode(question);
-    const at = evaluator.ros2wasm_question(bytes.length);
-    new Uint8Array(memory().buffer, at, bytes.length).set(bytes);
-    const size = evaluator.ros2wasm_evaluate(at, bytes.length);
-    const answer = new Uint8Array(memory().buffer, evaluator.ros2wasm_answer(), size);
-    return JSON.parse(new TextDecoder().decode(answer)) as unknown;
-  };
-}
 
 function textsOf(value: unknown): readonly string[] {
   return Array.isArray(value) ? value.filter((item): item is string => typeof item === 'string') : [];
@@ -81,17 +39,37 @@ function refusal(errors: readonly Json[]): SiteError {
   });
 }
 
+/** What the evaluator is asked beside launch.json and files. */
+interface LaunchQuestion {
+  readonly given: Readonly<Record<string, string>>;
+  readonly describe?: boolean;
+}
+
+/** A part of a JSON object. */
+function restOf(question: LaunchQuestion, available: readonly string[]): string {
+  return JSON.stringify({ ...question, shared: available }).slice(1);
+}
+
+/** Throws what the evaluator refuses. */
+export async function evaluateLaunch(...asked: Parameters<typeof askEvaluator>): Promise<Json> {
+  return accepted(await askEvaluator(...asked));
+}
+
+function accepted(answer: Json): Json {
+  const errors = listOf(answer['errors']);
+  if (errors.length > 0) throw refusal(errors);
+  return answer;
+}
+
 /** Asks, and fetches what is missing, until there is an answer. `launch`: the text of launch.json. */
-export async function evaluateLaunch(
-  evaluate: Evaluate, launch: string, question: { readonly given: Readonly<Record<string, string>>; readonly describe?: boolean },
-  available: readonly string[], fetchText: (path: string) => Promise<string>,
+async function askEvaluator(
+  evaluate: Evaluate, launch: string, question: LaunchQuestion, available: readonly string[],
+  fetchText: (path: string) => Promise<string>,
 ): Promise<Json> {
   const files: Record<string, string> = {};
-  const rest = JSON.stringify({ ...question, shared: available }).slice(1);
+  const rest = restOf(question, available);
   for (let turn = 0; turn < mostTurns; turn += 1) {
     const answer = evaluate(`{"launch":${launch},"files":${JSON.stringify(files)},${rest}`) as Json;
-    const errors = listOf(answer['errors']);
-    if (errors.length > 0) throw refusal(errors);
     const needs = textsOf(answer['needs']).filter((path) => files[path] === undefined);
     if (needs.length === 0) return answer;
     const texts = await Promise.all(needs.map(fetchText));
@@ -120,7 +98,11 @@ export async function siteWithArguments(
   const text = async (path: string): Promise<string> => new TextDecoder().decode(await platform.bytes(path));
   const [module, data] = await Promise.all([platform.compile(launch.evaluator), text(launch.data)]);
   const available = site.files.map(({ path }) => path).filter((path) => path.startsWith(shared));
-  const answer = await evaluateLaunch(await openEvaluator(module), data, { given: Object.fromEntries(given) }, available, text);
+  const question = { given: Object.fromEntries(given) };
+  const packed = await askEvaluator(await openEvaluator(module), data, question, available, text);
+  // What Python answered for these values when the site was packed, it would answer again.
+  const reran = packed['decided'] === true && launch.python?.program !== undefined;
+  const answer = accepted(reran ? (await askWithPython(site, launch, data, restOf(question, available), platform)) as Json : packed);
   const nodes = readNodes(answer);
   const ids = new Set(nodes.map(({ id }) => id));
   // A check of a node that does not run with these arguments has nothing to look at.
@@ -138,6 +120,7 @@ export async function siteWithArguments(
     }),
     notes: [...(without === 0 ? [] : [`${without} of ${site.checks.length} checks are left out: their nodes do not run`]), ...listOf(answer['warnings']).map((one) => textOf(one, 'message')), ...textsOf(answer['remarks'])],
     decided: answer['decided'] === true,
+    reran,
   };
   return { ...site, nodes, launchSteps: readSteps(answer, ids), checks, launch: view };
 }

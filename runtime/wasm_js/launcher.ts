@@ -95,7 +95,10 @@ export async function startSession(options: LaunchOptions = {}): Promise<Session
   const packed = readSite(await platform.json('site.json'));
   platform.expect(packed.files);
   const given = givenInAddress(location.search);
+  const begun = performance.now();
   const site = given.size === 0 ? packed : await (await import('./launch_evaluation.ts')).siteWithArguments(packed, given, platform);
+  // For the browser's own tools, and `./dev bench launch`.
+  if (given.size > 0) performance.measure('ros2wasm: launch arguments', { start: begun });
   await platform.ready;
   const asked = new URLSearchParams(location.search);
   const nodes = asked.get('nodes');
@@ -108,6 +111,7 @@ export async function startSession(options: LaunchOptions = {}): Promise<Session
   if (graph !== null && graph !== '') await session.joinTabs(graph);
   // Before the first node starts, so that all that it says is seen. Fetched only for a site that has some.
   if (site.checks.length > 0) session.useChecks(await (await import('./check_run.ts')).runChecks(session));
+  performance.mark('ros2wasm: nodes are told to start');
   if (named !== undefined) {
     for (const id of named) session.start(id);
   } else if (site.ui['autostart'] !== false) {

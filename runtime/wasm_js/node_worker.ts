@@ -6,6 +6,7 @@ import type { Link } from './link.ts';
 import type { SentMessage } from './message_trace.ts';
 import { type LinkTicket, openLink } from './open_link.ts';
 import { type ProgramEnd, type ProgramHost, runProgram, type ThreadStart } from './program.ts';
+import type { LaunchStart } from './launch_python.ts';
 import type { ImageStart } from './python_image.ts';
 import type { PythonRuntime, PythonStart, WorkerFiles } from './python_program.ts';
 import { seededRandom } from './seeded_random.ts';
@@ -48,6 +49,8 @@ export type WorkerReport =
   | { readonly t: 'image'; readonly image: Blob | undefined }
   /** The image that the start named cannot be opened; the program began without it. */
   | { readonly t: 'broken_image' }
+  /** What an order to evaluate a launch file came to. */
+  | { readonly t: 'launch'; readonly answer?: unknown; readonly failed?: string }
   /** `closed`: the worker took leave of the graph. */
   | { readonly t: 'end'; readonly end: ProgramEnd; readonly closed: boolean };
 
@@ -61,6 +64,8 @@ export type WorkerOrder =
   | { readonly t: 'start'; readonly start: WorkerStart }
   /** Runs no program, but makes what Python programs begin with. */
   | { readonly t: 'image'; readonly module: WebAssembly.Module; readonly start: ImageStart }
+  /** Runs no program, but evaluates the launch file; `running` is told when Python begins. */
+  | { readonly t: 'launch'; readonly module: WebAssembly.Module; readonly start: LaunchStart }
   /** Runs no program, but carries to and from another tab. */
   | { readonly t: 'bridge'; readonly ticket: LinkTicket; readonly channel: string };
 
@@ -136,8 +141,20 @@ export function serveWorker(
     }
     post({ t: 'image', image });
   };
+  const evaluate = async (module: WebAssembly.Module, start: LaunchStart): Promise<void> => {
+    try {
+      const runtime = await place.python(start.base);
+      const answer = await runtime.runLaunch(module, start, place.files, readNow, () => post({ t: 'running' }));
+      post({ t: 'launch', answer });
+    } catch (error) {
+      post({ t: 'launch', failed: error instanceof Error ? error.message : String(error) });
+    }
+  };
   return (order) => {
     switch (order.t) {
+      case 'launch':
+        void evaluate(order.module, order.start);
+        return;
       case 'image':
         void makeImage(order.module, order.start);
         return;

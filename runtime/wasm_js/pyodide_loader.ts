@@ -9,7 +9,7 @@ type ModuleImports = Record<string, WebAssembly.ImportValue>;
 
 /** What the interpreter asks its place for. */
 export interface PythonPlace {
-  readonly clock: Link['clock'];
+  readonly clock: Pick<Link['clock'], 'steadyNs' | 'systemNs'>;
   readonly random: ((bytes: Uint8Array) => void) | undefined;
 }
 

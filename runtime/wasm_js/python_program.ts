@@ -5,6 +5,7 @@ import type { loadPyodide, PyodideInterface } from 'pyodide';
 import type { PyBuffer, PyCallable, PyProxy } from 'pyodide/ffi';
 import { WaitResult } from '../protocol/generated/constants.ts';
 import { hostImports } from './host_imports.ts';
+import type { RunLaunch } from './launch_python.ts';
 import { LineWriter } from './line_writer.ts';
 import { type ProgramEnd, type ProgramHost, promiseIntegration } from './program.ts';
 import type { ProgramMemory } from './program_memory.ts';
@@ -44,6 +45,7 @@ export type RunPython = (
 export interface PythonRuntime {
   readonly run: RunPython;
   readonly makeImage: MakePythonImage;
+  readonly runLaunch: RunLaunch;
 }
 
 const interrupt = 2;

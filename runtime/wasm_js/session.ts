@@ -111,6 +111,15 @@ export interface LaunchArgument {
   readonly choices: readonly string[];
 }
 
+/** Who answers for the launch file's Python. */
+export interface LaunchPython {
+  /** Arguments of which it was asked each value when the site was packed. */
+  readonly tried: readonly string[];
+  /** Pyodide in the site, which runs it anew for other values; undefined: what it answered stands. */
+  readonly program?: string;
+  readonly archives: readonly string[];
+}
+
 /** A launch file that can be evaluated again when the site starts. Paths are relative to site.json. */
 export interface LaunchView {
   readonly data: string;
@@ -121,6 +130,10 @@ export interface LaunchView {
   readonly notes: readonly string[];
   /** Something is as it was for other values, because only Python could tell. */
   readonly decided: boolean;
+  /** Python was run anew for these values. */
+  readonly reran: boolean;
+  /** undefined: the launch file asks no Python. */
+  readonly python?: LaunchPython;
 }
 
 /** site.json, checked. */

@@ -5,7 +5,7 @@ import { readCheck } from './check_reader.ts';
 import { SiteError } from './site_error.ts';
 import { fail, flag, list, number, object, path, readSource, text } from './site_values.ts';
 import type {
-  LaunchArgument, LaunchMoment, LaunchStep, LaunchView, NodeMoment, PythonProgram, SiteDescription, SiteFile, SiteNode,
+  LaunchArgument, LaunchMoment, LaunchPython, LaunchStep, LaunchView, NodeMoment, PythonProgram, SiteDescription, SiteFile, SiteNode,
 } from './session.ts';
 
 function readPython(value: unknown, what: string): PythonProgram {
@@ -137,6 +137,16 @@ export function readArguments(value: unknown, what: string): readonly LaunchArgu
   });
 }
 
+function readLaunchPython(value: unknown): LaunchPython {
+  const what = 'site.launch.python';
+  const json = object(value, what);
+  return {
+    tried: list(json, 'tried', what, (item) => (typeof item === 'string' ? item : fail(`${what}.tried`))),
+    ...(json['program'] === undefined ? {} : { program: path(text(json, 'program', what), `${what}.program`) }),
+    archives: list(json, 'archives', what, (item) => path(typeof item === 'string' ? item : fail(`${what}.archives`), `${what}.archives`)),
+  };
+}
+
 function readLaunch(value: unknown): LaunchView {
   const json = object(value, 'site.launch');
   return {
@@ -145,6 +155,8 @@ function readLaunch(value: unknown): LaunchView {
     arguments: readArguments(json, 'site.launch').map((one) => ({ ...one, packed: one.value })),
     notes: [],
     decided: false,
+    reran: false,
+    ...(json['python'] === undefined ? {} : { python: readLaunchPython(json['python']) }),
   };
 }
 

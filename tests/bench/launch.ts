@@ -1,12 +1,15 @@
 // Evaluation of a launch file of 200 nodes, with their namespaces, conditions and parameters, in each language: the whole
 // of `ros2wasm launch`, start of the program and, for Python, of the interpreter included. Peers: the same programs with a
 // launch file of one node, and CPython's own start. Of Python also what is kept of the last time (kept_ms). Then the same
-// files evaluated anew in a started site, in Node.js, with another launch argument (bench "launch_start").
+// files evaluated anew in a started site, in Node.js, with another launch argument (bench "launch_start"); and in a page
+// (bench "launch_page").
 import { spawnSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { evaluateLaunch, openEvaluator } from '../../runtime/wasm_js/launch_evaluation.ts';
+import { evaluateLaunch } from '../../runtime/wasm_js/launch_evaluation.ts';
+import { openEvaluator } from '../../runtime/wasm_js/launch_evaluator.ts';
+import { benchLaunchPage } from './launch_page.ts';
 import { measure } from './measured_process.ts';
 import type { Measured } from './measured_process.ts';
 import type { BenchContext } from './run.ts';
@@ -102,6 +105,7 @@ export async function benchLaunch(context: BenchContext): Promise<void> {
         wasm_bytes: wasm.length, data_bytes: Buffer.byteLength(data),
       });
     }
+    await benchLaunchPage(context, folder);
   } finally {
     rmSync(folder, { recursive: true, force: true });
   }

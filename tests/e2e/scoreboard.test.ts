@@ -39,11 +39,11 @@ test('components, linked, loaded and in a container; interfaces of another packa
   assert.match(output, /8 of 8 executables and 3 of 3 launch files are green/);
 });
 
-test('in Chromium: files of a package and of a program, and standard input', { timeout: 500_000 }, async () => {
-  const { code, rows, output } = await board(['--chromium', '--only', 'file_checks', '--only', 'key_reader']);
+test('in Chromium: files of a package and of a program, standard input, and a launch file', { timeout: 500_000 }, async () => {
+  const { code, rows, output } = await board(['--chromium', '--only', 'file_checks', '--only', 'key_reader', '--only', 'countdown/launch']);
   assert.equal(code, 0, output);
   assert.deepEqual(rows.map((row) => `${row.package}/${row.executable}`),
-    ['file_checks/own_files', 'file_checks/share', 'file_checks/threads_write', 'key_reader/keys']);
+    ['countdown/launch/countdown.launch.xml', 'file_checks/own_files', 'file_checks/share', 'file_checks/threads_write', 'key_reader/keys']);
 });
 
 test('a row that is not as expected is red, and a launch file with wrong arguments is not packed', { timeout: 500_000 }, async () => {

@@ -6,7 +6,8 @@ import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 
 import { readGiven } from '../../runtime/wasm_js/launch_arguments.ts';
-import { evaluateLaunch, openEvaluator } from '../../runtime/wasm_js/launch_evaluation.ts';
+import { evaluateLaunch } from '../../runtime/wasm_js/launch_evaluation.ts';
+import { openEvaluator } from '../../runtime/wasm_js/launch_evaluator.ts';
 
 const [evaluator = '', data = '', folder = '', ...given] = process.argv.slice(2);
 

@@ -26,6 +26,8 @@ export function LaunchForm({ launch }: { readonly launch: LaunchView }) {
             onValue={(value) => setValues((before) => new Map(before).set(one.name, value))}
           />
         ))}
+        {launch.python === undefined ? null : <p class="hint">{texts.launch.python(launch.python)}</p>}
+        {launch.reran ? <p class="hint">{texts.launch.reran}</p> : null}
         {launch.decided ? <p class="hint">{texts.launch.decided}</p> : null}
         {launch.notes.map((note) => (
           <p class="hint">{note}</p>

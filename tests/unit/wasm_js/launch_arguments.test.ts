@@ -2,7 +2,13 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { givenInAddress, readGiven, shownArguments } from '../../../runtime/wasm_js/launch_arguments.ts';
 import { evaluateLaunch } from '../../../runtime/wasm_js/launch_evaluation.ts';
+import { protocolVersion } from '../../../runtime/protocol/generated/constants.ts';
+import { askWithPython } from '../../../runtime/wasm_js/launch_worker.ts';
+import type { WorkerReport } from '../../../runtime/wasm_js/node_worker.ts';
+import type { Platform, WorkerEvents, WorkerHandle } from '../../../runtime/wasm_js/platform.ts';
 import { SiteError } from '../../../runtime/wasm_js/site_error.ts';
+import { readSite } from '../../../runtime/wasm_js/site_reader.ts';
+import { texts } from '../../../runtime/ui/texts.ts';
 import { isGiven, launchLink, valuesOf } from '../../../runtime/ui/model/launch_link.ts';
 
 const argument = (name: string, usual: string | undefined, value = usual ?? '', choices: readonly string[] = []) =>
@@ -71,4 +77,74 @@ test('files are fetched once, and handed on', async () => {
   });
   assert.equal(answer['text'], 'what a says');
   assert.deepEqual(asked, ['share/p/a']);
+});
+
+const siteOfPython = readSite({
+  schema: 1, protocol: protocolVersion, nodes: [], files: [],
+  launch_file: {
+    data: 'launch.json', evaluator: 'launch_evaluator.wasm', arguments: [],
+    python: { tried: ['mode'], program: 'pyodide/pyodide.asm.wasm', archives: [] },
+  },
+});
+
+/** A platform whose worker says what `reports` does, and notes its end. */
+function workerPlatform(reports: readonly WorkerReport[], failed?: string): { platform: Platform; ended: () => number } {
+  let ended = 0;
+  const platform = {
+    place: '/site', compile: async () => new WebAssembly.Module(Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0)),
+    bytes: async () => new ArrayBuffer(0),
+    startWorker: (_name: string, events: WorkerEvents): WorkerHandle => ({
+      post: () => {
+        for (const one of reports) events.report(one);
+        if (failed !== undefined) events.failed(failed);
+      },
+      terminate: async () => {
+        ended += 1;
+      },
+    }),
+  } as unknown as Platform;
+  return { platform, ended: () => ended };
+}
+
+function askPython(platform: Platform): Promise<unknown> {
+  assert.ok(siteOfPython.launch);
+  return askWithPython(siteOfPython, siteOfPython.launch, '{}', '"given":{}}', platform);
+}
+
+test('what Python answers in its worker is the answer, and the worker ends', async () => {
+  const { platform, ended } = workerPlatform([{ t: 'running' }, { t: 'launch', answer: { nodes: [] } }]);
+  assert.deepEqual(await askPython(platform), { nodes: [] });
+  assert.equal(ended(), 1);
+});
+
+test('R2W0416: a launch file that does not end is stopped after a minute', async (context) => {
+  context.mock.timers.enable({ apis: ['setTimeout'] });
+  const { platform, ended } = workerPlatform([{ t: 'running' }]);
+  const asked = askPython(platform);
+  asked.catch(() => undefined);
+  for (let i = 0; i < 100; i += 1) await Promise.resolve();
+  context.mock.timers.tick(59_999);
+  assert.equal(ended(), 0);
+  context.mock.timers.tick(1);
+  await assert.rejects(asked, (error) => error instanceof SiteError && error.code === 'R2W0416');
+  assert.equal(ended(), 1);
+});
+
+test('R2W0733: Python that does not start, or dies', async () => {
+  for (const { platform, ended } of [workerPlatform([{ t: 'launch', failed: 'no memory' }]), workerPlatform([], 'the worker ended')]) {
+    await assert.rejects(askPython(platform), (error) => error instanceof SiteError && error.code === 'R2W0733');
+    assert.equal(ended(), 1);
+  }
+});
+
+test('what site.json says of Python', () => {
+  assert.deepEqual(siteOfPython.launch?.python, { tried: ['mode'], program: 'pyodide/pyodide.asm.wasm', archives: [] });
+  const said = (python: Record<string, unknown>): string => texts.launch.python({ tried: [], ...python });
+  assert.match(said({ program: 'p' }), /asked of it again, in this page/);
+  assert.match(said({ tried: ['mode', 'robot'] }), /packed for each value of mode, robot; with other values/);
+  assert.match(said({}), /stays as it was packed/);
+  for (const python of [3, { archives: ['../up'] }, { program: 7 }, { tried: [1] }]) {
+    const launch = { data: 'launch.json', evaluator: 'e.wasm', arguments: [], python };
+    assert.throws(() => readSite({ schema: 1, protocol: protocolVersion, nodes: [], files: [], launch_file: launch }), SiteError);
+  }
 });

@@ -23,6 +23,8 @@ from ros2wasm_launch.configurations import Configurations
 from ros2wasm_launch.entities import entities_of, entity
 
 _ENTRY = 'generate_launch_description'
+#: That an error names.
+_MOST_CALLERS = 8
 #: Where os.environ is.
 _OS = (os.__file__, '<frozen os>')
 
@@ -117,18 +119,20 @@ def perform(request: dict[str, Any], context: launch.LaunchContext) -> dict[str,
 
 
 def failure(error: BaseException, path: str) -> dict[str, Any]:
-    """The error, with the deepest line of the user's that had a part in it."""
+    """The error, with the deepest line of the user's that had a part in it, and who called, the nearest first."""
     place: dict[str, Any] = {'file': path, 'line': 0}
     frames = traceback.extract_tb(error.__traceback__)
+    callers = []
     for frame in frames:
         if frame.filename.startswith('/') and not frame.filename.startswith((host.OURS, '/lib/')):
             place = {'file': frame.filename, 'line': frame.lineno or 0}
+            callers.append({**place, 'name': frame.name})
     told = isinstance(error, (InvalidLaunchFileError, SubstitutionFailure, host.HostError))
     kind, message = '' if told else type(error).__name__, str(error)
     if isinstance(error, SyntaxError) and error.filename:
         place, message = {'file': error.filename, 'line': error.lineno or 0}, str(error.msg)
     line = linecache.getline(place['file'], place['line']).rstrip()
-    answer = {**place, 'kind': kind, 'message': message, 'text': line}
+    answer = {**place, 'kind': kind, 'message': message, 'text': line, 'callers': callers[-_MOST_CALLERS - 1:-1][::-1]}
     if isinstance(error, ImportError):
         answer['module'] = error.name or ''
     if isinstance(error, KeyError) and frames and frames[-1].filename in _OS:

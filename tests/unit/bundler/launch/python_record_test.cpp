@@ -57,9 +57,11 @@ TEST(PythonRecord, RefusesWhatWasNeverAsked) {
   int asked = 0;
   PythonRecord record;
   ASSERT_TRUE(record.recording(python(asked))(call(1, "a", "1"), kNoReply).ok());
-  const auto answer = record.replaying([] {})(call(2, "a", "1"), kNoReply);
+  bool decided = false;
+  const auto answer = record.replaying([&] { decided = true; })(call(2, "a", "1"), kNoReply);
   ASSERT_FALSE(answer.ok());
   EXPECT_EQ(answer.errors().front().code, "R2W0732");
+  EXPECT_TRUE(decided);
 }
 
 TEST(PythonRecord, GivesTheSameQuestionOfOneEvaluationItsOwnAnswers) {

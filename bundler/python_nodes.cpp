@@ -8,29 +8,19 @@
 #include "bundler/io/files.hpp"
 #include "bundler/launch/import_check.hpp"
 #include "bundler/workspace/discovery.hpp"
+#include "bundler/workspace/python_sources.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
 namespace {
 
-/// The file of the workspace that was installed as `path`, as people name it: one of that name and
-/// these bytes; else `path` itself.
-std::string source_of(const BuiltWorkspace& workspace, const std::string& path,
-                      const std::string& bytes) {
-  std::vector<fs::path> same;
-  std::error_code error;
-  for (const fs::path& folder : workspace.watched) {
-    for (fs::recursive_directory_iterator it(folder, error), end; !error && it != end;
-         it.increment(error)) {
-      if (it->path().filename() != fs::path(path).filename() || !it->is_regular_file(error))
-        continue;
-      const auto text = read_file(it->path());
-      if (text && *text == bytes) same.push_back(it->path());
-    }
-  }
-  const auto first = std::min_element(same.begin(), same.end());
-  if (first == same.end()) return path;
-  return shown_path(*first, workspace.folder, workspace.shown_folder);
+/// The file of the workspace that was installed as `path`, as people name it; else `path` itself.
+std::string source_of(const BuiltWorkspace& workspace, const PythonInput& python,
+                      const std::string& path) {
+  const auto found = python.sources.find(path);
+  if (found == python.sources.end()) return path;
+  const fs::path file = (workspace.folder / found->second).lexically_normal();
+  return shown_path(file, workspace.folder, workspace.shown_folder);
 }
 
 std::string installed(const std::string& path) {
@@ -64,6 +54,7 @@ Outcome<PythonInput> read_python(BuiltWorkspace& workspace) {
   for (const NamedWheel& one : workspace.wheels) {
     for (const auto& [file, bytes] : one.wheel.files) input.wheels.emplace(installed(file), bytes);
   }
+  input.sources = python_sources(input.workspace, workspace.watched, workspace.folder);
   const fs::path pyodide = workspace.environment / kPyodideFolder;
   std::error_code error;
   if (!fs::is_directory(pyodide, error)) return no_pyodide("nodes of the site are Python programs");
@@ -100,10 +91,9 @@ Outcome<Done> check_python_imports(BuiltWorkspace& workspace, const PythonInput&
     for (Diagnostic& one : report.missing) {
       can_run = can_run && one.severity != Severity::kError;
       if (!told.emplace(one.span->file, one.span->line, one.message).second) continue;
-      const auto own = python.workspace.find(one.span->file);
-      one.span->file = own == python.workspace.end()
-                           ? place_in_wheel(workspace.wheels, one.span->file)
-                           : source_of(workspace, one.span->file, own->second);
+      one.span->file = python.workspace.contains(one.span->file)
+                           ? source_of(workspace, python, one.span->file)
+                           : place_in_wheel(workspace.wheels, one.span->file);
       const bool is_warning = one.severity != Severity::kError || !because.empty();
       if (is_warning && one.severity == Severity::kError)
         one.why.push_back("`" + node.executable + "` of package `" + node.package +

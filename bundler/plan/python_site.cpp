@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <string_view>
+#include <tuple>
 
 #include "bundler/archive/zip_writer.hpp"
+#include "bundler/io/sha256.hpp"
 #include "bundler/launch/import_check.hpp"
 
 namespace ros2wasm {
@@ -33,6 +35,23 @@ std::string definition_path(const std::string& type) {
   const auto first = type.find('/');
   const auto last = type.rfind('/');
   return "share/" + type + "." + type.substr(first + 1, last - first - 1);
+}
+
+/// Sorted by what people call them. A package beside the workspace's folder is named from there.
+std::vector<PlannedSource> sources_of(const PythonInput& input) {
+  constexpr std::string_view kUp = "../";
+  std::vector<PlannedSource> sources;
+  for (const auto& [path, file] : input.sources) {
+    std::string_view name = file;
+    while (name.starts_with(kUp)) name.remove_prefix(kUp.size());
+    sources.push_back({.path = path,
+                       .file = std::string(name),
+                       .sha256 = sha256_hex(input.workspace.at(path))});
+  }
+  std::sort(sources.begin(), sources.end(), [](const PlannedSource& a, const PlannedSource& b) {
+    return std::tie(a.file, a.path) < std::tie(b.file, b.path);
+  });
+  return sources;
 }
 
 }  // namespace
@@ -64,6 +83,7 @@ PythonSite python_site(PythonInput input, const InterfaceTexts& interfaces,
     part_of(package).emplace(std::string(kPackageIndex) + package, "");
 
   PythonSite site;
+  site.sources = sources_of(input);
   for (auto& [name, bytes] : input.pyodide) {
     site.files.push_back(
         {.path = "pyodide/" + name, .reason = "Python of Python nodes", .bytes = std::move(bytes)});

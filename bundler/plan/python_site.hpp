@@ -23,6 +23,8 @@ struct PythonInput {
   PythonFiles channels;   ///< modules and scripts of the packages of channels
   PythonFiles wheels;     ///< of the manifest
   PythonFiles workspace;  ///< and of the workspace's
+  /// What of the latter the workspace has: path as installed -> path in the workspace.
+  std::map<std::string, std::string> sources;
 };
 
 struct PythonSiteFile {
@@ -31,10 +33,21 @@ struct PythonSiteFile {
   std::string bytes;
 };
 
+/// A Python file of the workspace that the page shows, and of which visitors may try other texts.
+struct PlannedSource {
+  std::string path;  ///< in what is installed
+  std::string file;  ///< in the workspace
+  std::string sha256;
+};
+
+/// Where the bytes of all of them lie in the site.
+inline constexpr const char* kWorkspaceArchive = "python/workspace.zip";
+
 struct PythonSite {
   std::vector<PythonSiteFile> files;
   std::vector<std::string> archives;  ///< paths of those among `files` that all nodes unpack
   std::map<std::string, std::string> compiled;  ///< and of those for who imports a compiled module
+  std::vector<PlannedSource> sources;           ///< sorted by file
 };
 
 /// The archive of what the packages of the workspace bring, when they bring something.

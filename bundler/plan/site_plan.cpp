@@ -157,6 +157,7 @@ Outcome<SitePlan> plan_site(PlanInput input) {
       compiled.insert(node.compiled_modules.begin(), node.compiled_modules.end());
     PythonSite python = python_site(std::move(input.python), input.interfaces, input.shared,
                                     compiled, input.packages, input.python_index);
+    plan.sources = std::move(python.sources);
     for (PlannedNode& planned : plan.nodes) {
       if (!is_python(planned.node)) continue;
       planned.archives = python.archives;

@@ -63,6 +63,7 @@ struct SitePlan {
   std::vector<LaunchStep> steps;   ///< of the launch file
   std::optional<PlannedLaunch> launch;  ///< when launch arguments can change what runs
   std::vector<std::string> packages;    ///< that the programs' index of packages has, sorted
+  std::vector<PlannedSource> sources;   ///< Python files of the workspace
   std::vector<CheckEntry> checks;       ///< in the manifest's order, with ids of nodes
   std::vector<ChannelFile> channel;     ///< sorted by path; empty unless it was asked for
 };

@@ -24,6 +24,16 @@ void write_checks(JsonWriter& json, const std::vector<CheckEntry>& checks) {
   json.end_array();
 }
 
+void write_sources(JsonWriter& json, const std::vector<PlannedSource>& sources) {
+  if (sources.empty()) return;
+  json.key("sources").begin_object().field("archive", kWorkspaceArchive).key("files").begin_array();
+  for (const PlannedSource& source : sources) {
+    json.begin_object().field("path", source.path).field("file", source.file);
+    json.field("sha256", source.sha256).end_object();
+  }
+  json.end_array().end_object();
+}
+
 void write_ui(JsonWriter& json, const Manifest& manifest) {
   json.key("ui").begin_object();
   for (const auto& [key, value] : manifest.ui) {
@@ -98,6 +108,7 @@ std::string site_json(const Manifest& manifest, const SitePlan& plan) {
   json.key("packages").begin_array();
   for (const std::string& package : plan.packages) json.string(package);
   json.end_array();
+  write_sources(json, plan.sources);
   write_checks(json, plan.checks);
   write_ui(json, manifest);
   json.key("files").begin_array();

@@ -11,6 +11,7 @@ import { PageHeader } from './parts/header.tsx';
 import { LayoutMenu } from './parts/layout_menu.tsx';
 import { LazyPanel } from './parts/lazy_panel.tsx';
 import { OpenPanel } from './parts/panel.tsx';
+import { SourceLinksContext, sourceLinks } from './parts/source_links.ts';
 import { useLayout } from './parts/use_layout.ts';
 import { useNodes, useMedia } from './parts/watch.ts';
 import type { PanelTab } from './model/layout.ts';
@@ -51,6 +52,7 @@ export function Page({ session, store, offline }: PageProps) {
     }),
     [focusId, open],
   );
+  const sources = useMemo(() => sourceLinks(session, (panel, state) => open(null, panel, state)), [session, open]);
   const show = (tab: PanelTab) => {
     const row = panelRow(tab.panel);
     if (row === undefined) return null;
@@ -95,7 +97,9 @@ export function Page({ session, store, offline }: PageProps) {
           <IconButton icon="close" label={texts.layout.dismiss} onClick={control.dismiss} />
         </div>
       )}
-      <Dock control={control} narrow={narrow} show={show} />
+      <SourceLinksContext.Provider value={sources}>
+        <Dock control={control} narrow={narrow} show={show} />
+      </SourceLinksContext.Provider>
       <AboutDialog
         session={session}
         open={aboutOpen}

@@ -175,7 +175,7 @@ export const texts = {
     seen: (words: string): string => `Seen: ${words}`,
     passedOf: (passed: number, all: number): string => `${passed} of ${all} checks passed`,
   },
-  panels: { nodes: 'Nodes', console: 'Consoles', topics: 'Topics', plot: 'Plot', graph: 'Graph', frames: 'Frames', diagnostics: 'Diagnostics', lifecycle: 'Lifecycle', timeline: 'States', checks: 'Checks', terminal: 'Terminal', publish: 'Publish', services: 'Services and actions', parameters: 'Parameters', teleop: 'Teleop', text: 'Text', log: 'Log', image: 'Image', turtlesim: 'Turtlesim', scene: '3D view', bag: 'Bag' },
+  panels: { nodes: 'Nodes', console: 'Consoles', topics: 'Topics', plot: 'Plot', graph: 'Graph', frames: 'Frames', diagnostics: 'Diagnostics', lifecycle: 'Lifecycle', timeline: 'States', checks: 'Checks', source: 'Source', terminal: 'Terminal', publish: 'Publish', services: 'Services and actions', parameters: 'Parameters', teleop: 'Teleop', text: 'Text', log: 'Log', image: 'Image', turtlesim: 'Turtlesim', scene: '3D view', bag: 'Bag' },
   panelTabs: 'Panels',
 
   layout: {
@@ -208,6 +208,8 @@ export const texts = {
     linkBroken: 'The view in this link cannot be read. The usual one is shown.',
     linkLeftOut: (names: readonly string[]): string =>
       `This page has no such panels, so they are left out: ${names.join(', ')}.`,
+    linkChanged: (files: string): string =>
+      `Who made this link had changed sources, which are not in it: ${files}. Here they are as you have them.`,
     linkInAddress: 'The browser refused to copy. The link stands in the address bar.',
   },
 
@@ -227,6 +229,9 @@ export const texts = {
     showAll: 'Show the consoles of all nodes',
     program: 'Program',
     declared: 'Declared at',
+    source: (label: string): string => `Source of ${label}`,
+    changed: 'changed',
+    changedLong: (files: readonly string[]): string => `Runs with sources that were changed in this browser: ${files.join(', ')}`,
     upSince: (duration: string): string => `for ${duration}`,
   },
 
@@ -268,6 +273,7 @@ export const texts = {
     inputHint: 'Type a line, then Enter',
     send: 'Send',
     latest: 'Latest',
+    toSource: (file: string, line: number): string => `Show line ${line} of ${file}`,
     newer: (count: string): string => `${count} new`,
     showAll: 'Show all nodes',
     allNodes: 'all nodes',

@@ -2,6 +2,7 @@
 
 import { ExpectedFiles } from './expected_files.ts';
 import { keptBytes } from './kept_bytes.ts';
+import { keptTexts } from './kept_texts.ts';
 import type { HoldOrder, WorkerReport } from './node_worker.ts';
 import type { Platform, WorkerEvents, WorkerHandle } from './platform.ts';
 import { SiteError } from './site_error.ts';
@@ -91,6 +92,7 @@ export function browserPlatform(base: URL, script: string): BrowserPlatform {
     },
     bytes,
     kept: keptBytes(base),
+    texts: keptTexts(`ros2wasm.source ${base.pathname} `),
     startWorker: (name, events) => new BrowserWorker(scriptUrl, name, events),
     frame: (task) => {
       // Frames do not come while the page is hidden.

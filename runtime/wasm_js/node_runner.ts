@@ -12,6 +12,7 @@ import { folderOf, type PythonImages } from './python_images.ts';
 import type { PythonStart } from './python_program.ts';
 import type { NodeMoment, NodeState, NodeView, SiteNode } from './session.ts';
 import { SiteError } from './site_error.ts';
+import type { SourceFiles } from './source_files.ts';
 import type { SiteFiles } from './site_files.ts';
 import { type ThreadMemory, tellThreads } from './thread_waits.ts';
 
@@ -34,6 +35,8 @@ export interface RunnerHost {
   /** undefined: Python programs boot by themselves. */
   readonly images: PythonImages | undefined;
   readonly pythonFiles: PythonFiles;
+  /** undefined: Python programs run as they were packed. */
+  readonly sources: SourceFiles | undefined;
   readonly changed: () => void;
   /** The node's program waits for the first time, or is over. */
   readonly settled: (node: SiteNode) => void;
@@ -78,6 +81,8 @@ export class NodeRunner {
   private keepFromStart: (() => void) | undefined;
   /** Respawns since somebody started it. */
   private retries = 0;
+  /** Of the newest run: the sources that it has read, and whether they were changed. */
+  private readonly used = new Map<string, boolean>();
 
   constructor(node: SiteNode, console: NodeConsole, host: RunnerHost) {
     this.node = node;
@@ -87,6 +92,7 @@ export class NodeRunner {
 
   view(): NodeView {
     const { id, label, executable, source } = this.node;
+    const changed = [...this.used].filter(([, isChanged]) => isChanged).map(([path]) => path);
     return {
       id,
       label,
@@ -95,6 +101,8 @@ export class NodeRunner {
       state: this.state,
       ...(this.run === undefined ? {} : { startedAt: this.run.startedAt }),
       ...(source === undefined ? {} : { source }),
+      ...(this.used.size === 0 ? {} : { usedSources: [...this.used.keys()] }),
+      ...(changed.length === 0 ? {} : { changedSources: changed }),
     };
   }
 
@@ -231,6 +239,7 @@ export class NodeRunner {
         stepped: this.host.stepped,
         traced: this.host.sent !== undefined,
       };
+      this.used.clear();
       this.run = { participant, main, threads: new Set(), start, startedAt, memory: undefined, over: false };
       main.post({ t: 'start', start }, transfer);
     } catch (error) {
@@ -247,7 +256,8 @@ export class NodeRunner {
     const { images, pythonFiles, platform } = this.host;
     const image = await images?.take(this.node, environment);
     const parts = await pythonFiles.parts(program, python.archives.slice(image?.archives ?? 0));
-    return { ...python, base: folderOf(platform.place), home: homeOf(program), parts, image };
+    const sources = this.host.sources?.forStart();
+    return { ...python, base: folderOf(platform.place), home: homeOf(program), parts, image, sources };
   }
 
   /** It reports nothing before it is admitted. */
@@ -285,6 +295,10 @@ export class NodeRunner {
         return;
       case 'broken_image':
         this.host.images?.broken(run?.start.python?.image);
+        return;
+      case 'source':
+        this.used.set(report.path, run?.start.python?.sources?.changed.has(report.path) === true);
+        this.host.changed();
         return;
       case 'waits':
         this.host.settled(this.node);

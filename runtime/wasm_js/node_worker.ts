@@ -8,7 +8,7 @@ import { type LinkTicket, openLink } from './open_link.ts';
 import { type ProgramEnd, type ProgramHost, runProgram, type ThreadStart } from './program.ts';
 import type { LaunchStart } from './launch_python.ts';
 import type { ImageStart } from './python_image.ts';
-import type { PythonRuntime, PythonStart, WorkerFiles } from './python_program.ts';
+import type { PythonReports, PythonRuntime, PythonStart, WorkerFiles } from './python_program.ts';
 import { seededRandom } from './seeded_random.ts';
 import type { ReadNow, SiteFiles } from './site_files.ts';
 import type { ThreadMemory } from './thread_waits.ts';
@@ -51,6 +51,8 @@ export type WorkerReport =
   | { readonly t: 'broken_image' }
   /** What an order to evaluate a launch file came to. */
   | { readonly t: 'launch'; readonly answer?: unknown; readonly failed?: string }
+  /** The program has read that source of the workspace, for the first time. */
+  | { readonly t: 'source'; readonly path: string }
   /** `closed`: the worker took leave of the graph. */
   | { readonly t: 'end'; readonly end: ProgramEnd; readonly closed: boolean };
 
@@ -69,7 +71,7 @@ export type WorkerOrder =
   /** Runs no program, but carries to and from another tab. */
   | { readonly t: 'bridge'; readonly ticket: LinkTicket; readonly channel: string };
 
-async function runStart(start: WorkerStart, host: ProgramHost, place: WorkerPlace, broken: () => void): Promise<ProgramEnd> {
+async function runStart(start: WorkerStart, host: ProgramHost, place: WorkerPlace, reports: PythonReports): Promise<ProgramEnd> {
   const { module, python, thread } = start;
   if (python === undefined) return runProgram(module, host, thread);
   let runtime: PythonRuntime;
@@ -78,7 +80,7 @@ async function runStart(start: WorkerStart, host: ProgramHost, place: WorkerPlac
   } catch (error) {
     return { kind: 'crash', code: 'R2W0706', message: error instanceof Error ? error.message : String(error) };
   }
-  return runtime.run(module, python, host, place.files, broken);
+  return runtime.run(module, python, host, place.files, reports);
 }
 
 /** What a worker has beside its messages. */
@@ -126,7 +128,10 @@ export function serveWorker(
       stepped: start.stepped !== undefined,
       startThread: (request, memory) => post({ t: 'thread', request, memory }),
     };
-    const end = await runStart(start, host, place, () => post({ t: 'broken_image' }));
+    const end = await runStart(start, host, place, {
+      broken: () => post({ t: 'broken_image' }),
+      read: (path) => post({ t: 'source', path }),
+    });
     // A program that ended by itself takes leave, so that what it sent last is still delivered.
     if (end.kind === 'exit') link.close();
     console.flush();

@@ -1,6 +1,7 @@
 // What a session needs of the place it runs in: a browser page (launcher.ts) or Node.js (headless.ts).
 
 import type { KeptBytes } from './kept_bytes.ts';
+import type { KeptTexts } from './kept_texts.ts';
 import type { WorkerOrder, WorkerReport } from './node_worker.ts';
 import type { SiteFile } from './session.ts';
 
@@ -30,6 +31,8 @@ export interface Platform {
   readonly startWorker: (name: string, events: WorkerEvents) => WorkerHandle;
   /** What is kept for later visits; undefined: nothing is. */
   readonly kept?: KeptBytes | undefined;
+  /** What visitors make of the sources, by their paths; undefined: nobody does. */
+  readonly texts?: KeptTexts;
   /** Runs a task at the next animation frame, or soon. */
   readonly frame: (task: () => void) => void;
 }

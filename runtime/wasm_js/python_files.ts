@@ -48,7 +48,8 @@ export class PythonFiles {
     return [...new Set(this.site.nodes.flatMap(({ python }) => python?.archives ?? []))];
   }
 
-  private whole(path: string): Promise<Blob> {
+  /** One of them. Rejects as parts(). */
+  whole(path: string): Promise<Blob> {
     let blob = this.found.get(path);
     if (blob === undefined) {
       blob = this.platform.bytes(path).then((bytes) => new Blob([bytes]));

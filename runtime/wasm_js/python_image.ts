@@ -32,10 +32,12 @@ export type MakePythonImage = (module: WebAssembly.Module, start: ImageStart, fi
 /** An image that was read. */
 export interface PythonImage extends Omit<OpenImage, 'host'> {
   readonly files: readonly (readonly [path: string, bytes: Uint8Array])[];
+  /** The files of what was imported, below the installation. */
+  readonly loaded: readonly string[];
 }
 
 /** Changes when what lies in an image does. */
-export const imageVersion = 1;
+export const imageVersion = 2;
 const magic = 0x494d3252;
 /** magic, version, bytes of the head. */
 const prologueSize = 12;
@@ -47,6 +49,7 @@ interface Head {
   readonly used: number;
   readonly size: number;
   readonly files: readonly (readonly [path: string, size: number])[];
+  readonly loaded: readonly string[];
 }
 
 export function pythonEnvironment(environment: Readonly<Record<string, string>>, share: string): Record<string, string> {
@@ -132,6 +135,7 @@ export const makeImage: MakePythonImage = async (module, start, files) => {
   python.registerJsModule(hostMark, host);
   install(python, archives);
   startModule(python).prepare();
+  const loaded = loadedFiles(python);
   const keeper = python as unknown as { makeMemorySnapshot(options: object): Uint8Array<ArrayBuffer> };
   const snapshot = keeper.makeMemorySnapshot({
     serializer: (object: unknown): string => {
@@ -139,16 +143,27 @@ export const makeImage: MakePythonImage = async (module, start, files) => {
       return hostMark;
     },
   });
-  return pack(snapshot, [...filesBelow(fileSystem(python), prefix)]);
+  return pack(snapshot, [...filesBelow(fileSystem(python), prefix)], loaded);
 };
 
+/** As a text, so that nothing of JavaScript comes into the memory. */
+function loadedFiles(python: PyodideInterface): readonly string[] {
+  const text = python.runPython(
+    'import json, sys\njson.dumps([f for m in [*sys.modules.values()] if isinstance(f := getattr(m, "__file__", None), str)])',
+  ) as string;
+  const below = `${prefix}/`;
+  return (JSON.parse(text) as string[]).filter((file) => file.startsWith(below)).map((file) => file.slice(below.length)).sort();
+}
+
 /** Pyodide's snapshot is its description, whose length is its second word, and the memory. */
-function pack(snapshot: Uint8Array<ArrayBuffer>, files: readonly (readonly [string, Uint8Array<ArrayBuffer>])[]): Blob {
+function pack(
+  snapshot: Uint8Array<ArrayBuffer>, files: readonly (readonly [string, Uint8Array<ArrayBuffer>])[], loaded: readonly string[],
+): Blob {
   const description = new Uint32Array(snapshot.buffer, snapshot.byteOffset, 2)[1] ?? 0;
   const memory = snapshot.subarray(description);
   let used = memory.length;
   while (used > 0 && memory[used - 1] === 0) used -= 1;
-  const head: Head = { description, used, size: memory.length, files: files.map(([path, bytes]) => [path, bytes.length]) };
+  const head: Head = { description, used, size: memory.length, files: files.map(([path, bytes]) => [path, bytes.length]), loaded };
   const text = new TextEncoder().encode(JSON.stringify(head));
   const prologue = new Uint32Array([magic, imageVersion, text.length]);
   return new Blob([prologue, text, snapshot.subarray(0, description + used), ...files.map(([, bytes]) => bytes)]);
@@ -172,7 +187,7 @@ export function readImage(buffer: ArrayBuffer): PythonImage {
   let begin = 0;
   const files = head.files.map(([path, size]) => [path, whole.subarray(begin, begin += size)] as const);
   if (begin !== whole.length) throw new RangeError('the image is not complete');
-  return { description, memory, size: head.size, files };
+  return { description, memory, size: head.size, files, loaded: head.loaded };
 }
 
 /** Puts the files of an image in their places. */

@@ -11,9 +11,11 @@ import { type ProgramEnd, type ProgramHost, promiseIntegration } from './program
 import type { ProgramMemory } from './program_memory.ts';
 import type { PythonParts } from './python_files.ts';
 import { type LoadedPyodide, openPyodide } from './pyodide_loader.ts';
+import { placeSources } from './python_sources.ts';
 import { type MakePythonImage, addressOf, archivesOf, fetchedOf, install, prefix, pythonEnvironment, readImage, restoreFiles, startModule } from './python_image.ts';
 import type { PythonProgram } from './session.ts';
 import { SiteError } from './site_error.ts';
+import type { SourceStart } from './site_sources.ts';
 import type { Arrival } from './wasi.ts';
 
 /** What a worker needs to run a Python program. */
@@ -26,6 +28,15 @@ export interface PythonStart extends PythonProgram {
   readonly parts: PythonParts;
   /** What it begins with, and how many of the archives are in it. */
   readonly image: { readonly bytes: Blob; readonly archives: number } | undefined;
+  readonly sources: SourceStart | undefined;
+}
+
+/** What a worker tells of a Python program beside what it tells of all. */
+export interface PythonReports {
+  /** The image could not be opened. */
+  readonly broken: () => void;
+  /** The program has read that source. */
+  readonly read: (path: string) => void;
 }
 
 /** Where a worker finds the files of the site. */
@@ -36,9 +47,7 @@ export interface WorkerFiles {
 
 /** How python_worker.js is called in a browser to run a program. */
 export type RunPython = (
-  module: WebAssembly.Module, start: PythonStart, host: ProgramHost, files: WorkerFiles,
-  /** The image could not be opened. */
-  broken: () => void,
+  module: WebAssembly.Module, start: PythonStart, host: ProgramHost, files: WorkerFiles, reports: PythonReports,
 ) => Promise<ProgramEnd>;
 
 /** What python_worker.js has. */
@@ -246,7 +255,10 @@ export function failure(error: unknown): ProgramEnd {
   return crash('R2W0701', message);
 }
 
-/** An interpreter with what was unpacked: from the image, if there is one that can be opened; `broken` is told when it cannot. */
+/**
+ * An interpreter with what was unpacked: from the image, if there is one that can be opened; `broken` is told when it cannot.
+ * An image that has imported what the visitor changed is none for this start.
+ */
 async function begin(
   module: WebAssembly.Module, start: PythonStart, host: ProgramHost, files: WorkerFiles,
   functions: Record<string, unknown>, broken: () => void,
@@ -255,10 +267,19 @@ async function begin(
   const environment = pythonEnvironment(host.environment, host.files.prefix);
   const open = await files.pyodide(home);
   const options = { module, home, open, environment, place: { clock: host.link.clock, random: host.random }, toBeKept: false, fetched: fetchedOf(start) };
+  const boot = async (): Promise<LoadedPyodide> => {
+    const unpacked = archivesOf(start, start.archives, files);
+    unpacked.catch(() => undefined);
+    const opened = await openPyodide({ ...options, image: undefined });
+    opened.python.registerJsModule('ros2wasm_host', functions);
+    install(opened.python, await unpacked);
+    return opened;
+  };
   if (start.image !== undefined) {
     try {
       const more = archivesOf(start, start.archives.slice(start.image.archives), files);
       const image = readImage(await start.image.bytes.arrayBuffer());
+      if (image.loaded.some((path) => start.sources?.changed.has(path))) return await boot();
       const opened = await openPyodide({ ...options, image: { ...image, host: functions } });
       restoreFiles(opened.python, image);
       install(opened.python, await more);
@@ -268,16 +289,11 @@ async function begin(
       broken();
     }
   }
-  const unpacked = archivesOf(start, start.archives, files);
-  unpacked.catch(() => undefined);
-  const opened = await openPyodide({ ...options, image: undefined });
-  opened.python.registerJsModule('ros2wasm_host', functions);
-  install(opened.python, await unpacked);
-  return opened;
+  return boot();
 }
 
 /** Runs the entry to its end. */
-export const runPython: RunPython = async (module, start, host, files, broken) => {
+export const runPython: RunPython = async (module, start, host, files, reports) => {
   const suspends = promiseIntegration() !== undefined;
   if (host.link.kind === 'port' && !suspends) {
     return crash('R2W0705', 'this browser can neither share memory with this page nor suspend a program');
@@ -296,9 +312,10 @@ export const runPython: RunPython = async (module, start, host, files, broken) =
     return memory;
   }, stop, died);
   try {
-    const begun = await begin(module, start, host, files, functions, broken);
+    const begun = await begin(module, start, host, files, functions, reports.broken);
     const { python } = begun;
     ({ memory } = begun);
+    if (start.sources !== undefined) placeSources(python, start.sources, reports.read);
     const writer = (stream: 'stdout' | 'stderr') => ({
       isatty: false,
       write: (bytes: Uint8Array): number => {

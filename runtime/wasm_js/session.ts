@@ -3,8 +3,10 @@
 
 import type { GraphView, PageNode } from './page_node.ts';
 import type { SiteCheck, SiteChecks } from './site_checks.ts';
+import type { SiteSources, Sources } from './site_sources.ts';
 
 export type { CheckView, SiteChecks } from './site_checks.ts';
+export type { SourceKept, Sources, SourceView } from './site_sources.ts';
 export type * from './page_node.ts';
 
 export type Unsubscribe = () => void;
@@ -154,6 +156,8 @@ export interface SiteDescription {
   readonly interfaces: string;
   /** Those that programs can ask the index of packages for. */
   readonly packages: readonly string[];
+  /** The Python files of the workspace; undefined: none. */
+  readonly sources?: SiteSources;
   /** What must be seen while it runs. */
   readonly checks: readonly SiteCheck[];
   readonly ui: Readonly<Record<string, unknown>>;
@@ -181,6 +185,9 @@ export interface NodeView {
   readonly source?: SourcePlace;
   /** Numbers of the other tabs of the graph in which it runs. */
   readonly elsewhere?: readonly number[];
+  /** Paths of the sources that it has read since it started, or had when it ended, in that order; and of those the changed ones. */
+  readonly usedSources?: readonly string[];
+  readonly changedSources?: readonly string[];
 }
 
 /** This tab's place among those that have joined one graph. */
@@ -304,6 +311,8 @@ export interface Session {
   node(): PageNode;
   /** undefined: the site has none. They look from before the first node starts. */
   readonly checks: SiteChecks | undefined;
+  /** undefined: the site has none. */
+  readonly sources: Sources | undefined;
   /** As it is now. */
   graph(): GraphView;
   /** Called when the graph has changed, at most once per animation frame. */

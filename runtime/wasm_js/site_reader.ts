@@ -7,6 +7,7 @@ import { fail, flag, list, number, object, path, readSource, text } from './site
 import type {
   LaunchArgument, LaunchMoment, LaunchPython, LaunchStep, LaunchView, NodeMoment, PythonProgram, SiteDescription, SiteFile, SiteNode,
 } from './session.ts';
+import type { SiteSources } from './site_sources.ts';
 
 function readPython(value: unknown, what: string): PythonProgram {
   const json = object(value, what);
@@ -160,6 +161,16 @@ function readLaunch(value: unknown): LaunchView {
   };
 }
 
+function readSources(value: unknown): SiteSources {
+  const what = 'site.sources';
+  const json = object(value, what);
+  const files = list(json, 'files', what, (item, where) => {
+    const one = object(item, where);
+    return { path: path(text(one, 'path', where), where), file: text(one, 'file', where), sha256: text(one, 'sha256', where) };
+  });
+  return { archive: path(text(json, 'archive', what), what), files };
+}
+
 /** Throws SiteError: R2W0700 for a broken file, R2W0709 for another protocol. */
 export function readSite(value: unknown): SiteDescription {
   const json = object(value, 'the document');
@@ -189,6 +200,7 @@ export function readSite(value: unknown): SiteDescription {
     ...(json['launch_file'] === undefined ? {} : { launch: readLaunch(json['launch_file']) }),
     interfaces: interfaces === '' ? '' : path(interfaces, 'site.interfaces'),
     packages: list(json, 'packages', 'site', (item) => (typeof item === 'string' ? item : fail('site.packages'))),
+    ...(json['sources'] === undefined ? {} : { sources: readSources(json['sources']) }),
     checks: list(json, 'checks', 'site', (item, what) => readCheck(item, what, ids)),
     ui: object(json['ui'] ?? {}, 'site.ui'),
     files: list(json, 'files', 'site', readFile),

@@ -17,6 +17,7 @@ import type {
   ConsoleLog, LastMessage, LinkKind, NodeState, NodeView, Session, SiteDescription, SiteNode, SiteTime, SteppedRun, TabView, TopicView,
   Unsubscribe,
 } from './session.ts';
+import { SourceFiles } from './source_files.ts';
 import { siteEnvironment, siteFiles } from './site_files.ts';
 import type { SiteChecks } from './site_checks.ts';
 import { SiteTimeControl } from './site_time.ts';
@@ -63,6 +64,7 @@ export class SiteSession implements Session {
   readonly settled: Promise<void>;
   private readonly graphListeners = new Set<(graph: GraphView) => void>();
   private page: PageParticipant | undefined;
+  readonly sources: SourceFiles | undefined;
   private unwatchGraph: (() => void) | undefined;
   checks: (SiteChecks & { close(): void }) | undefined;
   private nodesTold = true;
@@ -101,6 +103,11 @@ export class SiteSession implements Session {
     const files = siteFiles(site, platform.place);
     // The bytes of an image are of no run: one that is to be the same each time boots.
     const pythonFiles = new PythonFiles(site, platform);
+    const { sources } = site;
+    const { texts } = platform;
+    if (sources !== undefined && texts !== undefined) {
+      this.sources = new SourceFiles(sources, texts, () => pythonFiles.whole(sources.archive));
+    }
     this.images = stepped === undefined ? new PythonImages(site, platform, pythonFiles, files.prefix) : undefined;
     for (const node of site.nodes) {
       const console = new NodeConsole(platform.frame);
@@ -111,6 +118,7 @@ export class SiteSession implements Session {
         broker,
         images: this.images,
         pythonFiles,
+        sources: this.sources,
         changed: () => this.nodesChanged(),
         settled: (of) => {
           this.images?.settled(of);
@@ -389,6 +397,7 @@ export class SiteSession implements Session {
     for (const runner of this.runners.values()) runner.close();
     this.page?.close();
     this.images?.close();
+    this.sources?.close();
     this.nodeListeners.clear();
     this.graphListeners.clear();
     this.topicListeners.clear();

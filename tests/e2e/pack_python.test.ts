@@ -5,6 +5,9 @@ import { cpSync, readFileSync, rmSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { after, before, test } from 'node:test';
 
+import { readSite } from '../../runtime/wasm_js/site_reader.ts';
+import type { SiteSources } from '../../runtime/wasm_js/site_sources.ts';
+import { SourceFiles } from '../../runtime/wasm_js/source_files.ts';
 import { PackWorkspace, finished } from './pack_workspace.ts';
 
 const PACKAGES = resolve(import.meta.dirname, '../packages');
@@ -28,6 +31,7 @@ interface Python {
 interface Site {
   readonly nodes: readonly { readonly id: string; readonly kind: string; readonly python?: Python }[];
   readonly files: readonly { readonly path: string }[];
+  readonly sources?: SiteSources;
 }
 
 let workspace: PackWorkspace;
@@ -63,6 +67,18 @@ test('compiled modules come to those who import them', () => {
   const common = ['python/channels.zip', 'python/workspace.zip'];
   const archives = site('site').nodes.map((node) => node.python?.archives);
   assert.deepEqual(archives, [common, common, common, undefined, [...common, 'python/numpy.zip']]);
+});
+
+test('site.json names the sources of modules and scripts, and the page finds their text', async () => {
+  const sources = readSite(site('site')).sources;
+  assert.ok(sources);
+  const places = new Map(sources.files.map(({ path, file }) => [path, file]));
+  assert.equal(places.get('lib/python3.12/site-packages/chatter_py/count.py'), 'src/chatter_py/chatter_py/count.py');
+  assert.equal(places.get('lib/mixed_nodes/judge.py'), 'src/mixed_nodes/scripts/judge.py');
+  assert.equal(places.get('lib/chatter_py/count'), undefined);
+  const texts = { get: () => undefined, set: () => false, onChange: () => () => undefined };
+  const read = new SourceFiles(sources, texts, async () => new Blob([workspace.read(`site/${sources.archive}`)]));
+  for (const { path, file } of sources.files) assert.equal(await read.packed(path), workspace.read(file).toString());
 });
 
 test('they run: entry points, scripts, messages of the package itself, share files, both languages', async () => {
@@ -105,5 +121,6 @@ test('a site without Python nodes has nothing of Python, whatever the workspace 
   assert.equal(packed.code, 0, packed.stderr);
   assert.equal(site('compiled').nodes.length, 1);
   assert.deepEqual(pythonFiles(site('compiled')), []);
+  assert.equal(site('compiled').sources, undefined);
   rmSync(join(workspace.root, 'compiled'), { recursive: true });
 });

@@ -7,6 +7,7 @@ import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { buildProgram } from '../unit/wasm_js/programs.ts';
+import type { SiteSources } from '../../runtime/wasm_js/site_sources.ts';
 import { addNumpy, addPythonFiles, describePython, type PythonNode } from '../support/python_nodes.ts';
 import { splitNames } from '../unit/wasm_js/site_fixture.ts';
 
@@ -23,6 +24,8 @@ export interface PythonPart {
   readonly nodes: readonly PythonNode[];
   /** Folder -> place in the installation. */
   readonly packages: Readonly<Record<string, string>>;
+  /** Those of them that the page shows. */
+  readonly sources?: SiteSources['files'];
 }
 
 /** A temporary folder with a whole site. `more`: further files; `ui`: as in the manifest. */
@@ -69,6 +72,7 @@ export function makeSite(
   writeFileSync(join(folder, 'site.json'), JSON.stringify({
     schema: 1, protocol: 1, generator: 'test', name: 'test', title: 'A test', version: '1', distro: 'jazzy',
     license: 'Apache-2.0', authors: [], nodes: described, ui, files,
+    ...(python?.sources === undefined ? {} : { sources: { archive: 'python/packages.zip', files: python.sources } }),
   }));
   return folder;
 }

@@ -1,4 +1,4 @@
-"""make_archive.py OUT.zip [FOLDER=PLACE]...: packs folders as they lie in an installation. For tests."""
+"""make_archive.py OUT.zip [FOLDER=PLACE]...: packs folders as they lie in an installation, stored as `pack` does. For tests."""
 from __future__ import annotations
 
 import sys
@@ -11,13 +11,12 @@ WHEN = (1980, 1, 1, 0, 0, 0)
 
 def main(arguments: list[str]) -> None:
     out, *pairs = arguments
-    with zipfile.ZipFile(out, 'w', zipfile.ZIP_DEFLATED) as archive:
+    with zipfile.ZipFile(out, 'w') as archive:
         for pair in pairs:
             source, place = pair.split('=')
             for file in sorted(Path(source).rglob('*')):
                 if file.is_file() and '__pycache__' not in file.parts:
                     info = zipfile.ZipInfo(f'{place}/{file.relative_to(source)}', WHEN)
-                    info.compress_type = zipfile.ZIP_DEFLATED
                     archive.writestr(info, file.read_bytes())
 
 

@@ -21,7 +21,15 @@ export function siteReport(session: Session, userAgent: string, isolated: boolea
     `browser: ${userAgent}`,
     'nodes:',
     ...nodes,
+    ...changedSources(session),
     `topics: ${session.topics().length}`,
     '',
   ].join('\n');
+}
+
+/** What this browser changed of the packed sources: a fault may be theirs. */
+function changedSources({ sources }: Session): readonly string[] {
+  const changed = (sources?.list() ?? []).filter(({ state }) => state === 'changed');
+  const lines = changed.map(({ file, sha256, changedSha256 }) => `  ${file}: packed sha256 ${sha256}, here ${changedSha256 ?? ''}`);
+  return lines.length === 0 ? [] : ['changed sources:', ...lines];
 }

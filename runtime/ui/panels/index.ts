@@ -101,6 +101,13 @@ export const panels: readonly PanelRow[] = [
     source: { kind: 'lazy', load: () => import('./teleop.tsx').then((file) => file.TeleopPanel) },
   },
   {
+    id: 'source',
+    title: texts.panels.source,
+    icon: 'code',
+    keeps: true,
+    source: { kind: 'lazy', load: () => import('./source.tsx').then((file) => file.SourcePanel) },
+  },
+  {
     id: 'text',
     title: texts.panels.text,
     icon: 'text',

@@ -1,5 +1,6 @@
 // The nodes of the workspace in launch order: state, run control, where each was declared.
 
+import { useContext } from 'preact/hooks';
 import type { NodeView } from '../../wasm_js/session.ts';
 import { placeText } from '../model/problem.ts';
 import { formatDuration } from '../model/quantities.ts';
@@ -8,6 +9,7 @@ import { LaunchForm } from '../parts/launch_form.tsx';
 import { isAlive, StateBadge } from '../parts/node_state.tsx';
 import { Name } from '../parts/name.tsx';
 import { PanelFrame } from '../parts/panel.tsx';
+import { SourceLinksContext } from '../parts/source_links.ts';
 import { ProblemView } from '../parts/problem_view.tsx';
 import { useNodes, useNow } from '../parts/watch.ts';
 import { texts } from '../texts.ts';
@@ -59,6 +61,11 @@ function NodeRow({ node, now, focused, onFocus, session, announce }: NodeRowProp
     node.state.kind === 'running' && node.startedAt !== undefined
       ? formatDuration(now - node.startedAt)
       : null;
+  const links = useContext(SourceLinksContext);
+  const filesOf = (paths: readonly string[] = []): string[] => paths.flatMap((path) => links?.fileOf(path) ?? []);
+  // What stands for a package is not what people want to see.
+  const main = filesOf(node.usedSources).find((file) => !file.endsWith('/__init__.py'));
+  const changed = filesOf(node.changedSources);
   return (
     <li class={`node ${focused ? 'node-focused' : ''}`}>
       <div class="node-head">
@@ -90,10 +97,23 @@ function NodeRow({ node, now, focused, onFocus, session, announce }: NodeRowProp
             label={texts.nodes.restart(node.label)}
             onClick={() => session.restart(node.id)}
           />
+          {main === undefined ? null : (
+            <IconButton icon="code" label={texts.nodes.source(node.label)} onClick={() => links?.open(main)} />
+          )}
         </div>
       </div>
       <p class="node-state">
         <StateBadge state={node.state} />
+        {changed[0] === undefined ? null : (
+          <button
+            type="button"
+            class="node-changed"
+            title={texts.nodes.changedLong(changed)}
+            onClick={() => links?.open(changed[0] ?? '')}
+          >
+            {texts.nodes.changed}
+          </button>
+        )}
         {node.elsewhere === undefined || node.elsewhere.length === 0 ? null : (
           <span class="node-time">{texts.tabs.elsewhere(node.elsewhere)}</span>
         )}

@@ -9,6 +9,7 @@ import type { DisplayLine } from '../model/log_line.ts';
 import { formatCount } from '../model/quantities.ts';
 import { texts } from '../texts.ts';
 import { Icon } from './icon.tsx';
+import { PlaceText } from './place_text.tsx';
 
 export interface LineScrollerProps {
   readonly list: LineList;
@@ -179,6 +180,7 @@ class Line extends Component<{ readonly line: DisplayLine }> {
         {line.parts === null
           ? (line.spans ?? []).map((span) => {
               const classes = styleClasses(span.style);
+              if (classes === '' && span.text.includes('File "/ros/')) return <PlaceText text={span.text} />;
               return classes === '' ? span.text : <span class={classes}>{span.text}</span>;
             })
           : [

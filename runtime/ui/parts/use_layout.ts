@@ -14,6 +14,7 @@ import { readText, writePreference } from '../model/preferences.ts';
 import type { Store } from '../model/preferences.ts';
 import { panelRow, usualLayout } from '../panels/index.ts';
 import { texts } from '../texts.ts';
+import { changedFiles } from './source_links.ts';
 
 export interface LayoutControl {
   readonly layout: Layout;
@@ -35,6 +36,7 @@ export interface LayoutControl {
 }
 
 const kMostState = 8_192;
+const kMostNamed = 200;
 
 export function useLayout(
   session: Session,
@@ -59,7 +61,7 @@ export function useLayout(
   );
   const latest = useRef(layout);
   latest.current = layout;
-  const { notice, dismiss } = useLinkNotice(setChosen);
+  const { notice, dismiss } = useLinkNotice(session, setChosen);
 
   const change = useCallback(
     (next: (layout: Layout) => Layout): void => {
@@ -74,7 +76,7 @@ export function useLayout(
       setChosen(changed);
       writePreference(store, name, JSON.stringify(writeLayout(changed)));
       // From now on a reload shows the visitor's layout, not the link's.
-      if (readFragment(location.hash).has('layout')) setFragment({ layout: null, site: null });
+      if (readFragment(location.hash).has('layout')) setFragment({ layout: null, site: null, changed: null });
     },
     [store, name],
   );
@@ -141,15 +143,17 @@ export function useLayout(
       reset: () => {
         setChosen(null);
         writePreference(store, name, '');
-        setFragment({ layout: null, site: null });
+        setFragment({ layout: null, site: null, changed: null });
       },
       link: async () => {
         const site = await siteHash();
-        setFragment({ site, layout: JSON.stringify(writeLayout(latest.current)) });
+        const files = changedFiles(session);
+        const changed = files.length === 0 ? null : files.join('\n');
+        setFragment({ site, changed, layout: JSON.stringify(writeLayout(latest.current)) });
         return location.href;
       },
     };
-  }, [layout, notice, change, announce]);
+  }, [session, layout, notice, change, announce]);
 }
 
 const kNothing: Layout = { root: layouts.makeGroup('pane-1', []), front: '' };
@@ -168,7 +172,7 @@ function setFragment(fields: Readonly<Record<string, string | null>>): void {
 }
 
 /** Follows the address: a link that is opened in this very tab changes its fragment only. */
-function useLinkNotice(apply: (layout: Layout) => void): {
+function useLinkNotice(session: Session, apply: (layout: Layout) => void): {
   readonly notice: string;
   readonly dismiss: () => void;
 } {
@@ -181,6 +185,9 @@ function useLinkNotice(apply: (layout: Layout) => void): {
       const parts: string[] = [];
       if (fields.has('layout') && found.layout === null) parts.push(texts.layout.linkBroken);
       if (found.leftOut.length > 0) parts.push(texts.layout.linkLeftOut(found.leftOut));
+      const own = new Set(changedFiles(session));
+      const foreign = (fields.get('changed') ?? '').split('\n').filter((file) => file !== '' && !own.has(file));
+      if (foreign.length > 0) parts.push(texts.layout.linkChanged(foreign.join(', ').slice(0, kMostNamed)));
       setNotice(parts.join(' '));
       const site = fields.get('site');
       if (site === null) return;

@@ -16,6 +16,7 @@ import type {
   SiteDescription,
   SiteNode,
   SiteTime,
+  Sources,
   TimeView,
   TabView,
   TopicView,
@@ -156,6 +157,7 @@ export class FakeSession implements Session {
   readonly time = new FakeTime();
   checks: SiteChecks | undefined;
   readonly stepped = undefined;
+  sources: Sources | undefined;
   private joined: TabView | undefined;
   readonly site: SiteDescription;
   readonly link: LinkKind;

@@ -80,11 +80,11 @@ async function runScript(script: string, listed: readonly SiteFile[] = []): Prom
       stepped: false, input: {},
     } as unknown as ProgramHost;
     const module = await WebAssembly.compile(readFileSync(`${pyodide}pyodide.asm.wasm`));
-    const start = { base: `${folder}/`, home: '', archives: ['all.zip'], entry: 'lib/test/script', image: undefined, parts: { found: new Map(), listed } };
+    const start = { base: `${folder}/`, home: '', archives: ['all.zip'], entry: 'lib/test/script', image: undefined, sources: undefined, parts: { found: new Map(), listed } };
     const end = await runPython(module, start, host, {
       pyodide: async () => (options) => loadPyodide({ ...options, indexURL: pyodide }),
       bytes: async (place) => Uint8Array.from(readFileSync(place)),
-    }, () => assert.fail('there is no image'));
+    }, { broken: () => assert.fail('there is no image'), read: () => undefined });
     waits.close();
     return { end, lines };
   } finally {

@@ -1,0 +1,50 @@
+// The Python files of the workspace in a site, as the page sees them: what was packed, and what the visitor made of it.
+// Types only; source_files.ts has them.
+
+/** A Python file of the workspace, as site.json has it. */
+export interface SiteSource {
+  /** In the installation that nodes see. */
+  readonly path: string;
+  /** In the workspace. */
+  readonly file: string;
+  /** As it was packed. */
+  readonly sha256: string;
+}
+
+export interface SiteSources {
+  /** Path of the zip file with the bytes, relative to site.json. */
+  readonly archive: string;
+  readonly files: readonly SiteSource[];
+}
+
+export interface SourceView extends SiteSource {
+  /** "outdated": the visitor's text was made of another version of the file, and no node gets it. */
+  readonly state: 'packed' | 'changed' | 'outdated';
+  /** Of the visitor's text, when there is one. */
+  readonly changedSha256?: string;
+}
+
+/** "visit": only until the page is closed, as the browser keeps nothing. "too_long": not at all. */
+export type SourceKept = 'kept' | 'visit' | 'too_long';
+
+/** What the visitor changes is for this browser and this site only. Nodes get it when they start. */
+export interface Sources {
+  /** As the workspace names them, sorted. */
+  list(): readonly SourceView[];
+  /** The text that was packed. Rejects with a SiteError. */
+  packed(path: string): Promise<string>;
+  /** The visitor's text, also an outdated one; undefined: there is none. */
+  changed(path: string): string | undefined;
+  /** undefined: as it was packed. */
+  change(path: string, text: string | undefined): SourceKept;
+  /** Called after each change, also by another tab. */
+  onChange(listener: () => void): () => void;
+}
+
+/** What a worker is told of them. */
+export interface SourceStart {
+  /** Of all of them it tells when the program reads one. */
+  readonly watched: readonly string[];
+  /** Those that are to be other than packed. */
+  readonly changed: ReadonlyMap<string, string>;
+}

@@ -1,0 +1,225 @@
+// Sources of Python nodes in Chromium, on a real site: read, changed, applied by a restart, kept over a reload, reset;
+// tracebacks that lead there; on both links.
+
+import assert from 'node:assert/strict';
+import { createHash } from 'node:crypto';
+import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { dirname, join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { type Browser, chromium, type Page } from 'playwright-core';
+import { type StaticServer, serveFolder } from '../support/static_server.ts';
+import { chromiumOptions } from './chromium.ts';
+import { expectAccessible } from './page_stage.ts';
+import { makeSite } from './runtime_site.ts';
+
+const kOutput = fileURLToPath(new URL('../output', import.meta.url));
+const watchdog = { timeout: 240_000 };
+const sitePackages = 'lib/python3.12/site-packages';
+const words = 'def greeting():\n    return "packed words"\n';
+const talk = `import rclpy
+from std_msgs.msg import String
+from lab_py.words import greeting
+
+
+def main():
+    rclpy.init()
+    node = rclpy.create_node('talker')
+    out = node.create_publisher(String, 'chatter', 10)
+    node.create_timer(0.2, lambda: out.publish(String(data=greeting())))
+    rclpy.spin(node)
+
+
+main()
+`;
+const hear = `import rclpy
+from std_msgs.msg import String
+
+rclpy.init()
+node = rclpy.create_node('listener')
+node.create_subscription(String, 'chatter', lambda message: print('heard', message.data), 10)
+rclpy.spin(node)
+`;
+const files: readonly (readonly [installed: string, file: string, text: string])[] = [
+  [`${sitePackages}/lab_py/words.py`, 'src/lab_py/lab_py/words.py', words],
+  ['lib/lab_py/talk.py', 'src/lab_py/scripts/talk.py', talk],
+  ['lib/lab_py/hear.py', 'src/lab_py/scripts/hear.py', hear],
+  ['lib/lab_py/odd.py', 'src/<img src=x onerror="document.title=\'owned\'">/o"dd.py', '# </style><script>document.title = "owned"</script>\n'],
+];
+let installed = '';
+let site = '';
+let browser: Browser | undefined;
+const hosts: StaticServer[] = [];
+
+before(async () => {
+  installed = mkdtempSync(join(tmpdir(), 'ros2wasm-lab-'));
+  for (const [path, , text] of files) {
+    mkdirSync(dirname(join(installed, path)), { recursive: true });
+    writeFileSync(join(installed, path), text);
+  }
+  site = makeSite([], {}, {}, {
+    nodes: ['talk', 'hear'].map((name) => ({ entry: `lib/lab_py/${name}.py`, executable: name })),
+    packages: { [join(installed, 'lib')]: 'lib' },
+    sources: files.map(([path, file, text]) => ({ path, file, sha256: createHash('sha256').update(text).digest('hex') })),
+  });
+  browser = await chromium.launch(chromiumOptions());
+  mkdirSync(kOutput, { recursive: true });
+});
+
+after(async () => {
+  await browser?.close();
+  for (const host of hosts) await host.close();
+  for (const folder of [installed, site]) if (folder !== '') rmSync(folder, { recursive: true });
+});
+
+/** A visit that fails on any complaint of the browser, its policy's too. */
+async function visit(isolated: boolean, state: object, use: (page: Page, address: string) => Promise<void>): Promise<void> {
+  assert.ok(browser);
+  const host = await serveFolder(site, { isolated });
+  hosts.push(host);
+  const context = await browser.newContext({ serviceWorkers: 'block', viewport: { width: 1280, height: 800 }, permissions: ['clipboard-read', 'clipboard-write'] });
+  try {
+    const page = await context.newPage();
+    page.setDefaultTimeout(100_000);
+    const troubles: string[] = [];
+    page.on('console', (message) => {
+      if (/^(error|warning)$/.test(message.type()) && !message.text().startsWith('Service Worker registration blocked')) troubles.push(message.text());
+    });
+    page.on('pageerror', (error) => troubles.push(error.message));
+    const layout = { row: ['nodes', { column: [{ source: state }, 'console'] }], sizes: [1, 3] };
+    const address = `${host.url}#layout=${encodeURIComponent(JSON.stringify(layout))}`;
+    await page.goto(address);
+    await use(page, address);
+    assert.deepEqual(troubles, []);
+    assert.notEqual(await page.title(), 'owned');
+  } finally {
+    await context.close();
+  }
+}
+
+const consoleOf = (page: Page, name: string) => page.getByRole('log', { name: new RegExp(name) });
+const editorOf = (page: Page) => page.getByRole('textbox', { name: /^Source of/ });
+
+/** Types over the whole text. */
+async function write(page: Page, text: string): Promise<void> {
+  await editorOf(page).click();
+  await page.keyboard.press('Control+a');
+  await page.keyboard.insertText(text);
+}
+
+for (const [link, isolated] of [['shared', true], ['port', false]] as const) {
+  // Works: the source of a Python node is changed in the page and runs at once, is kept by the browser, and reset
+  test(`what is changed is what runs, until it is reset, ${link} link`, watchdog, () => visit(isolated, { file: 'words.py' }, async (page) => {
+    await consoleOf(page, 'hear').getByText('heard packed words').first().waitFor();
+    await editorOf(page).getByText('packed words').waitFor();
+    await page.getByText('/talk runs it as packed.').waitFor();
+    await write(page, words.replace('packed', 'my own'));
+    await page.keyboard.press('Control+s');
+    await consoleOf(page, 'hear').getByText('heard my own words').first().waitFor();
+    await page.getByText('/talk runs it changed.').waitFor();
+    const badge = page.getByRole('button', { name: 'changed', exact: true });
+    assert.match(await badge.getAttribute('title') ?? '', /src\/lab_py\/lab_py\/words\.py$/);
+    assert.equal(await badge.count(), 1);
+
+    await page.reload();
+    await consoleOf(page, 'hear').getByText('heard my own words').first().waitFor();
+    assert.equal(await consoleOf(page, 'hear').getByText('heard packed words').count(), 0);
+    await editorOf(page).getByText('my own words').waitFor();
+    await page.getByRole('button', { name: 'Copy as patch' }).click();
+    assert.equal(await page.evaluate(() => navigator.clipboard.readText()), [
+      '--- a/src/lab_py/lab_py/words.py', '+++ b/src/lab_py/lab_py/words.py', '@@ -1,2 +1,2 @@', ' def greeting():',
+      '-    return "packed words"', '+    return "my own words"', '',
+    ].join('\n'));
+    await page.getByRole('button', { name: 'About this page', exact: true }).click();
+    await page.getByRole('button', { name: 'report' }).click();
+    const hash = (text: string): string => createHash('sha256').update(text).digest('hex');
+    const report = await page.evaluate(() => navigator.clipboard.readText());
+    assert.ok(report.includes(`changed sources:\n  src/lab_py/lab_py/words.py: packed sha256 ${hash(words)}, here ${hash(words.replace('packed', 'my own'))}\n`), report);
+    await page.keyboard.press('Escape');
+
+    await page.getByRole('button', { name: 'Reset' }).click();
+    await page.getByText('/talk runs it as packed.').waitFor();
+    await page.waitForFunction(() => (document.querySelector('[aria-label*="hear"][role="log"]')?.textContent ?? '').endsWith('heard packed words'));
+    assert.equal(await badge.count(), 0);
+  }));
+}
+
+// Works: a place in a Python traceback in a console leads to its line of the source
+test('an error shows as natively, its place leads to the line, and the mended file starts the node again', watchdog, () =>
+  visit(true, { file: 'talk.py' }, async (page) => {
+    await consoleOf(page, 'hear').getByText('heard packed words').first().waitFor();
+    await page.getByRole('combobox', { name: 'File' }).selectOption('src/lab_py/lab_py/words.py');
+    await editorOf(page).getByText('packed words').waitFor();
+    await write(page, 'def greeting()\n    return 1\n');
+    await page.getByRole('button', { name: 'Apply and restart' }).click();
+    const talk = consoleOf(page, 'talk');
+    await talk.getByText('SyntaxError: expected \':\'').waitFor();
+    await talk.getByText(/^ +def greeting\(\)$/).waitFor();
+    // The other file of the traceback.
+    await talk.getByRole('button', { name: 'File "/ros/lib/lab_py/talk.py", line 3' }).click();
+    await page.getByRole('textbox', { name: 'Source of src/lab_py/scripts/talk.py' }).waitFor();
+    await page.waitForFunction(() => {
+      const root = document.querySelector('.source-editor')?.shadowRoot;
+      return root?.activeElement !== null && root?.querySelector('.cm-activeLine')?.textContent === 'from lab_py.words import greeting';
+    });
+    await talk.getByRole('button', { name: /words\.py", line 1$/ }).click();
+    await page.getByRole('textbox', { name: /words\.py/ }).waitFor();
+    await write(page, words.replace('packed', 'mended'));
+    await page.keyboard.press('Control+s');
+    await consoleOf(page, 'hear').getByText('heard mended words').first().waitFor();
+    // An exception while it runs.
+    await write(page, 'def greeting():\n    return 1 / 0\n');
+    await page.keyboard.press('Control+s');
+    await talk.getByText('ZeroDivisionError: division by zero').waitFor();
+    await talk.getByRole('button', { name: /words\.py", line 2$/ }).click();
+    await page.screenshot({ path: join(kOutput, 'source_traceback.png') });
+  }));
+
+test('keyboard, hostile names, links, a narrow page, axe-core in both themes', watchdog, () =>
+  visit(true, { file: 'src/no/such.py' }, async (page, address) => {
+    await page.getByText('This site has no source src/no/such.py.').waitFor();
+    await page.getByRole('combobox', { name: 'File' }).selectOption(files[3]?.[1] ?? '');
+    await editorOf(page).getByText('</style><script>').waitFor();
+    await write(page, 'print("<b>")\n');
+    await page.getByText('Changed:').waitFor();
+    await page.getByText('No node has read this file.').waitFor();
+    // Tab indents, and does not trap.
+    await page.keyboard.press('Tab');
+    await page.keyboard.press('Escape');
+    await page.keyboard.press('Tab');
+    await page.waitForFunction(() => document.activeElement?.classList.contains('source-editor') === false);
+    for (const colorScheme of ['light', 'dark'] as const) {
+      await page.emulateMedia({ colorScheme });
+      await page.screenshot({ path: join(kOutput, `source_${colorScheme}.png`) });
+      await expectAccessible(page);
+    }
+    await page.getByRole('button', { name: 'Layout of the page' }).click();
+    await page.getByRole('menuitem', { name: 'Copy a link to this view' }).click();
+    await page.waitForFunction(() => location.hash.includes('changed='));
+    const link = page.url();
+    // By somebody who has not changed anything.
+    await page.evaluate(() => localStorage.clear());
+    await page.goto('about:blank');
+    await page.goto(link);
+    await page.getByText(/Who made this link had changed sources, which are not in it: src\/<img src=x/).waitFor();
+    await editorOf(page).getByText('</style><script>').waitFor();
+    // What somebody else on the host may have left there.
+    await page.evaluate((path) => {
+      for (const [key, value] of [['lib/lab_py/talk.py', '{"of":1}'], ['lib/lab_py/hear.py', 'no JSON'], [path, '{"of":"another","text":"old"}']] as const) {
+        localStorage.setItem(`ros2wasm.source ${new URL('.', location.href).pathname} ${key}`, value);
+      }
+    }, files[0]?.[0] ?? '');
+    await page.goto('about:blank');
+    await page.goto(address.replace(encodeURIComponent('src/no/such.py'), 'words.py'));
+    await page.getByText('You changed this file when the site had another version of it.').waitFor();
+    await consoleOf(page, 'hear').getByText('heard packed words').first().waitFor();
+    await page.getByRole('button', { name: 'Take my text over' }).click();
+    await editorOf(page).getByText('old', { exact: true }).waitFor();
+    await page.setViewportSize({ width: 320, height: 640 });
+    await page.getByRole('tab', { name: 'Source' }).click();
+    await editorOf(page).getByText('old', { exact: true }).waitFor();
+    await page.screenshot({ path: join(kOutput, 'source_phone.png') });
+    await page.waitForFunction(() => document.documentElement.scrollWidth <= document.documentElement.clientWidth);
+    await expectAccessible(page);
+  }));

@@ -1,5 +1,5 @@
-// Which file of the workspace each installed Python file is. Packages install as they like, so files
-// are known by their bytes. Reads the workspace, writes nothing.
+// Which file of the workspace each installed Python file is. Packages install as they like, so
+// files are known by their bytes. Reads the workspace, writes nothing.
 #pragma once
 
 #include <filesystem>

@@ -109,7 +109,7 @@ async function write(page: Page, text: string): Promise<void> {
 }
 
 for (const [link, isolated] of [['shared', true], ['port', false]] as const) {
-  // Works: the source of a Python node is changed in the page and runs at once, is kept by the browser, and reset
+  // Compatibility, works: the source of a Python node is changed in the page and runs at once, is kept by the browser, and reset
   test(`what is changed is what runs, until it is reset, ${link} link`, watchdog, () => visit(isolated, { file: 'words.py' }, async (page) => {
     await consoleOf(page, 'hear').getByText('heard packed words').first().waitFor();
     await editorOf(page).getByText('packed words').waitFor();
@@ -145,7 +145,7 @@ for (const [link, isolated] of [['shared', true], ['port', false]] as const) {
   }));
 }
 
-// Works: a place in a Python traceback in a console leads to its line of the source
+// Compatibility, works: a place in a Python traceback in a console leads to its line of the source
 test('an error shows as natively, its place leads to the line, and the mended file starts the node again', watchdog, () =>
   visit(true, { file: 'talk.py' }, async (page) => {
     await consoleOf(page, 'hear').getByText('heard packed words').first().waitFor();

@@ -33,7 +33,7 @@ function check(files: readonly ChangedFile[], which = tools): void {
 const lines = (count: number, change: (n: number) => string = (n) => `line ${n}`): string =>
   Array.from({ length: count }, (_, i) => `${change(i)}\n`).join('');
 
-// Works: a patch of the page is taken by `git apply` and `patch -p1`
+// Compatibility, works: a patch of the page is taken by `git apply` and `patch -p1`
 test('changes at the begin, in the middle, at the end; far apart and close together', () => {
   const path = 'src/demo/demo/talker.py';
   const before = lines(60);

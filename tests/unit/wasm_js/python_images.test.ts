@@ -5,7 +5,7 @@ import { test } from 'node:test';
 import type { KeptBytes } from '../../../runtime/wasm_js/kept_bytes.ts';
 import type { WorkerReport } from '../../../runtime/wasm_js/node_worker.ts';
 import type { Platform } from '../../../runtime/wasm_js/platform.ts';
-import { readImage } from '../../../runtime/wasm_js/python_image.ts';
+import { imageVersion, readImage } from '../../../runtime/wasm_js/python_image.ts';
 import { PythonFiles } from '../../../runtime/wasm_js/python_files.ts';
 import { PythonImages } from '../../../runtime/wasm_js/python_images.ts';
 import type { SiteDescription, SiteNode } from '../../../runtime/wasm_js/session.ts';
@@ -171,7 +171,7 @@ test('what is no image is not read', () => {
   assert.throws(() => readImage(new Uint8Array(64).buffer), /no image/);
   const head = new TextEncoder().encode(JSON.stringify({ description: 16, used: 1 << 20, size: 1 << 20, files: [] }));
   const bytes = new Uint8Array(1024);
-  new Uint32Array(bytes.buffer).set([0x494d3252, 1, head.length]);
+  new Uint32Array(bytes.buffer).set([0x494d3252, imageVersion, head.length]);
   bytes.set(head, 12);
   assert.throws(() => readImage(bytes.buffer), RangeError);
 });

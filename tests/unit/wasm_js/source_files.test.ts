@@ -116,6 +116,7 @@ test('what cannot be kept lasts for the visit; what is too long is not taken', (
   assert.equal(sources.change('0.py', `${long.slice(1)}y`), 'kept');
 });
 
+// Guarantee, hostile input: what is in the browser's storage for changed sources, and broken archives of sources
 test('what others left in the storage is no change', () => {
   const hash = hashOf(files['a.py'] ?? '');
   for (const raw of ['', 'x', 'null', '[]', '{"of":1,"text":"x"}', `{"of":"${hash}","text":1}`, `{"of":"${hash}"}`, JSON.stringify({ of: hash, text: 'x'.repeat(mostOfFile + 1) })]) {

@@ -19,10 +19,10 @@ TEST(PythonSources, AreFoundByNameAndBytes) {
   tree.write("beside/extra/extra.py", "beside");
   const std::string modules = std::string(kPythonModules) + "/demo/";
   const PythonFiles installed = {
-      {modules + "talker.py", "talk"},     {modules + "__init__.py", ""},
-      {modules + "other.py", "built"},     {modules + "extra.py", "beside"},
-      {"lib/demo/judge.py", "judge"},      {"lib/demo/run", "#!/usr/bin/env python3\n"},
-      {"lib/demo/notes", "no program"},    {"lib/demo/talker", "#!python\nmade of an entry point"},
+      {modules + "talker.py", "talk"},  {modules + "__init__.py", ""},
+      {modules + "other.py", "built"},  {modules + "extra.py", "beside"},
+      {"lib/demo/judge.py", "judge"},   {"lib/demo/run", "#!/usr/bin/env python3\n"},
+      {"lib/demo/notes", "no program"}, {"lib/demo/talker", "#!python\nmade of an entry point"},
   };
   const PythonSources expected = {
       {modules + "talker.py", "src/demo/demo/talker.py"},
@@ -30,8 +30,9 @@ TEST(PythonSources, AreFoundByNameAndBytes) {
       {"lib/demo/judge.py", "src/demo/scripts/judge.py"},
       {"lib/demo/run", "src/demo/scripts/run"},
   };
-  EXPECT_EQ(python_sources(installed, {tree / "work/src/demo", tree / "beside/extra"}, tree / "work"),
-            expected);
+  EXPECT_EQ(
+      python_sources(installed, {tree / "work/src/demo", tree / "beside/extra"}, tree / "work"),
+      expected);
 }
 
 TEST(PythonSources, OfSeveralAlikeTheOneWhosePathAgreesLongest) {

@@ -26,7 +26,7 @@
 #include "bundler/plan/shipped_channel.hpp"
 #include "bundler/python_nodes.hpp"
 #include "bundler/resolve/locked_solve.hpp"
-#include "bundler/run/node_js.hpp"
+#include "bundler/site_components.hpp"
 #include "bundler/store/build_place.hpp"
 #include "bundler/store/environment.hpp"
 #include "bundler/store/link_scripts.hpp"
@@ -305,21 +305,6 @@ bool reads_setup_py(const LocalPackage& package) {
   return package.xml.build_type == kPythonBuildType;
 }
 
-/// What reads setup.py files.
-Outcome<Done> add_python_tools(const PackRequest& request, BuildTools& tools,
-                               const Cancellation& cancellation) {
-  const auto path = request.variables.find("PATH");
-  auto node = find_node_js(request.executable, path == request.variables.end() ? "" : path->second,
-                           cancellation);
-  if (!node) return std::move(node).errors();
-  const auto templates =
-      find_own_data(request.executable, "templates/python", "the reader of setup.py files");
-  if (!templates) return templates.errors();
-  tools.node_js = std::move(*node);
-  tools.python_templates = fs::canonical(*templates);
-  return Done{};
-}
-
 std::string build_remark(const std::vector<BuiltPackage>& packages) {
   std::vector<std::string> fresh;
   for (const BuiltPackage& one : packages) {
@@ -419,6 +404,7 @@ Outcome<SitePlan> plan(const PackRequest& request, BuiltWorkspace& workspace, La
                   .packages = {},
                   .python = {},
                   .python_index = {},
+                  .components = {},
                   .text = {},
                   .bags = {}};
   auto page = read_page_files(workspace.folder, workspace.manifest);
@@ -427,6 +413,9 @@ Outcome<SitePlan> plan(const PackRequest& request, BuiltWorkspace& workspace, La
     for (const PageFile& file : *files) workspace.watched.push_back(workspace.folder / file.path);
   input.text = std::move(page->text);
   input.bags = std::move(page->bags);
+  auto components = with_runtime_components(input.runtime, std::move(workspace.components));
+  if (!components) return std::move(components).errors();
+  input.components = std::move(*components);
   const auto read = [&](const std::vector<LaunchNode>& nodes) {
     return read_programs(request, workspace, nodes, input, cancellation);
   };
@@ -519,7 +508,7 @@ Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& ca
                                    cancellation, progress);
   if (!linked) return linked.errors();
 
-  // 6. what is installed now
+  // 6. what is installed now, and under which licenses
   workspace->installed = all_installed(workspace->packages, environment->prefix);
   for (InstalledPackage& package : workspace->installed) {
     for (InstalledProgram& program : package.programs) {
@@ -527,6 +516,8 @@ Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& ca
       if (found != linked->end()) program.file = found->second;
     }
   }
+  workspace->components = site_components(*records, store, workspace->wheels, question->packages,
+                                          workspace->left_out, workspace->folder);
   return std::move(*workspace);
 }
 

@@ -46,10 +46,11 @@ struct BuiltWorkspace {
   std::filesystem::path shown_folder;      ///< the same as the person named it
   std::vector<BuiltPackage> packages;      ///< of the workspace, in build order
   std::vector<InstalledPackage>
-      installed;                      ///< of workspace and channels; the workspace comes first
-  std::filesystem::path environment;  ///< the prefix with the packages of the channels
-  std::vector<NamedWheel> wheels;     ///< of the manifest, sorted by project
-  std::vector<ChannelFile> channel;   ///< what lies beside the site, if it was asked for
+      installed;                          ///< of workspace and channels; the workspace comes first
+  std::filesystem::path environment;      ///< the prefix with the packages of the channels
+  std::vector<NamedWheel> wheels;         ///< of the manifest, sorted by project
+  std::vector<SiteComponent> components;  ///< those packages and the built ones, with licenses
+  std::vector<ChannelFile> channel;       ///< what lies beside the site, if it was asked for
   std::vector<std::filesystem::path> watched;  ///< files and folders that a rebuild depends on
   std::filesystem::path cache;
   Diagnostics warnings;

@@ -6,7 +6,9 @@
 #include <tuple>
 
 #include "bundler/io/files.hpp"
+#include "bundler/io/installation.hpp"
 #include "bundler/launch/import_check.hpp"
+#include "bundler/run/node_js.hpp"
 #include "bundler/workspace/discovery.hpp"
 #include "bundler/workspace/python_sources.hpp"
 
@@ -139,6 +141,20 @@ Outcome<Done> add_python(BuiltWorkspace& workspace, PlanInput& input) {
   input.python = std::move(*python);
   for (const InstalledPackage& package : workspace.installed)
     input.python_index.push_back(package.name);
+  return Done{};
+}
+
+Outcome<Done> add_python_tools(const PackRequest& request, BuildTools& tools,
+                               const Cancellation& cancellation) {
+  const auto path = request.variables.find("PATH");
+  auto node = find_node_js(request.executable, path == request.variables.end() ? "" : path->second,
+                           cancellation);
+  if (!node) return std::move(node).errors();
+  const auto templates =
+      find_own_data(request.executable, "templates/python", "the reader of setup.py files");
+  if (!templates) return templates.errors();
+  tools.node_js = std::move(*node);
+  tools.python_templates = fs::canonical(*templates);
   return Done{};
 }
 

@@ -15,4 +15,8 @@ namespace ros2wasm {
 /// `compiled_modules`.
 [[nodiscard]] Outcome<Done> add_python(BuiltWorkspace& workspace, PlanInput& input);
 
+/// What reads setup.py files: Node.js and our script for it.
+[[nodiscard]] Outcome<Done> add_python_tools(const PackRequest& request, BuildTools& tools,
+                                             const Cancellation& cancellation);
+
 }  // namespace ros2wasm

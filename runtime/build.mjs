@@ -8,6 +8,7 @@ import { basename, join, relative, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
 import { build } from 'esbuild';
+import { components, takeInputs } from './components.mjs';
 
 const root = fileURLToPath(new URL('..', import.meta.url));
 
@@ -104,6 +105,7 @@ async function buildShared({ file, from }, out) {
     metafile: true,
   });
   const name = (path) => basename(path);
+  takeInputs(metafile);
   const outputs = new Map(Object.entries(metafile.outputs).map(([path, output]) => [name(path), output]));
   const needed = new Set([file]);
   for (const each of needed) {
@@ -133,13 +135,15 @@ async function buildRow(row, out) {
   }
   const name = row.file.replace(/\.[^.]+$/, '');
   const later = new Map();
-  await build({
+  const { metafile } = await build({
     ...shared,
     ...options[row.kind],
     entryPoints: { [name]: row.from },
     outdir: out,
     plugins: row.kind === 'modules' ? [leanRosmsg, separateImports(later)] : [leanRosmsg],
+    metafile: true,
   });
+  if (row.kind !== 'node') takeInputs(metafile); // headless programs are in no site
   for (const [file, from] of later) {
     if (file === 'mount.js') await buildShared({ file, from }, out);
     else await buildRow({ file, from, kind: row.kind }, out);
@@ -155,8 +159,13 @@ const out = resolve(values.out);
 rmSync(out, { recursive: true, force: true });
 mkdirSync(out, { recursive: true });
 for (const row of rows) await buildRow(row, out);
+writeFileSync(join(out, 'components.json'), `${JSON.stringify(components(root), null, 1)}\n`);
 
-const roles = new Map([...rows.map((row) => [row.file, row.role]), ['launch_evaluation.js', 'launch_script']]);
+const roles = new Map([
+  ...rows.map((row) => [row.file, row.role]),
+  ['launch_evaluation.js', 'launch_script'],
+  ['components.json', 'components'],
+]);
 const assets = readdirSync(out)
   .sort()
   .map((file) => {

@@ -33,6 +33,15 @@ struct Author {
   std::string affiliation;  ///< may be empty
 };
 
+/// How the site is cited, beside its title, version, authors and license.
+struct Citation {
+  std::string date_released;  ///< `2026-11-23`
+  std::string doi;            ///< `10.5281/zenodo.1234`; may be empty
+  std::string repository;     ///< https address of the sources; may be empty
+  std::string abstract;       ///< may be empty
+  std::vector<std::string> keywords;
+};
+
 /// Other places of a channel, asked before it.
 struct MirrorEntry {
   Spanned<std::string> channel;
@@ -143,6 +152,7 @@ struct Manifest {
   std::string version;
   std::vector<Author> authors;
   std::string license;
+  std::optional<Citation> citation;
   std::string distro = "jazzy";
   std::vector<Spanned<std::string>> channels;  ///< empty: the embedded channel
   ChannelPriority channel_priority = ChannelPriority::kStrict;

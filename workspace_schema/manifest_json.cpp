@@ -141,6 +141,14 @@ std::string manifest_json(const Manifest& manifest) {
   }
   json.end_array();
   json.field("license", manifest.license).field("distro", manifest.distro);
+  if (manifest.citation) {
+    const Citation& citation = *manifest.citation;
+    json.key("citation").begin_object().field("date_released", citation.date_released);
+    json.field("doi", citation.doi).field("repository", citation.repository);
+    json.field("abstract", citation.abstract).key("keywords").begin_array();
+    for (const std::string& keyword : citation.keywords) json.string(keyword);
+    json.end_array().end_object();
+  }
   json.key("channels").begin_array();
   for (const auto& channel : manifest.channels) json.string(with_masked_secrets(channel.value));
   json.end_array();

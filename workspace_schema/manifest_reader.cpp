@@ -7,6 +7,7 @@
 
 #include "workspace_schema/manifest_binding.hpp"
 #include "workspace_schema/manifest_checks.hpp"
+#include "workspace_schema/manifest_citation.hpp"
 #include "workspace_schema/manifest_launch.hpp"
 #include "workspace_schema/manifest_python.hpp"
 #include "workspace_schema/match_spec.hpp"
@@ -53,6 +54,7 @@ const std::vector<KeyRow>& manifest_keys() {
       {"version", {}},
       {"authors", {"author", "maintainers", "maintainer"}},
       {"license", {"licence", "licenses"}},
+      {"citation", {"cite", "cff"}},
       {"distro", {"ros_distro", "ros", "distribution"}},
       {"channels", {"channel", "repositories"}},
       {"channel_priority", {"priority", "channel-priority"}},
@@ -68,17 +70,6 @@ const std::vector<KeyRow>& manifest_keys() {
       {"site", {"output"}},
   };
   return kKeys;
-}
-
-/// `0000-0002-1825-0097`; the last may be X.
-bool is_orcid(std::string_view text) {
-  if (text.size() != 19) return false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool digit = text[i] >= '0' && text[i] <= '9';
-    const bool good = i % 5 == 4 ? text[i] == '-' : digit || (i == 18 && text[i] == 'X');
-    if (!good) return false;
-  }
-  return true;
 }
 
 /// False when the manifest follows a schema of the future: nothing else of it can be judged then.
@@ -126,8 +117,13 @@ class Reader {
     if (const YamlNode* node = given("license"))
       keep(binder_.line(*node, "license"), manifest_.license);
     if (const YamlNode* node = given("authors")) {
-      binder_.list(*node, "authors", [this](const YamlNode& item) { read_author(item); });
+      binder_.list(*node, "authors", [this](const YamlNode& item) {
+        if (auto author = read_author(binder_, item))
+          manifest_.authors.push_back(*std::move(author));
+      });
     }
+    if (const YamlNode* node = given("citation"))
+      manifest_.citation = read_citation(binder_, *node, root_);
     if (const YamlNode* node = given("distro")) read_distro(*node);
     read_lists();
     if (const YamlNode* node = given("python")) read_python(binder_, *node, manifest_);
@@ -173,56 +169,6 @@ class Reader {
     }
     if (auto name = binder_.name(*node, "name", workspace_name_fault))
       manifest_.name = *std::move(name);
-  }
-
-  void read_author(const YamlNode& node) {
-    static const std::vector<KeyRow> kKeys{
-        {"name", {}}, {"email", {"mail", "e-mail"}}, {"orcid", {}}, {"affiliation", {}}};
-    Author author;
-    if (node.kind == YamlKind::kScalar) {
-      const auto text = binder_.line(node, "an item of `authors`");
-      if (!text) return;
-      const std::size_t open = text->value.find('<');
-      const std::size_t close = text->value.rfind('>');
-      if (open != std::string::npos && close != std::string::npos && close > open) {
-        author.email = text->value.substr(open + 1, close - open - 1);
-        author.name = text->value.substr(0, text->value.find_last_not_of(" <", open) + 1);
-      } else {
-        author.name = text->value;
-      }
-      manifest_.authors.push_back(std::move(author));
-      return;
-    }
-    if (!binder_.mapping(node, "an author", kKeys)) {
-      binder_.wrong_type(node, "an item of `authors`", "a name, or a mapping with `name`");
-      return;
-    }
-    const YamlNode* name = value_of(node, "name");
-    if (name == nullptr) binder_.missing(node, "an author", "name");
-    if (name != nullptr) keep(binder_.line(*name, "name"), author.name);
-    if (const YamlNode* email = value_of(node, "email"))
-      keep(binder_.line(*email, "email"), author.email);
-    if (const YamlNode* place = value_of(node, "affiliation")) {
-      keep(binder_.line(*place, "affiliation"), author.affiliation);
-    }
-    if (const YamlNode* orcid = value_of(node, "orcid")) read_orcid(*orcid, author);
-    manifest_.authors.push_back(std::move(author));
-  }
-
-  void read_orcid(const YamlNode& node, Author& author) {
-    auto text = binder_.text(node, "orcid", is_orcid, "an ORCID iD such as 0000-0002-1825-0097");
-    if (!text) return;
-    if (is_orcid(text->value)) {
-      author.orcid = std::move(text->value);
-      return;
-    }
-    Diagnostic& wrong =
-        binder_.error("R2W0103", "`" + text->value + "` is not an ORCID iD", node.range,
-                      "four groups of four, such as 0000-0002-1825-0097");
-    const std::size_t slash = text->value.rfind('/');
-    if (slash != std::string::npos && is_orcid(std::string_view(text->value).substr(slash + 1))) {
-      wrong.fix.push_back("write `orcid: " + text->value.substr(slash + 1) + "`");
-    }
   }
 
   void read_distro(const YamlNode& node) {

@@ -1,8 +1,12 @@
 // See runtime_assets.hpp.
 #include "bundler/plan/runtime_assets.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 #include "bundler/io/files.hpp"
 #include "bundler/io/sha256.hpp"
+#include "bundler/plan/site_component.hpp"
 #include "workspace_schema/json_reader.hpp"
 
 namespace ros2wasm {
@@ -44,6 +48,40 @@ Outcome<std::vector<RuntimeAsset>> read_runtime_assets(const std::filesystem::pa
   }
   if (!errors.empty()) return errors;
   return result;
+}
+
+Outcome<std::vector<SiteComponent>> with_runtime_components(const std::vector<RuntimeAsset>& assets,
+                                                            std::vector<SiteComponent> others) {
+  for (const RuntimeAsset& asset : assets) {
+    if (asset.role != kComponentsRole) continue;
+    const auto json = parse_json(asset.bytes, asset.file, "R2W0604");
+    if (!json) return json.errors();
+    std::vector<SiteComponent> components;
+    for (const JsonValue& item : json->items()) {
+      const std::string name = item.text_of("name");
+      const std::string version = item.text_of("version");
+      const std::string type = item.text_of("type");
+      SiteComponent component{.kind = type == "npm" ? ComponentKind::kNpm : ComponentKind::kGeneric,
+                              .name = name,
+                              .version = version,
+                              .licenses = {item.text_of("license")},
+                              .sha256 = {},
+                              .address = {},
+                              .purl = "pkg:" + type + "/" +
+                                      (name.starts_with('@') ? "%40" + name.substr(1) : name) +
+                                      "@" + version,
+                              .texts = {}};
+      if (const JsonValue* texts = item.find("texts")) {
+        for (const JsonValue& text : texts->items())
+          if (const std::string* words = text.string()) component.texts.push_back(*words);
+      }
+      components.push_back(std::move(component));
+    }
+    if (components.empty()) break;
+    std::move(others.begin(), others.end(), std::back_inserter(components));
+    return components;
+  }
+  return damaged("runtime_assets.json", "it does not say what it is made of");
 }
 
 }  // namespace ros2wasm

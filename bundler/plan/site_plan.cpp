@@ -7,8 +7,11 @@
 
 #include "bundler/build/wasm_module.hpp"
 #include "bundler/io/sha256.hpp"
+#include "bundler/plan/runtime_assets.hpp"
 #include "bundler/plan/site_checks.hpp"
+#include "bundler/render/citation.hpp"
 #include "bundler/render/interfaces_json.hpp"
+#include "bundler/render/license_list.hpp"
 #include "bundler/render/packed_launch_json.hpp"
 #include "bundler/render/page_html.hpp"
 #include "bundler/render/site_json.hpp"
@@ -26,6 +29,7 @@ constexpr std::string_view kLaunchRole = "launch_evaluator";
 constexpr std::string_view kLaunchScriptRole = "launch_script";
 constexpr std::string_view kPageRole = "page";
 constexpr const char* kLaunchData = "launch.json";
+constexpr const char* kSiteJsonReason = "what runs in the site";
 
 bool is_python(const LaunchNode& node) {
   return node.kind == ProgramKind::kPython;
@@ -55,6 +59,31 @@ std::string reason_of_program(const std::vector<LaunchNode>& nodes, const Launch
     users += (users.empty() ? "" : ", ") + node.id;
   }
   return "program of " + users;
+}
+
+/// LICENSES.txt and the bill of materials, which are in every site, and what a citation needs.
+void add_metadata(SitePlan& plan, const Manifest& manifest,
+                  const std::vector<SiteComponent>& components) {
+  const std::string content = sha256_hex(hash_list(plan.files));
+  add(plan, "LICENSES.txt", "licenses of all that is in the site",
+      license_list(manifest, components));
+  add(plan, "sbom.spdx.json", "what the site is made of, for machines",
+      spdx_document(manifest, components, content));
+  if (!manifest.citation) return;
+  add(plan, "CITATION.cff", "how the site is cited", citation_cff(manifest));
+  std::vector<DescribedFile> files;
+  for (const PlannedFile& file : plan.files) {
+    files.push_back({.path = file.path,
+                     .reason = file.reason,
+                     .sha256 = file.sha256,
+                     .size = file.bytes.size()});
+  }
+  files.push_back({.path = "site.json", .reason = kSiteJsonReason, .sha256 = {}, .size = 0});
+  files.push_back({.path = kHashList, .reason = kHashListReason, .sha256 = {}, .size = 0});
+  std::sort(files.begin(), files.end(),
+            [](const DescribedFile& a, const DescribedFile& b) { return a.path < b.path; });
+  add(plan, "ro-crate-metadata.json", "RO-Crate metadata, for archives of research data",
+      ro_crate_metadata(manifest, files));
 }
 
 std::string reason_of_asset(std::string_view role) {
@@ -90,6 +119,7 @@ Outcome<SitePlan> plan_site(PlanInput input) {
   const auto chosen = manifest.ui.find("theme");
   const std::string theme = chosen == manifest.ui.end() ? "auto" : chosen->second;
   for (RuntimeAsset& asset : input.runtime) {
+    if (asset.role == kComponentsRole) continue;
     if (asset.role.starts_with(kHeadlessRoles) || (asset.role == kPythonRole && !has_python))
       continue;
     const bool evaluates = asset.role == kLaunchRole || asset.role == kLaunchScriptRole;
@@ -192,7 +222,9 @@ Outcome<SitePlan> plan_site(PlanInput input) {
       interfaces_json(input.interfaces));
   const auto by_path = [](const PlannedFile& a, const PlannedFile& b) { return a.path < b.path; };
   std::sort(plan.files.begin(), plan.files.end(), by_path);
-  add(plan, "site.json", "what runs in the site", site_json(input.manifest, plan));
+  add_metadata(plan, input.manifest, input.components);
+  std::sort(plan.files.begin(), plan.files.end(), by_path);
+  add(plan, "site.json", kSiteJsonReason, site_json(input.manifest, plan));
   plan.sha256 = plan.files.back().sha256;
   std::sort(plan.files.begin(), plan.files.end(), by_path);
   add(plan, kHashList, kHashListReason, hash_list(plan.files));

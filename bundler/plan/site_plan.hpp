@@ -15,6 +15,7 @@
 #include "bundler/launch/packed_launch.hpp"
 #include "bundler/launch/share_tree.hpp"
 #include "bundler/plan/python_site.hpp"
+#include "bundler/plan/site_component.hpp"
 #include "workspace_schema/manifest.hpp"
 #include "workspace_schema/outcome.hpp"
 
@@ -101,6 +102,7 @@ struct PlanInput {
   std::vector<std::string> packages;      ///< of the workspace
   PythonInput python;                     ///< empty without Python nodes
   std::vector<std::string> python_index;  ///< all packages that Python nodes can find
+  std::vector<SiteComponent> components;  ///< what the site is made of
   std::vector<PageFile> text;             ///< the Markdown of the text panel and its images
   std::vector<PageFile> bags;             ///< recordings that the page plays
 };

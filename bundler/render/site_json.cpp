@@ -2,6 +2,7 @@
 #include "bundler/render/site_json.hpp"
 
 #include "bundler/launch/launch_tree.hpp"
+#include "bundler/render/citation.hpp"
 #include "bundler/render/site_node_json.hpp"
 #include "workspace_schema/check_json.hpp"
 #include "workspace_schema/json_writer.hpp"
@@ -88,13 +89,20 @@ std::string site_json(const Manifest& manifest, const SitePlan& plan) {
       .field("license", manifest.license);
   json.key("authors").begin_array();
   for (const Author& author : manifest.authors) {
-    json.begin_object().field("name", author.name);
+    const PersonName name = person_name(author.name);
+    json.begin_object().field("name", author.name).field("family", name.family);
+    if (!name.given.empty()) json.field("given", name.given);
     if (!author.email.empty()) json.field("email", author.email);
     if (!author.orcid.empty()) json.field("orcid", author.orcid);
     if (!author.affiliation.empty()) json.field("affiliation", author.affiliation);
     json.end_object();
   }
   json.end_array();
+  if (manifest.citation) {
+    json.key("citation").begin_object().field("date_released", manifest.citation->date_released);
+    json.field("doi", manifest.citation->doi).field("repository", manifest.citation->repository);
+    json.end_object();
+  }
   json.key("nodes").begin_array();
   for (const PlannedNode& node : plan.nodes) write_site_node(json, node);
   json.end_array();

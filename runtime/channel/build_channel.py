@@ -133,6 +133,8 @@ def run(options: argparse.Namespace) -> int:
     unpacked = [name for name in packages if name not in changed and not is_packed(name)]
     gone = [name for name in state if name not in packages and name != ABI_PACKAGE]
     abi = abi_record(compiler)
+    musl = compiler.cxx.resolve().parent / "system" / "lib" / "libc" / "musl" / "COPYRIGHT"
+    abi["license_files"] = [str(musl)] if musl.exists() else []
     index_there = (options.out / "noarch" / "repodata.json").exists()
     if not changed and not unpacked and not gone and index_there and archive_of(options.out, abi).exists():
         return 0

@@ -54,6 +54,7 @@ def abi_record(compiler: Compiler) -> dict[str, Any]:
         "build_number": 0,
         "subdir": "noarch",
         "depends": [],
-        "license": "Apache-2.0",
+        # Of its system libraries, which are in what it compiled: musl, Emscripten's own, those of LLVM.
+        "license": "MIT AND (MIT OR NCSA) AND Apache-2.0 WITH LLVM-exception",
         "summary": "Marks packages that Emscripten of this version has compiled.",
     }

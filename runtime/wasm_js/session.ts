@@ -138,6 +138,20 @@ export interface LaunchView {
   readonly python?: LaunchPython;
 }
 
+export interface SiteAuthor {
+  readonly name: string;
+  readonly family: string;
+  /** Empty where `family` is the whole name. */
+  readonly given: string;
+}
+
+export interface SiteCitation {
+  /** `2026-11-23` */
+  readonly date: string;
+  /** Empty where there is none. */
+  readonly doi: string;
+}
+
 /** site.json, checked. */
 export interface SiteDescription {
   readonly protocol: number;
@@ -147,7 +161,9 @@ export interface SiteDescription {
   readonly version: string;
   readonly distro: string;
   readonly license: string;
-  readonly authors: readonly { readonly name: string }[];
+  readonly authors: readonly SiteAuthor[];
+  /** undefined: the manifest does not say how it is cited. */
+  readonly citation?: SiteCitation;
   readonly nodes: readonly SiteNode[];
   readonly launchSteps: readonly LaunchStep[];
   /** undefined: no launch argument can change what runs. */

@@ -5,7 +5,8 @@ import { readCheck } from './check_reader.ts';
 import { SiteError } from './site_error.ts';
 import { fail, flag, list, number, object, path, readSource, text } from './site_values.ts';
 import type {
-  LaunchArgument, LaunchMoment, LaunchPython, LaunchStep, LaunchView, NodeMoment, PythonProgram, SiteDescription, SiteFile, SiteNode,
+  LaunchArgument, LaunchMoment, LaunchPython, LaunchStep, LaunchView, NodeMoment, PythonProgram, SiteAuthor, SiteCitation,
+  SiteDescription, SiteFile, SiteNode,
 } from './session.ts';
 import type { SiteSources } from './site_sources.ts';
 
@@ -172,6 +173,17 @@ function readSources(value: unknown): SiteSources {
 }
 
 /** Throws SiteError: R2W0700 for a broken file, R2W0709 for another protocol. */
+/** `family` and `given` are those of ros2wasm's own reading of `name`; a site made before them has the name only. */
+function readAuthor(value: unknown, what: string): SiteAuthor {
+  const json = object(value, what);
+  const name = text(json, 'name', what, '');
+  return { name, family: text(json, 'family', what, name), given: text(json, 'given', what, '') };
+}
+
+function readCitation(json: Readonly<Record<string, unknown>>): SiteCitation {
+  return { date: text(json, 'date_released', 'site.citation'), doi: text(json, 'doi', 'site.citation', '') };
+}
+
 export function readSite(value: unknown): SiteDescription {
   const json = object(value, 'the document');
   if (number(json, 'schema', 'site') !== 1) fail(`schema ${String(json['schema'])} is not known here`);
@@ -194,7 +206,8 @@ export function readSite(value: unknown): SiteDescription {
     version: text(json, 'version', 'site', ''),
     distro: text(json, 'distro', 'site', ''),
     license: text(json, 'license', 'site', ''),
-    authors: list(json, 'authors', 'site', (item, what) => ({ name: text(object(item, what), 'name', what, '') })),
+    authors: list(json, 'authors', 'site', readAuthor),
+    ...(json['citation'] === undefined ? {} : { citation: readCitation(object(json['citation'], 'site.citation')) }),
     nodes,
     launchSteps,
     ...(json['launch_file'] === undefined ? {} : { launch: readLaunch(json['launch_file']) }),

@@ -25,14 +25,18 @@ export function changedFragment(
   return text === '' ? '' : `#${text}`;
 }
 
-/** null where site.json does not come, or the browser has no digests: over plain http from elsewhere. */
+/** As links carry it. */
 export async function siteHash(): Promise<string | null> {
+  return (await siteDigest())?.slice(0, kHashLength) ?? null;
+}
+
+/** sha256 of the site; null where site.json does not come, or the browser has no digests: over plain http from elsewhere. */
+export async function siteDigest(): Promise<string | null> {
   try {
     const response = await fetch('site.json');
     if (!response.ok) return null;
     const hash = new Uint8Array(await crypto.subtle.digest('SHA-256', await response.arrayBuffer()));
-    const hex = Array.from(hash, (byte) => byte.toString(16).padStart(2, '0')).join('');
-    return hex.slice(0, kHashLength);
+    return Array.from(hash, (byte) => byte.toString(16).padStart(2, '0')).join('');
   } catch {
     return null;
   }

@@ -1,8 +1,10 @@
 // What this page is, in a dialog: the workspace's data, the link between its nodes in plain words, and
 // a report for bug reports.
 
-import { useEffect, useRef } from 'preact/hooks';
+import { useEffect, useRef, useState } from 'preact/hooks';
 import type { Session } from '../../wasm_js/session.ts';
+import { bibtex } from '../model/citation.ts';
+import { siteDigest } from '../model/link.ts';
 import { formatBytes, formatCount } from '../model/quantities.ts';
 import { siteReport } from '../model/report.ts';
 import { texts } from '../texts.ts';
@@ -19,13 +21,19 @@ export interface AboutDialogProps {
 
 export function AboutDialog({ session, open, offline, onClose, announce }: AboutDialogProps) {
   const dialog = useRef<HTMLDialogElement>(null);
+  const [digest, setDigest] = useState<string | null>(null);
   useEffect(() => {
     const element = dialog.current;
     if (element === null || element.open === open) return;
-    if (open) element.showModal();
-    else element.close();
+    if (open) {
+      element.showModal();
+      void siteDigest().then(setDigest);
+    } else {
+      element.close();
+    }
   }, [open]);
   const { site, link } = session;
+  const entry = bibtex(site, digest, location.href.replace(/[?#].*$/, ''));
   // Names of functions are fetched for crash reports only.
   const files = site.files.filter((file) => !file.path.endsWith('.names'));
   const bytes = files.reduce((sum, file) => sum + file.size, 0);
@@ -40,6 +48,7 @@ export function AboutDialog({ session, open, offline, onClose, announce }: About
         ? ''
         : texts.about.sizeOf(formatCount(files.length), formatBytes(bytes)),
     ],
+    [texts.about.digest, digest ?? ''],
     [texts.about.offline, offlineWords(offline)],
     [texts.about.generator, site.generator],
   ];
@@ -60,6 +69,20 @@ export function AboutDialog({ session, open, offline, onClose, announce }: About
             </div>
           ))}
       </dl>
+      {entry === null ? null : (
+        <>
+          <h3>{texts.about.cite}</h3>
+          <pre class="about-cite" tabIndex={0} aria-label={texts.about.cite}>{entry}</pre>
+          <p class="about-report">
+            <CopyButton label={texts.about.copyCite} words={texts.about.copyCite} text={() => entry} announce={announce} />
+            <a href="CITATION.cff" download="CITATION.cff">CITATION.cff</a>
+          </p>
+        </>
+      )}
+      <p class="about-report">
+        <a href="LICENSES.txt">{texts.about.licenses}</a>
+        <a href="sbom.spdx.json">{texts.about.materials}</a>
+      </p>
       <h3>{`${texts.about.link}: ${texts.link[link]}`}</h3>
       <p>{link === 'shared' ? texts.link.sharedLong : texts.link.portLong}</p>
       {link === 'port' ? <p>{texts.link.portFix}</p> : null}

@@ -205,7 +205,7 @@ export class FakeSession implements Session {
       version: '1.0.0',
       distro: 'jazzy',
       license: 'Apache-2.0',
-      authors: (options.authors ?? ['Ada Example']).map((name) => ({ name })),
+      authors: (options.authors ?? ['Ada Example']).map((name) => ({ name, family: name, given: '' })),
       nodes,
       checks: options.checks ?? [],
       launchSteps: options.launchSteps ?? [],

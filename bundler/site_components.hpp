@@ -1,0 +1,32 @@
+// Collects what a site is made of: the packages of channels and workspace with their licenses. An
+// edge: reads the license files that they bring.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "bundler/plan/site_component.hpp"
+#include "bundler/store/store.hpp"
+#include "bundler/store/wheel_files.hpp"
+#include "bundler/workspace/discovery.hpp"
+#include "bundler/workspace/left_out.hpp"
+#include "workspace_schema/package_record.hpp"
+
+namespace ros2wasm {
+
+/// The texts of the files below `folder` that are licenses by their name (`LICENSE`, `COPYING`,
+/// `NOTICE`, with any extension), or of all, with `whatever_name`; in the order of their paths. At
+/// most 32 files of 256 KiB; what is more, is no text or is a link is left out.
+[[nodiscard]] std::vector<std::string> license_texts(const std::filesystem::path& folder,
+                                                     bool whatever_name);
+
+/// The packages of channels, which are in the store, wheels, then those of the workspace that were
+/// not left out. A package without license files has those of `workspace`.
+[[nodiscard]] std::vector<SiteComponent> site_components(const std::vector<PackageRecord>& records,
+                                                         const Store& store,
+                                                         const std::vector<NamedWheel>& wheels,
+                                                         const std::vector<LocalPackage>& packages,
+                                                         const LeftOutChains& left_out,
+                                                         const std::filesystem::path& workspace);
+
+}  // namespace ros2wasm

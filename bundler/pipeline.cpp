@@ -22,6 +22,7 @@
 #include "bundler/launch/parameter_sources.hpp"
 #include "bundler/launch/python_tree.hpp"
 #include "bundler/launch_from_file.hpp"
+#include "bundler/notebook_files.hpp"
 #include "bundler/plan/runtime_assets.hpp"
 #include "bundler/plan/shipped_channel.hpp"
 #include "bundler/python_nodes.hpp"
@@ -158,6 +159,8 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
   // 2. the packages of the workspace, and the order of building them
   auto packages = discover_packages(workspace.folder, workspace.shown_folder, manifest.packages,
                                     ros_condition_variables(manifest.distro));
+  const auto notebook_needs = read_notebook(workspace);
+  if (!notebook_needs) return notebook_needs.errors();
   if (!packages) return std::move(packages).errors();
   for (const LocalPackage& package : *packages) workspace.watched.push_back(package.directory);
   auto compiler = find_compiler(request.variables);
@@ -211,7 +214,8 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
   if (auto none = no_packages_for(*compiler, {packaged.begin(), packaged.end()}, request.variables))
     return std::move(*none);
   auto left_out = left_out_packages(*packages, *order, known, manifest.distro, known_build_types());
-  auto wanted = channel_request(manifest, *packages, left_out, known, compiler->version);
+  auto wanted =
+      channel_request(manifest, *packages, left_out, known, compiler->version, *notebook_needs);
   if (!wanted) return std::move(wanted).errors();
   add_wheel_request(*wheels, known, manifest.distro, *wanted);
   if (open) {
@@ -406,13 +410,9 @@ Outcome<SitePlan> plan(const PackRequest& request, BuiltWorkspace& workspace, La
                   .python_index = {},
                   .components = {},
                   .text = {},
-                  .bags = {}};
-  auto page = read_page_files(workspace.folder, workspace.manifest);
-  if (!page) return std::move(page).errors();
-  for (const auto* files : {&page->text, &page->bags})
-    for (const PageFile& file : *files) workspace.watched.push_back(workspace.folder / file.path);
-  input.text = std::move(page->text);
-  input.bags = std::move(page->bags);
+                  .bags = {},
+                  .notebook = std::nullopt};
+  if (auto added = add_page(workspace, input); !added) return std::move(added).errors();
   auto components = with_runtime_components(input.runtime, std::move(workspace.components));
   if (!components) return std::move(components).errors();
   input.components = std::move(*components);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "bundler/plan/site_plan.hpp"
 #include "bundler/resolve/locked_solve.hpp"
 #include "bundler/store/wheel_files.hpp"
+#include "bundler/workspace/page_notebook.hpp"
 #include "workspace_schema/cancellation.hpp"
 #include "workspace_schema/manifest.hpp"
 #include "workspace_schema/outcome.hpp"
@@ -37,6 +39,7 @@ struct PackRequest {
 
 /// A workspace with all its packages built.
 struct BuiltWorkspace {
+  std::optional<PageNotebook> notebook;  ///< of the page
   Manifest manifest;
   bool has_manifest = true;
   bool nodes_by_default = false;           ///< the manifest names none, so all programs run

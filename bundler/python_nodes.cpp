@@ -2,6 +2,7 @@
 #include "bundler/python_nodes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <tuple>
 
@@ -15,6 +16,11 @@
 namespace ros2wasm {
 namespace fs = std::filesystem;
 namespace {
+
+constexpr std::string_view kCellFolder = "cells of the notebook/";
+/// What the kernel of notebooks makes by itself (runtime/rclpy/ros2wasm/notebook.py).
+constexpr std::array<std::string_view, 2> kKernelModules = {"IPython/__init__.py",
+                                                            "IPython/display.py"};
 
 /// The file of the workspace that was installed as `path`, as people name it; else `path` itself.
 std::string source_of(const BuiltWorkspace& workspace, const PythonInput& python,
@@ -110,6 +116,45 @@ Outcome<Done> check_python_imports(BuiltWorkspace& workspace, const PythonInput&
   return Done{};
 }
 
+/// The same for the cells of the page's notebook: each is looked at as a program of its own, and
+/// what one imports stays imported for the next.
+Outcome<std::vector<std::string>> check_notebook_imports(BuiltWorkspace& workspace,
+                                                         PythonInput& python,
+                                                         const InterfaceTexts& interfaces) {
+  const std::string file = shown_path(workspace.folder / workspace.manifest.ui_notebook->value,
+                                      workspace.folder, workspace.shown_folder);
+  std::set<std::string> compiled;
+  Diagnostics errors;
+  for (const std::string_view module : kKernelModules)
+    python.workspace.emplace(std::string(kPythonModules) + "/" + std::string(module), "");
+  for (const NotebookCell& cell : workspace.notebook->code) {
+    const std::string name = cell_name(file, cell);
+    // No file of an installation has this name.
+    const std::string script = std::string(kCellFolder) + name;
+    python.workspace.emplace(script, cell.source);
+    ImportReport report = check_imports(script, {.workspace = python.workspace,
+                                                 .channels = python.channels,
+                                                 .wheels = python.wheels,
+                                                 .interfaces = interfaces,
+                                                 .channel_names = workspace.channel_names,
+                                                 .distro = workspace.manifest.distro});
+    compiled.merge(report.compiled);
+    for (Diagnostic& one : report.missing) {
+      const std::string& where = one.span->file;
+      const auto own = python.workspace.find(where);
+      one.span->file = where == script                 ? name
+                       : own == python.workspace.end() ? place_in_wheel(workspace.wheels, where)
+                                                       : source_of(workspace, python, where);
+      (one.severity == Severity::kError ? errors : workspace.warnings).push_back(std::move(one));
+    }
+    python.workspace.erase(script);
+  }
+  for (const std::string_view module : kKernelModules)
+    python.workspace.erase(std::string(kPythonModules) + "/" + std::string(module));
+  if (!errors.empty()) return errors;
+  return std::vector<std::string>(compiled.begin(), compiled.end());
+}
+
 bool has_python(const std::vector<LaunchNode>& nodes) {
   return std::any_of(nodes.begin(), nodes.end(),
                      [](const LaunchNode& node) { return node.kind == ProgramKind::kPython; });
@@ -118,7 +163,7 @@ bool has_python(const std::vector<LaunchNode>& nodes) {
 }  // namespace
 
 Outcome<Done> add_python(BuiltWorkspace& workspace, PlanInput& input) {
-  const bool is_needed = has_python(input.nodes);
+  const bool is_needed = has_python(input.nodes) || input.notebook;
   if (!is_needed && !has_python(input.more_nodes)) return Done{};
   auto python = read_python(workspace);
   if (!python && is_needed) return std::move(python).errors();
@@ -138,6 +183,11 @@ Outcome<Done> add_python(BuiltWorkspace& workspace, PlanInput& input) {
   if (auto met = check(by_default, input.nodes); !met) return met;
   if (auto met = check("as only other launch arguments start it", input.more_nodes); !met)
     return met;
+  if (input.notebook) {
+    auto compiled = check_notebook_imports(workspace, *python, input.interfaces);
+    if (!compiled) return std::move(compiled).errors();
+    input.notebook->compiled = std::move(*compiled);
+  }
   input.python = std::move(*python);
   for (const InstalledPackage& package : workspace.installed)
     input.python_index.push_back(package.name);

@@ -18,6 +18,7 @@
 #include "bundler/workspace/build_order.hpp"
 #include "bundler/workspace/channel_request.hpp"
 #include "bundler/workspace/page_bags.hpp"
+#include "bundler/workspace/page_notebook.hpp"
 #include "bundler/workspace/wheel_request.hpp"
 #include "bundler/workspace/workspace_channels.hpp"
 #include "workspace_schema/diagnostic_list.hpp"
@@ -131,6 +132,10 @@ Outcome<CheckReport> check_workspace(const CheckRequest& request,
   append(errors, check_parameters(report.manifest, folder));
   if (const auto page = read_page_files(folder, report.manifest); !page)
     append(errors, page.errors());
+  if (report.manifest.ui_notebook) {
+    auto notebook = read_page_notebook(folder, *report.manifest.ui_notebook);
+    if (!notebook) append(errors, std::move(notebook).errors());
+  }
   append(errors, check_launch_file(request, report, folder, cancellation));
 
   // A program without its channel says so when it packs; the manifest is not to blame.

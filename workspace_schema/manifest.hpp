@@ -168,10 +168,11 @@ struct Manifest {
   std::vector<CheckEntry> checks;
   std::map<std::string, std::string> ui;  ///< scalar options of `ui:` (theme, autostart)
   std::string ui_layout;  ///< `ui: layout:` as one line of JSON; empty: the page's own
-  std::optional<Spanned<std::string>> ui_text;  ///< Markdown file of the text panel
-  std::vector<Spanned<std::string>> ui_bags;    ///< recordings that the page plays
-  std::map<std::string, std::string> site;      ///< scalar options of `site:`
-  std::vector<Diagnostic> warnings;             ///< found while reading; show them, then go on
+  std::optional<Spanned<std::string>> ui_text;      ///< Markdown file of the text panel
+  std::vector<Spanned<std::string>> ui_bags;        ///< recordings that the page plays
+  std::optional<Spanned<std::string>> ui_notebook;  ///< Jupyter notebook of the notebook panel
+  std::map<std::string, std::string> site;          ///< scalar options of `site:`
+  std::vector<Diagnostic> warnings;                 ///< found while reading; show them, then go on
 };
 
 }  // namespace ros2wasm

@@ -198,6 +198,8 @@ std::string manifest_json(const Manifest& manifest) {
     for (const auto& [name, value] : *options) json.field(name, value);
     if (options == &manifest.ui && !manifest.ui_layout.empty())
       json.key("layout").raw_value(manifest.ui_layout);
+    if (options == &manifest.ui && manifest.ui_notebook)
+      json.field("notebook", manifest.ui_notebook->value);
     if (options == &manifest.ui && manifest.ui_text) json.field("text", manifest.ui_text->value);
     if (options == &manifest.ui && !manifest.ui_bags.empty()) {
       json.key("bags").begin_array();

@@ -134,7 +134,7 @@ class Reader {
       });
     }
     if (const YamlNode* node = given("ui")) {
-      read_options(*node, "ui", ui_options(), {"layout", "text", "bags"}, manifest_.ui);
+      read_options(*node, "ui", ui_options(), {"layout", "notebook", "text", "bags"}, manifest_.ui);
       if (const YamlNode* layout = value_of(*node, "layout"))
         manifest_.ui_layout = read_page_layout(binder_, *layout);
       if (const YamlNode* text = value_of(*node, "text"))
@@ -144,6 +144,8 @@ class Reader {
           return binder_.path(item, "an item of `bags`");
         });
       }
+      if (const YamlNode* notebook = value_of(*node, "notebook"))
+        manifest_.ui_notebook = binder_.path(*notebook, "notebook");
     }
     if (const YamlNode* node = given("site"))
       read_options(*node, "site", site_options(), {}, manifest_.site);

@@ -114,7 +114,8 @@ Outcome<SitePlan> plan_site(PlanInput input) {
     append(errors, checks.errors());
   }
   std::move(input.more_nodes.begin(), input.more_nodes.end(), std::back_inserter(input.nodes));
-  const bool has_python = std::any_of(input.nodes.begin(), input.nodes.end(), is_python);
+  const bool has_python =
+      input.notebook || std::any_of(input.nodes.begin(), input.nodes.end(), is_python);
   const Manifest& manifest = input.manifest;
   const auto chosen = manifest.ui.find("theme");
   const std::string theme = chosen == manifest.ui.end() ? "auto" : chosen->second;
@@ -139,7 +140,8 @@ Outcome<SitePlan> plan_site(PlanInput input) {
     add(plan, asset.file, reason_of_asset(asset.role), std::move(asset.bytes));
   }
   for (PageFile& file : input.text)
-    add(plan, page_text_path(file.path), "`ui: text:` of the manifest", std::move(file.bytes));
+    add(plan, page_text_path(file.path), "text or notebook of the page, by `ui:` of the manifest",
+        std::move(file.bytes));
   for (PageFile& file : input.bags)
     add(plan, page_bag_path(file.path), "`ui: bags:` of the manifest", std::move(file.bytes));
   std::map<std::string, bool> threads_of;
@@ -185,6 +187,8 @@ Outcome<SitePlan> plan_site(PlanInput input) {
     std::set<std::string> compiled;
     for (const LaunchNode& node : input.nodes)
       compiled.insert(node.compiled_modules.begin(), node.compiled_modules.end());
+    if (input.notebook)
+      compiled.insert(input.notebook->compiled.begin(), input.notebook->compiled.end());
     PythonSite python = python_site(std::move(input.python), input.interfaces, input.shared,
                                     compiled, input.packages, input.python_index);
     plan.sources = std::move(python.sources);
@@ -201,6 +205,13 @@ Outcome<SitePlan> plan_site(PlanInput input) {
       if (std::find(python.archives.begin(), python.archives.end(), kPythonWorkspace) !=
           python.archives.end())
         plan.launch->python.emplace_back(kPythonWorkspace);
+    }
+    if (input.notebook) {
+      plan.notebook = PlannedNotebook{.file = page_text_path(input.notebook->file),
+                                      .program = kPythonProgram,
+                                      .archives = python.archives};
+      for (const std::string& module : input.notebook->compiled)
+        plan.notebook->archives.push_back(python.compiled.at(module));
     }
     for (PythonSiteFile& file : python.files)
       add(plan, std::move(file.path), std::move(file.reason), std::move(file.bytes));

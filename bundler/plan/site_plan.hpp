@@ -57,11 +57,18 @@ struct PlannedLaunch {
   std::vector<std::string> tried;  ///< arguments whose values Python was asked about for the site
 };
 
+struct PlannedNotebook {
+  std::string file;                   ///< path in the site
+  std::string program;                ///< as of a Python node
+  std::vector<std::string> archives;  ///< as of a Python node
+};
+
 struct SitePlan {
   std::vector<PlannedFile> files;  ///< sorted by path; the last steps add site.json, SHA256SUMS
   std::string sha256;              ///< of site.json, which has that of every file: of the site
   std::vector<PlannedNode> nodes;  ///< in launch order
   std::vector<LaunchStep> steps;   ///< of the launch file
+  std::optional<PlannedNotebook> notebook;
   std::optional<PlannedLaunch> launch;  ///< when launch arguments can change what runs
   std::vector<std::string> packages;    ///< that the programs' index of packages has, sorted
   std::vector<PlannedSource> sources;   ///< Python files of the workspace
@@ -87,6 +94,12 @@ struct PageFile {
 /// The same for bags: below `bags/`.
 [[nodiscard]] std::string page_bag_path(const std::string& path);
 
+/// The page's notebook, whose kernel is a Python program.
+struct NotebookInput {
+  std::string file;                   ///< relative to the manifest
+  std::vector<std::string> compiled;  ///< modules with compiled parts that its cells import
+};
+
 /// What the plan is made of.
 struct PlanInput {
   const Manifest& manifest;
@@ -103,8 +116,9 @@ struct PlanInput {
   PythonInput python;                     ///< empty without Python nodes
   std::vector<std::string> python_index;  ///< all packages that Python nodes can find
   std::vector<SiteComponent> components;  ///< what the site is made of
-  std::vector<PageFile> text;             ///< the Markdown of the text panel and its images
+  std::vector<PageFile> text;             ///< Markdown and notebook of the page, their images
   std::vector<PageFile> bags;             ///< recordings that the page plays
+  std::optional<NotebookInput> notebook;
 };
 
 /// R2W0606 a program is not WebAssembly, R2W0430 a check names a node that is not there.

@@ -54,6 +54,13 @@ void write_ui(JsonWriter& json, const Manifest& manifest) {
   json.end_object();
 }
 
+void write_notebook(JsonWriter& json, const PlannedNotebook& notebook) {
+  json.key("notebook").begin_object().field("file", notebook.file);
+  json.field("program", notebook.program).key("archives").begin_array();
+  for (const std::string& archive : notebook.archives) json.string(archive);
+  json.end_array().end_object();
+}
+
 void write_launch(JsonWriter& json, const PlannedLaunch& launch) {
   json.key("launch_file").begin_object().field("data", launch.data);
   json.field("evaluator", launch.evaluator).key("arguments").begin_array();
@@ -118,6 +125,7 @@ std::string site_json(const Manifest& manifest, const SitePlan& plan) {
   json.end_array();
   write_sources(json, plan.sources);
   write_checks(json, plan.checks);
+  if (plan.notebook) write_notebook(json, *plan.notebook);
   write_ui(json, manifest);
   json.key("files").begin_array();
   for (const PlannedFile& file : plan.files) {

@@ -17,6 +17,8 @@ namespace {
 /// Parts of the C++ library that the site's compiler lacks. Every package may use them, and none
 /// names them.
 constexpr std::string_view kLibraryParts = "ros2wasm_std";
+/// Brings Pyodide, and the kernel of notebooks.
+constexpr std::string_view kPythonClient = "rclpy";
 
 bool has(const std::vector<std::string>& sorted, std::string_view name) {
   return std::binary_search(sorted.begin(), sorted.end(), name, std::less<>());
@@ -109,6 +111,23 @@ std::vector<std::string> absent_names(const std::vector<LocalPackage>& packages,
   return {names.begin(), names.end()};
 }
 
+/// What runs the cells of the page's notebook, and what they import as far as the channels have it.
+template <typename IsLocal>
+void append_notebook(const Manifest& manifest, const std::vector<Spanned<std::string>>& modules,
+                     const IsLocal& is_local, const KnownNames& known,
+                     std::vector<RequestedSpec>& specs) {
+  if (!manifest.ui_notebook) return;
+  const auto ask = [&](std::string_view package, const SourceSpan& span) {
+    const std::string name = conda_name(package, manifest.distro);
+    if (has(known.names, name)) specs.push_back({.text = name, .origin = span.file, .span = span});
+  };
+  ask(kPythonClient, manifest.ui_notebook->span);
+  for (const Spanned<std::string>& module : modules) {
+    if (!is_local(module.value)) ask(package_of_module(module.value), module.span);
+    for (const std::string_view need : needs_of_module(module.value)) ask(need, module.span);
+  }
+}
+
 }  // namespace
 
 std::string dependency_spec(const std::string& text, std::string_view distro,
@@ -129,7 +148,8 @@ std::string dependency_spec(const std::string& text, std::string_view distro,
 Outcome<ChannelRequest> channel_request(const Manifest& manifest,
                                         const std::vector<LocalPackage>& packages,
                                         const LeftOutPackages& left_out, const KnownNames& known,
-                                        const std::string& compiler_version) {
+                                        const std::string& compiler_version,
+                                        const std::vector<Spanned<std::string>>& notebook_modules) {
   ChannelRequest request;
   Diagnostics errors;
   std::set<std::size_t> ignored;
@@ -188,6 +208,7 @@ Outcome<ChannelRequest> channel_request(const Manifest& manifest,
     if (is_local(node.package.value) || !has(known.names, name)) continue;
     request.specs.push_back({.text = name, .origin = manifest.file, .span = node.package.span});
   }
+  append_notebook(manifest, notebook_modules, is_local, known, request.specs);
   const std::string parts = conda_name(kLibraryParts, manifest.distro);
   if (!packages.empty() && has(known.names, parts))
     request.specs.push_back(

@@ -21,14 +21,14 @@ struct ChannelRequest {
   Diagnostics warnings;              ///< wished for at run time, but in no channel
 };
 
+/// `notebook_modules`: what the code of the page's notebook imports; its packages are asked for.
 /// Dependencies of the manifest may be ROS package names; nodes may name packages that nobody
 /// lists; packages that are left out ask for nothing. R2W0513 for everything that no channel has;
 /// against a lock, what it lacks is asked for all the same.
-[[nodiscard]] Outcome<ChannelRequest> channel_request(const Manifest& manifest,
-                                                      const std::vector<LocalPackage>& packages,
-                                                      const LeftOutPackages& left_out,
-                                                      const KnownNames& known,
-                                                      const std::string& compiler_version);
+[[nodiscard]] Outcome<ChannelRequest> channel_request(
+    const Manifest& manifest, const std::vector<LocalPackage>& packages,
+    const LeftOutPackages& left_out, const KnownNames& known, const std::string& compiler_version,
+    const std::vector<Spanned<std::string>>& notebook_modules = {});
 
 /// A manifest's dependency as a match spec: conda names stay, ROS names get `ros-<distro>-`.
 [[nodiscard]] std::string dependency_spec(const std::string& text, std::string_view distro,

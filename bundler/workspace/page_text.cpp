@@ -217,8 +217,9 @@ std::vector<std::string> markdown_images(std::string_view markdown) {
   return found;
 }
 
-Outcome<std::vector<PageFile>> read_page_text(const fs::path& folder,
-                                              const Spanned<std::string>& file) {
+Outcome<std::vector<PageFile>> read_with_images(const fs::path& folder,
+                                                const Spanned<std::string>& file, std::size_t most,
+                                                const ImagesOf& images_of) {
   std::vector<PageFile> files;
   std::size_t size = 0;
   const auto take = [&](const fs::path& relative, bool image) -> std::optional<Diagnostic> {
@@ -235,11 +236,10 @@ Outcome<std::vector<PageFile>> read_page_text(const fs::path& folder,
     const auto real = find_page_file(folder, file, path);
     if (!real) return real.errors().front();
     std::error_code error;
-    const std::size_t most = image ? kMostBytes : kMostText;
-    if (size + fs::file_size(*real, error) > most)
+    if (size + fs::file_size(*real, error) > (image ? kMostBytes : most))
       return page_file_refused(file, path,
                                image ? "the text and its images have more than 16 MiB together"
-                                     : "the text has more than 1 MiB");
+                                     : "it has more than " + std::to_string(most >> 20) + " MiB");
     auto bytes = read_file(*real);
     if (!bytes) return bytes.errors().front();
     size += bytes->size();
@@ -249,10 +249,19 @@ Outcome<std::vector<PageFile>> read_page_text(const fs::path& folder,
   if (auto problem = take(fs::path(file.value), false)) return *std::move(problem);
   const fs::path beside = fs::path(files.front().path).parent_path();
   Diagnostics problems;
-  for (const std::string& image : markdown_images(std::string(files.front().bytes)))
+  const auto images = images_of(std::string(files.front().bytes));
+  if (!images) return images.errors();
+  for (const std::string& image : *images)
     if (auto problem = take(beside / fs::path(image), true)) problems.push_back(*problem);
   if (!problems.empty()) return problems;
   return files;
+}
+
+Outcome<std::vector<PageFile>> read_page_text(const fs::path& folder,
+                                              const Spanned<std::string>& file) {
+  return read_with_images(folder, file, kMostText, [](const std::string& text) {
+    return Outcome<std::vector<std::string>>(markdown_images(text));
+  });
 }
 
 }  // namespace ros2wasm

@@ -82,6 +82,8 @@ export interface Link {
   /** In a stepped run: waits for the first turn. */
   awaitTurn?(): void;
   stopRequested(): boolean;
+  /** How often a stop was requested. */
+  stops(): number;
   /** Matched peers, or a negative ErrorCode. */
   matched(endpoint: number): number;
   /** undefined for a bad handle or a status that this endpoint has not. */

@@ -52,6 +52,8 @@ export interface RunnerHost {
   readonly happened: (node: SiteNode, event: 'start' | 'exit' | 'stop') => void;
   /** A batch of lines was taken over from a worker of the participant. */
   readonly lines: (node: SiteNode, report: Extract<WorkerReport, { t: 'lines' }>) => void;
+  /** Of the kernel of a notebook. */
+  readonly event?: (event: string) => void;
 }
 
 interface Run {
@@ -167,6 +169,11 @@ export class NodeRunner {
     this.stopping = true;
     this.host.broker.stop(run.participant);
     this.timer = setTimeout(() => this.kill(), stopGraceMs);
+  }
+
+  /** A stop that the program may live through: the kernel of a notebook does. */
+  interrupt(): void {
+    if (this.run !== undefined) this.host.broker.stop(this.run.participant);
   }
 
   restart(): void {
@@ -305,6 +312,10 @@ export class NodeRunner {
         return;
       case 'lines':
         this.host.lines(this.node, report);
+        this.host.broker.consoleSeen(participant);
+        return;
+      case 'event':
+        this.host.event?.(report.event);
         this.host.broker.consoleSeen(participant);
         return;
       case 'thread': {

@@ -39,6 +39,8 @@ export type WorkerReport =
   /** The program waits for the first time: it has made its nodes and spins, or sleeps. */
   | { readonly t: 'waits' }
   | { readonly t: 'lines'; readonly lines: readonly SentLine[]; readonly dropped: number }
+  /** What the kernel of a notebook says, as JSON. */
+  | { readonly t: 'event'; readonly event: string }
   | { readonly t: 'thread'; readonly request: ThreadRequest; readonly memory: WebAssembly.Memory }
   /** What the page needs to tell the threads of a program of a change of time. */
   | { readonly t: 'memory'; readonly memory: ThreadMemory }
@@ -123,6 +125,11 @@ export function serveWorker(
       files: start.files,
       readNow,
       random: start.stepped === undefined ? undefined : seededRandom(start.stepped.seed, start.id),
+      tell: (event) => {
+        link.consoleCredit.posted();
+        post({ t: 'event', event });
+        return link.consoleCredit.ahead();
+      },
       sent: start.traced ? (message) => post({ t: 'sent', message }) : undefined,
       loaded: (memory) => post({ t: 'memory', memory }),
       stepped: start.stepped !== undefined,

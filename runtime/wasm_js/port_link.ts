@@ -353,6 +353,10 @@ export class PortLink implements Link {
     this.waits.timeChanged();
   }
 
+  stops(): number {
+    return this.waits.stops;
+  }
+
   stopRequested(): boolean {
     return this.waits.stops > 0;
   }

@@ -32,6 +32,8 @@ export interface ProgramHost {
   readonly readNow: ReadNow;
   /** Fills bytes; undefined: with the browser's random numbers. */
   readonly random: ((bytes: Uint8Array) => void) | undefined;
+  /** The kernel of a notebook tells the page something; returns how much of it the page has not dealt with yet. */
+  readonly tell: (event: string) => number;
   /** A message was sent. */
   readonly sent: ((message: SentMessage) => void) | undefined;
   /** In a stepped run programs with threads are refused. */

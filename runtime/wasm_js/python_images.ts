@@ -2,6 +2,7 @@
 // made by a worker of its own: when a second node starts, or, to be kept, when a node that is alone has come to wait.
 
 import { whenIdle } from './idle.ts';
+import { kernelNode } from './notebook_kernel.ts';
 import type { Platform } from './platform.ts';
 import { type ImageStart, imageVersion } from './python_image.ts';
 import { promiseIntegration } from './program.ts';
@@ -72,7 +73,8 @@ export class PythonImages {
 
   /** `share`: as in ImageStart. */
   constructor(site: SiteDescription, platform: Platform, files: PythonFiles, share: string) {
-    const nodes = site.nodes.filter(({ python }) => python !== undefined);
+    const all = site.notebook === undefined ? site.nodes : [...site.nodes, kernelNode(site.notebook)];
+    const nodes = all.filter(({ python }) => python !== undefined);
     const programs = new Set(nodes.map(({ program }) => program));
     this.site = site;
     this.platform = platform;

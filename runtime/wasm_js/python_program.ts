@@ -75,8 +75,9 @@ const sliceSignal = 26;
  * which only the main thread hears of, and when a thread has run for its slice of time.
  */
 class Interrupts {
-  private readonly asked: () => boolean;
+  private readonly stops: () => number;
   private readonly sliced: boolean;
+  private forgotten = 0;
   private shown = false;
   private told = false;
   private threads = 1;
@@ -86,14 +87,14 @@ class Interrupts {
   suspended = false;
 
   /** `sliced`: threads are interrupted by time. */
-  constructor(asked: () => boolean, sliced: boolean) {
-    this.asked = asked;
+  constructor(stops: () => number, sliced: boolean) {
+    this.stops = stops;
     this.sliced = sliced;
   }
 
   get 0(): number {
     if (this.suspended) return 0;
-    if (!this.told && this.mainRuns && this.asked()) {
+    if (!this.told && this.mainRuns && this.stops() !== this.forgotten) {
       this.shown = true;
       return interrupt;
     }
@@ -112,6 +113,13 @@ class Interrupts {
     const news = !this.told;
     this.told = true;
     return news;
+  }
+
+  /** The program goes on, and hears of the next stop. */
+  forget(): void {
+    this.forgotten = this.stops();
+    this.told = false;
+    this.shown = false;
   }
 
   setThreads(count: number): void {
@@ -209,6 +217,8 @@ function hostModule(
       stop.suspended = false;
     },
     take_stop: () => stop.take(),
+    forget_stop: () => stop.forget(),
+    tell: host.tell,
     address: (bytes: PyProxy): number => addressOf(bytes, buffers),
   };
 }
@@ -299,7 +309,7 @@ export const runPython: RunPython = async (module, start, host, files, reports) 
     return crash('R2W0705', 'this browser can neither share memory with this page nor suspend a program');
   }
   const out = { stdout: new LineWriter((l) => host.line('stdout', l)), stderr: new LineWriter((l) => host.line('stderr', l)) };
-  const stop = new Interrupts(() => host.link.stopRequested(), !host.stepped);
+  const stop = new Interrupts(() => host.link.stops(), !host.stepped);
   let died: (error: unknown) => void = () => undefined;
   const death = new Promise<never>((_resolve, reject) => {
     died = reject;

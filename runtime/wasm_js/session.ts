@@ -1,10 +1,12 @@
 // What the page (and any other host of a site) sees of a running site: its nodes, consoles and topics.
 // Types only, plus unreachable(); launcher.ts makes Sessions.
 
+import type { NotebookKernel, SiteNotebook } from './notebook_kernel.ts';
 import type { GraphView, PageNode } from './page_node.ts';
 import type { SiteCheck, SiteChecks } from './site_checks.ts';
 import type { SiteSources, Sources } from './site_sources.ts';
 
+export type { KernelEvent, KernelOrder, MimeBundle, NotebookKernel } from './notebook_kernel.ts';
 export type { CheckView, SiteChecks } from './site_checks.ts';
 export type { SourceKept, Sources, SourceView } from './site_sources.ts';
 export type * from './page_node.ts';
@@ -176,6 +178,8 @@ export interface SiteDescription {
   readonly sources?: SiteSources;
   /** What must be seen while it runs. */
   readonly checks: readonly SiteCheck[];
+  /** What the page's notebook needs; undefined: there is none. */
+  readonly notebook?: SiteNotebook;
   readonly ui: Readonly<Record<string, unknown>>;
   readonly files: readonly SiteFile[];
 }
@@ -329,6 +333,8 @@ export interface Session {
   readonly checks: SiteChecks | undefined;
   /** undefined: the site has none. */
   readonly sources: Sources | undefined;
+  /** undefined: the site has no notebook. */
+  readonly notebook: NotebookKernel | undefined;
   /** As it is now. */
   graph(): GraphView;
   /** Called when the graph has changed, at most once per animation frame. */

@@ -266,6 +266,10 @@ export class SharedLink implements Link {
     this.waits.awaitTurn();
   }
 
+  stops(): number {
+    return Atomics.load(this.bus.i32, this.word + BusParticipant.stop);
+  }
+
   stopRequested(): boolean {
     return Atomics.load(this.bus.i32, this.word + BusParticipant.stop) !== 0;
   }

@@ -2,6 +2,7 @@
 
 import { protocolVersion } from '../protocol/generated/constants.ts';
 import { readCheck } from './check_reader.ts';
+import type { SiteNotebook } from './notebook_kernel.ts';
 import { SiteError } from './site_error.ts';
 import { fail, flag, list, number, object, path, readSource, text } from './site_values.ts';
 import type {
@@ -172,6 +173,17 @@ function readSources(value: unknown): SiteSources {
   return { archive: path(text(json, 'archive', what), what), files };
 }
 
+function readNotebook(value: unknown): SiteNotebook {
+  const what = 'site.notebook';
+  const json = object(value, what);
+  const archive = (item: unknown, where: string): string => path(typeof item === 'string' ? item : '', where);
+  return {
+    file: path(text(json, 'file', what), `${what}.file`),
+    program: path(text(json, 'program', what), `${what}.program`),
+    archives: list(json, 'archives', what, archive),
+  };
+}
+
 /** Throws SiteError: R2W0700 for a broken file, R2W0709 for another protocol. */
 /** `family` and `given` are those of ros2wasm's own reading of `name`; a site made before them has the name only. */
 function readAuthor(value: unknown, what: string): SiteAuthor {
@@ -215,6 +227,7 @@ export function readSite(value: unknown): SiteDescription {
     packages: list(json, 'packages', 'site', (item) => (typeof item === 'string' ? item : fail('site.packages'))),
     ...(json['sources'] === undefined ? {} : { sources: readSources(json['sources']) }),
     checks: list(json, 'checks', 'site', (item, what) => readCheck(item, what, ids)),
+    ...(json['notebook'] === undefined ? {} : { notebook: readNotebook(json['notebook']) }),
     ui: object(json['ui'] ?? {}, 'site.ui'),
     files: list(json, 'files', 'site', readFile),
   };

@@ -6,7 +6,8 @@ import type { SentLine } from './console_sender.ts';
 import { graphView } from './graph_view.ts';
 import { LaunchSteps } from './launch_steps.ts';
 import { MessageTrace, type SentMessage } from './message_trace.ts';
-import { NodeRunner } from './node_runner.ts';
+import { NodeRunner, type RunnerHost } from './node_runner.ts';
+import { kernelId, kernelNode, readEvent, SiteKernel, type SiteNotebook } from './notebook_kernel.ts';
 import type { GraphView, PageNode } from './page_node.ts';
 import { PageParticipant } from './page_participant.ts';
 import type { Platform } from './platform.ts';
@@ -26,6 +27,9 @@ import type { SteppedTime } from './stepped_time.ts';
 import { Tabs } from './tabs.ts';
 
 const sampleMs = 250;
+
+/** What all that run in the session have alike. */
+type KernelHost = Omit<RunnerHost, 'changed' | 'settled' | 'shutdown' | 'happened' | 'lines' | 'event'>;
 
 /** Whether a node is this tab's. */
 const isHeld = (kind: NodeState['kind']): boolean => kind === 'starting' || kind === 'running' || kind === 'waiting';
@@ -67,6 +71,7 @@ export class SiteSession implements Session {
   readonly sources: SourceFiles | undefined;
   private unwatchGraph: (() => void) | undefined;
   checks: (SiteChecks & { close(): void }) | undefined;
+  readonly notebook: SiteKernel | undefined;
   private nodesTold = true;
   private sampling: ReturnType<typeof setInterval> | undefined;
   private definitions: Promise<Map<string, string>> | undefined;
@@ -80,6 +85,7 @@ export class SiteSession implements Session {
     this.link = broker.kind;
     this.time = stepped?.time ?? new SiteTimeControl(broker, () => {
       for (const runner of this.runners.values()) runner.timeChanged();
+      this.notebook?.runner.timeChanged();
       this.page?.timeChanged();
     });
     const trace = new MessageTrace();
@@ -109,26 +115,30 @@ export class SiteSession implements Session {
       this.sources = new SourceFiles(sources, texts, () => pythonFiles.whole(sources.archive));
     }
     this.images = stepped === undefined ? new PythonImages(site, platform, pythonFiles, files.prefix) : undefined;
+    const common = {
+      environment,
+      files,
+      platform,
+      broker,
+      images: this.images,
+      pythonFiles,
+      sources: this.sources,
+      left: () => this.lookAtTopics(),
+      stepped: stepped === undefined ? undefined : { seed: stepped.seed },
+      sent: traced ? (of: SiteNode, message: SentMessage) => void trace.add(of.id, message) : onSent,
+      resetInput: (id: string) => this.input.reset(id),
+    };
+    if (site.notebook !== undefined) this.notebook = this.kernel(site.notebook, common);
     for (const node of site.nodes) {
       const console = new NodeConsole(platform.frame);
       this.runners.set(node.id, new NodeRunner(node, console, {
-        environment,
-        files,
-        platform,
-        broker,
-        images: this.images,
-        pythonFiles,
-        sources: this.sources,
+        ...common,
         changed: () => this.nodesChanged(),
         settled: (of) => {
           this.images?.settled(of);
           unsettled.delete(of);
           if (unsettled.size === 0) allSettled();
         },
-        left: () => this.lookAtTopics(),
-        stepped: stepped === undefined ? undefined : { seed: stepped.seed },
-        sent: traced ? (of, message) => void trace.add(of.id, message) : onSent,
-        resetInput: (id) => this.input.reset(id),
         shutdown: () => this.stopAll(),
         happened: (of, event) => this.steps.happened(of.id, event),
         lines: (of, { lines, dropped }) => {
@@ -137,6 +147,29 @@ export class SiteSession implements Session {
         },
       }));
     }
+  }
+
+  private kernel(notebook: SiteNotebook, common: KernelHost): SiteKernel {
+    const node = kernelNode(notebook);
+    const runner = new NodeRunner(node, new NodeConsole(this.platform.frame), {
+      ...common,
+      changed: () => kernel.changed(),
+      settled: (of) => this.images?.settled(of),
+      shutdown: () => undefined,
+      happened: () => undefined,
+      // What its program prints outside of Python.
+      lines: (_of, { lines }) => {
+        for (const [stream, , text] of lines) {
+          kernel.told({ event: 'stream', cell: '', name: stream === 1 ? 'stdout' : 'stderr', text: `${text}\n` });
+        }
+      },
+      event: (text) => kernel.told(readEvent(text)),
+    });
+    const kernel: SiteKernel = new SiteKernel(notebook.file, runner, (text) => {
+      this.input.send(node.id, text);
+      this.broker.wrote();
+    });
+    return kernel;
   }
 
   private launchSteps(): LaunchSteps {
@@ -344,7 +377,8 @@ export class SiteSession implements Session {
   graph(): GraphView {
     const { link } = this.broker;
     const records = link.records();
-    const processes = new Map([...this.runners].map(([id, runner]) => [runner.participant(), id]));
+    const runners = this.notebook === undefined ? [...this.runners] : [...this.runners, [kernelId, this.notebook.runner] as const];
+    const processes = new Map(runners.map(([id, runner]) => [runner.participant(), id]));
     return graphView(link.graphReplica.nodes.values(), records, (participant) => processes.get(participant));
   }
 
@@ -395,6 +429,7 @@ export class SiteSession implements Session {
     this.time.close();
     this.tabs?.close();
     for (const runner of this.runners.values()) runner.close();
+    this.notebook?.close();
     this.page?.close();
     this.images?.close();
     this.sources?.close();

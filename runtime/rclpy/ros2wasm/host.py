@@ -218,6 +218,17 @@ def take_stop() -> bool:
     return bool(js.take_stop())
 
 
+def forget_stop() -> None:
+    """The program goes on after a stop, and will hear of the next one."""
+    js.forget_stop()
+
+
+def tell(event: str) -> int:
+    """Have the page know of something. Returns how much of it the page has not dealt with yet."""
+    ahead: int = js.tell(event)
+    return ahead
+
+
 def wake() -> None:
     js.wake()
 

@@ -115,6 +115,13 @@ export const panels: readonly PanelRow[] = [
     source: { kind: 'lazy', load: () => import('./text.tsx').then((file) => file.TextPanel) },
   },
   {
+    id: 'notebook',
+    title: texts.panels.notebook,
+    icon: 'notebook',
+    usual: { place: 'guide', when: (site) => site.notebook !== undefined },
+    source: { kind: 'lazy', load: () => import('./notebook.tsx').then((file) => file.NotebookPanel) },
+  },
+  {
     id: 'log',
     title: texts.panels.log,
     icon: 'log',

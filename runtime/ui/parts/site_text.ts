@@ -5,10 +5,10 @@ import { texts } from '../texts.ts';
 const kMostBytes = 1 << 20;
 
 /** `path`: as in site.json. */
-export async function readSiteText(path: string): Promise<string> {
+export async function readSiteText(path: string, most = kMostBytes): Promise<string> {
   const response = await fetch(path.split('/').map(encodeURIComponent).join('/'));
   if (!response.ok) throw new Error(`HTTP ${response.status}`);
-  return textOf(await response.arrayBuffer());
+  return textOf(await response.arrayBuffer(), most);
 }
 
 /** Never settles when the visitor chooses none. `kinds`: endings of names, such as `.rviz`. */
@@ -27,7 +27,7 @@ export function chooseText(kinds: string): Promise<{ readonly name: string; read
   });
 }
 
-function textOf(bytes: ArrayBuffer): string {
-  if (bytes.byteLength > kMostBytes) throw new Error(texts.text.tooLong);
+function textOf(bytes: ArrayBuffer, most = kMostBytes): string {
+  if (bytes.byteLength > most) throw new Error(texts.text.tooLong);
   return new TextDecoder().decode(bytes);
 }

@@ -7,10 +7,13 @@ import type {
   ConsoleLine,
   ConsoleLog,
   GraphView,
+  KernelEvent,
+  KernelOrder,
   LastMessage,
   LinkKind,
   NodeState,
   NodeView,
+  NotebookKernel,
   PageNode,
   Session,
   SiteDescription,
@@ -71,6 +74,8 @@ export interface FakeOptions {
   readonly launchSteps?: SiteDescription['launchSteps'];
   readonly ui?: Readonly<Record<string, unknown>>;
   readonly checks?: SiteDescription['checks'];
+  /** Path of the notebook in the site. */
+  readonly notebook?: string;
   /** Paths of files of the site, beside the page's own. */
   readonly files?: readonly string[];
 }
@@ -153,8 +158,68 @@ class FakeTime implements SiteTime {
   }
 }
 
+/** A kernel that a test directs: it notes its orders. */
+export class FakeKernel implements NotebookKernel {
+  readonly file: string;
+  readonly orders: KernelOrder[] = [];
+  readonly asked: string[] = [];
+  private shown: NodeState = { kind: 'stopped' };
+  private readonly events = new Set<(event: KernelEvent) => void>();
+  private readonly states = new Set<(state: NodeState) => void>();
+
+  constructor(file: string) {
+    this.file = file;
+  }
+
+  state(): NodeState {
+    return this.shown;
+  }
+
+  setState(state: NodeState): void {
+    this.shown = state;
+    for (const listener of this.states) listener(state);
+  }
+
+  start(): void {
+    if (this.shown.kind !== 'running') this.setState({ kind: 'running' });
+  }
+
+  send(order: KernelOrder): void {
+    this.orders.push(order);
+  }
+
+  interrupt(): void {
+    this.asked.push('interrupt');
+  }
+
+  stop(): void {
+    this.setState({ kind: 'exited', code: 137 });
+  }
+
+  restart(): void {
+    this.asked.push('restart');
+    this.stop();
+    this.start();
+  }
+
+  onEvent(listener: (event: KernelEvent) => void): Unsubscribe {
+    this.events.add(listener);
+    return () => this.events.delete(listener);
+  }
+
+  onState(listener: (state: NodeState) => void): Unsubscribe {
+    this.states.add(listener);
+    return () => this.states.delete(listener);
+  }
+
+  tell(event: KernelEvent): void {
+    for (const listener of this.events) listener(event);
+  }
+}
+
 export class FakeSession implements Session {
   readonly time = new FakeTime();
+  readonly notebook: FakeKernel | undefined;
   checks: SiteChecks | undefined;
   readonly stepped = undefined;
   sources: Sources | undefined;
@@ -179,6 +244,7 @@ export class FakeSession implements Session {
 
   constructor(options: FakeOptions) {
     this.link = options.link ?? 'shared';
+    if (options.notebook !== undefined) this.notebook = new FakeKernel(options.notebook);
     this.known = new Map(options.interfaces ?? [['std_msgs/msg/String', 'string data\n']]);
     const nodes = options.nodes.map((node, index): SiteNode => ({
       id: `${node.executable}-${index + 1}`,
@@ -210,6 +276,7 @@ export class FakeSession implements Session {
       checks: options.checks ?? [],
       launchSteps: options.launchSteps ?? [],
       packages: [], interfaces: 'interfaces.json',
+      ...(options.notebook === undefined ? {} : { notebook: { file: options.notebook, program: 'pyodide/pyodide.asm.wasm', archives: [] } }),
       ui: options.ui ?? {},
       files: [
         { path: 'index.html', size: 2048, sha256: '', reason: 'runtime page' },

@@ -1,0 +1,49 @@
+// See notebook_files.hpp.
+#include "bundler/notebook_files.hpp"
+
+#include <algorithm>
+
+#include "bundler/workspace/discovery.hpp"
+#include "bundler/workspace/page_bags.hpp"
+
+namespace ros2wasm {
+
+Outcome<std::vector<Spanned<std::string>>> read_notebook(BuiltWorkspace& workspace) {
+  const Manifest& manifest = workspace.manifest;
+  if (!manifest.ui_notebook) return std::vector<Spanned<std::string>>();
+  auto notebook = read_page_notebook(workspace.folder, *manifest.ui_notebook);
+  if (!notebook) return std::move(notebook).errors();
+  workspace.notebook = std::move(*notebook);
+  return notebook_modules(shown_path(workspace.folder / manifest.ui_notebook->value,
+                                     workspace.folder, workspace.shown_folder),
+                          workspace.notebook->code);
+}
+
+namespace {
+
+/// Its files are among the page's then, each once.
+void add_notebook(BuiltWorkspace& workspace, PlanInput& input) {
+  if (!workspace.notebook) return;
+  input.notebook = NotebookInput{.file = workspace.notebook->files.front().path, .compiled = {}};
+  for (PageFile& file : workspace.notebook->files) {
+    workspace.watched.push_back(workspace.folder / file.path);
+    if (std::none_of(input.text.begin(), input.text.end(),
+                     [&](const PageFile& one) { return one.path == file.path; }))
+      input.text.push_back(std::move(file));
+  }
+}
+
+}  // namespace
+
+Outcome<Done> add_page(BuiltWorkspace& workspace, PlanInput& input) {
+  auto page = read_page_files(workspace.folder, workspace.manifest);
+  if (!page) return std::move(page).errors();
+  for (const auto* files : {&page->text, &page->bags})
+    for (const PageFile& file : *files) workspace.watched.push_back(workspace.folder / file.path);
+  input.text = std::move(page->text);
+  input.bags = std::move(page->bags);
+  add_notebook(workspace, input);
+  return Done{};
+}
+
+}  // namespace ros2wasm

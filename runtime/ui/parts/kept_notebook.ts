@@ -1,0 +1,43 @@
+// Keeps changed notebooks in the browser: one text for each place and packed notebook. A browser that refuses only forgets.
+
+const kDatabase = 'ros2wasm';
+const kStore = 'notebooks';
+
+function opened(): Promise<IDBDatabase> {
+  return new Promise((resolve, reject) => {
+    const request = indexedDB.open(kDatabase, 1);
+    request.onupgradeneeded = () => void request.result.createObjectStore(kStore);
+    request.onsuccess = () => resolve(request.result);
+    request.onerror = () => reject(request.error ?? new Error('IndexedDB'));
+    request.onblocked = () => reject(new Error('IndexedDB'));
+  });
+}
+
+async function inStore<T>(mode: IDBTransactionMode, work: (store: IDBObjectStore) => IDBRequest<T>): Promise<T> {
+  const database = await opened();
+  try {
+    return await new Promise<T>((resolve, reject) => {
+      const transaction = database.transaction(kStore, mode);
+      const request = work(transaction.objectStore(kStore));
+      transaction.oncomplete = () => resolve(request.result);
+      transaction.onabort = () => reject(transaction.error ?? new Error('IndexedDB'));
+    });
+  } finally {
+    database.close();
+  }
+}
+
+/** null: none is kept, or the browser does not say. */
+export async function keptNotebook(key: string): Promise<string | null> {
+  const found: unknown = await inStore('readonly', (store) => store.get(key) as IDBRequest<unknown>).catch(() => null);
+  return typeof found === 'string' ? found : null;
+}
+
+/** Whether the browser keeps it. */
+export function keepNotebook(key: string, text: string): Promise<boolean> {
+  return inStore('readwrite', (store) => store.put(text, key)).then(() => true, () => false);
+}
+
+export async function forgetNotebook(key: string): Promise<void> {
+  await inStore('readwrite', (store) => store.delete(key)).catch(() => undefined);
+}

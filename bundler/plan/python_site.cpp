@@ -44,9 +44,8 @@ std::vector<PlannedSource> sources_of(const PythonInput& input) {
   for (const auto& [path, file] : input.sources) {
     std::string_view name = file;
     while (name.starts_with(kUp)) name.remove_prefix(kUp.size());
-    sources.push_back({.path = path,
-                       .file = std::string(name),
-                       .sha256 = sha256_hex(input.workspace.at(path))});
+    sources.push_back(
+        {.path = path, .file = std::string(name), .sha256 = sha256_hex(input.workspace.at(path))});
   }
   std::sort(sources.begin(), sources.end(), [](const PlannedSource& a, const PlannedSource& b) {
     return std::tie(a.file, a.path) < std::tie(b.file, b.path);

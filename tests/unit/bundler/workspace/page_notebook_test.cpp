@@ -7,7 +7,7 @@
 namespace ros2wasm {
 namespace {
 
-constexpr const char* kLab = R"({"nbformat": 4, "nbformat_minor": 5, "metadata": {}, "cells": [
+constexpr const char* kLab = R"json({"nbformat": 4, "nbformat_minor": 5, "metadata": {}, "cells": [
   {"cell_type": "markdown", "metadata": {}, "source": ["# Lab\n", "![a](a.png)"]
 },
   {"cell_type": "code", "metadata": {}, "outputs": [], "execution_count": null,
@@ -15,7 +15,7 @@ constexpr const char* kLab = R"({"nbformat": 4, "nbformat_minor": 5, "metadata":
   {"cell_type": "code", "source": ["%%bash\n", "import nothing"]},
   {"cell_type": "code", "source": ["try:\n", "    import matplotlib\n", "except ImportError: pass\n", "import rclpy.node"]},
   {"cell_type": "raw", "source": "import no_code"}]
-})";
+})json";
 
 std::string problem_of(const std::string& text) {
   const auto cells = notebook_cells(text, "lab.ipynb");

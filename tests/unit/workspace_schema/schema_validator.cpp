@@ -17,7 +17,7 @@ const std::set<std::string>& known_keywords() {
       "title",         "description",   "type",       "const",
       "enum",          "pattern",       "maxLength",  "minItems",
       "items",         "required",      "properties", "additionalProperties",
-      "propertyNames", "minProperties", "anyOf"};
+      "propertyNames", "minProperties", "anyOf",      "dependentRequired"};
   return kKnown;
 }
 
@@ -131,6 +131,12 @@ bool SchemaValidator::valid_object(const JsonValue& schema, const YamlNode& inst
   if (const JsonValue* required = schema.find("required")) {
     for (const JsonValue& key : required->items()) {
       if (!entry_of(*key.string())) return false;
+    }
+  }
+  if (const JsonValue* dependent = schema.find("dependentRequired")) {
+    for (const auto& [key, needs] : dependent->members()) {
+      for (const JsonValue& need : needs.items())
+        if (entry_of(key) && !entry_of(*need.string())) return false;
     }
   }
   if (const JsonValue* least = schema.find("minProperties")) {

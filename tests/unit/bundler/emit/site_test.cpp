@@ -77,9 +77,10 @@ TEST(SitePlan, EveryFileHasAReasonAndTheHeadlessEntryStaysOut) {
     EXPECT_FALSE(file.reason.empty()) << file.path;
     EXPECT_EQ(file.sha256, sha256_hex(file.bytes));
   }
-  EXPECT_EQ(paths, (std::vector<std::string>{
-                       "SHA256SUMS", "index.html", "interfaces.json", "programs/demo/crowd.wasm",
-                       "programs/demo/talker.names", "programs/demo/talker.wasm", "site.json"}));
+  EXPECT_EQ(paths,
+            (std::vector<std::string>{"LICENSES.txt", "SHA256SUMS", "index.html", "interfaces.json",
+                                      "programs/demo/crowd.wasm", "programs/demo/talker.names",
+                                      "programs/demo/talker.wasm", "sbom.spdx.json", "site.json"}));
   EXPECT_EQ(plan.sha256, file_of(plan, "site.json")->sha256);
   EXPECT_NE(file_of(plan, "SHA256SUMS")->bytes.find(plan.sha256 + "  site.json\n"),
             std::string::npos);
@@ -101,7 +102,7 @@ TEST(SitePlan, SiteJsonSaysWhatRuns) {
   EXPECT_EQ(nodes[0].find("threads")->boolean(), false);
   EXPECT_EQ(nodes[1].find("threads")->boolean(), true);
   EXPECT_EQ(nodes[0].find("source")->find("line")->integer(), 3);
-  EXPECT_EQ(json->find("files")->items().size(), 5U);
+  EXPECT_EQ(json->find("files")->items().size(), 7U);
   EXPECT_EQ(json->find("ui")->text_of("theme"), "dark");
   EXPECT_EQ(json->find("ui")->find("autostart")->boolean(), false);
 }

@@ -63,7 +63,9 @@ class Reading {
   void add_python(const LaunchWorld& world, const SeenPaths& seen) {
     endings_.push_back(".launch.py");
     for (const auto& [path, state] : seen) {
-      if (!state.starts_with("file ") || !is_in_workspace(path) || texts_.contains(path)) continue;
+      // Opened, "file SIZE SHA256": whoever lists a folder looks at all that is in it.
+      const bool was_opened = state.starts_with("file ") && state.find(' ', 5) != std::string::npos;
+      if (!was_opened || !is_in_workspace(path) || texts_.contains(path)) continue;
       auto text = world.read(path);
       if (text && !first_invalid_utf8(*text)) of_python_.emplace(path, std::move(*text));
     }
@@ -199,7 +201,9 @@ Outcome<LaunchedFile> launch_from_file(const PackRequest& request, BuiltWorkspac
       auto read = launch_modules(request.executable);
       if (!read) return std::move(read).errors();
       modules = std::move(*read);
-      reading.add_python(world, interpreter.seen());
+      const auto seen_by_python = interpreter.seen();
+      if (!seen_by_python) return seen_by_python.errors();
+      reading.add_python(world, *seen_by_python);
     }
     std::vector<std::string> left_out;
     Texts texts = reading.texts(world, left_out);

@@ -154,17 +154,20 @@ LaunchInterpreter launch_interpreter(const LaunchEvaluationAsked& asked,
     return (*transcript)->ask(request, reply);
   };
   result.keep = [=] {
-    if (!*transcript || !(*transcript)->is_live() || (*transcript)->has_failed()) return;
+    if (!*transcript || !(*transcript)->end() || !(*transcript)->is_live() ||
+        (*transcript)->has_failed())
+      return;
     auto seen = host->seen();
     if (!seen) return;
     const KeptPython kept{.remarks = (*transcript)->remarks(), .seen = std::move(*seen)};
     // What cannot be kept is asked again.
     static_cast<void>(write_file(*place, kept_python_json(kept)));
   };
-  result.seen = [=]() -> SeenPaths {
-    if (!*transcript) return {};
+  result.seen = [=]() -> Outcome<SeenPaths> {
+    if (!*transcript) return SeenPaths();
+    if (auto ended = (*transcript)->end(); !ended) return std::move(ended).errors();
     if (!(*transcript)->is_live()) return *seen_before;
-    return host->seen().value_or(SeenPaths());
+    return host->seen();
   };
   return result;
 }

@@ -33,7 +33,7 @@ struct LaunchInterpreter {
   LaunchPython python;         ///< starts when it is needed
   std::function<void()> keep;  ///< call it when all went well: the next time need not start it
   /// What it looked at so far; empty when it was never asked.
-  std::function<SeenPaths()> seen;
+  std::function<Outcome<SeenPaths>()> seen;
 };
 
 /// The modules that launch files in Python are recorded with, by path, for sites that run them

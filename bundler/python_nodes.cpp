@@ -125,8 +125,12 @@ Outcome<std::vector<std::string>> check_notebook_imports(BuiltWorkspace& workspa
                                       workspace.folder, workspace.shown_folder);
   std::set<std::string> compiled;
   Diagnostics errors;
-  for (const std::string_view module : kKernelModules)
-    python.workspace.emplace(std::string(kPythonModules) + "/" + std::string(module), "");
+  std::vector<PythonFiles::iterator> added;
+  for (const std::string_view module : kKernelModules) {
+    const auto [place, is_new] =
+        python.workspace.emplace(std::string(kPythonModules) + "/" + std::string(module), "");
+    if (is_new) added.push_back(place);
+  }
   for (const NotebookCell& cell : workspace.notebook->code) {
     const std::string name = cell_name(file, cell);
     // No file of an installation has this name.
@@ -149,8 +153,7 @@ Outcome<std::vector<std::string>> check_notebook_imports(BuiltWorkspace& workspa
     }
     python.workspace.erase(script);
   }
-  for (const std::string_view module : kKernelModules)
-    python.workspace.erase(std::string(kPythonModules) + "/" + std::string(module));
+  for (const PythonFiles::iterator place : added) python.workspace.erase(place);
   if (!errors.empty()) return errors;
   return std::vector<std::string>(compiled.begin(), compiled.end());
 }

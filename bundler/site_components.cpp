@@ -17,9 +17,11 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMostFiles = 32;
 constexpr std::uint64_t kLargest = 256 * 1024;
 
+/// `LICENSE`, `COPYING.txt`, `LICENSE-MIT`, `UNLICENSE`.
 bool is_license_name(const std::string& path) {
-  const std::string stem = ascii_lower(fs::path(path).stem().string());
-  return stem == "license" || stem == "licence" || stem == "copying" || stem == "notice";
+  const std::string name = ascii_lower(fs::path(path).filename().string());
+  return name.starts_with("license") || name.starts_with("licence") ||
+         name.starts_with("copying") || name.starts_with("notice") || name.starts_with("unlicense");
 }
 
 bool is_license_text(const std::string& text) {
@@ -50,15 +52,13 @@ SiteComponent of_channel(const PackageRecord& record, const Store& store) {
                           .name = record.name,
                           .version = record.version,
                           .licenses = {},
-                          .sha256 = record.sha256,
+                          .sha256 = {},  // of its archive: the same files come in several forms
                           .address = {},
                           .purl = "pkg:conda/" + in_purl(record.name) + "@" +
                                   in_purl(record.version) + "?build=" + in_purl(record.build) +
                                   "&subdir=" + in_purl(record.subdir),
                           .texts = {}};
   if (!record.license.empty()) component.licenses.push_back(record.license);
-  if (record.url.starts_with("https://") || record.url.starts_with("http://"))
-    component.address = with_masked_secrets(record.url);
   if (const fs::path place = store.package_place(record); !place.empty())
     component.texts = license_texts(place / "info" / "licenses", true);
   return component;
@@ -92,7 +92,9 @@ SiteComponent of_wheel(const NamedWheel& wheel) {
       std::string license = wheel_field(bytes, "License-Expression");
       if (license.empty()) license = wheel_field(bytes, "License");
       if (!license.empty()) component.licenses.push_back(std::move(license));
-    } else if (is_license_name(path) && is_license_text(bytes)) {
+    } else if ((is_license_name(path) || path.find("/licenses/", info) != std::string::npos ||
+                path.find("/license_files/", info) != std::string::npos) &&
+               is_license_text(bytes)) {
       component.texts.push_back(bytes);
     }
   }

@@ -14,8 +14,8 @@
 
 namespace ros2wasm {
 
-/// The texts of the files below `folder` that are licenses by their name (`LICENSE`, `COPYING`,
-/// `NOTICE`, with any extension), or of all, with `whatever_name`; in the order of their paths. At
+/// The texts of the files in `folder` that are licenses by the beginning of their name (`LICENSE`,
+/// `COPYING`, `NOTICE`), or of all below it, with `whatever_name`; in the order of their paths. At
 /// most 32 files of 256 KiB; what is more, is no text or is a link is left out.
 [[nodiscard]] std::vector<std::string> license_texts(const std::filesystem::path& folder,
                                                      bool whatever_name);

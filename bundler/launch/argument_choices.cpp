@@ -56,7 +56,11 @@ ArgumentTrials argument_trials(const std::vector<LaunchArgument>& arguments, std
       others.push_back({one.name, std::move(values)});
   }
   ArgumentTrials result;
-  for (const Others& one : others) result.names.push_back(one.name);
+  std::size_t alone = 0;  // trials of one argument come first, in this order
+  for (const Others& one : others) {
+    alone += one.values.size();
+    if (alone <= most) result.names.push_back(one.name);
+  }
   for (std::size_t count = 1; count <= others.size() && result.is_complete; ++count) {
     std::map<std::string, std::string> chosen;
     result.is_complete = add_trials(others, 0, count, chosen, most, result);

@@ -75,6 +75,13 @@ Outcome<std::string> PythonTranscript::ask(
   return answer;
 }
 
+Outcome<Done> PythonTranscript::end() {
+  if (is_live_ || next_ == remarks_.size()) return Done{};
+  auto ready = catch_up();
+  has_failed_ = !ready;
+  return ready;
+}
+
 /// Asks all again that was answered from memory, with what was told then.
 Outcome<Done> PythonTranscript::catch_up() {
   is_live_ = true;

@@ -30,6 +30,10 @@ class PythonTranscript {
   [[nodiscard]] Outcome<std::string> ask(
       const std::string& request, const std::function<std::string(const std::string&)>& reply);
 
+  /// When less was asked than an earlier talk had: leads the interpreter to where this one ended,
+  /// so that what it saw is what this talk needed. R2W0416 as ask().
+  [[nodiscard]] Outcome<Done> end();
+
   [[nodiscard]] bool is_live() const { return is_live_; }
   [[nodiscard]] bool has_failed() const { return has_failed_; }
   /// Of this talk, when it is live.

@@ -13,7 +13,7 @@ struct SiteComponent {
   std::string name;
   std::string version;
   std::vector<std::string> licenses;  ///< as stated; all of them hold
-  std::string sha256;                 ///< of the archive that it came in; may be empty
+  std::string sha256;                 ///< of the archive that it came in, where that has one form
   std::string address;                ///< of that archive on the web; may be empty
   std::string purl;                   ///< package URL; may be empty
   std::vector<std::string> texts;     ///< of its license files

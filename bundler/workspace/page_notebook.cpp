@@ -29,6 +29,15 @@ std::string joined(const JsonValue* text) {
   return out;
 }
 
+/// `%name`, `%%name` and `!command`; not the rest of an expression, such as `% n)` or `!= n`.
+bool is_magic(std::string_view text) {
+  if (text.size() < 2) return false;
+  const char next = text[1];
+  const bool is_letter = (next >= 'a' && next <= 'z') || (next >= 'A' && next <= 'Z');
+  return (text.starts_with('%') && (is_letter || next == '%')) ||
+         (text.starts_with('!') && next != '=');
+}
+
 /// Without what IPython reads and Python does not; lines keep their numbers.
 std::string python_part(std::string_view source) {
   std::string out;
@@ -41,7 +50,7 @@ std::string python_part(std::string_view source) {
     const std::string_view text = begin == std::string_view::npos ? "" : line.substr(begin);
     if (first && text.starts_with("%%")) return {};
     if (!text.empty()) first = false;
-    if (!text.starts_with('%') && !text.starts_with('!')) out += line;
+    if (!is_magic(text)) out += line;
     out += '\n';
   }
   return out;

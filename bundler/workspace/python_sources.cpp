@@ -18,7 +18,7 @@ bool is_python(const std::string& path, std::string_view bytes) {
   return first.starts_with("#!") && first.find("python") != std::string_view::npos;
 }
 
-/// Files by their name, of those names only. Hidden folders are nobody's sources.
+/// Files by their name, of those names only. Hidden and ignored folders are nobody's sources.
 std::multimap<std::string, fs::path> files_of(const std::vector<fs::path>& places,
                                               const std::set<std::string>& names) {
   std::multimap<std::string, fs::path> found;
@@ -34,7 +34,10 @@ std::multimap<std::string, fs::path> files_of(const std::vector<fs::path>& place
          it.increment(error)) {
       std::error_code ignored;
       const bool is_hidden = it->path().filename().string().starts_with(".");
-      if (is_hidden && it->is_directory(ignored)) it.disable_recursion_pending();
+      // As for colcon, which marks what it has installed by this file.
+      if (it->is_directory(ignored) &&
+          (is_hidden || fs::exists(it->path() / "COLCON_IGNORE", ignored)))
+        it.disable_recursion_pending();
       if (it->is_regular_file(ignored)) look_at(it->path());
     }
   }

@@ -47,7 +47,7 @@ def plain(form: object) -> object:
 def fits(mime: str, form: object) -> bool:
     """A text, or what JSON can say, and not too long."""
     try:
-        said = form if isinstance(form, str) else json.dumps(form) if mime.endswith('json') else None
+        said = form if isinstance(form, str) else json.dumps(form, allow_nan=False) if mime.endswith('json') else None
     except (TypeError, ValueError, RecursionError):
         return False
     return said is not None and len(said) <= MOST
@@ -62,7 +62,9 @@ def bundle_of(value: Any) -> tuple[Bundle, Bundle]:
 
     def add(mime: str, form: Any) -> None:
         if isinstance(form, tuple) and len(form) == 2 and isinstance(form[1], dict):
-            form, about[mime] = form
+            form, said = form
+            if fits('json', said):
+                about[mime] = said
         form = plain(form)
         if isinstance(mime, str) and fits(mime, form):
             data[mime] = form
@@ -197,7 +199,8 @@ def display(
         if _notebook.show is None:
             print(data.get('text/plain', ''))
         else:
-            _notebook.show(data, {**about, **(metadata or {})}, name, update)
+            said = metadata if metadata and fits('json', metadata) else {}
+            _notebook.show(data, {**about, **said}, name, update)
     return None if name is None else DisplayHandle(name)
 
 

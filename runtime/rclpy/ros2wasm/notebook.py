@@ -13,6 +13,7 @@ import inspect
 import io
 import json
 import linecache
+import re
 import sys
 import traceback
 import weakref
@@ -40,6 +41,8 @@ ATTEND_S = 0.002
 MOST_CALLBACKS = 50
 OWN_FILES = (__file__, asyncio.__path__[0])
 FLAGS = ast.PyCF_ALLOW_TOP_LEVEL_AWAIT
+#: `%name` and `!command`; not the rest of an expression, such as `% n)` or `!= n`.
+MAGIC = re.compile(r'\s*(?:%[A-Za-z%]|![^=])')
 
 Event = dict[str, Any]
 
@@ -218,7 +221,7 @@ class Kernel:
     def without_magics(self, source: str) -> str | None:
         """Lines that IPython reads and Python does not are left out; None: there are none."""
         lines = source.split('\n')
-        magics = [at for at, line in enumerate(lines) if line.lstrip().startswith(('%', '!'))]
+        magics = [at for at, line in enumerate(lines) if MAGIC.match(line)]
         if not magics or lines[magics[0]].startswith('%%'):
             return None
         for at in magics:
@@ -287,7 +290,11 @@ class Kernel:
     def failed(self, error: BaseException) -> None:
         part = own_part_gone(error.__traceback__)
         lines = traceback.format_exception(type(error), error, part)
-        self.tell('error', ename=type(error).__name__, evalue=str(error), traceback=''.join(lines).splitlines())
+        try:
+            said = str(error)
+        except Exception:
+            said = f'<{type(error).__name__} whose str() fails>'
+        self.tell('error', ename=type(error).__name__, evalue=said, traceback=''.join(lines).splitlines())
 
     def serve(self) -> None:
         """Until there are no more orders."""

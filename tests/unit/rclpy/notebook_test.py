@@ -83,10 +83,20 @@ class NotebookTest(BusTest):
 
     # Differs: notebooks: lines for IPython (`%matplotlib`, `!ls`) do nothing, and say so
     def test_magics_do_nothing(self) -> None:
-        first, second = self.run_cells('%matplotlib inline\n5', '%%bash\nls')
+        first, second, third = self.run_cells(
+            '%matplotlib inline\n5', '%%bash\nls', '%matplotlib inline\nx = (7\n  % 4\n  != 2)\nx')
         self.assertIn('line 1 does nothing here: `%matplotlib inline`', first[0]['text'])
         self.assertEqual(first[1]['data'], {'text/plain': '5'})
         self.assertEqual(second[0]['ename'], 'SyntaxError')
+        self.assertEqual(third[1]['data'], {'text/plain': 'True'})
+
+    def test_what_cannot_be_said_ends_nothing(self) -> None:
+        first, second = self.run_cells(
+            'class E(Exception):\n    def __str__(self): return self.missing\nraise E()',
+            'from IPython.display import JSON, display\ndisplay(JSON({"x": float("nan")}), metadata={"y": float("inf")})')
+        self.assertEqual(first[0]['evalue'], '<E whose str() fails>')
+        self.assertNotIn('application/json', second[0]['data'])
+        self.assertEqual(second[0]['metadata'], {})
 
     # Works: notebooks: values show themselves as HTML, SVG, PNG, Markdown and LaTeX; `display` and IPython.display
     def test_rich_values(self) -> None:

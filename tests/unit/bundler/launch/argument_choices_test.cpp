@@ -42,6 +42,8 @@ TEST(ArgumentTrials, AreNoMoreThanAskedFor) {
   EXPECT_FALSE(tried.is_complete);
   ASSERT_EQ(tried.trials.size(), 31U);
   EXPECT_EQ(tried.trials.back(), (Given{{"a30", "false"}}));
+  ASSERT_EQ(tried.names.size(), 31U);  // those of which each value is tried
+  EXPECT_EQ(tried.names.back(), "a30");
   EXPECT_TRUE(argument_trials({}, 31).trials.empty());
   EXPECT_TRUE(argument_trials({argument("a", "1")}, 0).is_complete);
 }

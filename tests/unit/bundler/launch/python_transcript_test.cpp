@@ -56,6 +56,18 @@ TEST(PythonTranscript, TheSameTalkAsksNobody) {
   EXPECT_TRUE(interpreter.heard.empty());
 }
 
+TEST(PythonTranscript, AShorterTalkIsLedToItsOwnEnd) {
+  Interpreter interpreter;
+  PythonTranscript transcript(talk("x"), interpreter.live());
+  Told told{"x"};
+  EXPECT_EQ(*transcript.ask("a", told.reply()), "says a");
+  EXPECT_TRUE(transcript.end());
+  EXPECT_TRUE(transcript.is_live());
+  EXPECT_EQ(interpreter.heard, std::vector<std::string>{"a"});
+  EXPECT_EQ(transcript.remarks().size(), 1U);
+  EXPECT_TRUE(transcript.end());
+}
+
 TEST(PythonTranscript, AnotherRequestIsAskedAfterThoseBefore) {
   Interpreter interpreter;
   PythonTranscript transcript(talk("x"), interpreter.live());

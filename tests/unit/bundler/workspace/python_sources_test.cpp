@@ -41,6 +41,8 @@ TEST(PythonSources, OfSeveralAlikeTheOneWhosePathAgreesLongest) {
   tree.write("src/a/one/node.py", "same");
   tree.write("src/a/build/deeper/one/node.py", "same");
   tree.write("src/a/.hidden/one/node.py", "same");
+  tree.write("src/a/install/COLCON_IGNORE", "");
+  tree.write("src/a/install/" + std::string(kPythonModules) + "/one/node.py", "same");
   const std::string path = std::string(kPythonModules) + "/one/node.py";
   EXPECT_EQ(python_sources({{path, "same"}}, {tree / "src/a"}, tree.root()),
             (PythonSources{{path, "src/a/one/node.py"}}));

@@ -129,7 +129,11 @@ class Record(Scratch):
 def version_of(folder: Path) -> str:
     """The version of the npm or Debian package that a folder is from, of the latter installed or its source."""
     if "node_modules" in folder.parts:
-        return str(json.loads((folder / "package.json").read_text(encoding="utf-8"))["version"])
+        version = str(json.loads((folder / "package.json").read_text(encoding="utf-8"))["version"])
+        lock = folder / "pyodide-lock.json"
+        if lock.exists():  # it has a Python of its own
+            version += f" (Python {json.loads(lock.read_text(encoding='utf-8'))['info']['python']})"
+        return version
     changelog = folder / "debian" / "changelog"
     if changelog.exists():
         return changelog.read_text(encoding="utf-8").partition("(")[2].partition(")")[0]

@@ -167,7 +167,12 @@ LaunchInterpreter launch_interpreter(const LaunchEvaluationAsked& asked,
     if (!*transcript) return SeenPaths();
     if (auto ended = (*transcript)->end(); !ended) return std::move(ended).errors();
     if (!(*transcript)->is_live()) return *seen_before;
-    return host->seen();
+    auto seen = host->seen();
+    if (seen) return *std::move(seen);
+    return Diagnostic{.code = "R2W0416",
+                      .message = "the interpreter of launch files in Python has ended",
+                      .why = {"what they opened, which the site needs, is not known"},
+                      .fix = {"run the command again"}};
   };
   return result;
 }

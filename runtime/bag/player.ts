@@ -13,6 +13,8 @@ const discoveryMs = 50;
 /** For so long nobody else has the page. */
 const longestTurnMs = 8;
 const clockTopic = '/clock';
+/** Of what latched topics held before a place. */
+const mostHeldBytes = 64 << 20;
 
 export interface PlayOptions {
   readonly rate?: number;
@@ -37,6 +39,8 @@ export class BagPlayer {
   private options: Required<PlayOptions>;
   /** The place in the bag at a time of the site, from which the present one follows. */
   private anchor: { readonly siteMs: number; readonly ns: bigint };
+  /** When the next message is to be sent: the place is never beyond it, so that a pause loses none. */
+  private due = 0n;
   private publishers = new Map<number, PagePublisher>();
   private running: AbortController | undefined;
   private clock: { readonly publisher: PagePublisher; readonly timer: PageTimer } | undefined;
@@ -46,7 +50,7 @@ export class BagPlayer {
   /** What ended it, or keeps a topic from being published. */
   problem: SiteError | undefined;
   sent = 0;
-  /** Messages that could not be sent, because a subscription had no room. */
+  /** Messages that could not be sent: a subscription had no room, or the page has none for all that was latched. */
   unsent = 0;
 
   /** `changed` is called when anything but place() and the counts is another. */
@@ -66,7 +70,7 @@ export class BagPlayer {
     if (this.state !== 'playing') return anchor.ns;
     const past = (this.session.time.view().now - anchor.siteMs) * 1e6 * this.options.rate;
     const now = anchor.ns + BigInt(Math.max(0, Math.round(past)));
-    return now > this.options.to ? this.options.to : now;
+    return now > this.due ? this.due : now;
   }
 
   play(): void {
@@ -124,6 +128,7 @@ export class BagPlayer {
     this.state = 'playing';
     this.problem = undefined;
     this.anchor = { siteMs: this.session.time.view().now, ns: this.anchor.ns };
+    this.due = this.anchor.ns;
     this.changed();
     this.run(abort.signal).catch((error: unknown) => {
       if (abort.signal.aborted) return;
@@ -145,10 +150,12 @@ export class BagPlayer {
       this.anchor = { siteMs: this.session.time.view().now, ns: from };
       await this.sendFrom(from, signal);
       if (signal.aborted) return;
+      this.due = this.options.to;
       await this.until(this.options.to, signal);
       if (signal.aborted) return;
       if (!this.options.loop || this.bag.messages === 0) break;
       this.anchor = { siteMs: this.session.time.view().now, ns: this.options.from };
+      this.due = this.options.from;
       // A bag of one moment would go round for ever within one turn.
       await this.wait(1, signal);
     }
@@ -162,6 +169,7 @@ export class BagPlayer {
     let turn = performance.now();
     for await (const message of this.bag.read(from, this.options.topics)) {
       if (signal.aborted || message.logTime > this.options.to) return;
+      this.due = message.logTime;
       if (await this.until(message.logTime, signal)) turn = performance.now();
       if (signal.aborted) return;
       this.send(message);
@@ -177,21 +185,33 @@ export class BagPlayer {
     const isLatched = ({ topic, offered }: BagChannel): boolean =>
       this.options.topics.includes(topic) && offerFor(offered).durability === 'transient_local';
     const latched = new Map(this.bag.channels.filter(isLatched).map(({ id, topic, offered }) =>
-      [id, { topic, depth: offerFor(offered).depth ?? 10, last: [] as BagMessage[] }]));
+      [id, { topic, depth: offerFor(offered).depth ?? 10, count: 0, last: [] as BagMessage[] }]));
     if (latched.size === 0) return;
+    let held = 0;
+    const drop = (last: BagMessage[]): void => {
+      held -= last.shift()?.data.length ?? 0;
+    };
     let turn = performance.now();
     for await (const message of this.bag.read(this.bag.start, [...new Set([...latched.values()].map(({ topic }) => topic))])) {
       if (signal.aborted || message.logTime >= before) break;
       const channel = latched.get(message.channel);
-      channel?.last.push(message);
-      if (channel !== undefined && channel.last.length > channel.depth) channel.last.shift();
+      if (channel !== undefined) {
+        channel.count += 1;
+        channel.last.push(message);
+        held += message.data.length;
+        if (channel.last.length > channel.depth) drop(channel.last);
+      }
+      while (held > mostHeldBytes) drop(oldest([...latched.values()].map(({ last }) => last)));
       if (performance.now() - turn > longestTurnMs) {
         await nextTurn();
         turn = performance.now();
       }
     }
     if (signal.aborted) return;
-    for (const { last } of latched.values()) for (const message of last) this.send(message);
+    for (const { last, depth, count } of latched.values()) {
+      this.unsent += Math.min(depth, count) - last.length;
+      for (const message of last) this.send(message);
+    }
   }
 
   private send({ channel, data }: BagMessage): void {
@@ -276,6 +296,11 @@ export class BagPlayer {
 /** Topics that can be played. */
 export function playable({ channels }: Bag): string[] {
   return [...new Set(channels.filter(({ encoding, type }) => encoding === 'cdr' && type !== '').map(({ topic }) => topic))];
+}
+
+/** Of lists that are in order, the one that begins first. One of them is not empty. */
+function oldest(lists: readonly BagMessage[][]): BagMessage[] {
+  return lists.filter(({ length }) => length > 0).reduce((first, list) => (list[0]!.logTime < first[0]!.logTime ? list : first));
 }
 
 /** rosgraph_msgs/msg/Clock. */

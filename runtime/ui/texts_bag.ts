@@ -31,7 +31,7 @@ export const bagTexts = {
   clock: 'Publish /clock',
   damage: (why: string): string => `Not all of this bag can be read: ${why}. What could be read is played.`,
   held: 'The time of the site is held. The bag goes on with it.',
-  unsent: (count: number): string => `${count} messages found no room at a subscription.`,
+  unsent: (count: number): string => `${count} messages were not sent: there was no room for them.`,
   topics: 'Topics of the bag',
   asShort: 'as',
   as: (topic: string): string => `Name that ${topic} is published under`,

@@ -315,8 +315,9 @@ export class NodeRunner {
         this.host.broker.consoleSeen(participant);
         return;
       case 'event':
-        this.host.event?.(report.event);
+        // First: whatever becomes of it, there is room for the next one.
         this.host.broker.consoleSeen(participant);
+        this.host.event?.(report.event);
         return;
       case 'thread': {
         if (run === undefined) return;

@@ -65,7 +65,12 @@ export function kernelNode({ file, program, archives }: SiteNotebook): SiteNode 
 
 /** What a kernel says is its program's word: it may be anything. undefined: it is no event. */
 export function readEvent(text: string): KernelEvent | undefined {
-  const said: unknown = JSON.parse(text);
+  let said: unknown;
+  try {
+    said = JSON.parse(text);
+  } catch {
+    return undefined;
+  }
   if (typeof said !== 'object' || said === null) return undefined;
   const { event, cell, text: printed, name, data, metadata, traceback, prompt, ename, evalue } = said as Record<string, unknown>;
   const isBundle = (value: unknown): boolean => typeof value === 'object' && value !== null && !Array.isArray(value);

@@ -142,6 +142,15 @@ for (const [link, isolated] of [['shared', true], ['port', false]] as const) {
     await page.getByText('/talk runs it as packed.').waitFor();
     await page.waitForFunction(() => (document.querySelector('[aria-label*="hear"][role="log"]')?.textContent ?? '').endsWith('heard packed words'));
     assert.equal(await badge.count(), 0);
+
+    // What is refused is not applied, and can be reset.
+    await write(page, `#${'x'.repeat(200_000)}`);
+    await page.keyboard.press('Control+s');
+    await page.getByText('This is more than the browser keeps of a site').first().waitFor();
+    assert.equal(await page.getByText('Restarted:').count(), 0);
+    await page.getByRole('button', { name: 'Reset' }).click();
+    await editorOf(page).getByText('packed words').waitFor();
+    await page.locator('button[aria-disabled=true]', { hasText: 'Reset' }).waitFor();
   }));
 }
 

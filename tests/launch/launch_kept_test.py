@@ -145,9 +145,11 @@ class Kept(unittest.TestCase):
             'workspace.yaml': 'schema: 1\nname: kept\nversion: 1.0.0\nlicense: Apache-2.0\ndistro: jazzy\n'
                               'packages: [demo]\nlaunch: demo/launch/all.launch.py\n',
             'demo/package.xml': PACKAGE.replace(
-                '</package>', '<exec_depend>rclpy</exec_depend><export><build_type>ament_python</build_type></export></package>'),
-            'demo/setup.py': "from setuptools import setup\nsetup(name='demo', version='1.2.3', packages=['demo'], data_files=[('share/"
-                             "demo', ['package.xml'])], entry_points={'console_scripts': ['talker = demo.talker:main']})\n",
+                '</package>', '<exec_depend>rclpy</exec_depend>'
+                              '<export><build_type>ament_python</build_type></export></package>'),
+            'demo/setup.py': "from setuptools import setup\nsetup(name='demo', version='1.2.3', packages=['demo'], "
+                             "data_files=[('share/demo', ['package.xml'])], "
+                             "entry_points={'console_scripts': ['talker = demo.talker:main']})\n",
             'demo/setup.cfg': '[develop]\nscript_dir=$base/lib/demo\n[install]\ninstall_scripts=$base/lib/demo\n',
             'demo/demo/__init__.py': '', 'demo/demo/talker.py': 'def main():\n    pass\n',
         }.items():

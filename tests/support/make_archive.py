@@ -1,4 +1,4 @@
-"""make_archive.py OUT.zip [FOLDER=PLACE]...: packs folders as they lie in an installation, stored as `pack` does. For tests."""
+"""make_archive.py OUT.zip [FOLDER=PLACE]...: packs folders as they lie in an installation, stored as by `pack`."""
 from __future__ import annotations
 
 import sys

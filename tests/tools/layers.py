@@ -68,8 +68,8 @@ def violations() -> list[str]:
                 reads_messages = layer == "runtime/decode" and Path(used).name not in DECODE_DOORS
                 if folder == "runtime/wasm_js" and reads_messages and file.name not in MESSAGE_READERS:
                     errors.append(f"{name}: uses {used}; the bus knows no messages")
-                if folder in {"runtime/bag", "runtime/ros2cli"} and layer == "runtime/wasm_js" and name != HEADLESS_MAIN \
-                        and Path(used).name not in COMMAND_DOORS:
+                is_command = folder in {"runtime/bag", "runtime/ros2cli"} and name != HEADLESS_MAIN
+                if is_command and layer == "runtime/wasm_js" and Path(used).name not in COMMAND_DOORS:
                     errors.append(f"{name}: uses {used}; commands see only {', '.join(sorted(COMMAND_DOORS))}")
                 if folder == "runtime/ui" and layer == "runtime/wasm_js" and Path(used).name not in UI_DOORS:
                     errors.append(f"{name}: uses {used}; the page sees only {', '.join(sorted(UI_DOORS))}")

@@ -193,7 +193,8 @@ def display(
     name = display_id if isinstance(display_id, str) else None
     for value in values:
         if raw and isinstance(value, dict):
-            data, about = {mime: plain(form) for mime, form in value.items() if fits(mime, plain(form))}, {}
+            data = {mime: plain(form) for mime, form in value.items() if fits(mime, plain(form))}
+            about: Bundle = {}
         else:
             data, about = bundle_of(value)
         if _notebook.show is None:

@@ -86,11 +86,11 @@ class Asked(io.TextIOBase):
     def readable(self) -> bool:
         return True
 
-    def readline(self, size: int | None = -1, /) -> str:
+    def readline(self, size: int | None = -1, /) -> str:  # type: ignore[override]
         line = self.kernel.ask('') + '\n'
         return line if size is None or size < 0 else line[:size]
 
-    def __next__(self) -> str:
+    def __next__(self) -> str:  # type: ignore[override]
         return self.readline()
 
 
@@ -357,7 +357,8 @@ def main() -> int:
     # As in a program of its own, for pickle and dataclasses.
     own = module('__main__', {'__builtins__': builtins, 'display': display.display, 'get_ipython': lambda: None})
     kernel.space = own.__dict__
-    sys.stdout, sys.stderr, sys.stdin = kernel.out, kernel.err, Asked(kernel)
+    streams: tuple[Any, Any, Any] = (kernel.out, kernel.err, Asked(kernel))
+    sys.stdout, sys.stderr, sys.stdin = streams
     setattr(builtins, 'input', kernel.ask)
     sys.argv = ['notebook']
     with contextlib.closing(kernel.loop), contextlib.suppress(Stopped):

@@ -55,8 +55,8 @@ const kStyles: ReadonlySet<string> = new Set([
   'margin-right', 'margin-top', 'max-width', 'min-width', 'opacity', 'padding', 'padding-bottom', 'padding-left', 'padding-right',
   'padding-top', 'text-align', 'text-decoration', 'text-transform', 'vertical-align', 'white-space', 'width',
 ]);
-/** No `url()`, no `var()`, nothing that moves out of its place: a sign of minus begins a length only within a word. */
-const kStyleValue = /^(?!.*(?:url|var|expression|image|attr|env)\s*\()(?!.*(?:^|[\s(,])-)[\w\s#.,%()'"/+-]{1,200}$/i;
+/** No function but colours, nothing that moves out of its place: a sign of minus stands only within a word. */
+const kStyleValue = /^(?!.*(?<!\b(?:rgb|hsl)a?)\()(?!.*(?<![a-z])-)[\w\s#.,%()'"/+-]{1,200}$/is;
 
 const kEntities: Readonly<Record<string, string>> = {
   amp: '&', lt: '<', gt: '>', quot: '"', apos: "'", nbsp: '\u00a0', middot: '\u00b7', times: '\u00d7', deg: '\u00b0', micro: '\u00b5',
@@ -204,10 +204,14 @@ class Reader {
   }
 }
 
-/** As an image, in which no script runs and nothing is loaded. */
+/** For an image, in which no script runs and nothing is loaded. A half of a surrogate pair has no such form. */
+export function svgAddress(svg: string): string {
+  return `data:image/svg+xml,${encodeURIComponent(svg.toWellFormed())}`;
+}
+
 function drawing(svg: string): HtmlElement {
   const named = /\sxmlns\s*=/.test(svg) ? svg : svg.replace(/^<svg/i, '<svg xmlns="http://www.w3.org/2000/svg"');
-  return { tag: 'img', attributes: { src: `data:image/svg+xml,${encodeURIComponent(named)}`, alt: '' }, style: {}, children: [] };
+  return { tag: 'img', attributes: { src: svgAddress(named), alt: '' }, style: {}, children: [] };
 }
 
 function readAttributes(name: string, text: string): Pick<HtmlElement, 'attributes' | 'style'> {

@@ -72,9 +72,22 @@ function SourceFile({ session, state, setState, announce, sources, list }: Sourc
     setSaid(words);
     announce(words);
   };
+  /** What is typed is not kept yet, or is refused. */
+  const [unkept, setUnkept] = useState(false);
   const restart = (): void => {
     for (const node of users) session.restart(node.id);
     say(users.length === 0 ? sourceTexts.nobody : sourceTexts.applied(users.map(({ label }) => label)));
+  };
+  const apply = (): void => {
+    if (editor.current?.keep() === false) say(sourceTexts.tooLong);
+    else restart();
+  };
+  const isPacked = source?.state === 'packed' && !unkept;
+  const reset = (): void => {
+    if (source === undefined || isPacked) return;
+    editor.current?.reset();
+    if (source.state !== 'packed') sources.change(source.path, undefined);
+    if (isChanged) restart();
   };
   const text = source === undefined ? undefined : packed.texts.get(source.path);
   const patch = (): string =>
@@ -112,10 +125,7 @@ function SourceFile({ session, state, setState, announce, sources, list }: Sourc
             type="button"
             class="button button-main"
             title={sourceTexts.applyLong}
-            onClick={() => {
-              editor.current?.keep();
-              restart();
-            }}
+            onClick={apply}
           >
             <Icon name="restart" />
             {sourceTexts.apply}
@@ -124,12 +134,8 @@ function SourceFile({ session, state, setState, announce, sources, list }: Sourc
             type="button"
             class="button"
             title={sourceTexts.resetLong}
-            aria-disabled={source?.state === 'packed' ? 'true' : undefined}
-            onClick={() => {
-              if (source === undefined || source.state === 'packed') return;
-              sources.change(source.path, undefined);
-              if (isChanged) restart();
-            }}
+            aria-disabled={isPacked ? 'true' : undefined}
+            onClick={reset}
           >
             {sourceTexts.reset}
           </button>
@@ -159,7 +165,8 @@ function SourceFile({ session, state, setState, announce, sources, list }: Sourc
           takesFocus={begun.current}
           handle={editor}
           onLine={(now) => setState({ file: source.file, line: now })}
-          onApply={restart}
+          onApply={apply}
+          onUnkept={setUnkept}
           say={setSaid}
         />
       )}
@@ -199,8 +206,10 @@ function usePacked(sources: Sources, list: readonly SourceView[], shown: SourceV
 }
 
 interface EditorHandle {
-  /** Keeps at once what was typed. */
-  readonly keep: () => void;
+  /** Keeps at once what was typed. Is what stands there kept? */
+  readonly keep: () => boolean;
+  /** Back to the packed text; what was typed is not kept any more. */
+  readonly reset: () => void;
 }
 
 interface SourceEditorProps {
@@ -214,6 +223,7 @@ interface SourceEditorProps {
   readonly handle: { current: EditorHandle | null };
   readonly onLine: (line: number) => void;
   readonly onApply: () => void;
+  readonly onUnkept: (unkept: boolean) => void;
   readonly say: (words: string) => void;
 }
 
@@ -222,6 +232,7 @@ function SourceEditor(props: SourceEditorProps) {
   const host = useRef<HTMLDivElement>(null);
   const editor = useRef<CodeEditor | null>(null);
   const timer = useRef<ReturnType<typeof setTimeout> | undefined>(undefined);
+  const refused = useRef(false);
   const lineTimer = useRef<ReturnType<typeof setTimeout> | undefined>(undefined);
   const lineAt = useRef(0);
   const latest = useRef(props);
@@ -235,15 +246,27 @@ function SourceEditor(props: SourceEditorProps) {
     // Where lines are gone, the one after them stands for them.
     shown.mark(changes.flatMap(({ newStart, newCount }) => Array.from({ length: Math.max(1, newCount) }, (_, i) => newStart + i + 1)));
   };
-  const keep = (): void => {
-    if (timer.current === undefined) return;
+  const keep = (): boolean => {
+    if (timer.current === undefined) return !refused.current;
     clearTimeout(timer.current);
     timer.current = undefined;
     const now = latest.current;
     const text = editor.current?.text();
-    if (text === undefined) return;
+    if (text === undefined) return true;
     const kept = now.sources.change(now.source.path, text === now.packed ? undefined : text);
+    refused.current = kept === 'too_long';
+    now.onUnkept(refused.current);
     now.say(kept === 'too_long' ? sourceTexts.tooLong : kept === 'visit' ? sourceTexts.visit : '');
+    mark();
+    return !refused.current;
+  };
+  const show = (text: string): void => {
+    editor.current?.replace(text);
+    // That was not typed.
+    clearTimeout(timer.current);
+    timer.current = undefined;
+    refused.current = false;
+    latest.current.onUnkept(false);
     mark();
   };
 
@@ -255,11 +278,9 @@ function SourceEditor(props: SourceEditorProps) {
       changed: () => {
         clearTimeout(timer.current);
         timer.current = setTimeout(keep, kKeepMs);
+        latest.current.onUnkept(true);
       },
-      apply: () => {
-        keep();
-        latest.current.onApply();
-      },
+      apply: () => latest.current.onApply(),
       line: (now) => {
         if (now === lineAt.current) return;
         lineAt.current = now;
@@ -268,10 +289,17 @@ function SourceEditor(props: SourceEditorProps) {
       },
     });
     editor.current = made;
-    handle.current = { keep };
+    handle.current = {
+      keep,
+      reset: () => {
+        show(latest.current.packed);
+        latest.current.say('');
+      },
+    };
     addEventListener('pagehide', keep);
     return () => {
       keep();
+      latest.current.onUnkept(false);
       clearTimeout(lineTimer.current);
       removeEventListener('pagehide', keep);
       handle.current = null;
@@ -283,10 +311,7 @@ function SourceEditor(props: SourceEditorProps) {
   // Changed elsewhere: by another tab, by the buttons.
   useEffect(() => {
     if (timer.current !== undefined) return;
-    editor.current?.replace(own());
-    clearTimeout(timer.current);
-    timer.current = undefined;
-    mark();
+    show(own());
   }, [source.changedSha256, source.state]);
 
   useEffect(() => {

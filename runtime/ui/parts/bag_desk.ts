@@ -51,6 +51,7 @@ export class BagDesk {
   recorder: Recorder | undefined;
   private sink: BlobSink | undefined;
   private starting = false;
+  private left = false;
   /** What is on the player, or comes. */
   loaded: ShelfBag | undefined;
   player: BagPlayer | undefined;
@@ -76,6 +77,7 @@ export class BagDesk {
   };
 
   async record(wants: (name: string, type: string) => boolean): Promise<void> {
+    this.left = false;
     if (this.recorder !== undefined || this.starting) return;
     this.starting = true;
     this.problem = undefined;
@@ -86,6 +88,7 @@ export class BagDesk {
       });
       this.sink = sink;
       this.changed();
+      if (this.left) await this.stopRecording();
     } catch (error) {
       this.fail(error);
     } finally {
@@ -178,9 +181,10 @@ export class BagDesk {
     this.changed();
   }
 
-  /** Nobody sees it any more: what goes on ends. */
+  /** Nobody sees it any more: what goes on ends, and its publishers are gone. */
   leave(): void {
-    this.player?.pause();
+    this.left = true;
+    this.unload();
     void this.stopRecording();
   }
 }

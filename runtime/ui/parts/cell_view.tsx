@@ -36,12 +36,13 @@ export interface CellProps {
 export function CellView(props: CellProps) {
   const { cell, number, state, asks, current, focused, instance, store, onRun } = props;
   const [editing, setEditing] = useState(false);
-  const near = useNear();
+  const near = useNear(focused);
   const name = words.cell(number, words.kinds[cell.kind]);
   const isText = cell.kind === 'markdown';
   const reads = isText && !editing && !(focused && cell.source === '');
   const body = useRef<HTMLDivElement>(null);
   useEffect(() => {
+    if (focused && isText && cell.source === '') setEditing(true);
     if (focused) body.current?.scrollIntoView({ block: 'nearest' });
     if (focused && reads) body.current?.focus();
   }, [focused]);
@@ -142,9 +143,13 @@ function Question({ prompt, answer }: { readonly prompt: string; readonly answer
 }
 
 /** Whether an element has come near what is seen: editors are made then, since each costs something. */
-function useNear(): { readonly near: boolean; readonly ref: (element: Element | null) => void } {
+function useNear(focused: boolean): { readonly near: boolean; readonly ref: (element: Element | null) => void } {
   const [near, setNear] = useState(false);
   const [element, ref] = useState<Element | null>(null);
+  // An editor that was made stays: the keyboard would go with it.
+  useEffect(() => {
+    if (focused) setNear(true);
+  }, [focused]);
   useEffect(() => {
     if (element === null) return undefined;
     const watch = new IntersectionObserver((seen) => {

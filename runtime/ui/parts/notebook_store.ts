@@ -106,8 +106,8 @@ export class NotebookStore {
     const { notebook } = this.view;
     if (notebook === null) return;
     this.set({ notebook: { ...notebook, cells }, change: 'pending' });
-    clearTimeout(this.timer);
-    this.timer = setTimeout(() => this.keepNow(), kKeepAfterMs);
+    // Not later for each output: a cell that prints without end is kept too.
+    this.timer ??= setTimeout(() => this.keepNow(), kKeepAfterMs);
   }
 
   private setCell(key: string, change: Partial<NotebookCell>): void {
@@ -116,13 +116,18 @@ export class NotebookStore {
 
   private keepNow(): void {
     const { notebook, change } = this.view;
-    clearTimeout(this.timer);
+    this.stopTimer();
     if (change !== 'pending' || notebook === null) return;
     const text = writeNotebook(notebook);
     const keeping = text.length > kMostNotebook ? Promise.resolve(false) : keepNotebook(this.key, text);
     void keeping.then((kept) => {
       if (this.view.notebook === notebook) this.set({ change: kept ? 'kept' : 'lost' });
     });
+  }
+
+  private stopTimer(): void {
+    clearTimeout(this.timer);
+    this.timer = undefined;
   }
 
   setSource(key: string, source: string): void {
@@ -164,7 +169,7 @@ export class NotebookStore {
   }
 
   reset(): void {
-    clearTimeout(this.timer);
+    this.stopTimer();
     this.shown.clear();
     this.showPacked();
     void forgetNotebook(this.key);

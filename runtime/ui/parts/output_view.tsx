@@ -3,6 +3,7 @@
 
 import { styleClasses } from '../model/ansi.ts';
 import { parseAnsi } from '../model/ansi.ts';
+import { svgAddress } from '../model/html.ts';
 import { isRecord, textMember } from '../model/json.ts';
 import { joined } from '../model/notebook.ts';
 import type { CellOutput } from '../model/notebook.ts';
@@ -74,7 +75,7 @@ function Value({ data, metadata, instance }: ValueProps) {
       </div>
     );
   const svg = form('image/svg+xml');
-  if (svg !== null) return <img class="value-image" src={`data:image/svg+xml,${encodeURIComponent(svg)}`} alt={plain} />;
+  if (svg !== null) return <img class="value-image" src={svgAddress(svg)} alt={plain} />;
   for (const mime of ['image/png', 'image/jpeg', 'image/gif', 'image/webp']) {
     const bytes = form(mime);
     if (bytes === null || !kBase64.test(bytes)) continue;

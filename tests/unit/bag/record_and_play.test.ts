@@ -190,6 +190,33 @@ describe('playing', () => {
     session.close();
   });
 
+  test('its place waits for what is not yet sent, and a pause loses nothing', watchdog, async () => {
+    const session = newSession();
+    const bag = await opened();
+    const player = new BagPlayer(session, bag, () => undefined, { rate: 100 });
+    const heard = listen(session, '/chatter');
+    const places: bigint[] = [];
+    const watch = (): boolean => {
+      places.push(player.place());
+      if (player.sent === 0) assert.equal(player.place(), bag.start);
+      return player.state === 'ended';
+    };
+    player.play();
+    await until(() => {
+      watch();
+      return places.length === 5;
+    });
+    player.pause();
+    watch();
+    player.play();
+    await until(watch);
+    await until(() => heard.length >= 200);
+    assert.equal(new Set(heard.map(({ text }) => text)).size, 200);
+    assert.ok(places.every((place, i) => i === 0 || place >= places[i - 1]!));
+    player.close();
+    session.close();
+  });
+
   test('topics are chosen and named anew, and it goes round', watchdog, async () => {
     const session = newSession();
     const player = new BagPlayer(session, await opened(), () => undefined, { rate: 100, loop: true, topics: ['/map'], names: new Map([['/map', '/other']]) });

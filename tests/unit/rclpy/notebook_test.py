@@ -93,7 +93,8 @@ class NotebookTest(BusTest):
     def test_what_cannot_be_said_ends_nothing(self) -> None:
         first, second = self.run_cells(
             'class E(Exception):\n    def __str__(self): return self.missing\nraise E()',
-            'from IPython.display import JSON, display\ndisplay(JSON({"x": float("nan")}), metadata={"y": float("inf")})')
+            'from IPython.display import JSON, display\n'
+            'display(JSON({"x": float("nan")}), metadata={"y": float("inf")})')
         self.assertEqual(first[0]['evalue'], '<E whose str() fails>')
         self.assertNotIn('application/json', second[0]['data'])
         self.assertEqual(second[0]['metadata'], {})
@@ -155,7 +156,8 @@ class NotebookTest(BusTest):
     # Works: notebooks: an interrupt ends a cell that waits, with KeyboardInterrupt; the next cells run
     def test_interrupt(self) -> None:
         first, second = self.run_cells(
-            'import _thread\ntry:\n    _thread.interrupt_main()\n    for _ in range(10**8): pass\nfinally:\n    left = True',
+            'import _thread\ntry:\n    _thread.interrupt_main()\n    for _ in range(10**8): pass\n'
+            'finally:\n    left = True',
             'left')
         self.assertEqual(first[0]['ename'], 'KeyboardInterrupt')
         self.assertEqual(second[0]['data'], {'text/plain': 'True'})

@@ -81,6 +81,8 @@ test('a kernel says nothing but events', () => {
   assert.equal(readEvent('{"event": "constructor", "cell": "a"}'), undefined);
   assert.equal(readEvent('{"event": "display", "cell": "a", "data": [], "metadata": {}}'), undefined);
   assert.equal(readEvent('null'), undefined);
+  assert.equal(readEvent('{'), undefined);
+  assert.equal(readEvent('['.repeat(1_000_000)), undefined);
   assert.deepEqual(readEvent('{"event": "end", "cell": "a", "good": true}'), { event: 'end', cell: 'a', good: true });
 });
 
@@ -108,8 +110,13 @@ test('HTML that means harm', () => {
   assert.equal(harmless('a<script>alert(1)</script><style>*{}</style><iframe src=x></iframe>b'), 'ab');
   assert.equal(harmless('<img src=x onerror=alert(1) alt="no image">'), 'no image');
   assert.equal(harmless('<b onclick="x()" id=y class=z style="position:fixed;background:url(x);color:var(--a);width:10px;margin:-9px">t</b>'), '<b width:10px>t</>');
+  const styled = (style: string): string => harmless(`<b style='${style}'>t</b>`);
+  for (const value of ['image-set("x.png" 1x)', 'red\nurl(x)', 'cross-fade(red, blue)', 'url (x)']) assert.equal(styled(`background: ${value}`), '<b>t</>');
+  for (const value of ['calc(500px/-1)', 'calc(500px * 2)', '0-500px', '10%-5px', '1px\n-5px', '1px/-5px']) assert.equal(styled(`margin: ${value}`), '<b>t</>');
+  assert.equal(styled('color: rgba(1, 2, 3, 50%); background: hsl(10 20% 30%); font-family: sans-serif'), '<b color:rgba(1, 2, 3, 50%) background:hsl(10 20% 30%) font-family:sans-serif>t</>');
   assert.equal(harmless('<a href="javascript:x">a</a><a href=" https://web.example">b</a>'), '<a>a</><a href=https://web.example>b</>');
   assert.match(harmless('<svg onload="x()"><script>y</script></svg>'), /^<img src=data:image\/svg\+xml,%3Csvg[^<>]* alt=><\/>$/);
+  assert.match(harmless('<svg>\ud800</svg>'), /%EF%BF%BD/);
   assert.equal(harmless('<scr<script>ipt>alert(1)</script>'), 'ipt>alert(1)');
   assert.equal(harmless('<b title="a>b">t'), '<b title=a>b>t</>');
   assert.equal(harmless('<b title="'), '<b title="');

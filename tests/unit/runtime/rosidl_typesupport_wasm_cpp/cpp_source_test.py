@@ -80,7 +80,8 @@ class Descriptions(unittest.TestCase):
         text = source([], interface.messages, interface.services, [], {}, types, LayoutTable(types))
         self.assertIn("read_sequence(reader, message.request, 1, 0);", text)
         self.assertIn("get_message_type_support_handle<::p::srv::S_Event>()", text)
-        self.assertEqual(nested_types(interface), {"service_msgs/msg/ServiceEventInfo", "p/srv/S_Request", "p/srv/S_Response"})
+        self.assertEqual(nested_types(interface),
+                         {"service_msgs/msg/ServiceEventInfo", "p/srv/S_Request", "p/srv/S_Response"})
 
     def test_what_people_wrote_goes_before_what_was_made_of_it(self) -> None:
         places = source_places({

@@ -32,6 +32,7 @@ const rows = [
   { file: 'ros2.js', from: 'runtime/ros2cli/headless_main.ts', kind: 'node', role: 'headless_ros2' },
   { file: 'launch_evaluator.wasm', from: 'runtime/launch_evaluator/build.py', kind: 'wasm', role: 'launch_evaluator' },
   { file: 'styles.css', from: 'runtime/ui/styles/index.css', kind: 'style', role: 'style' },
+  { file: 'panels.css', from: 'runtime/ui/styles/panels.css', kind: 'style', role: 'style' },
 ];
 
 const shared = {

@@ -1,8 +1,9 @@
 // The page of a running site: header, the dock with its panels, and one announcer.
 
+import type { ComponentChild } from 'preact';
 import { useCallback, useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import type { Session } from '../wasm_js/session.ts';
-import { AboutDialog } from './parts/about_dialog.tsx';
+import type { AboutDialogProps } from './parts/about_dialog.tsx';
 import { Boundary } from './parts/boundary.tsx';
 import { IconButton } from './parts/button.tsx';
 import { Dock, tabTitle } from './parts/dock.tsx';
@@ -100,7 +101,7 @@ export function Page({ session, store, offline }: PageProps) {
       <SourceLinksContext.Provider value={sources}>
         <Dock control={control} narrow={narrow} show={show} />
       </SourceLinksContext.Provider>
-      <AboutDialog
+      <About
         session={session}
         open={aboutOpen}
         offline={offline}
@@ -129,4 +130,14 @@ function useNodeNews(session: Session, announce: (text: string) => void): void {
         announce(texts.state.announceExit(node.label, node.state.code));
     }
   }, [nodes, announce]);
+}
+
+/** Its code comes when it is first opened. */
+function About(props: AboutDialogProps) {
+  const [Dialog, setDialog] = useState<((props: AboutDialogProps) => ComponentChild) | null>(null);
+  const wanted = props.open && Dialog === null;
+  useEffect(() => {
+    if (wanted) void import('./parts/about_dialog.tsx').then((file) => setDialog(() => file.AboutDialog));
+  }, [wanted]);
+  return Dialog === null ? null : <Dialog {...props} />;
 }

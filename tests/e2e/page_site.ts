@@ -26,7 +26,7 @@ export async function buildFakePage(folder: string): Promise<string> {
     outdir: folder,
     format: 'iife',
   });
-  await build({ ...shared, entryPoints: { styles: join(ui, 'styles/index.css') }, outdir: folder });
+  await build({ ...shared, entryPoints: { styles: join(ui, 'styles/index.css'), panels: join(ui, 'styles/panels.css') }, outdir: folder });
   copyFileSync(join(ui, 'icon.svg'), join(folder, 'icon.svg'));
   // What a real session fetches first is not there.
   const page = readFileSync(join(ui, 'index.html'), 'utf8').replace(

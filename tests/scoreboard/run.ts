@@ -14,8 +14,8 @@ import { launchFiles, type Packed, Workshop } from './site.ts';
 const USAGE = 'usage: ./dev scoreboard DIR [--chromium] [--json FILE] [--only PACKAGE[/NAME]]... [--expect FILE]...';
 /** Programs mostly wait, so some are played at a time. */
 const PLAYED_AT_ONCE = 3;
-/** The build adds one to every package with components: a row of its own only where something is expected of it. */
-const CONTAINER = 'component_container';
+/** The build adds these to every package with components: rows of their own only where something is expected of them. */
+const CONTAINERS = ['component_container', 'component_container_mt', 'component_container_isolated'];
 const root = resolve(import.meta.dirname, '../..');
 
 /** Of the command line; ends with the usage. */
@@ -34,7 +34,7 @@ async function rowsOf(board: Board, of: Package): Promise<Row[]> {
   const ours = [...expectations.values()].filter((one) => one.package === of.name);
   const stated = ours.filter(({ kind }) => kind === 'executable').map((one) => one.executable);
   const statedLaunches = ours.filter(({ kind }) => kind === 'launch').map((one) => one.executable);
-  const made = 'executables' in built ? built.executables.filter((name) => name !== CONTAINER) : [];
+  const made = 'executables' in built ? built.executables.filter((name) => !CONTAINERS.includes(name)) : [];
   const names = [...new Set([...stated, ...made])].sort();
   const blank = { package: of.name, language: of.language, kind: 'executable', built: false, started: false, endpoints: [], log_lines: [], expected: null, error: null } as const;
   if ('failure' in built) {

@@ -27,7 +27,8 @@ export function bibtex(site: SiteDescription, hash: string | null, address: stri
     ['year', year],
     ['month', months[Number(month) - 1] ?? ''],
     ['doi', citation.doi],
-    ['url', citation.doi === '' ? address : `https://doi.org/${citation.doi}`],
+    // A DOI is an address by itself.
+    ['url', citation.doi === '' ? address : ''],
     ['note', hash === null ? '' : `sha256 of site.json: ${hash}`],
   ];
   const written = fields.filter(([, value]) => value !== '')

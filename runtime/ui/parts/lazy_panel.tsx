@@ -3,6 +3,7 @@
 import { useEffect, useState } from 'preact/hooks';
 import type { PanelComponent, PanelProps, PanelRow } from '../panels/panel_props.ts';
 import { texts } from '../texts.ts';
+import { panelStyles } from './panel_styles.ts';
 
 export function LazyPanel({ row, panel }: { readonly row: PanelRow; readonly panel: PanelProps }) {
   const [Loaded, setLoaded] = useState<PanelComponent | null>(() =>
@@ -11,8 +12,8 @@ export function LazyPanel({ row, panel }: { readonly row: PanelRow; readonly pan
   const [failure, setFailure] = useState<unknown>(null);
   useEffect(() => {
     if (row.source.kind === 'lazy' && Loaded === null) {
-      row.source.load().then(
-        (component) => setLoaded(() => component),
+      Promise.all([row.source.load(), panelStyles()]).then(
+        ([component]) => setLoaded(() => component),
         (error: unknown) => setFailure(error ?? new Error('not loaded')),
       );
     }

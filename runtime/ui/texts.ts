@@ -1,6 +1,5 @@
-// Every English text of the page, in one place, ready for translation. No markup in here.
-
-import { viewTexts } from './texts_views.ts';
+// Every English text of the page, in one place, ready for translation. No markup in here. Some panels have theirs
+// beside it (texts_bag.ts, texts_source.ts, texts_views.ts): they come with the panel.
 
 export const texts = {
   product: 'ros2wasm',
@@ -352,7 +351,6 @@ export const texts = {
     png: 'Picture (PNG)',
   },
 
-  ...viewTexts,
 
   log: {
     node: 'Node whose lines are shown',

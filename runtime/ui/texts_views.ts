@@ -1,4 +1,4 @@
-// English texts of the panels for the graph, diagnostics, managed nodes and frames: part of texts.ts, which has grown long.
+// English texts of the graph, diagnostics, notebook, managed nodes and frames, which come with these panels.
 
 export const viewTexts = {
   graph: {

@@ -15,6 +15,7 @@ import { PanelFrame } from '../parts/panel.tsx';
 import { SearchField } from '../parts/search_field.tsx';
 import { useOpened } from '../parts/use_opened.ts';
 import { texts } from '../texts.ts';
+import { viewTexts } from '../texts_views.ts';
 import type { PanelProps } from './panel_props.ts';
 
 const kTopic = '/diagnostics';
@@ -66,23 +67,23 @@ export function DiagnosticsPanel({ session, state, setState, instance }: PanelPr
       icon="health"
       tools={
         <>
-          <div class="choice diagnostics-levels" role="group" aria-label={texts.diagnostics.levels}>
-            <LevelButton words={texts.diagnostics.all} count={rows.length} pressed={wanted === null} onClick={() => change(null, text)} />
+          <div class="choice diagnostics-levels" role="group" aria-label={viewTexts.diagnostics.levels}>
+            <LevelButton words={viewTexts.diagnostics.all} count={rows.length} pressed={wanted === null} onClick={() => change(null, text)} />
             {kLevels.map((level) => (
               <LevelButton
                 key={level}
                 level={level}
-                words={texts.diagnostics.level[level]}
+                words={viewTexts.diagnostics.level[level]}
                 count={counts[level]}
                 pressed={wanted === level}
                 onClick={() => change(level, text)}
               />
             ))}
           </div>
-          <SearchField value={text} label={texts.diagnostics.filter} onText={(typed) => change(wanted, typed)} />
+          <SearchField value={text} label={viewTexts.diagnostics.filter} onText={(typed) => change(wanted, typed)} />
           <IconButton
             icon="clear"
-            label={texts.diagnostics.forget}
+            label={viewTexts.diagnostics.forget}
             onClick={() => {
               board.clear();
               redraw();
@@ -93,15 +94,15 @@ export function DiagnosticsPanel({ session, state, setState, instance }: PanelPr
     >
       {typeof codec === 'string' ? <p class="hint">{codec}</p> : null}
       {problem === '' ? null : <p class="hint">{problem}</p>}
-      {rows.length === 0 && problem === '' && typeof codec !== 'string' ? <p class="hint">{texts.diagnostics.none}</p> : null}
-      {rows.length > 0 && found.length === 0 ? <p class="hint">{texts.diagnostics.noneMatch}</p> : null}
-      {board.leftOut > 0 ? <p class="hint">{texts.diagnostics.leftOut(board.leftOut)}</p> : null}
+      {rows.length === 0 && problem === '' && typeof codec !== 'string' ? <p class="hint">{viewTexts.diagnostics.none}</p> : null}
+      {rows.length > 0 && found.length === 0 ? <p class="hint">{viewTexts.diagnostics.noneMatch}</p> : null}
+      {board.leftOut > 0 ? <p class="hint">{viewTexts.diagnostics.leftOut(board.leftOut)}</p> : null}
       <ul class="topics" role="list">
         {found.slice(0, kMostRows).map((row) => (
           <GraphRow
             key={row.name}
             id={`diagnostic-${instance}-${encodeURIComponent(row.name.toWellFormed())}`}
-            name={row.name === '' ? texts.diagnostics.unnamed : row.name}
+            name={row.name === '' ? viewTexts.diagnostics.unnamed : row.name}
             type={row.message}
             flow={<Level row={row} now={now} />}
             open={opened.has(row.name)}
@@ -110,7 +111,7 @@ export function DiagnosticsPanel({ session, state, setState, instance }: PanelPr
           />
         ))}
       </ul>
-      {found.length > kMostRows ? <p class="hint">{texts.diagnostics.more(found.length - kMostRows)}</p> : null}
+      {found.length > kMostRows ? <p class="hint">{viewTexts.diagnostics.more(found.length - kMostRows)}</p> : null}
     </PanelFrame>
   );
 }
@@ -138,22 +139,22 @@ function LevelButton({ level, words, count, pressed, onClick }: LevelButtonProps
 
 function Level({ row: { level, told, at }, now }: { readonly row: DiagnosticRow; readonly now: number }) {
   const { icon, tone } = kLooks[level];
-  const words = texts.diagnostics.level;
+  const words = viewTexts.diagnostics.level;
   return (
     <>
       <span class={`diagnostics-level ${tone}`}>
         <Icon name={icon} />
-        {level === told ? words[level] : texts.diagnostics.was(words[level], words[told])}
+        {level === told ? words[level] : viewTexts.diagnostics.was(words[level], words[told])}
       </span>
-      <span class="topic-ends">{texts.frames.age(formatAge(now - at))}</span>
+      <span class="topic-ends">{viewTexts.frames.age(formatAge(now - at))}</span>
     </>
   );
 }
 
 function Details({ row: { hardwareId, message, values, more } }: { readonly row: DiagnosticRow }) {
   const facts: readonly (readonly [string, string])[] = [
-    [texts.diagnostics.message, message],
-    [texts.diagnostics.hardware, hardwareId],
+    [viewTexts.diagnostics.message, message],
+    [viewTexts.diagnostics.hardware, hardwareId],
     ...values.map(({ key, value }) => [key, value] as const),
   ];
   return (
@@ -161,12 +162,12 @@ function Details({ row: { hardwareId, message, values, more } }: { readonly row:
       <dl class="facts diagnostics-facts">
         {facts.map(([key, value], index) => (
           <div key={`${index} ${key}`}>
-            <dt>{key === '' ? texts.diagnostics.unnamed : key}</dt>
+            <dt>{key === '' ? viewTexts.diagnostics.unnamed : key}</dt>
             <dd>{value === '' ? '\u2013' : value}</dd>
           </div>
         ))}
       </dl>
-      {more > 0 ? <p class="hint">{texts.diagnostics.moreValues(more)}</p> : null}
+      {more > 0 ? <p class="hint">{viewTexts.diagnostics.moreValues(more)}</p> : null}
     </>
   );
 }

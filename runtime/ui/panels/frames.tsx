@@ -18,6 +18,7 @@ import { PanelFrame } from '../parts/panel.tsx';
 import { SearchField } from '../parts/search_field.tsx';
 import { useOpened } from '../parts/use_opened.ts';
 import { texts } from '../texts.ts';
+import { viewTexts } from '../texts_views.ts';
 import type { PanelProps } from './panel_props.ts';
 
 const kMostRows = 300;
@@ -73,18 +74,18 @@ export function FramesPanel({ session, state, setState, instance }: PanelProps) 
       id="frames"
       title={texts.panels.frames}
       icon="frames"
-      note={rows.length === 0 ? '' : texts.frames.count(rows.length)}
-      tools={<SearchField value={options.text} label={texts.frames.filter} onText={(text) => change({ text })} />}
+      note={rows.length === 0 ? '' : viewTexts.frames.count(rows.length)}
+      tools={<SearchField value={options.text} label={viewTexts.frames.filter} onText={(text) => change({ text })} />}
     >
       {typeof codec === 'string' ? <p class="hint">{codec}</p> : null}
       {problem === '' ? null : <p class="hint">{problem}</p>}
-      {rows.length === 0 && problem === '' && typeof codec !== 'string' ? <p class="hint">{texts.frames.none}</p> : null}
-      {roots.length > 1 ? <Fault words={texts.frames.apart(roots.length, list(roots, ', '))} /> : null}
+      {rows.length === 0 && problem === '' && typeof codec !== 'string' ? <p class="hint">{viewTexts.frames.none}</p> : null}
+      {roots.length > 1 ? <Fault words={viewTexts.frames.apart(roots.length, list(roots, ', '))} /> : null}
       {loops.map((ring) => (
-        <Fault key={ring[0]} words={texts.frames.loop(list([...ring, ring[0] ?? ''], texts.frames.within))} />
+        <Fault key={ring[0]} words={viewTexts.frames.loop(list([...ring, ring[0] ?? ''], viewTexts.frames.within))} />
       ))}
-      {tree.refused > 0 ? <Fault words={texts.frames.refused(tree.refused)} /> : null}
-      {rows.length > 0 && found.length === 0 ? <p class="hint">{texts.frames.noneMatch}</p> : null}
+      {tree.refused > 0 ? <Fault words={viewTexts.frames.refused(tree.refused)} /> : null}
+      {rows.length > 0 && found.length === 0 ? <p class="hint">{viewTexts.frames.noneMatch}</p> : null}
       <ul class="topics" role="list">
         {found.slice(0, kMostRows).map((row) => (
           <Row
@@ -97,7 +98,7 @@ export function FramesPanel({ session, state, setState, instance }: PanelProps) 
           />
         ))}
       </ul>
-      {found.length > kMostRows ? <p class="hint">{texts.frames.more(found.length - kMostRows)}</p> : null}
+      {found.length > kMostRows ? <p class="hint">{viewTexts.frames.more(found.length - kMostRows)}</p> : null}
       {rows.length < 2 ? null : (
         <Between tree={tree} names={names} target={options.target} source={options.source} onChange={change} />
       )}
@@ -129,7 +130,7 @@ interface RowProps {
 
 function Row({ row: { frame, depth, looped }, now, open, onToggle, id }: RowProps) {
   const { name, parent, isStatic, newest, transform } = frame;
-  const about = parent === null ? texts.frames.root : texts.frames.inParent(parent);
+  const about = parent === null ? viewTexts.frames.root : viewTexts.frames.inParent(parent);
   return (
     <li class={`topic ${open ? 'topic-open' : ''}`} style={{ paddingLeft: `${Math.min(depth, kDeepest) * 0.875}rem` }}>
       <button type="button" class="topic-head" aria-expanded={open} aria-controls={open ? id : undefined} onClick={onToggle}>
@@ -139,19 +140,19 @@ function Row({ row: { frame, depth, looped }, now, open, onToggle, id }: RowProp
             <Name text={name} />
           </span>
           <span class="topic-type">
-            <Name text={looped ? texts.frames.looped(about) : about} />
+            <Name text={looped ? viewTexts.frames.looped(about) : about} />
           </span>
         </span>
         {parent === null ? null : (
           <span class="topic-flow">
-            <span class="topic-rate">{isStatic ? texts.frames.isStatic : formatRate(frameRate(frame, now))}</span>
-            {isStatic ? null : <span class="topic-ends">{texts.frames.age(formatAge(now - newest))}</span>}
+            <span class="topic-rate">{isStatic ? viewTexts.frames.isStatic : formatRate(frameRate(frame, now))}</span>
+            {isStatic ? null : <span class="topic-ends">{viewTexts.frames.age(formatAge(now - newest))}</span>}
           </span>
         )}
       </button>
       {open ? (
         <div class="topic-inside" id={id}>
-          {parent === null ? <p class="hint">{texts.frames.rootLong}</p> : <TransformFacts transform={transform} />}
+          {parent === null ? <p class="hint">{viewTexts.frames.rootLong}</p> : <TransformFacts transform={transform} />}
         </div>
       ) : null}
     </li>
@@ -162,10 +163,10 @@ function TransformFacts({ transform: { translation, rotation } }: { readonly tra
   const angles = toRollPitchYaw(rotation);
   const degrees = angles.map((angle) => (angle * 180) / Math.PI);
   const facts: readonly (readonly [string, readonly number[], readonly string[], string])[] = [
-    [texts.frames.translation, translation, ['x', 'y', 'z'], texts.frames.metres],
-    [texts.frames.quaternion, rotation, ['x', 'y', 'z', 'w'], ''],
-    [texts.frames.angles, angles, texts.frames.axes, texts.frames.radians],
-    [texts.frames.angles, degrees, texts.frames.axes, texts.frames.degrees],
+    [viewTexts.frames.translation, translation, ['x', 'y', 'z'], viewTexts.frames.metres],
+    [viewTexts.frames.quaternion, rotation, ['x', 'y', 'z', 'w'], ''],
+    [viewTexts.frames.angles, angles, viewTexts.frames.axes, viewTexts.frames.radians],
+    [viewTexts.frames.angles, degrees, viewTexts.frames.axes, viewTexts.frames.degrees],
   ];
   return (
     <dl class="facts frames-facts">
@@ -203,13 +204,13 @@ function Between({ tree, names, target, source, onChange }: BetweenProps) {
   const both = target !== '' && source !== '';
   const found = both ? tree.lookup(target, source) : null;
   return (
-    <section class="work frames-between" aria-label={texts.frames.between}>
-      <h3>{texts.frames.between}</h3>
+    <section class="work frames-between" aria-label={viewTexts.frames.between}>
+      <h3>{viewTexts.frames.between}</h3>
       <div class="work-row">
-        <FrameChoice label={texts.frames.source} value={source} names={names} onChange={(name) => onChange({ source: name })} />
-        <FrameChoice label={texts.frames.target} value={target} names={names} onChange={(name) => onChange({ target: name })} />
+        <FrameChoice label={viewTexts.frames.source} value={source} names={names} onChange={(name) => onChange({ source: name })} />
+        <FrameChoice label={viewTexts.frames.target} value={target} names={names} onChange={(name) => onChange({ target: name })} />
       </div>
-      {found === null ? <p class="hint">{texts.frames.choose}</p> : null}
+      {found === null ? <p class="hint">{viewTexts.frames.choose}</p> : null}
       {found === null || found.kind === 'found' ? null : <Fault words={whyNot(found)} />}
       {found?.kind === 'found' ? <TransformFacts transform={found.transform} /> : null}
     </section>
@@ -219,11 +220,11 @@ function Between({ tree, names, target, source, onChange }: BetweenProps) {
 function whyNot(found: Exclude<Lookup, { readonly kind: 'found' }>): string {
   switch (found.kind) {
     case 'unknown':
-      return texts.frames.unknown(found.frame);
+      return viewTexts.frames.unknown(found.frame);
     case 'loop':
-      return texts.frames.onLoop(found.frame);
+      return viewTexts.frames.onLoop(found.frame);
     case 'apart':
-      return texts.frames.noWay(...found.roots);
+      return viewTexts.frames.noWay(...found.roots);
     default:
       return found satisfies never;
   }
@@ -247,7 +248,7 @@ function FrameChoice({ label, value, names, onChange }: FrameChoiceProps) {
     <label class="frames-choice">
       <span>{label}</span>
       <select class="select" value={value} onChange={(event) => onChange(event.currentTarget.value)}>
-        <option value="">{texts.frames.noFrame}</option>
+        <option value="">{viewTexts.frames.noFrame}</option>
         {value === '' || names.includes(value) ? null : <option value={value}>{value}</option>}
         {options}
       </select>

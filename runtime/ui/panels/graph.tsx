@@ -20,6 +20,7 @@ import { savedSvg } from '../parts/saved_svg.ts';
 import { SearchField } from '../parts/search_field.tsx';
 import { useTopics } from '../parts/watch.ts';
 import { texts } from '../texts.ts';
+import { viewTexts } from '../texts_views.ts';
 import type { PanelProps } from './panel_props.ts';
 
 /** The graph is looked at this often: nodes that start make many endpoints one after the other. */
@@ -78,7 +79,7 @@ export function GraphPanel({ session, focus, announce, state, setState, open }: 
     download('graph.svg', new Blob([text], { type: 'image/svg+xml' }));
   };
   const nodes = picture.boxes.filter(({ kind }) => kind === 'node').length;
-  const count = texts.graph.count(nodes, picture.boxes.length - nodes);
+  const count = viewTexts.graph.count(nodes, picture.boxes.length - nodes);
 
   return (
     <PanelFrame
@@ -89,29 +90,29 @@ export function GraphPanel({ session, focus, announce, state, setState, open }: 
         <>
           <select
             class="select"
-            aria-label={texts.graph.mode}
+            aria-label={viewTexts.graph.mode}
             value={options.mode}
             onChange={(event) => change({ mode: event.currentTarget.value === 'nodes' ? 'nodes' : 'topics' })}
           >
-            <option value="topics">{texts.graph.modes.topics}</option>
-            <option value="nodes">{texts.graph.modes.nodes}</option>
+            <option value="topics">{viewTexts.graph.modes.topics}</option>
+            <option value="nodes">{viewTexts.graph.modes.nodes}</option>
           </select>
-          <Check label={texts.graph.groups} checked={options.groups} onChange={(groups) => change({ groups })} />
-          <Check label={texts.graph.hidden} title={texts.graph.hiddenLong} checked={options.hidden} onChange={(hidden) => change({ hidden })} />
-          <SearchField value={options.text} label={texts.graph.filter} onText={(text) => change({ text })} />
+          <Check label={viewTexts.graph.groups} checked={options.groups} onChange={(groups) => change({ groups })} />
+          <Check label={viewTexts.graph.hidden} title={viewTexts.graph.hiddenLong} checked={options.hidden} onChange={(hidden) => change({ hidden })} />
+          <SearchField value={options.text} label={viewTexts.graph.filter} onText={(text) => change({ text })} />
           <MenuButton
             icon="more"
-            label={texts.graph.menu}
+            label={viewTexts.graph.menu}
             items={[
-              { id: 'again', icon: 'layout', words: texts.graph.again, choose: layOutAgain },
+              { id: 'again', icon: 'layout', words: viewTexts.graph.again, choose: layOutAgain },
               {
                 id: 'save',
                 icon: 'down',
-                words: texts.graph.save,
+                words: viewTexts.graph.save,
                 disabled: picture.boxes.length === 0,
                 choose: () => {
                   save();
-                  announce(texts.graph.saved);
+                  announce(viewTexts.graph.saved);
                 },
               },
             ]}
@@ -119,16 +120,16 @@ export function GraphPanel({ session, focus, announce, state, setState, open }: 
         </>
       }
     >
-      {picture.leftOut > 0 ? <p class="hint">{texts.graph.leftOut(picture.leftOut)}</p> : null}
+      {picture.leftOut > 0 ? <p class="hint">{viewTexts.graph.leftOut(picture.leftOut)}</p> : null}
       {picture.boxes.length === 0 ? (
-        <p class="hint">{options.text === '' ? texts.graph.none : texts.graph.noneMatch}</p>
+        <p class="hint">{options.text === '' ? viewTexts.graph.none : viewTexts.graph.noneMatch}</p>
       ) : null}
       <div class="graph-room" ref={setRoom}>
         {picture.boxes.length === 0 || room === null ? null : (
           <GraphDrawing
             picture={picture}
             arrangement={arrangement}
-            label={texts.graph.label(count)}
+            label={viewTexts.graph.label(count)}
             rateOf={(topic) => rates.get(topic) ?? ''}
             selected={selected}
             onSelect={select}

@@ -72,7 +72,7 @@ export const panels: readonly PanelRow[] = [
     title: texts.panels.checks,
     icon: 'check',
     usual: { place: 'list', when: (site) => site.checks.length > 0 },
-    source: { kind: 'lazy', load: () => import('./checks.tsx').then((file) => file.ChecksPanel) },
+    source: { kind: 'lazy', plain: true, load: () => import('./checks.tsx').then((file) => file.ChecksPanel) },
   },
   {
     id: 'terminal',

@@ -11,6 +11,7 @@ import { useStore } from '../parts/use_store.ts';
 import { useTime } from '../parts/watch.ts';
 import { WorkProblem } from '../parts/work_problem.tsx';
 import { texts } from '../texts.ts';
+import { viewTexts } from '../texts_views.ts';
 import type { PanelProps } from './panel_props.ts';
 
 /** By lifecycle_msgs/msg/State. */
@@ -32,15 +33,15 @@ export function LifecyclePanel({ session, announce }: PanelProps) {
   return (
     <PanelFrame id="lifecycle" title={texts.panels.lifecycle} icon="lifecycle">
       {typeof codec === 'string' ? <p class="hint">{codec}</p> : null}
-      {time.state === 'running' || nodes.length === 0 ? null : <p class="hint">{texts.lifecycle.held}</p>}
-      {ready && nodes.length === 0 ? <p class="hint">{texts.lifecycle.none}</p> : null}
+      {time.state === 'running' || nodes.length === 0 ? null : <p class="hint">{viewTexts.lifecycle.held}</p>}
+      {ready && nodes.length === 0 ? <p class="hint">{viewTexts.lifecycle.none}</p> : null}
       <ul class="nodes" role="list">
         {nodes.map((node) => (
           <NodeRow
             key={node.name}
             node={node}
             onChange={(transition) => void store?.change(node.name, transition).then((words) => {
-              if (words !== '') announce(texts.lifecycle.told(node.name, words));
+              if (words !== '') announce(viewTexts.lifecycle.told(node.name, words));
             })}
           />
         ))}
@@ -69,7 +70,7 @@ function NodeRow({ node: { name, here, state, transitions, asked, answer, proble
         <h3 class="lifecycle-name">
           <Name text={name} />
         </h3>
-        {here ? <StateWords state={state} /> : <span class="hint">{texts.lifecycle.gone}</span>}
+        {here ? <StateWords state={state} /> : <span class="hint">{viewTexts.lifecycle.gone}</span>}
       </div>
       <div class="work-row">
         {transitions.map((transition) => (
@@ -77,7 +78,7 @@ function NodeRow({ node: { name, here, state, transitions, asked, answer, proble
             key={transition.id}
             type="button"
             class="button"
-            aria-label={texts.lifecycle.ask(transition.label, name)}
+            aria-label={viewTexts.lifecycle.ask(transition.label, name)}
             aria-disabled={asked === null ? undefined : 'true'}
             onClick={() => {
               if (asked !== null) return;
@@ -89,7 +90,7 @@ function NodeRow({ node: { name, here, state, transitions, asked, answer, proble
           </button>
         ))}
       </div>
-      {asked === null ? null : <p class="hint">{texts.lifecycle.asking(asked.label)}</p>}
+      {asked === null ? null : <p class="hint">{viewTexts.lifecycle.asking(asked.label)}</p>}
       {answer === '' ? null : <p class="hint">{answer}</p>}
       <WorkProblem text={problem} />
       <WorkProblem text={unread} />
@@ -98,7 +99,7 @@ function NodeRow({ node: { name, here, state, transitions, asked, answer, proble
 }
 
 function StateWords({ state }: { readonly state: ManagedNode['state'] }) {
-  if (state === null) return <span class="hint">{texts.lifecycle.reading}</span>;
+  if (state === null) return <span class="hint">{viewTexts.lifecycle.reading}</span>;
   const { icon, tone } = kLooks[state.id] ?? kBusy;
   return (
     <span class={`state state-${tone}`}>

@@ -12,9 +12,10 @@ import { PanelFrame } from '../parts/panel.tsx';
 import { readSiteText } from '../parts/site_text.ts';
 import { kMostNotebook } from '../model/notebook.ts';
 import { texts } from '../texts.ts';
+import { viewTexts } from '../texts_views.ts';
 import type { PanelProps } from './panel_props.ts';
 
-const words = texts.notebook;
+const words = viewTexts.notebook;
 
 export function NotebookPanel({ session, instance, announce }: PanelProps) {
   const [store] = useState(() => notebookStore(session, (path) => readSiteText(path, kMostNotebook)));

@@ -3,7 +3,7 @@
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import type { SiteFile } from '../../wasm_js/session.ts';
 import type { NotebookCell } from '../model/notebook.ts';
-import { texts } from '../texts.ts';
+import { viewTexts } from '../texts_views.ts';
 import { IconButton } from './button.tsx';
 import { CellEditor } from './cell_editor.tsx';
 import { MarkdownView } from './markdown_view.tsx';
@@ -12,7 +12,7 @@ import type { MenuItem } from './menu.tsx';
 import type { NotebookStore } from './notebook_store.ts';
 import { OutputView } from './output_view.tsx';
 
-const words = texts.notebook;
+const words = viewTexts.notebook;
 
 export interface CellProps {
   readonly cell: NotebookCell;

@@ -5,7 +5,7 @@ import { isHiddenName } from '../../decode/ros_names.ts';
 import { isHiddenTopic } from '../model/hidden_names.ts';
 import { actionEnds, boxId, shownNodes, topicEnds } from '../model/graph_picture.ts';
 import { formatBandwidth, formatCount, formatRate } from '../model/quantities.ts';
-import { texts } from '../texts.ts';
+import { viewTexts } from '../texts_views.ts';
 import { IconButton } from './button.tsx';
 import { Name } from './name.tsx';
 import { StateBadge } from './node_state.tsx';
@@ -32,12 +32,12 @@ export function GraphDetails(props: GraphDetailsProps) {
   const name = node?.name ?? topic?.[0] ?? action?.[0];
   if (name === undefined) return null;
   return (
-    <section class="graph-details" aria-label={texts.graph.details(name)}>
+    <section class="graph-details" aria-label={viewTexts.graph.details(name)}>
       <div class="graph-details-head">
         <h3>
           <Name text={name} />
         </h3>
-        <IconButton icon="close" label={texts.graph.closeDetails} onClick={onClose} />
+        <IconButton icon="close" label={viewTexts.graph.closeDetails} onClick={onClose} />
       </div>
       {node === undefined ? null : <NodeDetails {...props} node={node} />}
       {topic === undefined ? null : <TopicDetails {...props} name={topic[0]} ends={topic[1]} />}
@@ -58,22 +58,22 @@ function NodeDetails({ node, session, hidden, onSelect, showConsole }: GraphDeta
     <>
       <div class="work-row">
         {process === undefined ? (
-          <span class="hint">{texts.graph.elsewhere}</span>
+          <span class="hint">{viewTexts.graph.elsewhere}</span>
         ) : (
           <>
             <StateBadge state={process.state} />
             <button type="button" class="button" onClick={() => showConsole(process.id)}>
-              {texts.graph.showConsole}
+              {viewTexts.graph.showConsole}
             </button>
           </>
         )}
       </div>
-      <Entries title={texts.graph.publishes} entries={topics(node.publishers)} onSelect={onSelect} />
-      <Entries title={texts.graph.subscribes} entries={topics(node.subscriptions)} onSelect={onSelect} />
-      <Entries title={texts.graph.serves} entries={services(node.services)} onSelect={onSelect} />
-      <Entries title={texts.graph.calls} entries={services(node.clients)} onSelect={onSelect} />
-      <Entries title={texts.graph.actionServers} entries={actions(node.actionServers)} onSelect={onSelect} />
-      <Entries title={texts.graph.actionClients} entries={actions(node.actionClients)} onSelect={onSelect} />
+      <Entries title={viewTexts.graph.publishes} entries={topics(node.publishers)} onSelect={onSelect} />
+      <Entries title={viewTexts.graph.subscribes} entries={topics(node.subscriptions)} onSelect={onSelect} />
+      <Entries title={viewTexts.graph.serves} entries={services(node.services)} onSelect={onSelect} />
+      <Entries title={viewTexts.graph.calls} entries={services(node.clients)} onSelect={onSelect} />
+      <Entries title={viewTexts.graph.actionServers} entries={actions(node.actionServers)} onSelect={onSelect} />
+      <Entries title={viewTexts.graph.actionClients} entries={actions(node.actionClients)} onSelect={onSelect} />
     </>
   );
 }
@@ -92,17 +92,17 @@ function TopicDetails({ name, ends, graph, topics, hidden, onSelect, showTopic }
     <>
       <div class="work-row">
         <button type="button" class="button" onClick={() => showTopic(name)}>
-          {texts.graph.showTopic}
+          {viewTexts.graph.showTopic}
         </button>
       </div>
       {view === undefined ? null : (
         <p class="graph-facts">
           <Name text={view.type} />
-          {`, ${formatRate(view.rateHz)}, ${formatBandwidth(view.bytesPerSecond)}, ${texts.graph.messages(formatCount(view.count))}`}
+          {`, ${formatRate(view.rateHz)}, ${formatBandwidth(view.bytesPerSecond)}, ${viewTexts.graph.messages(formatCount(view.count))}`}
         </p>
       )}
-      <Entries title={texts.graph.publishers} entries={entries(ends.from)} onSelect={onSelect} />
-      <Entries title={texts.graph.subscribers} entries={entries(ends.to)} onSelect={onSelect} />
+      <Entries title={viewTexts.graph.publishers} entries={entries(ends.from)} onSelect={onSelect} />
+      <Entries title={viewTexts.graph.subscribers} entries={entries(ends.to)} onSelect={onSelect} />
     </>
   );
 }
@@ -113,11 +113,11 @@ function ActionDetails({ name, ends, graph, hidden, onSelect, showAction }: Ends
     <>
       <div class="work-row">
         <button type="button" class="button" onClick={() => showAction(name)}>
-          {texts.graph.showAction}
+          {viewTexts.graph.showAction}
         </button>
       </div>
-      <Entries title={texts.graph.actionServers} entries={entries(ends.to)} onSelect={onSelect} />
-      <Entries title={texts.graph.actionClients} entries={entries(ends.from)} onSelect={onSelect} />
+      <Entries title={viewTexts.graph.actionServers} entries={entries(ends.to)} onSelect={onSelect} />
+      <Entries title={viewTexts.graph.actionClients} entries={entries(ends.from)} onSelect={onSelect} />
     </>
   );
 }

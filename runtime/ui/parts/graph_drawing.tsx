@@ -7,7 +7,7 @@ import type { Arrangement } from '../model/graph_places.ts';
 import { boxId } from '../model/graph_picture.ts';
 import type { Box, Picture, Wire } from '../model/graph_picture.ts';
 import { arrowOf, nextOf, pathOf, readingOrder } from '../model/graph_shapes.ts';
-import { texts } from '../texts.ts';
+import { viewTexts } from '../texts_views.ts';
 import { IconButton } from './button.tsx';
 import { useCamera } from './use_camera.ts';
 
@@ -206,7 +206,7 @@ export function GraphDrawing({ picture, arrangement, label, rateOf, selected, on
                 })}
                 {wire.more > 0 ? (
                   <text class="graph-wire-text" x={at.x} y={at.y + (wire.lines.length / 2) * kLine + 4}>
-                    {texts.graph.more(wire.more)}
+                    {viewTexts.graph.more(wire.more)}
                   </text>
                 ) : null}
               </g>
@@ -215,9 +215,9 @@ export function GraphDrawing({ picture, arrangement, label, rateOf, selected, on
         </g>
       </svg>
       <div class="graph-tools">
-        <IconButton icon="plus" label={texts.graph.zoomIn} onClick={() => control.zoom(kZoom)} />
-        <IconButton icon="minus" label={texts.graph.zoomOut} onClick={() => control.zoom(1 / kZoom)} />
-        <IconButton icon="fit" label={texts.graph.fit} onClick={control.fit} />
+        <IconButton icon="plus" label={viewTexts.graph.zoomIn} onClick={() => control.zoom(kZoom)} />
+        <IconButton icon="minus" label={viewTexts.graph.zoomOut} onClick={() => control.zoom(1 / kZoom)} />
+        <IconButton icon="fit" label={viewTexts.graph.fit} onClick={control.fit} />
       </div>
     </div>
   );
@@ -225,7 +225,7 @@ export function GraphDrawing({ picture, arrangement, label, rateOf, selected, on
 
 function wordsOf({ kind, name }: { readonly kind: Box['kind']; readonly name: string }, rateOf: (topic: string) => string): string {
   const rate = kind === 'topic' ? rateOf(name) : '';
-  return texts.graph.item[kind](name) + (rate === '' ? '' : `, ${rate}`);
+  return viewTexts.graph.item[kind](name) + (rate === '' ? '' : `, ${rate}`);
 }
 
 interface BoxShapeProps {

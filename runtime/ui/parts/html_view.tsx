@@ -5,11 +5,11 @@ import type { ComponentChildren } from 'preact';
 import { useMemo } from 'preact/hooks';
 import { readHtml } from '../model/html.ts';
 import type { HtmlNode } from '../model/html.ts';
-import { texts } from '../texts.ts';
+import { viewTexts } from '../texts_views.ts';
 
 export function HtmlView({ html }: { readonly html: string }) {
   const nodes = useMemo(() => readHtml(html), [html]);
-  return nodes === null ? <p class="hint">{texts.notebook.tooMuch}</p> : <div class="html">{nodes.map(drawn)}</div>;
+  return nodes === null ? <p class="hint">{viewTexts.notebook.tooMuch}</p> : <div class="html">{nodes.map(drawn)}</div>;
 }
 
 function drawn(node: HtmlNode): ComponentChildren {

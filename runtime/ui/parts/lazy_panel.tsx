@@ -12,7 +12,7 @@ export function LazyPanel({ row, panel }: { readonly row: PanelRow; readonly pan
   const [failure, setFailure] = useState<unknown>(null);
   useEffect(() => {
     if (row.source.kind === 'lazy' && Loaded === null) {
-      Promise.all([row.source.load(), panelStyles()]).then(
+      Promise.all([row.source.load(), row.source.plain === true ? undefined : panelStyles()]).then(
         ([component]) => setLoaded(() => component),
         (error: unknown) => setFailure(error ?? new Error('not loaded')),
       );

@@ -8,7 +8,7 @@ import { changeState, managedNodes, stateOf, transitionsOf } from '../../ros2cli
 import type { State } from '../../ros2cli/lifecycle_calls.ts';
 import { isHiddenName } from '../../decode/ros_names.ts';
 import { member, textMember } from '../model/json.ts';
-import { texts } from '../texts.ts';
+import { viewTexts } from '../texts_views.ts';
 
 const kEventType = 'lifecycle_msgs/msg/TransitionEvent';
 const kMostTransitions = 30;
@@ -83,12 +83,12 @@ export class LifecycleStore {
     try {
       const done = await changeState(this.caller(abort), name, transition.id, Number.POSITIVE_INFINITY);
       if (abort.signal.aborted) return '';
-      const words = done ? texts.lifecycle.done(transition.label) : texts.lifecycle.refused(transition.label);
+      const words = done ? viewTexts.lifecycle.done(transition.label) : viewTexts.lifecycle.refused(transition.label);
       this.show(entry, { asked: null, ...(done ? { answer: words } : { problem: words }) });
       return words;
     } catch (error) {
       if (abort.signal.aborted) return '';
-      const words = texts.lifecycle.failed(transition.label, wordsOf(error));
+      const words = viewTexts.lifecycle.failed(transition.label, wordsOf(error));
       this.show(entry, { asked: null, problem: words });
       return words;
     } finally {

@@ -6,7 +6,7 @@ import type { ShownOutputs } from '../model/cell_outputs.ts';
 import { kMostCells, kMostNotebook, newCell, readNotebook, writeNotebook } from '../model/notebook.ts';
 import type { CellKind, Notebook, NotebookCell } from '../model/notebook.ts';
 import { problemOf } from '../model/problem.ts';
-import { texts } from '../texts.ts';
+import { viewTexts } from '../texts_views.ts';
 import { forgetNotebook, keepNotebook, keptNotebook } from './kept_notebook.ts';
 
 const kKeepAfterMs = 400;
@@ -81,7 +81,7 @@ export class NotebookStore {
     try {
       this.packed = await this.read();
     } catch (error) {
-      this.set({ problem: texts.notebook.failed(this.file, problemOf(error).what) });
+      this.set({ problem: viewTexts.notebook.failed(this.file, problemOf(error).what) });
       return;
     }
     const kept = await keptNotebook(this.key);
@@ -92,7 +92,7 @@ export class NotebookStore {
 
   private showPacked(): void {
     const found = readNotebook(this.packed);
-    if (found.kind === 'failed') this.set({ problem: texts.notebook.failed(this.file, found.reason) });
+    if (found.kind === 'failed') this.set({ problem: viewTexts.notebook.failed(this.file, found.reason) });
     else this.set({ notebook: found.notebook, change: 'none' });
   }
 

@@ -7,7 +7,7 @@ import { svgAddress } from '../model/html.ts';
 import { isRecord, textMember } from '../model/json.ts';
 import { joined } from '../model/notebook.ts';
 import type { CellOutput } from '../model/notebook.ts';
-import { texts } from '../texts.ts';
+import { viewTexts } from '../texts_views.ts';
 import { HtmlView } from './html_view.tsx';
 import { MarkdownView } from './markdown_view.tsx';
 
@@ -38,7 +38,7 @@ function Printed({ text, kind }: { readonly text: string; readonly kind: 'stdout
   const lines = (shown.endsWith('\n') ? shown.slice(0, -1) : shown).split('\n');
   return (
     <pre class={`printed printed-${kind}`} role={kind === 'error' ? 'alert' : undefined}>
-      {shown === text ? null : <span class="hint">{`${texts.notebook.begins}\n`}</span>}
+      {shown === text ? null : <span class="hint">{`${viewTexts.notebook.begins}\n`}</span>}
       {lines.map((line, index) => [
         index === 0 ? null : '\n',
         ...parseAnsi(line).map((span) => {

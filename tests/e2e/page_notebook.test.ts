@@ -109,6 +109,12 @@ test('example 06: all cells run on the graph of the site', async () => {
     assert.equal(file.nbformat, 4);
     assert.equal(file.cells.length, 12);
     assert.equal(file.cells[11]?.['id'], 'table');
+    // A new cell has the keyboard at once.
+    await notebook.getByRole('button', { name: 'Add a cell of code below' }).click();
+    await page.locator('.cm-focused').waitFor();
+    await page.keyboard.type('40 + 2');
+    await page.keyboard.press('Control+Enter');
+    await notebook.locator('.outputs').getByText('42', { exact: true }).waitFor();
     await menu.click();
     await page.getByRole('menuitem', { name: 'Reset to the packed one' }).click();
     await notebook.getByText('As packed').waitFor();

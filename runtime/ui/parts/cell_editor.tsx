@@ -7,7 +7,7 @@ import { bracketMatching, indentOnInput, indentUnit } from '@codemirror/language
 import { EditorState, Prec } from '@codemirror/state';
 import type { Extension } from '@codemirror/state';
 import { EditorView, drawSelection, keymap } from '@codemirror/view';
-import { useEffect, useRef } from 'preact/hooks';
+import { useEffect, useLayoutEffect, useRef } from 'preact/hooks';
 import { codeLook } from './code_look.ts';
 
 export interface CellEditorProps {
@@ -43,8 +43,9 @@ export function CellEditor(props: CellEditorProps) {
     };
   }, [python, label]);
 
-  // What comes from elsewhere: the packed notebook again.
-  useEffect(() => {
+  // What comes from elsewhere: the packed notebook again. Right after drawing, when `source` is what the store has now:
+  // later, what was typed meanwhile would be taken for older, and put back.
+  useLayoutEffect(() => {
     const open = view.current;
     if (open !== null && open.state.sliceDoc() !== source)
       open.dispatch({ changes: { from: 0, to: open.state.doc.length, insert: source } });

@@ -1,5 +1,6 @@
-// The editor of a Python file: CodeMirror ends here. It lies in a shadow root, where it puts its styles as adopted style
-// sheets: in the document it would make a style element, which the page's policy forbids.
+// The editor of a Python file: CodeMirror ends here and, for a notebook's cells, in cell_editor.tsx. It lies in a shadow
+// root, where it puts its styles as adopted style sheets: in the document it would make a style element, which the
+// page's policy forbids.
 
 import { defaultKeymap, history, historyKeymap, indentWithTab } from '@codemirror/commands';
 import { pythonLanguage } from '@codemirror/lang-python';

@@ -4,15 +4,26 @@
 #include <utility>
 
 #include "bundler/launch/launch_evaluator.hpp"
+#include "bundler/launch/node_arguments.hpp"
 #include "workspace_schema/source_text.hpp"
 #include "workspace_schema/suggestion.hpp"
 #include "workspace_schema/yaml_reader.hpp"
+#include "workspace_schema/yaml_scalar.hpp"
 
 namespace ros2wasm {
 namespace {
 
 constexpr std::int64_t kMostTurns = 10'000;
 constexpr const char* kNoReason = "reason not given";  // as launch says
+
+/// As str() of what YAML reads.
+std::string python_text(const YamlNode& node) {
+  const YamlValue value = scalar_value(node);
+  if (const bool* flag = std::get_if<bool>(&value)) return *flag ? "True" : "False";
+  if (const auto* whole = std::get_if<std::int64_t>(&value)) return std::to_string(*whole);
+  if (const auto* real = std::get_if<double>(&value)) return parameter_text(*real);
+  return node.text;
+}
 
 }  // namespace
 
@@ -233,7 +244,8 @@ void LaunchEvaluator::for_each(const LaunchEntity& entity) {
            {"as in `{name: 'a', x: 1}; {name: 'b', x: 2}`"});
       break;
     }
-    for (const YamlEntry& entry : read->root.entries) scope_.loop[entry.key] = entry.value.text;
+    for (const YamlEntry& entry : read->root.entries)
+      scope_.loop[entry.key] = python_text(entry.value);
     actions(entity.children);
     scope_.loop = before;
   }

@@ -223,6 +223,7 @@ void LaunchEvaluator::entities_of(LaunchEntity root, const std::string& path,
 }
 
 void LaunchEvaluator::finish() {
+  resolve_components();
   resolve_transitions();
   for (const auto& [name, value] : given_) {
     std::vector<std::string> declared;

@@ -52,6 +52,14 @@ class LaunchEvaluator {
     double after_s = 0;
   };
 
+  /// Components for a container that is known at the end.
+  struct LoadedComponents {
+    std::vector<LaunchComponent> components;
+    std::int64_t process = -1;  ///< the container, as Python numbers it, or
+    std::string target;         ///< its full name
+    SourceSpan span;
+  };
+
   void entities_of(LaunchEntity root, const std::string& path, LaunchLanguage language);
   bool comes_later(const std::string& path, const std::optional<SourceSpan>& from);
   void python_file(const std::string& path, const SourceSpan& from);
@@ -70,6 +78,7 @@ class LaunchEvaluator {
   void leave_out(const EventHandler& handler, const std::string& kind);
   bool starts_here(const LaunchEntity& entity, const std::string& what);
   void resolve_transitions();
+  void resolve_components();
 
   // The actions.
   void declare_argument(const LaunchEntity& entity);
@@ -159,6 +168,7 @@ class LaunchEvaluator {
   std::map<std::int64_t, PassedOver> passed_over_;
   /// By index in the description's transitions: the process, as Python numbers it.
   std::map<std::size_t, std::int64_t> transition_targets_;
+  std::vector<LoadedComponents> loaded_;
   std::vector<std::map<std::string, std::string>> pushed_variables_;
   std::vector<std::map<std::string, std::string>> pushed_environments_;
 };

@@ -424,32 +424,47 @@ void LaunchEvaluator::container(const LaunchEntity& entity) {
   add_process(entity, std::move(*process));
 }
 
-/// Into a container that stands before it, by its node's name.
+/// Into a container, which may stand behind it, by its node's name: a relative one is below `/`.
 void LaunchEvaluator::load_components(const LaunchEntity& entity) {
-  auto components = components_of(entity);
-  const auto into = [&](LaunchProcess& process) {
-    for (LaunchComponent& one : components) process.components.push_back(std::move(one));
-  };
-  if (const auto found = processes_.find(number(entity, "process")); found != processes_.end()) {
-    into(description_.processes[found->second]);
-    return;
+  LoadedComponents loaded{.components = components_of(entity),
+                          .process = number(entity, "process"),
+                          .target = {},
+                          .span = entity.span};
+  if (loaded.process < 0) {
+    auto target = needed_text(entity, "target");
+    if (!target) return;
+    loaded.target = (target->starts_with('/') ? "" : "/") + *target;
+    loaded.span = entity.attribute("target")->span;
   }
-  const auto target = needed_text(entity, "target");
-  if (!target) return;
-  const auto wanted = namespace_for(*target);
-  std::vector<std::string> names;
-  for (LaunchProcess& process : description_.processes) {
-    if (!process.node.name) continue;
-    const std::string full = node_label(process.node);
-    names.push_back(full);
-    if (full != wanted) continue;
-    into(process);
-    return;
+  loaded_.push_back(std::move(loaded));
+}
+
+/// At the end: natively they wait for their container, which may be that of another launch.
+void LaunchEvaluator::resolve_components() {
+  auto& processes = description_.processes;
+  for (LoadedComponents& loaded : loaded_) {
+    const auto known = processes_.find(loaded.process);
+    const auto container =
+        loaded.process < 0
+            ? std::find_if(processes.begin(), processes.end(),
+                           [&](const LaunchProcess& one) {
+                             return one.node.name && node_label(one.node) == loaded.target;
+                           })
+        : known == processes_.end()
+            ? processes.end()
+            : processes.begin() + static_cast<std::ptrdiff_t>(known->second);
+    for (LaunchComponent& one : loaded.components) {
+      if (container != processes.end()) {
+        container->components.push_back(std::move(one));
+        continue;
+      }
+      description_.left_out.push_back(
+          {.what = one.plugin + " (package " + one.node.package.value + ")",
+           .instead = "the launch file starts no container " +
+                      (loaded.target.empty() ? "for it" : "`" + loaded.target + "`"),
+           .span = loaded.span});
+    }
   }
-  fail("R2W0412", "there is no container `" + wanted.value_or(*target) + "` before this",
-       entity.attribute("target")->span,
-       {names.empty() ? "no process with a name stands before it"
-                      : "before it stand: " + name_list(names)});
 }
 
 /// `ros2 run` and the path of an installed program start a node; all else is left out.

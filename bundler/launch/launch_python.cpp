@@ -141,7 +141,10 @@ Diagnostic failure(const JsonValue& error, const PythonMoment& moment) {
   if (const std::string name = error.text_of("variable"); !name.empty()) {
     result.message = "the launch file needs the environment variable `" + name + "`";
     result.why = {"a site is packed the same on every machine, so the machine's own are not seen"};
-    result.fix = {"os.environ.get('" + name + "', ...), or a launch argument"};
+    result.fix = {"os.environ.get('" + name + "', ...), or a launch argument",
+                  "unchanged, by a launch file in XML: `<launch><set_env name=\"" + name +
+                      "\" value=\"...\"/><include file=\"" + file.substr(file.rfind('/') + 1) +
+                      "\"/></launch>`"};
   }
   if (const JsonValue* callers = error.find("callers"))
     for (const JsonValue& one : callers->items())

@@ -2,5 +2,7 @@
 from __future__ import annotations
 
 from .packages import (PackageNotFoundError, get_package_prefix, get_package_share_directory, get_package_share_path)
+from .resources import get_resource, has_resource
 
-__all__ = ['PackageNotFoundError', 'get_package_prefix', 'get_package_share_directory', 'get_package_share_path']
+__all__ = ['PackageNotFoundError', 'get_package_prefix', 'get_package_share_directory', 'get_package_share_path',
+           'get_resource', 'has_resource']

@@ -10,6 +10,7 @@ from ros2wasm_launch.texts import flag, text_of
 
 from .action import Action
 from .launch_description_sources import LaunchDescriptionSource
+from .utilities import normalize_to_list_of_substitutions, perform_substitutions
 
 
 def _optional(value: Any) -> str | None:
@@ -236,6 +237,35 @@ class OpaqueCoroutine(Action):
 
     def _entities(self) -> list[Entity]:
         return [self._entity('left_out', {'what': 'OpaqueCoroutine'})]
+
+
+class ForEach(Action):
+    """Calls a function with each of the mappings that a text in YAML has, with `;` between them."""
+
+    SEPARATOR = ';'
+
+    def __init__(self, input_values: Any, *, function: Callable[..., Any], **more: Any) -> None:
+        super().__init__(**more)
+        self.input_values, self.function = normalize_to_list_of_substitutions(input_values), function
+
+    def execute(self, context: Any) -> Any:
+        import yaml
+
+        text = perform_substitutions(context, self.input_values)
+        turns = [yaml.safe_load(one.strip()) for one in text.strip().split(self.SEPARATOR) if one]
+        return [self.function(**values) for values in turns if values is not None]
+
+
+class ForLoop(Action):
+    """Calls a function with `i` from 0 on."""
+
+    def __init__(self, length: Any, *, function: Callable[..., Any], name: str | None = None, **more: Any) -> None:
+        super().__init__(**more)
+        self.length = normalize_to_list_of_substitutions(length)
+        self.function, self.name = function, name
+
+    def execute(self, context: Any) -> Any:
+        return [self.function(i=i) for i in range(int(perform_substitutions(context, self.length)))]
 
 
 class ExecuteLocal(Action):

@@ -151,6 +151,16 @@ class IfElseSubstitution(Called):
         super().__init__('if', _condition(condition), if_value, else_value)
 
 
+class ForEachVar(Called):
+    def __init__(self, name: Any, *, default_value: Any = None) -> None:
+        super().__init__('for-var', name, default_value)
+
+
+class ForLoopIndex(Called):
+    def __init__(self, name: Any) -> None:
+        super().__init__('index', name)
+
+
 class LocalSubstitution(Substitution):
     """Of an event, which only a running launch has."""
 

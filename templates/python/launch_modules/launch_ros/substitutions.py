@@ -3,11 +3,21 @@ from __future__ import annotations
 
 from typing import Any
 
+from ament_index_python.packages import get_package_prefix, get_package_share_directory
 from launch.substitutions import Called, PathJoinSubstitution
+from launch.utilities import normalize_to_list_of_substitutions
 
 
 class FindPackage(Called):
     """What packages are found by."""
+
+    def __init__(self, name: str, package: Any) -> None:
+        super().__init__(name, package)
+        self.package = normalize_to_list_of_substitutions(package)
+
+    def find(self, package_name: str) -> str:
+        """At once, of any package."""
+        raise NotImplementedError(f'{type(self).__name__} finds nothing')
 
     def __truediv__(self, other: Any) -> PathJoinSubstitution:
         return PathJoinSubstitution([self, other])
@@ -17,10 +27,16 @@ class FindPackagePrefix(FindPackage):
     def __init__(self, package: Any) -> None:
         super().__init__('find-pkg-prefix', package)
 
+    def find(self, package_name: str) -> str:
+        return get_package_prefix(package_name)
+
 
 class FindPackageShare(FindPackage):
     def __init__(self, package: Any) -> None:
         super().__init__('find-pkg-share', package)
+
+    def find(self, package_name: str) -> str:
+        return get_package_share_directory(package_name)
 
 
 class ExecutableInPackage(Called):

@@ -6,7 +6,7 @@ export interface Package {
   readonly name: string;
   readonly folder: string;
   readonly language: 'cpp' | 'python';
-  /** Names from package.xml, those of tests left out. */
+  /** Names from package.xml, those of tests left out; of `findPackages`, also those that only sources know. */
   readonly needs: readonly string[];
 }
 
@@ -17,7 +17,18 @@ const NEEDS = /<(?:build_|build_export_|buildtool_|exec_)?depend(?:\s[^>]*)?>\s*
 export function findPackages(roots: readonly string[]): ReadonlyMap<string, Package> {
   const found = new Map<string, Package>();
   for (const root of roots) visit(root, found);
-  return new Map([...found].sort(([a], [b]) => (a < b ? -1 : 1)));
+  const named = [...found.values()].map((one): [string, Package] => {
+    const needs = [...new Set([...one.needs, ...mentioned(one.folder, found)])].sort();
+    return [one.name, { ...one, needs: needs.filter((name) => name !== one.name) }];
+  });
+  return new Map(named.sort(([a], [b]) => (a < b ? -1 : 1)));
+}
+
+/** Of `all`, those that Python sources and launch files of a package name: in a workspace that is built whole they are there. */
+function mentioned(folder: string, all: ReadonlyMap<string, Package>): string[] {
+  const files = readdirSync(folder, { recursive: true, encoding: 'utf8' }).filter((path) => /(?:\.py|[._]launch\.(?:xml|ya?ml)|\.launch)$/.test(path));
+  const words = files.flatMap((path) => readFileSync(join(folder, path), 'utf8').match(/[a-z][a-z0-9_]*/g) ?? []);
+  return [...new Set(words)].filter((word) => all.has(word));
 }
 
 function visit(folder: string, found: Map<string, Package>): void {

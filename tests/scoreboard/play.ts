@@ -131,7 +131,7 @@ export async function play(platform: Platform, { kind, expected }: Asked): Promi
       if (index === 0) for (const place of broker.admitted) own.add(place);
     }
     const starting = PYTHON_START_SECONDS * site.nodes.filter((node) => node.kind === 'python').length;
-    const until = performance.now() + 1000 * ((expected?.seconds ?? UNEXPECTED_SECONDS) + starting);
+    let until = performance.now() + 1000 * ((expected?.seconds ?? UNEXPECTED_SECONDS) + starting);
     let verdict: Verdict | undefined;
     do {
       await new Promise((resolve) => setTimeout(resolve, LOOK_MS));
@@ -140,7 +140,10 @@ export async function play(platform: Platform, { kind, expected }: Asked): Promi
       verdict = expected === undefined ? undefined : judge(expected, seen);
       // Of a launch file, one node may have said all while another starts.
       if (verdict?.final === true && (seen.node.started || verdict.missing.length > 0)) break;
-      if (expected === undefined && over(seen.node)) break;
+      if (expected !== undefined) continue;
+      if (over(seen.node)) break;
+      // Python runs long before a program does something.
+      if (seen.node.started && (endpoints.size > 0 || seen.node.lines.length > 0)) until = Math.min(until, performance.now() + 1000 * UNEXPECTED_SECONDS);
     } while (performance.now() < until);
     return { node: seen.node, endpoints: [...endpoints], verdict };
   } finally {

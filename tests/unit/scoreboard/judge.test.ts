@@ -1,11 +1,14 @@
 // When a row of the score board is green.
 import assert from 'node:assert/strict';
+import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { test } from 'node:test';
 import { isGreen, ownEndpoints, type Row, summary } from '../../scoreboard/board.ts';
 import { BadExpectation, parseExpectations, type Expectation } from '../../scoreboard/expectation.ts';
 import { judge, type Seen, type SeenNode } from '../../scoreboard/judge.ts';
 import { posted, received } from '../../scoreboard/posted.ts';
-import { closure, readPackage } from '../../scoreboard/packages.ts';
+import { closure, findPackages, readPackage } from '../../scoreboard/packages.ts';
 import { valueAt } from '../../scoreboard/play.ts';
 import { firstError } from '../../scoreboard/site.ts';
 
@@ -89,6 +92,18 @@ test('what a package.xml needs, and what that needs', () => {
   assert.deepEqual(one, { name: 'p', folder: '/p', language: 'cpp', needs: ['q', 'r'] });
   assert.equal(two.language, 'python');
   assert.deepEqual(closure(['q'], new Map([['p', one], ['q', two]])), [one, two]);
+});
+
+test('what only sources know of other packages is needed too', (t) => {
+  const folder = mkdtempSync(join(tmpdir(), 'packages-'));
+  t.after(() => rmSync(folder, { recursive: true }));
+  for (const name of ['arm', 'arm_tools', 'arm_bringup']) {
+    mkdirSync(join(folder, name));
+    writeFileSync(join(folder, name, 'package.xml'), `<package><name>${name}</name></package>`);
+  }
+  writeFileSync(join(folder, 'arm/node.py'), 'from arm_tools.joints import Joint\n');
+  writeFileSync(join(folder, 'arm_bringup/arm_launch.xml'), '<launch><node pkg="arm" exec="node"/></launch>');
+  assert.deepEqual([...findPackages([folder]).values()].map(({ name, needs }) => [name, needs]), [['arm', ['arm_tools']], ['arm_bringup', ['arm']], ['arm_tools', []]]);
 });
 
 test('values are found by path; the first error is told', () => {

@@ -115,8 +115,10 @@ CommandBody pack_command(Arguments& arguments) {
   arguments.optional(
       "WORKSPACE", options->input,
       "a workspace.yaml, or a folder with ROS 2 packages (default: the current folder)");
-  arguments.value("-o,--output", options->output, "FOLDER",
-                  "where to write the site (default: site); NAME.zip: as one archive");
+  arguments.value(
+      "-o,--output", options->output, "FOLDER",
+      "where to write the site (default: site); NAME.zip: as one archive, NAME.html: as one "
+      "page");
   arguments.flag("--locked", options->locked, "fail rather than change ros2wasm.lock");
   arguments.flag("--frozen", options->frozen,
                  "take packages from ros2wasm.lock only, ask no channel and leave the lock alone");

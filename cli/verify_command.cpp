@@ -69,6 +69,8 @@ int verify(Context& context, const Options& options) {
   const auto check = is_network_url(options.site)
                          ? check_site_address(options.site, network_of(context.environment),
                                               context.cancellation, context.progress)
+                     : options.site.ends_with(".html")
+                         ? check_site_page(options.site, context.cancellation, context.progress)
                          : check_site_folder(options.site, context.cancellation, context.progress);
   if (!check) return context.console.fail(check.errors());
   Diagnostics faults = check->faults;

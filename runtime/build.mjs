@@ -18,7 +18,7 @@ const root = fileURLToPath(new URL('..', import.meta.url));
  * needs one request before it starts, but for mount.tsx: it shares its code with the panels that come when they are
  * opened, in files that index.html asks for at once; "classic" one plain script;
  * "style" one sheet; "copy" the file as it is; "node" a module for Node.js; "wasm" a program, which its own script builds
- * into a folder beside OUT.
+ * into a folder beside OUT; "carried" a page with its program in it, the one of sites in one HTML file.
  */
 const rows = [
   { file: 'index.html', from: 'runtime/ui/index.html', kind: 'copy', role: 'page' },
@@ -28,6 +28,7 @@ const rows = [
   { file: 'node_worker.js', from: 'runtime/wasm_js/node_worker_main.ts', kind: 'classic', role: 'worker' },
   { file: 'python_worker.js', from: 'runtime/wasm_js/python_worker_main.ts', kind: 'classic', role: 'python_worker' },
   { file: 'service_worker.js', from: 'runtime/wasm_js/service_worker.ts', kind: 'classic', role: 'service_worker' },
+  { file: 'carried_page.html', from: 'runtime/ui/carried_page.ts', kind: 'carried', role: 'carried_page' },
   { file: 'headless.js', from: 'runtime/wasm_js/headless.ts', kind: 'node', role: 'headless' },
   { file: 'ros2.js', from: 'runtime/ros2cli/headless_main.ts', kind: 'node', role: 'headless_ros2' },
   { file: 'launch_evaluator.wasm', from: 'runtime/launch_evaluator/build.py', kind: 'wasm', role: 'launch_evaluator' },
@@ -122,7 +123,30 @@ async function buildShared({ file, from }, out) {
   writeFileSync(page, html.replace(asked, links.join('\n')));
 }
 
+/** Its policy is that of index.html, with what only this page can make in place of what the host has. */
+async function buildCarried({ file, from }, out) {
+  const { outputFiles, metafile } = await build({
+    ...shared, ...options.classic, entryPoints: [from], outdir: out, write: false, metafile: true,
+  });
+  takeInputs(metafile);
+  const program = outputFiles[0].text.replaceAll('</', '<\\/');
+  const hash = `'sha256-${createHash('sha256').update(program).digest('base64')}'`;
+  const ui = (name) => readFileSync(join(root, 'runtime/ui', name), 'utf8');
+  const [, policy] = ui('index.html').match(/Content-Security-Policy" content="([^"]*)"/);
+  const carried = policy.split('; ').map((directive) => {
+    const [name, ...sources] = directive.split(' ');
+    const own = sources.map((source) => (source === "'self'" ? 'blob:' : source));
+    return [name, ...(name === 'script-src' ? [hash] : []), ...new Set(own)].join(' ');
+  });
+  const html = ui(file).replace('POLICY', () => carried.join('; ')).replace('PROGRAM', () => program);
+  writeFileSync(join(out, file), html);
+}
+
 async function buildRow(row, out) {
+  if (row.kind === 'carried') {
+    await buildCarried(row, out);
+    return;
+  }
   if (row.kind === 'copy') {
     writeFileSync(join(out, row.file), readFileSync(join(root, row.from)));
     return;

@@ -16,7 +16,8 @@ bool counts(const fs::directory_entry& entry) {
   if (name.starts_with('.') || name == "__pycache__" || name.ends_with(".pyc")) return false;
   std::error_code error;
   if (!entry.is_directory(error))
-    return !(name.ends_with(".zip") && is_site_archive_of_ours(entry.path()));
+    return !(name.ends_with(".zip") && is_site_archive_of_ours(entry.path())) &&
+           !(name.ends_with(".html") && is_site_page_of_ours(entry.path()));
   return !fs::exists(entry.path() / "COLCON_IGNORE", error) && !is_site_of_ours(entry.path());
 }
 

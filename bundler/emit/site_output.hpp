@@ -1,4 +1,5 @@
-// Where a site goes: into a folder or, when the name ends in .zip, into one archive.
+// Where a site goes: into a folder or, when the name ends in .zip or .html, into one archive or
+// page.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +15,7 @@ namespace ros2wasm {
 /// R2W0601 otherwise. Asked before anything is built.
 [[nodiscard]] std::optional<Diagnostic> refuse_output(const std::filesystem::path& output);
 
-/// What emit_folder() or emit_zip() says.
+/// What emit_folder(), emit_zip() or emit_page() says.
 [[nodiscard]] Outcome<Done> emit_site(const SitePlan& plan, const std::filesystem::path& output,
                                       const Cancellation& cancellation);
 

@@ -28,6 +28,8 @@ constexpr std::string_view kPythonRole = "python_worker";
 constexpr std::string_view kLaunchRole = "launch_evaluator";
 constexpr std::string_view kLaunchScriptRole = "launch_script";
 constexpr std::string_view kPageRole = "page";
+/// Of a site in one file only.
+constexpr std::string_view kCarriedPageRole = "carried_page";
 constexpr const char* kLaunchData = "launch.json";
 constexpr const char* kSiteJsonReason = "what runs in the site";
 
@@ -119,6 +121,7 @@ Outcome<SitePlan> plan_site(PlanInput input) {
   const Manifest& manifest = input.manifest;
   const auto chosen = manifest.ui.find("theme");
   const std::string theme = chosen == manifest.ui.end() ? "auto" : chosen->second;
+  const std::string& title = manifest.title.empty() ? manifest.name.value : manifest.title;
   for (RuntimeAsset& asset : input.runtime) {
     if (asset.role == kComponentsRole) continue;
     if (asset.role.starts_with(kHeadlessRoles) || (asset.role == kPythonRole && !has_python))
@@ -132,10 +135,12 @@ Outcome<SitePlan> plan_site(PlanInput input) {
                      .asks_python = !input.launch->python.empty(),
                      .python = {},
                      .tried = input.launch->tried};
+    if (asset.role == kCarriedPageRole) {
+      plan.carried_page = page_html(std::move(asset.bytes), title, theme, {});
+      continue;
+    }
     if (asset.role == kPageRole) {
-      asset.bytes = page_html(std::move(asset.bytes),
-                              manifest.title.empty() ? manifest.name.value : manifest.title, theme,
-                              {paths.begin(), paths.end()});
+      asset.bytes = page_html(std::move(asset.bytes), title, theme, {paths.begin(), paths.end()});
     }
     add(plan, asset.file, reason_of_asset(asset.role), std::move(asset.bytes));
   }

@@ -74,6 +74,7 @@ struct SitePlan {
   std::vector<PlannedSource> sources;   ///< Python files of the workspace
   std::vector<CheckEntry> checks;       ///< in the manifest's order, with ids of nodes
   std::vector<ChannelFile> channel;     ///< sorted by path; empty unless it was asked for
+  std::string carried_page;             ///< the page of a site in one file, without the files
 };
 
 /// A file that the built runtime brings to every site.

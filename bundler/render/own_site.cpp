@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "bundler/io/files.hpp"
+#include "bundler/render/carried_page.hpp"
 #include "bundler/render/site_json.hpp"
 #include "bundler/verify/site_list.hpp"
 #include "workspace_schema/json_reader.hpp"
@@ -55,6 +56,13 @@ bool is_site_of_ours(const fs::path& folder) {
 
 bool is_site_archive_of_ours(const fs::path& file) {
   return is_site_json_of_ours(first_site_json(file));
+}
+
+bool is_site_page_of_ours(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::string first(64, '\0');
+  return in.read(first.data(), static_cast<std::streamsize>(first.size())) &&
+         is_carried_page(first);
 }
 
 }  // namespace ros2wasm

@@ -1,4 +1,4 @@
-// Which folders and archives are sites that ros2wasm made: they may be replaced, and are no
+// Which folders, archives and pages are sites that ros2wasm made: they may be replaced, and are no
 // sources.
 #pragma once
 
@@ -15,5 +15,8 @@ namespace ros2wasm {
 
 /// By its first member, which emit_zip() makes the site.json.
 [[nodiscard]] bool is_site_archive_of_ours(const std::filesystem::path& file);
+
+/// By its first lines, which emit_page() writes.
+[[nodiscard]] bool is_site_page_of_ours(const std::filesystem::path& file);
 
 }  // namespace ros2wasm

@@ -3,34 +3,9 @@
 
 #include <algorithm>
 
+#include "bundler/render/html_text.hpp"
+
 namespace ros2wasm {
-namespace {
-
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
-
-}  // namespace
-
 std::string page_html(std::string page, std::string_view title, std::string_view theme,
                       const std::vector<std::string>& programs) {
   constexpr std::string_view kOpen = "<title>";
@@ -38,7 +13,7 @@ std::string page_html(std::string page, std::string_view title, std::string_view
   const std::size_t close = page.find("</title>");
   if (open != std::string::npos && close != std::string::npos && open < close) {
     const std::size_t begin = open + kOpen.size();
-    page.replace(begin, close - begin, escaped(title));
+    page.replace(begin, close - begin, html_text(title));
   }
   constexpr std::string_view kRoot = "<html";
   const std::size_t root = page.find(kRoot);
@@ -47,7 +22,8 @@ std::string page_html(std::string page, std::string_view title, std::string_view
   }
   std::string hints;
   for (const std::string& program : programs) {
-    hints += "<link rel=\"preload\" href=\"" + escaped(program) + "\" as=\"fetch\" crossorigin>\n";
+    hints +=
+        "<link rel=\"preload\" href=\"" + html_text(program) + "\" as=\"fetch\" crossorigin>\n";
   }
   // Before what else is fetched: scripts and style sheets hold up what stands behind them.
   const std::size_t head_end = page.find("</head>");

@@ -1,6 +1,7 @@
 // See site_json.hpp. The keys and their order are part of the format.
 #include "bundler/render/site_json.hpp"
 
+#include "bundler/io/sha256.hpp"
 #include "bundler/launch/launch_tree.hpp"
 #include "bundler/render/citation.hpp"
 #include "bundler/render/site_node_json.hpp"
@@ -119,6 +120,8 @@ std::string site_json(const Manifest& manifest, const SitePlan& plan) {
     json.end_object();
   }
   json.field("interfaces", "interfaces.json");
+  // Of the page of `pack -o NAME.html` without the files, for `ros2wasm verify`.
+  json.field("carried_page_sha256", sha256_hex(plan.carried_page));
   if (plan.launch) write_launch(json, *plan.launch);
   json.key("packages").begin_array();
   for (const std::string& package : plan.packages) json.string(package);

@@ -2,6 +2,7 @@
 #include "bundler/verify/site_check.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -9,6 +10,8 @@
 #include "bundler/io/sha256.hpp"
 #include "bundler/plan/shipped_channel.hpp"
 #include "bundler/plan/site_plan.hpp"
+#include "bundler/render/carried_page.hpp"
+#include "bundler/render/html_text.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
@@ -130,6 +133,54 @@ Outcome<SiteCheck> check_site_folder(const fs::path& folder, const Cancellation&
       if (*fault) check.faults.push_back(std::move(**fault));
     }
     report(progress, done += file.size, total);
+  }
+  return check;
+}
+
+Outcome<SiteCheck> check_site_page(const fs::path& file, const Cancellation& cancellation,
+                                   const ProgressSink& progress) {
+  const auto page = read_file(file);
+  if (!page) return page.errors();
+  const auto carried = read_carried_page(*page, file.string());
+  if (!carried) return carried.errors();
+  const auto text = unpacked(carried->files.front(), kLargestSiteJson);
+  if (!text) return text.errors();
+  auto list = read_site_list(*text, file.string());
+  if (!list) return std::move(list).errors();
+  SiteCheck check{.list = std::move(*list), .faults = {}, .unlisted = {}};
+  std::vector<ListedFile> wanted = check.list.files;
+  wanted.push_back(listed_hash_list(check.list));
+  std::map<std::string, CarriedFile> files;
+  for (const CarriedFile& one : carried->files) {
+    // Browsers would take the last one, this the first.
+    if (!files.emplace(one.path, one).second)
+      check.faults.push_back(other_bytes(std::string(one.path), "the page has two of that name"));
+  }
+  if (carried->mark != carried_page_mark(check.list.generator, check.list.hash) ||
+      sha256_hex(carried->bare) != check.list.carried_page_sha256)
+    check.faults.push_back(other_bytes(file.filename().string(),
+                                       "what stands around the site's files is not its own"));
+  std::uint64_t total = 0;
+  std::uint64_t done = 0;
+  for (const ListedFile& one : wanted) total += one.size;
+  for (const ListedFile& one : wanted) {
+    if (cancellation.requested()) return interrupted();
+    const auto found = files.extract(html_text(one.path));
+    if (found.empty()) {
+      check.faults.push_back(not_there(one.path));
+      continue;
+    }
+    const auto bytes = unpacked(found.mapped(), one.size);
+    if (!bytes) {
+      check.faults.push_back(other_bytes(one.path, bytes.errors().front().why.front()));
+    } else if (bytes->size() != one.size || sha256_hex(*bytes) != one.sha256) {
+      check.faults.push_back(other_bytes(
+          one.path, "its sha256 is " + sha256_hex(*bytes) + ", site.json says " + one.sha256));
+    }
+    report(progress, done += one.size, total);
+  }
+  for (const auto& [path, one] : files) {
+    if (path != kSiteJsonName) check.unlisted.push_back(path);
   }
   return check;
 }

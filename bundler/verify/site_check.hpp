@@ -1,4 +1,5 @@
-// Whether the bytes of a site are those that its site.json names: in a folder, or below an address.
+// Whether the bytes of a site are those that its site.json names: in a folder, in one page, or
+// below an address.
 #pragma once
 
 #include <filesystem>
@@ -23,6 +24,11 @@ struct SiteCheck {
 [[nodiscard]] Outcome<SiteCheck> check_site_folder(const std::filesystem::path& folder,
                                                    const Cancellation& cancellation,
                                                    const ProgressSink& progress);
+
+/// Of a page that `pack -o NAME.html` wrote: every file that it carries. Also R2W0202.
+[[nodiscard]] Outcome<SiteCheck> check_site_page(const std::filesystem::path& file,
+                                                 const Cancellation& cancellation,
+                                                 const ProgressSink& progress);
 
 /// Brings every file, as a visit would. `url` is that of the page, of its folder or of site.json.
 /// Also R2W0233 to R2W0236.

@@ -31,8 +31,10 @@ Diagnostic no_site(const std::string& shown, std::string why) {
 Outcome<SiteList> read_site_list(std::string_view site_json, const std::string& shown) {
   const auto json = parse_json(site_json, shown, "R2W0605");
   if (!json) return json.errors();
-  SiteList list{
-      .hash = sha256_hex(site_json), .generator = json->text_of("generator"), .files = {}};
+  SiteList list{.hash = sha256_hex(site_json),
+                .generator = json->text_of("generator"),
+                .carried_page_sha256 = json->text_of("carried_page_sha256"),
+                .files = {}};
   if (!list.generator.starts_with(kSiteGenerator))
     return no_site(shown, "its `generator` is not ros2wasm");
   const JsonValue* files = json->find("files");

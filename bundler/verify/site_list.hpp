@@ -22,7 +22,8 @@ struct ListedFile {
 struct SiteList {
   std::string hash;  ///< sha256 of site.json: of all files by their hashes, so of the whole site
   std::string generator;
-  std::vector<ListedFile> files;  ///< in the order of the text
+  std::string carried_page_sha256;  ///< of the page that `pack -o NAME.html` puts files into
+  std::vector<ListedFile> files;    ///< in the order of the text
 };
 
 /// `shown` names the text in diagnostics. R2W0605 not a site.json of ours, R2W0608 a path that

@@ -1,5 +1,6 @@
 // A browser page as the place where a site runs.
 
+import { fetchOfSite, workerFiles } from './carried_files.ts';
 import { ExpectedFiles } from './expected_files.ts';
 import { keptBytes } from './kept_bytes.ts';
 import { keptTexts } from './kept_texts.ts';
@@ -8,11 +9,15 @@ import type { Platform, WorkerEvents, WorkerHandle } from './platform.ts';
 import { SiteError } from './site_error.ts';
 import { lifeOver, newLife } from './worker_life.ts';
 
-async function get(url: URL, cache: RequestCache = 'default'): Promise<Response> {
+async function get(path: string, base: URL, cache: RequestCache = 'default'): Promise<Response> {
+  const url = new URL(path, base);
   let response: Response;
   try {
-    response = await fetch(url, { cache });
+    response = await fetchOfSite(path, base, cache);
   } catch (error) {
+    // The loader of a page that carries its files throws its own.
+    const carried = error as Partial<SiteError>;
+    if (carried.name === 'SiteError') throw new SiteError(carried.code ?? 'R2W0706', String(carried.message), { why: carried.why ?? [], fix: carried.fix ?? [] });
     throw new SiteError('R2W0706', `${url.pathname} cannot be fetched: ${error instanceof Error ? error.message : String(error)}`, {
       why: 'the host is not reachable, and the page has no copy of the file yet',
       fix: 'reload the page when the connection is back',
@@ -52,16 +57,19 @@ export function browserPlatform(base: URL, script: string): BrowserPlatform {
   const list = new Promise<void>((resolve) => {
     known = resolve;
   });
+  let paths: readonly string[] = [];
   /** Where a host lets browsers keep files, an old one may come with a new site.json: then it is asked for once more. */
   const checked = async (path: string, bytes: ArrayBuffer): Promise<ArrayBuffer> => {
     if (await expected.matches(path, bytes)) return bytes;
-    return expected.checked(path, await (await get(new URL(path, base), 'reload')).arrayBuffer());
+    return expected.checked(path, await (await get(path, base, 'reload')).arrayBuffer());
   };
   const bytes = async (path: string): Promise<ArrayBuffer> =>
-    checked(path, await (await get(new URL(path, base))).arrayBuffer());
-  const scriptUrl = Promise.all([get(new URL(script, base)).then((response) => response.arrayBuffer()), list])
+    checked(path, await (await get(path, base)).arrayBuffer());
+  const scriptUrl = Promise.all([get(script, base).then((response) => response.arrayBuffer()), list])
     .then(([early]) => checked(script, early))
-    .then((text) => URL.createObjectURL(new Blob([text], { type: 'text/javascript' })));
+    .then(async (text): Promise<WorkerScript> => ({
+      url: URL.createObjectURL(new Blob([text], { type: 'text/javascript' })), files: await workerFiles(base, paths),
+    }));
   return {
     ready: scriptUrl.then(
       () => undefined,
@@ -69,7 +77,7 @@ export function browserPlatform(base: URL, script: string): BrowserPlatform {
     ),
     place: base.href,
     json: async (path) => {
-      const response = await get(new URL(path, base));
+      const response = await get(path, base);
       try {
         return await response.json() as unknown;
       } catch (error) {
@@ -78,6 +86,7 @@ export function browserPlatform(base: URL, script: string): BrowserPlatform {
     },
     expect: (files) => {
       expected.set(files);
+      paths = files.map(({ path }) => path);
       known();
     },
     compile: (path) => {
@@ -100,9 +109,14 @@ export function browserPlatform(base: URL, script: string): BrowserPlatform {
       else requestAnimationFrame(task);
     },
     close: () => {
-      scriptUrl.then((url) => URL.revokeObjectURL(url), () => undefined);
+      scriptUrl.then(({ url }) => URL.revokeObjectURL(url), () => undefined);
     },
   };
+}
+
+interface WorkerScript {
+  readonly url: string;
+  readonly files: ReadonlyMap<string, Blob> | undefined;
 }
 
 /** Keeps orders until the script is there. */
@@ -112,15 +126,15 @@ class BrowserWorker implements WorkerHandle {
   private readonly life = newLife();
   private readonly early: (() => void)[] = [];
 
-  constructor(url: Promise<string>, name: string, events: WorkerEvents) {
-    url.then((script) => {
+  constructor(script: Promise<WorkerScript>, name: string, events: WorkerEvents) {
+    script.then(({ url, files }) => {
       if (this.ended) return;
-      const worker = new Worker(script, { name });
+      const worker = new Worker(url, { name });
       worker.onmessage = (event: MessageEvent<WorkerReport>) => events.report(event.data);
       worker.onerror = (event) => events.failed(event.message === undefined || event.message === '' ? 'the worker did not start' : event.message);
       worker.onmessageerror = () => events.failed('the worker sent what cannot be read');
       this.worker = worker;
-      worker.postMessage({ t: 'hold', life: this.life } satisfies HoldOrder);
+      worker.postMessage({ t: 'hold', life: this.life, files } satisfies HoldOrder);
       for (const order of this.early) order();
     }).catch((error: unknown) => {
       if (!this.ended) events.failed(error instanceof Error ? error.message : String(error));

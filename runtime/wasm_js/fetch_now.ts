@@ -1,9 +1,10 @@
-// Fetches a file of the site in the middle of a call: workers, unlike pages, may wait for an answer.
+// Fetches a file of the site in the middle of a call: workers, unlike pages, may wait for an answer. `addressOf` gives where
+// a file is that has that address in the site.
 
 import type { ReadNow } from './site_files.ts';
 
-export const fetchNow: ReadNow = (place, path) => {
-  const address = new URL(path.split('/').map(encodeURIComponent).join('/'), place);
+export const fetchNow = (addressOf: (address: string) => string): ReadNow => (place, path) => {
+  const address = addressOf(new URL(path.split('/').map(encodeURIComponent).join('/'), place).href);
   const request = new XMLHttpRequest();
   try {
     request.open('GET', address, false);

@@ -2,6 +2,7 @@
 
 import { type Broker, PortBroker, SharedBroker, type SharedBrokerOptions, steppedBus } from './broker.ts';
 import { browserPlatform } from './browser_platform.ts';
+import { carriedFiles } from './carried_files.ts';
 import { whenIdle } from './idle.ts';
 import { isolate, keepOffline } from './isolation.ts';
 import { givenInAddress } from './launch_arguments.ts';
@@ -87,7 +88,9 @@ function underWay(session: SiteSession): Promise<void> {
 export async function startSession(options: LaunchOptions = {}): Promise<Session> {
   const base = options.base ?? new URL('./', document.baseURI);
   const serviceWorker = new URL('service_worker.js', base);
-  if (options.link === undefined) {
+  // A page that carries its files has no service worker beside it.
+  const alone = carriedFiles() !== undefined;
+  if (options.link === undefined && !alone) {
     const isolation = await isolate(serviceWorker);
     if (isolation === 'reloading') return new Promise(() => undefined);
   }
@@ -119,7 +122,7 @@ export async function startSession(options: LaunchOptions = {}): Promise<Session
     await underWay(session);
   }
   // Styles and tests can tell by <html data-offline> whether the site is kept.
-  const later = (): void => void keepOffline(serviceWorker).then((kept) => {
+  const later = (): void => void (alone ? Promise.resolve(true) : keepOffline(serviceWorker)).then((kept) => {
     document.documentElement.dataset['offline'] = kept ? 'kept' : 'not_kept';
     options.onOffline?.(kept);
   });

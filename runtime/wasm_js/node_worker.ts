@@ -58,10 +58,12 @@ export type WorkerReport =
   /** `closed`: the worker took leave of the graph. */
   | { readonly t: 'end'; readonly end: ProgramEnd; readonly closed: boolean };
 
-/** In a browser, before all orders: the lock to hold as long as the worker lives (worker_life.ts). */
+/** In a browser, before all orders: the lock to hold as long as the worker lives (worker_life.ts), and files that the page
+ * carries, by the addresses that they would have. */
 export interface HoldOrder {
   readonly t: 'hold';
   readonly life: string;
+  readonly files?: ReadonlyMap<string, Blob> | undefined;
 }
 
 export type WorkerOrder =

@@ -8,22 +8,36 @@ import { holdLife } from './worker_life.ts';
 
 const scope = self as unknown as DedicatedWorkerGlobalScope;
 
+let carried: ReadonlyMap<string, Blob> | undefined;
+const made = new Map<string, string>();
+
+/** Where it is that has this address in the site. */
+function addressOf(address: string): string {
+  const file = carried?.get(address);
+  if (file === undefined) return address;
+  const own = made.get(address) ?? URL.createObjectURL(file);
+  made.set(address, own);
+  return own;
+}
+
 function load(url: string): void {
   try {
-    scope.importScripts(url);
+    scope.importScripts(addressOf(url));
   } catch (error) {
     throw new Error(`the site's file ${url} cannot be loaded: ${error instanceof Error ? error.message : String(error)}`);
   }
 }
 
-const handle = serveWorker((report) => scope.postMessage(report), fetchNow, {
+const handle = serveWorker((report) => scope.postMessage(report), fetchNow(addressOf), {
   files: {
     pyodide: async (home) => {
       load(`${home}pyodide.js`);
+      // Pyodide would load it from its own folder, where it is not.
+      if (carried !== undefined) load(`${home}pyodide.asm.js`);
       return (scope as unknown as { loadPyodide: typeof loadPyodide }).loadPyodide;
     },
     bytes: async (place) => {
-      const response = await fetch(place);
+      const response = await fetch(addressOf(place));
       if (!response.ok) throw new Error(`${place} cannot be fetched: the host answers ${response.status}`);
       return new Uint8Array(await response.arrayBuffer());
     },
@@ -35,6 +49,8 @@ const handle = serveWorker((report) => scope.postMessage(report), fetchNow, {
 });
 let held = Promise.resolve();
 scope.onmessage = ({ data: order }: MessageEvent<HoldOrder | WorkerOrder>) => {
-  if (order.t === 'hold') held = holdLife(order.life);
-  else void held.then(() => handle(order));
+  if (order.t === 'hold') {
+    carried = order.files;
+    held = holdLife(order.life);
+  } else void held.then(() => handle(order));
 };

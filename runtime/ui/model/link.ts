@@ -2,6 +2,8 @@
 // site.json, which names every file of the site with its own: a link tells when it was made for another site.
 // Fields of others (arguments, parameters) are kept as they are.
 
+import { fetchOfSite } from '../../wasm_js/carried_files.ts';
+
 const kHashLength = 16;
 const kMostFragment = 131_072;
 
@@ -33,7 +35,7 @@ export async function siteHash(): Promise<string | null> {
 /** sha256 of the site; null where site.json does not come, or the browser has no digests: over plain http from elsewhere. */
 export async function siteDigest(): Promise<string | null> {
   try {
-    const response = await fetch('site.json');
+    const response = await fetchOfSite('site.json');
     if (!response.ok) return null;
     const hash = new Uint8Array(await crypto.subtle.digest('SHA-256', await response.arrayBuffer()));
     return Array.from(hash, (byte) => byte.toString(16).padStart(2, '0')).join('');

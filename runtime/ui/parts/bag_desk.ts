@@ -7,6 +7,7 @@ import type { BagSink } from '../../bag/bag_writer.ts';
 import { BagPlayer } from '../../bag/player.ts';
 import { Recorder } from '../../bag/recorder.ts';
 import type { BagPlace } from '../../ros2cli/command.ts';
+import { fetchOfSite } from '../../wasm_js/carried_files.ts';
 import type { Session, Unsubscribe } from '../../wasm_js/session.ts';
 import { type Problem, problemOf } from '../model/problem.ts';
 
@@ -207,7 +208,7 @@ export function blobSource(name: string, blob: Blob): BagSource {
 }
 
 async function fetchFile(path: string): Promise<Blob> {
-  const response = await fetch(path.split('/').map(encodeURIComponent).join('/'));
+  const response = await fetchOfSite(path);
   if (!response.ok) throw new Error(`HTTP ${response.status}`);
   return await response.blob();
 }

@@ -4,6 +4,8 @@
 import { createElement } from 'preact';
 import type { ComponentChildren } from 'preact';
 import type { Tokens } from 'marked';
+import { useEffect, useState } from 'preact/hooks';
+import { addressBeside, addressOfSite, carriedFiles } from '../../wasm_js/carried_files.ts';
 import { headingId, readMarkdown, sitePath } from '../model/markdown.ts';
 import type { MarkdownToken } from '../model/markdown.ts';
 import { isPageAction, readPageAction } from '../model/page_action.ts';
@@ -198,8 +200,17 @@ function image(token: Tokens.Image, context: Context): ComponentChildren {
   const path = sitePath(context.file, token.href);
   if (path === null || !context.files.has(path))
     return <span class="text-missing">{token.text === '' ? texts.text.image : token.text}</span>;
-  const address = path.split('/').map(encodeURIComponent).join('/');
-  return <img src={address} alt={token.text} loading="lazy" />;
+  return <SiteImage key={path} path={path} words={token.text} />;
+}
+
+/** At once where the file lies beside the page. */
+function SiteImage({ path, words }: { readonly path: string; readonly words: string }) {
+  const [address, setAddress] = useState(carriedFiles() === undefined ? addressBeside(path) : undefined);
+  useEffect(() => {
+    // One that cannot be had leaves its words.
+    if (address === undefined) void addressOfSite(path).then(setAddress, () => undefined);
+  }, [path, address]);
+  return <img src={address} alt={words} loading="lazy" />;
 }
 
 /** The lexer keeps `\*` as an escape token, and leaves entities such as `&amp;` for a browser to read. */

@@ -1,12 +1,13 @@
 // Texts that the page reads: files of the site, and one that the visitor chooses. Both reject with an Error.
 
+import { fetchOfSite } from '../../wasm_js/carried_files.ts';
 import { texts } from '../texts.ts';
 
 const kMostBytes = 1 << 20;
 
 /** `path`: as in site.json. */
 export async function readSiteText(path: string, most = kMostBytes): Promise<string> {
-  const response = await fetch(path.split('/').map(encodeURIComponent).join('/'));
+  const response = await fetchOfSite(path);
   if (!response.ok) throw new Error(`HTTP ${response.status}`);
   return textOf(await response.arrayBuffer(), most);
 }

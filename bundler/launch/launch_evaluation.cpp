@@ -147,6 +147,9 @@ LaunchEvaluator::LaunchEvaluator(const LaunchWorld& world,
                                  const std::map<std::string, std::string>& given)
     : world_(world), given_(given) {
   scope_.configurations = given;
+  world_.note_later = [this](const std::string& path, const SourceSpan& at) {
+    static_cast<void>(comes_later(path, at));
+  };
   if (!world.python) return;
   // A file that Python wrote is read there.
   world_.read = [this, &world](const std::string& path) -> Outcome<std::string> {

@@ -18,6 +18,8 @@ namespace ros2wasm {
 namespace {
 
 constexpr std::size_t kLongestText = 4U << 20U;  // bytes
+/// In the place of a description of which a file is not there yet.
+constexpr const char* kLaterRobot = "<?xml version=\"1.0\" ?><robot name=\"later\"/>";
 
 using Texts = std::vector<std::string>;
 
@@ -162,18 +164,37 @@ Result anonymous(const Call& call) {
   return call.arguments[0] + "_site";
 }
 
-Result file_content(const Call& call) {
-  auto text = call.world.read(call.arguments[0]);
+/// Whether a file that cannot be read may be there when the site is packed; then that is told.
+bool comes_later(const Call& call, const std::string& path) {
+  if (!call.world.is_later || !call.world.note_later || !call.world.is_later(path)) return false;
+  call.world.note_later(path, call.span);
+  return true;
+}
+
+Result content_of(const Call& call, const std::string& path) {
+  auto text = call.world.read(path);
   if (text) return text;
-  return fault(call, "R2W0413", "`" + call.arguments[0] + "` cannot be read",
-               text.errors().front().why);
+  if (comes_later(call, path)) return std::string();
+  return fault(call, "R2W0413", "`" + path + "` cannot be read", text.errors().front().why);
+}
+
+Result file_content(const Call& call) {
+  return content_of(call, call.arguments[0]);
 }
 
 /// Nothing is run: the description is expanded here.
 Result expanded(const Call& call, XacroRequest request) {
   request.environment = environment_of(call);
-  auto text = expand_xacro(request, call.world);
+  std::string missing;  // the first file that cannot be read
+  LaunchWorld world = call.world;
+  world.read = [&](const std::string& path) {
+    auto text = call.world.read(path);
+    if (!text && missing.empty()) missing = path;
+    return text;
+  };
+  auto text = expand_xacro(request, world);
   if (text) return text;
+  if (!missing.empty() && comes_later(call, missing)) return std::string(kLaterRobot);
   Diagnostics errors = std::move(text).errors();
   if (!errors.front().span) {
     errors.front().span = call.span;
@@ -190,14 +211,18 @@ Result command(const Call& call) {
     if (!*request) return request->errors();
     return expanded(call, std::move(**request));
   }
-  return fault(call, "R2W0414", "`$(command ...)` is not run",
-               {"the command is: " + line,
-                "a pack runs nothing of a workspace but compilers; only `xacro` is known to it"});
+  if (const auto path = cat_command(line, call.file.directory())) return content_of(call, *path);
+  return fault(
+      call, "R2W0414", "`$(command ...)` is not run",
+      {"the command is: " + line,
+       "a pack runs nothing of a workspace but compilers; only `xacro` and `cat` are known "
+       "to it"});
 }
 
 Result find_executable(const Call& call) {
   // What stands for these is not run either; the words are known.
-  if (call.arguments[0] == "xacro" || call.arguments[0] == "ros2") return call.arguments[0];
+  for (const char* known : {"cat", "ros2", "xacro"})
+    if (call.arguments[0] == known) return call.arguments[0];
   return fault(call, "R2W0414",
                "`$(find-exec " + call.arguments[0] +
                    ")` finds nothing: a site has no programs besides its nodes");

@@ -32,6 +32,8 @@ struct LaunchWorld {
   std::function<std::string(const std::string& path)> shown = {};
   /// Whether a file that cannot be read now may be there when the site is packed; empty: none.
   std::function<bool(const std::string& path)> is_later = {};
+  /// Told of a file that is passed over because it may be there later; empty: nobody is.
+  std::function<void(const std::string& path, const SourceSpan& from)> note_later = {};
   /// Where launch arguments were given, by name; of those that stand in no file, nothing.
   std::map<std::string, SourceSpan> given_at = {};
   LaunchPython python = {};  ///< empty: launch files in Python cannot be read

@@ -96,10 +96,15 @@ std::vector<LaunchFolder> source_launch_folders(const fs::path& folder,
                                                 const std::vector<LocalPackage>& packages,
                                                 const std::string& distro) {
   std::vector<LaunchFolder> result{{.at = kLaunchWorkspace, .from = folder}};
-  for (const LocalPackage& one : packages)
-    result.push_back({.at = launch_share(distro, one.xml.name.value),
+  for (const LocalPackage& one : packages) {
+    const std::string& name = one.xml.name.value;
+    std::error_code error;
+    // What ament_python_install_package() installs of a package that CMake builds.
+    const bool has_module = fs::is_regular_file(one.directory / name / "__init__.py", error);
+    result.push_back({.at = launch_share(distro, name),
                       .from = one.directory,
-                      .holds_modules = one.xml.build_type == kPythonBuildType});
+                      .holds_modules = has_module || one.xml.build_type == kPythonBuildType});
+  }
   return result;
 }
 

@@ -19,6 +19,10 @@ struct XacroRequest {
   std::string directory;  ///< of relative paths and `$(cwd)`
 };
 
+/// The file that `cat FILE` shows; nothing when the command is another.
+[[nodiscard]] std::optional<std::string> cat_command(const std::string& line,
+                                                     const std::string& directory);
+
 /// What a command line asks of xacro; nothing when it runs another program. R2W0418 with `span`
 /// for arguments that xacro has not.
 [[nodiscard]] std::optional<Outcome<XacroRequest>> xacro_command(const std::string& line,

@@ -93,4 +93,12 @@ std::optional<Outcome<XacroRequest>> xacro_command(const std::string& line,
   return request;
 }
 
+std::optional<std::string> cat_command(const std::string& line, const std::string& directory) {
+  const auto words = words_of(line);
+  if (!words || words->size() != 2 || (*words)[1].starts_with('-')) return std::nullopt;
+  if ((*words)[0] != "cat" && !(*words)[0].ends_with("/cat")) return std::nullopt;
+  const std::string& file = (*words)[1];
+  return file.starts_with('/') ? file : directory + "/" + file;
+}
+
 }  // namespace ros2wasm

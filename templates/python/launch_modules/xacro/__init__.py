@@ -1,7 +1,9 @@
 """Expands xacro files by the evaluator of launch files."""
 from __future__ import annotations
 
+import os
 import shlex
+import sys
 from collections.abc import Mapping
 from typing import Any
 from xml.dom import minidom
@@ -34,3 +36,11 @@ def parse(inp: Any, filename: str | None = None) -> minidom.Document:
 def process_doc(doc: Any, *, mappings: Mapping[str, str] | None = None, **_more: Any) -> None:
     expanded = process_file(doc._file, mappings=mappings)
     doc.replaceChild(expanded.documentElement, doc.documentElement)
+
+
+def open_output(output_filename: str | None) -> Any:
+    """The file that a description is written to, with its folder."""
+    if output_filename is None:
+        return sys.stdout
+    os.makedirs(os.path.dirname(output_filename) or '.', exist_ok=True)
+    return open(output_filename, 'w', encoding='utf-8')

@@ -35,7 +35,8 @@ struct LaunchTrigger {
   std::size_t process = 0;  ///< index in LaunchDescription::processes; not of kShutdown
   LaunchEvent event = LaunchEvent::kExit;
   LaunchStateChange change = {};  ///< of kTransition
-  bool once = false;              ///< is followed the first time only; of kTransition
+  LaunchOutput output = {};       ///< of kOutput
+  bool once = false;              ///< is followed the first time only
 };
 
 struct LaunchProcess {
@@ -81,6 +82,14 @@ struct LaunchTransitions {
   SourceSpan span;
 };
 
+/// A process is told to end.
+struct LaunchEnd {
+  std::size_t process = 0;  ///< index in LaunchDescription::processes
+  std::optional<LaunchTrigger> on;
+  double after_s = 0;
+  SourceSpan span;
+};
+
 struct LaunchDescription {
   std::vector<LaunchArgument> arguments;  ///< in the order of declaration
   std::vector<LaunchProcess> processes;   ///< in the order of the file
@@ -88,6 +97,7 @@ struct LaunchDescription {
   std::vector<LaunchLeftOut> left_out;
   std::vector<LaunchShutdown> shutdowns;
   std::vector<LaunchTransitions> transitions;  ///< each of a known process at the end
+  std::vector<LaunchEnd> ends;
   ParameterFiles parameter_files;
   std::vector<std::string> files;  ///< launch and parameter files that were read, sorted
   Diagnostics warnings;

@@ -125,11 +125,12 @@ std::span<const LaunchActionRow> LaunchActionRow::table() {
       {"shutdown", {"reason"}, {}, &E::shutdown},
       {"timer", {"!period", "cancel_on_shutdown"}, {"*"}, &E::timer},
       {"unset_env", {"!name"}, {}, &E::unset_environment},
-      {"end_process", {}, {}, &E::pass_over, true},
+      {"end_process", {}, {}, &E::end_process, true},
       {"forget_event", {"!handler"}, {}, &E::forget_event, true},
-      {"left_out", {"!what"}, {}, &E::pass_over, true},
+      {"left_out", {"!what", "why"}, {}, &E::pass_over, true},
       {"on_event",
-       {"!event", "!handler", "process", "call", "transition", "start_state", "goal_state", "once"},
+       {"!event", "!handler", "process", "call", "transition", "start_state", "goal_state", "once",
+        "any"},
        {"*"},
        &E::on_event,
        true},
@@ -139,6 +140,7 @@ std::span<const LaunchActionRow> LaunchActionRow::table() {
       {"push_environment", {}, {}, &E::push_environment, true},
       {"python", {"!call"}, {}, &E::python, true},
       {"unlet", {"!name"}, {}, &E::unset_variable, true},
+      {"when_printed", {"!stream", "!tests"}, {"*"}, &E::when_printed, true},
   };
   return rows;
 }
@@ -228,6 +230,7 @@ void LaunchEvaluator::entities_of(LaunchEntity root, const std::string& path,
 void LaunchEvaluator::finish() {
   resolve_components();
   resolve_transitions();
+  resolve_ends();
   for (const auto& [name, value] : given_) {
     std::vector<std::string> declared;
     for (const LaunchArgument& one : description_.arguments) declared.push_back(one.name);

@@ -72,6 +72,11 @@ class LaunchEvaluator {
   bool check_part(const LaunchEntity& part);
   bool check_attributes(const LaunchEntity& entity,
                         const std::vector<std::string_view>& attributes);
+  void when_printed(const LaunchEntity& entity);
+  void end_process(const LaunchEntity& entity);
+  void resolve_ends();
+  /// For each of the first processes.
+  void follow_any(const EventHandler& handler, std::size_t processes);
   /// Whether its process is known by now.
   bool event(const EventHandler& handler);
   void follow(const EventHandler& handler);
@@ -166,6 +171,8 @@ class LaunchEvaluator {
   std::set<std::int64_t> forgotten_;  ///< handlers, by number
   std::map<std::int64_t, std::size_t> processes_;
   std::map<std::int64_t, PassedOver> passed_over_;
+  /// By index in the description's ends: the process, as Python numbers it.
+  std::vector<std::int64_t> end_targets_;
   /// By index in the description's transitions: the process, as Python numbers it.
   std::map<std::size_t, std::int64_t> transition_targets_;
   std::vector<LoadedComponents> loaded_;

@@ -12,7 +12,6 @@ namespace ros2wasm {
 namespace {
 
 constexpr std::size_t kMostLines = 10'000;
-constexpr const char* kEndProcess = "end_process";
 
 }  // namespace
 
@@ -96,33 +95,27 @@ void LaunchEvaluator::forget_event(const LaunchEntity& entity) {
 
 void LaunchEvaluator::pass_over(const LaunchEntity& entity) {
   LaunchLeftOut one{.what = text(entity, "what").value_or(""),
-                    .instead = "a site's launch has nothing like it",
+                    .instead = text(entity, "why").value_or("a site's launch has nothing like it"),
                     .span = entity.span};
-  if (entity.tag == kEndProcess) {
-    one = {.what = "the end of a node by an event",
-           .instead = "nodes are stopped by hand, in the page",
-           .span = entity.span};
-  }
   description_.left_out.push_back(std::move(one));
 }
 
 /// Of whom nobody says what happens to it, or what nobody can decide before it happens.
 void LaunchEvaluator::leave_out(const EventHandler& handler, const std::string& kind) {
-  const std::int64_t target = number(handler.entity, "process");
   LaunchLeftOut one{.what = "what follows when ",
                     .instead = "a site's launch follows single processes",
                     .span = handler.entity.span};
   if (kind == "output") {
     one.what += "a process prints";
-    one.instead = "only Python can look at what is printed, and it is done when the site runs";
+    one.instead = "the site does not run it";
   } else if (kind == "include") {
     one.what += "a file is included";
     one.instead = "files are included before the site runs";
   } else if (kind == "transition") {
-    one.what += target < 0 ? "any managed node changes its state" : "a node changes its state";
-    if (target >= 0) one.instead = "it is no LifecycleNode that the site runs";
+    one.what += "a node changes its state";
+    one.instead = "it is no LifecycleNode that the site runs";
   } else {
-    one.what += "any process starts or ends";
+    one.what += "another action is done";
   }
   description_.left_out.push_back(std::move(one));
 }
@@ -154,7 +147,8 @@ bool LaunchEvaluator::event(const EventHandler& handler) {
     follow(handler);
     return true;
   }
-  if ((kind != "start" && kind != "exit" && !changes) || target < 0) {
+  const bool prints = kind == "output";
+  if ((kind != "start" && kind != "exit" && !prints && !changes) || target < 0) {
     leave_out(handler, kind);
     return true;
   }
@@ -162,7 +156,8 @@ bool LaunchEvaluator::event(const EventHandler& handler) {
   const auto passed = passed_over_.find(target);
   if (started == processes_.end() && passed == passed_over_.end()) return false;
   const bool runs = started != processes_.end();
-  if (changes && (!runs || !description_.processes[started->second].node.name)) {
+  if ((prints && !runs) ||
+      (changes && (!runs || !description_.processes[started->second].node.name))) {
     leave_out(handler, kind);
     return true;
   }
@@ -176,7 +171,10 @@ bool LaunchEvaluator::event(const EventHandler& handler) {
                              .once = flag(entity, "once", false)};
   } else if (runs) {
     trigger_ = LaunchTrigger{.process = started->second,
-                             .event = kind == "start" ? LaunchEvent::kStart : LaunchEvent::kExit};
+                             .event = prints            ? LaunchEvent::kOutput
+                                      : kind == "start" ? LaunchEvent::kStart
+                                                        : LaunchEvent::kExit,
+                             .once = flag(entity, "once", false)};
   } else {
     // What no site runs is over as soon as it would have begun.
     trigger_ = passed->second.on;
@@ -184,6 +182,55 @@ bool LaunchEvaluator::event(const EventHandler& handler) {
   }
   follow(handler);
   return true;
+}
+
+void LaunchEvaluator::follow_any(const EventHandler& handler, std::size_t processes) {
+  const LaunchEvent event =
+      text(handler.entity, "event") == "start" ? LaunchEvent::kStart : LaunchEvent::kExit;
+  if (forgotten_.contains(number(handler.entity, "handler"))) return;
+  for (std::size_t i = 0; i < processes && errors_.empty(); ++i) {
+    trigger_ =
+        LaunchTrigger{.process = i, .event = event, .once = flag(handler.entity, "once", false)};
+    follow(handler);
+  }
+}
+
+/// What a function does with lines of which its tests, four values each, say so.
+void LaunchEvaluator::when_printed(const LaunchEntity& entity) {
+  const LaunchAttribute* tests = entity.attribute("tests");
+  const auto* values = std::get_if<std::vector<LaunchScalar>>(&tests->value);
+  if (!trigger_ || trigger_->event != LaunchEvent::kOutput || values == nullptr) return;
+  LaunchOutput output{.stream = text(entity, "stream").value_or(""), .tests = {}};
+  for (std::size_t i = 0; i + 3 < values->size(); i += 4) {
+    const auto* how = std::get_if<std::string>(&(*values)[i]);
+    const auto* wanted = std::get_if<std::string>(&(*values)[i + 1]);
+    const bool* case_counts = std::get_if<bool>(&(*values)[i + 2]);
+    const bool* holds = std::get_if<bool>(&(*values)[i + 3]);
+    if (how == nullptr || wanted == nullptr || case_counts == nullptr || holds == nullptr) return;
+    output.tests.push_back(
+        {.how = *how, .text = *wanted, .any_case = !*case_counts, .holds = *holds});
+  }
+  const LaunchOutput before = std::exchange(trigger_->output, std::move(output));
+  actions(entity.children);
+  if (trigger_) trigger_->output = before;
+}
+
+void LaunchEvaluator::end_process(const LaunchEntity& entity) {
+  if (trigger_ && trigger_->event == LaunchEvent::kShutdown) return;  // it ends anyway
+  end_targets_.push_back(number(entity, "process"));
+  description_.ends.push_back({.on = trigger_, .after_s = after_s_, .span = entity.span});
+}
+
+/// What no site runs is over already.
+void LaunchEvaluator::resolve_ends() {
+  std::vector<LaunchEnd> known;
+  for (std::size_t i = 0; i < description_.ends.size(); ++i) {
+    const auto process = processes_.find(end_targets_[i]);
+    if (process == processes_.end()) continue;
+    description_.ends[i].process = process->second;
+    known.push_back(std::move(description_.ends[i]));
+  }
+  description_.ends = std::move(known);
 }
 
 /// Whether a process can start where the evaluation is.
@@ -276,19 +323,25 @@ void LaunchEvaluator::resolve_transitions() {
 /// What one handler starts may be what another one looks at. Whose process never comes, a condition
 /// left out.
 void LaunchEvaluator::events() {
+  std::vector<EventHandler> of_any;
   for (bool went_on = true; went_on && errors_.empty();) {
     went_on = false;
     std::vector<EventHandler> now;
     now.swap(handlers_);
     for (EventHandler& handler : now) {
       if (!errors_.empty()) break;
-      if (event(handler)) {
+      if (handler.entity.attribute("any") != nullptr) {
+        of_any.push_back(std::move(handler));
+      } else if (event(handler)) {
         went_on = true;
       } else {
         handlers_.push_back(std::move(handler));
       }
     }
   }
+  // What they start themselves starts once, whoever the next one is.
+  const std::size_t processes = description_.processes.size();
+  for (const EventHandler& handler : of_any) follow_any(handler, processes);
 }
 
 }  // namespace ros2wasm

@@ -28,6 +28,15 @@ class Moments {
     return &nodes_[static_cast<std::size_t>(at - kept_.begin())];
   }
 
+  /// Whether it waits for what a process prints that no site runs.
+  [[nodiscard]] bool never(std::optional<LaunchTrigger> on) const {
+    while (on && on->event != LaunchEvent::kShutdown && node(on->process) == nullptr) {
+      if (on->event == LaunchEvent::kOutput) return true;
+      on = all_[on->process].start_on;
+    }
+    return false;
+  }
+
   /// A process that no site runs is over as soon as it would have begun: `after_s` grows by that.
   LaunchMoment of(std::optional<LaunchTrigger> on, double& after_s) const {
     while (on && on->event != LaunchEvent::kShutdown) {
@@ -36,6 +45,7 @@ class Moments {
                 .event = on->event,
                 .name = on->event == LaunchEvent::kTransition ? other->label : "",
                 .change = on->change,
+                .output = on->output,
                 .once = on->once};
       }
       const LaunchProcess& missing = all_[on->process];  // it stands before this one
@@ -57,6 +67,7 @@ class Moments {
 std::vector<LaunchStep> steps_of(const LaunchDescription& description, const Moments& moments) {
   std::vector<LaunchStep> steps;
   const auto add = [&](LaunchStep step, const auto& of) {
+    if (moments.never(of.on)) return;
     step.after_s = of.after_s;
     step.on = moments.of(of.on, step.after_s);
     step.span = of.span;
@@ -76,6 +87,14 @@ std::vector<LaunchStep> steps_of(const LaunchDescription& description, const Mom
     step.node = node->id;
     step.name = one.node;
     step.transitions = one.transitions;
+    add(std::move(step), one);
+  }
+  for (const LaunchEnd& one : description.ends) {
+    const LaunchNode* node = moments.node(one.process);
+    if (node == nullptr) continue;
+    LaunchStep step;
+    step.kind = LaunchStepKind::kEnd;
+    step.node = node->id;
     add(std::move(step), one);
   }
   for (const LaunchShutdown& one : description.shutdowns) {

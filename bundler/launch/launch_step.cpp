@@ -11,10 +11,25 @@ std::string_view launch_event_name(LaunchEvent event) {
       return "exit";
     case LaunchEvent::kTransition:
       return "transition";
+    case LaunchEvent::kOutput:
+      return "output";
     case LaunchEvent::kShutdown:
       return "shutdown";
   }
   return "";
+}
+
+void write_output(JsonWriter& json, const LaunchOutput& output) {
+  if (!output.stream.empty()) json.field("stream", output.stream);
+  if (output.tests.empty()) return;
+  json.key("tests").begin_array();
+  for (const LaunchLineTest& one : output.tests) {
+    json.begin_object().field("how", one.how).field("text", one.text);
+    if (one.any_case) json.field_boolean("any_case", true);
+    if (!one.holds) json.field_boolean("holds", false);
+    json.end_object();
+  }
+  json.end_array();
 }
 
 void write_state_change(JsonWriter& json, const LaunchStateChange& change) {

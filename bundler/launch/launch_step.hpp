@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "workspace_schema/diagnostic.hpp"
@@ -12,7 +13,24 @@
 namespace ros2wasm {
 
 /// What another process does, after which something is done; or all processes, at the launch's end.
-enum class LaunchEvent { kStart, kExit, kTransition, kShutdown };
+enum class LaunchEvent { kStart, kExit, kTransition, kOutput, kShutdown };
+
+/// One thing that a line of a process is or is not.
+struct LaunchLineTest {
+  std::string how;  ///< "contains", "begins", "ends" or "is"
+  std::string text;
+  bool any_case = false;
+  bool holds = true;  ///< else it must not be so
+};
+
+/// The lines of a process that are meant: of one stream, and as all these say.
+struct LaunchOutput {
+  std::string stream;  ///< "stdout" or "stderr"
+  std::vector<LaunchLineTest> tests;
+};
+
+/// In what is said of a line: where it will stand. printed_text.py and launch_steps.ts know it too.
+constexpr std::string_view kPrintedLine = "\u2039what it prints\u203a";
 
 /// A change of a managed node's state, by the labels of its transition_event; empty: any.
 struct LaunchStateChange {
@@ -27,17 +45,18 @@ struct LaunchMoment {
   LaunchEvent event = LaunchEvent::kStart;
   std::string name;  ///< full, of the managed node; of kTransition
   LaunchStateChange change;
+  LaunchOutput output;  ///< of kOutput
   bool once = false;
 };
 
-enum class LaunchStepKind { kLog, kShutdown, kTransition };
+enum class LaunchStepKind { kLog, kShutdown, kTransition, kEnd };
 
 struct LaunchStep {
   LaunchStepKind kind = LaunchStepKind::kLog;
   std::string text;   ///< the line, or the reason
   std::string level;  ///< of kLog
-  std::string node;   ///< of kTransition: its id
-  std::string name;   ///< and its full name
+  std::string node;   ///< of kTransition and kEnd: its id
+  std::string name;   ///< of kTransition: its full name
   std::vector<std::int64_t> transitions;
   LaunchMoment on;
   double after_s = 0;
@@ -45,6 +64,8 @@ struct LaunchStep {
 };
 
 [[nodiscard]] std::string_view launch_event_name(LaunchEvent event);
+/// `stream` and `tests`, unless there are none.
+void write_output(JsonWriter& json, const LaunchOutput& output);
 void write_state_change(JsonWriter& json, const LaunchStateChange& change);
 
 }  // namespace ros2wasm

@@ -1,6 +1,7 @@
 // See launch_tree.hpp. The keys of the JSON and their order are part of the format.
 #include "bundler/launch/launch_tree.hpp"
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -50,6 +51,34 @@ std::string named(const LaunchProcess& process) {
   return program(process) + (process.node.name ? " " + node_label(process.node) : "");
 }
 
+std::string test_words(const LaunchLineTest& test) {
+  struct Row {
+    std::string_view how;
+    std::string_view holds;
+    std::string_view does_not;
+  };
+  constexpr Row kRows[] = {{"begins", "begins with", "does not begin with"},
+                           {"contains", "contains", "does not contain"},
+                           {"ends", "ends with", "does not end with"},
+                           {"is", "is", "is not"}};
+  const auto* row = std::find_if(std::begin(kRows), std::end(kRows),
+                                 [&](const Row& one) { return one.how == test.how; });
+  const std::string words(row == std::end(kRows) ? std::string_view(test.how)
+                          : test.holds           ? row->holds
+                                                 : row->does_not);
+  return words + " `" + test.text + "`" + (test.any_case ? " in any case" : "");
+}
+
+std::string when_printed(const LaunchTrigger& trigger, const std::string& process) {
+  std::string line = (trigger.once ? "the first time that " : "when ") + process + " prints";
+  const char* joint = " what ";
+  for (const LaunchLineTest& one : trigger.output.tests) {
+    line += joint + test_words(one);
+    joint = " and ";
+  }
+  return line + " (" + trigger.output.stream + ")";
+}
+
 std::string when(const LaunchTrigger& trigger, const std::vector<LaunchProcess>& processes) {
   switch (trigger.event) {
     case LaunchEvent::kStart:
@@ -58,6 +87,8 @@ std::string when(const LaunchTrigger& trigger, const std::vector<LaunchProcess>&
       return "when " + named(processes[trigger.process]) + " has ended";
     case LaunchEvent::kShutdown:
       return "when all ends";
+    case LaunchEvent::kOutput:
+      return when_printed(trigger, named(processes[trigger.process]));
     case LaunchEvent::kTransition:
       break;
   }
@@ -191,6 +222,7 @@ void write_trigger(JsonWriter& json, const char* key, const LaunchTrigger& trigg
     json.field_integer("process", static_cast<std::int64_t>(trigger.process));
   json.field("event", launch_event_name(trigger.event));
   write_state_change(json, trigger.change);
+  write_output(json, trigger.output);
   if (trigger.once) json.field_boolean("once", true);
   json.end_object();
 }
@@ -259,6 +291,8 @@ std::vector<std::string> launch_tree(const LaunchDescription& description) {
     for (const std::int64_t transition : one.transitions) line += " " + label(transition);
     lines.push_back(line + at(one));
   }
+  for (const LaunchEnd& one : description.ends)
+    lines.push_back("end " + named(description.processes[one.process]) + at(one));
   for (const LaunchShutdown& one : description.shutdowns)
     lines.push_back("all ends: " + one.reason + at(one));
   for (const LaunchLeftOut& one : description.left_out)
@@ -285,6 +319,12 @@ std::string launch_json(const LaunchDescription& description) {
     json.field("node", one.node).key("transitions").begin_array();
     for (const std::int64_t transition : one.transitions) json.integer(transition);
     json.end_array();
+    write_moment(json, one);
+    json.end_object();
+  }
+  json.end_array().key("ends").begin_array();
+  for (const LaunchEnd& one : description.ends) {
+    json.begin_object().field_integer("process", static_cast<std::int64_t>(one.process));
     write_moment(json, one);
     json.end_object();
   }

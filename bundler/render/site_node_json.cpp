@@ -24,6 +24,7 @@ void write_moment(JsonWriter& json, const char* key, const LaunchMoment& moment)
   json.field("event", launch_event_name(moment.event));
   if (!moment.name.empty()) json.field("name", moment.name);
   write_state_change(json, moment.change);
+  write_output(json, moment.output);
   if (moment.once) json.field_boolean("once", true);
   json.end_object();
 }
@@ -42,6 +43,9 @@ void write_step(JsonWriter& json, const LaunchStep& step) {
       json.key("transitions").begin_array();
       for (const std::int64_t one : step.transitions) json.integer(one);
       json.end_array();
+      break;
+    case LaunchStepKind::kEnd:
+      json.field("do", "end").field("node", step.node);
       break;
   }
   if (!step.on.node.empty() || step.on.event == LaunchEvent::kShutdown)

@@ -237,6 +237,7 @@ export const texts = {
   state: {
     stopped: 'Stopped',
     waitsForStart: (node: string): string => `Waits for ${node} to start`,
+    waitsForLine: (node: string): string => `Waits for what ${node} prints`,
     waitsForEnd: (node: string): string => `Waits for ${node} to end`,
     waitsForChange: (name: string, state?: string): string =>
       state === undefined ? `Waits for a change of ${name}` : `Waits until ${name} is ${state}`,

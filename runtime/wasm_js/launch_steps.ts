@@ -5,7 +5,7 @@ import {
   changeStateRequest, changeStateSucceeded, changeStateType, readTransitionEvent, transitionEventType, type StateChange,
 } from './lifecycle_messages.ts';
 import type { PageNode } from './page_node.ts';
-import { type LaunchMoment, type LaunchStep, type LogLevel, type NodeState, type SiteNode, unreachable } from './session.ts';
+import { type LaunchMoment, type LineTest, type LaunchStep, type LogLevel, type NodeState, type SiteNode, unreachable } from './session.ts';
 import { SiteError } from './site_error.ts';
 
 /** How long a managed node may have no change_state service before that is told. */
@@ -20,6 +20,31 @@ const logLevels: Readonly<Record<string, LogLevel>> = {
   debug: 'DEBUG', info: 'INFO', warning: 'WARN', warn: 'WARN', error: 'ERROR', critical: 'FATAL', fatal: 'FATAL',
 };
 
+/** In a text that is said of a line: where the line stands. printed_text.py and launch_step.hpp know it too. */
+const printedLine = '\u2039what it prints\u203a';
+
+function fits(line: string, { how, text, anyCase, holds }: LineTest): boolean {
+  const [whole, part] = anyCase ? [line.toLowerCase(), text.toLowerCase()] : [line, text];
+  switch (how) {
+    case 'contains':
+      return whole.includes(part) === holds;
+    case 'begins':
+      return whole.startsWith(part) === holds;
+    case 'ends':
+      return whole.endsWith(part) === holds;
+    case 'is':
+      return (whole === part) === holds;
+    default:
+      return unreachable(how);
+  }
+}
+
+/** The step as it is after that line. */
+function ofLine(step: LaunchStep, line: string): LaunchStep {
+  if (step.do === 'log') return { ...step, text: step.text.replaceAll(printedLine, () => line) };
+  return step.do === 'shutdown' ? { ...step, reason: step.reason.replaceAll(printedLine, () => line) } : step;
+}
+
 export interface LaunchStepsHost {
   readonly nodes: readonly SiteNode[];
   readonly steps: readonly LaunchStep[];
@@ -27,6 +52,7 @@ export interface LaunchStepsHost {
   readonly after: (ms: number, task: () => void) => () => void;
   readonly state: (id: string) => NodeState;
   readonly start: (id: string, afterSeconds: number) => void;
+  readonly stop: (id: string) => void;
   readonly stopAll: () => void;
   /** A line of the launch's own, by the logger of that name. */
   readonly say: (level: LogLevel, logger: string, text: string) => void;
@@ -51,11 +77,17 @@ export class LaunchSteps {
   /** Transitions that wait until their node runs. */
   private readonly waiting = new Map<Extract<LaunchStep, { do: 'transition' }>, string>();
   private readonly done = new Set<LaunchStep>();
+  /** Nodes that were told to end by the launch, which is an end like any other. */
+  private readonly ending = new Set<string>();
+  /** Whose lines are looked at. */
+  private readonly printing: ReadonlySet<string>;
   private begun = false;
   private ended = false;
 
   constructor(host: LaunchStepsHost) {
     this.host = host;
+    const moments = [...host.steps.map(({ on }) => on), ...host.nodes.map(({ startOn }) => startOn)];
+    this.printing = new Set(moments.flatMap((on) => (on?.event === 'output' ? [on.node] : [])));
   }
 
   /** Before nodes are started. */
@@ -86,8 +118,11 @@ export class LaunchSteps {
   /** `stop`: it has ended, but not by itself. */
   happened(node: string, event: 'start' | 'exit' | 'stop'): void {
     if (event !== 'start') this.abandon(node);
-    if (event === 'stop') return;
-    this.follow((on) => on.node === node && on.event === event);
+    const isTold = this.ending.delete(node);
+    if (event === 'stop' && !isTold) return;
+    const happens = event === 'start' ? event : 'exit';
+    this.follow((on) => on.node === node && on.event === happens);
+    if (isTold && this.host.nodes.some(({ id, shutdownOnExit }) => id === node && shutdownOnExit)) this.host.stopAll();
     if (event !== 'start') return;
     for (const [step, of] of [...this.waiting]) {
       if (of !== node) continue;
@@ -96,10 +131,20 @@ export class LaunchSteps {
     }
   }
 
+  /** `stream`: 1 is standard output, 2 standard error. */
+  printed(node: string, lines: readonly (readonly [stream: number, time: number, text: string])[]): void {
+    if (!this.printing.has(node)) return;
+    for (const [stream, , line] of lines) {
+      const name = stream === 2 ? 'stderr' : 'stdout';
+      this.follow((on) => on.event === 'output' && on.node === node && on.stream === name
+        && on.tests.every((test) => fits(line, test)), line);
+    }
+  }
+
   private changed(node: string, change: StateChange): void {
-    const fits = (wanted: string | undefined, found: string): boolean => wanted === undefined || wanted === found;
-    this.follow((on) => on.node === node && on.event === 'transition' && fits(on.transition, change.transition)
-      && fits(on.startState, change.startState) && fits(on.goalState, change.goalState));
+    const isAsked = (wanted: string | undefined, found: string): boolean => wanted === undefined || wanted === found;
+    this.follow((on) => on.node === node && on.event === 'transition' && isAsked(on.transition, change.transition)
+      && isAsked(on.startState, change.startState) && isAsked(on.goalState, change.goalState));
   }
 
   /** All nodes are about to be stopped. */
@@ -122,19 +167,20 @@ export class LaunchSteps {
     for (const { abandoned } of this.talks) abandoned.abort();
   }
 
-  private follow(isMeant: (on: LaunchMoment) => boolean): void {
+  private follow(isMeant: (on: LaunchMoment) => boolean, line?: string): void {
     for (const { id, startOn, startAfter } of this.host.nodes) {
       if (startOn !== undefined && isMeant(startOn) && this.host.state(id).kind === 'waiting') this.host.start(id, startAfter);
     }
     if (this.ended) return;
-    for (const step of this.host.steps) if (step.on !== undefined && isMeant(step.on)) this.later(step);
+    for (const step of this.host.steps) if (step.on !== undefined && isMeant(step.on)) this.later(step, line);
   }
 
-  private later(step: LaunchStep): void {
-    if (step.on?.once === true) {
-      if (this.done.has(step)) return;
-      this.done.add(step);
+  private later(of: LaunchStep, line?: string): void {
+    if (of.on?.once === true) {
+      if (this.done.has(of)) return;
+      this.done.add(of);
     }
+    const step = line === undefined ? of : ofLine(of, line);
     if (step.after === 0) {
       this.run(step);
       return;
@@ -147,7 +193,7 @@ export class LaunchSteps {
       this.pending.delete(callOff);
       end();
     };
-    this.pending.set(callOff, step);
+    this.pending.set(callOff, of);
   }
 
   private run(step: LaunchStep): void {
@@ -160,6 +206,13 @@ export class LaunchSteps {
         this.host.say('INFO', 'launch', `all nodes are stopped: ${step.reason}`);
         this.host.stopAll();
         return;
+      case 'end': {
+        const { kind } = this.host.state(step.node);
+        if (kind !== 'running' && kind !== 'starting') return;
+        this.ending.add(step.node);
+        this.host.stop(step.node);
+        return;
+      }
       case 'transition': {
         const { kind } = this.host.state(step.node);
         // Another tab has the node and its launcher, or it is over.

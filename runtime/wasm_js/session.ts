@@ -60,7 +60,28 @@ export interface SiteNode {
 }
 
 /** Something that happens to a node, by its id. */
-export type NodeMoment = { readonly event: 'start' | 'exit'; readonly node: string; readonly once?: boolean } | StateMoment;
+export type NodeMoment =
+  | { readonly event: 'start' | 'exit'; readonly node: string; readonly once?: boolean }
+  | OutputMoment
+  | StateMoment;
+
+/** What a line is, or with `holds` of false is not. */
+export interface LineTest {
+  readonly how: 'contains' | 'begins' | 'ends' | 'is';
+  readonly text: string;
+  /** Small and large letters are the same. */
+  readonly anyCase: boolean;
+  readonly holds: boolean;
+}
+
+/** A node prints a line that all tests fit. */
+export interface OutputMoment {
+  readonly event: 'output';
+  readonly node: string;
+  readonly stream: 'stdout' | 'stderr';
+  readonly tests: readonly LineTest[];
+  readonly once?: boolean;
+}
 
 /** The same, or the end of all. */
 export type LaunchMoment =
@@ -92,6 +113,8 @@ interface LaunchStepAt {
 export type LaunchStep = LaunchStepAt & (
   | { readonly do: 'log'; readonly level: string; readonly text: string }
   | { readonly do: 'shutdown'; readonly reason: string }
+  /** The node with that id is told to end. */
+  | { readonly do: 'end'; readonly node: string }
   /** Of the managed node with that id and full name; as lifecycle_msgs/msg/Transition numbers them, one after the other. */
   | { readonly do: 'transition'; readonly node: string; readonly name: string; readonly transitions: readonly number[] }
 );

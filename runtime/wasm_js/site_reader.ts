@@ -6,7 +6,7 @@ import type { SiteNotebook } from './notebook_kernel.ts';
 import { SiteError } from './site_error.ts';
 import { fail, flag, list, number, object, path, readSource, text } from './site_values.ts';
 import type {
-  LaunchArgument, LaunchMoment, LaunchPython, LaunchStep, LaunchView, NodeMoment, PythonProgram, SiteAuthor, SiteCitation,
+  LaunchArgument, LaunchMoment, LaunchPython, LaunchStep, LaunchView, LineTest, NodeMoment, PythonProgram, SiteAuthor, SiteCitation,
   SiteDescription, SiteFile, SiteNode,
 } from './session.ts';
 import type { SiteSources } from './site_sources.ts';
@@ -20,15 +20,29 @@ function readPython(value: unknown, what: string): PythonProgram {
   return { archives: list(json, 'archives', what, archive), entry };
 }
 
+function readLineTest(value: unknown, what: string): LineTest {
+  const json = object(value, what);
+  const how = text(json, 'how', what);
+  if (how !== 'contains' && how !== 'begins' && how !== 'ends' && how !== 'is') {
+    return fail(`${what}.how is ${how}: it is contains, begins, ends or is`);
+  }
+  return { how, text: text(json, 'text', what), anyCase: flag(json, 'any_case'), holds: json['holds'] !== false };
+}
+
 function readMoment(value: unknown, what: string): LaunchMoment {
   const json = object(value, what);
   const event = text(json, 'event', what);
   const once = flag(json, 'once') ? { once: true } : {};
   if (event === 'shutdown') return { event, ...once };
-  if (event !== 'start' && event !== 'exit' && event !== 'transition') {
-    return fail(`${what}.event is ${event}: it is start, exit, transition or shutdown`);
+  if (event !== 'start' && event !== 'exit' && event !== 'transition' && event !== 'output') {
+    return fail(`${what}.event is ${event}: it is start, exit, transition, output or shutdown`);
   }
   const node = text(json, 'node', what);
+  if (event === 'output') {
+    const stream = text(json, 'stream', what);
+    if (stream !== 'stdout' && stream !== 'stderr') return fail(`${what}.stream is ${stream}: it is stdout or stderr`);
+    return { event, node, stream, tests: json['tests'] === undefined ? [] : list(json, 'tests', what, readLineTest), ...once };
+  }
   if (event !== 'transition') return { event, node, ...once };
   const part = (key: string, name: 'transition' | 'startState' | 'goalState'): object =>
     (json[key] === undefined ? {} : { [name]: text(json, key, what) });
@@ -57,13 +71,15 @@ function readStep(value: unknown, what: string): LaunchStep {
       return { do: kind, level: text(json, 'level', what), text: text(json, 'text', what), ...at };
     case 'shutdown':
       return { do: kind, reason: text(json, 'reason', what, ''), ...at };
+    case 'end':
+      return { do: kind, node: text(json, 'node', what), ...at };
     case 'transition': {
       const id = (item: unknown, where: string): number =>
         (typeof item === 'number' && Number.isInteger(item) && item >= 0 && item < 256 ? item : fail(`${where} is no transition`));
       return { do: kind, node: text(json, 'node', what), name: text(json, 'name', what), transitions: list(json, 'transitions', what, id), ...at };
     }
     default:
-      return fail(`${what}.do is ${kind}: it is log, shutdown or transition`);
+      return fail(`${what}.do is ${kind}: it is log, shutdown, end or transition`);
   }
 }
 
@@ -121,7 +137,7 @@ export function readNodes(value: unknown): readonly SiteNode[] {
 /** `value`: has them as `steps`. `nodes`: the ids that they may speak of. */
 export function readSteps(value: unknown, nodes: ReadonlySet<string>): readonly LaunchStep[] {
   const steps = list(object(value, 'site.launch'), 'steps', 'site.launch', readStep);
-  for (const of of steps.flatMap((step) => [step.on?.node, step.do === 'transition' ? step.node : undefined])) {
+  for (const of of steps.flatMap((step) => [step.on?.node, step.do === 'transition' || step.do === 'end' ? step.node : undefined])) {
     if (of !== undefined && !nodes.has(of)) fail(`the launch speaks of ${of}, which is no node of the site`);
   }
   return steps;

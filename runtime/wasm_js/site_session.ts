@@ -144,6 +144,7 @@ export class SiteSession implements Session {
         lines: (of, { lines, dropped }) => {
           console.add(lines, dropped);
           onLines?.(of, lines, dropped);
+          this.steps.printed(of.id, lines);
         },
       }));
     }
@@ -180,6 +181,7 @@ export class SiteSession implements Session {
       after: (ms, task) => broker.after(ms, task),
       state: (id) => this.runner(id).view().state,
       start: (id, afterSeconds) => this.start(id, afterSeconds),
+      stop: (id) => this.stop(id),
       stopAll: () => this.stopAll(),
       say: (level, logger, text) => {
         const time = this.now();

@@ -20,6 +20,8 @@ function waitingWords(on: NodeMoment): string {
       return texts.state.waitsForStart(on.node);
     case 'exit':
       return texts.state.waitsForEnd(on.node);
+    case 'output':
+      return texts.state.waitsForLine(on.node);
     case 'transition':
       return texts.state.waitsForChange(on.name, on.goalState);
     default:

@@ -5,7 +5,7 @@ import { test } from 'node:test';
 import { LaunchSteps } from '../../../runtime/wasm_js/launch_steps.ts';
 import { changeStateRequest, changeStateSucceeded, readTransitionEvent } from '../../../runtime/wasm_js/lifecycle_messages.ts';
 import type { MessageListener, PageNode } from '../../../runtime/wasm_js/page_node.ts';
-import type { LaunchStep, NodeState, SiteNode } from '../../../runtime/wasm_js/session.ts';
+import type { LaunchStep, LineTest, NodeState, OutputMoment, SiteNode } from '../../../runtime/wasm_js/session.ts';
 import { SiteError } from '../../../runtime/wasm_js/site_error.ts';
 
 /** lifecycle_msgs/msg/TransitionEvent, little-endian. */
@@ -62,6 +62,10 @@ class Host {
       },
       state: (id) => ({ kind: this.states.get(id) ?? 'running', code: 0 }) as NodeState,
       start: (id, after) => void this.done.push(`start ${id} ${after}`),
+      stop: (id) => {
+        this.done.push(`stop ${id}`);
+        this.steps.happened(id, 'stop');
+      },
       stopAll: () => {
         this.done.push('stop');
         this.steps.shutdown();
@@ -110,6 +114,40 @@ test('a shutdown tells its reason once, calls off what was to come, and nothing 
   host.ring();
   assert.deepEqual(host.said, ['INFO launch all nodes are stopped: done', 'ERROR launch.user bye']);
   assert.deepEqual(host.done, ['stop']);
+});
+
+test('lines of a node bring what asks for such, and stand in what is said of them', () => {
+  const test = (how: LineTest['how'], text: string, more: Partial<LineTest> = {}): LineTest => ({ how, text, anyCase: false, holds: true, ...more });
+  const on = (tests: readonly LineTest[], more: Partial<OutputMoment> = {}): OutputMoment => ({ event: 'output', node: 'a-1', stream: 'stdout', tests, ...more });
+  const host = new Host([
+    log('all: \u2039what it prints\u203a', { on: on([]) }), log('begins', { on: on([test('begins', 'sys')]) }), log('ends', { on: on([test('ends', 'dy')]) }),
+    log('is', { on: on([test('is', 'system READY', { anyCase: true })]) }), log('not', { on: on([test('contains', 'ready'), test('contains', 'un', { holds: false })]) }),
+    log('once', { on: on([], { once: true }) }), log('error', { on: on([], { stream: 'stderr' }) }),
+    { do: 'shutdown', reason: 'it said \u2039what it prints\u203a', after: 0, on: on([test('is', 'stop $&')]) },
+  ], [{ id: 'b-1', startOn: on([test('contains', 'ready')]), startAfter: 1 }]);
+  host.states.set('b-1', 'waiting');
+  host.steps.launched();
+  host.steps.printed('b-1', [[1, 0, 'system ready']]);
+  host.steps.printed('a-1', [[1, 0, 'system ready'], [2, 0, 'bad']]);
+  assert.deepEqual(host.done, ['start b-1 1']);
+  assert.deepEqual(host.said.splice(0), ['all: system ready', 'begins', 'ends', 'is', 'not', 'once', 'error'].map((text) => `INFO launch.user ${text}`));
+  host.states.set('b-1', 'running');
+  host.steps.printed('a-1', [[1, 0, 'unready!'], [1, 0, 'stop $&']]);
+  assert.deepEqual(host.said, ['INFO launch.user all: unready!', 'INFO launch.user all: stop $&', 'INFO launch all nodes are stopped: it said stop $&']);
+});
+
+test('a node that the launch ends has ended as if by itself; one that is stopped has not', () => {
+  const host = new Host([
+    { do: 'end', node: 'a-1', after: 0, on: { event: 'start', node: 'b-1' } }, log('over', { on: { event: 'exit', node: 'a-1' } }),
+  ], [{ id: 'a-1', shutdownOnExit: true }, { id: 'b-1' }]);
+  host.steps.launched();
+  host.states.set('a-1', 'exited');
+  host.steps.happened('b-1', 'start');
+  host.steps.happened('a-1', 'stop');
+  assert.deepEqual([host.done, host.said], [[], []]);
+  host.states.set('a-1', 'running');
+  host.steps.happened('b-1', 'start');
+  assert.deepEqual([host.done, host.said], [['stop a-1', 'stop'], ['INFO launch.user over']]);
 });
 
 const change = (on?: LaunchStep['on']): LaunchStep => ({

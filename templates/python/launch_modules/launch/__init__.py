@@ -5,7 +5,7 @@ from . import (actions, conditions, event_handlers, events, launch_description_s
                utilities)
 from .action import Action
 from .conditions import Condition
-from .event_handlers import EventHandler
+from .event_handlers import BaseEventHandler, EventHandler
 from .events import Event
 from .launch_context import LaunchContext
 from .launch_description import LaunchDescription, LaunchDescriptionEntity
@@ -19,9 +19,9 @@ SomeEntitiesType = object
 SomeEntitiesType_types_tuple = (LaunchDescriptionEntity, list, tuple)
 
 __all__ = [
-    'Action', 'Condition', 'Event', 'EventHandler', 'InvalidLaunchFileError', 'LaunchContext', 'LaunchDescription',
-    'LaunchDescriptionEntity', 'LaunchDescriptionSource', 'LaunchIntrospector', 'LaunchService', 'SomeEntitiesType',
-    'SomeEntitiesType_types_tuple', 'SomeSubstitutionsType', 'SomeSubstitutionsType_types_tuple', 'Substitution',
-    'actions', 'conditions', 'event_handlers', 'events', 'launch_description_sources', 'logging', 'substitutions',
-    'utilities',
+    'Action', 'BaseEventHandler', 'Condition', 'Event', 'EventHandler', 'InvalidLaunchFileError', 'LaunchContext',
+    'LaunchDescription', 'LaunchDescriptionEntity', 'LaunchDescriptionSource', 'LaunchIntrospector', 'LaunchService',
+    'SomeEntitiesType', 'SomeEntitiesType_types_tuple', 'SomeSubstitutionsType', 'SomeSubstitutionsType_types_tuple',
+    'Substitution', 'actions', 'conditions', 'event_handlers', 'events', 'launch_description_sources', 'logging',
+    'substitutions', 'utilities',
 ]

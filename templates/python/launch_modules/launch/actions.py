@@ -268,6 +268,10 @@ class ForLoop(Action):
         return [self.function(i=i) for i in range(int(perform_substitutions(context, self.length)))]
 
 
+#: Those that the launch files have made.
+PROCESSES: list[ExecuteLocal] = []
+
+
 class ExecuteLocal(Action):
     """A process. What starts and ends it, and what follows from its end."""
 
@@ -278,6 +282,7 @@ class ExecuteLocal(Action):
                  emulate_tty: Any = None, output_format: Any = None, cached_output: Any = None, log_cmd: Any = None,
                  name: Any = None, condition: Any = None) -> None:
         super().__init__(condition=condition)
+        PROCESSES.append(self)
         self._on_exit = on_exit
         self._process_name = name
         self._set = [*_pairs(env), *_pairs(additional_env)]
@@ -327,9 +332,18 @@ class RegisterEventHandler(Action):
         super().__init__(**more)
         self.event_handler = event_handler
 
+    def _register(self, _context: Any) -> None:
+        from .event_handlers import REGISTERED
+
+        REGISTERED.append(self.event_handler)
+
     def _entities(self) -> list[Entity]:
-        return [self._entity('on_event', self.event_handler._attributes(),
-                             entities_of(self.event_handler._actions()))]
+        followed = [self._entity('on_event', attributes, entities_of(made))
+                    for attributes, made in self.event_handler._followed()]
+        if self.condition is None:
+            self._register(None)  # natively too, what is emitted before is heard
+            return followed
+        return [*followed, self._entity('python', {'call': host.OBJECTS.number(self._register)})]
 
 
 class UnregisterEventHandler(Action):
@@ -337,8 +351,15 @@ class UnregisterEventHandler(Action):
         super().__init__(**more)
         self.event_handler = event_handler
 
+    def _forget(self, _context: Any) -> None:
+        from .event_handlers import REGISTERED
+
+        if self.event_handler in REGISTERED:
+            REGISTERED.remove(self.event_handler)
+
     def _entities(self) -> list[Entity]:
-        return [self._entity('forget_event', {'handler': host.OBJECTS.number(self.event_handler)})]
+        return [self._entity('forget_event', {'handler': host.OBJECTS.number(self.event_handler)}),
+                self._entity('python', {'call': host.OBJECTS.number(self._forget)})]
 
 
 class EmitEvent(Action):
@@ -346,20 +367,34 @@ class EmitEvent(Action):
         super().__init__(**more)
         self.event = event
 
+    def _emit(self, context: Any) -> Any:
+        """What those do who hear of it."""
+        from .event_handlers import REGISTERED
+
+        done = []
+        for handler in reversed(REGISTERED):
+            if not handler._hears(self.event):
+                continue
+            if handler.handle_once:
+                REGISTERED.remove(handler)
+            done.append(handler.handle(self.event, context))
+        return done
+
     def _entities(self) -> list[Entity]:
         from .events import Shutdown as ShutdownEvent
-        from .events.process import ShutdownProcess
+        from .events.process import ShutdownProcess, SignalProcess
 
         if isinstance(self.event, ShutdownEvent):
             return [self._entity('shutdown', {'reason': text_of(self.event.reason)})]
         transition = getattr(self.event, '_transition', None)
         if transition is not None:
             return [self._entity('lifecycle_transition', attributes) for attributes in transition()]
-        if isinstance(self.event, ShutdownProcess):
-            target = getattr(self.event.process_matcher, 'action', None)
-            if target is not None:
-                return [self._entity('end_process', {'process': host.OBJECTS.number(target)})]
-        return [self._entity('left_out', {'what': f'the event {type(self.event).__name__}'})]
+        if isinstance(self.event, (ShutdownProcess, SignalProcess)):
+            if not self.event._ends:
+                return [self._entity('left_out', {'what': f'the signal {self.event.signal_name}'})]
+            return [self._entity('end_process', {'process': host.OBJECTS.number(one)})
+                    for one in PROCESSES if self.event.process_matcher(one)]
+        return [self._entity('python', {'call': host.OBJECTS.number(self._emit)})]
 
 
 __all__ = [name for name, thing in list(globals().items())

@@ -1,6 +1,7 @@
 """What happens to processes."""
 from __future__ import annotations
 
+import signal
 from typing import Any
 
 
@@ -41,18 +42,26 @@ class Named:
         self.what = what
 
     def __call__(self, action: Any) -> bool:
-        return bool(self.what == getattr(action, '_process_name', None))
+        return self.what in (getattr(action, '_process_name', None), getattr(action, 'node_executable', None))
 
 
 matches_executable = matches_name = matches_pid = Named
 
 
 class ShutdownProcess:
+    name = 'launch.events.process.ShutdownProcess'
+    signal_name = 'SIGINT'
+    _ends = True
+
     def __init__(self, *, process_matcher: Any) -> None:
         self.process_matcher = process_matcher
 
 
 class SignalProcess:
+    name = 'launch.events.process.SignalProcess'
+
     def __init__(self, *, signal_number: Any, process_matcher: Any) -> None:
-        self.signal_number = signal_number
+        self.signal = signal_number
+        self.signal_name = signal_number if isinstance(signal_number, str) else signal.Signals(signal_number).name
         self.process_matcher = process_matcher
+        self._ends = self.signal_name in ('SIGINT', 'SIGTERM', 'SIGKILL', 'SIGQUIT')

@@ -212,6 +212,13 @@ function hostModule(
       return there instanceof Promise ? there.then(arrived) : arrived(there);
     }),
     ...threadFunctions(stop, wait, died),
+    // Of a turn of an executor, in one call: the wake token, which is read first, the readers that have something, the statuses.
+    look: (out: number, capacity: number): number => {
+      memory().set(out, link.wakeToken());
+      const count = (imports['ready'] as (at: number, most: number) => number)(out + 8, capacity);
+      memory().set(out + 4, link.statusVersion());
+      return count;
+    },
     pending: () => pending,
     resumed: () => {
       stop.suspended = false;

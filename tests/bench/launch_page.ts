@@ -28,19 +28,6 @@ def generate_launch_description():
                               DeclareLaunchArgument('mode', default_value='a', choices=['a', 'b']), OpaqueFunction(function=nodes)])
 `;
 
-const PACKAGE: Readonly<Record<string, string>> = {
-  'package.xml': `<package format="3"><name>python_bench</name><version>0.1.0</version><description>Waits</description>
-<maintainer email="someone@example.org">Someone</maintainer><license>Apache-2.0</license><buildtool_depend>ament_cmake</buildtool_depend>
-<exec_depend>rclpy</exec_depend><export><build_type>ament_cmake</build_type></export></package>
-`,
-  'CMakeLists.txt': `cmake_minimum_required(VERSION 3.8)
-project(python_bench NONE)
-find_package(ament_cmake REQUIRED)
-install(PROGRAMS scripts/waits DESTINATION lib/\${PROJECT_NAME})
-ament_package()
-`,
-};
-
 interface Start {
   /** Of the launch file alone; 0: it was not evaluated. */
   readonly evaluated: number;
@@ -51,7 +38,6 @@ export async function benchLaunchPage(context: BenchContext, folder: string): Pr
   const workspace = join(folder, 'in_page');
   mkdirSync(workspace);
   cpSync(join(context.root, 'tests/bench/packages/python_bench'), join(workspace, 'python_bench'), { recursive: true });
-  for (const [name, text] of Object.entries(PACKAGE)) writeFileSync(join(workspace, 'python_bench', name), text);
   writeFileSync(join(workspace, 'all.launch.py'), LAUNCH);
   writeFileSync(join(workspace, 'workspace.yaml'), 'schema: 1\nname: in_page\npackages: [python_bench]\nlaunch: all.launch.py\n');
   const site = join(workspace, 'site');

@@ -36,7 +36,7 @@ async function after(page: Page, lines: number, pid: number): Promise<readonly [
 export async function benchLines(context: BenchContext): Promise<void> {
   const folder = mkdtempSync(join(tmpdir(), 'ros2wasm-bench-'));
   try {
-    const site = packLaunch(context, folder, 'soak_bench', 'lines', [
+    const site = packLaunch(context, folder, ['soak_bench'], 'lines', [
       `{package: soak_bench, executable: pulse, parameters: {bytes: 16, hz: ${HZ}, log: true, report_s: 3600}}`,
     ]);
     await inBrowser(site, async (page, pid, url) => {

@@ -31,9 +31,9 @@ const COPIES_OF_WRITER = 2;
 const COPIES_OF_READER = 2;
 const COPIES = 'CDR made by the writer; copies: serialise, to the bus, from the bus, deserialise';
 
-type Line = Readonly<Record<string, number>>;
-type Place = 'Node.js' | 'Chromium';
-type Link = 'shared' | 'port';
+export type Line = Readonly<Record<string, number>>;
+export type Place = 'Node.js' | 'Chromium';
+export type Link = 'shared' | 'port';
 
 /** The JSON lines that the nodes printed. */
 function jsonLines(text: string): Line[] {
@@ -82,13 +82,13 @@ function middle(values: readonly number[]): number {
 }
 
 /** Median round trip in microseconds. ddsperf prints half of it: its count times its mean makes half of the time. */
-async function peerRoundTrip(bytes: number): Promise<number> {
+export async function peerRoundTrip(bytes: number): Promise<number> {
   const text = await ddsperf(['pong'], ['ping', 'size', String(PEER_SIZES[bytes] ?? bytes)]);
   return 2 * middle([...text.matchAll(/size \d+ mean .* 50% ([0-9.]+)us/g)].map(([, half]) => Number(half)));
 }
 
 /** Samples per second that arrive at one subscriber, reliable and keep_all. */
-async function peerThroughput(bytes: number): Promise<number> {
+export async function peerThroughput(bytes: number): Promise<number> {
   const text = await ddsperf(['-k', 'all', 'sub'], ['-k', 'all', 'pub', 'size', String(PEER_SIZES[bytes] ?? bytes)]);
   return 1000 * middle([...text.matchAll(/ rate ([0-9.]+) kS\/s/g)].map(([, rate]) => Number(rate)));
 }
@@ -110,7 +110,7 @@ function clockStep(place: Place, link: Link): { readonly clock_step_us?: number 
 
 const rounded = (value: number): number => Math.round(value * 100) / 100;
 
-async function places(
+export async function places(
   context: BenchContext, site: string, until: string, use: (place: Place, link: Link, lines: readonly Line[]) => void,
 ): Promise<void> {
   for (const link of ['shared', 'port'] as const) {
@@ -123,7 +123,7 @@ export async function benchLink(context: BenchContext): Promise<void> {
   if (spawnSync('ddsperf', ['help']).error !== undefined) throw new Error('ddsperf is missing: install cyclonedds-tools');
   const folder = mkdtempSync(join(tmpdir(), 'ros2wasm-bench-'));
   try {
-    const ping = packLaunch(context, folder, 'link_bench', 'ping', ['{package: link_bench, executable: ponger}', '{package: link_bench, executable: pinger}']);
+    const ping = packLaunch(context, folder, ['link_bench'], 'ping', ['{package: link_bench, executable: ponger}', '{package: link_bench, executable: pinger}']);
     const peerTrips = new Map<number, number>();
     for (const bytes of [8, 1000, 64000, 1000000]) peerTrips.set(bytes, await peerRoundTrip(bytes));
     const paper = await paperDesign(PAPER_SIZES);
@@ -175,7 +175,7 @@ export async function benchLink(context: BenchContext): Promise<void> {
       }
     };
     for (const count of [1, 10]) {
-      await places(context, packLaunch(context, folder, 'link_bench', `flood_${count}`, sinks(count)), 'flooder: done', emitRate(count));
+      await places(context, packLaunch(context, folder, ['link_bench'], `flood_${count}`, sinks(count)), 'flooder: done', emitRate(count));
     }
   } finally {
     rmSync(folder, { recursive: true, force: true });

@@ -1,12 +1,17 @@
 // What Python nodes cost: from opening a page to the first node, when the browser has nothing, when it has kept the image
-// of an interpreter, and by a plain boot of Pyodide (the peer); memory of a further node; a message between entities of a node.
+// of an interpreter, and by a plain boot of Pyodide (the peer); memory of a further node; a message between entities of a node,
+// and between nodes (Python's, and of C++ to Python); bytes of a site; serialised messages a second.
 import { spawnSync } from 'node:child_process';
-import { rmSync } from 'node:fs';
+import { mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { brotliCompressSync } from 'node:zlib';
 import type { Page } from 'playwright-core';
 import { makeSite } from '../e2e/runtime_site.ts';
 import { inBrowser } from './browser_site.ts';
+import { peerRoundTrip, peerThroughput, places } from './link.ts';
 import { machineLoad } from './machine_load.ts';
+import { packLaunch } from './packed_launch.ts';
 import { treePrivateKb } from './process_memory.ts';
 import type { BenchContext } from './run.ts';
 import { summary } from './statistics.ts';
@@ -15,6 +20,9 @@ const WAITING = 5;
 const RUNS = 5;
 const TIMEOUT = { timeout: 120_000 };
 const WATCHDOG_MS = 300_000;
+const TRIP_AIM_US = 25;
+const RATE_AIM = 200_000;
+const BYTES_AIM = 7_000_000;
 
 /** Milliseconds from the navigation to the line of the last node. */
 async function visit(page: Page, url: string, nodes: number): Promise<number> {
@@ -99,15 +107,68 @@ function benchMessages(context: BenchContext, site: string): void {
   }
 }
 
+/** Round trips, and the way of many messages, between two nodes. Peer: ddsperf on loopback. */
+async function benchPairs(context: BenchContext, folder: string): Promise<void> {
+  const bytes = 1000;
+  const py = (executable: string, more = ''): string => `{package: python_bench, executable: ${executable}${more}}`;
+  const cpp = (executable: string): string => `{package: link_bench, executable: ${executable}}`;
+  const peerTrip = await peerRoundTrip(bytes);
+  const trips = [['Python to Python and back', [py('ponger'), py('pinger')]], ['C++ to Python and back', [py('ponger'), cpp('pinger')]]] as const;
+  for (const [i, [what, launch]] of trips.entries()) {
+    const site = packLaunch(context, folder, ['link_bench', 'python_bench'], `trips_${i}`, launch);
+    await places(context, site, 'pinger: done', (place, link, lines) => {
+      for (const line of lines.filter((one) => one['bytes'] === bytes)) {
+        context.emit({
+          bench: 'python', what, place, link, bytes, p50_us: line['p50_us'], p99_us: line['p99_us'], aim_us: TRIP_AIM_US,
+          peer: 'ddsperf ping, loopback', peer_p50_us: peerTrip, machine_load: machineLoad(),
+        });
+      }
+    });
+  }
+  const peerRate = await peerThroughput(bytes);
+  const floods = [
+    ['Python to Python', [py('flooder'), py('sink')]],
+    ['C++ to Python', [cpp('flooder'), py('sink', ', parameters: {others: true}')]],
+  ] as const;
+  for (const [i, [what, launch]] of floods.entries()) {
+    const site = packLaunch(context, folder, ['link_bench', 'python_bench'], `floods_${i}`, launch);
+    await places(context, site, 'sink: done', (place, link, lines) => {
+      for (const line of lines.filter((one) => one['bytes'] === bytes && one['per_second'] !== undefined)) {
+        context.emit({
+          bench: 'python', what: `${what}, reliable, keep_all`, place, link, bytes, per_second: line['per_second'], aim_per_second: RATE_AIM,
+          peer: 'ddsperf pub/sub, loopback', peer_per_second: Math.round(peerRate), machine_load: machineLoad(),
+        });
+      }
+    });
+  }
+}
+
+/** What a visit loads of a site with a Python node, without numpy. */
+function benchBytes(context: BenchContext, site: string): void {
+  const total = { files: 0, raw: 0, brotli: 0 };
+  for (const entry of readdirSync(site, { recursive: true, withFileTypes: true })) {
+    if (!entry.isFile()) continue;
+    const bytes = readFileSync(join(entry.parentPath, entry.name));
+    total.files += 1;
+    total.raw += bytes.length;
+    total.brotli += brotliCompressSync(bytes).length;
+  }
+  context.emit({ bench: 'python', what: 'bytes of a site with Python, without numpy', ...total, aim: BYTES_AIM });
+  if (total.brotli > BYTES_AIM) context.fail(`python: a site has ${total.brotli} bytes compressed, ${BYTES_AIM} are the aim`);
+}
+
 export async function benchPython(context: BenchContext): Promise<void> {
   const packages = { [join(context.root, 'tests/bench/packages/python_bench/scripts')]: 'lib/python_bench' };
   const waits = Array.from({ length: WAITING }, () => ({ entry: 'lib/python_bench/waits', executable: 'waits' }));
+  const folder = mkdtempSync(join(tmpdir(), 'ros2wasm-bench-'));
   const sites = [waits, [{ entry: 'lib/python_bench/rates', executable: 'rates' }]].map((nodes) => makeSite([], {}, {}, { nodes, packages }));
   try {
     const [start = '', messages = ''] = sites;
+    benchBytes(context, start);
     await benchStart(context, start);
     benchMessages(context, messages);
+    await benchPairs(context, folder);
   } finally {
-    for (const site of sites) rmSync(site, { recursive: true, force: true });
+    for (const one of [...sites, folder]) rmSync(one, { recursive: true, force: true });
   }
 }

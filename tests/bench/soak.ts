@@ -127,7 +127,7 @@ export async function benchSoak(context: BenchContext): Promise<void> {
   const folder = mkdtempSync(join(tmpdir(), 'ros2wasm-bench-'));
   try {
     const topics = PULSES.map(({ topic }) => `"${topic}"`).join(', ');
-    const site = packLaunch(context, folder, 'soak_bench', 'soak', [
+    const site = packLaunch(context, folder, ['soak_bench'], 'soak', [
       `{package: soak_bench, executable: gauge, parameters: {topics: [${topics}], report_s: ${periodS}}}`,
       '{package: soak_bench, executable: adder}',
       `{package: soak_bench, executable: caller, parameters: {hz: ${CALLS_HZ}, report_s: ${periodS}}}`,

@@ -13,7 +13,7 @@ from collections import deque
 from collections.abc import Callable, Coroutine
 from functools import partial
 from types import TracebackType
-from typing import Any
+from typing import Any, NamedTuple
 
 from rclpy.context import Context
 from rclpy.event_handler import EventHandler
@@ -70,15 +70,12 @@ async def await_or_execute(callback: Any, *args: Any) -> Any:
 Call = Callable[[], Any]
 
 
-class Work:
+class Work(NamedTuple):
     """One call of a callback, with what it belongs to."""
 
-    __slots__ = ('call', 'entity', 'node')
-
-    def __init__(self, call: Call, entity: Any, node: Any) -> None:
-        self.call = call
-        self.entity = entity
-        self.node = node
+    call: Call
+    entity: Any
+    node: Any
 
 
 class Executor:
@@ -197,8 +194,9 @@ class Executor:
         group = entity.callback_group
         return group is None or bool(group.can_execute(entity))
 
-    def _collect(self) -> None:
-        """Queue all that can be executed now."""
+    def _collect(self) -> int:
+        """Queue all that can be executed now. Returns the wake token of before."""
+        token, version, handles = host.look()
         for entry in self._tasks:
             if entry[0]._is_due():
                 self._queue.append((entry, None))
@@ -208,8 +206,7 @@ class Executor:
         for guard, node in self._guards:
             if guard._triggered and self.can_execute(guard):
                 self._queue.append((guard, node))
-        ready = host.ready()
-        for handle in ready:
+        for handle in handles:
             found = self._readers.get(handle)
             if found is not None:
                 if self.can_execute(found[0]):
@@ -217,14 +214,14 @@ class Executor:
             elif handle in background.readers:
                 background.readers[handle]()
         if self._events:
-            self._collect_events()
+            self._collect_events(version)
         for waitable, node in self._waitables:
             if (waitable, node) not in self._queue and self.can_execute(waitable) and waitable._ready():
                 self._queue.append((waitable, node))
+        return token
 
-    def _collect_events(self) -> None:
+    def _collect_events(self, version: int) -> None:
         """Queue those of the endpoints whose statuses changed; looked at only when something did."""
-        version = host.status_version()
         if version == self._quiet_version:
             return
         self._quiet_version = version
@@ -250,7 +247,7 @@ class Executor:
             if entity._destroyed or (group is not None and not group.beginning_execution(entity)):
                 continue
             try:
-                call: Call | None = self._take(entity)
+                call: Call | None = entity._take_call()
             except BaseException:
                 if group is not None:
                     group.ending_execution(entity)
@@ -261,13 +258,6 @@ class Executor:
                 continue
             return Work(partial(self._execute, entity, node, call), entity, node)
         return None
-
-    def _pop_or_collect(self) -> Work | None:
-        work = self._pop()
-        if work is None:
-            self._collect()
-            work = self._pop()
-        return work
 
     def _step(self, entry: tuple[Task, Any, Any]) -> None:
         task = entry[0]
@@ -293,21 +283,6 @@ class Executor:
             task._gave_way = False
         return bool(gave_way)
 
-    def _take(self, entity: Any) -> Call | None:
-        """Take what an entity has, so that nobody else does."""
-        if isinstance(entity, Timer):
-            if not entity.is_ready():
-                return None
-            entity.call()
-            return entity.callback
-        if isinstance(entity, GuardCondition):
-            if not entity._triggered:
-                return None
-            entity._triggered = False
-            return entity.callback
-        call: Call | None = entity._take_call()
-        return call
-
     def _execute(self, entity: Any, node: Any, call: Call) -> None:
         group = entity.callback_group
         held = group is not None
@@ -332,19 +307,25 @@ class Executor:
         """Wait for work. Raises TimeoutException, ShutdownException or ConditionReachedException."""
         end = None if timeout_ns < 0 else time.monotonic_ns() + timeout_ns
         while True:
-            token = host.wake_token()
             if self._is_shutdown:
                 raise ShutdownException()
             if not self._context.ok():
                 raise ExternalShutdownException()
             self._refresh()
-            work = self._pop_or_collect()
+            work = self._pop()
+            if work is not None:
+                return work
+            token = self._collect()
+            work = self._pop()
             if work is not None:
                 return work
             if condition():
                 raise ConditionReachedException()
             if self._end_giving_way():
                 host.wait(token, 0)
+                continue
+            if self._is_shutdown or not self._context.ok() or self._seen != changes.count:
+                # Another thread did that before the token was read.
                 continue
             wait = -1
             if end is not None:
@@ -467,7 +448,10 @@ class MultiThreadedExecutor(Executor):
         if self._in_threads or self._depth >= self._num_threads:
             return False
         self._refresh()
-        work = self._pop_or_collect()
+        work = self._pop()
+        if work is None:
+            self._collect()
+            work = self._pop()
         if work is not None:
             self._depth += 1
             try:

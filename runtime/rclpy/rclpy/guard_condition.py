@@ -38,6 +38,13 @@ class GuardCondition:
         self._triggered = True
         host.wake()
 
+    def _take_call(self) -> Callable[[], Any] | None:
+        """Take the call that is due; what remains is to make it."""
+        if not self._triggered:
+            return None
+        self._triggered = False
+        return self.callback
+
     def destroy(self) -> None:
         self._destroyed = True
         changes.add()

@@ -85,8 +85,11 @@ class Subscription:
                 return None
             message, about = found
             return partial(self._callback, message, about)
-        taken = self._endpoint.take_bytes() if self.raw else self._endpoint.take(self._codec)
-        return None if taken is None else partial(self._callback, taken[0])
+        if self.raw:
+            taken = self._endpoint.take_bytes()
+            return None if taken is None else partial(self._callback, taken[0])
+        only = self._endpoint.take_message(self._codec)
+        return None if only is None else partial(self._callback, only)
 
     @property
     def topic_name(self) -> str:

@@ -107,6 +107,13 @@ class Timer:
             else:
                 self._next_ns += ((now - self._next_ns) // self._period_ns + 1) * self._period_ns
 
+    def _take_call(self) -> Callable[[], Any] | None:
+        """Take the call that is due; what remains is to make it."""
+        if not self.is_ready():
+            return None
+        self.call()
+        return self.callback
+
     def _wait_ns(self) -> int | None:
         """How long to wait for it at most; None: until somebody tells."""
         if self._canceled or self._clock._is_told():

@@ -11,7 +11,7 @@ import time
 from asyncio import events
 from typing import Any, NamedTuple
 
-import ros2wasm_host as js
+import ros2wasm_host
 from pyodide.ffi import can_run_sync, run_sync
 
 from ros2wasm.constants import (
@@ -39,6 +39,25 @@ own_loop: Any = None
 threads: Any = None
 
 
+class Functions:
+    """
+    The site's functions, looked up once each: Pyodide makes a new object whenever one is asked for.
+
+    Such objects cannot be in an image of the memory: `forget` before it is made.
+    """
+
+    def __getattr__(self, name: str) -> Any:
+        found = getattr(ros2wasm_host, name)
+        vars(self)[name] = found
+        return found
+
+    def forget(self) -> None:
+        vars(self).clear()
+
+
+js = Functions()
+
+
 class BusError(RuntimeError):
     """A function of the host refused."""
 
@@ -63,8 +82,8 @@ class Buffer:
 _out = Buffer(FIRST_CAPACITY)
 _in = Buffer(FIRST_CAPACITY)
 _info = Buffer(INFO_SIZE)
-_ready = Buffer(4 * MOST_READY)
-_ready_words = _ready.view.cast('I')
+_ready = Buffer(4 * (2 + MOST_READY))
+_ready_words = _ready.view.cast('i')
 _info_struct = struct.Struct(SAMPLE_INFO_FORMAT)
 _out.view[HEADER_AT:PAYLOAD_AT] = CDR_HEADER
 
@@ -280,6 +299,13 @@ def ready() -> list[int]:
     return _ready_words[:min(count, MOST_READY)].tolist()
 
 
+def look() -> tuple[int, int, list[int]]:
+    """The wake token, the version of the statuses, and the own readers that have something."""
+    count = js.look(_ready.address, MOST_READY)
+    token, version, *handles = _ready_words[:2 + min(count, MOST_READY)].tolist()
+    return token, version, handles
+
+
 def _words(*texts: str) -> list[int]:
     """Lay texts down for the host: address and length of each."""
     places, at = [], PAYLOAD_AT
@@ -392,12 +418,18 @@ class Endpoint:
 
     def take(self, codec: Any) -> tuple[Any, SampleInfo] | None:
         """The next message; None: there is none."""
-        length = self._take()
+        message = self.take_message(codec)
+        return None if message is None else (message, SampleInfo(*_info_struct.unpack_from(_info.view)))
+
+    def take_message(self, codec: Any) -> Any:
+        """As take, without what is known about the message."""
+        length = js.take(self.handle, _in.address + HEADER_AT, _in.capacity - HEADER_AT, _info.address)
+        if length > _in.capacity - HEADER_AT:
+            length = self._take()
         if length < 0:
             return None
-        message = codec.read(_in.view[:HEADER_AT + length], PAYLOAD_AT)[0] if _in.view[HEADER_AT + 1] == 1 \
-            else decode(codec, bytes(_in.view[HEADER_AT:HEADER_AT + length]))
-        return message, SampleInfo(*_info_struct.unpack_from(_info.view))
+        view = _in.view[:HEADER_AT + length]
+        return codec.read(view, PAYLOAD_AT)[0] if view[HEADER_AT + 1] == 1 else decode(codec, bytes(view[HEADER_AT:]))
 
     def take_bytes(self) -> tuple[bytes, SampleInfo] | None:
         length = self._take()

@@ -102,6 +102,7 @@ def prepare() -> None:
         with contextlib.suppress(KeyError):
             service = types.find_service(name)
             types.type_hash(name), service.Request, service.Response, service.Event
+    host.js.forget()
     gc.collect()
     # Nobody looks among it for what is no longer used.
     gc.freeze()

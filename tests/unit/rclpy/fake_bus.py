@@ -151,6 +151,11 @@ class FakeBus(types.ModuleType):
         self._memory(out, 4 * len(found))[:] = struct.pack(f'<{len(found)}I', *found)
         return len(found)
 
+    def look(self, out: int, capacity: int) -> int:
+        count = self.ready(out + 8, capacity)
+        self._memory(out, 8)[:] = struct.pack('<ii', self.wake_token(), self.status_version())
+        return count
+
     # ---- waiting
 
     def wake(self) -> None:
@@ -267,6 +272,13 @@ class BusTest(unittest.TestCase):
         self.context.init([])
         self.addCleanup(self.context.try_shutdown)
         self.executor = self.rclpy.executors.SingleThreadedExecutor(context=self.context)
+
+    def replace(self, name: str, function: Callable[..., Any]) -> None:
+        """Another function of the host, to the end of the test."""
+        forget: Callable[[], None] = importlib.import_module('ros2wasm.host').js.forget
+        self.addCleanup(forget)
+        self.enterContext(mock.patch.object(self.bus, name, function, create=True))
+        forget()
 
     def node(self, name: str, **options: Any) -> Any:
         """A node of the executor."""

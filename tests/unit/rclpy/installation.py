@@ -8,7 +8,6 @@ import tempfile
 import types
 import unittest
 from pathlib import Path
-from typing import Any
 from unittest import mock
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -21,11 +20,17 @@ class FakeHost(types.ModuleType):
     def __init__(self) -> None:
         super().__init__('ros2wasm_host')
         self.wakes = 0
+        self.places: list[bytearray] = []
 
-    def address(self, _: Any) -> int:
-        return 0
+    def address(self, place: bytearray) -> int:
+        self.places.append(place)
+        return len(self.places) - 1
 
     def ready(self, *_: int) -> int:
+        return 0
+
+    def look(self, out: int, _capacity: int) -> int:
+        self.places[out][:4] = self.wakes.to_bytes(4, 'little')
         return 0
 
     def wake(self) -> None:

@@ -7,7 +7,6 @@ import struct
 import unittest
 from collections import Counter
 from typing import Any
-from unittest import mock
 
 from tests.unit.rclpy.fake_bus import BusTest
 
@@ -26,24 +25,25 @@ class NodeTest(BusTest):
         publisher = node.create_publisher(string, 'words', 10)
         calls: Counter[str] = Counter()
 
-        def counted(name: str) -> Any:
+        def counted(name: str) -> None:
             function = getattr(self.bus, name)
 
             def call(*args: Any) -> Any:
                 calls[name] += 1
                 return function(*args)
-            return mock.patch.object(self.bus, name, call)
+            self.replace(name, call)
         for name in dir(type(self.bus)):
             if not name.startswith('_') and inspect.ismethod(getattr(self.bus, name)):
-                self.enterContext(counted(name))
+                counted(name)
         self.spin_until(lambda: not self.bus.ready(0, 0))
         for _ in range(2):
             calls.clear()
             publisher.publish(string(data='x'))
             self.executor.spin_once(timeout_sec=0)
-        # One of the calls of wake is the bus's own.
-        self.assertEqual(
-            dict(calls), {'write': 1, 'wake': 1, 'wake_token': 1, 'ready': 1, 'take': 1, 'status_version': 1})
+        # The bus itself calls some of its functions.
+        for name in ('wake', 'wake_token', 'ready', 'status_version'):
+            del calls[name]
+        self.assertEqual(dict(calls), {'write': 1, 'look': 1, 'take': 1})
         self.assertEqual(len(heard), 2)
 
     def test_events_are_told_when_statuses_change(self) -> None:
@@ -60,8 +60,8 @@ class NodeTest(BusTest):
             self.bus._memory(out, 32)[:] = struct.pack('<8i', *status, 0, 0, 0)
             status = (status[0], 0, status[2], 0, 0)
             return 0
-        self.enterContext(mock.patch.object(self.bus, 'endpoint_status', fill))
-        self.enterContext(mock.patch.object(self.bus, 'status_version', lambda: version))
+        self.replace('endpoint_status', fill)
+        self.replace('status_version', lambda: version)
         self.node('told').create_publisher(string, 'words', 10, event_callbacks=events.PublisherEventCallbacks(
             matched=lambda info: told.append(info.total_count), use_default_callbacks=False))
         for count in (1, 2):

@@ -21,8 +21,8 @@ class NotebookTest(BusTest):
         self.bus.typed.clear()
         self.bus.rest = b''
         self.ahead = 0
-        for name, function in (('tell', self.tell), ('forget_stop', lambda: None)):
-            self.enterContext(mock.patch.object(self.bus, name, function, create=True))
+        self.replace('tell', self.tell)
+        self.replace('forget_stop', lambda: None)
         for module, names in ((sys, ('stdin', 'stdout', 'stderr', 'argv')), (builtins, ('input',))):
             for name in names:
                 self.enterContext(mock.patch.object(module, name, getattr(module, name)))

@@ -24,6 +24,11 @@ class SimpleFilter : public noncopyable {
   Connection registerCallback(const C& callback) {
     return signal_.addCallback(callback);
   }
+  /// With its parameter named: `registerCallback<M::SharedPtr>([](const auto& message) {...})`.
+  template <typename P>
+  Connection registerCallback(const std::function<void(P)>& callback) {
+    return signal_.addCallback(callback);
+  }
   template <typename C, typename T>
   Connection registerCallback(C method, T* object) {
     return signal_.addCallback(method, object);

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <functional>
 #include <future>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -62,6 +64,36 @@ class ClientBase {
   std::vector<rclcpp::SubscriptionBase::SharedPtr> subscriptions_;
 };
 
+/// Of callables that take a goal handle, and of those that take a future of it, as ROS 2 Foxy had
+/// them.
+template <typename HandleT>
+class GoalResponseFunction : public std::function<void(HandleT)> {
+  using Base = std::function<void(HandleT)>;
+  using Future = std::shared_future<HandleT>;
+
+ public:
+  GoalResponseFunction(std::nullptr_t = nullptr) {}
+  template <typename FunctionT,
+            std::enable_if_t<std::disjunction_v<std::is_invocable<FunctionT&, HandleT>,
+                                                std::is_invocable<FunctionT&, Future>>,
+                             int> = 0>
+  GoalResponseFunction(FunctionT function) : Base(of_handle(std::move(function))) {}
+
+ private:
+  template <typename FunctionT>
+  static Base of_handle(FunctionT function) {
+    if constexpr (std::is_invocable_v<FunctionT&, HandleT>) {
+      return function;
+    } else {
+      return [function = std::move(function)](HandleT handle) mutable {
+        std::promise<HandleT> promise;
+        promise.set_value(std::move(handle));
+        function(Future(promise.get_future()));
+      };
+    }
+  }
+};
+
 template <typename ActionT>
 class Client : public ClientBase, public std::enable_shared_from_this<Client<ActionT>> {
  public:
@@ -71,7 +103,7 @@ class Client : public ClientBase, public std::enable_shared_from_this<Client<Act
   using Feedback = typename ActionT::Feedback;
   using GoalHandle = ClientGoalHandle<ActionT>;
   using WrappedResult = typename GoalHandle::WrappedResult;
-  using GoalResponseCallback = std::function<void(typename GoalHandle::SharedPtr)>;
+  using GoalResponseCallback = GoalResponseFunction<typename GoalHandle::SharedPtr>;
   using FeedbackCallback = typename GoalHandle::FeedbackCallback;
   using ResultCallback = typename GoalHandle::ResultCallback;
   using CancelGoal = action_msgs::srv::CancelGoal;

@@ -67,8 +67,7 @@ int main(int argc, char** argv) {
   const auto handle = sent.get();
   CHECK(handle != nullptr);
   auto result = client->async_get_result(handle);
-  CHECK(rclcpp::spin_until_future_complete(node, result, 5s) ==
-        rclcpp::FutureReturnCode::SUCCESS);
+  CHECK(rclcpp::spin_until_future_complete(node, result, 5s) == rclcpp::FutureReturnCode::SUCCESS);
   CHECK(result.get().code == rclcpp_action::ResultCode::SUCCEEDED);
   CHECK(result.get().result->sequence.size() == 3);
   CHECK(feedbacks == 3);
@@ -78,6 +77,31 @@ int main(int argc, char** argv) {
   auto rejected = client->async_send_goal(goal);
   rclcpp::spin_until_future_complete(node, rejected);
   CHECK(rejected.get() == nullptr);
+
+  // Who answers to goals takes the handle, or as ROS 2 Foxy had it, a future of it.
+  int answers = 0;
+  struct Asker {
+    void take(std::shared_future<Client::GoalHandle::SharedPtr> future) {
+      answers += future.get() == nullptr ? 1 : 100;
+    }
+    int& answers;
+  } asker{answers};
+  Client::SendGoalOptions with;
+  const auto answered = [&] {
+    return rclcpp::spin_until_future_complete(node, client->async_send_goal(goal, with)) ==
+           rclcpp::FutureReturnCode::SUCCESS;
+  };
+  with.goal_response_callback = [&](const Client::GoalHandle::SharedPtr& none) {
+    answers += none == nullptr ? 1 : 100;
+  };
+  CHECK(answered());
+  with.goal_response_callback = [&](auto none) { answers += none == nullptr ? 1 : 100; };
+  CHECK(answered());
+  with.goal_response_callback = std::bind(&Asker::take, &asker, std::placeholders::_1);
+  CHECK(answered());
+  with.goal_response_callback = nullptr;
+  CHECK(answered());
+  CHECK(answers == 3);
 
   goal.order = 100;
   auto endless = client->async_send_goal(goal);

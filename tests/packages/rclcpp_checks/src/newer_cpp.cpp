@@ -27,6 +27,9 @@
 #include "checks.hpp"
 #include "rclcpp/version.h"
 
+// rclcpp.hpp brings it, as with GCC's library.
+static_assert(std::numbers::pi > 3.14 && std::numbers::pi < 3.15);
+
 namespace {
 
 struct Reading {

@@ -20,9 +20,8 @@
 #include "tf2/exceptions.h"
 #include "tf2/utils.h"
 #include "tf2_geometry_msgs/tf2_geometry_msgs.hpp"
-#include "tf2_ros/buffer.h"
 #include "tf2_ros/create_timer_ros.h"
-#include "tf2_ros/transform_listener.h"
+#include "tf2_ros/transform_listener.h"  // older sources take the buffer from here
 
 using std::chrono_literals::operator""ms;
 using std::chrono_literals::operator""s;

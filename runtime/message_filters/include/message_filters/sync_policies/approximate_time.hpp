@@ -1,0 +1,4 @@
+// The newer name of this header.
+#pragma once
+
+#include "message_filters/sync_policies/approximate_time.h"

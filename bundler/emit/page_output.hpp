@@ -14,7 +14,7 @@ namespace ros2wasm {
 /// wrote. R2W0601 otherwise.
 [[nodiscard]] std::optional<Diagnostic> refuse_page(const std::filesystem::path& file);
 
-/// R2W0601, R2W0608 a planned path leads out of the site, R2W0611 too much for a page, R2W0211.
+/// R2W0601, R2W0608 a planned path leads out of the site, R2W0609 too much for a page, R2W0211.
 /// The old page stays until the new one is complete.
 [[nodiscard]] Outcome<Done> emit_page(const SitePlan& plan, const std::filesystem::path& file,
                                       const Cancellation& cancellation);

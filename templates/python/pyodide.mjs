@@ -2,40 +2,52 @@
 // same clock every time, and prints to standard error. Python finds no way into JavaScript by its modules; what code that
 // finds another way is kept from stands in bundler/launch/python_sandbox.hpp.
 
-import { constants } from 'node:fs';
+import { constants, existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
 const someDay = Date.UTC(2000, 0, 1);
 const someSeed = 2000;
 const doors = ['js', 'pyodide_js'];
+/** What Python takes for its name, in place of a path of this machine. */
+const program = '/usr/bin/python3';
+/** The memory of a started interpreter, which our package of Pyodide brings: it need not start then. */
+const image = 'started.image';
 
 /** Bytes that look random and are the same every time: of random, uuid, secrets, os.urandom(). */
 function seededBytes() {
-  let state = someSeed;
+  let state;
   const next = () => {
     state = (state + 0x6d2b79f5) | 0;
     let mixed = Math.imul(state ^ (state >>> 15), state | 1);
     mixed ^= mixed + Math.imul(mixed ^ (mixed >>> 7), mixed | 61);
     return (mixed ^ (mixed >>> 14)) & 0xff;
   };
-  return (view) => {
+  const restart = () => { state = someSeed; };
+  restart();
+  const fill = (view) => {
     const bytes = new Uint8Array(view.buffer, view.byteOffset, view.byteLength);
     for (let i = 0; i < bytes.length; i += 1) bytes[i] = next();
     return view;
   };
+  return { fill, restart };
 }
 
 /** `folder`: Pyodide's files. `environment`: variables beside HOME. */
 export async function startPython(folder, environment = {}) {
   process.binding = () => constants; // the one use that Emscripten makes of it, which Node.js does not permit here
-  Object.defineProperty(globalThis.crypto, 'getRandomValues', { value: seededBytes() });
+  process.argv = [process.argv[0], program];
+  process.env['TZ'] = 'UTC';
+  const random = seededBytes();
+  Object.defineProperty(globalThis.crypto, 'getRandomValues', { value: random.fill });
   const { default: { loadPyodide } } = await import(pathToFileURL(join(folder, 'pyodide.js')).href);
   const say = (line) => process.stderr.write(`${line}\n`);
-  const python = await loadPyodide({
-    indexURL: `${folder}/`, jsglobals: {}, env: { HOME: '/home', ...environment, PYTHONHASHSEED: '0' },
-    stdout: say, stderr: say,
-  });
+  const started = existsSync(join(folder, image)) ? { _loadSnapshot: readFileSync(join(folder, image)) } : {};
+  const env = { HOME: '/home', LANG: 'C.UTF-8', ...environment, PYTHONHASHSEED: '0' };
+  const python = await loadPyodide({ indexURL: `${folder}/`, jsglobals: {}, env, stdout: say, stderr: say, ...started });
+  // What an image has of the place where it was made.
+  random.restart();
+  python.runPython(`import os, random\nos.environ.update(${JSON.stringify(env)})\nrandom.seed()\ndel os, random`);
   Date.now = () => someDay;
   let looks = 0; // a time that is waited for comes: each look at it is a millisecond
   performance.now = () => { looks += 1; return looks; };

@@ -15,6 +15,7 @@ import subprocess
 import sys
 import time
 import xml.etree.ElementTree as ElementTree
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -46,11 +47,17 @@ class Case:
     file: str  # empty when the report has none
 
 
+def junit_cases(report: Path) -> Iterator[ElementTree.Element]:
+    """The leaf test cases of a JUnit file. Messages may have bytes that XML has no place for: colours of a terminal."""
+    text = re.sub(r"[\x00-\x08\x0b\x0c\x0e-\x1f]", "?", report.read_text(encoding="utf-8", errors="replace"))
+    return ElementTree.fromstring(text).iter("testcase")
+
+
 def failed_cases(report: Path) -> list[Case]:
     """Those of a JUnit file."""
     return [
         Case(case.get("name", ""), case.get("file", ""))
-        for case in ElementTree.parse(report).getroot().iter("testcase")
+        for case in junit_cases(report)
         if case.find("failure") is not None or case.find("error") is not None
     ]
 
@@ -64,7 +71,7 @@ def failed_methods(output: str) -> list[Case]:
 def junit_counts(report: Path) -> Counts:
     """Counts the leaf test cases of a JUnit file."""
     passed = failed = skipped = 0
-    for case in ElementTree.parse(report).getroot().iter("testcase"):
+    for case in junit_cases(report):
         if case.find("failure") is not None or case.find("error") is not None:
             failed += 1
         elif case.find("skipped") is not None or case.get("status") in ("notrun", "disabled"):

@@ -35,6 +35,8 @@ export function TeleopPanel({ session, state, setState, instance }: PanelProps) 
   const rate = numberMember(state, 'rate', kLeastRate, kMostRate, 10);
   const usesPad = flagMember(state, 'gamepad', true);
   const [problem, setProblem] = useState('');
+  /** What is being typed as topic, which it is not yet. */
+  const [typed, setTyped] = useState<string | undefined>(undefined);
   const [shown, setShown] = useState<Stick>(kRest);
   const sender = useRef<TwistSender | null>(null);
   const held = useRef(new Map<string, Stick>());
@@ -115,11 +117,14 @@ export function TeleopPanel({ session, state, setState, instance }: PanelProps) 
             type="text"
             class="field"
             list={`teleop-topics-${instance}`}
-            value={topic}
+            value={typed ?? topic}
             autocomplete="off"
             autocapitalize="off"
             spellcheck={false}
+            onInput={(event) => setTyped(event.currentTarget.value)}
+            onBlur={() => setTyped(undefined)}
             onChange={(event) => {
+              setTyped(undefined);
               const name = fullName(event.currentTarget.value.trim());
               const found = drives.find((each) => each.name === name);
               change({ topic: name, ...(found === undefined ? {} : { stamped: found.stamped }) });

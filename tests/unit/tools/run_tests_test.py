@@ -20,7 +20,7 @@ test('steady', () => undefined);
 test('%(name)s', () => {
   const tries = existsSync(file) ? readFileSync(file, 'utf8').length : 0;
   appendFileSync(file, '.');
-  assert.ok(tries >= %(needed)d);
+  assert.ok(tries >= %(needed)d, '\\u001b[2mwith a colour of a terminal');
 });
 """
 

@@ -11,6 +11,7 @@ from __future__ import annotations
 import argparse
 import os
 import re
+import signal
 import subprocess
 import sys
 import time
@@ -219,6 +220,8 @@ def run(suite: Suite, build: Path, environment: dict[str, str]) -> Counts:
 
 
 def main() -> int:
+    # Shells have what they start in the background ignore it, and tests are about it.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--build", type=Path, required=True)
     parser.add_argument("--bless", action="store_true")

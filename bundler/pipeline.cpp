@@ -388,7 +388,7 @@ Outcome<Done> read_programs(const PackRequest& request, const BuiltWorkspace& wo
 
 /// Step 8: read what the plan is made of.
 Outcome<SitePlan> plan(const PackRequest& request, BuiltWorkspace& workspace, LaunchedFile launched,
-                       const Cancellation& cancellation) {
+                       std::string store, const Cancellation& cancellation) {
   const auto list =
       find_own_data(request.executable, "runtime/runtime_assets.json", "the runtime of sites");
   if (!list) return list.errors();
@@ -411,7 +411,8 @@ Outcome<SitePlan> plan(const PackRequest& request, BuiltWorkspace& workspace, La
                   .components = {},
                   .text = {},
                   .bags = {},
-                  .notebook = std::nullopt};
+                  .notebook = std::nullopt,
+                  .store = std::move(store)};
   if (auto added = add_page(workspace, input); !added) return std::move(added).errors();
   auto components = with_runtime_components(input.runtime, std::move(workspace.components));
   if (!components) return std::move(components).errors();
@@ -552,9 +553,8 @@ Outcome<LockReport> lock(const LockRequest& request, const Cancellation& cancell
 
 Outcome<PackReport> pack(const PackRequest& request, const Cancellation& cancellation,
                          const ProgressSink& progress) {
-  if (!request.plan_only) {
-    if (auto refusal = refuse_output(request.output)) return *refusal;
-  }
+  auto store = may_write(request.output, request.store, request.plan_only);
+  if (!store) return std::move(store).errors();
   auto workspace = build(request, cancellation, progress);
   if (!workspace) return std::move(workspace).errors();
 
@@ -569,7 +569,8 @@ Outcome<PackReport> pack(const PackRequest& request, const Cancellation& cancell
 
   // 8. every file of the site
   begin_step(progress, "plan");
-  auto planned = plan(request, *workspace, std::move(nodes).value(), cancellation);
+  auto planned =
+      plan(request, *workspace, std::move(nodes).value(), std::move(*store), cancellation);
   if (!planned) return std::move(planned).errors();
   planned->channel = std::move(workspace->channel);
 

@@ -31,10 +31,11 @@ struct PackRequest {
   bool plan_only = false;            ///< write nothing but the build cache
   std::filesystem::path executable;  ///< of this program
   EnvironmentVariables variables;
-  unsigned jobs = 0;           ///< compilers at once; 0: one per processor
-  bool quick = false;          ///< larger programs, linked in a fraction of the time
-  bool strict = false;         ///< what the launch file starts and no site can start is an error
-  std::string archive_limits;  ///< see extract_limits.hpp; empty: as the environment says
+  unsigned jobs = 0;            ///< compilers at once; 0: one per processor
+  bool quick = false;           ///< larger programs, linked in a fraction of the time
+  bool strict = false;          ///< what the launch file starts and no site can start is an error
+  std::filesystem::path store;  ///< folder that sites share; empty: the site has all its files
+  std::string archive_limits;   ///< see extract_limits.hpp; empty: as the environment says
 };
 
 /// A workspace with all its packages built.

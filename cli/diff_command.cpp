@@ -49,12 +49,25 @@ Outcome<OpenSite> open_site(const fs::path& folder) {
   return OpenSite{.text = std::move(*text), .list = std::move(*list)};
 }
 
-/// Files of a site are read by their real path: what a site calls its own may be a link out of it.
-std::function<Outcome<std::string>(const std::string&)> reader_of(const fs::path& folder) {
-  return [folder](const std::string& path) -> Outcome<std::string> {
-    const auto file = path_within(folder, folder / path);
-    if (!file) return cannot_read(folder / path, ENOENT);
-    return read_file(*file);
+/// Files of a site are read by their real path: what a site calls its own may be a link out of it,
+/// or out of the store.
+std::function<Outcome<std::string>(const std::string&)> reader_of(const fs::path& folder,
+                                                                  const SiteList& list) {
+  return [folder, &list](const std::string& path) -> Outcome<std::string> {
+    std::vector<std::string> places{path};
+    for (const ListedFile& file : list.files) {
+      if (file.path == path) places = places_of(file, list);
+    }
+    std::string bytes;
+    for (const std::string& place : places) {
+      const fs::path root = place.starts_with("../") ? folder / list.store.objects : folder;
+      const auto file = path_within(root, folder / place);
+      if (!file) return cannot_read(folder / place, ENOENT);
+      auto part = read_file(*file);
+      if (!part) return part;
+      bytes += *part;
+    }
+    return bytes;
   };
 }
 
@@ -63,8 +76,8 @@ int diff(Context& context, const fs::path& first, const fs::path& second) {
   if (!a) return context.console.fail(a.errors());
   const auto b = open_site(second);
   if (!b) return context.console.fail(b.errors());
-  const auto differences =
-      site_differences({a->list, a->text, reader_of(first)}, {b->list, b->text, reader_of(second)});
+  const auto differences = site_differences({a->list, a->text, reader_of(first, a->list)},
+                                            {b->list, b->text, reader_of(second, b->list)});
   if (!differences) return context.console.fail(differences.errors());
   if (context.json) {
     JsonWriter json;

@@ -22,6 +22,7 @@ struct Options {
   bool quick = false;
   bool strict = false;
   std::string archive_limits;
+  std::string store;
 };
 
 std::string column(std::uint64_t size) {
@@ -82,6 +83,7 @@ int run(Context& context, const Options& options) {
                             .jobs = static_cast<unsigned>(options.jobs),
                             .quick = options.quick,
                             .strict = options.strict,
+                            .store = options.store,
                             .archive_limits = options.archive_limits},
                            context.cancellation, context.progress);
   if (!report) return context.console.fail(report.errors());
@@ -125,6 +127,9 @@ CommandBody pack_command(Arguments& arguments) {
   arguments.flag("--offline", options->offline, "use only what is on this machine");
   arguments.flag("--with-channel", options->with_channel,
                  "put the packages into SITE/channel, a channel to pack from again");
+  arguments.value("--store", options->store, "FOLDER",
+                  "keep files there that sites share, by their sha256, and earlier packs beside "
+                  "the site");
   arguments.flag("--plan", options->plan,
                  "print every file with size, hash and reason; write no site");
   arguments.flag("--quick", options->quick,

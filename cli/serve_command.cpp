@@ -41,9 +41,10 @@ void wait_for_stop(const Cancellation& cancellation, int timeout_ms) {
   poll(&wake, 1, timeout_ms);
 }
 
-void say_what_is_served(Context& context, const Options& options, int port) {
+void say_what_is_served(Context& context, const Options& options, int port,
+                        const std::string& site) {
   Console& console = context.console;
-  const std::string link = link_to(options.host, port);
+  const std::string link = link_to(options.host, port) + site;
   console.result(link);
   console.remark("Serving " + options.site + ". Open the link; Ctrl-C ends the server.");
   if (options.no_isolation)
@@ -73,7 +74,8 @@ int serve(Context& context, const Options& options) {
   if (const auto site = check_site(options.site); !site)
     return failure != 0 ? failure : context.console.fail(site.errors());
   std::error_code error;
-  SiteServing serving{.folder = std::filesystem::absolute(options.site, error),
+  const ServedPlace place = served_place(std::filesystem::absolute(options.site, error));
+  SiteServing serving{.folder = place.folder,
                       .isolation = !options.no_isolation,
                       .only_local_hosts = is_loopback(options.host),
                       .reload = std::nullopt};
@@ -81,7 +83,7 @@ int serve(Context& context, const Options& options) {
   const auto server = start_server(
       options, [serving](const HttpRequest& request) { return site_response(serving, request); });
   if (!server) return context.console.fail(server.errors());
-  say_what_is_served(context, options, server->port());
+  say_what_is_served(context, options, server->port(), place.site);
   while (!context.cancellation.requested()) {
     wait_for_stop(context.cancellation, watched ? watched->interval_ms() : -1);
     if (watched && !context.cancellation.requested()) watched->look();

@@ -11,6 +11,7 @@
 #include "bundler/io/files.hpp"
 #include "bundler/plan/site_path.hpp"
 #include "bundler/render/own_site.hpp"
+#include "bundler/verify/site_list.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
@@ -49,7 +50,46 @@ int swap_folders(const fs::path& fresh, const fs::path& folder) {
   return failure;
 }
 
+/// What it was before stays beside the site, for links that name it. `old` is where it lies now.
+void keep_earlier(const fs::path& old, const fs::path& site, const std::string& sha256) {
+  const auto text = read_file(old / kSiteJsonName);
+  if (!text) return;
+  const auto list = read_site_list(*text, kSiteJsonName);
+  if (!list || list->store.objects.empty() || list->hash == sha256) return;
+  const fs::path place = site.parent_path() / earlier_folder(site.filename().string(), list->hash);
+  std::error_code error;
+  if (!fs::exists(fs::symlink_status(place, error))) fs::rename(old, place, error);
+}
+
+/// `folder`: what the site is in now, `clean`: where it will be.
+Outcome<Done> write_planned(const SitePlan& plan, const fs::path& folder, const fs::path& clean,
+                            const Cancellation& cancellation) {
+  for (const PlannedFile& file : plan.files) {
+    if (auto refusal = refuse_site_path(file.path)) return *refusal;
+    std::size_t at = 0;
+    std::size_t number = 0;
+    for (const std::string& place : places_of(file, plan)) {
+      if (cancellation.requested()) return interrupted();
+      const std::size_t size = file.parts.empty()
+                                   ? file.bytes.size()
+                                   : static_cast<std::size_t>(file.parts[number++].size);
+      // The store's come first in time: no site names what is not there.
+      const fs::path& base = place.starts_with("../") ? clean : folder;
+      auto written = write_file((base / place).lexically_normal(),
+                                std::string_view(file.bytes).substr(at, size));
+      if (!written) return written;
+      at += size;
+    }
+  }
+  return Done{};
+}
+
 }  // namespace
+
+std::string earlier_folder(const std::string& name, const std::string& sha256) {
+  constexpr std::size_t kDigits = 16;
+  return name + "@" + sha256.substr(0, kDigits);
+}
 
 std::optional<Diagnostic> refuse_folder(const fs::path& folder) {
   std::error_code error;
@@ -100,11 +140,8 @@ Outcome<Done> emit_folder(const SitePlan& plan, const fs::path& folder,
   auto beside =
       TemporaryDirectory::make(clean.parent_path(), "." + clean.filename().string() + "-new-");
   if (!beside) return std::move(beside).errors();
-  for (const PlannedFile& file : plan.files) {
-    if (cancellation.requested()) return interrupted();
-    if (auto refusal = refuse_site_path(file.path)) return *refusal;
-    if (auto written = write_file(beside->path() / file.path, file.bytes); !written) return written;
-  }
+  if (auto written = write_planned(plan, beside->path(), clean, cancellation); !written)
+    return written;
   for (const ChannelFile& file : plan.channel) {
     if (cancellation.requested()) return interrupted();
     if (auto refusal = refuse_site_path(file.path)) return *refusal;
@@ -122,6 +159,7 @@ Outcome<Done> emit_folder(const SitePlan& plan, const fs::path& folder,
     failure = errno;
   }
   if (failure != 0) return cannot_write(folder, failure);
+  if (replaces && !plan.store.objects.empty()) keep_earlier(beside->path(), clean, plan.sha256);
   return Done{};
 }
 

@@ -20,6 +20,9 @@ namespace ros2wasm {
 [[nodiscard]] std::optional<Diagnostic> refuse_size(const std::filesystem::path& folder,
                                                     std::uint64_t needed, std::uint64_t available);
 
+/// Beside a site that has a store: what the site of that name was when it had this sha256.
+[[nodiscard]] std::string earlier_folder(const std::string& name, const std::string& sha256);
+
 /// R2W0601, R2W0602, R2W0608 a planned path leads out of the site, R2W0211 (with the system's
 /// reason).
 [[nodiscard]] Outcome<Done> emit_folder(const SitePlan& plan, const std::filesystem::path& folder,

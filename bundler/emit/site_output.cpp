@@ -27,10 +27,49 @@ const Form& form_of(const std::filesystem::path& output) {
   return kFolder;
 }
 
+/// R2W0614.
+Outcome<std::string> store_address(const std::filesystem::path& output,
+                                   const std::filesystem::path& store) {
+  namespace fs = std::filesystem;
+  const auto cannot = [&](std::string why) {
+    return Diagnostic{
+        .code = "R2W0614",
+        .message =
+            "the site `" + output.string() + "` cannot share the store `" + store.string() + "`",
+        .why = {std::move(why)},
+        .fix = {"put the store beside the site: `-o course/lab --store course/objects`"}};
+  };
+  if (&form_of(output) != &kFolder)
+    return cannot("an archive or a page has all its files in it, and lies anywhere");
+  std::error_code error;
+  const fs::path site = fs::weakly_canonical(fs::absolute(output, error), error);
+  const fs::path objects = fs::weakly_canonical(fs::absolute(store, error), error);
+  if (fs::exists(objects, error) && !fs::is_directory(objects, error))
+    return cannot("it is not a folder");
+  const std::string address = (objects / "")
+                                  .lexically_normal()
+                                  .lexically_relative((site / "").lexically_normal().parent_path())
+                                  .generic_string();
+  if (!is_store_address(address)) {
+    return cannot("seen from the site it is `" + address +
+                  "`; a store lies outside of its sites and they outside of it, in folders whose "
+                  "names have letters, digits, `.`, `_` and `-`");
+  }
+  return address;
+}
+
 }  // namespace
 
 std::optional<Diagnostic> refuse_output(const std::filesystem::path& output) {
   return form_of(output).refuse(output);
+}
+
+Outcome<std::string> may_write(const std::filesystem::path& output,
+                               const std::filesystem::path& store, bool plan_only) {
+  if (!plan_only) {
+    if (auto refusal = refuse_output(output)) return *refusal;
+  }
+  return store.empty() ? std::string() : store_address(output, store);
 }
 
 Outcome<Done> emit_site(const SitePlan& plan, const std::filesystem::path& output,

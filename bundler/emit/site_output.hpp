@@ -15,6 +15,11 @@ namespace ros2wasm {
 /// R2W0601 otherwise. Asked before anything is built.
 [[nodiscard]] std::optional<Diagnostic> refuse_output(const std::filesystem::path& output);
 
+/// As refuse_output(), which is not asked when nothing is written. How a site at `output` names the
+/// store: relative to itself, empty without one. R2W0614 when it cannot.
+[[nodiscard]] Outcome<std::string> may_write(const std::filesystem::path& output,
+                                             const std::filesystem::path& store, bool plan_only);
+
 /// What emit_folder(), emit_zip() or emit_page() says.
 [[nodiscard]] Outcome<Done> emit_site(const SitePlan& plan, const std::filesystem::path& output,
                                       const Cancellation& cancellation);

@@ -9,6 +9,7 @@
 #include "bundler/io/sha256.hpp"
 #include "bundler/plan/runtime_assets.hpp"
 #include "bundler/plan/site_checks.hpp"
+#include "bundler/plan/stored_site.hpp"
 #include "bundler/render/citation.hpp"
 #include "bundler/render/interfaces_json.hpp"
 #include "bundler/render/license_list.hpp"
@@ -27,6 +28,7 @@ constexpr std::string_view kPythonRole = "python_worker";
 /// For sites whose launch file declares arguments only.
 constexpr std::string_view kLaunchRole = "launch_evaluator";
 constexpr std::string_view kLaunchScriptRole = "launch_script";
+constexpr std::string_view kScriptRole = "script";
 constexpr std::string_view kPageRole = "page";
 /// Of a site in one file only.
 constexpr std::string_view kCarriedPageRole = "carried_page";
@@ -42,12 +44,13 @@ std::string program_path(const LaunchNode& node) {
   return "programs/" + node.package + "/" + node.executable + ".wasm";
 }
 
-void add(SitePlan& plan, std::string path, std::string reason, std::string bytes) {
+PlannedFile& add(SitePlan& plan, std::string path, std::string reason, std::string bytes) {
   std::string hash = sha256_hex(bytes);
   plan.files.push_back({.path = std::move(path),
                         .reason = std::move(reason),
                         .bytes = std::move(bytes),
                         .sha256 = std::move(hash)});
+  return plan.files.back();
 }
 
 std::string names_path(const LaunchNode& node) {
@@ -63,12 +66,18 @@ std::string reason_of_program(const std::vector<LaunchNode>& nodes, const Launch
   return "program of " + users;
 }
 
+/// A store's files have their hashes in their names.
+bool has_hash_list(const SitePlan& plan) {
+  return plan.store.objects.empty();
+}
+
 /// LICENSES.txt and the bill of materials, which are in every site, and what a citation needs.
 void add_metadata(SitePlan& plan, const Manifest& manifest,
                   const std::vector<SiteComponent>& components) {
   const std::string content = sha256_hex(hash_list(plan.files));
-  add(plan, "LICENSES.txt", "licenses of all that is in the site",
-      license_list(manifest, components));
+  PlannedFile& licenses = add(plan, "LICENSES.txt", "licenses of all that is in the site",
+                              license_list(manifest, components));
+  if (!plan.store.objects.empty()) share_texts(licenses);
   add(plan, "sbom.spdx.json", "what the site is made of, for machines",
       spdx_document(manifest, components, content));
   if (!manifest.citation) return;
@@ -81,11 +90,27 @@ void add_metadata(SitePlan& plan, const Manifest& manifest,
                      .size = file.bytes.size()});
   }
   files.push_back({.path = "site.json", .reason = kSiteJsonReason, .sha256 = {}, .size = 0});
-  files.push_back({.path = kHashList, .reason = kHashListReason, .sha256 = {}, .size = 0});
+  if (has_hash_list(plan))
+    files.push_back({.path = kHashList, .reason = kHashListReason, .sha256 = {}, .size = 0});
   std::sort(files.begin(), files.end(),
             [](const DescribedFile& a, const DescribedFile& b) { return a.path < b.path; });
   add(plan, "ro-crate-metadata.json", "RO-Crate metadata, for archives of research data",
       ro_crate_metadata(manifest, files));
+}
+
+bool is_script(const RuntimeAsset& asset) {
+  return asset.role == kScriptRole || asset.role == kLaunchScriptRole;
+}
+
+/// The same for all sites of one ros2wasm, whichever of them a site has.
+std::string script_folder(const std::vector<RuntimeAsset>& assets) {
+  std::vector<PlannedFile> scripts;
+  for (const RuntimeAsset& asset : assets) {
+    if (!is_script(asset)) continue;
+    scripts.push_back(
+        {.path = asset.file, .reason = {}, .bytes = {}, .sha256 = sha256_hex(asset.bytes)});
+  }
+  return sha256_hex(hash_list(scripts));
 }
 
 std::string reason_of_asset(std::string_view role) {
@@ -122,6 +147,7 @@ Outcome<SitePlan> plan_site(PlanInput input) {
   const auto chosen = manifest.ui.find("theme");
   const std::string theme = chosen == manifest.ui.end() ? "auto" : chosen->second;
   const std::string& title = manifest.title.empty() ? manifest.name.value : manifest.title;
+  plan.store = {.objects = input.store, .scripts = script_folder(input.runtime)};
   for (RuntimeAsset& asset : input.runtime) {
     if (asset.role == kComponentsRole) continue;
     if (asset.role.starts_with(kHeadlessRoles) || (asset.role == kPythonRole && !has_python))
@@ -142,7 +168,8 @@ Outcome<SitePlan> plan_site(PlanInput input) {
     if (asset.role == kPageRole) {
       asset.bytes = page_html(std::move(asset.bytes), title, theme, {paths.begin(), paths.end()});
     }
-    add(plan, asset.file, reason_of_asset(asset.role), std::move(asset.bytes));
+    const Kept kept = is_script(asset) ? Kept::kScript : Kept::kBeside;
+    add(plan, asset.file, reason_of_asset(asset.role), std::move(asset.bytes)).kept = kept;
   }
   for (PageFile& file : input.text)
     add(plan, page_text_path(file.path), "text or notebook of the page, by `ui:` of the manifest",
@@ -238,11 +265,15 @@ Outcome<SitePlan> plan_site(PlanInput input) {
       interfaces_json(input.interfaces));
   const auto by_path = [](const PlannedFile& a, const PlannedFile& b) { return a.path < b.path; };
   std::sort(plan.files.begin(), plan.files.end(), by_path);
+  keep_in_store(plan);
+  if (!plan.store.objects.empty()) place_page(plan);
   add_metadata(plan, input.manifest, input.components);
+  keep_in_store(plan);
   std::sort(plan.files.begin(), plan.files.end(), by_path);
   add(plan, "site.json", kSiteJsonReason, site_json(input.manifest, plan));
   plan.sha256 = plan.files.back().sha256;
   std::sort(plan.files.begin(), plan.files.end(), by_path);
+  if (!has_hash_list(plan)) return plan;
   add(plan, kHashList, kHashListReason, hash_list(plan.files));
   std::sort(plan.files.begin(), plan.files.end(), by_path);
   return plan;
@@ -252,6 +283,10 @@ std::string hash_list(const std::vector<PlannedFile>& files) {
   std::string text;
   for (const PlannedFile& file : files) text += file.sha256 + "  " + file.path + "\n";
   return text;
+}
+
+std::vector<std::string> places_of(const PlannedFile& file, const SitePlan& plan) {
+  return site_places(file.path, file.sha256, file.kept, file.parts, plan.store);
 }
 
 std::uint64_t total_size(const SitePlan& plan) {

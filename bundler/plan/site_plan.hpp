@@ -16,6 +16,7 @@
 #include "bundler/launch/share_tree.hpp"
 #include "bundler/plan/python_site.hpp"
 #include "bundler/plan/site_component.hpp"
+#include "bundler/plan/site_place.hpp"
 #include "workspace_schema/manifest.hpp"
 #include "workspace_schema/outcome.hpp"
 
@@ -26,6 +27,8 @@ struct PlannedFile {
   std::string reason;
   std::string bytes;
   std::string sha256;
+  Kept kept = Kept::kBeside;
+  std::vector<FilePart> parts = {};  ///< when it does not lie in one piece
 };
 
 /// A file of the channel that lies beside the site. It is in no site.json: a visit never loads it.
@@ -75,6 +78,7 @@ struct SitePlan {
   std::vector<CheckEntry> checks;       ///< in the manifest's order, with ids of nodes
   std::vector<ChannelFile> channel;     ///< sorted by path; empty unless it was asked for
   std::string carried_page;             ///< the page of a site in one file, without the files
+  SiteStore store = {};                 ///< that it shares with other sites
 };
 
 /// A file that the built runtime brings to every site.
@@ -120,6 +124,7 @@ struct PlanInput {
   std::vector<PageFile> text;             ///< Markdown and notebook of the page, their images
   std::vector<PageFile> bags;             ///< recordings that the page plays
   std::optional<NotebookInput> notebook;
+  std::string store = {};  ///< where the store lies that the site shares; see SiteStore
 };
 
 /// R2W0606 a program is not WebAssembly, R2W0430 a check names a node that is not there.
@@ -131,6 +136,9 @@ inline constexpr const char* kHashListReason = "hashes of all files, for `sha256
 
 /// Its text. `files` in their order there.
 [[nodiscard]] std::string hash_list(const std::vector<PlannedFile>& files);
+
+/// Relative to site.json, in the order of its parts.
+[[nodiscard]] std::vector<std::string> places_of(const PlannedFile& file, const SitePlan& plan);
 
 /// Total size of all files of the site in bytes.
 [[nodiscard]] std::uint64_t total_size(const SitePlan& plan);

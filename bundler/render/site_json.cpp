@@ -55,6 +55,16 @@ void write_ui(JsonWriter& json, const Manifest& manifest) {
   json.end_object();
 }
 
+void write_parts(JsonWriter& json, const std::vector<FilePart>& parts) {
+  if (parts.empty()) return;
+  json.key("parts").begin_array();
+  for (const FilePart& part : parts) {
+    json.begin_object().key("size").unsigned_integer(part.size);
+    json.field("sha256", part.sha256).end_object();
+  }
+  json.end_array();
+}
+
 void write_notebook(JsonWriter& json, const PlannedNotebook& notebook) {
   json.key("notebook").begin_object().field("file", notebook.file);
   json.field("program", notebook.program).key("archives").begin_array();
@@ -130,11 +140,19 @@ std::string site_json(const Manifest& manifest, const SitePlan& plan) {
   write_checks(json, plan.checks);
   if (plan.notebook) write_notebook(json, *plan.notebook);
   write_ui(json, manifest);
+  if (!plan.store.objects.empty()) {
+    json.key("store").begin_object().field("objects", plan.store.objects);
+    json.field("scripts", plan.store.scripts).end_object();
+  }
   json.key("files").begin_array();
   for (const PlannedFile& file : plan.files) {
     json.begin_object().field("path", file.path);
     json.key("size").unsigned_integer(file.bytes.size());
-    json.field("sha256", file.sha256).field("reason", file.reason).end_object();
+    json.field("sha256", file.sha256).field("reason", file.reason);
+    const std::string_view kept = plan.store.objects.empty() ? "" : word_of(file.kept);
+    if (!kept.empty()) json.field("kept", kept);
+    write_parts(json, file.parts);
+    json.end_object();
   }
   json.end_array().end_object();
   return json.text() + "\n";

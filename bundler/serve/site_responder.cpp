@@ -12,6 +12,7 @@
 #include "bundler/io/sha256.hpp"
 #include "bundler/serve/mime_types.hpp"
 #include "bundler/serve/request_rules.hpp"
+#include "bundler/verify/site_list.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -205,6 +206,22 @@ Outcome<Done> check_site(const std::filesystem::path& folder) {
     problem.fix.push_back("ros2wasm pack " + folder.string() + " -o site && ros2wasm serve site");
   }
   return problem;
+}
+
+ServedPlace served_place(const std::filesystem::path& site) {
+  const auto text = read_file(site / kSiteJsonName);
+  const auto list = text ? read_site_list(*text, kSiteJsonName) : Outcome<SiteList>(SiteList());
+  if (!list || list->store.objects.empty()) return {.folder = site, .site = {}};
+  std::error_code error;
+  std::filesystem::path folder = std::filesystem::weakly_canonical(site, error);
+  if (!folder.has_filename()) folder = folder.parent_path();
+  const std::filesystem::path real = folder;
+  constexpr std::string_view kUp = "../";
+  for (std::string_view left = list->store.objects; left.starts_with(kUp);
+       left.remove_prefix(kUp.size()))
+    folder = folder.parent_path();
+  return {.folder = folder,
+          .site = percent_encoded(real.lexically_relative(folder).generic_string()) + "/"};
 }
 
 std::string site_version(const std::filesystem::path& folder) {

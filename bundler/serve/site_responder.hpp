@@ -20,6 +20,15 @@ struct SiteServing {
 /// R2W0612 the folder is not a packed site.
 [[nodiscard]] Outcome<Done> check_site(const std::filesystem::path& folder);
 
+/// What to serve for a site, and where it is in it: a site that shares a store is served with the
+/// folder that both lie in.
+struct ServedPlace {
+  std::filesystem::path folder;
+  std::string site;  ///< empty, or its path there with `/` at the end, as in an address
+};
+
+[[nodiscard]] ServedPlace served_place(const std::filesystem::path& site);
+
 /// A short text that changes with the bytes of the site: from the list of files in its site.json.
 [[nodiscard]] std::string site_version(const std::filesystem::path& folder);
 

@@ -40,9 +40,32 @@ ListedFile listed_hash_list(const SiteList& list) {
   return {.path = kHashList, .size = text.size(), .sha256 = sha256_hex(text), .reason = {}};
 }
 
+/// Of all parts, one after the other.
+Outcome<FileHashes> hash_parts(const std::vector<fs::path>& parts) {
+  if (parts.size() == 1) return hash_file(parts.front());
+  Hasher hasher;
+  FileHashes hashes;
+  for (const fs::path& part : parts) {
+    const auto bytes = read_file(part);
+    if (!bytes) return bytes.errors();
+    hasher.add(*bytes);
+    hashes.size += bytes->size();
+  }
+  hashes.sha256 = hasher.hex();
+  return hashes;
+}
+
+/// What a site has to have: the list, and what follows from it.
+std::vector<ListedFile> wanted_of(const SiteList& list) {
+  std::vector<ListedFile> wanted = list.files;
+  if (list.store.objects.empty()) wanted.push_back(listed_hash_list(list));
+  return wanted;
+}
+
 /// Nothing when the file has the listed bytes. R2W0210 when it cannot be read at all.
-Outcome<std::optional<Diagnostic>> fault_of(const ListedFile& listed, const fs::path& file) {
-  const auto hashes = hash_file(file);
+Outcome<std::optional<Diagnostic>> fault_of(const ListedFile& listed,
+                                            const std::vector<fs::path>& parts) {
+  const auto hashes = hash_parts(parts);
   if (!hashes) return hashes.errors();
   if (hashes->size != listed.size) {
     return std::optional(other_bytes(listed.path, "it has " + std::to_string(hashes->size) +
@@ -59,30 +82,15 @@ Outcome<std::optional<Diagnostic>> fault_of(const ListedFile& listed, const fs::
 /// What no site.json lists, apart from itself and the channel that may lie beside a site.
 std::vector<std::string> unlisted_of(const SiteList& list, const std::vector<TreeEntry>& tree) {
   std::set<std::string> listed{kSiteJsonName, kHashList};
-  for (const ListedFile& file : list.files) listed.insert(file.path);
+  for (const ListedFile& file : list.files) {
+    for (std::string& place : places_of(file, list)) listed.insert(std::move(place));
+  }
   std::vector<std::string> result;
   for (const TreeEntry& entry : tree) {
     if (entry.kind == FileKind::kDirectory || listed.contains(entry.path) ||
         entry.path.starts_with(std::string(kShippedChannel) + "/"))
       continue;
     result.push_back(entry.path);
-  }
-  return result;
-}
-
-std::string percent_encoded(std::string_view path) {
-  constexpr std::string_view kHex = "0123456789ABCDEF";
-  constexpr std::string_view kPlain = "-._~/!$&'()*+,;=:@";
-  std::string result;
-  for (const char letter : path) {
-    const auto byte = static_cast<unsigned char>(letter);
-    const bool alphanumeric = (byte >= '0' && byte <= '9') || (byte >= 'a' && byte <= 'z') ||
-                              (byte >= 'A' && byte <= 'Z');
-    if (alphanumeric || kPlain.find(letter) != std::string_view::npos) {
-      result += letter;
-    } else {
-      result += {'%', kHex[byte >> 4U], kHex[byte & 15U]};
-    }
   }
   return result;
 }
@@ -118,17 +126,25 @@ Outcome<SiteCheck> check_site_folder(const fs::path& folder, const Cancellation&
   }
   SiteCheck check{.list = std::move(*list), .faults = {}, .unlisted = {}};
   check.unlisted = unlisted_of(check.list, *tree);
-  std::vector<ListedFile> wanted = check.list.files;
-  wanted.push_back(listed_hash_list(check.list));
+  const std::vector<ListedFile> wanted = wanted_of(check.list);
   std::uint64_t total = 0;
   std::uint64_t done = 0;
   for (const ListedFile& file : wanted) total += file.size;
   for (const ListedFile& file : wanted) {
     if (cancellation.requested()) return interrupted();
-    if (!files.contains(file.path)) {
+    std::vector<fs::path> parts;
+    bool there = true;
+    for (const std::string& place : places_of(file, check.list)) {
+      parts.push_back(folder / place);
+      std::error_code error;
+      there = there && (files.contains(place) ||
+                        (place.starts_with("../") &&
+                         fs::is_regular_file(fs::symlink_status(parts.back(), error))));
+    }
+    if (!there) {
       check.faults.push_back(not_there(file.path));
     } else {
-      auto fault = fault_of(file, folder / file.path);
+      auto fault = fault_of(file, parts);
       if (!fault) return std::move(fault).errors();
       if (*fault) check.faults.push_back(std::move(**fault));
     }
@@ -148,8 +164,7 @@ Outcome<SiteCheck> check_site_page(const fs::path& file, const Cancellation& can
   auto list = read_site_list(*text, file.string());
   if (!list) return std::move(list).errors();
   SiteCheck check{.list = std::move(*list), .faults = {}, .unlisted = {}};
-  std::vector<ListedFile> wanted = check.list.files;
-  wanted.push_back(listed_hash_list(check.list));
+  const std::vector<ListedFile> wanted = wanted_of(check.list);
   std::map<std::string, CarriedFile> files;
   for (const CarriedFile& one : carried->files) {
     // Browsers would take the last one, this the first.
@@ -213,42 +228,52 @@ Outcome<SiteCheck> check_site_address(const std::string& url, const ChannelNetwo
   if (!list) return std::move(list).errors();
   SiteCheck check{.list = std::move(*list), .faults = {}, .unlisted = {}};
   // Files are named by their number here: what a site calls them is the site's affair.
-  std::vector<ListedFile> wanted = check.list.files;
-  wanted.push_back(listed_hash_list(check.list));
+  const std::vector<ListedFile> wanted = wanted_of(check.list);
   std::vector<Download> downloads;
+  std::vector<std::vector<std::size_t>> downloads_of(wanted.size());  // more than one: of its parts
   std::uint64_t total = 0;
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     const ListedFile& file = wanted[i];
     total += file.size;
-    downloads.push_back({.sources = {source_of(base + percent_encoded(file.path), network)},
-                         .headers = {},
-                         .file = place->path() / std::to_string(i),
-                         .size = file.size,
-                         // One more byte shows that it is larger; the rest need not come.
-                         .limit_bytes = file.size + 1,
-                         .fault = {}});
+    const std::vector<std::string> places = places_of(file, check.list);
+    for (std::size_t part = 0; part < places.size(); ++part) {
+      const std::uint64_t size = file.parts.empty() ? file.size : file.parts[part].size;
+      downloads_of[i].push_back(downloads.size());
+      downloads.push_back({.sources = {source_of(base + percent_encoded(places[part]), network)},
+                           .headers = {},
+                           .file = place->path() / std::to_string(downloads.size()),
+                           .size = size,
+                           // One more byte shows that it is larger; the rest need not come.
+                           .limit_bytes = size + 1,
+                           .fault = {}});
+    }
   }
   auto brought =
       download_all(network.download, std::move(downloads), cancellation,
                    [&](const DownloadProgress& now) { report(progress, now.bytes, total); });
-  for (std::size_t i = 0; i < brought.size(); ++i) {
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
     const ListedFile& file = wanted[i];
-    if (!brought[i]) {
-      Diagnostic error = std::move(brought[i]).errors().front();
-      if (error.kind == FailureKind::kInterrupted) return error;
-      if (error.code == "R2W0220")
-        error = other_bytes(file.path, "it has more bytes than the " + std::to_string(file.size) +
-                                           " that site.json says");
-      check.faults.push_back(std::move(error));
-      continue;
+    std::vector<fs::path> parts;
+    std::optional<Diagnostic> problem;
+    for (const std::size_t one : downloads_of[i]) {
+      parts.push_back(place->path() / std::to_string(one));
+      if (problem) continue;
+      if (!brought[one]) {
+        problem = std::move(brought[one]).errors().front();
+        if (problem->kind == FailureKind::kInterrupted) return *problem;
+        if (problem->code == "R2W0220")
+          problem = other_bytes(file.path, "it has more bytes than the " +
+                                               std::to_string(file.size) + " that site.json says");
+      } else if (brought[one]->status != 200) {
+        problem = not_there(file.path);
+      }
     }
-    if (brought[i]->status != 200) {
-      check.faults.push_back(not_there(file.path));
-      continue;
+    if (!problem) {
+      auto fault = fault_of(file, parts);
+      if (!fault) return std::move(fault).errors();
+      problem = std::move(*fault);
     }
-    auto fault = fault_of(file, place->path() / std::to_string(i));
-    if (!fault) return std::move(fault).errors();
-    if (*fault) check.faults.push_back(std::move(**fault));
+    if (problem) check.faults.push_back(std::move(*problem));
   }
   return check;
 }

@@ -26,7 +26,51 @@ Diagnostic no_site(const std::string& shown, std::string why) {
                     .fix = {}};
 }
 
+/// R2W0605.
+Outcome<SiteStore> read_store(const JsonValue& json, const std::string& shown) {
+  const JsonValue* store = json.find("store");
+  if (store == nullptr) return SiteStore();
+  SiteStore found{.objects = store->text_of("objects"), .scripts = store->text_of("scripts")};
+  if (!is_store_address(found.objects) || !is_sha256(found.scripts))
+    return no_site(shown, "its `store` is no store of objects");
+  return found;
+}
+
+/// R2W0605 they do not make up the file.
+Outcome<std::vector<FilePart>> read_parts(const JsonValue& file, std::uint64_t whole,
+                                          const std::string& shown) {
+  std::vector<FilePart> parts;
+  const JsonValue* list = file.find("parts");
+  if (list == nullptr) return parts;
+  std::uint64_t left = whole;
+  for (const JsonValue& one : list->items()) {
+    const JsonValue* size = one.find("size");
+    const auto bytes = size == nullptr ? std::nullopt : size->unsigned_integer();
+    FilePart part{.size = bytes.value_or(0), .sha256 = one.text_of("sha256")};
+    if (!bytes || *bytes > left || !is_sha256(part.sha256)) {
+      left = 1;
+      break;
+    }
+    left -= *bytes;
+    parts.push_back(std::move(part));
+  }
+  if (left != 0 || parts.empty())
+    return no_site(shown, "the parts of `" + file.text_of("path") + "` do not make it up");
+  return parts;
+}
+
+Kept kept_of(std::string_view word) {
+  for (const Kept kept : {Kept::kObject, Kept::kScript}) {
+    if (word == word_of(kept)) return kept;
+  }
+  return Kept::kBeside;
+}
+
 }  // namespace
+
+std::vector<std::string> places_of(const ListedFile& file, const SiteList& list) {
+  return site_places(file.path, file.sha256, file.kept, file.parts, list.store);
+}
 
 Outcome<SiteList> read_site_list(std::string_view site_json, const std::string& shown) {
   const auto json = parse_json(site_json, shown, "R2W0605");
@@ -35,6 +79,9 @@ Outcome<SiteList> read_site_list(std::string_view site_json, const std::string& 
                 .generator = json->text_of("generator"),
                 .carried_page_sha256 = json->text_of("carried_page_sha256"),
                 .files = {}};
+  auto store = read_store(*json, shown);
+  if (!store) return std::move(store).errors();
+  list.store = std::move(*store);
   if (!list.generator.starts_with(kSiteGenerator))
     return no_site(shown, "its `generator` is not ros2wasm");
   const JsonValue* files = json->find("files");
@@ -51,9 +98,30 @@ Outcome<SiteList> read_site_list(std::string_view site_json, const std::string& 
       return no_site(shown, "`" + file.path + "` has no size that can be, or no sha256");
     if (auto refusal = refuse_site_path(file.path)) return *refusal;
     if (!seen.insert(file.path).second) return no_site(shown, "`" + file.path + "` stands twice");
+    auto parts = read_parts(one, file.size, shown);
+    if (!parts) return std::move(parts).errors();
+    file.parts = std::move(*parts);
+    file.kept = kept_of(one.text_of("kept"));
     list.files.push_back(std::move(file));
   }
   return list;
+}
+
+std::string percent_encoded(std::string_view path) {
+  constexpr std::string_view kHex = "0123456789ABCDEF";
+  constexpr std::string_view kPlain = "-._~/!$&'()*+,;=:@";
+  std::string result;
+  for (const char letter : path) {
+    const auto byte = static_cast<unsigned char>(letter);
+    const bool alphanumeric = (byte >= '0' && byte <= '9') || (byte >= 'a' && byte <= 'z') ||
+                              (byte >= 'A' && byte <= 'Z');
+    if (alphanumeric || kPlain.find(letter) != std::string_view::npos) {
+      result += letter;
+    } else {
+      result += {'%', kHex[byte >> 4U], kHex[byte & 15U]};
+    }
+  }
+  return result;
 }
 
 std::string hash_list(const SiteList& list) {

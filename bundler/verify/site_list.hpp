@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bundler/plan/site_place.hpp"
 #include "workspace_schema/outcome.hpp"
 
 namespace ros2wasm {
@@ -17,6 +18,8 @@ struct ListedFile {
   std::uint64_t size = 0;
   std::string sha256;  ///< 64 hex digits
   std::string reason;
+  Kept kept = Kept::kBeside;
+  std::vector<FilePart> parts = {};  ///< of that size together
 };
 
 struct SiteList {
@@ -24,12 +27,19 @@ struct SiteList {
   std::string generator;
   std::string carried_page_sha256;  ///< of the page that `pack -o NAME.html` puts files into
   std::vector<ListedFile> files;    ///< in the order of the text
+  SiteStore store = {};
 };
+
+/// Relative to site.json, in the order of its parts.
+[[nodiscard]] std::vector<std::string> places_of(const ListedFile& file, const SiteList& list);
 
 /// `shown` names the text in diagnostics. R2W0605 not a site.json of ours, R2W0608 a path that
 /// leads out of the site.
 [[nodiscard]] Outcome<SiteList> read_site_list(std::string_view site_json,
                                                const std::string& shown);
+
+/// A path in an address.
+[[nodiscard]] std::string percent_encoded(std::string_view path);
 
 /// What its SHA256SUMS says.
 [[nodiscard]] std::string hash_list(const SiteList& list);

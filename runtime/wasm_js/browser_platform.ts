@@ -1,6 +1,6 @@
 // A browser page as the place where a site runs.
 
-import { fetchOfSite, workerFiles } from './carried_files.ts';
+import { fetchOfSite, setPlaces, type WorkerFile, workerFiles } from './carried_files.ts';
 import { ExpectedFiles } from './expected_files.ts';
 import { keptBytes } from './kept_bytes.ts';
 import { keptTexts } from './kept_texts.ts';
@@ -48,9 +48,9 @@ export interface BrowserPlatform extends Platform {
 
 /**
  * Workers start from a blob: URL of the script. Such a worker has the page's Content-Security-Policy, whatever headers
- * the host sends; a worker from a plain URL would have only the host's.
+ * the host sends; a worker from a plain URL would have only the host's. `early`: where the script lies, if not at its path.
  */
-export function browserPlatform(base: URL, script: string): BrowserPlatform {
+export function browserPlatform(base: URL, script: string, early?: string): BrowserPlatform {
   const modules = new Map<string, Promise<WebAssembly.Module>>();
   const expected = new ExpectedFiles();
   let known: () => void = () => undefined;
@@ -65,8 +65,8 @@ export function browserPlatform(base: URL, script: string): BrowserPlatform {
   };
   const bytes = async (path: string): Promise<ArrayBuffer> =>
     checked(path, await (await get(path, base)).arrayBuffer());
-  const scriptUrl = Promise.all([get(script, base).then((response) => response.arrayBuffer()), list])
-    .then(([early]) => checked(script, early))
+  const scriptUrl = Promise.all([get(early ?? script, base).then((response) => response.arrayBuffer()), list])
+    .then(([text]) => checked(script, text))
     .then(async (text): Promise<WorkerScript> => ({
       url: URL.createObjectURL(new Blob([text], { type: 'text/javascript' })), files: await workerFiles(base, paths),
     }));
@@ -86,6 +86,7 @@ export function browserPlatform(base: URL, script: string): BrowserPlatform {
     },
     expect: (files) => {
       expected.set(files);
+      setPlaces(files);
       paths = files.map(({ path }) => path);
       known();
     },
@@ -116,7 +117,7 @@ export function browserPlatform(base: URL, script: string): BrowserPlatform {
 
 interface WorkerScript {
   readonly url: string;
-  readonly files: ReadonlyMap<string, Blob> | undefined;
+  readonly files: ReadonlyMap<string, WorkerFile> | undefined;
 }
 
 /** Keeps orders until the script is there. */

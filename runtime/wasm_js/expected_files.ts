@@ -36,7 +36,7 @@ export class ExpectedFiles {
   }
 }
 
-async function sha256Of(bytes: Bytes): Promise<string> {
+export async function sha256Of(bytes: Bytes): Promise<string> {
   // The browser has its own hash on https:// and localhost only.
   if (globalThis.crypto?.subtle === undefined) {
     const sum = new RunningSha256();

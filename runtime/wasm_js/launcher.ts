@@ -3,6 +3,7 @@
 import { type Broker, PortBroker, SharedBroker, type SharedBrokerOptions, steppedBus } from './broker.ts';
 import { browserPlatform } from './browser_platform.ts';
 import { carriedFiles } from './carried_files.ts';
+import { earlierPack } from './earlier_pack.ts';
 import { whenIdle } from './idle.ts';
 import { isolate, keepOffline } from './isolation.ts';
 import { givenInAddress } from './launch_arguments.ts';
@@ -94,8 +95,15 @@ export async function startSession(options: LaunchOptions = {}): Promise<Session
     const isolation = await isolate(serviceWorker);
     if (isolation === 'reloading') return new Promise(() => undefined);
   }
-  const platform = browserPlatform(base, 'node_worker.js');
+  const platform = browserPlatform(base, 'node_worker.js', document.documentElement.dataset['worker']);
   const packed = readSite(await platform.json('site.json'));
+  if (packed.stored === true) {
+    const earlier = await earlierPack(base, location.hash);
+    if (earlier !== undefined) {
+      location.replace(new URL(location.search + location.hash, earlier));
+      return new Promise(() => undefined);
+    }
+  }
   platform.expect(packed.files);
   const given = givenInAddress(location.search);
   const begun = performance.now();

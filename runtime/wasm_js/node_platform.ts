@@ -9,6 +9,7 @@ import type { loadPyodide } from 'pyodide';
 import { ExpectedFiles } from './expected_files.ts';
 import type { WorkerReport } from './node_worker.ts';
 import type { Platform, WorkerEvents, WorkerHandle } from './platform.ts';
+import { plainFolder } from './plain_folder.ts';
 import type { WorkerFiles } from './python_program.ts';
 import { SiteError } from './site_error.ts';
 import type { ReadNow } from './site_files.ts';
@@ -53,9 +54,11 @@ export function nodePlatform(folder: string, entry: URL): Platform & { close(): 
   const workers = new Set<Worker>();
 
   const expected = new ExpectedFiles();
+  let plain: ReturnType<typeof plainFolder>;
+  const place = (): string => plain?.place ?? folder;
 
   const compile = async (path: string): Promise<WebAssembly.Module> => {
-    const bytes = await expected.checked(path, await bytesOf(folder, path));
+    const bytes = await expected.checked(path, await bytesOf(place(), path));
     try {
       return await WebAssembly.compile(bytes);
     } catch (error) {
@@ -63,16 +66,21 @@ export function nodePlatform(folder: string, entry: URL): Platform & { close(): 
     }
   };
   return {
-    place: folder,
+    get place() {
+      return place();
+    },
     json: async (path) => {
-      const text = (await bytesOf(folder, path)).toString('utf8');
+      const text = (await bytesOf(place(), path)).toString('utf8');
       try {
         return JSON.parse(text) as unknown;
       } catch (error) {
         throw new SiteError('R2W0700', `${path}: ${error instanceof Error ? error.message : String(error)}`);
       }
     },
-    expect: (files) => expected.set(files),
+    expect: (files) => {
+      expected.set(files);
+      plain = plainFolder(folder, files);
+    },
     compile: (path) => {
       let module = modules.get(path);
       if (module === undefined) {
@@ -82,7 +90,7 @@ export function nodePlatform(folder: string, entry: URL): Platform & { close(): 
       return module;
     },
     bytes: async (path) => {
-      const { buffer, byteOffset, byteLength } = await expected.checked(path, await bytesOf(folder, path));
+      const { buffer, byteOffset, byteLength } = await expected.checked(path, await bytesOf(place(), path));
       return buffer.slice(byteOffset, byteOffset + byteLength);
     },
     startWorker: (name, events: WorkerEvents): WorkerHandle => {
@@ -106,6 +114,7 @@ export function nodePlatform(folder: string, entry: URL): Platform & { close(): 
     frame: (task) => void setImmediate(task),
     close: () => {
       for (const worker of workers) void worker.terminate();
+      plain?.close();
     },
   };
 }

@@ -1,5 +1,6 @@
 // Entry of every node worker and thread worker, in browsers and (through node_thread.ts) under Node.js.
 
+import type { WorkerFile } from './carried_files.ts';
 import { ConsoleSender, type SentLine } from './console_sender.ts';
 import type { ThreadRequest } from './env_imports.ts';
 import type { Link } from './link.ts';
@@ -58,12 +59,12 @@ export type WorkerReport =
   /** `closed`: the worker took leave of the graph. */
   | { readonly t: 'end'; readonly end: ProgramEnd; readonly closed: boolean };
 
-/** In a browser, before all orders: the lock to hold as long as the worker lives (worker_life.ts), and files that the page
- * carries, by the addresses that they would have. */
+/** In a browser, before all orders: the lock to hold as long as the worker lives (worker_life.ts), and files that lie
+ * elsewhere than beside site.json, by the addresses that they would have there. */
 export interface HoldOrder {
   readonly t: 'hold';
   readonly life: string;
-  readonly files?: ReadonlyMap<string, Blob> | undefined;
+  readonly files?: ReadonlyMap<string, WorkerFile> | undefined;
 }
 
 export type WorkerOrder =

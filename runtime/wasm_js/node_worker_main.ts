@@ -1,45 +1,50 @@
 // The script of a node worker in a browser.
 
 import type { loadPyodide } from 'pyodide';
-import { fetchNow } from './fetch_now.ts';
+import type { WorkerFile } from './carried_files.ts';
+import { fetchNow, joinedBytes } from './fetch_now.ts';
 import { type HoldOrder, serveWorker, type WorkerOrder } from './node_worker.ts';
 import type { PythonRuntime } from './python_program.ts';
 import { holdLife } from './worker_life.ts';
 
 const scope = self as unknown as DedicatedWorkerGlobalScope;
 
-let carried: ReadonlyMap<string, Blob> | undefined;
+let elsewhere: ReadonlyMap<string, WorkerFile> | undefined;
 const made = new Map<string, string>();
 
-/** Where it is that has this address in the site. */
-function addressOf(address: string): string {
-  const file = carried?.get(address);
-  if (file === undefined) return address;
+/** Where it is, part by part, that has this address beside site.json. */
+function addressesOf(address: string): readonly string[] {
+  const file = elsewhere?.get(address);
+  if (file === undefined) return [address];
+  if (!(file instanceof Blob)) return file;
   const own = made.get(address) ?? URL.createObjectURL(file);
   made.set(address, own);
-  return own;
+  return [own];
 }
 
 function load(url: string): void {
   try {
-    scope.importScripts(addressOf(url));
+    scope.importScripts(...addressesOf(url));
   } catch (error) {
     throw new Error(`the site's file ${url} cannot be loaded: ${error instanceof Error ? error.message : String(error)}`);
   }
 }
 
-const handle = serveWorker((report) => scope.postMessage(report), fetchNow(addressOf), {
+const handle = serveWorker((report) => scope.postMessage(report), fetchNow(addressesOf), {
   files: {
     pyodide: async (home) => {
       load(`${home}pyodide.js`);
       // Pyodide would load it from its own folder, where it is not.
-      if (carried !== undefined) load(`${home}pyodide.asm.js`);
+      if (elsewhere !== undefined) load(`${home}pyodide.asm.js`);
       return (scope as unknown as { loadPyodide: typeof loadPyodide }).loadPyodide;
     },
     bytes: async (place) => {
-      const response = await fetch(addressOf(place));
-      if (!response.ok) throw new Error(`${place} cannot be fetched: the host answers ${response.status}`);
-      return new Uint8Array(await response.arrayBuffer());
+      const parts = await Promise.all(addressesOf(place).map(async (address) => {
+        const response = await fetch(address);
+        if (!response.ok) throw new Error(`${place} cannot be fetched: the host answers ${response.status}`);
+        return response.arrayBuffer();
+      }));
+      return joinedBytes(parts);
     },
   },
   python: async (base) => {
@@ -50,7 +55,7 @@ const handle = serveWorker((report) => scope.postMessage(report), fetchNow(addre
 let held = Promise.resolve();
 scope.onmessage = ({ data: order }: MessageEvent<HoldOrder | WorkerOrder>) => {
   if (order.t === 'hold') {
-    carried = order.files;
+    elsewhere = order.files;
     held = holdLife(order.life);
   } else void held.then(() => handle(order));
 };

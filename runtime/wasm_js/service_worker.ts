@@ -2,6 +2,8 @@
 // response, worker scripts too; keeps the site for visits without a network, by content: site.json names the sha256 of
 // each file, and a file is taken from the cache only under the hash that the newest site.json gives it.
 
+import { type ListedPlace, placesOf, readStore } from './site_places.ts';
+
 const scope = self as unknown as ServiceWorkerGlobalScope;
 const cacheName = `ros2wasm ${scope.registration.scope}`;
 
@@ -16,7 +18,7 @@ const headers: readonly (readonly [string, string])[] = [
   ['X-Content-Type-Options', 'nosniff'],
 ];
 
-/** Absolute URL of a file -> its sha256, by the newest site.json. */
+/** Absolute URL of a file, or of a part of one -> its sha256, by the newest site.json. */
 type Manifest = ReadonlyMap<string, string>;
 
 function withHeaders(response: Response): Response {
@@ -34,10 +36,12 @@ function siteUrl(): string {
 function parseManifest(text: string): Manifest {
   const map = new Map<string, string>();
   try {
-    const site = JSON.parse(text) as { files?: { path?: unknown; sha256?: unknown }[] };
-    for (const { path, sha256 } of site.files ?? []) {
-      if (typeof path === 'string' && typeof sha256 === 'string' && sha256 !== '') {
-        map.set(new URL(path, scope.registration.scope).href, sha256);
+    const site = JSON.parse(text) as { store?: unknown; files?: Partial<ListedPlace>[] };
+    const store = readStore(site.store);
+    for (const { path, sha256, ...rest } of site.files ?? []) {
+      if (typeof path !== 'string' || typeof sha256 !== 'string' || sha256 === '') continue;
+      for (const place of placesOf({ path, sha256, ...rest }, store)) {
+        map.set(new URL(place.at, scope.registration.scope).href, place.sha256);
       }
     }
   } catch {
@@ -102,6 +106,8 @@ async function answer(event: FetchEvent): Promise<Response> {
   // A visit begins with what the site is now.
   if (request.mode === 'navigate') await freshSite().catch(() => undefined);
   const sha256 = (await currentManifest()).get(file);
+  // Not of this site.
+  if (sha256 === undefined && !url.startsWith(scope.registration.scope)) return fetch(request);
   const cache = await caches.open(cacheName);
   const kept = sha256 === undefined ? undefined : await cache.match(keyOf(file, sha256));
   if (kept !== undefined) return withHeaders(kept);
@@ -145,7 +151,8 @@ scope.addEventListener('install', () => void scope.skipWaiting());
 scope.addEventListener('activate', (event) => event.waitUntil(scope.clients.claim()));
 scope.addEventListener('fetch', (event) => {
   const { request } = event;
-  if (request.method !== 'GET' || !request.url.startsWith(scope.registration.scope)) return;
+  // A store that sites share lies beside them.
+  if (request.method !== 'GET' || !request.url.startsWith(new URL('/', scope.registration.scope).href)) return;
   // A browser quirk: such a request must not be answered.
   if (request.cache === 'only-if-cached' && request.mode !== 'same-origin') return;
   event.respondWith(answer(event));

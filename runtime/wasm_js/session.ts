@@ -124,6 +124,8 @@ export interface SiteFile {
   readonly size: number;
   readonly sha256: string;
   readonly reason: string;
+  /** Where it lies, relative to site.json: in parts, one after the other. Without it, at its path. */
+  readonly at?: readonly string[];
 }
 
 export interface LaunchArgument {
@@ -205,6 +207,8 @@ export interface SiteDescription {
   readonly notebook?: SiteNotebook;
   readonly ui: Readonly<Record<string, unknown>>;
   readonly files: readonly SiteFile[];
+  /** It shares a store with other sites, and with what it was before. */
+  readonly stored?: true;
 }
 
 export type LinkKind = 'shared' | 'port';

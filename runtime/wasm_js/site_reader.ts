@@ -4,7 +4,8 @@ import { protocolVersion } from '../protocol/generated/constants.ts';
 import { readCheck } from './check_reader.ts';
 import type { SiteNotebook } from './notebook_kernel.ts';
 import { SiteError } from './site_error.ts';
-import { fail, flag, list, number, object, path, readSource, text } from './site_values.ts';
+import { type FilePart, placesOf, readStore, type SiteStore } from './site_places.ts';
+import { fail, flag, type Json, list, number, object, path, readSource, text } from './site_values.ts';
 import type {
   LaunchArgument, LaunchMoment, LaunchPython, LaunchStep, LaunchView, LineTest, NodeMoment, PythonProgram, SiteAuthor, SiteCitation,
   SiteDescription, SiteFile, SiteNode,
@@ -113,14 +114,28 @@ function readNode(value: unknown, what: string): SiteNode {
   };
 }
 
-function readFile(value: unknown, what: string): SiteFile {
+function readHash(json: Json, what: string): string {
+  const hash = text(json, 'sha256', what);
+  return /^[0-9a-f]{64}$/.test(hash) ? hash : fail(`${what}.sha256 is no sha256`);
+}
+
+function readPart(value: unknown, what: string): FilePart {
   const json = object(value, what);
-  return {
+  return { size: number(json, 'size', what), sha256: readHash(json, what) };
+}
+
+function readFile(value: unknown, what: string, store: SiteStore | undefined): SiteFile {
+  const json = object(value, what);
+  const file = {
     path: path(text(json, 'path', what), what),
     size: number(json, 'size', what, 0),
     sha256: text(json, 'sha256', what, ''),
     reason: text(json, 'reason', what, ''),
   };
+  if (json['kept'] === undefined && json['parts'] === undefined) return file;
+  const kept = json['kept'] === undefined ? {} : { kept: text(json, 'kept', what) };
+  const parts = json['parts'] === undefined ? {} : { parts: list(json, 'parts', what, readPart) };
+  return { ...file, at: placesOf({ path: file.path, sha256: readHash(json, what), ...kept, ...parts }, store).map(({ at }) => at) };
 }
 
 /** In launch order, with ids of their own. `value`: has them as `nodes`. */
@@ -226,6 +241,7 @@ export function readSite(value: unknown): SiteDescription {
   const ids = new Set(nodes.map((node) => node.id));
   const launchSteps = readSteps(json['launch'] ?? {}, ids);
   const interfaces = text(json, 'interfaces', 'site', '');
+  const store = json['store'] === undefined ? undefined : readStore(json['store']) ?? fail('site.store is no store of objects');
   return {
     protocol,
     generator: text(json, 'generator', 'site', ''),
@@ -245,6 +261,7 @@ export function readSite(value: unknown): SiteDescription {
     checks: list(json, 'checks', 'site', (item, what) => readCheck(item, what, ids)),
     ...(json['notebook'] === undefined ? {} : { notebook: readNotebook(json['notebook']) }),
     ui: object(json['ui'] ?? {}, 'site.ui'),
-    files: list(json, 'files', 'site', readFile),
+    files: list(json, 'files', 'site', (item, what) => readFile(item, what, store)),
+    ...(store === undefined ? {} : { stored: true }),
   };
 }

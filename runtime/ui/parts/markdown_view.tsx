@@ -5,7 +5,7 @@ import { createElement } from 'preact';
 import type { ComponentChildren } from 'preact';
 import type { Tokens } from 'marked';
 import { useEffect, useState } from 'preact/hooks';
-import { addressBeside, addressOfSite, carriedFiles } from '../../wasm_js/carried_files.ts';
+import { addressBeside, addressOfSite } from '../../wasm_js/carried_files.ts';
 import { headingId, readMarkdown, sitePath } from '../model/markdown.ts';
 import type { MarkdownToken } from '../model/markdown.ts';
 import { isPageAction, readPageAction } from '../model/page_action.ts';
@@ -205,7 +205,7 @@ function image(token: Tokens.Image, context: Context): ComponentChildren {
 
 /** At once where the file lies beside the page. */
 function SiteImage({ path, words }: { readonly path: string; readonly words: string }) {
-  const [address, setAddress] = useState(carriedFiles() === undefined ? addressBeside(path) : undefined);
+  const [address, setAddress] = useState(addressBeside(path));
   useEffect(() => {
     // One that cannot be had leaves its words.
     if (address === undefined) void addressOfSite(path).then(setAddress, () => undefined);

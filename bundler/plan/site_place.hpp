@@ -1,0 +1,37 @@
+// Where the files of a site lie. Most sites have them beside site.json, under their paths. Sites
+// that share a store have there, under its sha256, what does not belong to them alone; and a file
+// that is too large for a host lies in parts. Pure; runtime/wasm_js/site_places.ts is the same.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ros2wasm {
+
+struct SiteStore {
+  std::string objects;  ///< relative to site.json, with `/` at the end; empty: there is none
+  std::string scripts;  ///< folder there of the page's modules, which find each other by name
+};
+
+enum class Kept { kBeside, kObject, kScript };
+
+struct FilePart {
+  std::uint64_t size = 0;
+  std::string sha256;
+};
+
+/// `../objects/`: upwards, and then into folders with plain names.
+[[nodiscard]] bool is_store_address(std::string_view address);
+
+/// Relative to site.json; of a file in parts more than one, in their order.
+[[nodiscard]] std::vector<std::string> site_places(const std::string& path,
+                                                   const std::string& sha256, Kept kept,
+                                                   const std::vector<FilePart>& parts,
+                                                   const SiteStore& store);
+
+/// As site.json says it; empty for what lies beside it.
+[[nodiscard]] std::string_view word_of(Kept kept);
+
+}  // namespace ros2wasm

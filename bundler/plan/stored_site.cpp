@@ -1,0 +1,88 @@
+// See stored_site.hpp.
+#include "bundler/plan/stored_site.hpp"
+
+#include <algorithm>
+#include <map>
+#include <vector>
+
+#include "bundler/io/sha256.hpp"
+#include "bundler/render/html_text.hpp"
+
+namespace ros2wasm {
+namespace {
+
+constexpr const char* kPage = "index.html";
+constexpr const char* kServiceWorker = "service_worker.js";
+/// It is asked for before site.json is read.
+constexpr const char* kWorker = "node_worker.js";
+
+void set_parts(PlannedFile& file, const std::vector<std::size_t>& sizes) {
+  std::size_t at = 0;
+  for (const std::size_t size : sizes) {
+    file.parts.push_back(
+        {.size = size, .sha256 = sha256_hex(std::string_view(file.bytes).substr(at, size))});
+    at += size;
+  }
+}
+
+/// The page, whose elements find the files where they lie.
+std::string placed_page(std::string page, const SitePlan& plan) {
+  std::map<std::string, std::vector<std::string>> places;
+  for (const PlannedFile& file : plan.files) places[html_text(file.path)] = places_of(file, plan);
+  std::string result;
+  std::size_t done = 0;
+  while (done < page.size()) {
+    const std::size_t end = std::min(page.find('\n', done), page.size() - 1) + 1;
+    const std::string line = page.substr(done, end - done);
+    done = end;
+    const std::size_t attribute = std::min(line.find("href=\""), line.find(" src=\""));
+    if (attribute == std::string::npos) {
+      result += line;
+      continue;
+    }
+    const std::size_t begin = line.find('"', attribute) + 1;
+    const std::size_t close = line.find('"', begin);
+    const auto found = places.find(line.substr(begin, close - begin));
+    if (found == places.end()) {
+      result += line;
+      continue;
+    }
+    // What lies in parts is asked for part by part.
+    for (const std::string& place : found->second)
+      result += line.substr(0, begin) + html_text(place) + line.substr(close);
+  }
+  const auto worker = places.find(kWorker);
+  constexpr std::string_view kRoot = "<html";
+  const std::size_t root = result.find(kRoot);
+  if (!plan.store.objects.empty() && worker != places.end() && root != std::string::npos) {
+    result.insert(root + kRoot.size(),
+                  " data-worker=\"" + html_text(worker->second.front()) + "\"");
+  }
+  return result;
+}
+
+}  // namespace
+
+void keep_in_store(SitePlan& plan) {
+  if (plan.store.objects.empty()) return;
+  for (PlannedFile& file : plan.files) {
+    if (file.kept == Kept::kBeside && file.path != kPage && file.path != kServiceWorker)
+      file.kept = Kept::kObject;
+  }
+}
+
+void place_page(SitePlan& plan) {
+  for (PlannedFile& file : plan.files) {
+    if (file.path != kPage) continue;
+    file.bytes = placed_page(std::move(file.bytes), plan);
+    file.sha256 = sha256_hex(file.bytes);
+  }
+}
+
+void share_texts(PlannedFile& licenses) {
+  const std::size_t texts = licenses.bytes.find("\n====");
+  if (texts == std::string::npos) return;
+  set_parts(licenses, {texts, licenses.bytes.size() - texts});
+}
+
+}  // namespace ros2wasm

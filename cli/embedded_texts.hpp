@@ -14,7 +14,7 @@ struct EmbeddedText {
 /// cli/explain/: name is the code; the first line of the text is `# CODE: title`. Sorted by name.
 [[nodiscard]] std::span<const EmbeddedText> explain_pages();
 
-/// workspace_schema/schemas/: "events" and "workspace". Sorted by name.
+/// workspace_schema/schemas/: "course", "events" and "workspace". Sorted by name.
 [[nodiscard]] std::span<const EmbeddedText> json_schemas();
 
 }  // namespace ros2wasm

@@ -1,6 +1,7 @@
 // `ros2wasm pack [WORKSPACE]`: from a ROS 2 workspace to a site.
 #include <memory>
 
+#include "bundler/course.hpp"
 #include "bundler/pipeline.hpp"
 #include "bundler/plan/shipped_channel.hpp"
 #include "cli/arguments.hpp"
@@ -23,6 +24,7 @@ struct Options {
   bool strict = false;
   std::string archive_limits;
   std::string store;
+  bool prune = false;
 };
 
 std::string column(std::uint64_t size) {
@@ -70,8 +72,36 @@ std::string kilobytes(std::uint64_t bytes) {
   return std::to_string((bytes + 999) / 1000) + " kB";
 }
 
+int run_course(Context& context, const CourseRequest& request) {
+  const auto report = pack_course(request, context.cancellation, context.progress);
+  if (!report) return context.console.fail(report.errors());
+  Console& console = context.console;
+  for (const Diagnostic& warning : report->warnings) console.report(warning);
+  for (const std::string& remark : report->remarks) console.remark(remark);
+  if (context.json) {
+    JsonWriter json;
+    json.begin_object().field("course", request.pack.output.string());
+    json.field("sha256", report->sha256).key("bytes").unsigned_integer(report->bytes);
+    json.key("labs").begin_array();
+    for (const PackedLab& lab : report->labs) {
+      json.begin_object().field("name", lab.name).field("title", lab.title);
+      json.field("sha256", lab.sha256).end_object();
+    }
+    json.end_array().end_object();
+    console.result(json.text());
+    return 0;
+  }
+  for (const PackedLab& lab : report->labs)
+    console.remark(lab.name + " sha256 " + lab.sha256 + ", " + lab.title);
+  console.remark(std::to_string(report->labs.size()) + " labs, " + kilobytes(report->bytes) +
+                 (report->removed == 0 ? "" : ", " + kilobytes(report->removed) + " were removed"));
+  console.remark("sha256 " + report->sha256);
+  console.result(request.pack.output.string());
+  return 0;
+}
+
 int run(Context& context, const Options& options) {
-  const auto report = pack({.input = options.input,
+  const PackRequest request{.input = options.input,
                             .output = options.output,
                             .locked = options.locked,
                             .frozen = options.frozen,
@@ -84,8 +114,18 @@ int run(Context& context, const Options& options) {
                             .quick = options.quick,
                             .strict = options.strict,
                             .store = options.store,
-                            .archive_limits = options.archive_limits},
-                           context.cancellation, context.progress);
+                            .archive_limits = options.archive_limits};
+  if (is_course(options.input))
+    return run_course(context, {.pack = request, .prune = options.prune});
+  if (options.prune) {
+    return context.console.fail(
+        Diagnostic{.code = "R2W0902",
+                   .kind = FailureKind::kCommandLine,
+                   .message = "--prune is for courses",
+                   .why = {"only a course knows all sites of its store"},
+                   .fix = {"remove the folder of an earlier pack, SITE@HASH, by hand"}});
+  }
+  const auto report = pack(request, context.cancellation, context.progress);
   if (!report) return context.console.fail(report.errors());
   for (const Diagnostic& warning : report->warnings) context.console.report(warning);
   for (const std::string& remark : report->remarks) context.console.remark(remark);
@@ -116,7 +156,8 @@ CommandBody pack_command(Arguments& arguments) {
   const auto options = std::make_shared<Options>();
   arguments.optional(
       "WORKSPACE", options->input,
-      "a workspace.yaml, or a folder with ROS 2 packages (default: the current folder)");
+      "a workspace.yaml, a folder with ROS 2 packages (default: the current folder), or a "
+      "course.yaml");
   arguments.value(
       "-o,--output", options->output, "FOLDER",
       "where to write the site (default: site); NAME.zip: as one archive, NAME.html: as one "
@@ -130,6 +171,8 @@ CommandBody pack_command(Arguments& arguments) {
   arguments.value("--store", options->store, "FOLDER",
                   "keep files there that sites share, by their sha256, and earlier packs beside "
                   "the site");
+  arguments.flag("--prune", options->prune,
+                 "of a course: remove earlier packs of its labs, and what only they have");
   arguments.flag("--plan", options->plan,
                  "print every file with size, hash and reason; write no site");
   arguments.flag("--quick", options->quick,

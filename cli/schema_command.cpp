@@ -11,7 +11,8 @@ CommandBody schema_command(Arguments& arguments) {
   const auto which = std::make_shared<std::string>("workspace");
   std::vector<std::string> names;
   for (const EmbeddedText& schema : json_schemas()) names.emplace_back(schema.name);
-  arguments.choice("--of", *which, names, "workspace.yaml (the default), or the events of --json");
+  arguments.choice("--of", *which, names,
+                   "workspace.yaml (the default), course.yaml, or the events of --json");
   arguments.examples({"ros2wasm schema > workspace.schema.json"});
   return [which](Context& context) {
     for (const EmbeddedText& schema : json_schemas()) {

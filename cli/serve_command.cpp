@@ -71,7 +71,7 @@ int serve(Context& context, const Options& options) {
     if (context.cancellation.requested()) return static_cast<int>(FailureKind::kInterrupted);
     context.console.remark("Watching " + *options.watch + " for changes.");
   }
-  if (const auto site = check_site(options.site); !site)
+  if (const auto site = check_site(options.site, CourseToo::kYes); !site)
     return failure != 0 ? failure : context.console.fail(site.errors());
   std::error_code error;
   const ServedPlace place = served_place(std::filesystem::absolute(options.site, error));

@@ -1,6 +1,8 @@
 // `ros2wasm verify SITE|URL`: whether every byte of a site is the one it was packed with.
 #include <memory>
 
+#include "bundler/render/own_site.hpp"
+#include "bundler/verify/course_check.hpp"
 #include "bundler/verify/site_check.hpp"
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
@@ -71,6 +73,8 @@ int verify(Context& context, const Options& options) {
                                               context.cancellation, context.progress)
                      : options.site.ends_with(".html")
                          ? check_site_page(options.site, context.cancellation, context.progress)
+                     : is_course_of_ours(options.site)
+                         ? check_course_folder(options.site, context.cancellation, context.progress)
                          : check_site_folder(options.site, context.cancellation, context.progress);
   if (!check) return context.console.fail(check.errors());
   Diagnostics faults = check->faults;

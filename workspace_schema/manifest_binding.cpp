@@ -222,6 +222,16 @@ std::optional<Spanned<std::string>> Binder::path(const YamlNode& node, const std
   return std::nullopt;
 }
 
+Diagnostics Binder::errors_in_order() {
+  const auto place = [](const Diagnostic& one) {
+    return one.span ? std::pair(one.span->line, one.span->column) : std::pair(0U, 0U);
+  };
+  std::stable_sort(
+      errors_.begin(), errors_.end(),
+      [&place](const Diagnostic& a, const Diagnostic& b) { return place(a) < place(b); });
+  return take_errors();
+}
+
 void Binder::list(const YamlNode& node, const std::string& what,
                   const std::function<void(const YamlNode&)>& each) {
   if (node.kind != YamlKind::kSequence) {

@@ -84,6 +84,8 @@ class Binder {
   Diagnostic* missing(const YamlNode& map, const std::string& what, const std::string& key);
 
   [[nodiscard]] Diagnostics take_errors() { return std::move(errors_); }
+  /// In the order of the text.
+  [[nodiscard]] Diagnostics errors_in_order();
   [[nodiscard]] Diagnostics take_warnings() { return std::move(warnings_); }
   [[nodiscard]] bool failed() const { return !errors_.empty(); }
   void add(Diagnostics found);

@@ -331,10 +331,7 @@ Outcome<Manifest> read_manifest(std::string_view text, const std::string& file) 
   if (value_of(root, "schema") == nullptr) check_schema(binder, root);
   Manifest manifest = Reader(binder, root, file).read();
   if (binder.failed()) {
-    Diagnostics errors = binder.take_errors();
-    std::stable_sort(errors.begin(), errors.end(), [](const Diagnostic& a, const Diagnostic& b) {
-      return std::pair(a.span->line, a.span->column) < std::pair(b.span->line, b.span->column);
-    });
+    Diagnostics errors = binder.errors_in_order();
     for (Diagnostic& doubt : binder.take_warnings()) errors.push_back(std::move(doubt));
     return errors;
   }

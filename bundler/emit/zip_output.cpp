@@ -41,14 +41,20 @@ std::optional<Diagnostic> refuse_zip(const fs::path& file) {
       .fix = {"choose another place with -o"}};
 }
 
+std::optional<Diagnostic> refuse_zip_size(const fs::path& file, std::size_t members,
+                                          std::uint64_t bytes) {
+  if (members > kMostMembers)
+    return too_large(file, "it has " + std::to_string(members) + " files");
+  if (bytes > kMostBytes) return too_large(file, "it has " + std::to_string(bytes) + " bytes");
+  return std::nullopt;
+}
+
 Outcome<Done> emit_zip(const SitePlan& plan, const fs::path& file,
                        const Cancellation& cancellation) {
   if (auto refusal = refuse_zip(file)) return *refusal;
-  const std::size_t members = plan.files.size() + plan.channel.size();
-  if (members > kMostMembers)
-    return too_large(file, "it has " + std::to_string(members) + " files");
-  if (const std::uint64_t size = total_size(plan) + channel_size(plan); size > kMostBytes)
-    return too_large(file, "it has " + std::to_string(size) + " bytes");
+  if (auto refusal = refuse_zip_size(file, plan.files.size() + plan.channel.size(),
+                                     total_size(plan) + channel_size(plan)))
+    return *refusal;
   ZipWriter archive;
   const auto add = [&](const std::string& path, std::string_view bytes) -> Outcome<Done> {
     if (cancellation.requested()) return interrupted();

@@ -3,6 +3,7 @@
 // large in a site is compressed already, or by the host.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 
@@ -15,6 +16,10 @@ namespace ros2wasm {
 /// Nothing when a site may be written to `file`: nothing is there, or an archive that emit_zip()
 /// wrote. R2W0601 otherwise.
 [[nodiscard]] std::optional<Diagnostic> refuse_zip(const std::filesystem::path& file);
+
+/// R2W0609 when so many files of so many bytes are too much for an archive.
+[[nodiscard]] std::optional<Diagnostic> refuse_zip_size(const std::filesystem::path& file,
+                                                        std::size_t members, std::uint64_t bytes);
 
 /// R2W0601, R2W0608 a planned path leads out of the site, R2W0609 too large for an archive,
 /// R2W0211. The old archive stays until the new one is complete.

@@ -6,6 +6,7 @@
 
 #include "bundler/io/files.hpp"
 #include "bundler/render/carried_page.hpp"
+#include "bundler/render/course_page.hpp"
 #include "bundler/render/site_json.hpp"
 #include "bundler/verify/site_list.hpp"
 #include "workspace_schema/json_reader.hpp"
@@ -23,17 +24,16 @@ std::uint32_t number_at(std::string_view header, std::size_t at, int bytes) {
   return value;
 }
 
-/// The first member of an archive that emit_zip() wrote; else empty.
-std::string first_site_json(const fs::path& file) {
-  constexpr std::string_view kName = kSiteJsonName;
+/// The first member of an archive of ours, when it has that name; else empty.
+std::string first_member(const fs::path& file, std::string_view name) {
   constexpr std::size_t kHeader = 30;
   std::ifstream in(file, std::ios::binary);
-  std::string header(kHeader + kName.size(), '\0');
+  std::string header(kHeader + name.size(), '\0');
   if (!in.read(header.data(), static_cast<std::streamsize>(header.size()))) return {};
   const std::uint32_t size = number_at(header, 22, 4);
   if (!header.starts_with("PK\3\4") || number_at(header, 8, 2) != 0 ||
-      number_at(header, 26, 2) != kName.size() || number_at(header, 28, 2) != 0 ||
-      !header.ends_with(kName) || size > kMostOfSiteJson)
+      number_at(header, 26, 2) != name.size() || number_at(header, 28, 2) != 0 ||
+      !header.ends_with(name) || size > kMostOfSiteJson)
     return {};
   std::string text(size, '\0');
   if (!in.read(text.data(), static_cast<std::streamsize>(size))) return {};
@@ -54,8 +54,16 @@ bool is_site_of_ours(const fs::path& folder) {
   return text && is_site_json_of_ours(*text);
 }
 
+bool is_course_of_ours(const fs::path& folder) {
+  std::error_code error;
+  if (!fs::is_regular_file(folder / kCourseJsonName, error)) return false;
+  const auto text = read_file(folder / kCourseJsonName);
+  return text && is_site_json_of_ours(*text);
+}
+
 bool is_site_archive_of_ours(const fs::path& file) {
-  return is_site_json_of_ours(first_site_json(file));
+  return is_site_json_of_ours(first_member(file, kSiteJsonName)) ||
+         is_site_json_of_ours(first_member(file, kCourseJsonName));
 }
 
 bool is_site_page_of_ours(const fs::path& file) {

@@ -13,6 +13,9 @@ namespace ros2wasm {
 /// By its site.json.
 [[nodiscard]] bool is_site_of_ours(const std::filesystem::path& folder);
 
+/// By its course.json.
+[[nodiscard]] bool is_course_of_ours(const std::filesystem::path& folder);
+
 /// By its first member, which emit_zip() makes the site.json.
 [[nodiscard]] bool is_site_archive_of_ours(const std::filesystem::path& file);
 

@@ -10,6 +10,7 @@
 
 #include "bundler/io/files.hpp"
 #include "bundler/io/sha256.hpp"
+#include "bundler/render/own_site.hpp"
 #include "bundler/serve/mime_types.hpp"
 #include "bundler/serve/request_rules.hpp"
 #include "bundler/verify/site_list.hpp"
@@ -183,7 +184,7 @@ HttpResponse bare_response(const SiteServing& serving, const HttpRequest& reques
 
 }  // namespace
 
-Outcome<Done> check_site(const std::filesystem::path& folder) {
+Outcome<Done> check_site(const std::filesystem::path& folder, CourseToo course_too) {
   std::error_code error;
   Diagnostic problem{.code = "R2W0612",
                      .message = "`" + folder.string() + "` is not a packed site"};
@@ -191,6 +192,10 @@ Outcome<Done> check_site(const std::filesystem::path& folder) {
     problem.why.push_back("there is no such folder");
   } else if (!std::filesystem::is_directory(folder, error)) {
     problem.why.push_back("it is a file; a site is a folder");
+  } else if (is_course_of_ours(folder)) {
+    if (course_too == CourseToo::kYes) return Done{};
+    problem.why.push_back("it is a course, whose labs are sites");
+    problem.fix.push_back("name one of its labs: `" + (folder / "LAB").string() + "`");
   } else if (!std::filesystem::is_regular_file(folder / "site.json", error)) {
     problem.why.push_back("it has no site.json");
   } else if (!std::filesystem::is_regular_file(folder / "index.html", error)) {

@@ -17,8 +17,11 @@ struct SiteServing {
   std::optional<ReloadHub> reload;  ///< watch mode: pages get the reload script
 };
 
-/// R2W0612 the folder is not a packed site.
-[[nodiscard]] Outcome<Done> check_site(const std::filesystem::path& folder);
+enum class CourseToo { kNo, kYes };
+
+/// R2W0612 the folder is not a packed site, nor, where that will do, a course.
+[[nodiscard]] Outcome<Done> check_site(const std::filesystem::path& folder,
+                                       CourseToo course_too = CourseToo::kNo);
 
 /// What to serve for a site, and where it is in it: a site that shares a store is served with the
 /// folder that both lie in.

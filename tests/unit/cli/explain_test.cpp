@@ -95,8 +95,8 @@ TEST(Explain, PagesHaveTheirForm) {
 }
 
 TEST(Explain, SchemasAreEmbedded) {
-  ASSERT_EQ(json_schemas().size(), 2U);
-  EXPECT_EQ(json_schemas()[1].text, read(kRoot / "workspace_schema/schemas/workspace.schema.json"));
+  ASSERT_EQ(json_schemas().size(), 3U);
+  EXPECT_EQ(json_schemas()[2].text, read(kRoot / "workspace_schema/schemas/workspace.schema.json"));
 }
 
 }  // namespace

@@ -1,0 +1,39 @@
+// What a course has beside its labs: the page that lists them, and course.json. Pure.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bundler/plan/site_plan.hpp"
+#include "workspace_schema/course.hpp"
+#include "workspace_schema/outcome.hpp"
+
+namespace ros2wasm {
+
+inline constexpr const char* kCourseJsonName = "course.json";
+
+/// A lab that is packed.
+struct PackedLab {
+  std::string name;
+  std::string title;
+  std::string description;
+  std::string sha256;  ///< of its site
+};
+
+/// index.html and course.css, and course.json, which lists those and the labs, at the end.
+[[nodiscard]] std::vector<PlannedFile> course_files(const Course& course,
+                                                    const std::vector<PackedLab>& labs);
+
+struct CourseList {
+  std::string hash;  ///< sha256 of course.json: of all labs by their hashes
+  std::string generator;
+  std::vector<PackedLab> labs;
+  std::vector<FilePart> sizes;     ///< of the course's own files
+  std::vector<std::string> files;  ///< their names, which are plain
+};
+
+/// R2W0605 not a course.json of ours.
+[[nodiscard]] Outcome<CourseList> read_course_list(std::string_view text, const std::string& shown);
+
+}  // namespace ros2wasm

@@ -172,6 +172,7 @@ struct Manifest {
   std::vector<Spanned<std::string>> ui_bags;        ///< recordings that the page plays
   std::optional<Spanned<std::string>> ui_notebook;  ///< Jupyter notebook of the notebook panel
   std::map<std::string, std::string> site;          ///< scalar options of `site:`
+  std::vector<Spanned<std::string>> site_embed;     ///< origins of pages that may act on it
   std::vector<Diagnostic> warnings;                 ///< found while reading; show them, then go on
 };
 

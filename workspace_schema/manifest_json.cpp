@@ -206,6 +206,11 @@ std::string manifest_json(const Manifest& manifest) {
       for (const auto& bag : manifest.ui_bags) json.string(bag.value);
       json.end_array();
     }
+    if (options == &manifest.site && !manifest.site_embed.empty()) {
+      json.key("embed").begin_array();
+      for (const auto& origin : manifest.site_embed) json.string(origin.value);
+      json.end_array();
+    }
     json.end_object();
   }
   json.end_object();

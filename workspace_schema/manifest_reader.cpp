@@ -12,6 +12,7 @@
 #include "workspace_schema/manifest_python.hpp"
 #include "workspace_schema/match_spec.hpp"
 #include "workspace_schema/page_layout.hpp"
+#include "workspace_schema/page_origin.hpp"
 #include "workspace_schema/suggestion.hpp"
 #include "workspace_schema/yaml_scalar.hpp"
 
@@ -147,8 +148,14 @@ class Reader {
       if (const YamlNode* notebook = value_of(*node, "notebook"))
         manifest_.ui_notebook = binder_.path(*notebook, "notebook");
     }
-    if (const YamlNode* node = given("site"))
-      read_options(*node, "site", site_options(), {}, manifest_.site);
+    if (const YamlNode* node = given("site")) {
+      read_options(*node, "site", site_options(), {"embed"}, manifest_.site);
+      if (const YamlNode* embed = value_of(*node, "embed")) {
+        manifest_.site_embed = binder_.texts(*embed, "embed", [this](const YamlNode& item) {
+          return binder_.name(item, "an item of `embed`", page_origin_fault);
+        });
+      }
+    }
     return std::move(manifest_);
   }
 

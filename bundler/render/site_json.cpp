@@ -65,6 +65,13 @@ void write_parts(JsonWriter& json, const std::vector<FilePart>& parts) {
   json.end_array();
 }
 
+void write_embed(JsonWriter& json, const Manifest& manifest) {
+  if (manifest.site_embed.empty()) return;
+  json.key("embed").begin_array();
+  for (const auto& origin : manifest.site_embed) json.string(origin.value);
+  json.end_array();
+}
+
 void write_notebook(JsonWriter& json, const PlannedNotebook& notebook) {
   json.key("notebook").begin_object().field("file", notebook.file);
   json.field("program", notebook.program).key("archives").begin_array();
@@ -144,6 +151,7 @@ std::string site_json(const Manifest& manifest, const SitePlan& plan) {
     json.key("store").begin_object().field("objects", plan.store.objects);
     json.field("scripts", plan.store.scripts).end_object();
   }
+  write_embed(json, manifest);
   json.key("files").begin_array();
   for (const PlannedFile& file : plan.files) {
     json.begin_object().field("path", file.path);

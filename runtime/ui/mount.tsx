@@ -1,14 +1,16 @@
 // Puts the page of the session into the document, or what went wrong. Until then index.html says "Starting".
 
 import { render } from 'preact';
-import { useEffect, useState } from 'preact/hooks';
+import { useEffect, useMemo, useState } from 'preact/hooks';
 import type { Session } from '../wasm_js/session.ts';
 import { browserStore } from './model/preferences.ts';
 import type { Store } from './model/preferences.ts';
+import { readEmbed, wholeAddress } from './model/embed_link.ts';
 import { problemOf } from './model/problem.ts';
 import type { Problem } from './model/problem.ts';
 import { Page } from './page.tsx';
 import { Boundary } from './parts/boundary.tsx';
+import { WholePageLink } from './parts/embed_foot.tsx';
 import { Mark } from './parts/icon.tsx';
 import { IconButton } from './parts/button.tsx';
 import { ProblemView } from './parts/problem_view.tsx';
@@ -22,6 +24,10 @@ export function mountPage(
 ): void {
   root.replaceChildren();
   if (started.status === 'rejected') {
+    if (readEmbed(location.search) !== null && window.parent !== window) {
+      const { code, what } = problemOf(started.reason);
+      void import('./parts/embed_host.ts').then(({ tellFailure }) => tellFailure(code, what));
+    }
     render(<FailurePage problem={problemOf(started.reason)} />, root);
     return;
   }
@@ -37,6 +43,7 @@ interface AppProps {
 }
 
 function App({ session, kept, store }: AppProps) {
+  const embed = useMemo(() => readEmbed(location.search), []);
   const [offline, setOffline] = useState<boolean | null>(null);
   const [mistake, setMistake] = useState<Problem | null>(null);
 
@@ -60,7 +67,7 @@ function App({ session, kept, store }: AppProps) {
     <>
       {mistake === null ? null : <MistakeBar problem={mistake} onClose={() => setMistake(null)} />}
       <Boundary title={texts.product} announce={ignore}>
-        <Page session={session} store={store} offline={offline} />
+        <Page session={session} store={store} offline={offline} embed={embed} />
       </Boundary>
     </>
   );
@@ -75,6 +82,9 @@ function FailurePage({ problem }: { readonly problem: Problem }) {
         <button type="button" class="button button-main" onClick={() => location.reload()}>
           {texts.problem.reload}
         </button>
+        {readEmbed(location.search) === null ? null : (
+          <WholePageLink address={() => wholeAddress(location.href, null)} />
+        )}
       </ProblemView>
     </main>
   );

@@ -12,9 +12,11 @@ import { PageHeader } from './parts/header.tsx';
 import { LayoutMenu } from './parts/layout_menu.tsx';
 import { LazyPanel } from './parts/lazy_panel.tsx';
 import { OpenPanel } from './parts/panel.tsx';
+import { EmbedFoot, useEmbedHost, useEmbedTheme } from './parts/embed_foot.tsx';
 import { SourceLinksContext, sourceLinks } from './parts/source_links.ts';
 import { useLayout } from './parts/use_layout.ts';
 import { useNodes, useMedia } from './parts/watch.ts';
+import type { EmbedView } from './model/embed_link.ts';
 import type { PanelTab } from './model/layout.ts';
 import type { Store } from './model/preferences.ts';
 import { panelRow } from './panels/index.ts';
@@ -25,16 +27,20 @@ export interface PageProps {
   readonly offline: boolean | null;
   readonly session: Session;
   readonly store: Store | null;
+  /** null: a page of its own. */
+  readonly embed: EmbedView | null;
 }
 
-export function Page({ session, store, offline }: PageProps) {
+export function Page({ session, store, offline, embed }: PageProps) {
   const wide = useMedia('(min-width: 78rem)');
   const narrow = !useMedia('(min-width: 46rem)');
   const [focusId, setFocusId] = useState<string | null>(null);
   const [aboutOpen, setAboutOpen] = useState(false);
   const [said, setSaid] = useState('');
   const announce = useCallback((text: string) => setSaid(text), []);
-  const control = useLayout(session, store, wide || narrow, announce);
+  const control = useLayout(session, embed === null ? store : null, wide || narrow, announce, embed);
+  useEmbedHost(embed, session);
+  useEmbedTheme(embed, store, session.site.ui['theme']);
   useNodeNews(session, announce);
   // Also while no panel shows them: a topic opened later has its last message.
   useEffect(() => session.onTopics(() => undefined), [session]);
@@ -42,7 +48,10 @@ export function Page({ session, store, offline }: PageProps) {
   const { open } = control;
   const newestOpen = useRef(open);
   newestOpen.current = open;
-  useEffect(() => watchDrops(() => newestOpen.current(null, 'bag')), []);
+  useEffect(
+    () => (embed === null ? watchDrops(() => newestOpen.current(null, 'bag')) : undefined),
+    [embed],
+  );
   const focus = useMemo<NodeFocus>(
     () => ({
       id: focusId,
@@ -85,13 +94,17 @@ export function Page({ session, store, offline }: PageProps) {
   };
 
   return (
-    <div class="page">
-      <a class="skip" href="#content" onClick={toConsole}>
-        {texts.skipToConsole}
-      </a>
-      <PageHeader session={session} store={store} onAbout={() => setAboutOpen(true)}>
-        <LayoutMenu control={control} announce={announce} />
-      </PageHeader>
+    <div class={embed === null ? 'page' : 'page page-embedded'}>
+      {embed === null ? (
+        <>
+          <a class="skip" href="#content" onClick={toConsole}>
+            {texts.skipToConsole}
+          </a>
+          <PageHeader session={session} store={store} onAbout={() => setAboutOpen(true)}>
+            <LayoutMenu control={control} announce={announce} />
+          </PageHeader>
+        </>
+      ) : null}
       {control.notice === '' ? null : (
         <div class="notice" role="region" aria-label={texts.layout.notice}>
           <p>{control.notice}</p>
@@ -99,8 +112,9 @@ export function Page({ session, store, offline }: PageProps) {
         </div>
       )}
       <SourceLinksContext.Provider value={sources}>
-        <Dock control={control} narrow={narrow} show={show} />
+        <Dock control={control} narrow={narrow} bare={embed !== null} show={show} />
       </SourceLinksContext.Provider>
+      {embed === null ? null : <EmbedFoot site={session.site} whole={control.whole} />}
       <About
         session={session}
         open={aboutOpen}

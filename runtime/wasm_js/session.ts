@@ -206,6 +206,8 @@ export interface SiteDescription {
   /** What the page's notebook needs; undefined: there is none. */
   readonly notebook?: SiteNotebook;
   readonly ui: Readonly<Record<string, unknown>>;
+  /** Origins of pages that may act on the site when they show it in a frame; `*`: every page. */
+  readonly embed: readonly string[];
   readonly files: readonly SiteFile[];
   /** It shares a store with other sites, and with what it was before. */
   readonly stored?: true;

@@ -261,6 +261,7 @@ export function readSite(value: unknown): SiteDescription {
     checks: list(json, 'checks', 'site', (item, what) => readCheck(item, what, ids)),
     ...(json['notebook'] === undefined ? {} : { notebook: readNotebook(json['notebook']) }),
     ui: object(json['ui'] ?? {}, 'site.ui'),
+    embed: list(json, 'embed', 'site', (item) => (typeof item === 'string' ? item : fail('site.embed'))),
     files: list(json, 'files', 'site', (item, what) => readFile(item, what, store)),
     ...(store === undefined ? {} : { stored: true }),
   };

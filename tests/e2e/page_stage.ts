@@ -6,7 +6,7 @@ import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { chromium } from 'playwright-core';
-import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
+import type { Browser, BrowserContextOptions, Frame, Page } from 'playwright-core';
 import type { FakeSession } from '../unit/ui/fake_session.ts';
 import { chromiumOptions } from './chromium.ts';
 import { buildFakePage } from './page_site.ts';
@@ -95,7 +95,7 @@ export class PageStage {
 }
 
 /** Fails when axe-core finds anything, best practices included. */
-export async function expectAccessible(page: Page): Promise<void> {
+export async function expectAccessible(page: Page | Frame): Promise<void> {
   await page.evaluate(kAxe);
   const violations = await page.evaluate(async () => {
     const { axe } = globalThis as unknown as {

@@ -12,7 +12,7 @@ const kDepth = 8;
 
 /** A copy of a plain value with at most `budget` characters of JSON; undefined for anything else. */
 export function readJson(value: unknown, budget: number): Json | undefined {
-  if (!isJson(value, kDepth)) return undefined;
+  if (!isJson(value, kDepth, { left: budget })) return undefined;
   const text = JSON.stringify(value);
   if (text.length > budget) return undefined;
   // A copy of its own: nobody can change it later, and odd prototypes are gone.
@@ -57,7 +57,13 @@ export function textsMember(value: unknown, name: string, limit: number): readon
   return found.filter((item): item is string => typeof item === 'string').slice(0, limit);
 }
 
-function isJson(value: unknown, depth: number): value is Json {
+/**
+ * Each value takes at least one character. Counted, because what another page sends may have the same list a hundred times
+ * in a list, and that one again, or a list of a billion holes.
+ */
+function isJson(value: unknown, depth: number, budget: { left: number }): value is Json {
+  budget.left -= typeof value === 'string' ? value.length + 1 : 1;
+  if (budget.left < 0) return false;
   if (value === null) return true;
   switch (typeof value) {
     case 'boolean':
@@ -67,10 +73,18 @@ function isJson(value: unknown, depth: number): value is Json {
       return Number.isFinite(value);
     case 'object':
       if (depth === 0) return false;
-      return (Array.isArray(value) ? value : Object.values(value)).every((item: unknown) =>
-        isJson(item, depth - 1),
+      if (Array.isArray(value))
+        return value.length <= budget.left && value.every((item: unknown) => isJson(item, depth - 1, budget));
+      return isPlain(value) && Object.entries(value).every(
+        ([name, item]: [string, unknown]) => isJson(name, depth, budget) && isJson(item, depth - 1, budget),
       );
     default:
       return false;
   }
+}
+
+/** Dates, maps and the like have no members to see. */
+function isPlain(value: object): boolean {
+  const prototype: unknown = Object.getPrototypeOf(value);
+  return prototype === null || prototype === Object.prototype;
 }

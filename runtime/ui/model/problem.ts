@@ -62,5 +62,5 @@ function textOf(value: unknown): string | null {
 
 function textsOf(value: unknown): readonly string[] {
   if (Array.isArray(value)) return value.filter((item): item is string => typeof item === 'string');
-  return typeof value === 'string' ? [value] : [];
+  return typeof value === 'string' && value !== '' ? [value] : [];
 }

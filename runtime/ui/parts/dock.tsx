@@ -16,13 +16,15 @@ import type { LayoutControl } from './use_layout.ts';
 export interface DockProps {
   readonly control: LayoutControl;
   readonly narrow: boolean;
+  /** Panels only: tabs where there are several in one place, and nothing to change them. */
+  readonly bare?: boolean;
   readonly show: (tab: PanelTab) => ComponentChildren;
 }
 
-export function Dock({ control, narrow, show }: DockProps) {
+export function Dock({ control, narrow, bare = false, show }: DockProps) {
   const { layout } = control;
   const drag = useTabDrag(control.move);
-  const shared = { control, show, narrow, beginDrag: narrow ? null : drag.begin };
+  const shared = { control, show, narrow, bare, beginDrag: narrow || bare ? null : drag.begin };
   return (
     <main id="content" class={narrow ? 'dock dock-narrow' : 'dock'}>
       {narrow ? (
@@ -54,6 +56,7 @@ export function tabTitle(tab: PanelTab): string {
 interface ViewProps {
   readonly control: LayoutControl;
   readonly narrow: boolean;
+  readonly bare: boolean;
   readonly show: (tab: PanelTab) => ComponentChildren;
   readonly beginDrag: ((key: string, event: PointerEvent) => void) | null;
 }
@@ -93,7 +96,7 @@ function SplitView({ split, ...shared }: ViewProps & { readonly split: Split }) 
   );
 }
 
-function GroupView({ group, control, narrow, show, beginDrag }: ViewProps & { readonly group: Group }) {
+function GroupView({ group, control, narrow, bare, show, beginDrag }: ViewProps & { readonly group: Group }) {
   const seen = useRef(new Set<string>());
   seen.current.add(group.front);
   const drawn = group.tabs.filter(
@@ -101,17 +104,20 @@ function GroupView({ group, control, narrow, show, beginDrag }: ViewProps & { re
       tab.key === group.front ||
       (panelRow(tab.panel)?.keeps === true && seen.current.has(tab.key)),
   );
+  const strip = !bare || group.tabs.length > 1;
   return (
     <div class="group" data-group={group.key}>
-      <TabStrip group={group} control={control} narrow={narrow} beginDrag={beginDrag} />
+      {strip ? (
+        <TabStrip group={group} control={control} narrow={narrow} bare={bare} beginDrag={beginDrag} />
+      ) : null}
       {group.tabs.length === 0 ? <p class="hint group-empty">{texts.layout.empty}</p> : null}
       {drawn.map((tab) => (
         <div
           key={tab.key}
           class="tab-panel"
-          role="tabpanel"
+          role={strip ? 'tabpanel' : undefined}
           id={`tab-panel-${tab.key}`}
-          aria-labelledby={`tab-${tab.key}`}
+          aria-labelledby={strip ? `tab-${tab.key}` : undefined}
           hidden={tab.key !== group.front}
         >
           {show(tab)}

@@ -2,7 +2,7 @@
 // offer, and again when that changes. One codec per session, loaded when the first message is looked at.
 
 import { useEffect, useState } from 'preact/hooks';
-import type { Session, TopicView, Unsubscribe } from '../../wasm_js/session.ts';
+import type { MessageInfo, Session, TopicView, Unsubscribe } from '../../wasm_js/session.ts';
 import type { Codec, Decoded } from '../../decode/codec.ts';
 import { problemOf } from '../model/problem.ts';
 
@@ -58,6 +58,22 @@ export function feed(
   topic: string,
   listener: (message: FeedMessage) => void,
 ): Unsubscribe {
+  return feedBytes(session, topic, (bytes, type, info) =>
+    listener({
+      decoded: codec.decode(type, bytes),
+      type,
+      publishedAt: info.publishedAt,
+      gid: info.gid,
+    }),
+  );
+}
+
+/** The same, not read yet. */
+export function feedBytes(
+  session: Session,
+  topic: string,
+  listener: (bytes: Uint8Array, type: string, info: MessageInfo) => void,
+): Unsubscribe {
   let close: Unsubscribe = () => undefined;
   let followed = '';
   const follow = (topics: readonly TopicView[]): void => {
@@ -78,13 +94,7 @@ export function feed(
         durability: latched ? 'transient_local' : 'volatile',
         depth: kDepth,
       },
-      (bytes, info) =>
-        listener({
-          decoded: codec.decode(type, bytes),
-          type,
-          publishedAt: info.publishedAt,
-          gid: info.gid,
-        }),
+      (bytes, info) => listener(bytes, type, info),
     );
     close = () => subscription.close();
   };

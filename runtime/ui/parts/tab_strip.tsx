@@ -16,10 +16,12 @@ export interface TabStripProps {
   readonly group: Group;
   readonly control: LayoutControl;
   readonly narrow: boolean;
+  /** Tabs only. */
+  readonly bare: boolean;
   readonly beginDrag: ((key: string, event: PointerEvent) => void) | null;
 }
 
-export function TabStrip({ group, control, narrow, beginDrag }: TabStripProps) {
+export function TabStrip({ group, control, narrow, bare, beginDrag }: TabStripProps) {
   const bar = useRef<HTMLDivElement>(null);
   useLayoutEffect(() => {
     // Only the strip scrolls: scrollIntoView would move the page as well.
@@ -42,7 +44,7 @@ export function TabStrip({ group, control, narrow, beginDrag }: TabStripProps) {
     };
     if (event.key === 'Delete') {
       event.preventDefault();
-      control.close(group.front);
+      if (!bare) control.close(group.front);
       return;
     }
     const target = group.tabs[targets[event.key] ?? -1];
@@ -73,7 +75,7 @@ export function TabStrip({ group, control, narrow, beginDrag }: TabStripProps) {
               tabIndex={tab.key === group.front ? 0 : -1}
               onClick={() => control.reveal(tab.key)}
               onAuxClick={(event) => {
-                if (event.button === 1) control.close(tab.key);
+                if (event.button === 1 && !bare) control.close(tab.key);
               }}
               onPointerDown={(event) => beginDrag?.(tab.key, event)}
             >
@@ -83,16 +85,18 @@ export function TabStrip({ group, control, narrow, beginDrag }: TabStripProps) {
           ))}
         </div>
       )}
-      <div class="strip-tools">
-        <MenuButton icon="plus" label={texts.layout.add} items={panelItems(group, control)} />
-        {front === undefined ? null : (
-          <MenuButton
-            icon="more"
-            label={texts.layout.more(tabTitle(front))}
-            items={tabItems(group, at, control, narrow)}
-          />
-        )}
-      </div>
+      {bare ? null : (
+        <div class="strip-tools">
+          <MenuButton icon="plus" label={texts.layout.add} items={panelItems(group, control)} />
+          {front === undefined ? null : (
+            <MenuButton
+              icon="more"
+              label={texts.layout.more(tabTitle(front))}
+              items={tabItems(group, at, control, narrow)}
+            />
+          )}
+        </div>
+      )}
     </div>
   );
 }

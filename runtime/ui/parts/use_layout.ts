@@ -3,6 +3,8 @@
 
 import { useCallback, useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import type { Session } from '../../wasm_js/session.ts';
+import { embeddedLayout, wholeAddress } from '../model/embed_link.ts';
+import type { EmbedView } from '../model/embed_link.ts';
 import { readJson } from '../model/json.ts';
 import type { Json } from '../model/json.ts';
 import * as layouts from '../model/layout.ts';
@@ -30,6 +32,8 @@ export interface LayoutControl {
   readonly reset: () => void;
   /** The address with the layout in it, also put where the address stands. */
   readonly link: () => Promise<string>;
+  /** The address of the whole page with this layout. */
+  readonly whole: () => string;
   /** What the visitor should know about the link that was followed. */
   readonly notice: string;
   readonly dismiss: () => void;
@@ -44,6 +48,8 @@ export function useLayout(
   /** The usual layout is the one of three columns, or their order on a phone. */
   wide: boolean,
   announce: (text: string) => void,
+  /** The page stands in another one: the layout is what its address says, and leaves no trace. */
+  embed: EmbedView | null = null,
 ): LayoutControl {
   const name = useMemo(() => `layout.${new URL('.', document.baseURI).pathname}`, []);
   const usual = useMemo((): Layout => {
@@ -52,7 +58,7 @@ export function useLayout(
   }, [session, wide]);
   // null: the visitor has changed nothing, so the usual layout follows the width.
   const [chosen, setChosen] = useState<Layout | null>(
-    () => linked().layout ?? parseLayout(readText(store, name) ?? '', isKnown).layout,
+    () => linked(embed).layout ?? parseLayout(readText(store, name) ?? '', isKnown).layout,
   );
   const [front, setFront] = useState<string | null>(null);
   const layout = useMemo(
@@ -61,7 +67,7 @@ export function useLayout(
   );
   const latest = useRef(layout);
   latest.current = layout;
-  const { notice, dismiss } = useLinkNotice(session, setChosen);
+  const { notice, dismiss } = useLinkNotice(session, embed, setChosen);
 
   const change = useCallback(
     (next: (layout: Layout) => Layout): void => {
@@ -76,9 +82,9 @@ export function useLayout(
       setChosen(changed);
       writePreference(store, name, JSON.stringify(writeLayout(changed)));
       // From now on a reload shows the visitor's layout, not the link's.
-      if (readFragment(location.hash).has('layout')) setFragment({ layout: null, site: null, changed: null });
+      if (embed === null && readFragment(location.hash).has('layout')) setFragment({ layout: null, site: null, changed: null });
     },
-    [store, name],
+    [store, name, embed],
   );
 
   return useMemo<LayoutControl>(() => {
@@ -152,6 +158,7 @@ export function useLayout(
         setFragment({ site, changed, layout: JSON.stringify(writeLayout(latest.current)) });
         return location.href;
       },
+      whole: () => wholeAddress(location.href, JSON.stringify(writeLayout(latest.current))),
     };
   }, [session, layout, notice, change, announce]);
 }
@@ -162,8 +169,9 @@ function isKnown(panel: string): boolean {
   return panelRow(panel) !== undefined;
 }
 
-function linked(): ReadLayout {
-  return parseLayout(readFragment(location.hash).get('layout') ?? '', isKnown);
+function linked(embed: EmbedView | null): ReadLayout {
+  const found = parseLayout(readFragment(location.hash).get('layout') ?? '', isKnown);
+  return embed === null ? found : embeddedLayout(embed, found, isKnown);
 }
 
 function setFragment(fields: Readonly<Record<string, string | null>>): void {
@@ -172,7 +180,11 @@ function setFragment(fields: Readonly<Record<string, string | null>>): void {
 }
 
 /** Follows the address: a link that is opened in this very tab changes its fragment only. */
-function useLinkNotice(session: Session, apply: (layout: Layout) => void): {
+function useLinkNotice(
+  session: Session,
+  embed: EmbedView | null,
+  apply: (layout: Layout) => void,
+): {
   readonly notice: string;
   readonly dismiss: () => void;
 } {
@@ -181,7 +193,7 @@ function useLinkNotice(session: Session, apply: (layout: Layout) => void): {
     let current = true;
     const read = (): void => {
       const fields = readFragment(location.hash);
-      const found = linked();
+      const found = linked(embed);
       const parts: string[] = [];
       if (fields.has('layout') && found.layout === null) parts.push(texts.layout.linkBroken);
       if (found.leftOut.length > 0) parts.push(texts.layout.linkLeftOut(found.leftOut));
@@ -197,7 +209,7 @@ function useLinkNotice(session: Session, apply: (layout: Layout) => void): {
       });
     };
     const follow = (): void => {
-      const found = linked();
+      const found = linked(embed);
       if (found.layout !== null) apply(found.layout);
       read();
     };

@@ -72,6 +72,7 @@ export interface FakeOptions {
   readonly authors?: readonly string[];
   readonly interfaces?: ReadonlyMap<string, string>;
   readonly launchSteps?: SiteDescription['launchSteps'];
+  readonly embed?: readonly string[];
   readonly ui?: Readonly<Record<string, unknown>>;
   readonly checks?: SiteDescription['checks'];
   /** Path of the notebook in the site. */
@@ -278,6 +279,7 @@ export class FakeSession implements Session {
       packages: [], interfaces: 'interfaces.json',
       ...(options.notebook === undefined ? {} : { notebook: { file: options.notebook, program: 'pyodide/pyodide.asm.wasm', archives: [] } }),
       ui: options.ui ?? {},
+      embed: options.embed ?? [],
       files: [
         { path: 'index.html', size: 2048, sha256: '', reason: 'runtime page' },
         { path: 'main.js', size: 61_000, sha256: '', reason: 'runtime script' },

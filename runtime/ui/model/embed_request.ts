@@ -1,0 +1,166 @@
+// What a page that shows this one in a frame may ask for by postMessage (docs/page.md), and how much of it. What it sends is
+// hostile: one object of a known shape, bounded in size and depth, or a refusal. Pure.
+
+import { isRecord, member, numberMember, readJson } from './json.ts';
+import type { Json } from './json.ts';
+
+export const kEmbedVersion = 1;
+
+const kMostSize = 65_536;
+const kMostName = 256;
+const kMostWaitMs = 600_000;
+/** Messages of a topic in a second. */
+const kUsualRate = 30;
+const kMostRate = 60;
+
+/** Why a request is not followed, in the form of every failure (model/problem.ts). */
+export class Refusal extends Error {
+  readonly code: string;
+  readonly fix: string;
+  readonly why: string;
+
+  constructor(code: string, message: string, fix: string, why = '') {
+    super(message);
+    this.code = code;
+    this.fix = fix;
+    this.why = why;
+  }
+}
+
+export type EmbedId = string | number;
+
+export type EmbedOrder =
+  | { readonly do: 'hello' | 'state' | 'checks' }
+  | { readonly do: 'watch'; readonly on: boolean }
+  /** null: all nodes. */
+  | { readonly do: 'start' | 'stop' | 'restart'; readonly node: string | null }
+  | { readonly do: 'publish'; readonly topic: string; readonly type: string; readonly message: Json }
+  | { readonly do: 'set_parameter'; readonly node: string; readonly name: string; readonly value: Json }
+  | { readonly do: 'subscribe'; readonly topic: string; readonly rate: number }
+  | { readonly do: 'unsubscribe'; readonly subscription: number }
+  | { readonly do: 'call'; readonly service: string; readonly type: string; readonly request: Json; readonly timeoutMs: number }
+  | { readonly do: 'run_checks' };
+
+export interface EmbedRequest {
+  readonly id: EmbedId;
+  /** Or why it is none. */
+  readonly order: EmbedOrder | Refusal;
+}
+
+/** Those that any page may give: they tell no more than the site's files do, but which of its nodes run here. */
+const kReading: ReadonlySet<EmbedOrder['do']> = new Set(['hello', 'state', 'watch']);
+
+export function isReading(order: EmbedOrder): boolean {
+  return kReading.has(order.do);
+}
+
+/** null for what is not for us: other scripts send messages too. */
+export function readRequest(data: unknown): EmbedRequest | null {
+  const id = member(data, 'id');
+  if (!isRecord(data) || !Object.hasOwn(data, 'ros2wasm')) return null;
+  const named = (typeof id === 'string' && id.length <= 64) || Number.isSafeInteger(id);
+  if (!named) return null;
+  return { id: id as EmbedId, order: readOrder(data) };
+}
+
+function readOrder(data: Readonly<Record<string, unknown>>): EmbedOrder | Refusal {
+  if (data['ros2wasm'] !== kEmbedVersion)
+    return refused(`this page speaks version ${kEmbedVersion} of these messages`, 'write `ros2wasm: 1` in every one');
+  // Before anything is looked at: what is too large or too deep is not read.
+  const request = readJson(data, kMostSize);
+  if (request === undefined) {
+    return refused(
+      'the message is no plain value, or it is too large or too deep',
+      `send objects, lists, texts, finite numbers and flags: at most ${kMostSize} characters as JSON, 8 deep`,
+    );
+  }
+  const what = member(request, 'do');
+  const name = (key: string): string => nameOf(request, key);
+  try {
+    switch (what) {
+      case 'hello':
+      case 'state':
+      case 'checks':
+      case 'run_checks':
+        return { do: what };
+      case 'watch':
+        return { do: what, on: member(request, 'on') !== false };
+      case 'start':
+      case 'stop':
+      case 'restart':
+        return { do: what, node: Object.hasOwn(request as object, 'node') ? name('node') : null };
+      case 'publish':
+        return { do: what, topic: name('topic'), type: name('type'), message: fields(request, 'message') };
+      case 'set_parameter':
+        return { do: what, node: name('node'), name: name('name'), value: given(request, 'value') };
+      case 'subscribe':
+        return { do: what, topic: name('topic'), rate: numberMember(request, 'rate', 0.01, kMostRate, kUsualRate) };
+      case 'unsubscribe':
+        return { do: what, subscription: numberMember(request, 'subscription', 0, Number.MAX_SAFE_INTEGER, -1) };
+      case 'call':
+        return {
+          do: what, service: name('service'), type: name('type'), request: fields(request, 'request'),
+          timeoutMs: numberMember(request, 'timeout_ms', 1, kMostWaitMs, 10_000),
+        };
+      default:
+        return refused(
+          typeof what === 'string' ? `\`${what.slice(0, 40)}\` is no command` : 'the message has no `do`',
+          'commands are: hello, state, watch, checks, run_checks, start, stop, restart, publish, set_parameter, subscribe, unsubscribe, call',
+        );
+    }
+  } catch (error) {
+    if (error instanceof Refusal) return error;
+    throw error;
+  }
+}
+
+function refused(message: string, fix: string): Refusal {
+  return new Refusal('R2W0750', message, fix);
+}
+
+function nameOf(request: Json, key: string): string {
+  const found = member(request, key);
+  if (typeof found === 'string' && found !== '' && found.length <= kMostName) return found;
+  throw refused(`\`${key}\` is no name`, `give \`${key}\` as a text of 1 to ${kMostName} characters`);
+}
+
+function given(request: Json, key: string): Json {
+  const found = member(request, key);
+  if (found !== undefined) return found as Json;
+  throw refused(`there is no \`${key}\``, `give \`${key}\``);
+}
+
+function fields(request: Json, key: string): Json {
+  const found = member(request, key) ?? {};
+  if (isRecord(found)) return found as Json;
+  throw refused(`\`${key}\` has no fields`, `give \`${key}\` as an object with the message's fields`);
+}
+
+export function mayAct(origin: string, own: string, listed: readonly string[]): boolean {
+  if (listed.includes('*')) return true;
+  // All pages without an origin share the word `null`.
+  return origin !== 'null' && (origin === own || listed.includes(origin));
+}
+
+/** So many at once, and so many a second in the long run. */
+export class Allowance {
+  private readonly most: number;
+  private readonly perSecond: number;
+  private left: number;
+  private at: number;
+
+  constructor(most: number, perSecond: number, nowMs: number) {
+    this.most = most;
+    this.perSecond = perSecond;
+    this.left = most;
+    this.at = nowMs;
+  }
+
+  take(nowMs: number): boolean {
+    this.left = Math.min(this.most, this.left + (Math.max(0, nowMs - this.at) / 1000) * this.perSecond);
+    this.at = nowMs;
+    if (this.left < 1) return false;
+    this.left -= 1;
+    return true;
+  }
+}

@@ -573,6 +573,7 @@ Outcome<PackReport> pack(const PackRequest& request, const Cancellation& cancell
       plan(request, *workspace, std::move(nodes).value(), std::move(*store), cancellation);
   if (!planned) return std::move(planned).errors();
   planned->channel = std::move(workspace->channel);
+  if (request.signer) sign_site(*planned, *request.signer);
 
   // 9. write it
   if (!request.plan_only) {

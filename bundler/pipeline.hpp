@@ -3,12 +3,14 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "bundler/build/build_workspace.hpp"
 #include "bundler/plan/site_plan.hpp"
+#include "bundler/plan/site_signature.hpp"
 #include "bundler/resolve/locked_solve.hpp"
 #include "bundler/store/wheel_files.hpp"
 #include "bundler/workspace/page_notebook.hpp"
@@ -36,6 +38,7 @@ struct PackRequest {
   bool strict = false;          ///< what the launch file starts and no site can start is an error
   std::filesystem::path store;  ///< folder that sites share; empty: the site has all its files
   std::string archive_limits;   ///< see extract_limits.hpp; empty: as the environment says
+  std::shared_ptr<const SiteSigner> signer;  ///< who signs the site; nobody when null
 };
 
 /// A workspace with all its packages built.

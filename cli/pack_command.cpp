@@ -6,6 +6,7 @@
 #include "bundler/plan/shipped_channel.hpp"
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
+#include "cli/signing_key.hpp"
 #include "workspace_schema/json_writer.hpp"
 
 namespace ros2wasm {
@@ -25,6 +26,7 @@ struct Options {
   std::string archive_limits;
   std::string store;
   bool prune = false;
+  SigningChoice signing;
 };
 
 std::string column(std::uint64_t size) {
@@ -101,6 +103,8 @@ int run_course(Context& context, const CourseRequest& request) {
 }
 
 int run(Context& context, const Options& options) {
+  const auto signer = read_signer(options.signing, context);
+  if (!signer) return context.console.fail(signer.errors());
   const PackRequest request{.input = options.input,
                             .output = options.output,
                             .locked = options.locked,
@@ -114,7 +118,16 @@ int run(Context& context, const Options& options) {
                             .quick = options.quick,
                             .strict = options.strict,
                             .store = options.store,
-                            .archive_limits = options.archive_limits};
+                            .archive_limits = options.archive_limits,
+                            .signer = *signer};
+  if (is_course(options.input) && *signer) {
+    return context.console.fail(
+        Diagnostic{.code = "R2W0902",
+                   .kind = FailureKind::kCommandLine,
+                   .message = "--sign is for sites",
+                   .why = {"a course has many, and its list of them would not be signed"},
+                   .fix = {"sign each lab: `minisign -S -m COURSE/LAB/site.json`"}});
+  }
   if (is_course(options.input))
     return run_course(context, {.pack = request, .prune = options.prune});
   if (options.prune) {
@@ -145,6 +158,7 @@ int run(Context& context, const Options& options) {
                              ", " + kilobytes(channel));
     }
     context.console.remark("sha256 " + report->plan.sha256);
+    if (*signer) context.console.remark("signed with the key " + key_id_text((*signer)->key.id));
     context.console.result(report->output.string());
   }
   return 0;
@@ -183,8 +197,16 @@ CommandBody pack_command(Arguments& arguments) {
                    "compilers at once (default: one per processor)");
   arguments.value("--archive-limits", options->archive_limits, "LIMITS",
                   "what archives may unpack to: size=8G,members=500000,ratio=250");
+  arguments.value("--sign", options->signing.key_file, "KEYFILE",
+                  "sign the site with a secret key of minisign");
+  arguments.value("--sign-comment", options->signing.comment, "TEXT",
+                  "what the signature says too (default: the site's sha256)");
+  arguments.number("--password-fd", options->signing.password_fd, "N", 0, 1023,
+                   "read the key's password from this file descriptor (else: "
+                   "ROS2WASM_KEY_PASSWORD, or the terminal)");
   arguments.examples({"ros2wasm pack examples/01_talker_listener/workspace.yaml -o site",
-                      "ros2wasm pack ~/ros2_ws --plan"});
+                      "ros2wasm pack ~/ros2_ws --plan",
+                      "ros2wasm pack --sign ~/.minisign/minisign.key"});
   return [options](Context& context) { return run(context, *options); };
 }
 

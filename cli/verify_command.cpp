@@ -1,8 +1,12 @@
 // `ros2wasm verify SITE|URL`: whether every byte of a site is the one it was packed with.
+#include <filesystem>
 #include <memory>
+#include <optional>
 
+#include "bundler/io/files.hpp"
 #include "bundler/render/own_site.hpp"
 #include "bundler/verify/course_check.hpp"
+#include "bundler/verify/signature.hpp"
 #include "bundler/verify/site_check.hpp"
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
@@ -14,6 +18,7 @@ namespace {
 struct Options {
   std::string site;
   std::string hash;
+  std::string key;
 };
 
 std::uint64_t size_of(const SiteList& list) {
@@ -22,11 +27,47 @@ std::uint64_t size_of(const SiteList& list) {
   return size;
 }
 
-void print_json(Context& context, const std::string& site, const SiteCheck& check, bool good) {
+/// Who signed, by the key that was given.
+struct Signed {
+  std::string key_id;
+  std::string comment;
+};
+
+/// A public key's file, or its line itself. R2W0210, R2W0655.
+Outcome<PublicKey> key_of(const std::string& given) {
+  // A file of that name comes first.
+  std::error_code error;
+  if (given.starts_with("RW") && given.size() == 56 && !std::filesystem::exists(given, error))
+    return read_public_key(given, given);
+  const auto text = read_file(given);
+  if (!text) return text.errors();
+  return read_public_key(*text, given);
+}
+
+/// R2W0654 there is no signature, R2W0656, R2W0657.
+Outcome<Signed> signed_by(const PublicKey& key, const SiteCheck& check) {
+  if (!check.signature)
+    return Diagnostic{.code = "R2W0654",
+                      .message = "the site is not signed",
+                      .why = {std::string("it has no ") + kSignatureName},
+                      .fix = {}};
+  const auto signature = read_signature(*check.signature, kSignatureName);
+  if (!signature) return signature.errors();
+  if (auto fine = check_signature(*signature, key, check.site_json); !fine)
+    return std::move(fine).errors();
+  return Signed{.key_id = key_id_text(key.id), .comment = signature->trusted_comment};
+}
+
+void print_json(Context& context, const std::string& site, const SiteCheck& check,
+                const std::optional<Signed>& signer, bool good) {
   JsonWriter json;
   json.begin_object().field("site", site).field("sha256", check.list.hash);
   json.key("files").unsigned_integer(check.list.files.size());
   json.key("bytes").unsigned_integer(size_of(check.list)).field_boolean("as_packed", good);
+  if (signer) {
+    json.key("signed").begin_object().field("key", signer->key_id);
+    json.field("comment", signer->comment).end_object();
+  }
   json.key("faults").unsigned_integer(check.faults.size()).key("unlisted").begin_array();
   for (const std::string& path : check.unlisted) json.string(path);
   json.end_array().end_object();
@@ -68,26 +109,46 @@ int verify(Context& context, const Options& options) {
                            "the page show it"},
                    .fix = {}});
   }
-  const auto check = is_network_url(options.site)
-                         ? check_site_address(options.site, network_of(context.environment),
-                                              context.cancellation, context.progress)
-                     : options.site.ends_with(".html")
-                         ? check_site_page(options.site, context.cancellation, context.progress)
-                     : is_course_of_ours(options.site)
-                         ? check_course_folder(options.site, context.cancellation, context.progress)
-                         : check_site_folder(options.site, context.cancellation, context.progress);
+  std::optional<PublicKey> key;
+  if (!options.key.empty()) {
+    auto read = key_of(options.key);
+    if (!read) return context.console.fail(read.errors());
+    key = std::move(*read);
+  }
+  const auto check =
+      is_network_url(options.site)
+          ? check_site_address(options.site, network_of(context.environment), key.has_value(),
+                               context.cancellation, context.progress)
+      : options.site.ends_with(".html")
+          ? check_site_page(options.site, context.cancellation, context.progress)
+      : is_course_of_ours(options.site)
+          ? check_course_folder(options.site, context.cancellation, context.progress)
+          : check_site_folder(options.site, context.cancellation, context.progress);
   if (!check) return context.console.fail(check.errors());
   Diagnostics faults = check->faults;
   if (!wanted.empty() && wanted != check->list.hash)
     faults.insert(faults.begin(), another_site(wanted, check->list.hash));
+  std::optional<Signed> signer;
+  if (key) {
+    auto found = signed_by(*key, *check);
+    if (found) {
+      signer = std::move(*found);
+    } else {
+      faults.insert(faults.begin(), found.errors().begin(), found.errors().end());
+    }
+  }
   if (!check->unlisted.empty()) context.console.report(more_files(check->unlisted));
-  if (context.json) print_json(context, options.site, *check, faults.empty());
+  if (context.json) print_json(context, options.site, *check, signer, faults.empty());
   if (!faults.empty()) return context.console.fail(faults);
   if (!context.json) {
     context.console.result(options.site + ": " + std::to_string(check->list.files.size()) +
                            " files, " + std::to_string(size_of(check->list)) +
                            " bytes, all as packed");
     context.console.result("sha256 " + check->list.hash);
+    if (signer)
+      context.console.result("signed with the key " + signer->key_id + ": " + signer->comment);
+    if (!key && check->signature)
+      context.console.remark("it carries a signature, which says nothing without --key");
   }
   return 0;
 }
@@ -99,8 +160,10 @@ CommandBody verify_command(Arguments& arguments) {
   arguments.required("SITE", options->site, "folder of a site, or the address of one");
   arguments.value("--hash", options->hash, "SHA256",
                   "what the site must be: the sha256 that `ros2wasm pack` printed");
-  arguments.examples(
-      {"ros2wasm verify site", "ros2wasm verify https://example.org/lab/ --hash ..."});
+  arguments.value("--key", options->key, "KEY",
+                  "who must have signed the site: a public key of minisign, or its file");
+  arguments.examples({"ros2wasm verify site", "ros2wasm verify site --key minisign.pub",
+                      "ros2wasm verify https://example.org/lab/ --hash ..."});
   return [options](Context& context) { return verify(context, *options); };
 }
 

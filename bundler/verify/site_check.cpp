@@ -12,12 +12,14 @@
 #include "bundler/plan/site_plan.hpp"
 #include "bundler/render/carried_page.hpp"
 #include "bundler/render/html_text.hpp"
+#include "bundler/verify/signature.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
 namespace {
 
 constexpr std::uint64_t kLargestSiteJson = std::uint64_t{64} << 20;
+constexpr std::uint64_t kLargestSignature = 16'384;
 constexpr const char* kStep = "verify";
 
 Diagnostic other_bytes(const std::string& path, std::string why) {
@@ -79,9 +81,10 @@ Outcome<std::optional<Diagnostic>> fault_of(const ListedFile& listed,
   return std::optional<Diagnostic>();
 }
 
-/// What no site.json lists, apart from itself and the channel that may lie beside a site.
+/// What no site.json lists, apart from itself, its signature and the channel that may lie beside a
+/// site.
 std::vector<std::string> unlisted_of(const SiteList& list, const std::vector<TreeEntry>& tree) {
-  std::set<std::string> listed{kSiteJsonName, kHashList};
+  std::set<std::string> listed{kSiteJsonName, kHashList, kSignatureName, kPublicKeyName};
   for (const ListedFile& file : list.files) {
     for (std::string& place : places_of(file, list)) listed.insert(std::move(place));
   }
@@ -105,6 +108,32 @@ std::string folder_of(std::string url) {
   return url + "/";
 }
 
+/// A file that is read whole; its text is empty unless the status is 200.
+struct Answer {
+  int status = 0;
+  std::string text;
+};
+
+Outcome<Answer> answer_of(const std::string& base, const char* name, std::uint64_t limit_bytes,
+                          const ChannelNetwork& network, const fs::path& folder,
+                          const Cancellation& cancellation) {
+  const fs::path file = folder / name;
+  auto brought = download_all(network.download,
+                              {Download{.sources = {source_of(base + name, network)},
+                                        .headers = {},
+                                        .file = file,
+                                        .limit_bytes = limit_bytes,
+                                        .fault = {}}},
+                              cancellation);
+  if (!brought.front()) return std::move(brought.front()).errors();
+  Answer answer{.status = static_cast<int>(brought.front()->status), .text = {}};
+  if (answer.status != 200) return answer;
+  auto text = read_file(file);
+  if (!text) return std::move(text).errors();
+  answer.text = std::move(*text);
+  return answer;
+}
+
 void report(const ProgressSink& progress, std::uint64_t done, std::uint64_t total) {
   if (progress)
     progress({.step = kStep, .item = {}, .done = done, .total = total, .unit = "bytes"});
@@ -124,7 +153,14 @@ Outcome<SiteCheck> check_site_folder(const fs::path& folder, const Cancellation&
   for (const TreeEntry& entry : *tree) {
     if (entry.kind == FileKind::kFile) files.insert(entry.path);
   }
-  SiteCheck check{.list = std::move(*list), .faults = {}, .unlisted = {}};
+  SiteCheck check{.list = std::move(*list), .faults = {}, .unlisted = {}, .site_json = *text};
+  for (const TreeEntry& entry : *tree) {
+    if (entry.path != kSignatureName || entry.kind != FileKind::kFile) continue;
+    auto signature = entry.size > kLargestSignature ? Outcome<std::string>(std::string())
+                                                    : read_file(folder / kSignatureName);
+    if (!signature) return std::move(signature).errors();
+    check.signature = std::move(*signature);
+  }
   check.unlisted = unlisted_of(check.list, *tree);
   const std::vector<ListedFile> wanted = wanted_of(check.list);
   std::uint64_t total = 0;
@@ -163,7 +199,7 @@ Outcome<SiteCheck> check_site_page(const fs::path& file, const Cancellation& can
   if (!text) return text.errors();
   auto list = read_site_list(*text, file.string());
   if (!list) return std::move(list).errors();
-  SiteCheck check{.list = std::move(*list), .faults = {}, .unlisted = {}};
+  SiteCheck check{.list = std::move(*list), .faults = {}, .unlisted = {}, .site_json = *text};
   const std::vector<ListedFile> wanted = wanted_of(check.list);
   std::map<std::string, CarriedFile> files;
   for (const CarriedFile& one : carried->files) {
@@ -195,38 +231,40 @@ Outcome<SiteCheck> check_site_page(const fs::path& file, const Cancellation& can
     report(progress, done += one.size, total);
   }
   for (const auto& [path, one] : files) {
-    if (path != kSiteJsonName) check.unlisted.push_back(path);
+    if (path == kSignatureName)
+      check.signature = unpacked(one, kLargestSignature) ? *unpacked(one, kLargestSignature) : "";
+    if (path != kSiteJsonName && path != kSignatureName && path != kPublicKeyName)
+      check.unlisted.push_back(path);
   }
   return check;
 }
 
 Outcome<SiteCheck> check_site_address(const std::string& url, const ChannelNetwork& network,
-                                      const Cancellation& cancellation,
+                                      bool signature, const Cancellation& cancellation,
                                       const ProgressSink& progress) {
   const std::string base = folder_of(url);
   auto place = TemporaryDirectory::make(fs::temp_directory_path(), "ros2wasm-verify-");
   if (!place) return std::move(place).errors();
-  const fs::path site_json = place->path() / kSiteJsonName;
-  auto first = download_all(network.download,
-                            {Download{.sources = {source_of(base + kSiteJsonName, network)},
-                                      .headers = {},
-                                      .file = site_json,
-                                      .limit_bytes = kLargestSiteJson,
-                                      .fault = {}}},
-                            cancellation);
-  if (!first.front()) return std::move(first.front()).errors();
-  if (first.front()->status != 200) {
+  auto answer =
+      answer_of(base, kSiteJsonName, kLargestSiteJson, network, place->path(), cancellation);
+  if (!answer) return std::move(answer).errors();
+  if (answer->status != 200) {
     return Diagnostic{
         .code = "R2W0605",
         .message = "there is no site at " + base,
-        .why = {"it has no site.json (status " + std::to_string(first.front()->status) + ")"},
+        .why = {"it has no site.json (status " + std::to_string(answer->status) + ")"},
         .fix = {}};
   }
-  const auto text = read_file(site_json);
-  if (!text) return text.errors();
-  auto list = read_site_list(*text, base + kSiteJsonName);
+  auto list = read_site_list(answer->text, base + kSiteJsonName);
   if (!list) return std::move(list).errors();
-  SiteCheck check{.list = std::move(*list), .faults = {}, .unlisted = {}};
+  SiteCheck check{
+      .list = std::move(*list), .faults = {}, .unlisted = {}, .site_json = answer->text};
+  if (signature) {
+    auto found =
+        answer_of(base, kSignatureName, kLargestSignature, network, place->path(), cancellation);
+    if (!found) return std::move(found).errors();
+    if (found->status == 200) check.signature = std::move(found->text);
+  }
   // Files are named by their number here: what a site calls them is the site's affair.
   const std::vector<ListedFile> wanted = wanted_of(check.list);
   std::vector<Download> downloads;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,8 @@ struct SiteCheck {
   SiteList list;
   Diagnostics faults;  ///< R2W0650 other bytes, R2W0651 not there; as site.json has them
   std::vector<std::string> unlisted;  ///< that lie in the folder too, sorted
+  std::string site_json;
+  std::optional<std::string> signature;  ///< the text beside it, where there is one
 };
 
 /// Reads every file. Links are not followed: a site has none. R2W0210, R2W0605, R2W0608.
@@ -31,9 +34,9 @@ struct SiteCheck {
                                                  const ProgressSink& progress);
 
 /// Brings every file, as a visit would. `url` is that of the page, of its folder or of site.json.
-/// Also R2W0233 to R2W0236.
+/// The signature is asked for with `signature` only. Also R2W0233 to R2W0236.
 [[nodiscard]] Outcome<SiteCheck> check_site_address(const std::string& url,
-                                                    const ChannelNetwork& network,
+                                                    const ChannelNetwork& network, bool signature,
                                                     const Cancellation& cancellation,
                                                     const ProgressSink& progress);
 

@@ -15,7 +15,8 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 CORPUS = ROOT / "tests" / "fuzz" / "corpus"
 BUILD = ROOT / "build-fuzz"
-TARGETS = ["version", "match_spec", "repodata", "shards", "manifest", "lock", "archive", "launch"]
+TARGETS = ["version", "match_spec", "repodata", "shards", "manifest", "lock", "archive", "launch",
+           "signature"]
 
 
 def build(targets: list[str]) -> bool:

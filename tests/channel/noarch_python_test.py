@@ -104,6 +104,7 @@ class NoarchPython(ChannelCase):
             self.pack("greet")
         self.assertFalse((self.folder / "site").exists())
 
+    # Guarantee, hostile input: entry points of a package that lead out of its folder are refused
     def test_hostile_entry_points(self) -> None:
         archive = self.add_module(["../../evil = greet:main"])
         said = self.run_cli("inspect", "archive", str(archive))

@@ -147,6 +147,7 @@ test('unknown panels are left out, and told', () => {
   });
 });
 
+// Guarantee, hostile input: layouts in links and storage are bounded in depth and number, and none throws
 test('hostile layouts are bounded, and never throw', () => {
   let deep: unknown = 'nodes';
   for (let i = 0; i < 5000; i += 1) deep = { row: [deep, 'console'] };

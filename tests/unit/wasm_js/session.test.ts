@@ -114,6 +114,7 @@ for (const link of ['shared', 'port'] as const) {
       await reaches(session, 'echo-1', 'exited');
     }, link));
 
+  // Guarantee, hostile input: a program that traps, throws, aborts or asks for unknown functions is told with its code; the other nodes go on
   test(`${link}: exit codes, traps, exceptions and unknown imports are told; the others go on`, watchdog, () =>
     withSession([
       { program: 'exits.c', arguments: ['--code', '3'] },
@@ -302,6 +303,7 @@ test('a managed node that is stopped gives up the transitions that were to be ma
     await prints(session, 'launch', /^\[WARN\] \[launch\]: `\/a` ended before its transitions were made$/);
   }, 'shared', { launch: { steps: [{ do: 'transition', node: 'spins-1', name: '/a', transitions: [1] }] } }));
 
+// Guarantee, hostile input: a program in an endless loop is ended by Stop, and can be started again
 test('a node that hears nothing is killed at the second stop; restart starts it again', watchdog, () =>
   withSession([{ program: 'spins.c' }], async (session) => {
     session.startAll();
@@ -317,6 +319,7 @@ test('a node that hears nothing is killed at the second stop; restart starts it 
     await reaches(session, 'spins-1', 'running');
   }));
 
+// Guarantee, hostile input: a program that prints without end keeps its newest lines only, and the page answers
 test('a node that prints without end keeps the newest lines, and the page alive', watchdog, () =>
   withSession([{ program: 'flood.c' }], async (session) => {
     session.startAll();

@@ -114,6 +114,7 @@ TEST(PackageXml, BrokenXmlHasALine) {
   EXPECT_EQ(package.errors()[0].span->line, 2U);
 }
 
+// Guarantee, hostile input: a package.xml that is cut, deep, binary or no package is an error
 TEST(PackageXml, HostileTextsAreErrors) {
   EXPECT_FALSE(parse("").ok());
   EXPECT_FALSE(parse("no xml").ok());

@@ -63,6 +63,7 @@ TEST(RepodataScan, ThePiecesDoNotMatter) {
   }
 }
 
+// Guarantee, hostile input: an index of a channel that was cut anywhere is refused
 TEST(RepodataScan, EveryCutTextIsAFault) {
   const std::string text = large_index(3);
   for (std::size_t size = 1; size + 2 < text.size(); ++size)

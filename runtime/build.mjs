@@ -22,6 +22,7 @@ const root = fileURLToPath(new URL('..', import.meta.url));
  */
 const rows = [
   { file: 'index.html', from: 'runtime/ui/index.html', kind: 'copy', role: 'page' },
+  { file: 'app.webmanifest', from: 'runtime/ui/app.webmanifest', kind: 'copy', role: 'web_manifest' },
   { file: 'icon.svg', from: 'runtime/ui/icon.svg', kind: 'copy', role: 'icon' },
   { file: 'start.js', from: 'runtime/ui/start.ts', kind: 'modules', role: 'script' },
   { file: 'boot.js', from: 'runtime/ui/boot.ts', kind: 'classic', role: 'script' },

@@ -16,6 +16,7 @@
 #include "bundler/render/packed_launch_json.hpp"
 #include "bundler/render/page_html.hpp"
 #include "bundler/render/site_json.hpp"
+#include "bundler/render/web_manifest.hpp"
 #include "workspace_schema/diagnostic_list.hpp"
 
 namespace ros2wasm {
@@ -30,6 +31,7 @@ constexpr std::string_view kLaunchRole = "launch_evaluator";
 constexpr std::string_view kLaunchScriptRole = "launch_script";
 constexpr std::string_view kScriptRole = "script";
 constexpr std::string_view kPageRole = "page";
+constexpr std::string_view kAppRole = "web_manifest";
 /// Of a site in one file only.
 constexpr std::string_view kCarriedPageRole = "carried_page";
 constexpr const char* kLaunchData = "launch.json";
@@ -114,7 +116,9 @@ std::string script_folder(const std::vector<RuntimeAsset>& assets) {
 }
 
 std::string reason_of_asset(std::string_view role) {
-  return "runtime " + std::string(role == "service_worker" ? "service worker" : role);
+  if (role == "service_worker") return "runtime service worker";
+  if (role == kAppRole) return "what browsers install the page by";
+  return "runtime " + std::string(role);
 }
 
 }  // namespace
@@ -168,6 +172,7 @@ Outcome<SitePlan> plan_site(PlanInput input) {
     if (asset.role == kPageRole) {
       asset.bytes = page_html(std::move(asset.bytes), title, theme, {paths.begin(), paths.end()});
     }
+    if (asset.role == kAppRole) asset.bytes = web_manifest(asset.bytes, title);
     const Kept kept = is_script(asset) ? Kept::kScript : Kept::kBeside;
     add(plan, asset.file, reason_of_asset(asset.role), std::move(asset.bytes)).kept = kept;
   }

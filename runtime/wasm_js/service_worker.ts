@@ -1,6 +1,7 @@
 // The site's service worker. Adds the headers that shared memory needs and the site's Content-Security-Policy to every
 // response, worker scripts too; keeps the site for visits without a network, by content: site.json names the sha256 of
-// each file, and a file is taken from the cache only under the hash that the newest site.json gives it.
+// each file, and a file is taken from the cache only under the hash that a site.json gives it: for a page that is open the one
+// that it was opened with, so that it goes on as it is when the site is packed anew, and the newest one for the next visit.
 
 import { type ListedPlace, placesOf, readStore } from './site_places.ts';
 
@@ -71,6 +72,37 @@ async function freshSite(): Promise<Response> {
   }
 }
 
+/** Where the site.json lies that a page was opened with. */
+function ownSiteUrl(client: string): string {
+  return `${siteUrl()}?client=${encodeURIComponent(client)}`;
+}
+
+/** The newest site.json is that page's from now on. */
+async function remember(client: string): Promise<void> {
+  const cache = await caches.open(cacheName);
+  const newest = await cache.match(siteUrl());
+  if (client !== '' && newest !== undefined) await cache.put(ownSiteUrl(client), newest);
+}
+
+async function ownSite(client: string): Promise<Response | undefined> {
+  return client === '' ? undefined : (await caches.open(cacheName)).match(ownSiteUrl(client));
+}
+
+const own = new Map<string, Promise<Manifest>>();
+
+/** Of the page that asks, or the newest one. */
+function manifestOf(client: string): Promise<Manifest> {
+  const known = own.get(client);
+  if (known !== undefined) return known;
+  const read = ownSite(client).then(async (site) => {
+    if (site !== undefined) return parseManifest(await site.text());
+    own.delete(client);
+    return currentManifest();
+  });
+  own.set(client, read);
+  return read;
+}
+
 async function currentManifest(): Promise<Manifest> {
   manifest ??= (async () => {
     const kept = await (await caches.open(cacheName)).match(siteUrl());
@@ -100,12 +132,18 @@ async function keep(url: string, sha256: string, response: Response): Promise<bo
 async function answer(event: FetchEvent): Promise<Response> {
   const { request } = event;
   const url = request.url.replace(/[?#].*$/, '');
-  if (url === siteUrl()) return withHeaders(await freshSite());
+  const client = event.clientId;
+  if (url === siteUrl()) return withHeaders(await ownSite(client) ?? await freshSite());
   const folder = url === scope.registration.scope;
   const file = folder ? new URL('index.html', url).href : url;
   // A visit begins with what the site is now.
-  if (request.mode === 'navigate') await freshSite().catch(() => undefined);
-  const sha256 = (await currentManifest()).get(file);
+  if (request.mode === 'navigate') {
+    await freshSite().catch(() => undefined);
+    // A page in a frame within is no visit of the site.
+    if (file === new URL('index.html', scope.registration.scope).href) await remember(event.resultingClientId);
+  }
+  const manifestNow = request.mode === 'navigate' ? currentManifest() : manifestOf(client);
+  const sha256 = (await manifestNow).get(file);
   // Not of this site.
   if (sha256 === undefined && !url.startsWith(scope.registration.scope)) return fetch(request);
   const cache = await caches.open(cacheName);
@@ -129,11 +167,20 @@ async function fetchAndKeep(url: string, sha256: string): Promise<boolean> {
   }
 }
 
-/** Fetches all files of the site that are not kept yet, and drops those of older versions. Throws when one did not come. */
-async function keepAll(): Promise<void> {
-  await freshSite();
+/** Fetches all files of the site that are not kept yet, and drops those of older versions that no open page needs. Throws when one did not come. */
+async function keepAll(client: string): Promise<void> {
+  // One that was there before this worker: it has just fetched the newest.
+  if (await ownSite(client) === undefined) {
+    await freshSite();
+    await remember(client);
+  }
   const cache = await caches.open(cacheName);
   const wanted = new Set([siteUrl()]);
+  for (const { id } of await scope.clients.matchAll({ includeUncontrolled: true })) {
+    if (await ownSite(id) === undefined) continue;
+    wanted.add(ownSiteUrl(id));
+    for (const [url, sha256] of await manifestOf(id)) wanted.add(keyOf(url, sha256));
+  }
   const missing: string[] = [];
   for (const [url, sha256] of await currentManifest()) {
     const key = keyOf(url, sha256);
@@ -160,5 +207,5 @@ scope.addEventListener('fetch', (event) => {
 scope.addEventListener('message', (event) => {
   if (event.data !== 'keep') return;
   const port = event.ports[0];
-  event.waitUntil(keepAll().then(() => port?.postMessage('kept'), () => port?.postMessage('failed')));
+  event.waitUntil(keepAll(event.source instanceof Client ? event.source.id : '').then(() => port?.postMessage('kept'), () => port?.postMessage('failed')));
 });

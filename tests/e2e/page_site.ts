@@ -27,7 +27,7 @@ export async function buildFakePage(folder: string): Promise<string> {
     format: 'iife',
   });
   await build({ ...shared, entryPoints: { styles: join(ui, 'styles/index.css'), panels: join(ui, 'styles/panels.css') }, outdir: folder });
-  copyFileSync(join(ui, 'icon.svg'), join(folder, 'icon.svg'));
+  for (const file of ['icon.svg', 'app.webmanifest']) copyFileSync(join(ui, file), join(folder, file));
   // What a real session fetches first is not there.
   const page = readFileSync(join(ui, 'index.html'), 'utf8').replace(
     /<link rel="(module)?preload".*\n/g,

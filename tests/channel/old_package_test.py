@@ -60,7 +60,8 @@ class OldPackages(ChannelCase):
         said = json.loads(self.succeed("inspect", "archive", str(archive)))
         self.assertEqual((said["faults"], said["has_file_hashes"]), ([], False))
 
-    # Guarantee, hostile input: a file of the cache that was changed is found by `cache verify`, in packages without hashes of their files too
+    # Guarantee, hostile input: a file of the cache that was changed is found by `cache verify`, in packages
+    # without hashes of their files too
     def test_what_changes_in_the_cache_is_noticed_all_the_same(self) -> None:
         self.add()
         self.succeed("pack")

@@ -94,7 +94,8 @@ TEST(MatchSpec, RefusesWhatIsNone) {
   }
 }
 
-// Guarantee, hostile input: versions and specs that nest or repeat without end are refused or matched soon
+// Guarantee, hostile input: versions and specs that nest or repeat without end are refused or
+// matched soon
 TEST(MatchSpec, HostileTextsEndSoon) {
   EXPECT_FALSE(MatchSpec::parse(std::string(1'000'000, '(')).ok());
   EXPECT_FALSE(VersionSpec::parse(std::string(4000, '(')).ok());

@@ -60,7 +60,8 @@ TEST(WasmModule, ASharedMemoryTellsThreadsApart) {
   EXPECT_FALSE(imports_shared_memory(*own));
 }
 
-// Guarantee, hostile input: a WebAssembly file that was cut or changed anywhere is refused, or read as what is there
+// Guarantee, hostile input: a WebAssembly file that was cut or changed anywhere is refused, or read
+// as what is there
 TEST(WasmModule, EveryTruncationIsRefusedOrRead) {
   const std::string whole =
       importing({{"env", "a"}}, std::string("\3\1\2", 3)) + custom("name", "abc");

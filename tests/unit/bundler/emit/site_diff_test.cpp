@@ -10,7 +10,8 @@ std::string module_of(const std::string& sections) {
   return std::string("\0asm\1\0\0\0", 8) + sections;
 }
 
-// Guarantee, same bytes: where two sites differ, `diff` names of each file the first section, key, line or byte
+// Guarantee, same bytes: where two sites differ, `diff` names of each file the first section, key,
+// line or byte
 TEST(FirstDifference, NamesTheSectionOfAModuleAndTheByteInIt) {
   const std::string type("\1\1\0", 3);
   const std::string code_a("\12\3\1\1a", 5);

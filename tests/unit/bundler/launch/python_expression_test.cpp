@@ -303,7 +303,8 @@ TEST(PythonExpression, ReachesNothing) {
   }
 }
 
-// Guarantee, hostile input: expressions in launch files and xacro end, within bounds of depth, time and size
+// Guarantee, hostile input: expressions in launch files and xacro end, within bounds of depth, time
+// and size
 TEST(PythonExpression, HostileOnesEnd) {
   EXPECT_FALSE(evaluate_python(std::string(1000, '('), {}).ok());
   EXPECT_FALSE(evaluate_python(std::string(1000, '-') + "1", {}).ok());

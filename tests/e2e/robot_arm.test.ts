@@ -1,27 +1,25 @@
 // Example 04, packed: its checks without a browser, and its arm in the 3D view of the page, moved by a parameter.
 import assert from 'node:assert/strict';
-import { cpSync, mkdirSync, readFileSync } from 'node:fs';
+import { mkdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 import type { Browser, Page } from 'playwright-core';
 import { chromiumOptions, kSoftwareWebGl } from './chromium.ts';
+import { packExample } from './example_site.ts';
 import { Scratch, ServedSite, runCli } from './served_site.ts';
 
 const kExample = fileURLToPath(new URL('../../examples/04_robot_arm', import.meta.url));
 const kOutput = fileURLToPath(new URL('../output', import.meta.url));
 const watchdog = { timeout: 600_000 };
 const scratch = new Scratch();
-const site = join(scratch.path, 'site');
+let site: string;
 let browser: Browser;
 
 before(async () => {
   mkdirSync(kOutput, { recursive: true });
-  const workspace = join(scratch.path, 'workspace');
-  cpSync(kExample, workspace, { recursive: true });
-  const packed = await runCli(['pack', join(workspace, 'workspace.yaml'), '-o', site]);
-  assert.equal(packed.code, 0, packed.errors);
+  site = await packExample(scratch, '04_robot_arm');
   browser = await chromium.launch(chromiumOptions(kSoftwareWebGl));
 });
 

@@ -2,14 +2,16 @@
 // of a test.
 
 import { execFileSync } from 'node:child_process';
-import { copyFileSync, mkdirSync, mkdtempSync, readdirSync, rmSync } from 'node:fs';
+import { createHash } from 'node:crypto';
+import { copyFileSync, existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, renameSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
 const sitePackages = 'lib/python3.12/site-packages';
-const pyodideFiles = ['pyodide.js', 'pyodide.asm.js', 'pyodide.asm.wasm', 'pyodide-lock.json', 'python_stdlib.zip'];
+const pyodide = join(root, 'node_modules/pyodide');
+const pyodideFiles = ['pyodide.js', 'pyodide.asm.js', 'pyodide.asm.wasm', 'pyodide-lock.json'];
 
 export interface PythonNode {
   /** `module:function`, or the path of a script in the installation. */
@@ -20,10 +22,23 @@ export interface PythonNode {
   readonly environment?: Readonly<Record<string, string>>;
 }
 
+/** The standard library as the channel's package of Pyodide has it; made once. */
+export function compiledStdlib(): string {
+  const script = join(root, 'runtime/libraries/pyodide/make_stdlib.mjs');
+  const made = join(tmpdir(), `ros2wasm-stdlib-${createHash('sha256').update(readFileSync(script)).digest('hex')}.zip`);
+  if (!existsSync(made)) {
+    // Tests run side by side: whoever is last puts the same bytes there.
+    execFileSync(process.execPath, [script, pyodide, `${made}.${process.pid}`]);
+    renameSync(`${made}.${process.pid}`, made);
+  }
+  return made;
+}
+
 /** `packages`: folder -> place in the installation. */
 export function addPythonFiles(folder: string, packages: Readonly<Record<string, string>>): void {
   mkdirSync(join(folder, 'pyodide'));
-  for (const file of pyodideFiles) copyFileSync(join(root, 'node_modules/pyodide', file), join(folder, 'pyodide', file));
+  for (const file of pyodideFiles) copyFileSync(join(pyodide, file), join(folder, 'pyodide', file));
+  copyFileSync(compiledStdlib(), join(folder, 'pyodide/python_stdlib.zip'));
   mkdirSync(join(folder, 'python'));
   const make = (out: string, pairs: readonly string[]): void => {
     execFileSync('python3', [join(root, 'tests/support/make_archive.py'), join(folder, 'python', out), ...pairs]);

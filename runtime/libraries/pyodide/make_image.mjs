@@ -1,6 +1,6 @@
 // Writes the memory of a started interpreter that has imported what the readers of launch files and of setup.py need of the
 // standard library: templates/python/pyodide.mjs begins with it. The same bytes every time.
-// usage: node make_image.mjs PYODIDE IMAGE
+// usage: node make_image.mjs PYODIDE STDLIB IMAGE, where STDLIB is the library that starts with the image have (make_stdlib.mjs)
 
 import { writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
@@ -12,7 +12,7 @@ const modules = [
 ];
 const someDay = Date.UTC(2000, 0, 1);
 
-const [folder, image] = process.argv.slice(2);
+const [folder, library, image] = process.argv.slice(2);
 const { loadPyodide } = createRequire(import.meta.url)(join(folder, 'pyodide.js'));
 // Else a path, the time zone and the language of this machine are in the image.
 process.argv = [process.argv[0], '/usr/bin/python3'];
@@ -28,7 +28,7 @@ Object.defineProperty(globalThis.crypto, 'getRandomValues', {
   },
 });
 const python = await loadPyodide({
-  indexURL: `${folder}/`, jsglobals: {}, env, _makeSnapshot: true,
+  indexURL: `${folder}/`, stdLibURL: library, jsglobals: {}, env, _makeSnapshot: true,
 });
 // Each start puts the present folder on the path.
 python.runPython(`import gc, ${modules.join(', ')}\nsys.path.remove('')\ngc.collect()`);

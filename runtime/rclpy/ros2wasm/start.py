@@ -41,7 +41,9 @@ PREPARED_SERVICES = (
     'type_description_interfaces/srv/GetTypeDescription',
 )
 #: Frames of these are ours: a traceback begins with the user's.
-OWN_FILES = (__file__, importlib.__file__, runpy.__file__, '<frozen importlib', '<frozen runpy')
+OWN_FILES = (
+    __file__, importlib.import_module.__code__.co_filename, runpy.run_path.__code__.co_filename, '<frozen importlib',
+    '<frozen runpy')
 
 
 def sleep(seconds: float, /) -> None:

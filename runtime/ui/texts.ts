@@ -491,6 +491,10 @@ export const texts = {
     offlineNo: 'not kept: a file did not come, or this browser allows no service worker here',
     generator: 'Made with',
     digest: 'sha256',
+    whoSigned: 'Who signed it?',
+    unsigned: 'No signature lies beside this site.',
+    signed: (key: string, comment: string): string =>
+      `A signature by the key ${key} lies beside this site, with the comment \u201c${comment}\u201d. This page cannot vouch for itself: compare the key with what its author says elsewhere, then run ros2wasm verify with --key and this address.`,
     cite: 'Cite this site',
     copyCite: 'Copy BibTeX',
     licenses: 'Licenses of all parts',

@@ -6,6 +6,9 @@ import { createServer } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { join } from 'node:path';
 import { after, before, beforeEach, test } from 'node:test';
+import { pathToFileURL } from 'node:url';
+import { chromium } from 'playwright-core';
+import { chromiumOptions } from './chromium.ts';
 import { CLI, PackWorkspace } from './pack_workspace.ts';
 
 let ws: PackWorkspace;
@@ -181,5 +184,29 @@ test('as an archive, as a page, and on the web', async () => {
   } finally {
     server.closeAllConnections();
     await new Promise((closed) => server.close(closed));
+  }
+});
+
+// Guarantee, verified: the page says which key's signature lies beside it, its comment, and that no page vouches for itself
+test('the page says which key signed, and that this is to be checked elsewhere', async () => {
+  const [, keyId] = /public key ([0-9A-F]+)/.exec(readFileSync(join(ws.root, 'plain.pub'), 'utf8')) ?? assert.fail();
+  const packed = await ws.run(['pack', '-o', 'shown.html', '--sign', 'plain.key', '--sign-comment', 'Lab 3 <b>bold</b>']);
+  assert.equal(packed.code, 0, packed.stderr);
+  const browser = await chromium.launch(chromiumOptions());
+  try {
+    const page = await browser.newPage();
+    const ask = async (file: string): Promise<void> => {
+      await page.goto(pathToFileURL(join(ws.root, file)).href);
+      await page.getByRole('button', { name: /about/i }).first().click();
+      await page.getByRole('button', { name: 'Who signed it?' }).click();
+    };
+    await ask('shown.html');
+    await page.getByText(`A signature by the key ${keyId} lies beside this site, with the comment \u201cLab 3 <b>bold</b>\u201d. This page cannot vouch for itself`).waitFor();
+    const bare = await ws.run(['pack', '-o', 'unsigned.html']);
+    assert.equal(bare.code, 0, bare.stderr);
+    await ask('unsigned.html');
+    await page.getByText('No signature lies beside this site.').waitFor();
+  } finally {
+    await browser.close();
   }
 });

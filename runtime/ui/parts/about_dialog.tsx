@@ -7,8 +7,10 @@ import { bibtex } from '../model/citation.ts';
 import { siteDigest } from '../model/link.ts';
 import { formatBytes, formatCount } from '../model/quantities.ts';
 import { siteReport } from '../model/report.ts';
+import { claimedSignature } from '../model/signature.ts';
 import { texts } from '../texts.ts';
 import { CopyButton, IconButton } from './button.tsx';
+import { readSiteText } from './site_text.ts';
 
 export interface AboutDialogProps {
   readonly session: Session;
@@ -32,6 +34,12 @@ export function AboutDialog({ session, open, offline, onClose, announce }: About
       element.close();
     }
   }, [open]);
+  const [signature, setSignature] = useState<string | null>(null);
+  const lookForSignature = (): void => {
+    void readSiteText('site.json.minisig').then(claimedSignature, () => null).then((found) => {
+      setSignature(found === null ? texts.about.unsigned : texts.about.signed(found.keyId, found.comment));
+    });
+  };
   const { site, link } = session;
   const entry = bibtex(site, digest, location.href.replace(/[?#].*$/, ''));
   // Names of functions are fetched for crash reports only.
@@ -69,6 +77,10 @@ export function AboutDialog({ session, open, offline, onClose, announce }: About
             </div>
           ))}
       </dl>
+      <p class="about-report">
+        <button type="button" class="button" onClick={lookForSignature}>{texts.about.whoSigned}</button>
+        <span role="status">{signature ?? ''}</span>
+      </p>
       {entry === null ? null : (
         <>
           <h3>{texts.about.cite}</h3>

@@ -1,10 +1,12 @@
 // What Python nodes cost: from opening a page to the first node, when the browser has nothing, when it has kept the image
-// of an interpreter, and by a plain boot of Pyodide (the peer); memory of a further node; a message between entities of a node,
-// and between nodes (Python's, and of C++ to Python); bytes of a site; serialised messages a second.
-import { spawnSync } from 'node:child_process';
+// of an interpreter, and by a plain boot of Pyodide (the peer); to the first message of a talker to a listener; memory of a further node;
+// a message between entities of a node, and between nodes (Python's, and of C++ to Python); bytes of a site; serialised messages a second.
+import { spawn, spawnSync } from 'node:child_process';
+import { once } from 'node:events';
 import { mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { createInterface } from 'node:readline';
 import { brotliCompressSync } from 'node:zlib';
 import type { Page } from 'playwright-core';
 import { makeSite } from '../e2e/runtime_site.ts';
@@ -23,14 +25,21 @@ const WATCHDOG_MS = 300_000;
 const TRIP_AIM_US = 25;
 const RATE_AIM = 200_000;
 const BYTES_AIM = 7_000_000;
+const COLD_AIM_MS = 2500;
+const WARM_AIM_MS = 1000;
+
+/** Milliseconds from the navigation to so many of these lines. */
+async function visitUntil(page: Page, address: string, line: string, lines: number): Promise<number> {
+  const begin = performance.now();
+  await page.goto(address);
+  await page.waitForFunction(([text, count]) => (document.body?.textContent ?? '').split(text).length > count, [line, lines] as const, TIMEOUT);
+  return performance.now() - begin;
+}
 
 /** Milliseconds from the navigation to the line of the last node. */
-async function visit(page: Page, url: string, nodes: number): Promise<number> {
+function visit(page: Page, url: string, nodes: number): Promise<number> {
   const names = Array.from({ length: nodes }, (_, i) => `waits-${i + 1}`).join(',');
-  const begin = performance.now();
-  await page.goto(`${url}?nodes=${names}`);
-  await page.waitForFunction((count) => (document.body?.textContent?.match(/node is made/g) ?? []).length >= count, nodes, TIMEOUT);
-  return performance.now() - begin;
+  return visitUntil(page, `${url}?nodes=${names}`, 'node is made', nodes);
 }
 
 /** Milliseconds of what a program would do by itself: boot, unpack, import. */
@@ -93,6 +102,47 @@ async function benchStart(context: BenchContext, site: string): Promise<void> {
     context.emit({ ...shared, what: 'a further node on a page', ms: Math.round(further), peer_to_ours: ratio(further) });
     context.emit({ bench: 'python', what: 'memory of a further node', kb: summary(kb), machine_load: machineLoad() });
   });
+}
+
+/** From the navigation to what a listener hears first of a talker, whose timer comes every 5 ms. Node.js: from the start of the process. */
+async function benchFirstMessage(context: BenchContext, site: string): Promise<void> {
+  const line = 'first message is hello';
+  const cold: number[] = [];
+  const warm: number[] = [];
+  for (let run = 0; run < RUNS; run += 1) {
+    await inBrowser(site, async (page, _pid, url) => {
+      cold.push(await visitUntil(page, url, line, 1));
+      await isKept(page);
+      warm.push(await visitUntil(page, url, line, 1));
+    });
+  }
+  const headless: number[] = [];
+  for (let run = 0; run < RUNS; run += 1) headless.push(await firstLine(context, site, line));
+  const what = 'first message of a talker to a listener';
+  const emit = (place: string, ms: readonly number[], aim?: number): void => {
+    context.emit({ bench: 'python', what, place, ms: summary(ms), ...(aim === undefined ? {} : { aim_ms: aim }), machine_load: machineLoad() });
+  };
+  emit('Chromium, nothing in the browser', cold, COLD_AIM_MS);
+  emit('Chromium, image kept', warm, WARM_AIM_MS);
+  emit('Node.js', headless);
+}
+
+/** Milliseconds until a headless run prints it. */
+async function firstLine(context: BenchContext, site: string, line: string): Promise<number> {
+  const begin = performance.now();
+  const run = spawn(process.execPath, [join(context.root, 'runtime/wasm_js/headless.ts'), site], { stdio: ['ignore', 'pipe', 'inherit'] });
+  const over = once(run, 'close');
+  const watchdog = setTimeout(() => run.kill('SIGKILL'), WATCHDOG_MS);
+  try {
+    for await (const one of createInterface({ input: run.stdout })) {
+      if (one.includes(line)) return performance.now() - begin;
+    }
+  } finally {
+    clearTimeout(watchdog);
+    run.kill('SIGKILL');
+    await over;
+  }
+  throw new Error(`the run ends before the line "${line}"`);
 }
 
 function benchMessages(context: BenchContext, site: string): void {
@@ -159,13 +209,15 @@ function benchBytes(context: BenchContext, site: string): void {
 
 export async function benchPython(context: BenchContext): Promise<void> {
   const packages = { [join(context.root, 'tests/bench/packages/python_bench/scripts')]: 'lib/python_bench' };
-  const waits = Array.from({ length: WAITING }, () => ({ entry: 'lib/python_bench/waits', executable: 'waits' }));
   const folder = mkdtempSync(join(tmpdir(), 'ros2wasm-bench-'));
-  const sites = [waits, [{ entry: 'lib/python_bench/rates', executable: 'rates' }]].map((nodes) => makeSite([], {}, {}, { nodes, packages }));
+  const script = (name: string): { entry: string; executable: string } => ({ entry: `lib/python_bench/${name}`, executable: name });
+  const waits = Array.from({ length: WAITING }, () => script('waits'));
+  const sites = [waits, [script('rates')], [script('talks'), script('hears')]].map((nodes) => makeSite([], {}, {}, { nodes, packages }));
   try {
-    const [start = '', messages = ''] = sites;
+    const [start = '', messages = '', chatter = ''] = sites;
     benchBytes(context, start);
     await benchStart(context, start);
+    await benchFirstMessage(context, chatter);
     benchMessages(context, messages);
     await benchPairs(context, folder);
   } finally {

@@ -2,6 +2,7 @@
 #include "bundler/plan/stored_site.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <vector>
 
@@ -12,7 +13,10 @@ namespace ros2wasm {
 namespace {
 
 constexpr const char* kPage = "index.html";
-constexpr const char* kServiceWorker = "service_worker.js";
+/// What browsers ask for by its place in the site, or what names others by theirs: the app's start
+/// page and icon stand in its manifest.
+constexpr std::array<std::string_view, 4> kBesideFiles{"app.webmanifest", "icon.svg", kPage,
+                                                       "service_worker.js"};
 /// It is asked for before site.json is read.
 constexpr const char* kWorker = "node_worker.js";
 
@@ -66,8 +70,9 @@ std::string placed_page(std::string page, const SitePlan& plan) {
 void keep_in_store(SitePlan& plan) {
   if (plan.store.objects.empty()) return;
   for (PlannedFile& file : plan.files) {
-    if (file.kept == Kept::kBeside && file.path != kPage && file.path != kServiceWorker)
-      file.kept = Kept::kObject;
+    const bool beside =
+        std::find(kBesideFiles.begin(), kBesideFiles.end(), file.path) != kBesideFiles.end();
+    if (file.kept == Kept::kBeside && !beside) file.kept = Kept::kObject;
   }
 }
 

@@ -56,7 +56,7 @@ after(async () => {
 test('a site of a store has what is its own; the rest lies in the store, under its sha256', async () => {
   const files = ws.files('course');
   const beside = [...files.keys()].filter((path) => !path.startsWith('objects/'));
-  assert.deepEqual(beside, ['one', 'two'].flatMap((name) => ['index.html', 'service_worker.js', 'site.json'].map((file) => `${name}/${file}`)));
+  assert.deepEqual(beside, ['one', 'two'].flatMap((name) => ['app.webmanifest', 'icon.svg', 'index.html', 'service_worker.js', 'site.json'].map((file) => `${name}/${file}`)));
   const scripts: string[] = [];
   for (const [path, bytes] of files) {
     const [, name] = /^objects\/([0-9a-f]{64})(?:\.[a-z0-9]+)?$/.exec(path) ?? [];

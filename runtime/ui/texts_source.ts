@@ -4,6 +4,10 @@ export const sourceTexts = {
   none: 'This site has no Python files of its workspace.',
   unknown: (file: string): string => `This site has no source ${file}.`,
   file: 'File',
+  search: 'Search all files',
+  hits: 'Lines that have the text',
+  hitCount: (count: number, more: boolean): string =>
+    count === 0 ? 'No file has this text.' : more ? `The first ${count} lines that have it.` : `${count} ${count === 1 ? 'line has' : 'lines have'} it.`,
   option: { packed: '', changed: ' (changed)', outdated: ' (changed, of another version)' },
   state: { packed: 'As packed', changed: 'Changed', outdated: 'Changed, of another version' },
   apply: 'Apply and restart',

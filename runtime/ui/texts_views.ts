@@ -6,17 +6,20 @@ export const viewTexts = {
     noneMatch: 'Nothing in the graph matches the filter.',
     leftOut: (count: number): string => `The graph is too large to be drawn whole: ${count} more match. A filter shows the part you mean.`,
     count: (nodes: number, others: number): string =>
-      others === 0 ? `${nodes} ${nodes === 1 ? 'node' : 'nodes'}` : `${nodes} ${nodes === 1 ? 'node' : 'nodes'}, ${others} ${others === 1 ? 'topic' : 'topics and actions'}`,
+      others === 0 ? `${nodes} ${nodes === 1 ? 'node' : 'nodes'}` : `${nodes} ${nodes === 1 ? 'node' : 'nodes'}, ${others} ${others === 1 ? 'topic, action or service' : 'topics, actions and services'}`,
     label: (count: string): string => `Graph: ${count}. Arrow keys go from one to the next, Enter chooses, plus and minus zoom, 0 shows all`,
     item: {
       node: (name: string): string => `Node ${name}`,
       topic: (name: string): string => `Topic ${name}`,
       action: (name: string): string => `Action ${name}`,
+      service: (name: string): string => `Service ${name}`,
     },
     more: (count: number): string => `and ${count} more`,
     mode: 'What is drawn',
     modes: { topics: 'Nodes, topics', nodes: 'Nodes only' },
     groups: 'Groups',
+    services: 'Services',
+    servicesLong: 'Show services, from those who call to those who answer',
     hidden: 'Hidden',
     hiddenLong: 'Show hidden nodes and topics',
     filter: 'Filter the graph',
@@ -42,6 +45,8 @@ export const viewTexts = {
     calls: 'Calls services',
     actionServers: 'Action servers',
     actionClients: 'Action clients',
+    serviceServers: 'Servers',
+    serviceClients: 'Clients',
   },
 
   diagnostics: {

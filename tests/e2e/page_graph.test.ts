@@ -81,6 +81,36 @@ test('nodes only: topics and actions are words on the wires, and open as boxes d
     await box(page, 'Topic /robot/scan').waitFor();
   }));
 
+test('services are drawn when they are asked for, but for those that every node has', () =>
+  stage.on(withGraph(), {}, async (page) => {
+    await box(page, 'Node /planner').waitFor();
+    await page.evaluate(() => {
+      setNodes([
+        graphNode('/asker', 'asker-1', { clients: [endpoint('/add', 'demo/srv/Add')] }),
+        graphNode('/adder', 'adder-1', {
+          services: [endpoint('/add', 'demo/srv/Add'), endpoint('/adder/get_parameters', 'rcl_interfaces/srv/GetParameters')],
+        }),
+      ]);
+    });
+    await box(page, 'Node /adder').waitFor();
+    assert.equal(await page.locator('.graph-service').count(), 0);
+    await page.getByRole('checkbox', { name: 'Services' }).check();
+    await box(page, 'Service /add').waitFor();
+    assert.equal(await page.locator('.graph-service').count(), 1);
+    assert.equal(await page.locator('.graph-wire-service').count(), 2);
+    await page.screenshot({ path: join(kOutput, 'graph_services.png') });
+    await box(page, 'Service /add').click();
+    const details = page.getByRole('region', { name: 'Details of /add' });
+    await details.getByText('Clients', { exact: true }).waitFor();
+    await expectAccessible(page);
+    await details.getByRole('button', { name: '/adder' }).click();
+    await page.getByRole('region', { name: 'Details of /adder' }).getByRole('button', { name: '/add', exact: true }).waitFor();
+    // What was asked for is kept, as in a link.
+    await page.reload();
+    await box(page, 'Node /planner').waitFor();
+    assert.equal(await page.getByRole('checkbox', { name: 'Services' }).isChecked(), true);
+  }));
+
 test('what is chosen shows its details, and opens its console or topic', () =>
   stage.on(withGraph(), {}, async (page) => {
     await box(page, 'Node /planner').click();

@@ -198,6 +198,21 @@ test('keyboard, hostile names, links, a narrow page, axe-core in both themes', w
     await page.keyboard.press('Escape');
     await page.keyboard.press('Tab');
     await page.waitForFunction(() => document.activeElement?.classList.contains('source-editor') === false);
+    // What is looked for is found in all files, in changed ones as they are now.
+    const search = page.getByRole('searchbox', { name: 'Search all files' });
+    const hits = page.getByRole('group', { name: 'Lines that have the text' });
+    await search.fill('print(');
+    await hits.getByText('2 lines have it.').waitFor();
+    await hits.getByText('print("<b>")').waitFor();
+    await search.fill('create_publisher');
+    await hits.getByText('1 line has it.').waitFor();
+    await hits.getByRole('button', { name: 'src/lab_py/scripts/talk.py:9' }).click();
+    await page.waitForFunction(() => document.querySelector<HTMLSelectElement>('.panel-source select')?.value.endsWith('talk.py'));
+    await editorOf(page).getByText('create_publisher').waitFor();
+    await search.fill('nowhere to be found');
+    await hits.getByText('No file has this text.').waitFor();
+    await search.fill('print(');
+    await page.getByRole('combobox', { name: 'File' }).selectOption(files[3]?.[1] ?? '');
     for (const colorScheme of ['light', 'dark'] as const) {
       await page.emulateMedia({ colorScheme });
       await page.screenshot({ path: join(kOutput, `source_${colorScheme}.png`) });

@@ -12,6 +12,11 @@ export interface Callable {
 /** Services that every node has, for its parameters, type descriptions and logger levels. */
 const kEveryNode = /^(?:rcl_interfaces|type_description_interfaces)\/srv\//;
 
+/** One that somebody made, and that is not hidden. */
+export function isShownService({ name, type }: { readonly name: string; readonly type: string }): boolean {
+  return !isHiddenName(name) && !kEveryNode.test(type);
+}
+
 /** With `all`: hidden ones, too, and those that every node has. */
 export function endpointsToCall({ nodes }: GraphView, all: boolean): Callable[] {
   const found = new Map<string, Callable>();
@@ -19,7 +24,7 @@ export function endpointsToCall({ nodes }: GraphView, all: boolean): Callable[] 
     found.set(`${kind} ${name} ${type}`, { kind, name, type });
   };
   for (const { services, actionServers } of nodes) {
-    for (const { name, type } of services) if (all || !(isHiddenName(name) || kEveryNode.test(type))) add('service', name, type);
+    for (const { name, type } of services) if (all || isShownService({ name, type })) add('service', name, type);
     for (const { name, type } of actionServers) if (all || !isHiddenName(name)) add('action', name, type);
   }
   return [...found.values()];

@@ -3,18 +3,23 @@
 
 import type { GraphNodeView, GraphView } from '../../wasm_js/session.ts';
 import { isHiddenName, splitNodeName } from '../../decode/ros_names.ts';
+import { isShownService } from './callable.ts';
 import { isHiddenTopic } from './hidden_names.ts';
 
 export interface PictureOptions {
   /** Topics on the wires between nodes, or as boxes of their own. */
   readonly mode: 'nodes' | 'topics';
   readonly hidden: boolean;
+  /** Services as well. */
+  readonly services: boolean;
   readonly groups: boolean;
   /** Only what has it in its name, and what that is connected with. */
   readonly text: string;
 }
 
-export type BoxKind = 'node' | 'topic' | 'action';
+/** What leads from node to node. */
+export type WireKind = 'topic' | 'action' | 'service';
+export type BoxKind = 'node' | WireKind;
 
 export interface Box {
   /** Of one node also when several have its name. */
@@ -29,7 +34,7 @@ export interface Box {
 
 /** What is written on a wire between two nodes. */
 export interface WireLine {
-  readonly kind: 'topic' | 'action';
+  readonly kind: WireKind;
   readonly name: string;
   readonly label: string;
 }
@@ -38,8 +43,8 @@ export interface Wire {
   readonly id: string;
   readonly from: string;
   readonly to: string;
-  readonly kind: 'topic' | 'action';
-  /** Names of the topics or actions it stands for. */
+  readonly kind: WireKind;
+  /** Names of the topics, actions or services it stands for. */
   readonly names: readonly string[];
   /** Whose rate it has: a topic of which all messages pass it. */
   readonly rateOf: string | null;
@@ -113,6 +118,16 @@ export function actionEnds(graph: GraphView, hidden: boolean): ReadonlyMap<strin
   return found;
 }
 
+/** From the clients to the servers; those that every node has are hidden ones. */
+export function serviceEnds(graph: GraphView, hidden: boolean): ReadonlyMap<string, Ends> {
+  const found = new Map<string, Ends>();
+  for (const { id, node } of shownNodes(graph, hidden)) {
+    for (const each of node.clients) if (hidden || isShownService(each)) endsOf(found, each.name).from.add(id);
+    for (const each of node.services) if (hidden || isShownService(each)) endsOf(found, each.name).to.add(id);
+  }
+  return found;
+}
+
 function endsOf(all: Map<string, Ends>, name: string): Ends {
   const ends = all.get(name) ?? { from: new Set(), to: new Set() };
   all.set(name, ends);
@@ -123,16 +138,19 @@ type Bare = Omit<Box, 'label' | 'group'>;
 
 export function pictureOf(graph: GraphView, options: PictureOptions): Picture {
   const nodes = shownNodes(graph, options.hidden).map(({ id, node }): Bare => ({ id, kind: 'node', name: node.name }));
-  const topics = topicEnds(graph, options.hidden);
-  const actions = actionEnds(graph, options.hidden);
+  const all: readonly (readonly [WireKind, ReadonlyMap<string, Ends>])[] = [
+    ['topic', topicEnds(graph, options.hidden)],
+    ['action', actionEnds(graph, options.hidden)],
+    ['service', options.services ? serviceEnds(graph, options.hidden) : new Map()],
+  ];
   let boxes: readonly Bare[] = nodes;
   let wires: readonly Wire[];
   if (options.mode === 'topics') {
     const ofKind = (kind: BoxKind, names: Iterable<string>): Bare[] => [...names].sort().map((name) => ({ id: boxId(kind, name), kind, name }));
-    boxes = [...nodes, ...ofKind('topic', topics.keys()), ...ofKind('action', actions.keys())];
-    wires = [...wiresThrough('topic', topics), ...wiresThrough('action', actions)];
+    boxes = [...nodes, ...all.flatMap(([kind, ends]) => ofKind(kind, ends.keys()))];
+    wires = all.flatMap(([kind, ends]) => wiresThrough(kind, ends));
   } else {
-    wires = wiresBetween(topics, actions);
+    wires = all.flatMap(([kind, ends]) => wiresBetween(kind, ends));
   }
   const near = nearText(boxes, wires, options.text);
   const wanted = boxes.filter(({ id }) => near.has(id));
@@ -160,7 +178,7 @@ function between(wires: readonly Wire[], boxes: readonly Bare[]): readonly Wire[
 }
 
 /** Node to topic, topic to node. */
-function wiresThrough(kind: 'topic' | 'action', all: ReadonlyMap<string, Ends>): readonly Wire[] {
+function wiresThrough(kind: WireKind, all: ReadonlyMap<string, Ends>): readonly Wire[] {
   return [...all].sort(byKey).flatMap(([name, { from, to }]) => {
     const middle = boxId(kind, name);
     const wire = (a: string, b: string, carriesAll: boolean): Wire => ({
@@ -174,33 +192,29 @@ function wiresThrough(kind: 'topic' | 'action', all: ReadonlyMap<string, Ends>):
   });
 }
 
-/** From each publisher to each subscriber one wire, with the names of the topics; and of the actions. */
-function wiresBetween(topics: ReadonlyMap<string, Ends>, actions: ReadonlyMap<string, Ends>): readonly Wire[] {
-  const found: Wire[] = [];
-  for (const [kind, all] of [['topic', topics], ['action', actions]] as const) {
-    const byPair = new Map<string, { from: string; to: string; names: string[] }>();
-    for (const [name, { from, to }] of [...all].sort(byKey)) {
-      for (const a of from) {
-        for (const b of to) {
-          const key = `${kind} ${a} > ${b}`;
-          const known = byPair.get(key);
-          if (known === undefined && byPair.size >= kMostPairs) continue;
-          const pair = known ?? { from: a, to: b, names: [] };
-          byPair.set(key, pair);
-          pair.names.push(name);
-        }
+/** From each publisher (or client) to each subscriber (or server) one wire, with the names of all that leads there. */
+function wiresBetween(kind: WireKind, all: ReadonlyMap<string, Ends>): readonly Wire[] {
+  const byPair = new Map<string, { from: string; to: string; names: string[] }>();
+  for (const [name, { from, to }] of [...all].sort(byKey)) {
+    for (const a of from) {
+      for (const b of to) {
+        const key = `${kind} ${a} > ${b}`;
+        const known = byPair.get(key);
+        if (known === undefined && byPair.size >= kMostPairs) continue;
+        const pair = known ?? { from: a, to: b, names: [] };
+        byPair.set(key, pair);
+        pair.names.push(name);
       }
     }
-    for (const [id, { from, to, names }] of byPair) {
-      const shown = names.length <= kMostLines ? names : names.slice(0, kMostLines - 1);
-      found.push({
-        id, from, to, kind, names, rateOf: null,
-        lines: shown.map((name) => ({ kind, name, label: shortName(name) })),
-        more: names.length - shown.length,
-      });
-    }
   }
-  return found;
+  return [...byPair].map(([id, { from, to, names }]): Wire => {
+    const shown = names.length <= kMostLines ? names : names.slice(0, kMostLines - 1);
+    return {
+      id, from, to, kind, names, rateOf: null,
+      lines: shown.map((name) => ({ kind, name, label: shortName(name) })),
+      more: names.length - shown.length,
+    };
+  });
 }
 
 /** The boxes that have the text in their name or on their wires, and those that they are connected with. */

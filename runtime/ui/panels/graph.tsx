@@ -1,5 +1,5 @@
 // The graph: who sends what to whom, as a drawing. Nodes and topics, or nodes only; namespaces as groups; live rates.
-// State: {mode, hidden, groups, text}.
+// State: {mode, services, hidden, groups, text}.
 
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import type { GraphView, Session } from '../../wasm_js/session.ts';
@@ -33,6 +33,7 @@ function readOptions(state: Json): PictureOptions {
   return {
     mode: textMember(state, 'mode') === 'nodes' ? 'nodes' : 'topics',
     hidden: flagMember(state, 'hidden', false),
+    services: flagMember(state, 'services', false),
     groups: flagMember(state, 'groups', true),
     text: textMember(state, 'text').slice(0, 200),
   };
@@ -61,7 +62,7 @@ export function GraphPanel({ session, focus, announce, state, setState, open }: 
     // What is chosen already opens.
     const name = id.slice(id.indexOf(' ') + 1);
     if (id.startsWith('topic ')) showTopic(name);
-    else if (id.startsWith('action ')) open('services');
+    else if (id.startsWith('action ') || id.startsWith('service ')) open('services');
     else {
       const process = graph.nodes.find((node) => node.name === name)?.process;
       if (process !== undefined) showConsole(process);
@@ -98,6 +99,12 @@ export function GraphPanel({ session, focus, announce, state, setState, open }: 
             <option value="nodes">{viewTexts.graph.modes.nodes}</option>
           </select>
           <Check label={viewTexts.graph.groups} checked={options.groups} onChange={(groups) => change({ groups })} />
+          <Check
+            label={viewTexts.graph.services}
+            title={viewTexts.graph.servicesLong}
+            checked={options.services}
+            onChange={(services) => change({ services })}
+          />
           <Check label={viewTexts.graph.hidden} title={viewTexts.graph.hiddenLong} checked={options.hidden} onChange={(hidden) => change({ hidden })} />
           <SearchField value={options.text} label={viewTexts.graph.filter} onText={(text) => change({ text })} />
           <MenuButton
@@ -202,14 +209,14 @@ interface Kept {
 
 /** The arrangement of the picture: as before, as far as that can be. */
 function useArrangement(
-  picture: Picture, { mode, hidden, groups, text }: PictureOptions, room: HTMLElement | null,
+  picture: Picture, { mode, services, hidden, groups, text }: PictureOptions, room: HTMLElement | null,
   /** Is told how long the last one took, in ms. */
   took: { current: number },
 ): { readonly arrangement: Arrangement; readonly layOutAgain: () => void } {
   const kept = useRef<Kept | null>(null);
   const [, redraw] = useState(0);
   // What the visitor asked to see otherwise may stand otherwise.
-  const of = JSON.stringify([mode, hidden, groups, text, room === null]);
+  const of = JSON.stringify([mode, services, hidden, groups, text, room === null]);
   const view = { width: room?.clientWidth ?? 0, height: room?.clientHeight ?? 0 };
   const make = (sizes: Sizes): Arrangement => {
     const before = kept.current;

@@ -15,6 +15,8 @@ import { Icon } from '../parts/icon.tsx';
 import { isAlive } from '../parts/node_state.tsx';
 import { PanelFrame } from '../parts/panel.tsx';
 import { ProblemView } from '../parts/problem_view.tsx';
+import { SearchField } from '../parts/search_field.tsx';
+import { SourceSearch } from '../parts/source_search.tsx';
 import { useNodes } from '../parts/watch.ts';
 import { texts } from '../texts.ts';
 import { sourceTexts } from '../texts_source.ts';
@@ -67,6 +69,7 @@ function SourceFile({ session, state, setState, announce, sources, list }: Sourc
   const source = found ?? (wanted === '' ? first : undefined);
   const packed = usePacked(sources, list, source);
   const users = nodes.filter((node) => source !== undefined && node.usedSources?.includes(source.path));
+  const [search, setSearch] = useState('');
   const [said, setSaid] = useState('');
   const say = (words: string): void => {
     setSaid(words);
@@ -120,6 +123,7 @@ function SourceFile({ session, state, setState, announce, sources, list }: Sourc
             ))}
           </select>
         </label>
+        <SearchField value={search} label={sourceTexts.search} onText={setSearch} />
         <div class="panel-tools">
           <button
             type="button"
@@ -142,6 +146,9 @@ function SourceFile({ session, state, setState, announce, sources, list }: Sourc
           <CopyButton label={sourceTexts.patchLong} words={sourceTexts.patch} text={patch} announce={announce} />
         </div>
       </div>
+      {search.trim() === '' ? null : (
+        <SourceSearch sources={sources} list={list} wanted={search} onHit={(file, at) => setState({ file, line: at })} />
+      )}
       {source === undefined ? <p class="hint">{sourceTexts.unknown(wanted)}</p> : null}
       {source?.state === 'outdated' ? (
         <div class="source-note">

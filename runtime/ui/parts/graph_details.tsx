@@ -1,9 +1,10 @@
-// What is known of the node, topic or action that was chosen in the graph, and the doors to the panels that show more.
+// What is known of the node, topic, action or service that was chosen in the graph, and the doors to the panels that show more.
 
 import type { GraphEndpointView, GraphNodeView, GraphView, Session, TopicView } from '../../wasm_js/session.ts';
 import { isHiddenName } from '../../decode/ros_names.ts';
 import { isHiddenTopic } from '../model/hidden_names.ts';
-import { actionEnds, boxId, shownNodes, topicEnds } from '../model/graph_picture.ts';
+import { isShownService } from '../model/callable.ts';
+import { actionEnds, boxId, serviceEnds, shownNodes, topicEnds } from '../model/graph_picture.ts';
 import { formatBandwidth, formatCount, formatRate } from '../model/quantities.ts';
 import { viewTexts } from '../texts_views.ts';
 import { IconButton } from './button.tsx';
@@ -29,7 +30,8 @@ export function GraphDetails(props: GraphDetailsProps) {
   const node = shownNodes(graph, hidden).find(({ id }) => id === selected)?.node;
   const topic = [...topicEnds(graph, hidden)].find(([name]) => boxId('topic', name) === selected);
   const action = [...actionEnds(graph, hidden)].find(([name]) => boxId('action', name) === selected);
-  const name = node?.name ?? topic?.[0] ?? action?.[0];
+  const service = [...serviceEnds(graph, hidden)].find(([name]) => boxId('service', name) === selected);
+  const name = node?.name ?? topic?.[0] ?? action?.[0] ?? service?.[0];
   if (name === undefined) return null;
   return (
     <section class="graph-details" aria-label={viewTexts.graph.details(name)}>
@@ -41,7 +43,12 @@ export function GraphDetails(props: GraphDetailsProps) {
       </div>
       {node === undefined ? null : <NodeDetails {...props} node={node} />}
       {topic === undefined ? null : <TopicDetails {...props} name={topic[0]} ends={topic[1]} />}
-      {action === undefined ? null : <ActionDetails {...props} name={action[0]} ends={action[1]} />}
+      {action === undefined ? null : (
+        <CallDetails {...props} {...kOfAction} name={action[0]} ends={action[1]} />
+      )}
+      {service === undefined ? null : (
+        <CallDetails {...props} {...kOfService} name={service[0]} ends={service[1]} />
+      )}
     </section>
   );
 }
@@ -51,7 +58,11 @@ function NodeDetails({ node, session, hidden, onSelect, showConsole }: GraphDeta
   const topics = (list: readonly GraphEndpointView[]): readonly Entry[] =>
     distinct(list.filter((each) => hidden || !isHiddenTopic(each.name))).map(({ name, type }) => ({ name, note: type, id: boxId('topic', name) }));
   const services = (list: readonly GraphEndpointView[]): readonly Entry[] =>
-    distinct(list.filter((each) => hidden || !isHiddenName(each.name))).map(({ name, type }) => ({ name, note: type, id: null }));
+    distinct(list.filter((each) => hidden || !isHiddenName(each.name))).map((each) => ({
+      name: each.name,
+      note: each.type,
+      id: hidden || isShownService(each) ? boxId('service', each.name) : null,
+    }));
   const actions = (list: GraphNodeView['actionServers']): readonly Entry[] =>
     list.map(({ name, type }) => ({ name, note: type, id: boxId('action', name) }));
   return (
@@ -107,7 +118,20 @@ function TopicDetails({ name, ends, graph, topics, hidden, onSelect, showTopic }
   );
 }
 
-function ActionDetails({ name, ends, graph, hidden, onSelect, showAction }: EndsProps) {
+const kOfAction = { servers: viewTexts.graph.actionServers, clients: viewTexts.graph.actionClients };
+const kOfService = { servers: viewTexts.graph.serviceServers, clients: viewTexts.graph.serviceClients };
+
+/** Of an action or a service. */
+function CallDetails({
+  name,
+  ends,
+  servers,
+  clients,
+  graph,
+  hidden,
+  onSelect,
+  showAction,
+}: EndsProps & { readonly servers: string; readonly clients: string }) {
   const entries = nodeEntries(graph, hidden);
   return (
     <>
@@ -116,8 +140,8 @@ function ActionDetails({ name, ends, graph, hidden, onSelect, showAction }: Ends
           {viewTexts.graph.showAction}
         </button>
       </div>
-      <Entries title={viewTexts.graph.actionServers} entries={entries(ends.to)} onSelect={onSelect} />
-      <Entries title={viewTexts.graph.actionClients} entries={entries(ends.from)} onSelect={onSelect} />
+      <Entries title={servers} entries={entries(ends.to)} onSelect={onSelect} />
+      <Entries title={clients} entries={entries(ends.from)} onSelect={onSelect} />
     </>
   );
 }

@@ -31,7 +31,7 @@ function node(name: string, { pub = [], sub = [], serves = [], calls = [] }: Spe
   };
 }
 
-const usual: PictureOptions = { mode: 'topics', hidden: false, groups: true, text: '' };
+const usual: PictureOptions = { mode: 'topics', hidden: false, services: false, groups: true, text: '' };
 const picture = (nodes: readonly GraphNodeView[], options: Partial<PictureOptions> = {}): Picture => pictureOf({ nodes }, { ...usual, ...options });
 const names = ({ boxes }: Picture): readonly string[] => boxes.map(({ kind, name }) => `${kind} ${name}`);
 const wires = (of: Picture): readonly string[] => of.wires.map(({ from, to, names: carried }) => `${from} > ${to}: ${carried.join(' ')}`);
@@ -54,6 +54,32 @@ test('nodes, topics and actions are boxes; what is hidden is not', () => {
   assert.deepEqual(names(picture(pair, { hidden: true })), [
     'node /_ros2wasm_page', 'node /listener', 'node /talker',
     'topic /chat', 'topic /count/_action/feedback', 'topic /parameter_events', 'topic /rosout', 'action /count',
+  ]);
+});
+
+test('services are shown when they are asked for, without those that every node has', () => {
+  const end = (name: string, type: string): GraphEndpointView => ({ name, type, hash: '', qos: kQos, gid: '' });
+  const nodes: readonly GraphNodeView[] = [
+    { ...node('/asker'), clients: [end('/add', 'demo/srv/Add'), end('/gone', 'demo/srv/Add')] },
+    {
+      ...node('/adder'),
+      services: [
+        end('/add', 'demo/srv/Add'), end('/_hidden', 'demo/srv/Add'), end('/adder/set_parameters', 'rcl_interfaces/srv/SetParameters'),
+      ],
+    },
+  ];
+  assert.deepEqual(names(picture(nodes)), ['node /asker', 'node /adder']);
+  const of = picture(nodes, { services: true });
+  assert.deepEqual(names(of), ['node /asker', 'node /adder', 'service /add', 'service /gone']);
+  assert.deepEqual(wires(of), [
+    'node /asker > service /add: /add', 'service /add > node /adder: /add', 'node /asker > service /gone: /gone',
+  ]);
+  assert.deepEqual(of.wires.map(({ kind, rateOf }) => `${kind} ${rateOf}`), Array(3).fill('service null'));
+  const between = picture(nodes, { services: true, mode: 'nodes' });
+  assert.deepEqual(wires(between), ['node /asker > node /adder: /add']);
+  assert.deepEqual(between.wires[0]?.lines.map(({ kind }) => kind), ['service']);
+  assert.deepEqual(names(picture(nodes, { services: true, hidden: true })).filter((name) => name.startsWith('service')), [
+    'service /_hidden', 'service /add', 'service /adder/set_parameters', 'service /gone',
   ]);
 });
 

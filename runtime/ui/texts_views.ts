@@ -1,6 +1,7 @@
 // English texts of the graph, diagnostics, notebook, managed nodes and frames, which come with these panels.
 
 export const viewTexts = {
+  scene: { keep: 'Arrows of odometry that stay' },
   graph: {
     none: 'No nodes in the graph yet. They appear when programs start.',
     noneMatch: 'Nothing in the graph matches the filter.',

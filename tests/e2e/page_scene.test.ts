@@ -1,6 +1,7 @@
 // The 3D view in Chromium, with messages that pass a real graph, drawn by SwiftShader.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
+import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Page } from 'playwright-core';
 import { kSoftwareWebGl } from './chromium.ts';
@@ -345,6 +346,38 @@ test('a goal is set with the pointer or by keys, in the fixed frame', () =>
     await page.waitForFunction(() => goals.length === 2);
     await canvas.press('Escape');
     await page.getByText('3 frames').waitFor();
+  }));
+
+test('odometry leaves a trail as long as is kept, and a covariance an ellipse', () =>
+  on({ view: { top: true, distance: 8 }, grid: false, frames: false, names: false }, async (page) => {
+    await frames(page, [transform('map', 'base', [0, 0, 0])]);
+    await page.getByText('2 frames').waitFor();
+    const odometry = async (x: number, variance: number): Promise<void> => {
+      const covariance = Array.from({ length: 36 }, (_, i) => (i === 0 || i === 7 ? variance : 0));
+      const none = { x: 0, y: 0, z: 0 };
+      await publish(page, '/odom', 'nav_msgs/msg/Odometry', {
+        header: { stamp: { sec: 1, nanosec: 0 }, frame_id: 'map' }, child_frame_id: 'base',
+        pose: { pose: { position: { x, y: 0, z: 0 }, orientation: { ...none, w: 1 } }, covariance },
+        twist: { twist: { linear: none, angular: none }, covariance: Array.from({ length: 36 }, () => 0) },
+      });
+    };
+    for (const x of [-2, -1, 0, 1]) {
+      const before = await drawings(page);
+      while ((await drawings(page)) === before) await odometry(x, 0);
+    }
+    const long = await pixels(page, 'blue');
+    await page.getByRole('combobox', { name: 'Arrows of odometry that stay' }).selectOption('1');
+    // Said again and again, as odometry is: what is shown begins anew with another choice.
+    let short = 0;
+    while (short === 0 || short >= long) {
+      await odometry(1, 0);
+      short = await pixels(page, 'blue');
+    }
+    const canvas = page.locator('.scene-canvas');
+    const plain = await canvas.screenshot();
+    await odometry(1, 0.25);
+    while ((await canvas.screenshot()).equals(plain));
+    await canvas.screenshot({ path: join(kOutput, 'scene_odometry.png') });
   }));
 
 test('an .rviz file says what is shown', () =>

@@ -5,6 +5,7 @@ import { parseDocument } from 'yaml';
 import { kFieldOfView, readView } from './camera_view.ts';
 import type { CameraView } from './camera_view.ts';
 import { member, textMember } from './json.ts';
+import { kMostKept } from './scene_options.ts';
 import type { SceneOptions } from './scene_options.ts';
 import { frameName } from './transform.ts';
 
@@ -50,6 +51,7 @@ export function readRviz(text: string): RvizScene | null {
     if (topic === undefined || !kDrawn.has(kind)) leftOut.push(name);
     else topics.add(topic);
   }
+  const keep = member(on.find(({ kind }) => kind === 'Odometry')?.value, 'Keep');
   const frames = on.find(({ kind }) => kind === 'TF');
   const frame = frameName(textMember(member(root, 'Global Options'), 'Fixed Frame'));
   const view = viewOf(member(member(root, 'Views'), 'Current'));
@@ -63,6 +65,8 @@ export function readRviz(text: string): RvizScene | null {
       ...(frame === '' ? {} : { frame }),
       ...(view === null ? {} : { view }),
       ...(goal === '' ? {} : { goal }),
+      // 0 is without end there.
+      ...(typeof keep === 'number' ? { keep: keep >= 1 && keep <= kMostKept ? keep : kMostKept } : {}),
     },
     leftOut,
   };

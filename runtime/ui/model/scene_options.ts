@@ -2,7 +2,7 @@
 
 import { readView, writeView } from './camera_view.ts';
 import type { CameraView } from './camera_view.ts';
-import { flagMember, member, textMember, textsMember } from './json.ts';
+import { flagMember, member, numberMember, textMember, textsMember } from './json.ts';
 import type { Json } from './json.ts';
 
 export interface SceneOptions {
@@ -18,7 +18,13 @@ export interface SceneOptions {
   readonly topics: readonly string[] | null;
   /** Where goals are published. */
   readonly goal: string;
+  /** How many arrows of odometry stay. */
+  readonly keep: number;
 }
+
+export const kMostKept = 1000;
+/** As RViz. */
+const kUsuallyKept = 100;
 
 const kMostTopics = 100;
 
@@ -32,10 +38,11 @@ export function readOptions(state: Json): SceneOptions {
     list: flagMember(state, 'list', true),
     topics: member(state, 'topics') === undefined ? null : textsMember(state, 'topics', kMostTopics),
     goal: textMember(state, 'goal', '/goal_pose'),
+    keep: Math.round(numberMember(state, 'keep', 1, kMostKept, kUsuallyKept)),
   };
 }
 
-export function writeOptions({ frame, view, grid, frames, names, list, topics, goal }: SceneOptions): Json {
+export function writeOptions({ frame, view, grid, frames, names, list, topics, goal, keep }: SceneOptions): Json {
   return {
     frame,
     view: writeView(view),
@@ -44,6 +51,7 @@ export function writeOptions({ frame, view, grid, frames, names, list, topics, g
     names,
     list,
     goal,
+    keep,
     ...(topics === null ? {} : { topics: [...topics] }),
   };
 }

@@ -18,7 +18,7 @@ import { SceneList } from '../parts/scene_list.tsx';
 import { chooseText, readSiteText } from '../parts/site_text.ts';
 import { useTopics } from '../parts/watch.ts';
 import type { GoalPose } from '../scene/camera_control.ts';
-import { canShow } from '../scene/kinds.ts';
+import { canShow, kOdometry } from '../scene/kinds.ts';
 import { useScene } from '../scene/use_scene.ts';
 import type { ShownTopic } from '../scene/use_scene.ts';
 import { texts } from '../texts.ts';
@@ -187,6 +187,7 @@ export function ScenePanel({ session, state, setState, announce }: PanelProps) {
               { words: texts.scene.frames, on: options.frames, set: (on) => change({ frames: on }) },
               { words: texts.scene.names, on: options.names, set: (names) => change({ names }) },
             ]}
+            keep={shown.some(({ type }) => type === kOdometry) ? { count: options.keep, set: (keep) => change({ keep }) } : null}
             rows={rows}
             note={note}
             onRow={(name, on) => {

@@ -1,6 +1,7 @@
 // The list of what a scene shows: grid and frames, then every topic that it can show, each with why it does not.
 
 import { texts } from '../texts.ts';
+import { viewTexts } from '../texts_views.ts';
 import { Name } from './name.tsx';
 
 export interface SceneRow {
@@ -13,12 +14,16 @@ export interface SceneRow {
 
 export interface SceneListProps {
   readonly flags: readonly { readonly words: string; readonly on: boolean; readonly set: (on: boolean) => void }[];
+  /** How many arrows of odometry stay; null: no odometry is shown. */
+  readonly keep: { readonly count: number; readonly set: (count: number) => void } | null;
   readonly rows: readonly SceneRow[];
   readonly onRow: (name: string, on: boolean) => void;
   readonly note: string;
 }
 
-export function SceneList({ flags, rows, onRow, note }: SceneListProps) {
+const kKeeps: readonly number[] = [1, 10, 100, 1000];
+
+export function SceneList({ flags, keep, rows, onRow, note }: SceneListProps) {
   return (
     <div class="scene-list" role="group" aria-label={texts.scene.list}>
       {flags.map(({ words, on, set }) => (
@@ -27,6 +32,21 @@ export function SceneList({ flags, rows, onRow, note }: SceneListProps) {
           {words}
         </label>
       ))}
+      {keep === null ? null : (
+        <label class="check">
+          <select
+            class="select"
+            aria-label={viewTexts.scene.keep}
+            value={keep.count}
+            onChange={(event) => keep.set(Number(event.currentTarget.value))}
+          >
+            {[...new Set([...kKeeps, keep.count])].toSorted((a, b) => a - b).map((count) => (
+              <option key={count} value={count}>{count}</option>
+            ))}
+          </select>
+          {viewTexts.scene.keep}
+        </label>
+      )}
       {note === '' ? null : <p class="scene-problem">{note}</p>}
       <ul class="scene-topics" role="list">
         {rows.map(({ name, type, on, problem }) => (

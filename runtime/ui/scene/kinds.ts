@@ -4,21 +4,26 @@ import type { Display, DisplayColors } from './display.ts';
 import { Markers } from './markers.ts';
 import { NewestDisplay } from './newest_display.ts';
 import type { Built } from './newest_display.ts';
+import { OdometryTrail } from './odometry_trail.ts';
 import { occupancyGrid } from './occupancy_grid.ts';
 import { laserScan, pointCloud } from './points.ts';
 import { path, poseArray, singlePose } from './poses.ts';
 import { RobotModel } from './robot_model.ts';
 
-type Make = (colors: DisplayColors) => Display;
+/** `keep`: how many arrows of odometry stay. */
+type Make = (colors: DisplayColors, keep: number) => Display;
 
 const colored = (make: (accent: string) => (message: unknown) => Built): Make =>
   (colors) => new NewestDisplay((message) => make(colors.accent)(message), true);
+
+/** What is shown of it depends on how many are kept. */
+export const kOdometry = 'nav_msgs/msg/Odometry';
 
 const kinds: ReadonlyMap<string, Make> = new Map<string, Make>([
   ['sensor_msgs/msg/LaserScan', colored(laserScan)],
   ['sensor_msgs/msg/PointCloud2', () => new NewestDisplay(pointCloud)],
   ['nav_msgs/msg/Path', colored(path)],
-  ['nav_msgs/msg/Odometry', colored(singlePose)],
+  [kOdometry, (colors, keep) => new OdometryTrail(colors, keep)],
   ['geometry_msgs/msg/PoseStamped', colored(singlePose)],
   ['geometry_msgs/msg/PoseWithCovarianceStamped', colored(singlePose)],
   ['nav_msgs/msg/OccupancyGrid', () => new NewestDisplay(occupancyGrid)],
@@ -31,8 +36,8 @@ export function canShow(topic: string, type: string): boolean {
   return kindOf(topic, type) !== undefined;
 }
 
-export function makeDisplay(topic: string, type: string, colors: DisplayColors): Display | null {
-  return kindOf(topic, type)?.(colors) ?? null;
+export function makeDisplay(topic: string, type: string, colors: DisplayColors, keep: number): Display | null {
+  return kindOf(topic, type)?.(colors, keep) ?? null;
 }
 
 function kindOf(topic: string, type: string): Make | undefined {

@@ -1,6 +1,9 @@
 // Displays of poses: one, many, a path through them, and where odometry says that a robot is.
 
-import { InstancedMesh, Matrix4, Quaternion, Vector3 } from 'three';
+import { CircleGeometry, DoubleSide, Group, InstancedMesh, Matrix4, Mesh, MeshBasicMaterial, Quaternion, Vector3 } from 'three';
+import type { BufferGeometry } from 'three';
+import { readCovariance } from '../model/covariance.ts';
+import type { Spread } from '../model/covariance.ts';
 import { member } from '../model/json.ts';
 import { readHeader, readPose } from '../model/transform.ts';
 import type { Transform } from '../model/transform.ts';
@@ -26,22 +29,54 @@ export function singlePose(color: string): Make {
     const pose = readPose(member(outer, 'pose') ?? outer);
     if (pose === null || !isPlace(...pose.translation)) return { object: null, problem: texts.scene.noPose };
     const pointer = mesh(arrow(kOne), named(color));
-    placeAt(pointer, pose);
-    return { object: pointer, problem: '' };
+    const spread = readCovariance(member(outer, 'covariance'));
+    if (spread === null) {
+      placeAt(pointer, pose);
+      return { object: pointer, problem: '' };
+    }
+    const object = new Group();
+    object.position.set(...pose.translation);
+    pointer.quaternion.set(...pose.rotation);
+    object.add(pointer, ...spreadOf(spread, pose, color));
+    return { object, problem: '' };
   };
+}
+
+/** An ellipse in the directions of the message's frame, and a sector to both sides of the heading. */
+function spreadOf({ ellipse, heading }: Spread, { rotation: [x, y, z, w] }: Transform, color: string): readonly Mesh[] {
+  const flat = (geometry: BufferGeometry, opacity: number): Mesh =>
+    new Mesh(geometry, new MeshBasicMaterial({ color, opacity, transparent: true, depthWrite: false, side: DoubleSide }));
+  const parts: Mesh[] = [];
+  if (ellipse !== null) {
+    const part = flat(new CircleGeometry(1, 48), 0.25);
+    part.scale.set(...ellipse.radii, 1);
+    part.rotation.z = ellipse.angle;
+    parts.push(part);
+  }
+  if (heading > 0) {
+    const part = flat(new CircleGeometry(kOne.length, 32, -heading, 2 * heading), 0.35);
+    part.rotation.z = Math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z));
+    parts.push(part);
+  }
+  return parts;
+}
+
+/** Small ones, drawn at once. */
+export function arrows(poses: readonly Transform[], color: string): InstancedMesh {
+  const instances = new InstancedMesh(arrow(kMany), solid(named(color)), poses.length);
+  const one = new Vector3(1, 1, 1);
+  const matrix = new Matrix4();
+  for (const [index, { translation, rotation }] of poses.entries())
+    instances.setMatrixAt(index, matrix.compose(new Vector3(...translation), new Quaternion(...rotation), one));
+  instances.frustumCulled = false;
+  return instances;
 }
 
 /** geometry_msgs/msg/PoseArray. */
 export function poseArray(color: string): Make {
   return (message) => {
     const { poses, problem } = readPoses(member(message, 'poses'), kMostArrows, (item) => item);
-    const instances = new InstancedMesh(arrow(kMany), solid(named(color)), poses.length);
-    const one = new Vector3(1, 1, 1);
-    const matrix = new Matrix4();
-    for (const [index, { translation, rotation }] of poses.entries())
-      instances.setMatrixAt(index, matrix.compose(new Vector3(...translation), new Quaternion(...rotation), one));
-    instances.frustumCulled = false;
-    return { object: instances, problem };
+    return { object: arrows(poses, color), problem };
   };
 }
 

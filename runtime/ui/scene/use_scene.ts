@@ -13,7 +13,7 @@ import { useTheme } from '../parts/watch.ts';
 import { texts } from '../texts.ts';
 import { controlCamera } from './camera_control.ts';
 import type { GoalPose } from './camera_control.ts';
-import { makeDisplay } from './kinds.ts';
+import { kOdometry, makeDisplay } from './kinds.ts';
 import { SceneView } from './scene_view.ts';
 import { Stage } from './stage.ts';
 
@@ -145,14 +145,16 @@ export function useScene(use: SceneUse): Scene {
     });
   }, [session, view, codec, era]);
 
-  const names = shown.map(({ name, type }) => `${type} ${name}`).join('\n');
+  const { keep } = options;
+  const keyOfTopic = ({ name, type }: ShownTopic): string => `${type} ${name}${type === kOdometry ? ` ${keep}` : ''}`;
+  const names = shown.map(keyOfTopic).join('\n');
   useEffect(() => () => {
     for (const stop of followed.current.values()) stop();
     followed.current.clear();
   }, [session, view, codec, era]);
   useEffect(() => {
     if (view === null || codec === null || typeof codec === 'string') return;
-    const wanted = new Map(shown.map((topic) => [`${topic.type} ${topic.name}`, topic]));
+    const wanted = new Map(shown.map((topic) => [keyOfTopic(topic), topic]));
     // What stays keeps what it has heard: most of it is not said twice.
     for (const [key, stop] of followed.current) {
       if (wanted.has(key)) continue;
@@ -161,7 +163,7 @@ export function useScene(use: SceneUse): Scene {
     }
     for (const [key, { name, type }] of wanted) {
       if (followed.current.has(key)) continue;
-      const display = makeDisplay(name, type, view.displayColors);
+      const display = makeDisplay(name, type, view.displayColors, keep);
       if (display === null) continue;
       view.add(name, display);
       const stop = feed(session, codec, name, ({ decoded }) => {

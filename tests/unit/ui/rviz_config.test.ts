@@ -25,6 +25,7 @@ Visualization Manager:
     - {Class: rviz_common/Group, Enabled: false, Displays: [{Class: rviz_default_plugins/Map, Enabled: true, Topic: {Value: /hidden}}]}
     - {Class: rviz/Map, Enabled: true, Name: Map, Topic: /map}
     - {Class: rviz_default_plugins/TF, Enabled: true, Name: TF, Show Names: false}
+    - {Class: rviz_default_plugins/Odometry, Enabled: true, Name: Odometry, Keep: 7, Topic: {Value: /odom}}
     - {Class: nav2_rviz_plugins/ParticleCloud, Enabled: true, Name: Swarm}
   Enabled: true
   Global Options: {Background Color: 48; 48; 48, Fixed Frame: /odom, Frame Rate: 30}
@@ -40,9 +41,11 @@ test('displays, frame, view and goal are taken over', () => {
   const scene = readRviz(kFile) ?? assert.fail();
   const { view, ...options } = scene.options;
   assert.deepEqual(options, {
-    topics: ['/robot_description', '/scan', '/map'], grid: true, frames: true, names: false, frame: 'odom', goal: '/robot/goal',
+    topics: ['/robot_description', '/scan', '/map', '/odom'], grid: true, frames: true, names: false, frame: 'odom', goal: '/robot/goal', keep: 7,
   });
   assert.deepEqual(scene.leftOut, ['Swarm']);
+  for (const [written, keep] of [['0', 1000], ['5000', 1000], ['-3', 1000], ['1', 1], ['many', undefined]] as const)
+    assert.equal(readRviz(kFile.replace('Keep: 7', `Keep: ${written}`))?.options.keep, keep);
   assert.deepEqual(view?.target, [1, -2, 0.5]);
   assert.equal(view?.distance, 4.5);
   assert.ok(Math.abs((view?.azimuth ?? 0) - (5.5 - 2 * Math.PI)) < 1e-9);

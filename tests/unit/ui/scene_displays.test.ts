@@ -4,6 +4,7 @@ import { test } from 'node:test';
 import { DataTexture, InstancedMesh, Matrix4, Mesh, MeshBasicMaterial, Points, Quaternion, Vector3 } from 'three';
 import type { Object3D } from 'three';
 import { eyeOf, kUsualView, panned, readView, turned, writeView, zoomed } from '../../../runtime/ui/model/camera_view.ts';
+import { readCovariance } from '../../../runtime/ui/model/covariance.ts';
 import { readCloud } from '../../../runtime/ui/model/point_cloud.ts';
 import { readOptions, writeOptions } from '../../../runtime/ui/model/scene_options.ts';
 import { keyed } from '../../../runtime/ui/scene/camera_control.ts';
@@ -45,8 +46,9 @@ test('a view turns, moves and zooms within bounds, and is kept', () => {
 });
 
 test('what the panel keeps is read as it was written, and from links with care', () => {
-  const options = readOptions(writeOptions(readOptions({ frame: 'odom', topics: ['/scan'], grid: false })));
-  assert.deepEqual([options.frame, options.topics, options.grid], ['odom', ['/scan'], false]);
+  const options = readOptions(writeOptions(readOptions({ frame: 'odom', topics: ['/scan'], grid: false, keep: 7 })));
+  assert.deepEqual([options.frame, options.topics, options.grid, options.keep], ['odom', ['/scan'], false, 7]);
+  for (const keep of [0, -1, 1e9, NaN, 'many']) assert.equal(readOptions({ keep }).keep, 100);
   assert.deepEqual(readOptions(writeOptions(options)), options);
   assert.equal(readOptions(null).topics, null);
   assert.deepEqual(readOptions({ topics: 7, view: [], goal: {} }).topics, []);
@@ -108,6 +110,74 @@ test('clouds whose sizes lie give what they hold', () => {
   assert.equal(readCloud(null), 'no-data');
   const many = readCloud(cloud(fields, 12, new Uint8Array(12 * 1_000_010)));
   assert.ok(typeof many !== 'string' && many.leftOut === 10);
+});
+
+/** Of place (x, y) and heading. */
+function covariance(xx: number, xy: number, yy: number, yaw: number): Float64Array {
+  const all = new Float64Array(36);
+  [all[0], all[1], all[6], all[7], all[35]] = [xx, xy, xy, yy, yaw];
+  return all;
+}
+
+test('how sure a pose is stands around it as an ellipse and a sector, of one standard deviation', () => {
+  assert.deepEqual(readCovariance(covariance(0.25, 0, 0.0625, 0.0625)), { ellipse: { radii: [0.5, 0.25], angle: 0 }, heading: 0.25 });
+  // Along a diagonal: the variance is 1 along it and 0.5 across.
+  const turned = readCovariance([...covariance(0.75, 0.25, 0.75, 0)])?.ellipse ?? assert.fail();
+  assert.deepEqual([...turned.radii, turned.angle].map((value) => value.toFixed(6)), ['1.000000', '0.707107', (Math.PI / 4).toFixed(6)]);
+  // The longer axis is along y.
+  assert.equal(readCovariance(covariance(0.04, 0, 0.25, 0))?.ellipse?.angle, Math.PI / 2);
+  const quarter = { x: 0, y: 0, z: Math.SQRT1_2, w: Math.SQRT1_2 };
+  const told = { pose: { position: { x: 1, y: 2, z: 3 }, orientation: quarter }, covariance: covariance(0.25, 0, 0.0625, 0.0625) };
+  const { object } = singlePose('#fff')({ header, pose: told });
+  const [pointer, ellipse, sector] = object?.children ?? [];
+  assert.deepEqual(object?.position.toArray(), [1, 2, 3]);
+  // The ellipse is told in the frame of the message, whatever the pose's heading.
+  assert.deepEqual([ellipse?.scale.toArray(), ellipse?.rotation.z], [[0.5, 0.25, 1], 0]);
+  assert.ok(Math.abs((sector?.rotation.z ?? 0) - Math.PI / 2) < 1e-9 && Math.abs((pointer?.rotation.z ?? 0) - Math.PI / 2) < 1e-9);
+});
+
+test('odometry leaves arrows where it has been, as many as are kept', () => {
+  const odometry = makeDisplay('/odom', 'nav_msgs/msg/Odometry', { text: '#000', accent: '#fff' }, 4) ?? assert.fail();
+  const told = (x: number, frame = 'odom'): unknown => ({ header: { ...header, frame_id: frame }, pose: { pose: pose(x), covariance: [] } });
+  const places = (): readonly number[] => {
+    odometry.build(0);
+    const found: number[] = [];
+    odometry.group.traverse((part) => {
+      if (!(part instanceof InstancedMesh)) return;
+      const matrix = new Matrix4();
+      for (let i = 0; i < part.count; i += 1) {
+        part.getMatrixAt(i, matrix);
+        found.push(Number(new Vector3().setFromMatrixPosition(matrix).x.toFixed(3)));
+      }
+    });
+    return found;
+  };
+  assert.deepEqual([...odometry.anchored()], []);
+  // 0.05 is too near to what was before.
+  for (const x of [0, 0.05, 0.5]) odometry.take(told(x));
+  assert.deepEqual(places(), [0]);
+  for (const x of [1, 2, NaN, 1e300, 3]) odometry.take(told(x));
+  assert.deepEqual(places(), [0.5, 1, 2]);
+  assert.deepEqual([...odometry.anchored()].map(({ header: { frame } }) => frame), ['odom']);
+  // Turning on the spot counts, too.
+  odometry.take({ header, pose: { pose: { position: { x: 3, y: 0, z: 0 }, orientation: { x: 0, y: 0, z: 0.1, w: 0.995 } } } });
+  assert.deepEqual(places(), []); // in another frame
+  odometry.take({ header, pose: { pose: pose(3) } });
+  assert.deepEqual(places(), [3]);
+  odometry.close();
+});
+
+test('a covariance that is none draws nothing', () => {
+  const nothing = [
+    covariance(0, 0, 0, 0), covariance(NaN, 0, 1, NaN), covariance(-1, 0, 1, -1), covariance(1, 5, 1, 0), covariance(1e12, 0, 1e12, 0),
+    covariance(Infinity, 0, 1, Infinity), new Float64Array(35), [], 'text', null, Array.from({ length: 36 }, () => 'no'),
+  ];
+  for (const wrong of nothing) {
+    assert.equal(readCovariance(wrong), null);
+    assert.ok(singlePose('#fff')({ header, pose: { pose: pose(4), covariance: wrong } }).object instanceof Mesh);
+  }
+  // Of a heading that nobody knows.
+  assert.equal(readCovariance(covariance(0, 0, 0, 1e6))?.heading, Math.PI);
 });
 
 test('poses stand where they are told, and what is none is said', () => {
@@ -246,8 +316,8 @@ test('topics that can be shown are known by their type, robots by their name too
   assert.ok(canShow('/scan', 'sensor_msgs/msg/LaserScan'));
   assert.ok(canShow('/robot1/robot_description', 'std_msgs/msg/String'));
   assert.ok(!canShow('/chatter', 'std_msgs/msg/String'));
-  assert.equal(makeDisplay('/chatter', 'std_msgs/msg/String', { text: '#000', accent: '#000' }), null);
-  const display = makeDisplay('/plan', 'nav_msgs/msg/Path', { text: '#000', accent: '#00f' });
+  assert.equal(makeDisplay('/chatter', 'std_msgs/msg/String', { text: '#000', accent: '#000' }, 1), null);
+  const display = makeDisplay('/plan', 'nav_msgs/msg/Path', { text: '#000', accent: '#00f' }, 1);
   display?.take({ header, poses: [] });
   display?.build(0);
   assert.equal(display?.problem, '');

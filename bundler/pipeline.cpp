@@ -27,6 +27,7 @@
 #include "bundler/plan/shipped_channel.hpp"
 #include "bundler/python_nodes.hpp"
 #include "bundler/resolve/locked_solve.hpp"
+#include "bundler/site_budget.hpp"
 #include "bundler/site_components.hpp"
 #include "bundler/store/build_place.hpp"
 #include "bundler/store/environment.hpp"
@@ -309,16 +310,6 @@ bool reads_setup_py(const LocalPackage& package) {
   return package.xml.build_type == kPythonBuildType;
 }
 
-std::string build_remark(const std::vector<BuiltPackage>& packages) {
-  std::vector<std::string> fresh;
-  for (const BuiltPackage& one : packages) {
-    if (!one.from_cache) fresh.push_back(one.name);
-  }
-  if (fresh.empty())
-    return "nothing to build: " + std::to_string(packages.size()) + " packages are as before";
-  return "built " + name_list(fresh);
-}
-
 /// Step 7: nodes of the launch file or of the manifest; without any, every program of the
 /// workspace.
 Outcome<LaunchedFile> launch(const PackRequest& request, BuiltWorkspace& workspace,
@@ -575,8 +566,11 @@ Outcome<PackReport> pack(const PackRequest& request, const Cancellation& cancell
   planned->channel = std::move(workspace->channel);
   if (request.signer) sign_site(*planned, *request.signer);
 
-  // 9. write it
+  // 9. write it, and what its parts weigh beside the lock
   if (!request.plan_only) {
+    const bool writes = !request.locked && !request.frozen;
+    if (auto kept = keep_budget(workspace->manifest, *planned, workspace->folder, writes); !kept)
+      return std::move(kept).errors();
     begin_step(progress, "emit");
     if (auto emitted = emit_site(*planned, request.output, cancellation); !emitted) {
       return std::move(emitted).errors();

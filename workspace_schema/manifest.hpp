@@ -144,6 +144,12 @@ struct WheelEntry {
   std::string sha256;  ///< hex; of a file it may be empty
 };
 
+/// `site: budget:`, in bytes: what the site may weigh.
+struct SiteBudget {
+  std::optional<Spanned<std::uint64_t>> total;
+  std::optional<Spanned<std::uint64_t>> compressed;  ///< by gzip, each file for itself
+};
+
 struct Manifest {
   std::string file;  ///< path as given, for messages
   int schema = 1;
@@ -173,7 +179,8 @@ struct Manifest {
   std::optional<Spanned<std::string>> ui_notebook;  ///< Jupyter notebook of the notebook panel
   std::map<std::string, std::string> site;          ///< scalar options of `site:`
   std::vector<Spanned<std::string>> site_embed;     ///< origins of pages that may act on it
-  std::vector<Diagnostic> warnings;                 ///< found while reading; show them, then go on
+  SiteBudget site_budget;
+  std::vector<Diagnostic> warnings;  ///< found while reading; show them, then go on
 };
 
 }  // namespace ros2wasm

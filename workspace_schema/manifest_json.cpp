@@ -88,6 +88,14 @@ void write_node(JsonWriter& json, const NodeEntry& node) {
   json.end_object();
 }
 
+void write_budget(JsonWriter& json, const SiteBudget& budget) {
+  if (!budget.total && !budget.compressed) return;
+  json.key("budget").begin_object();
+  if (budget.total) json.key("total").unsigned_integer(budget.total->value);
+  if (budget.compressed) json.key("compressed").unsigned_integer(budget.compressed->value);
+  json.end_object();
+}
+
 void write_wheels(JsonWriter& json, const std::vector<WheelEntry>& wheels) {
   json.key("python").begin_object().key("wheels").begin_array();
   for (const WheelEntry& wheel : wheels) {
@@ -211,6 +219,7 @@ std::string manifest_json(const Manifest& manifest) {
       for (const auto& origin : manifest.site_embed) json.string(origin.value);
       json.end_array();
     }
+    if (options == &manifest.site) write_budget(json, manifest.site_budget);
     json.end_object();
   }
   json.end_object();

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "workspace_schema/manifest_binding.hpp"
+#include "workspace_schema/manifest_budget.hpp"
 #include "workspace_schema/manifest_checks.hpp"
 #include "workspace_schema/manifest_citation.hpp"
 #include "workspace_schema/manifest_launch.hpp"
@@ -149,12 +150,14 @@ class Reader {
         manifest_.ui_notebook = binder_.path(*notebook, "notebook");
     }
     if (const YamlNode* node = given("site")) {
-      read_options(*node, "site", site_options(), {"embed"}, manifest_.site);
+      read_options(*node, "site", site_options(), {"embed", "budget"}, manifest_.site);
       if (const YamlNode* embed = value_of(*node, "embed")) {
         manifest_.site_embed = binder_.texts(*embed, "embed", [this](const YamlNode& item) {
           return binder_.name(item, "an item of `embed`", page_origin_fault);
         });
       }
+      if (const YamlNode* budget = value_of(*node, "budget"))
+        manifest_.site_budget = read_site_budget(binder_, *budget);
     }
     return std::move(manifest_);
   }

@@ -335,4 +335,14 @@ Outcome<WorkspaceBuild> build_workspace(const std::vector<LocalPackage>& package
       .run();
 }
 
+std::string build_remark(const std::vector<BuiltPackage>& packages) {
+  std::vector<std::string> fresh;
+  for (const BuiltPackage& one : packages) {
+    if (!one.from_cache) fresh.push_back(one.name);
+  }
+  if (fresh.empty())
+    return "nothing to build: " + std::to_string(packages.size()) + " packages are as before";
+  return "built " + name_list(fresh);
+}
+
 }  // namespace ros2wasm

@@ -55,4 +55,7 @@ struct WorkspaceBuild {
     const LeftOutPackages& left_out, const BuildTools& tools, const BuildSettings& settings,
     const Cancellation& cancellation, const ProgressSink& progress);
 
+/// Which of them were built, and which the cache had, in one line.
+[[nodiscard]] std::string build_remark(const std::vector<BuiltPackage>& packages);
+
 }  // namespace ros2wasm

@@ -19,6 +19,17 @@ struct Options {
   std::optional<std::string> from;
   std::optional<std::string> environment;
   std::optional<std::string> output;
+  std::optional<std::string> ci;
+};
+
+/// Files of templates/ci, and where a repository has them.
+struct Workflow {
+  const char* host;
+  const char* place;
+};
+constexpr Workflow kWorkflows[] = {
+    {"github", ".github/workflows/ros2wasm.yml"},
+    {"gitlab", ".gitlab-ci.yml"},
 };
 
 /// Folders of templates/workspaces.
@@ -60,7 +71,25 @@ Diagnostic wrong_use(std::string message) {
                     .fix = {"ros2wasm init cpp my_workspace", "ros2wasm init --from ~/ros2_ws"}};
 }
 
+Outcome<InitReport> init_ci(const Context& context, const Options& options) {
+  if (options.from || options.output || options.environment)
+    return wrong_use("`--ci` goes without `--from` and its options");
+  if (!options.folder.empty()) return wrong_use("`--ci` takes one folder, that of the repository");
+  std::vector<std::string> hosts;
+  for (const Workflow& workflow : kWorkflows) {
+    hosts.emplace_back(workflow.host);
+    if (*options.ci != workflow.host) continue;
+    const auto source =
+        find_own_data(context.executable, "templates/ci/" + *options.ci + ".yml", "the workflow");
+    if (!source) return source.errors();
+    return init_workflow(*source, options.kind.empty() ? "." : options.kind, workflow.place);
+  }
+  return wrong_use("there is no workflow for `" + *options.ci + "`; there are those for " +
+                   name_list(hosts));
+}
+
 Outcome<InitReport> init(const Context& context, const Options& options) {
+  if (options.ci) return init_ci(context, options);
   if (options.from) {
     if (!options.kind.empty()) return wrong_use("`--from` goes without a template");
     const std::filesystem::path workspace = *options.from;
@@ -95,6 +124,10 @@ int run(Context& context, const Options& options) {
     return 0;
   }
   for (const auto& path : report->written) context.console.result(path.string());
+  if (options.ci) {
+    context.console.remark("Next: read its first lines, which say what to set, and commit it");
+    return 0;
+  }
   const std::string next = options.from ? report->written.front().string() : options.folder;
   context.console.remark("Next: ros2wasm pack " + next);
   return 0;
@@ -113,7 +146,11 @@ CommandBody init_command(Arguments& arguments) {
                   "with --from pixi.lock: which of its environments");
   arguments.value("-o,--output", options->output, "FILE",
                   "with --from: where to write it [workspace.yaml in the folder]");
-  arguments.examples({"ros2wasm init cpp my_workspace", "ros2wasm init course lab_1",
+  arguments.value("--ci", options->ci, "HOST",
+                  "github, gitlab: write a workflow that packs on every push, plays the checks, "
+                  "keeps the site and publishes it, into the current folder or the one named");
+  arguments.examples({"ros2wasm init --ci github", "ros2wasm init --ci gitlab my_repository",
+                      "ros2wasm init cpp my_workspace", "ros2wasm init course lab_1",
                       "ros2wasm init --from ~/ros2_ws",
                       "ros2wasm init --from pixi.lock --environment wasm"});
   return [options](Context& context) { return run(context, *options); };

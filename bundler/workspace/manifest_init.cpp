@@ -222,4 +222,31 @@ Outcome<InitReport> init_from_template(const fs::path& template_folder, const fs
   return InitReport{.written = std::move(*written), .remarks = {}};
 }
 
+Outcome<InitReport> init_workflow(const fs::path& template_file, const fs::path& folder,
+                                  const fs::path& target) {
+  const auto text = read_file(template_file);
+  if (!text) return text.errors();
+  InitReport report;
+  std::error_code error;
+  const fs::path file = (folder / "workspace.yaml").lexically_normal();
+  if (!fs::exists(file, error)) {
+    report.remarks.push_back("there is no " + file.string() +
+                             ": change WORKSPACE in the workflow to where the manifest is");
+  } else {
+    const auto manifest_text = read_file(file);
+    if (!manifest_text) return manifest_text.errors();
+    const auto manifest = read_manifest(*manifest_text, file.string());
+    if (!manifest) return manifest.errors();
+    if (manifest->checks.empty())
+      report.remarks.push_back(file.string() + " has no `checks:`, which the workflow plays");
+    if (!fs::exists(folder / kLockFileName, error))
+      report.remarks.push_back("write " + std::string(kLockFileName) +
+                               " with `ros2wasm lock` and commit it");
+  }
+  auto written = write_new({{.path = (folder / target).lexically_normal(), .bytes = *text}});
+  if (!written) return std::move(written).errors();
+  report.written = std::move(*written);
+  return report;
+}
+
 }  // namespace ros2wasm

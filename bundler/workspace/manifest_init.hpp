@@ -32,4 +32,10 @@ struct InitReport {
 [[nodiscard]] Outcome<InitReport> init_from_template(const std::filesystem::path& template_folder,
                                                      const std::filesystem::path& target);
 
+/// Copies the workflow `template_file` to `target`, in the repository `folder`. R2W0630. Remarks
+/// say what its commands will miss there.
+[[nodiscard]] Outcome<InitReport> init_workflow(const std::filesystem::path& template_file,
+                                                const std::filesystem::path& folder,
+                                                const std::filesystem::path& target);
+
 }  // namespace ros2wasm

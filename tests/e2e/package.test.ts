@@ -28,7 +28,6 @@ function output(command: string, ...args: readonly string[]): string {
 
 let packages: string;
 let deb: string;
-let tarball: string;
 
 before(async () => {
   packages = await made('first', 'UTC');
@@ -38,7 +37,6 @@ before(async () => {
     return join(packages, name);
   };
   deb = one('.deb');
-  tarball = one('.tar.gz');
 }, watchdog);
 
 after(() => rmSync(folder, { recursive: true, force: true }));

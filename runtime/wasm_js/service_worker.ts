@@ -207,5 +207,5 @@ scope.addEventListener('fetch', (event) => {
 scope.addEventListener('message', (event) => {
   if (event.data !== 'keep') return;
   const port = event.ports[0];
-  event.waitUntil(keepAll(event.source instanceof Client ? event.source.id : '').then(() => port?.postMessage('kept'), () => port?.postMessage('failed')));
+  event.waitUntil(keepAll(event.source !== null && 'id' in event.source ? event.source.id : '').then(() => port?.postMessage('kept'), () => port?.postMessage('failed')));
 });

@@ -6,7 +6,7 @@ import type { Descriptor } from '../../ros2cli/parameter_calls.ts';
 import { kindOf, parameterValue } from '../../ros2cli/parameters.ts';
 import type { ParameterValue } from '../../ros2cli/parameters.ts';
 import { readNumber } from './draft_value.ts';
-import { texts } from '../texts.ts';
+import { panelTexts } from '../texts_panels.ts';
 
 /** Bytes that are shown of a byte array. */
 const kMostBytes = 64;
@@ -53,21 +53,21 @@ export function readParameter(text: string, type: number, yaml: (text: string) =
       return { kind: 'value', value: { type, string_value: text } };
     case 'integer_value': {
       const number = readNumber(text, 'int64');
-      return isInteger(number) ? { kind: 'value', value: { type, integer_value: number } } : failed(texts.parameters.noInteger);
+      return isInteger(number) ? { kind: 'value', value: { type, integer_value: number } } : failed(panelTexts.parameters.noInteger);
     }
     case 'double_value': {
       const number = readNumber(text, 'float64');
-      return typeof number === 'number' ? { kind: 'value', value: { type, double_value: number } } : failed(texts.parameters.noNumber);
+      return typeof number === 'number' ? { kind: 'value', value: { type, double_value: number } } : failed(panelTexts.parameters.noNumber);
     }
   }
   const read = yaml(text);
   if (field === '') return { kind: 'value', value: parameterValue(text, read.kind === 'value' ? read.value : text) };
   if (read.kind === 'failed') return read;
   if (field === 'bool_value')
-    return typeof read.value === 'boolean' ? { kind: 'value', value: { type, bool_value: read.value } } : failed(texts.parameters.noBoolean);
+    return typeof read.value === 'boolean' ? { kind: 'value', value: { type, bool_value: read.value } } : failed(panelTexts.parameters.noBoolean);
   const items: readonly unknown[] | null = Array.isArray(read.value) ? read.value : null;
   const list = items === null ? null : itemsOf(items, field);
-  return list === null ? failed(texts.parameters.noList(kindOf({ type }).name)) : { kind: 'value', value: { type, [field]: list } };
+  return list === null ? failed(panelTexts.parameters.noList(kindOf({ type }).name)) : { kind: 'value', value: { type, [field]: list } };
 }
 
 function itemsOf(items: readonly unknown[], field: string): readonly unknown[] | null {
@@ -116,9 +116,9 @@ export function sliderRange(descriptor: Descriptor | undefined, type: number): S
 export function rangeText(descriptor: Descriptor | undefined): string {
   const double = descriptor?.floating_point_range[0];
   if (double !== undefined)
-    return texts.parameters.range(formatFloat(double.from_value), formatFloat(double.to_value), double.step === 0 ? '' : formatFloat(double.step));
+    return panelTexts.parameters.range(formatFloat(double.from_value), formatFloat(double.to_value), double.step === 0 ? '' : formatFloat(double.step));
   const whole = descriptor?.integer_range[0];
   if (whole === undefined) return '';
   const step = Number(whole.step) > 1 ? String(whole.step) : '';
-  return texts.parameters.range(String(whole.from_value), String(whole.to_value), step);
+  return panelTexts.parameters.range(String(whole.from_value), String(whole.to_value), step);
 }

@@ -10,6 +10,7 @@ import { feed, useCodec } from '../parts/message_feed.ts';
 import { PanelFrame } from '../parts/panel.tsx';
 import { useTopics } from '../parts/watch.ts';
 import { texts } from '../texts.ts';
+import { panelTexts } from '../texts_panels.ts';
 import type { PanelProps } from './panel_props.ts';
 
 const kRaw = 'sensor_msgs/msg/Image';
@@ -84,7 +85,7 @@ export function ImagePanel({ session, state, setState }: PanelProps) {
     const x = Math.floor((event.clientX - box.left - (box.width - image.width * scale) / 2) / scale);
     const y = Math.floor((event.clientY - box.top - (box.height - image.height * scale) / 2) / scale);
     const words = pixelWords(image, x, y);
-    setPoint(words === '' ? '' : texts.image.point(x, y, words));
+    setPoint(words === '' ? '' : panelTexts.image.point(x, y, words));
   };
 
   return (
@@ -96,11 +97,11 @@ export function ImagePanel({ session, state, setState }: PanelProps) {
       tools={
         <select
           class="select image-topic"
-          aria-label={texts.image.topic}
+          aria-label={panelTexts.image.topic}
           value={topic}
           onChange={(event) => setState({ topic: event.currentTarget.value })}
         >
-          {topic === '' ? <option value="">{texts.image.none}</option> : null}
+          {topic === '' ? <option value="">{panelTexts.image.none}</option> : null}
           {[...new Set([...topics, ...(topic === '' ? [] : [topic])])].map((name) => (
             <option value={name}>{name}</option>
           ))}
@@ -109,12 +110,12 @@ export function ImagePanel({ session, state, setState }: PanelProps) {
     >
       {problem === '' ? null : <p class="hint">{problem}</p>}
       {facts === '' && problem === '' ? (
-        <p class="hint">{topic === '' ? texts.image.noTopic : texts.paths.waiting}</p>
+        <p class="hint">{topic === '' ? panelTexts.image.noTopic : panelTexts.paths.waiting}</p>
       ) : null}
       <canvas
         class="image-canvas"
         role="img"
-        aria-label={texts.image.of(topic, facts)}
+        aria-label={panelTexts.image.of(topic, facts)}
         ref={canvas}
         onPointerMove={follow}
         onPointerLeave={() => setPoint('')}
@@ -135,7 +136,7 @@ function drawRaw(
 ): Told {
   const { data, encoding } = value;
   if (!(data instanceof Uint8Array) || typeof encoding !== 'string')
-    return { facts: '', problem: texts.image.noImage };
+    return { facts: '', problem: panelTexts.image.noImage };
   const image: RawImage = {
     width: asNumber(value['width']),
     height: asNumber(value['height']),
@@ -149,7 +150,7 @@ function drawRaw(
   resize(canvas, pixels.width, pixels.height);
   canvas.getContext('2d')?.putImageData(new ImageData(pixels.rgba, pixels.width, pixels.height), 0, 0);
   keep(image);
-  return { facts: texts.image.facts(pixels.width, pixels.height, encoding), problem: '' };
+  return { facts: panelTexts.image.facts(pixels.width, pixels.height, encoding), problem: '' };
 }
 
 async function drawCompressed(
@@ -158,17 +159,17 @@ async function drawCompressed(
 ): Promise<Told> {
   const { data, format } = value;
   if (!(data instanceof Uint8Array) || data.length > kMostCompressed)
-    return { facts: '', problem: texts.image.noImage };
+    return { facts: '', problem: panelTexts.image.noImage };
   const name = typeof format === 'string' ? format : '';
   try {
     const picture = await createImageBitmap(new Blob([Uint8Array.from(data)]));
     resize(canvas, picture.width, picture.height);
     canvas.getContext('2d')?.drawImage(picture, 0, 0);
-    const facts = texts.image.facts(picture.width, picture.height, name.slice(0, 40));
+    const facts = panelTexts.image.facts(picture.width, picture.height, name.slice(0, 40));
     picture.close();
     return { facts, problem: '' };
   } catch {
-    return { facts: '', problem: texts.image.notRead(name.slice(0, 40)) };
+    return { facts: '', problem: panelTexts.image.notRead(name.slice(0, 40)) };
   }
 }
 

@@ -14,6 +14,7 @@ import { feed, useCodec } from '../parts/message_feed.ts';
 import { PanelFrame } from '../parts/panel.tsx';
 import { SearchField } from '../parts/search_field.tsx';
 import { texts } from '../texts.ts';
+import { panelTexts } from '../texts_panels.ts';
 import type { PanelProps } from './panel_props.ts';
 
 const kTopic = '/rosout';
@@ -94,7 +95,7 @@ export function LogPanel({ session, state, setState, announce }: PanelProps) {
   };
   const offered = [...new Set([...names.current, ...(node === '' ? [] : [node])])].toSorted();
   const empty =
-    list.allCount > 0 ? texts.console.emptyFiltered(formatCount(list.allCount)) : texts.log.empty;
+    list.allCount > 0 ? texts.console.emptyFiltered(formatCount(list.allCount)) : panelTexts.log.empty;
   return (
     <PanelFrame
       id="log"
@@ -115,18 +116,18 @@ export function LogPanel({ session, state, setState, announce }: PanelProps) {
           </select>
           <select
             class="select"
-            aria-label={texts.log.node}
+            aria-label={panelTexts.log.node}
             value={node}
             onChange={(event) => change({ node: event.currentTarget.value })}
           >
-            <option value="">{texts.log.allNodes}</option>
+            <option value="">{panelTexts.log.allNodes}</option>
             {offered.map((name) => (
               <option value={name}>{name}</option>
             ))}
           </select>
-          <SearchField value={text} label={texts.log.filter} onText={(found) => change({ text: found })} />
-          <CopyButton label={texts.log.copy} text={() => list.text()} announce={announce} />
-          <IconButton icon="clear" label={texts.log.clear} onClick={clear} />
+          <SearchField value={text} label={panelTexts.log.filter} onText={(found) => change({ text: found })} />
+          <CopyButton label={panelTexts.log.copy} text={() => list.text()} announce={announce} />
+          <IconButton icon="clear" label={panelTexts.log.clear} onClick={clear} />
         </>
       }
     >

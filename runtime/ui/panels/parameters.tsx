@@ -16,6 +16,7 @@ import { useStore } from '../parts/use_store.ts';
 import { useTime } from '../parts/watch.ts';
 import { WorkProblem } from '../parts/work_problem.tsx';
 import { texts } from '../texts.ts';
+import { panelTexts } from '../texts_panels.ts';
 import type { PanelProps } from './panel_props.ts';
 
 /** Rows of one node that are drawn: the filter finds the others. */
@@ -47,18 +48,18 @@ export function ParametersPanel({ session, state, setState, announce, instance }
     <>
       <label class="check">
         <input type="checkbox" checked={hidden} onChange={(event) => setHidden(event.currentTarget.checked)} />
-        {texts.parameters.hidden}
+        {panelTexts.parameters.hidden}
       </label>
-      <SearchField value={text} label={texts.parameters.filter} onText={(typed) => change({ text: typed })} />
+      <SearchField value={text} label={panelTexts.parameters.filter} onText={(typed) => change({ text: typed })} />
     </>
   );
   return (
     <PanelFrame id="parameters" title={texts.panels.parameters} icon="sliders" tools={tools}>
       {typeof codec === 'string' ? <p class="hint">{codec}</p> : null}
       {codec === null ? <p class="hint">{texts.starting}</p> : null}
-      {time.state === 'running' ? null : <p class="hint">{texts.parameters.held}</p>}
-      {ready && nodes.length === 0 ? <p class="hint">{texts.parameters.none}</p> : null}
-      {nodes.length > 0 && found.length === 0 ? <p class="hint">{texts.parameters.noneMatch}</p> : null}
+      {time.state === 'running' ? null : <p class="hint">{panelTexts.parameters.held}</p>}
+      {ready && nodes.length === 0 ? <p class="hint">{panelTexts.parameters.none}</p> : null}
+      {nodes.length > 0 && found.length === 0 ? <p class="hint">{panelTexts.parameters.noneMatch}</p> : null}
       <ul class="topics" role="list">
         {found.map(({ node, rows }) => (
           <NodeSection
@@ -113,29 +114,29 @@ function NodeSection({ node, rows, open, onToggle, store, announce, instance }: 
             <span class="topic-type">
               {!node.here
                 ? node.parameters.size === 0
-                  ? texts.parameters.gone
-                  : texts.parameters.goneWith
+                  ? panelTexts.parameters.gone
+                  : panelTexts.parameters.goneWith
                 : node.reading
-                  ? texts.parameters.reading
-                  : texts.parameters.count(node.parameters.size)}
+                  ? panelTexts.parameters.reading
+                  : panelTexts.parameters.count(node.parameters.size)}
             </span>
           </span>
         </button>
         <CopyButton
-          label={texts.parameters.copy(node.name)}
+          label={panelTexts.parameters.copy(node.name)}
           text={() => `${dumpText(node.name, values())}\n`}
           announce={announce}
         />
         <IconButton
           icon="restart"
-          label={texts.parameters.reload(node.name)}
+          label={panelTexts.parameters.reload(node.name)}
           disabled={!node.here || node.reading}
           onClick={() => store?.reload(node.name)}
         />
       </div>
       {open ? (
         <div class="parameters-inside" id={inside}>
-          <WorkProblem text={node.here && !node.reading && node.problem !== '' ? texts.parameters.unread(node.problem) : ''} />
+          <WorkProblem text={node.here && !node.reading && node.problem !== '' ? panelTexts.parameters.unread(node.problem) : ''} />
           {rows.length > 0 ? (
             <ul class="parameters" role="list">
               {rows.slice(0, kMostRows).map(([name, parameter]) => (
@@ -146,14 +147,14 @@ function NodeSection({ node, rows, open, onToggle, store, announce, instance }: 
                   parameter={parameter}
                   here={node.here}
                   set={(value) =>
-                    store?.set(node.name, name, value) ?? Promise.reject(new Error(texts.parameters.gone))
+                    store?.set(node.name, name, value) ?? Promise.reject(new Error(panelTexts.parameters.gone))
                   }
                   announce={announce}
                 />
               ))}
             </ul>
           ) : null}
-          {rows.length > kMostRows ? <p class="hint">{texts.parameters.more(kMostRows, rows.length)}</p> : null}
+          {rows.length > kMostRows ? <p class="hint">{panelTexts.parameters.more(kMostRows, rows.length)}</p> : null}
         </div>
       ) : null}
     </li>

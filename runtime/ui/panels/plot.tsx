@@ -18,6 +18,7 @@ import { PlotCanvas, pairsOf } from '../parts/plot_canvas.tsx';
 import type { PlotMode, PlotSource, TimeRange } from '../parts/plot_canvas.tsx';
 import { useTheme } from '../parts/watch.ts';
 import { texts } from '../texts.ts';
+import { panelTexts } from '../texts_panels.ts';
 import type { PanelProps } from './panel_props.ts';
 
 const kCapacity = 50_000;
@@ -73,7 +74,7 @@ export function PlotPanel({ session, state, setState, instance }: PanelProps) {
         const track = tracks.current.get(path);
         if (track === undefined) return;
         const number = asNumber(value);
-        track.problem = Number.isNaN(number) && typeof value !== 'number' ? texts.paths.noNumber : '';
+        track.problem = Number.isNaN(number) && typeof value !== 'number' ? panelTexts.paths.noNumber : '';
         if (!(time >= origin.current)) origin.current = time;
         track.samples.add(time, number);
         version.current += 1;
@@ -131,12 +132,12 @@ export function PlotPanel({ session, state, setState, instance }: PanelProps) {
         <>
           <IconButton
             icon={held === null ? 'pause' : 'play'}
-            label={held === null ? texts.plot.pause : texts.plot.follow}
+            label={held === null ? panelTexts.plot.pause : panelTexts.plot.follow}
             onClick={() => hold(held === null ? source().range : null)}
           />
           <select
             class="select"
-            aria-label={texts.plot.range}
+            aria-label={panelTexts.plot.range}
             value={String(seconds)}
             onChange={(event) => {
               hold(null);
@@ -144,25 +145,25 @@ export function PlotPanel({ session, state, setState, instance }: PanelProps) {
             }}
           >
             {longest.map((one) => (
-              <option value={String(one)}>{texts.plot.last(one)}</option>
+              <option value={String(one)}>{panelTexts.plot.last(one)}</option>
             ))}
           </select>
           <select
             class="select"
-            aria-label={texts.plot.mode}
+            aria-label={panelTexts.plot.mode}
             value={mode}
             onChange={(event) => change({ mode: event.currentTarget.value === 'xy' ? 'xy' : 'time' })}
           >
-            <option value="time">{texts.plot.time}</option>
-            <option value="xy">{texts.plot.xy}</option>
+            <option value="time">{panelTexts.plot.time}</option>
+            <option value="xy">{panelTexts.plot.xy}</option>
           </select>
           <MenuButton
             icon="down"
-            label={texts.plot.save}
+            label={panelTexts.plot.save}
             items={[
-              { id: 'csv', words: texts.plot.csv, choose: save.csv },
-              { id: 'svg', words: texts.plot.svg, choose: save.svg },
-              { id: 'png', words: texts.plot.png, choose: save.png },
+              { id: 'csv', words: panelTexts.plot.csv, choose: save.csv },
+              { id: 'svg', words: panelTexts.plot.svg, choose: save.svg },
+              { id: 'png', words: panelTexts.plot.png, choose: save.png },
             ]}
           />
         </>
@@ -181,13 +182,13 @@ export function PlotPanel({ session, state, setState, instance }: PanelProps) {
         onChange={(next) => change({ paths: next })}
       />
       {typeof codec === 'string' ? <p class="hint">{texts.topics.undecodable(codec)}</p> : null}
-      {paths.length === 0 ? <p class="hint">{texts.plot.none}</p> : null}
-      {mode === 'xy' && paths.length === 1 ? <p class="hint">{texts.plot.needsTwo}</p> : null}
+      {paths.length === 0 ? <p class="hint">{panelTexts.plot.none}</p> : null}
+      {mode === 'xy' && paths.length === 1 ? <p class="hint">{panelTexts.plot.needsTwo}</p> : null}
       <PlotCanvas
         mode={mode}
         count={paths.length}
         theme={theme}
-        label={texts.plot.of(paths)}
+        label={panelTexts.plot.of(paths)}
         source={source}
         onZoom={hold}
         canvas={canvas}
@@ -200,7 +201,7 @@ function wordsOf(track: Track | undefined): string {
   if (track === undefined) return '';
   if (track.problem !== '') return track.problem;
   const { length } = track.samples;
-  return length === 0 ? texts.paths.waiting : String(Number(track.samples.value(length - 1).toPrecision(6)));
+  return length === 0 ? panelTexts.paths.waiting : String(Number(track.samples.value(length - 1).toPrecision(6)));
 }
 
 /** Colours that stay apart in print and for colour-blind people; those of the light theme. */
@@ -226,7 +227,7 @@ function svgOf(source: PlotSource, mode: PlotMode): string {
     }
     return { name, color: color(index), points };
   });
-  return plotSvg(lines, texts.plot.seconds);
+  return plotSvg(lines, panelTexts.plot.seconds);
 }
 
 /** The drawing on the page's ground: by itself it is transparent. */

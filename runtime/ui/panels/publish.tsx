@@ -14,6 +14,7 @@ import { PanelFrame } from '../parts/panel.tsx';
 import { useTopics } from '../parts/watch.ts';
 import { WorkProblem } from '../parts/work_problem.tsx';
 import { texts } from '../texts.ts';
+import { panelTexts } from '../texts_panels.ts';
 import type { PanelProps } from './panel_props.ts';
 
 const kMostRate = 1000;
@@ -134,7 +135,7 @@ export function PublishPanel({ session, state, setState, instance }: PanelProps)
         }}
       >
         <label class="editor-field">
-          <span class="editor-name">{texts.publish.topic}</span>
+          <span class="editor-name">{panelTexts.publish.topic}</span>
           <input
             type="text"
             class="field"
@@ -153,7 +154,7 @@ export function PublishPanel({ session, state, setState, instance }: PanelProps)
           ))}
         </datalist>
         <label class="editor-field">
-          <span class="editor-name">{texts.publish.type}</span>
+          <span class="editor-name">{panelTexts.publish.type}</span>
           <input
             type="text"
             class="field"
@@ -172,7 +173,7 @@ export function PublishPanel({ session, state, setState, instance }: PanelProps)
           ))}
         </datalist>
         {known !== '' && type !== '' && known !== type ? (
-          <p class="hint">{texts.publish.otherType(topic, known)}</p>
+          <p class="hint">{panelTexts.publish.otherType(topic, known)}</p>
         ) : null}
         {typeof codec === 'string' ? <p class="hint">{codec}</p> : null}
         {codec === null ? <p class="hint">{texts.starting}</p> : null}
@@ -191,10 +192,10 @@ export function PublishPanel({ session, state, setState, instance }: PanelProps)
         )}
         <div class="work-row">
           <button type="submit" class="button button-main" aria-disabled={able ? undefined : 'true'}>
-            {texts.publish.once}
+            {panelTexts.publish.once}
           </button>
           <label class="check">
-            {texts.publish.rate}
+            {panelTexts.publish.rate}
             <input
               type="text"
               inputMode="decimal"
@@ -220,9 +221,9 @@ export function PublishPanel({ session, state, setState, instance }: PanelProps)
               if (able || running) toggle();
             }}
           >
-            {running ? texts.publish.stop : texts.publish.repeat}
+            {running ? panelTexts.publish.stop : panelTexts.publish.repeat}
           </button>
-          <span class="hint">{texts.publish.sent(sent)}</span>
+          <span class="hint">{panelTexts.publish.sent(sent)}</span>
         </div>
         <WorkProblem text={problem} />
       </form>

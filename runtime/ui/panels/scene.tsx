@@ -22,6 +22,7 @@ import { canShow, kOdometry } from '../scene/kinds.ts';
 import { useScene } from '../scene/use_scene.ts';
 import type { ShownTopic } from '../scene/use_scene.ts';
 import { texts } from '../texts.ts';
+import { panelTexts } from '../texts_panels.ts';
 import type { PanelProps } from './panel_props.ts';
 
 /** Of those that nobody chose. */
@@ -54,7 +55,7 @@ export function ScenePanel({ session, state, setState, announce }: PanelProps) {
   useEffect(() => {
     if (!goalMode) return undefined;
     publisher.current = session.node().publisher(options.goal, kPose);
-    setSaid(texts.scene.goalHint);
+    setSaid(panelTexts.scene.goalHint);
     return () => {
       publisher.current?.close();
       publisher.current = null;
@@ -68,17 +69,17 @@ export function ScenePanel({ session, state, setState, announce }: PanelProps) {
   };
   const publishGoal = (goal: GoalPose, frame: string): void => say(sendGoal(goal, frame));
   const sendGoal = ({ place: [x, y], heading }: GoalPose, frame: string): string => {
-    if (frame === '') return texts.scene.goalNoFrame;
+    if (frame === '') return panelTexts.scene.goalNoFrame;
     if (codec === null || typeof codec === 'string' || publisher.current === null) return texts.topics.decoding;
     const [qx, qy, qz, qw] = fromRollPitchYaw(0, 0, heading);
     const encoded = codec.encode(kPose, {
       header: { stamp: stampOf(session.time.view().now), frame_id: frame },
       pose: { position: { x, y, z: 0 }, orientation: { x: qx, y: qy, z: qz, w: qw } },
     });
-    if (encoded.kind !== 'bytes') return texts.text.failed(encoded.reason);
+    if (encoded.kind !== 'bytes') return panelTexts.text.failed(encoded.reason);
     const problem = publisher.current.problem ?? publisher.current.publish(encoded.bytes);
-    if (problem !== undefined) return texts.text.failed(problem.message);
-    return texts.scene.goalSent(x.toFixed(2), y.toFixed(2), ((heading * 180) / Math.PI).toFixed(0));
+    if (problem !== undefined) return panelTexts.text.failed(problem.message);
+    return panelTexts.scene.goalSent(x.toFixed(2), y.toFixed(2), ((heading * 180) / Math.PI).toFixed(0));
   };
 
   const files = useMemo(
@@ -91,9 +92,9 @@ export function ScenePanel({ session, state, setState, announce }: PanelProps) {
       const { readRviz } = await import('../model/rviz_config.ts');
       const scene = readRviz(text);
       if (scene !== null) change(scene.options);
-      say(scene === null ? texts.scene.noRviz(name) : texts.scene.rvizRead(name, scene.leftOut));
+      say(scene === null ? panelTexts.scene.noRviz(name) : panelTexts.scene.rvizRead(name, scene.leftOut));
     } catch (error) {
-      say(texts.text.failed(problemOf(error).what));
+      say(panelTexts.text.failed(problemOf(error).what));
     }
   };
 
@@ -113,7 +114,7 @@ export function ScenePanel({ session, state, setState, announce }: PanelProps) {
     on: isOn(name),
     problem: isOn(name) ? (unreadable.get(name) ?? view?.problem(name) ?? '') : '',
   }));
-  const loops = tree.loops().map(([first]) => texts.scene.loop(first ?? ''));
+  const loops = tree.loops().map(([first]) => panelTexts.scene.loop(first ?? ''));
   const note = [unreadable.get('') ?? '', ...loops.slice(0, 3)].filter((one) => one !== '').join('; ');
 
   return (
@@ -121,59 +122,59 @@ export function ScenePanel({ session, state, setState, announce }: PanelProps) {
       id="scene"
       title={texts.panels.scene}
       icon="scene"
-      note={said === '' && view !== null ? texts.scene.frameCount(view.frameCount) : said}
+      note={said === '' && view !== null ? panelTexts.scene.frameCount(view.frameCount) : said}
       tools={
         <>
           <select
             class="select scene-frame"
-            aria-label={texts.scene.frame}
+            aria-label={panelTexts.scene.frame}
             value={options.frame}
             onChange={(event) => change({ frame: event.currentTarget.value })}
           >
-            <option value="">{texts.scene.usualFrame(options.frame === '' ? fixed : '')}</option>
+            <option value="">{panelTexts.scene.usualFrame(options.frame === '' ? fixed : '')}</option>
             {frames.map((name) => (
               <option key={name} value={name}>{name}</option>
             ))}
             {options.frame === '' || frames.includes(options.frame) ? null : (
-              <option value={options.frame}>{texts.scene.missingFrame(options.frame)}</option>
+              <option value={options.frame}>{panelTexts.scene.missingFrame(options.frame)}</option>
             )}
           </select>
           <IconButton
             icon="list"
-            label={texts.scene.list}
+            label={panelTexts.scene.list}
             pressed={options.list}
             onClick={() => change({ list: !options.list })}
           />
           <IconButton
             icon="above"
-            label={texts.scene.top}
+            label={panelTexts.scene.top}
             pressed={options.view.top}
             onClick={() => change({ view: { ...options.view, top: !options.view.top } })}
           />
           <IconButton
             icon="home"
-            label={texts.scene.home}
+            label={panelTexts.scene.home}
             onClick={() => change({ view: { ...kUsualView, top: options.view.top } })}
           />
           <IconButton
             icon="goal"
-            label={texts.scene.goal(options.goal)}
+            label={panelTexts.scene.goal(options.goal)}
             pressed={goalMode}
             onClick={() => setGoalMode(!goalMode)}
           />
           <MenuButton
             icon="layout"
-            label={texts.scene.rviz}
+            label={panelTexts.scene.rviz}
             items={[
               ...files.map((path) => ({
                 id: path,
                 words: nameOf(path),
                 choose: () => void showAs(readSiteText(path).then((text) => ({ name: nameOf(path), text }))),
               })),
-              { id: '', words: texts.scene.rvizOpen, choose: () => void showAs(chooseText('.rviz')) },
+              { id: '', words: panelTexts.scene.rvizOpen, choose: () => void showAs(chooseText('.rviz')) },
             ]}
           />
-          <IconButton icon="restart" label={texts.scene.forget} onClick={forget} />
+          <IconButton icon="restart" label={panelTexts.scene.forget} onClick={forget} />
         </>
       }
     >
@@ -183,9 +184,9 @@ export function ScenePanel({ session, state, setState, announce }: PanelProps) {
         {options.list ? (
           <SceneList
             flags={[
-              { words: texts.scene.grid, on: options.grid, set: (grid) => change({ grid }) },
-              { words: texts.scene.frames, on: options.frames, set: (on) => change({ frames: on }) },
-              { words: texts.scene.names, on: options.names, set: (names) => change({ names }) },
+              { words: panelTexts.scene.grid, on: options.grid, set: (grid) => change({ grid }) },
+              { words: panelTexts.scene.frames, on: options.frames, set: (on) => change({ frames: on }) },
+              { words: panelTexts.scene.names, on: options.names, set: (names) => change({ names }) },
             ]}
             keep={shown.some(({ type }) => type === kOdometry) ? { count: options.keep, set: (keep) => change({ keep }) } : null}
             rows={rows}
@@ -200,7 +201,7 @@ export function ScenePanel({ session, state, setState, announce }: PanelProps) {
         <canvas
           class={`scene-canvas ${goalMode ? 'scene-goal' : ''}`}
           role="application"
-          aria-label={texts.scene.canvas}
+          aria-label={panelTexts.scene.canvas}
           tabIndex={0}
           ref={canvas}
         />

@@ -18,6 +18,7 @@ import { SearchField } from '../parts/search_field.tsx';
 import { useGraph } from '../parts/watch.ts';
 import { WorkProblem } from '../parts/work_problem.tsx';
 import { texts } from '../texts.ts';
+import { panelTexts } from '../texts_panels.ts';
 import type { PanelProps } from './panel_props.ts';
 
 export function ServicesPanel({ session, announce }: PanelProps) {
@@ -41,14 +42,14 @@ export function ServicesPanel({ session, announce }: PanelProps) {
     <>
       <label class="check">
         <input type="checkbox" checked={all} onChange={(event) => setAll(event.currentTarget.checked)} />
-        {texts.services.all}
+        {panelTexts.services.all}
       </label>
-      <SearchField value={text} label={texts.services.filter} onText={setText} />
+      <SearchField value={text} label={panelTexts.services.filter} onText={setText} />
     </>
   );
   return (
     <PanelFrame id="services" title={texts.panels.services} icon="call" tools={tools}>
-      {rows.length === 0 ? <p class="hint">{texts.services.none}</p> : null}
+      {rows.length === 0 ? <p class="hint">{panelTexts.services.none}</p> : null}
       {typeof codec === 'string' ? <p class="hint">{codec}</p> : null}
       <ul class="topics" role="list">
         {rows.map((row) => (
@@ -83,8 +84,8 @@ interface RowProps extends Pick<PanelProps, 'session' | 'announce'> {
 function Row({ row, gone, open, onToggle, session, codec, announce }: RowProps) {
   const flow = (
     <>
-      <span class="topic-rate">{row.kind === 'action' ? texts.services.action : texts.services.service}</span>
-      {gone ? <span class="topic-ends">{texts.services.gone}</span> : null}
+      <span class="topic-rate">{row.kind === 'action' ? panelTexts.services.action : panelTexts.services.service}</span>
+      {gone ? <span class="topic-ends">{panelTexts.services.gone}</span> : null}
     </>
   );
   const inside = () => {
@@ -145,7 +146,7 @@ function CallView(props: ViewProps) {
     try {
       const answer = await client.call(bytes, { signal: control.signal });
       setReply(codec.decode(`${row.type}_Response`, answer));
-      announce(texts.services.replied(row.name));
+      announce(panelTexts.services.replied(row.name));
     } finally {
       client.close();
     }
@@ -162,7 +163,7 @@ function CallView(props: ViewProps) {
   const giveUp = (): void => {
     abort.current?.abort();
     setGivenUp(true);
-    announce(texts.services.gaveUp);
+    announce(panelTexts.services.gaveUp);
   };
   return (
     <form
@@ -175,17 +176,17 @@ function CallView(props: ViewProps) {
       <MessageEditor codec={codec} type={request} draft={draft} onChange={setDraft} label={row.name} />
       <div class="work-row">
         <button type="submit" class="button button-main" aria-disabled={calling ? 'true' : undefined}>
-          {calling ? texts.services.calling : texts.services.call}
+          {calling ? panelTexts.services.calling : panelTexts.services.call}
         </button>
         {calling ? (
           <button type="button" class="button" onClick={giveUp}>
-            {texts.services.giveUp}
+            {panelTexts.services.giveUp}
           </button>
         ) : null}
-        {givenUp ? <span class="hint">{texts.services.gaveUp}</span> : null}
+        {givenUp ? <span class="hint">{panelTexts.services.gaveUp}</span> : null}
       </div>
       <WorkProblem text={problem} />
-      {reply === null ? null : <Answer title={texts.services.reply} of={row.name} decoded={reply} announce={announce} />}
+      {reply === null ? null : <Answer title={panelTexts.services.reply} of={row.name} decoded={reply} announce={announce} />}
     </form>
   );
 }
@@ -210,18 +211,18 @@ function GoalView(props: ViewProps) {
     const client = session.node().actionClient(row.name, row.type);
     close.current = () => client.close();
     try {
-      setState(texts.services.goalStates.unknown);
+      setState(panelTexts.services.goalStates.unknown);
       const sent = client.sendGoal(bytes, {
         onFeedback: (data) => setFeedback(codec.decode(`${row.type}_Feedback`, data)),
-        onStatus: (status) => setState(texts.services.goalStates[status]),
+        onStatus: (status) => setState(panelTexts.services.goalStates[status]),
       });
       setGoal(sent);
       // Its refusal is that of the result, too.
       sent.accepted.catch(() => undefined);
       const end = await sent.result;
-      setState(texts.services.goalStates[end.status]);
+      setState(panelTexts.services.goalStates[end.status]);
       setResult(codec.decode(`${row.type}_GetResult_Response`, end.bytes));
-      announce(texts.services.ended(row.name));
+      announce(panelTexts.services.ended(row.name));
     } catch (error) {
       setState('');
       throw error;
@@ -242,21 +243,21 @@ function GoalView(props: ViewProps) {
       <MessageEditor codec={codec} type={type} draft={draft} onChange={setDraft} label={row.name} />
       <div class="work-row">
         <button type="submit" class="button button-main" aria-disabled={goal === null ? undefined : 'true'}>
-          {texts.services.sendGoal}
+          {panelTexts.services.sendGoal}
         </button>
         {goal === null ? null : (
           <button type="button" class="button" onClick={() => void goal.cancel().catch(failed)}>
-            {texts.services.cancel}
+            {panelTexts.services.cancel}
           </button>
         )}
         {state === '' ? null : <span class="hint">{state}</span>}
       </div>
       <WorkProblem text={problem} />
       {feedback === null ? null : (
-        <Answer title={texts.services.feedback} of={row.name} decoded={feedback} announce={announce} />
+        <Answer title={panelTexts.services.feedback} of={row.name} decoded={feedback} announce={announce} />
       )}
       {result === null ? null : (
-        <Answer title={texts.services.result} of={row.name} decoded={result} announce={announce} />
+        <Answer title={panelTexts.services.result} of={row.name} decoded={result} announce={announce} />
       )}
     </form>
   );
@@ -275,8 +276,8 @@ function Answer({ title, of, decoded, announce }: AnswerProps) {
     <MessageView
       title={title}
       message={decoded}
-      label={texts.services.answerOf(title, of)}
-      copyLabel={texts.services.copy(title, of)}
+      label={panelTexts.services.answerOf(title, of)}
+      copyLabel={panelTexts.services.copy(title, of)}
       announce={announce}
     />
   );

@@ -14,6 +14,7 @@ import { TwistSender } from '../parts/twist_sender.ts';
 import { useGraph } from '../parts/watch.ts';
 import { WorkProblem } from '../parts/work_problem.tsx';
 import { texts } from '../texts.ts';
+import { panelTexts } from '../texts_panels.ts';
 import type { PanelProps } from './panel_props.ts';
 
 const kMostSpeed = 1000;
@@ -106,13 +107,13 @@ export function TeleopPanel({ session, state, setState, instance }: PanelProps) 
         {codec === null ? <p class="hint">{texts.starting}</p> : null}
         <DrivePad session={session} shown={shown} hold={hold} release={release} open={open} topic={topic} />
         <p class="drive-now">
-          <span>{texts.teleop.speed(shown.ahead * linear, shown.turn * angular)}</span>
-          <span class="hint">{isRest(shown) ? texts.teleop.silent : texts.teleop.sending(topic)}</span>
+          <span>{panelTexts.teleop.speed(shown.ahead * linear, shown.turn * angular)}</span>
+          <span class="hint">{isRest(shown) ? panelTexts.teleop.silent : panelTexts.teleop.sending(topic)}</span>
         </p>
         <WorkProblem text={problem} />
-        {heard ? null : <p class="hint">{texts.teleop.unheard(topic, type)}</p>}
+        {heard ? null : <p class="hint">{panelTexts.teleop.unheard(topic, type)}</p>}
         <label class="editor-field">
-          <span class="editor-name">{texts.publish.topic}</span>
+          <span class="editor-name">{panelTexts.publish.topic}</span>
           <input
             type="text"
             class="field"
@@ -137,21 +138,21 @@ export function TeleopPanel({ session, state, setState, instance }: PanelProps) 
           ))}
         </datalist>
         <NumberField
-          label={texts.teleop.linear}
+          label={panelTexts.teleop.linear}
           value={linear}
           least={0}
           most={kMostSpeed}
           onNumber={(value) => change({ linear: value })}
         />
         <NumberField
-          label={texts.teleop.angular}
+          label={panelTexts.teleop.angular}
           value={angular}
           least={0}
           most={kMostSpeed}
           onNumber={(value) => change({ angular: value })}
         />
         <NumberField
-          label={texts.publish.rate}
+          label={panelTexts.publish.rate}
           value={rate}
           least={kLeastRate}
           most={kMostRate}
@@ -160,16 +161,16 @@ export function TeleopPanel({ session, state, setState, instance }: PanelProps) 
         <div class="work-row">
           <label class="check">
             <input type="checkbox" checked={stamped} onChange={(event) => change({ stamped: event.currentTarget.checked })} />
-            {texts.teleop.stamped}
+            {panelTexts.teleop.stamped}
           </label>
           <label class="check">
             <input type="checkbox" checked={usesPad} onChange={(event) => change({ gamepad: event.currentTarget.checked })} />
-            {pad === '' ? texts.teleop.gamepad : texts.teleop.gamepadOf(pad)}
+            {pad === '' ? panelTexts.teleop.gamepad : panelTexts.teleop.gamepadOf(pad)}
           </label>
         </div>
         {stamped ? (
           <label class="editor-field">
-            <span class="editor-name">{texts.teleop.frame}</span>
+            <span class="editor-name">{panelTexts.teleop.frame}</span>
             <input
               type="text"
               class="field"

@@ -13,6 +13,7 @@ import { IconButton } from '../parts/button.tsx';
 import { LineScroller } from '../parts/line_scroller.tsx';
 import { PanelFrame } from '../parts/panel.tsx';
 import { texts } from '../texts.ts';
+import { panelTexts } from '../texts_panels.ts';
 import type { PanelProps } from './panel_props.ts';
 
 const kMostLines = 20_000;
@@ -99,7 +100,7 @@ export function TerminalPanel({ session, announce }: PanelProps) {
     print(`$ ${typed}`);
     const words = splitLine(typed);
     if (words === undefined) {
-      warn(texts.terminal.openQuote);
+      warn(panelTexts.terminal.openQuote);
       return;
     }
     const [program, ...rest] = words;
@@ -109,11 +110,11 @@ export function TerminalPanel({ session, announce }: PanelProps) {
       return;
     }
     if (program === 'help') {
-      print(texts.terminal.help);
+      print(panelTexts.terminal.help);
       return;
     }
     if (program !== 'ros2') {
-      warn(texts.terminal.notFound(program));
+      warn(panelTexts.terminal.notFound(program));
       return;
     }
     const abort = new AbortController();
@@ -142,7 +143,7 @@ export function TerminalPanel({ session, announce }: PanelProps) {
       return;
     }
     print('^C');
-    announce(texts.terminal.stopped);
+    announce(panelTexts.terminal.stopped);
     current.current.abort();
   };
 
@@ -179,21 +180,21 @@ export function TerminalPanel({ session, announce }: PanelProps) {
         setLine(done.line);
       } else {
         print(`$ ${line}\n${done.choices.join('  ')}`);
-        announce(texts.terminal.choices(done.choices.length));
+        announce(panelTexts.terminal.choices(done.choices.length));
       }
     }
   };
 
   const tools = (
     <>
-      {running === null ? null : <IconButton icon="stop" label={texts.terminal.stop} onClick={stop} />}
+      {running === null ? null : <IconButton icon="stop" label={panelTexts.terminal.stop} onClick={stop} />}
       <IconButton icon="clear" label={texts.clear} onClick={() => screen.current?.clear()} />
     </>
   );
   return (
     <PanelFrame id="terminal" title={texts.panels.terminal} icon="console" tools={tools}>
       <div class="terminal" onKeyDown={onKey}>
-        <LineScroller list={list} version={version} label={texts.terminal.output} empty={texts.terminal.empty} />
+        <LineScroller list={list} version={version} label={panelTexts.terminal.output} empty={panelTexts.terminal.empty} />
         <label class="terminal-input">
           <span aria-hidden="true">$</span>
           <input
@@ -201,8 +202,8 @@ export function TerminalPanel({ session, announce }: PanelProps) {
             type="text"
             value={line}
             readOnly={running !== null}
-            aria-label={texts.terminal.input}
-            placeholder={running === null ? texts.terminal.placeholder : texts.terminal.running}
+            aria-label={panelTexts.terminal.input}
+            placeholder={running === null ? panelTexts.terminal.placeholder : panelTexts.terminal.running}
             autocomplete="off"
             autocapitalize="off"
             autocorrect="off"

@@ -10,6 +10,7 @@ import { MarkdownView } from '../parts/markdown_view.tsx';
 import { PanelFrame } from '../parts/panel.tsx';
 import { readSiteText } from '../parts/site_text.ts';
 import { texts } from '../texts.ts';
+import { panelTexts } from '../texts_panels.ts';
 import type { PanelProps } from './panel_props.ts';
 
 
@@ -30,7 +31,7 @@ export function TextPanel({ session, instance, open }: PanelProps) {
         if (current) setText(found);
       },
       (error: unknown) => {
-        if (current) setSaid(texts.text.failed(problemOf(error).what));
+        if (current) setSaid(panelTexts.text.failed(problemOf(error).what));
       },
     );
     return () => {
@@ -51,23 +52,23 @@ export function TextPanel({ session, instance, open }: PanelProps) {
       import('../../decode/read_yaml.ts'),
     ]);
     const known = codec.types.get(type);
-    if (typeof known === 'string') return texts.text.failed(known);
+    if (typeof known === 'string') return panelTexts.text.failed(known);
     const now = session.time.view().now;
     const stamp = { sec: Math.floor(now / 1000), nanosec: Math.floor((now % 1000) * 1e6) };
     const read = readMessage(value, known.shape, { now: stamp });
-    if (read.kind === 'failed') return texts.text.failed(read.reason);
+    if (read.kind === 'failed') return panelTexts.text.failed(read.reason);
     const made = codec.encode(type, read.value);
-    if (made.kind === 'failed') return texts.text.failed(`${made.path} ${made.reason}`.trim());
+    if (made.kind === 'failed') return panelTexts.text.failed(`${made.path} ${made.reason}`.trim());
     const key = `${topic} ${type}`;
     const publisher = publishers.current.get(key) ?? session.node().publisher(topic, type);
     publishers.current.set(key, publisher);
     if (publisher.problem !== undefined) {
       publishers.current.delete(key);
-      return texts.text.failed(publisher.problem.message);
+      return panelTexts.text.failed(publisher.problem.message);
     }
     await matched(publisher);
     const problem = publisher.publish(made.bytes);
-    return problem === undefined ? texts.text.published(topic) : texts.text.failed(problem.message);
+    return problem === undefined ? panelTexts.text.published(topic) : panelTexts.text.failed(problem.message);
   };
 
   const setParam = async (node: string, name: string, value: string): Promise<string> => {
@@ -75,22 +76,22 @@ export function TextPanel({ session, instance, open }: PanelProps) {
     const caller = { session, codec: () => codecOf(session), signal: leaving.current.signal };
     const full = node.startsWith('/') ? node : `/${node}`;
     const { successful, reason } = await setText(caller, full, name, value);
-    return successful ? texts.text.set(name, full) : texts.text.refused(full, reason);
+    return successful ? panelTexts.text.set(name, full) : panelTexts.text.refused(full, reason);
   };
 
   const act = (action: PageAction): void => {
     switch (action.kind) {
       case 'open':
-        setSaid(open(action.panel, action.state ?? undefined) ? '' : texts.text.noPanel(action.panel));
+        setSaid(open(action.panel, action.state ?? undefined) ? '' : panelTexts.text.noPanel(action.panel));
         return;
       case 'publish':
         publish(action.topic, action.type, action.value).then(setSaid, (error: unknown) =>
-          setSaid(texts.text.failed(problemOf(error).what)),
+          setSaid(panelTexts.text.failed(problemOf(error).what)),
         );
         return;
       case 'set_param':
         setParam(action.node, action.name, action.value).then(setSaid, (error: unknown) =>
-          setSaid(texts.text.failed(problemOf(error).what)),
+          setSaid(panelTexts.text.failed(problemOf(error).what)),
         );
         return;
       default: {
@@ -98,18 +99,18 @@ export function TextPanel({ session, instance, open }: PanelProps) {
           .nodes()
           .find((one) => [one.id, one.label, one.label.replace(/^\//, '')].includes(action.node));
         if (node === undefined) {
-          setSaid(texts.text.noNode(action.node));
+          setSaid(panelTexts.text.noNode(action.node));
           return;
         }
         session[action.kind](node.id);
-        setSaid(texts.text.did[action.kind](node.label));
+        setSaid(panelTexts.text.did[action.kind](node.label));
       }
     }
   };
 
   return (
     <PanelFrame id="text" title={texts.panels.text} icon="text">
-      {path === null || !files.has(path) ? <p class="hint">{texts.text.none}</p> : null}
+      {path === null || !files.has(path) ? <p class="hint">{panelTexts.text.none}</p> : null}
       {text === null || path === null ? null : (
         <div class="text" role="group" aria-label={texts.panels.text} tabIndex={0}>
           <MarkdownView text={text} file={path} files={files} instance={instance} act={act} />

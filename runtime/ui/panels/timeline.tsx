@@ -11,6 +11,7 @@ import { useCodec } from '../parts/message_feed.ts';
 import { PanelFrame } from '../parts/panel.tsx';
 import { PathList } from '../parts/path_list.tsx';
 import { texts } from '../texts.ts';
+import { panelTexts } from '../texts_panels.ts';
 import type { PanelProps } from './panel_props.ts';
 
 const kMostPaths = 16;
@@ -40,7 +41,7 @@ export function TimelinePanel({ session, state, setState, instance }: PanelProps
       onValue(path, time, value) {
         const row = rowOf(path);
         const text = asState(value);
-        row.problem = text === undefined ? texts.timeline.noState : '';
+        row.problem = text === undefined ? panelTexts.timeline.noState : '';
         if (text !== undefined) row.track.add(time, text);
       },
       onProblem(path, problem) {
@@ -64,12 +65,12 @@ export function TimelinePanel({ session, state, setState, instance }: PanelProps
         <>
           <IconButton
             icon={held === null ? 'pause' : 'play'}
-            label={held === null ? texts.plot.pause : texts.plot.follow}
+            label={held === null ? panelTexts.plot.pause : panelTexts.plot.follow}
             onClick={() => setHeld(held === null ? end : null)}
           />
           <select
             class="select"
-            aria-label={texts.plot.range}
+            aria-label={panelTexts.plot.range}
             value={String(seconds)}
             onChange={(event) =>
               setState({ paths: [...paths], seconds: Number(event.currentTarget.value) })
@@ -77,7 +78,7 @@ export function TimelinePanel({ session, state, setState, instance }: PanelProps
           >
             {(kSeconds.some((one) => one === seconds) ? kSeconds : [...kSeconds, seconds]).map(
               (one) => (
-                <option value={String(one)}>{texts.plot.last(one)}</option>
+                <option value={String(one)}>{panelTexts.plot.last(one)}</option>
               ),
             )}
           </select>
@@ -91,17 +92,17 @@ export function TimelinePanel({ session, state, setState, instance }: PanelProps
         instance={instance}
         entries={paths.map((path) => {
           const { problem, track } = rowOf(path);
-          return { path, color: 0, words: problem || track.last || texts.paths.waiting };
+          return { path, color: 0, words: problem || track.last || panelTexts.paths.waiting };
         })}
         onChange={(next) => setState({ paths: [...next], seconds })}
       />
-      {paths.length === 0 ? <p class="hint">{texts.timeline.none}</p> : null}
+      {paths.length === 0 ? <p class="hint">{panelTexts.timeline.none}</p> : null}
       {paths.map((path) => (
         <div
           key={path}
           class="states"
           role="img"
-          aria-label={texts.timeline.of(path, rowOf(path).track.last)}
+          aria-label={panelTexts.timeline.of(path, rowOf(path).track.last)}
         >
           {rowOf(path)
             .track.spans(range.least, range.most)

@@ -15,6 +15,7 @@ import { TurtlePad, useTurtleDrive } from '../parts/turtle_drive.tsx';
 import { TurtleSheet } from '../parts/turtle_sheet.ts';
 import { useTime, useTopics } from '../parts/watch.ts';
 import { texts } from '../texts.ts';
+import { panelTexts } from '../texts_panels.ts';
 import type { PanelProps } from './panel_props.ts';
 
 const kSceneType = 'turtlesim_scene/msg/Scene';
@@ -54,14 +55,14 @@ export function TurtlesimPanel({ session, state, setState }: PanelProps) {
       onDrawn: (scene) => words.tell(node, scene),
     });
     sheet.current = drawn;
-    words.say(texts.turtlesim.waiting);
+    words.say(panelTexts.turtlesim.waiting);
     setTurtles([]);
     setProblem('');
     let known = '';
     const stop = feed(session, ready, `${node}${kSceneTopic}`, ({ decoded, type, gid }) => {
       const scene = decoded.kind === 'failed' || type !== kSceneType ? null : readScene(decoded.value);
       if (scene === null) {
-        setProblem(texts.turtlesim.noScene);
+        setProblem(panelTexts.turtlesim.noScene);
         return;
       }
       const names = scene.turtles.map(({ name }) => name);
@@ -97,35 +98,35 @@ export function TurtlesimPanel({ session, state, setState }: PanelProps) {
         (error: unknown) => setProblem(problemOf(error).what),
       );
   };
-  const said = problem === '' && held ? texts.turtlesim.held : problem;
+  const said = problem === '' && held ? panelTexts.turtlesim.held : problem;
   const gone = node !== '' && !running.includes(node);
   return (
     <PanelFrame
       id="turtlesim"
       title={texts.panels.turtlesim}
       icon="turtle"
-      note={gone && turtles.length > 0 ? texts.turtlesim.gone : ''}
+      note={gone && turtles.length > 0 ? panelTexts.turtlesim.gone : ''}
       tools={
         node === '' ? null : (
           <>
             {nodes.length < 2 && nodes.includes(node) ? null : (
               <Choice
-                label={texts.turtlesim.simulator}
+                label={panelTexts.turtlesim.simulator}
                 value={node}
                 values={[...new Set([...nodes, node])]}
                 onChange={(name) => setState({ node: name })}
               />
             )}
             {turtles.length < 2 ? null : (
-              <Choice label={texts.turtlesim.driven} value={turtle} values={turtles} onChange={choose} />
+              <Choice label={panelTexts.turtlesim.driven} value={turtle} values={turtles} onChange={choose} />
             )}
-            <IconButton icon="clear" label={texts.turtlesim.clear} onClick={() => call('clear')} />
-            <IconButton icon="restart" label={texts.turtlesim.reset} onClick={() => call('reset')} />
+            <IconButton icon="clear" label={panelTexts.turtlesim.clear} onClick={() => call('clear')} />
+            <IconButton icon="restart" label={panelTexts.turtlesim.reset} onClick={() => call('reset')} />
           </>
         )
       }
     >
-      {node === '' ? <p class="hint">{texts.turtlesim.none}</p> : null}
+      {node === '' ? <p class="hint">{panelTexts.turtlesim.none}</p> : null}
       {typeof codec === 'string' ? <p class="hint">{codec}</p> : null}
       <div class="turtle-view" hidden={node === ''}>
         <div class="turtle-room">
@@ -148,7 +149,7 @@ export function TurtlesimPanel({ session, state, setState }: PanelProps) {
           {said !== '' ? (
             <p class="hint">{said}</p>
           ) : turtle === '' ? null : (
-            <p class="hint turtle-keys">{texts.turtlesim.keys(turtle)}</p>
+            <p class="hint turtle-keys">{panelTexts.turtlesim.keys(turtle)}</p>
           )}
         </div>
       </div>
@@ -197,10 +198,10 @@ class Words {
   }
 
   tell(node: string, scene: Scene): void {
-    this.next = texts.turtlesim.shows(
+    this.next = panelTexts.turtlesim.shows(
       node,
       scene.turtles.slice(0, 10).map(({ name, x, y, theta }) =>
-        texts.turtlesim.turtle(name, x.toFixed(1), y.toFixed(1), String(Math.round((theta * 180) / Math.PI) + 0)),
+        panelTexts.turtlesim.turtle(name, x.toFixed(1), y.toFixed(1), String(Math.round((theta * 180) / Math.PI) + 0)),
       ),
       scene.turtles.length,
     );

@@ -5,7 +5,7 @@ import { useRef } from 'preact/hooks';
 import type { Session } from '../../wasm_js/session.ts';
 import { isRest, keyStick, kRest, pointStick } from '../model/twist.ts';
 import type { Stick } from '../model/twist.ts';
-import { texts } from '../texts.ts';
+import { panelTexts } from '../texts_panels.ts';
 import { Icon } from './icon.tsx';
 
 export interface DrivePadProps {
@@ -82,7 +82,7 @@ export function DrivePad({ session, topic, shown, hold, release, open }: DrivePa
         class="drive-pad"
         role="application"
         tabIndex={0}
-        aria-label={texts.teleop.pad(topic)}
+        aria-label={panelTexts.teleop.pad(topic)}
         onKeyDown={(event) => {
           if (event.key !== ' ') return;
           event.preventDefault();
@@ -110,13 +110,13 @@ export function DrivePad({ session, topic, shown, hold, release, open }: DrivePa
           <circle class={`drive-knob ${isRest(shown) ? '' : 'drive-held'}`} r="13" cx={-shown.turn * scale} cy={-shown.ahead * scale} />
         </svg>
       </div>
-      <div class="drive-buttons" role="group" aria-label={texts.teleop.buttons}>
+      <div class="drive-buttons" role="group" aria-label={panelTexts.teleop.buttons}>
         {kButtons.map(({ id, stick, turned }) => (
           <button
             type="button"
             class={`button drive-button drive-at-${id}`}
-            aria-label={texts.teleop.directions[id]}
-            title={texts.teleop.directions[id]}
+            aria-label={panelTexts.teleop.directions[id]}
+            title={panelTexts.teleop.directions[id]}
             onPointerDown={(event) => {
               if (event.button !== 0) return;
               event.currentTarget.focus({ preventScroll: true });
@@ -149,7 +149,7 @@ export function DrivePad({ session, topic, shown, hold, release, open }: DrivePa
             <Icon name="down" class={turned} />
           </button>
         ))}
-        <button type="button" class="button drive-button drive-at-stop" aria-label={texts.teleop.stop} title={texts.teleop.stop} onClick={release}>
+        <button type="button" class="button drive-button drive-at-stop" aria-label={panelTexts.teleop.stop} title={panelTexts.teleop.stop} onClick={release}>
           <Icon name="stop" />
         </button>
       </div>

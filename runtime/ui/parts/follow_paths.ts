@@ -5,6 +5,7 @@ import type { Codec } from '../../decode/codec.ts';
 import { parseFieldPath, valueAt } from '../model/field_path.ts';
 import type { FieldPath } from '../model/field_path.ts';
 import { texts } from '../texts.ts';
+import { panelTexts } from '../texts_panels.ts';
 import { feed } from './message_feed.ts';
 
 export interface PathListener {
@@ -24,7 +25,7 @@ export function followPaths(
   for (const text of paths) {
     const path = parseFieldPath(text);
     if (path === null) {
-      onProblem(text, texts.paths.wrong);
+      onProblem(text, panelTexts.paths.wrong);
       continue;
     }
     topics.set(path.topic, [...(topics.get(path.topic) ?? []), { text, path }]);
@@ -37,7 +38,7 @@ export function followPaths(
           continue;
         }
         const value = valueAt(decoded.value, path.steps);
-        if (value === undefined) onProblem(text, texts.paths.noField);
+        if (value === undefined) onProblem(text, panelTexts.paths.noField);
         else onValue(text, publishedAt / 1000, value);
       }
     }),

@@ -10,7 +10,7 @@ import { headingId, readMarkdown, sitePath } from '../model/markdown.ts';
 import type { MarkdownToken } from '../model/markdown.ts';
 import { isPageAction, readPageAction } from '../model/page_action.ts';
 import type { PageAction } from '../model/page_action.ts';
-import { texts } from '../texts.ts';
+import { panelTexts } from '../texts_panels.ts';
 import { MathView } from './math_view.tsx';
 
 export interface MarkdownProps {
@@ -111,7 +111,7 @@ function list(token: Tokens.List, context: Context, depth: number): ComponentChi
         <span>
           <span aria-hidden="true">{item.checked === true ? '\u2611 ' : '\u2610 '}</span>
           <span class="visually-hidden">
-            {item.checked === true ? texts.text.done : texts.text.open}
+            {item.checked === true ? panelTexts.text.done : panelTexts.text.open}
           </span>
         </span>
       ) : null}
@@ -132,7 +132,7 @@ function table(token: Tokens.Table, context: Context, depth: number): ComponentC
       ),
     );
   return (
-    <div class="text-table" role="group" aria-label={texts.text.table} tabIndex={0}>
+    <div class="text-table" role="group" aria-label={panelTexts.text.table} tabIndex={0}>
       <table>
         <thead>
           <tr>{cells(token.header, 'th')}</tr>
@@ -155,7 +155,7 @@ function link(href: string, words: ComponentChildren, context: Context): Compone
         type="button"
         class="text-action"
         aria-disabled={action === null ? 'true' : undefined}
-        title={action === null ? texts.text.noAction : undefined}
+        title={action === null ? panelTexts.text.noAction : undefined}
         onClick={() => {
           if (action !== null) context.act(action);
         }}
@@ -199,7 +199,7 @@ function link(href: string, words: ComponentChildren, context: Context): Compone
 function image(token: Tokens.Image, context: Context): ComponentChildren {
   const path = sitePath(context.file, token.href);
   if (path === null || !context.files.has(path))
-    return <span class="text-missing">{token.text === '' ? texts.text.image : token.text}</span>;
+    return <span class="text-missing">{token.text === '' ? panelTexts.text.image : token.text}</span>;
   return <SiteImage key={path} path={path} words={token.text} />;
 }
 

@@ -7,7 +7,7 @@ import type { Field, Shape } from '../../decode/shape.ts';
 import { isMessage, toYaml } from '../../decode/yaml.ts';
 import { numberText, onto, readNumber } from '../model/draft_value.ts';
 import type { DraftText } from '../model/draft_value.ts';
-import { texts } from '../texts.ts';
+import { panelTexts } from '../texts_panels.ts';
 import { IconButton } from './button.tsx';
 
 /** Longer lists are edited as YAML. */
@@ -49,7 +49,7 @@ export function MessageEditor({ codec, type, draft, onChange, label }: MessageEd
   };
   return (
     <div class="editor">
-      <div class="choice" role="group" aria-label={texts.editor.view(label)}>
+      <div class="choice" role="group" aria-label={panelTexts.editor.view(label)}>
         <button
           type="button"
           aria-pressed={draft.view === 'form'}
@@ -57,7 +57,7 @@ export function MessageEditor({ codec, type, draft, onChange, label }: MessageEd
             if (draft.view === 'yaml') toForm(draft.text);
           }}
         >
-          {texts.editor.form}
+          {panelTexts.editor.form}
         </button>
         <button
           type="button"
@@ -67,7 +67,7 @@ export function MessageEditor({ codec, type, draft, onChange, label }: MessageEd
               onChange({ view: 'yaml', text: toYaml(draft.value, shape, null) });
           }}
         >
-          {texts.editor.yaml}
+          {panelTexts.editor.yaml}
         </button>
       </div>
       {draft.view === 'yaml' ? (
@@ -75,12 +75,12 @@ export function MessageEditor({ codec, type, draft, onChange, label }: MessageEd
           class="editor-text"
           rows={8}
           spellcheck={false}
-          aria-label={texts.editor.yamlOf(label)}
+          aria-label={panelTexts.editor.yamlOf(label)}
           value={draft.text}
           onInput={(event) => onChange({ view: 'yaml', text: event.currentTarget.value })}
         />
       ) : shape.length === 0 ? (
-        <p class="hint">{texts.editor.empty}</p>
+        <p class="hint">{panelTexts.editor.empty}</p>
       ) : (
         <Fields
           shape={shape}
@@ -162,7 +162,7 @@ function FieldEditor(props: FieldEditorProps) {
       {field.type === 'bool' ? (
         <input
           type="checkbox"
-          aria-label={texts.editor.field(label, path)}
+          aria-label={panelTexts.editor.field(label, path)}
           checked={value === true}
           onChange={(event) => onChange(event.currentTarget.checked)}
         />
@@ -170,14 +170,14 @@ function FieldEditor(props: FieldEditorProps) {
         <input
           type="text"
           class="field"
-          aria-label={texts.editor.field(label, path)}
+          aria-label={panelTexts.editor.field(label, path)}
           value={typeof value === 'string' ? value : numberText(value)}
           onInput={(event) => onChange(event.currentTarget.value)}
         />
       ) : (
         <NumberInput
           type={field.type}
-          label={texts.editor.field(label, path)}
+          label={panelTexts.editor.field(label, path)}
           value={value}
           onChange={onChange}
         />
@@ -230,10 +230,10 @@ function TimeEditor({ field, name, value, path, label, onChange }: FieldEditorPr
           <input
             type="checkbox"
             checked={now}
-            aria-label={texts.editor.now(label, path)}
+            aria-label={panelTexts.editor.now(label, path)}
             onChange={(event) => onChange(event.currentTarget.checked ? 'now' : { sec: 0, nanosec: 0 })}
           />
-          <span aria-hidden="true">{texts.editor.nowShort}</span>
+          <span aria-hidden="true">{panelTexts.editor.nowShort}</span>
         </label>
       ) : null}
       {now
@@ -243,7 +243,7 @@ function TimeEditor({ field, name, value, path, label, onChange }: FieldEditorPr
               <span class="editor-name">{part}</span>
               <NumberInput
                 type="int32"
-                label={texts.editor.field(label, `${path}.${part}`)}
+                label={panelTexts.editor.field(label, `${path}.${part}`)}
                 value={parts[part]}
                 onChange={(next) => onChange({ ...parts, [part]: next })}
               />
@@ -262,9 +262,9 @@ function ListEditor({ field, name, value, path, label, onChange }: FieldEditorPr
     <fieldset class="editor-group">
       <legend>
         {name}{' '}
-        <span class="editor-type">{texts.editor.list(field.type, items.length)}</span>
+        <span class="editor-type">{panelTexts.editor.list(field.type, items.length)}</span>
       </legend>
-      {items.length > kMostItems ? <p class="hint">{texts.editor.long}</p> : null}
+      {items.length > kMostItems ? <p class="hint">{panelTexts.editor.long}</p> : null}
       {items.slice(0, kMostItems).map((item, index) => (
         <div class="editor-item">
           <FieldEditor
@@ -278,7 +278,7 @@ function ListEditor({ field, name, value, path, label, onChange }: FieldEditorPr
           {fixed ? null : (
             <IconButton
               icon="close"
-              label={texts.editor.remove(label, `${path}[${index}]`)}
+              label={panelTexts.editor.remove(label, `${path}[${index}]`)}
               onClick={() => onChange(items.filter((_, at) => at !== index))}
             />
           )}
@@ -287,7 +287,7 @@ function ListEditor({ field, name, value, path, label, onChange }: FieldEditorPr
       {fixed || items.length >= most ? null : (
         <IconButton
           icon="plus"
-          label={texts.editor.add(label, path)}
+          label={panelTexts.editor.add(label, path)}
           onClick={() => onChange([...items, draftOf([one])[field.name]])}
         />
       )}

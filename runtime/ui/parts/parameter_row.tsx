@@ -8,7 +8,7 @@ import type { ParameterValue } from '../../ros2cli/parameters.ts';
 import { needsYaml, parameterText, rangeText, readParameter, sliderRange } from '../model/parameter_text.ts';
 import type { SliderRange } from '../model/parameter_text.ts';
 import { problemOf } from '../model/problem.ts';
-import { texts } from '../texts.ts';
+import { panelTexts } from '../texts_panels.ts';
 import { Name } from './name.tsx';
 import type { KnownParameter } from './parameter_store.ts';
 import { WorkProblem } from './work_problem.tsx';
@@ -50,10 +50,10 @@ function useSetting(
       next.current = null;
       try {
         const { successful, reason } = await newest.current.set(value);
-        setProblem(successful ? '' : texts.parameters.refused(shortText(value), reason));
+        setProblem(successful ? '' : panelTexts.parameters.refused(shortText(value), reason));
         if (successful) newest.current.taken(value);
       } catch (error) {
-        setProblem(texts.parameters.notSet(shortText(value), problemOf(error).what));
+        setProblem(panelTexts.parameters.notSet(shortText(value), problemOf(error).what));
       }
     }
   };
@@ -80,7 +80,7 @@ function shortText(value: ParameterValue): string {
 export function ParameterRow({ node, name, parameter, here, set, announce }: ParameterRowProps) {
   const { descriptor } = parameter;
   const about = useId();
-  const { asked, problem, setProblem, ask } = useSetting(set, () => announce(texts.parameters.set(name, node)));
+  const { asked, problem, setProblem, ask } = useSetting(set, () => announce(panelTexts.parameters.set(name, node)));
   const value = asked ?? parameter.value;
   const fixed = !here || descriptor?.read_only === true;
   const words = [rangeText(descriptor), descriptor?.additional_constraints ?? ''].filter((each) => each !== '');
@@ -91,12 +91,12 @@ export function ParameterRow({ node, name, parameter, here, set, announce }: Par
           <Name text={name} />
         </span>{' '}
         <span class="editor-type">{kindOf(parameter.value).name}</span>
-        {descriptor?.read_only === true ? <span class="parameter-tag">{texts.parameters.readOnly}</span> : null}
+        {descriptor?.read_only === true ? <span class="parameter-tag">{panelTexts.parameters.readOnly}</span> : null}
       </div>
       <div class="parameter-editor">
         <Editor
           value={value}
-          label={texts.editor.field(node, name)}
+          label={panelTexts.editor.field(node, name)}
           about={about}
           fixed={fixed}
           anyType={descriptor?.dynamic_typing === true}
@@ -105,7 +105,7 @@ export function ParameterRow({ node, name, parameter, here, set, announce }: Par
           ask={ask}
           setProblem={setProblem}
         />
-        {asked === null ? null : <span class="parameter-asked">{texts.parameters.asked}</span>}
+        {asked === null ? null : <span class="parameter-asked">{panelTexts.parameters.asked}</span>}
       </div>
       <p class="parameter-about" id={about}>
         {[descriptor?.description ?? '', ...words].filter((each) => each !== '').map((each) => (
@@ -139,7 +139,7 @@ function Editor(props: EditorProps) {
     const count = (value[field] as ArrayLike<number>).length;
     return (
       <span class="parameter-bytes" role="group" aria-label={label}>
-        <code>{parameterText(value)}</code> <span class="editor-type">{texts.parameters.bytes(count)}</span>
+        <code>{parameterText(value)}</code> <span class="editor-type">{panelTexts.parameters.bytes(count)}</span>
       </span>
     );
   }
@@ -161,7 +161,7 @@ function Editor(props: EditorProps) {
         <input
           type="range"
           class="parameter-slider"
-          aria-label={texts.parameters.slider(label)}
+          aria-label={panelTexts.parameters.slider(label)}
           aria-describedby={about}
           min={slider.least}
           max={slider.most}
@@ -195,7 +195,7 @@ function TextEditor({ value, label, about, fixed, type, ask, setProblem }: Edito
     const read = readParameter(text, type, yaml);
     setWrong(read.kind === 'failed');
     if (read.kind === 'failed') {
-      setProblem(texts.parameters.notSet(text.slice(0, 80), read.reason));
+      setProblem(panelTexts.parameters.notSet(text.slice(0, 80), read.reason));
       return;
     }
     setDraft(null);
@@ -245,7 +245,7 @@ function TextEditor({ value, label, about, fixed, type, ask, setProblem }: Edito
       type="text"
       class="field"
       inputMode={type === 3 ? 'decimal' : undefined}
-      placeholder={kindOf(value).field === '' ? texts.parameters.notGiven : undefined}
+      placeholder={kindOf(value).field === '' ? panelTexts.parameters.notGiven : undefined}
       onInput={(event) => setDraft(event.currentTarget.value)}
       onBlur={commit}
       onKeyDown={(event) => {

@@ -8,7 +8,7 @@ import type { Caller } from '../../ros2cli/calls.ts';
 import { descriptorsOf, namesOf, setValue, valuesOf } from '../../ros2cli/parameter_calls.ts';
 import type { Descriptor, SetResult } from '../../ros2cli/parameter_calls.ts';
 import type { ParameterValue } from '../../ros2cli/parameters.ts';
-import { texts } from '../texts.ts';
+import { panelTexts } from '../texts_panels.ts';
 
 const kEvents = '/parameter_events';
 const kEventType = 'rcl_interfaces/msg/ParameterEvent';
@@ -170,7 +170,7 @@ export class ParameterStore {
         return value === undefined ? [] : [[name, { value, descriptor: described.get(name) }] as const];
       }));
     }
-    throw new Error(texts.parameters.changing);
+    throw new Error(panelTexts.parameters.changing);
   }
 
   private heard(event: Event): void {

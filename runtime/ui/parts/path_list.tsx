@@ -7,7 +7,7 @@ import type { Codec } from '../../decode/codec.ts';
 import { parseFieldPath, pathsOf } from '../model/field_path.ts';
 import type { FieldKind } from '../model/field_path.ts';
 import { isHiddenTopic } from '../model/hidden_names.ts';
-import { texts } from '../texts.ts';
+import { panelTexts } from '../texts_panels.ts';
 import { IconButton } from './button.tsx';
 import { Name } from './name.tsx';
 import { useTopics } from './watch.ts';
@@ -51,7 +51,7 @@ export function PathList({ session, codec, kind, instance, entries, onChange }: 
   const add = (wanted: string): void => {
     const path = wanted.trim();
     if (parseFieldPath(path) === null) {
-      setProblem(texts.paths.wrong);
+      setProblem(panelTexts.paths.wrong);
       return;
     }
     setProblem('');
@@ -61,7 +61,7 @@ export function PathList({ session, codec, kind, instance, entries, onChange }: 
   const list = `paths-${instance}`;
   return (
     <div class="paths">
-      <ul class="path-list" role="list" aria-label={texts.paths.shown}>
+      <ul class="path-list" role="list" aria-label={panelTexts.paths.shown}>
         {entries.map((entry) => (
           <li class="path" key={entry.path}>
             {entry.color === 0 ? null : <span class={`path-color plot-color-${entry.color}`} />}
@@ -71,7 +71,7 @@ export function PathList({ session, codec, kind, instance, entries, onChange }: 
             <span class="path-value">{entry.words}</span>
             <IconButton
               icon="close"
-              label={texts.paths.remove(entry.path)}
+              label={panelTexts.paths.remove(entry.path)}
               onClick={() => onChange(paths.filter((path) => path !== entry.path))}
             />
           </li>
@@ -89,8 +89,8 @@ export function PathList({ session, codec, kind, instance, entries, onChange }: 
           class="field"
           list={list}
           value={text}
-          placeholder={texts.paths.hint}
-          aria-label={texts.paths.add}
+          placeholder={panelTexts.paths.hint}
+          aria-label={panelTexts.paths.add}
           autocomplete="off"
           autocapitalize="off"
           spellcheck={false}
@@ -107,7 +107,7 @@ export function PathList({ session, codec, kind, instance, entries, onChange }: 
           ))}
         </datalist>
         <button type="submit" class="button">
-          {texts.paths.addShort}
+          {panelTexts.paths.addShort}
         </button>
       </form>
       {problem === '' ? null : (

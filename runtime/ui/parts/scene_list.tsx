@@ -1,6 +1,6 @@
 // The list of what a scene shows: grid and frames, then every topic that it can show, each with why it does not.
 
-import { texts } from '../texts.ts';
+import { panelTexts } from '../texts_panels.ts';
 import { viewTexts } from '../texts_views.ts';
 import { Name } from './name.tsx';
 
@@ -25,7 +25,7 @@ const kKeeps: readonly number[] = [1, 10, 100, 1000];
 
 export function SceneList({ flags, keep, rows, onRow, note }: SceneListProps) {
   return (
-    <div class="scene-list" role="group" aria-label={texts.scene.list}>
+    <div class="scene-list" role="group" aria-label={panelTexts.scene.list}>
       {flags.map(({ words, on, set }) => (
         <label class="check" key={words}>
           <input type="checkbox" checked={on} onChange={(event) => set(event.currentTarget.checked)} />
@@ -66,7 +66,7 @@ export function SceneList({ flags, keep, rows, onRow, note }: SceneListProps) {
           </li>
         ))}
       </ul>
-      {rows.length === 0 ? <p class="hint">{texts.scene.noTopics}</p> : null}
+      {rows.length === 0 ? <p class="hint">{panelTexts.scene.noTopics}</p> : null}
     </div>
   );
 }

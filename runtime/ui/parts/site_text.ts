@@ -1,7 +1,7 @@
 // Texts that the page reads: files of the site, and one that the visitor chooses. Both reject with an Error.
 
 import { fetchOfSite } from '../../wasm_js/carried_files.ts';
-import { texts } from '../texts.ts';
+import { panelTexts } from '../texts_panels.ts';
 
 const kMostBytes = 1 << 20;
 
@@ -21,7 +21,7 @@ export function chooseText(kinds: string): Promise<{ readonly name: string; read
     input.addEventListener('change', () => {
       const file = input.files?.[0];
       if (file === undefined) return;
-      if (file.size > kMostBytes) reject(new Error(texts.text.tooLong));
+      if (file.size > kMostBytes) reject(new Error(panelTexts.text.tooLong));
       else file.arrayBuffer().then((bytes) => resolve({ name: file.name, text: textOf(bytes) }), reject);
     });
     input.click();
@@ -29,6 +29,6 @@ export function chooseText(kinds: string): Promise<{ readonly name: string; read
 }
 
 function textOf(bytes: ArrayBuffer, most = kMostBytes): string {
-  if (bytes.byteLength > most) throw new Error(texts.text.tooLong);
+  if (bytes.byteLength > most) throw new Error(panelTexts.text.tooLong);
   return new TextDecoder().decode(bytes);
 }

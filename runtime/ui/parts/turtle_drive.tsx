@@ -4,7 +4,7 @@ import { useEffect, useMemo, useRef } from 'preact/hooks';
 import type { PagePublisher, PageTimer, Session } from '../../wasm_js/session.ts';
 import type { Codec } from '../../decode/codec.ts';
 import { problemOf } from '../model/problem.ts';
-import { texts } from '../texts.ts';
+import { panelTexts } from '../texts_panels.ts';
 import { Icon } from './icon.tsx';
 import { matched } from './matched.ts';
 import { useLetGo } from './use_let_go.ts';
@@ -118,13 +118,13 @@ class Driver implements TurtleDrive {
 export function TurtlePad({ drive, turtle }: { readonly drive: TurtleDrive; readonly turtle: string }) {
   useLetGo(drive.release);
   return (
-    <div class="turtle-pad" role="group" aria-label={texts.turtlesim.pad}>
+    <div class="turtle-pad" role="group" aria-label={panelTexts.turtlesim.pad}>
       {kMoveNames.map((move) => (
         <button
           key={move}
           type="button"
           class={`turtle-key turtle-${move}`}
-          aria-label={texts.turtlesim.moves[move](turtle)}
+          aria-label={panelTexts.turtlesim.moves[move](turtle)}
           aria-disabled={turtle === '' ? 'true' : undefined}
           onPointerDown={(event) => {
             if (event.button !== 0) return;

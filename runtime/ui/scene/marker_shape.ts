@@ -8,7 +8,7 @@ import { asNumber } from '../model/field_path.ts';
 import { member } from '../model/json.ts';
 import { readPose, readVector } from '../model/transform.ts';
 import type { Vector } from '../model/transform.ts';
-import { texts } from '../texts.ts';
+import { panelTexts } from '../texts_panels.ts';
 import { isPlace } from './display.ts';
 import { lines, pairsOf } from './lines.ts';
 import type { Built } from './newest_display.ts';
@@ -63,7 +63,7 @@ export function markerShape(marker: unknown): Built {
   const pose = readPose(member(marker, 'pose'));
   const scale = readVector(member(marker, 'scale'));
   if (pose === null || scale === null || !isPlace(...pose.translation) || scale.some((part) => Math.abs(part) > kLargest))
-    return { object: null, problem: texts.scene.noPose };
+    return { object: null, problem: panelTexts.scene.noPose };
   const all = member(marker, 'points');
   const text = member(marker, 'text');
   const { places, colors } = readPoints(all, member(marker, 'colors'));
@@ -74,7 +74,7 @@ export function markerShape(marker: unknown): Built {
   placeAt(shape, pose);
   const missing = Array.isArray(all) ? all.length - kMostPoints : 0;
   // The marker's frame is that of what it stands in.
-  return { object: new Group().add(shape), problem: missing > 0 ? texts.scene.leftOut(missing) : '' };
+  return { object: new Group().add(shape), problem: missing > 0 ? panelTexts.scene.leftOut(missing) : '' };
 }
 
 /** A text: why there is none. */
@@ -110,7 +110,7 @@ function shapeOf(type: number, parts: Parts): Object3D | string {
     case MarkerType.arrowStrip:
       return arrowStrip(parts);
     default:
-      return texts.scene.markerType(type);
+      return panelTexts.scene.markerType(type);
   }
 }
 

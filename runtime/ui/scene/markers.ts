@@ -6,7 +6,7 @@ import { asNumber } from '../model/field_path.ts';
 import { member } from '../model/json.ts';
 import { readHeader } from '../model/transform.ts';
 import type { HeaderView } from '../model/transform.ts';
-import { texts } from '../texts.ts';
+import { panelTexts } from '../texts_panels.ts';
 import type { Anchored, Display } from './display.ts';
 import { disposeOf, emptied } from './dispose.ts';
 import { markerCost, markerShape } from './marker_shape.ts';
@@ -41,7 +41,7 @@ export class Markers implements Display {
   private spent = kNothing;
 
   get problem(): string {
-    if (this.refused) return texts.scene.markersLeftOut;
+    if (this.refused) return panelTexts.scene.markersLeftOut;
     for (const { problem } of this.kept.values()) if (problem !== '') return problem;
     return '';
   }
@@ -60,7 +60,7 @@ export class Markers implements Display {
         const cost = markerCost(marker.message);
         const after = sum(this.spent, cost, 1);
         const fits = after.points <= kMost.points && after.solids <= kMost.solids && after.pixels <= kMost.pixels;
-        const { object, problem } = fits ? markerShape(marker.message) : { object: null, problem: texts.scene.markersLeftOut };
+        const { object, problem } = fits ? markerShape(marker.message) : { object: null, problem: panelTexts.scene.markersLeftOut };
         if (object !== null) [marker.cost, this.spent] = [cost, after];
         marker.message = null;
         marker.object = object;

@@ -4,7 +4,7 @@ import { DataTexture, DoubleSide, Mesh, MeshBasicMaterial, NearestFilter, PlaneG
 import { asNumber } from '../model/field_path.ts';
 import { member } from '../model/json.ts';
 import { readPose } from '../model/transform.ts';
-import { texts } from '../texts.ts';
+import { panelTexts } from '../texts_panels.ts';
 import { isPlace } from './display.ts';
 import type { Built } from './newest_display.ts';
 import { placeAt } from './shapes.ts';
@@ -23,7 +23,7 @@ export function occupancyGrid(message: unknown): Built {
     cells instanceof Int8Array && Number.isInteger(width) && Number.isInteger(height) && width > 0 && height > 0 &&
     cells.length === width * height && resolution > 0 && origin !== null &&
     isPlace(...origin.translation) && isPlace(width * resolution, height * resolution, 0);
-  if (!isSound) return { object: null, problem: texts.scene.noMap };
+  if (!isSound) return { object: null, problem: panelTexts.scene.noMap };
 
   const step = Math.ceil(Math.max(width, height) / kMostSide);
   const [columns, rows] = [Math.ceil(width / step), Math.ceil(height / step)];
@@ -43,7 +43,7 @@ export function occupancyGrid(message: unknown): Built {
   const ground = new Mesh(new PlaneGeometry(along, across).translate(along / 2, across / 2, 0), material);
   ground.renderOrder = -1;
   if (origin !== null) placeAt(ground, origin);
-  return { object: ground, problem: step > 1 ? texts.scene.thinned(step) : '' };
+  return { object: ground, problem: step > 1 ? panelTexts.scene.thinned(step) : '' };
 }
 
 function colorOf(cell: number): readonly [number, number, number, number] {

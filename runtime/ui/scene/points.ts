@@ -4,7 +4,7 @@ import { BufferAttribute, BufferGeometry, Points, PointsMaterial, SRGBColorSpace
 import { asNumber } from '../model/field_path.ts';
 import { member } from '../model/json.ts';
 import { readCloud } from '../model/point_cloud.ts';
-import { texts } from '../texts.ts';
+import { panelTexts } from '../texts_panels.ts';
 import { kFarthest } from './display.ts';
 import type { Built } from './newest_display.ts';
 
@@ -19,7 +19,7 @@ export function laserScan(color: string): (message: unknown) => Built {
     const nearest = asNumber(member(message, 'range_min'));
     const farthest = asNumber(member(message, 'range_max'));
     if (!isNumbers(ranges) || !Number.isFinite(start) || !Number.isFinite(step))
-      return { object: null, problem: texts.scene.noScan };
+      return { object: null, problem: panelTexts.scene.noScan };
     const count = Math.min(ranges.length, kMostBeams);
     const positions = new Float32Array(count * 3);
     let found = 0;
@@ -37,9 +37,9 @@ export function laserScan(color: string): (message: unknown) => Built {
 
 export function pointCloud(message: unknown): Built {
   const cloud = readCloud(message);
-  if (cloud === 'no-data') return { object: null, problem: texts.scene.noCloud };
-  if (cloud === 'no-places') return { object: null, problem: texts.scene.noPlaces };
-  const problem = cloud.leftOut > 0 ? texts.scene.leftOut(cloud.leftOut) : '';
+  if (cloud === 'no-data') return { object: null, problem: panelTexts.scene.noCloud };
+  if (cloud === 'no-places') return { object: null, problem: panelTexts.scene.noPlaces };
+  const problem = cloud.leftOut > 0 ? panelTexts.scene.leftOut(cloud.leftOut) : '';
   return { object: points(cloud.positions, cloud.colors), problem };
 }
 

@@ -7,7 +7,7 @@ import type { Spread } from '../model/covariance.ts';
 import { member } from '../model/json.ts';
 import { readHeader, readPose } from '../model/transform.ts';
 import type { Transform } from '../model/transform.ts';
-import { texts } from '../texts.ts';
+import { panelTexts } from '../texts_panels.ts';
 import { isPlace } from './display.ts';
 import type { Built } from './newest_display.ts';
 import { lines, pairsOf } from './lines.ts';
@@ -27,7 +27,7 @@ export function singlePose(color: string): Make {
   return (message) => {
     const outer = member(message, 'pose');
     const pose = readPose(member(outer, 'pose') ?? outer);
-    if (pose === null || !isPlace(...pose.translation)) return { object: null, problem: texts.scene.noPose };
+    if (pose === null || !isPlace(...pose.translation)) return { object: null, problem: panelTexts.scene.noPose };
     const pointer = mesh(arrow(kOne), named(color));
     const spread = readCovariance(member(outer, 'covariance'));
     if (spread === null) {
@@ -100,10 +100,10 @@ function readPoses(
   most: number,
   poseOf: (item: unknown) => unknown,
 ): { readonly poses: readonly Transform[]; readonly problem: string } {
-  if (!Array.isArray(list)) return { poses: [], problem: texts.scene.noPose };
+  if (!Array.isArray(list)) return { poses: [], problem: panelTexts.scene.noPose };
   const poses = (list.slice(0, most) as readonly unknown[])
     .map((item) => readPose(poseOf(item)))
     .filter((pose) => pose !== null)
     .filter((pose) => isPlace(...pose.translation));
-  return { poses, problem: list.length > most ? texts.scene.leftOut(list.length - most) : '' };
+  return { poses, problem: list.length > most ? panelTexts.scene.leftOut(list.length - most) : '' };
 }

@@ -5,7 +5,7 @@ import { member } from '../model/json.ts';
 import { readUrdf } from '../model/urdf.ts';
 import type { LinkShape, UrdfFault } from '../model/urdf.ts';
 import { unreachable } from '../../wasm_js/session.ts';
-import { texts } from '../texts.ts';
+import { panelTexts } from '../texts_panels.ts';
 import type { Anchored, Display } from './display.ts';
 import { emptied } from './dispose.ts';
 import { ball, box, cylinder, mesh, named, placeAt, rgba } from './shapes.ts';
@@ -31,10 +31,10 @@ export class RobotModel implements Display {
     emptied(this.group);
     this.links = [];
     if (typeof robot === 'string') {
-      this.problem = texts.scene.noRobot(faultWords(robot));
+      this.problem = panelTexts.scene.noRobot(faultWords(robot));
       return;
     }
-    this.problem = robot.leftOut > 0 ? texts.scene.shapesLeftOut(robot.leftOut) : '';
+    this.problem = robot.leftOut > 0 ? panelTexts.scene.shapesLeftOut(robot.leftOut) : '';
     this.links = robot.links
       .filter(({ visuals }) => visuals.length > 0)
       .map(({ name, visuals }) => {
@@ -72,5 +72,5 @@ function geometryOf(shape: LinkShape): BufferGeometry {
 }
 
 function faultWords(fault: UrdfFault): string {
-  return texts.scene.urdfFaults[fault];
+  return panelTexts.scene.urdfFaults[fault];
 }

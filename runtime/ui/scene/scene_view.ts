@@ -6,7 +6,7 @@ import { kIdentity } from '../model/transform.ts';
 import type { HeaderView } from '../model/transform.ts';
 import type { Lookup, TransformTree } from '../model/transform_tree.ts';
 import { unreachable } from '../../wasm_js/session.ts';
-import { texts } from '../texts.ts';
+import { panelTexts } from '../texts_panels.ts';
 import type { Display, DisplayColors } from './display.ts';
 import { FrameAxes } from './frame_axes.ts';
 import type { FramePlace } from './frame_axes.ts';
@@ -202,14 +202,14 @@ export class SceneView {
 }
 
 function lostWords(lookup: Exclude<Lookup, { kind: 'found' }>, frame: string, fixed: string): string {
-  if (frame === '') return texts.scene.noFrame;
+  if (frame === '') return panelTexts.scene.noFrame;
   switch (lookup.kind) {
     case 'unknown':
-      return texts.scene.unknownFrame(lookup.frame);
+      return panelTexts.scene.unknownFrame(lookup.frame);
     case 'loop':
-      return texts.scene.loop(lookup.frame);
+      return panelTexts.scene.loop(lookup.frame);
     case 'apart':
-      return texts.scene.apart(frame, fixed);
+      return panelTexts.scene.apart(frame, fixed);
     default:
       return unreachable(lookup);
   }

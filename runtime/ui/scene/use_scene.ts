@@ -11,6 +11,7 @@ import { followTransforms } from '../parts/follow_transforms.ts';
 import { feed } from '../parts/message_feed.ts';
 import { useTheme } from '../parts/watch.ts';
 import { texts } from '../texts.ts';
+import { panelTexts } from '../texts_panels.ts';
 import { controlCamera } from './camera_control.ts';
 import type { GoalPose } from './camera_control.ts';
 import { kOdometry, makeDisplay } from './kinds.ts';
@@ -70,7 +71,7 @@ export function useScene(use: SceneUse): Scene {
     let alarm: PageTimer | undefined;
     const stage = Stage.open(element, latest.current.options.view, () => scene?.arrange());
     if (stage === null) {
-      setProblem(texts.scene.noWebGl);
+      setProblem(panelTexts.scene.noWebGl);
       return undefined;
     }
     const made = new SceneView(stage, tree, latest.current.options.view, {
@@ -101,7 +102,7 @@ export function useScene(use: SceneUse): Scene {
       setGoal: (goal) => latest.current.onGoal(goal, made.fixedFrame),
       leaveGoalMode: () => latest.current.onLeaveGoalMode(),
     });
-    const lost = (): void => setProblem(texts.scene.lost);
+    const lost = (): void => setProblem(panelTexts.scene.lost);
     const back = (): void => setProblem('');
     element.addEventListener('webglcontextlost', lost);
     element.addEventListener('webglcontextrestored', back);

@@ -36,7 +36,7 @@ class Stage {
       return text === undefined ? new Response('', { status: 404 }) : new Response(text);
     };
     const start = new Function('self', 'caches', 'fetch', code);
-    start({ registration: { scope }, addEventListener }, { open: async () => cache }, host);
+    start({ registration: { scope }, clients: { matchAll: async () => [] }, addEventListener }, { open: async () => cache }, host);
   }
 
   /** The host gets another version of the site; what is in `altered` comes otherwise than site.json says. */
@@ -50,7 +50,7 @@ class Stage {
   /** What the page does when it is idle. */
   keep(): Promise<unknown> {
     return new Promise((answer) => {
-      this.listeners.get('message')?.({ data: 'keep', ports: [{ postMessage: answer }], waitUntil: () => undefined });
+      this.listeners.get('message')?.({ data: 'keep', source: { id: '' }, ports: [{ postMessage: answer }], waitUntil: () => undefined });
     });
   }
 

@@ -15,7 +15,8 @@ namespace ros2wasm {
 struct LaunchedFile {
   std::vector<LaunchNode> nodes;
   std::vector<LaunchStep> steps;
-  std::vector<LaunchNode> more_nodes;  ///< one for each program that only other arguments start
+  std::vector<LaunchNode>
+      more_nodes;  ///< one for each program that nothing, or only other arguments, start
   std::optional<PackedLaunch> launch;  ///< when the launch file declares arguments
 };
 

@@ -12,6 +12,7 @@
 #include "bundler/build/plugin_link.hpp"
 #include "bundler/build/quick_link.hpp"
 #include "bundler/build/wasm_module.hpp"
+#include "bundler/carried_programs.hpp"
 #include "bundler/channel/channel_index.hpp"
 #include "bundler/channel/transport.hpp"
 #include "bundler/emit/site_output.hpp"
@@ -557,6 +558,8 @@ Outcome<PackReport> pack(const PackRequest& request, const Cancellation& cancell
     append(errors, workspace->warnings);
     return errors;
   }
+
+  if (auto carried = add_programs(*workspace, *nodes); !carried) return std::move(carried).errors();
 
   // 8. every file of the site
   begin_step(progress, "plan");

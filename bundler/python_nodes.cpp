@@ -184,8 +184,7 @@ Outcome<Done> add_python(BuiltWorkspace& workspace, PlanInput& input) {
   };
   const char* by_default = workspace.nodes_by_default ? "as the manifest names no nodes" : "";
   if (auto met = check(by_default, input.nodes); !met) return met;
-  if (auto met = check("as only other launch arguments start it", input.more_nodes); !met)
-    return met;
+  if (auto met = check("as it does not run from the start", input.more_nodes); !met) return met;
   if (input.notebook) {
     auto compiled = check_notebook_imports(workspace, *python, input.interfaces);
     if (!compiled) return std::move(compiled).errors();

@@ -56,6 +56,12 @@ Diagnostics check_names(CheckReport& report, const LeftOutPackages& left_out,
   const LeftOutChains chains = chains_by_name(report.packages, left_out);
   append(errors, missing_packages(report.manifest.nodes, packages, chains));
   append(errors, missing_packages(report.launched, packages, chains));
+  std::vector<NodeEntry> programs;
+  for (const ProgramEntry& program : report.manifest.programs) {
+    programs.emplace_back();
+    programs.back().package = program.package;
+  }
+  append(errors, missing_packages(programs, packages, chains));
   return errors;
 }
 

@@ -73,6 +73,13 @@ struct NodeEntry {
   bool respawn = false;
 };
 
+/// One entry of `programs:`: what a site carries although nothing starts it.
+struct ProgramEntry {
+  SourceSpan span;
+  Spanned<std::string> package;
+  std::optional<Spanned<std::string>> executable;  ///< else all of the package
+};
+
 /// What a value must be. `equals` holds a boolean, a number or a text.
 struct Comparison {
   std::optional<double> above;
@@ -171,6 +178,7 @@ struct Manifest {
   std::optional<Spanned<std::string>> launch_file;
   std::vector<GivenArgument> launch_arguments;  ///< for the launch file, in the written order
   std::vector<NodeEntry> nodes;
+  std::vector<ProgramEntry> programs;
   std::vector<CheckEntry> checks;
   std::map<std::string, std::string> ui;  ///< scalar options of `ui:` (theme, autostart)
   std::string ui_layout;  ///< `ui: layout:` as one line of JSON; empty: the page's own

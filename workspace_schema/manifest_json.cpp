@@ -191,6 +191,15 @@ std::string manifest_json(const Manifest& manifest) {
     for (const NodeEntry& node : manifest.nodes) write_node(json, node);
     json.end_array();
   }
+  if (!manifest.programs.empty()) {
+    json.key("programs").begin_array();
+    for (const ProgramEntry& program : manifest.programs) {
+      json.begin_object().field("package", program.package.value);
+      if (program.executable) json.field("executable", program.executable->value);
+      json.end_object();
+    }
+    json.end_array();
+  }
   if (!manifest.checks.empty()) {
     json.key("checks").begin_array();
     for (const CheckEntry& check : manifest.checks) {

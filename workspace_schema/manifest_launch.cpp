@@ -64,6 +64,14 @@ void read_file(Binder& binder, const YamlNode& node, Manifest& manifest) {
 
 }  // namespace
 
+std::vector<ProgramEntry> read_programs(Binder& binder, const YamlNode& node) {
+  std::vector<ProgramEntry> programs;
+  binder.list(node, "programs", [&](const YamlNode& item) {
+    if (auto entry = read_program(binder, item)) programs.push_back(*std::move(entry));
+  });
+  return programs;
+}
+
 void read_launch(Binder& binder, const YamlNode& node, Manifest& manifest) {
   switch (node.kind) {
     case YamlKind::kScalar:

@@ -242,6 +242,32 @@ std::optional<NodeEntry> read_node(Binder& binder, const YamlNode& node) {
   return complete ? std::optional(std::move(entry)) : std::nullopt;
 }
 
+std::optional<ProgramEntry> read_program(Binder& binder, const YamlNode& node) {
+  static const std::vector<KeyRow> kKeys{
+      {"package", {"pkg"}},
+      {"executable", {"exec", "node_executable", "exe"}},
+  };
+  if (!binder.mapping(node, "an item of `programs`", kKeys)) {
+    binder.wrong_type(node, "an item of `programs`",
+                      "a mapping with `package` and perhaps `executable`");
+    return std::nullopt;
+  }
+  ProgramEntry entry;
+  entry.span = binder.span(node);
+  const YamlNode* package = value_of(node, "package");
+  const YamlNode* executable = value_of(node, "executable");
+  auto name =
+      package == nullptr ? std::nullopt : binder.name(*package, "package", package_name_fault);
+  if (package == nullptr) binder.missing(node, "a program", "package");
+  if (executable != nullptr) {
+    entry.executable = binder.name(*executable, "executable", executable_name_fault);
+    if (!entry.executable) return std::nullopt;
+  }
+  if (!name) return std::nullopt;
+  entry.package = *std::move(name);
+  return entry;
+}
+
 void warn_of_equal_names(Binder& binder, const std::vector<NodeEntry>& nodes) {
   std::map<std::string, const NodeEntry*> seen;
   for (const NodeEntry& node : nodes) {

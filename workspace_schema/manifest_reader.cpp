@@ -67,6 +67,7 @@ const std::vector<KeyRow>& manifest_keys() {
       {"packages", {"package", "sources", "src"}},
       {"python", {"wheels", "pip"}},
       {"launch", {"nodes", "node", "run"}},
+      {"programs", {"executables", "program"}},
       {"checks", {"check", "tests", "expect"}},
       {"ui", {"page"}},
       {"site", {"output"}},
@@ -130,6 +131,8 @@ class Reader {
     read_lists();
     if (const YamlNode* node = given("python")) read_python(binder_, *node, manifest_);
     read_what_runs();
+    if (const YamlNode* node = given("programs"))
+      manifest_.programs = read_programs(binder_, *node);
     if (const YamlNode* node = given("checks")) {
       binder_.list(*node, "checks", [this](const YamlNode& item) {
         if (auto check = read_check(binder_, item)) manifest_.checks.push_back(*std::move(check));

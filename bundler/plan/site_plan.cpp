@@ -258,7 +258,10 @@ Outcome<SitePlan> plan_site(PlanInput input) {
     add(plan, kLaunchData, "launch file, for other launch arguments",
         packed_launch_json(*input.launch, plan.nodes));
   }
-  plan.nodes.resize(count);
+  const auto end_of_nodes = plan.nodes.begin() + static_cast<std::ptrdiff_t>(count);
+  plan.programs.assign(std::make_move_iterator(end_of_nodes),
+                       std::make_move_iterator(plan.nodes.end()));
+  plan.nodes.erase(end_of_nodes, plan.nodes.end());
   std::set<std::string> packages(input.packages.begin(), input.packages.end());
   for (auto& [path, bytes] : input.shared) {
     const std::string package = package_of_shared(path);

@@ -67,10 +67,11 @@ struct PlannedNotebook {
 };
 
 struct SitePlan {
-  std::vector<PlannedFile> files;  ///< sorted by path; the last steps add site.json, SHA256SUMS
-  std::string sha256;              ///< of site.json, which has that of every file: of the site
-  std::vector<PlannedNode> nodes;  ///< in launch order
-  std::vector<LaunchStep> steps;   ///< of the launch file
+  std::vector<PlannedFile> files;     ///< sorted by path; the last steps add site.json, SHA256SUMS
+  std::string sha256;                 ///< of site.json, which has that of every file: of the site
+  std::vector<PlannedNode> nodes;     ///< in launch order
+  std::vector<PlannedNode> programs;  ///< that none of these runs; each once
+  std::vector<LaunchStep> steps;      ///< of the launch file
   std::optional<PlannedNotebook> notebook;
   std::optional<PlannedLaunch> launch;  ///< when launch arguments can change what runs
   std::vector<std::string> packages;    ///< that the programs' index of packages has, sorted
@@ -110,7 +111,7 @@ struct PlanInput {
   const Manifest& manifest;
   std::vector<LaunchNode> nodes;
   std::vector<LaunchStep> steps;
-  std::vector<LaunchNode> more_nodes;  ///< that run with other launch arguments only
+  std::vector<LaunchNode> more_nodes;  ///< of programs that none of these runs
   std::optional<PackedLaunch> launch;
   std::map<std::filesystem::path, std::string> programs;  ///< bytes of each node's program file
   std::map<std::filesystem::path, std::string> names;     ///< by program file, where there are any

@@ -131,6 +131,11 @@ std::string site_json(const Manifest& manifest, const SitePlan& plan) {
   json.key("nodes").begin_array();
   for (const PlannedNode& node : plan.nodes) write_site_node(json, node);
   json.end_array();
+  if (!plan.programs.empty()) {
+    json.key("programs").begin_array();
+    for (const PlannedNode& program : plan.programs) write_site_program(json, program);
+    json.end_array();
+  }
   if (!plan.steps.empty()) {
     json.key("launch").begin_object();
     write_launch_steps(json, plan.steps);

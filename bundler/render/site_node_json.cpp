@@ -55,18 +55,8 @@ void write_step(JsonWriter& json, const LaunchStep& step) {
   json.end_object();
 }
 
-}  // namespace
-
-void write_site_source(JsonWriter& json, const SourceSpan& source) {
-  if (source.file.empty()) return;
-  json.key("source").begin_object().field("file", source.file);
-  json.field_integer("line", source.line).field_integer("column", source.column).end_object();
-}
-
-void write_site_node(JsonWriter& json, const PlannedNode& planned) {
-  const LaunchNode& node = planned.node;
-  json.begin_object().field("id", node.id).field("package", node.package);
-  json.field("executable", node.executable).field("label", node.label);
+/// What runs, whatever starts it.
+void write_program(JsonWriter& json, const PlannedNode& planned) {
   json.field("kind", planned.script.empty() ? "cpp" : "python");
   json.field("program", planned.program);
   if (!planned.script.empty()) {
@@ -76,6 +66,28 @@ void write_site_node(JsonWriter& json, const PlannedNode& planned) {
   }
   if (!planned.names.empty()) json.field("names", planned.names);
   json.field_boolean("threads", planned.threads);
+}
+
+}  // namespace
+
+void write_site_source(JsonWriter& json, const SourceSpan& source) {
+  if (source.file.empty()) return;
+  json.key("source").begin_object().field("file", source.file);
+  json.field_integer("line", source.line).field_integer("column", source.column).end_object();
+}
+
+void write_site_program(JsonWriter& json, const PlannedNode& planned) {
+  json.begin_object().field("package", planned.node.package);
+  json.field("executable", planned.node.executable);
+  write_program(json, planned);
+  json.end_object();
+}
+
+void write_site_node(JsonWriter& json, const PlannedNode& planned) {
+  const LaunchNode& node = planned.node;
+  json.begin_object().field("id", node.id).field("package", node.package);
+  json.field("executable", node.executable).field("label", node.label);
+  write_program(json, planned);
   json.key("arguments").begin_array();
   for (const std::string& argument : node.arguments) json.string(argument);
   json.end_array();

@@ -8,6 +8,9 @@ namespace ros2wasm {
 
 void write_site_node(JsonWriter& json, const PlannedNode& planned);
 
+/// Of a program that nothing starts: what is needed to run it.
+void write_site_program(JsonWriter& json, const PlannedNode& planned);
+
 /// The field `steps`.
 void write_launch_steps(JsonWriter& json, const std::vector<LaunchStep>& steps);
 

@@ -203,11 +203,13 @@ Outcome<ChannelRequest> channel_request(const Manifest& manifest,
     return std::any_of(packages.begin(), packages.end(),
                        [&](const LocalPackage& one) { return one.xml.name.value == name; });
   };
-  for (const NodeEntry& node : manifest.nodes) {
-    const std::string name = conda_name(node.package.value, manifest.distro);
-    if (is_local(node.package.value) || !has(known.names, name)) continue;
-    request.specs.push_back({.text = name, .origin = manifest.file, .span = node.package.span});
-  }
+  const auto want = [&](const Spanned<std::string>& package) {
+    const std::string name = conda_name(package.value, manifest.distro);
+    if (is_local(package.value) || !has(known.names, name)) return;
+    request.specs.push_back({.text = name, .origin = manifest.file, .span = package.span});
+  };
+  for (const NodeEntry& node : manifest.nodes) want(node.package);
+  for (const ProgramEntry& program : manifest.programs) want(program.package);
   append_notebook(manifest, notebook_modules, is_local, known, request.specs);
   const std::string parts = conda_name(kLibraryParts, manifest.distro);
   if (!packages.empty() && has(known.names, parts))

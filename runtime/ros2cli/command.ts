@@ -20,6 +20,10 @@ export interface BagOutput extends BagSink {
 
 export interface Terminal {
   readonly bags: BagPlace;
+  /** The text of a file; undefined: there is none of that name. */
+  readText(name: string): Promise<string | undefined>;
+  /** What is typed goes there from now on, with the newlines; undefined: nowhere. */
+  takeInput(taker: ((text: string) => void) | undefined): void;
   /** One line or several, without the newline at the end. */
   print(text: string): void;
   /** The same, for what is no result. */
@@ -31,7 +35,7 @@ export interface Terminal {
 /** What a word of the command line names; completion offers these. */
 export type Meaning =
   | 'topic' | 'node' | 'service' | 'action' | 'message_type' | 'service_type' | 'action_type' | 'interface' | 'package'
-  | 'parameter' | 'transition' | 'executable' | 'text';
+  | 'parameter' | 'transition' | 'program_package' | 'executable' | 'container' | 'text';
 
 export interface Positional {
   /** As the usage shows it. */
@@ -41,6 +45,8 @@ export interface Positional {
   readonly optional?: boolean;
   /** The last one, any number of times. */
   readonly many?: boolean;
+  /** The last one, all words behind the others, as they are. */
+  readonly rest?: boolean;
 }
 
 export interface Option {
@@ -50,6 +56,8 @@ export interface Option {
   readonly value?: string;
   /** Takes all words up to the next option; Given has them with spaces between. */
   readonly many?: boolean;
+  /** May be given several times; Given has the values with line breaks between. */
+  readonly repeated?: boolean;
   /** The value when it is given without one. */
   readonly alone?: string;
   /** The values that it may have. */
@@ -86,6 +94,11 @@ export class CommandError extends Error {}
 
 export function has(given: Given, option: string): boolean {
   return given.options.has(option);
+}
+
+/** Of an option that may be given several times. */
+export function allOf(given: Given, option: string): readonly string[] {
+  return given.options.get(option)?.split('\n') ?? [];
 }
 
 /** Of an option that takes a number; the parser has looked at it. */

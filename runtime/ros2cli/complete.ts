@@ -2,7 +2,7 @@
 
 import type { GraphView } from '../wasm_js/session.ts';
 import type { Command, Meaning } from './command.ts';
-import { actionsOf, servicesOf, shown, topicsOf } from './graph_lists.ts';
+import { actionsOf, containersOf, servicesOf, shown, topicsOf } from './graph_lists.ts';
 import { findOption, splitLine } from './parse.ts';
 import { commands } from './table.ts';
 
@@ -18,6 +18,8 @@ export interface Known {
   readonly graph: GraphView;
   /** Names of interfaces that the site has. */
   readonly interfaces: readonly string[];
+  /** What `ros2 run` can start. */
+  readonly programs: readonly { readonly package: string; readonly executable: string }[];
 }
 
 /** `line`: what stands before the caret. */
@@ -35,14 +37,20 @@ function choices(before: readonly string[], word: string, known: Known): readonl
   if (before.length === 1) return commands.map(({ words }) => words[0]);
   const [, group, verb] = before;
   const own = commands.filter(({ words }) => words[0] === group);
+  const single = own.find(({ words }) => words.length === 1);
+  if (single !== undefined) return ofCommand(single, before, 2, word, known);
   if (before.length === 2) return own.flatMap(({ words: [, name] }) => name === undefined ? [] : [name]);
   const command = own.find(({ words }) => words[1] === verb);
-  if (command === undefined) return [];
+  return command === undefined ? [] : ofCommand(command, before, 3, word, known);
+}
+
+/** `begin`: where its own words begin. */
+function ofCommand(command: Command, before: readonly string[], begin: number, word: string, known: Known): readonly string[] {
   const last = before.at(-1)!;
-  const option = before.length > 3 ? findOption(command, last) : undefined;
+  const option = before.length > begin ? findOption(command, last) : undefined;
   if (option?.value !== undefined) return option.choices ?? [];
   if (word.startsWith('-')) return [...command.options.flatMap(({ names }) => names), '--help'];
-  const given = positionalsOf(command, before.slice(3));
+  const given = positionalsOf(command, before.slice(begin));
   const final = command.positionals.at(-1);
   const next = command.positionals[given.length] ?? (final?.many === true ? final : undefined);
   return next === undefined ? [] : meant(next.meaning, given, known);
@@ -58,7 +66,7 @@ function positionalsOf(command: Command, words: readonly string[]): string[] {
   return found;
 }
 
-function meant(meaning: Meaning, given: readonly string[], { graph, interfaces }: Known): readonly string[] {
+function meant(meaning: Meaning, given: readonly string[], { graph, interfaces, programs }: Known): readonly string[] {
   const ofKind = (kind: string): string[] => interfaces.filter((name) => name.split('/')[1] === kind);
   /** The type of what was named before, when it is known. */
   const typeOf = (list: readonly { readonly name: string; readonly types: readonly string[] }[], all: readonly string[]): readonly string[] =>
@@ -84,8 +92,13 @@ function meant(meaning: Meaning, given: readonly string[], { graph, interfaces }
       return interfaces.map((name) => name.split('/')[0]!);
     case 'transition':
       return ['configure', 'activate', 'deactivate', 'cleanup', 'shutdown'];
-    case 'parameter':
+    case 'program_package':
+      return programs.map((program) => program.package);
     case 'executable':
+      return programs.flatMap((program) => program.package === given[0] ? [program.executable] : []);
+    case 'container':
+      return containersOf(graph);
+    case 'parameter':
     case 'text':
       return [];
   }

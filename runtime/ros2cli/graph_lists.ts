@@ -31,6 +31,14 @@ export function actionsOf(graph: GraphView): Named[] {
   return named(graph.nodes.flatMap(({ actionServers, actionClients }) => [...actionServers, ...actionClients]));
 }
 
+const ofContainers = ['load_node', 'unload_node', 'list_nodes'];
+
+/** Full names of the nodes that take components. */
+export function containersOf(graph: GraphView): string[] {
+  return graph.nodes.filter(({ services }) =>
+    ofContainers.every((verb) => services.some(({ name }) => name.endsWith(`_container/${verb}`)))).map(({ name }) => name).sort();
+}
+
 export interface OfNode {
   readonly node: GraphNodeView;
   readonly endpoint: GraphEndpointView;

@@ -5,7 +5,7 @@ import { isMainThread } from 'node:worker_threads';
 import { endWhenNobodyReads, exitWhenPrinted, openHeadless, serveHeadlessWorker, siteErrorText } from '../wasm_js/headless_session.ts';
 import type { NodeView } from '../wasm_js/session.ts';
 import { SiteError } from '../wasm_js/site_error.ts';
-import { bagFiles } from './bag_files.ts';
+import { bagFiles, textOfFile } from './shell_files.ts';
 import { runCommand } from './run.ts';
 
 const usage = 'usage: node ros2.js [--link shared|port] SITE COMMAND...';
@@ -63,6 +63,13 @@ async function main({ site, link, words }: Asked): Promise<number> {
   const code = await runCommand(session, words, {
     signal: abort.signal,
     bags: bagFiles,
+    readText: textOfFile,
+    takeInput: (taker) => {
+      process.stdin.removeAllListeners();
+      if (taker === undefined) process.stdin.pause();
+      // An empty text is the end.
+      else process.stdin.setEncoding('utf8').on('data', taker).on('end', () => taker('')).on('error', () => undefined);
+    },
     print: (text) => void process.stdout.write(`${text}\n`),
     warn: (text) => void process.stderr.write(`${text}\n`),
   });

@@ -1,9 +1,9 @@
-// ros2 param list, get, set, delete, describe, dump.
+// ros2 param list, get, set, delete, describe, dump, load.
 
 import { type Command, CommandError, type Context, has } from './command.ts';
 import { shown } from './graph_lists.ts';
 import { findNode } from './node_commands.ts';
-import { descriptorsOf, namesOf, setText, setValue, valuesOf } from './parameter_calls.ts';
+import { descriptorsOf, namesOf, setText, setValue, setValues, valuesOf } from './parameter_calls.ts';
 import { dumpText, kindOf, parameterKinds, pythonValue } from './parameters.ts';
 import { reprFloat } from './python_text.ts';
 
@@ -120,6 +120,28 @@ export const paramCommands: readonly Command[] = [
       const names = await namesOf(context, name);
       const values = await valuesOf(context, name, names);
       context.print(dumpText(name, new Map(names.flatMap((each, i) => values[i] === undefined ? [] : [[each, values[i]] as const]))));
+      return 0;
+    },
+  },
+  {
+    words: ['param', 'load'],
+    help: 'Load parameter file for a node',
+    positionals: [node, { name: 'parameter_file', meaning: 'text' }],
+    options: [{ names: ['--use-wildcard'], help: "Load parameters in the '/**' namespace into the node" }],
+    run: async (context, given) => {
+      const [of = '', file = ''] = given.positionals;
+      const name = fullNode(context, of);
+      const text = await context.readText(file);
+      if (text === undefined) throw new CommandError(`No such file: '${file}'`);
+      const { parametersOfFile } = await import('./parameter_file.ts');
+      const parameters = parametersOfFile(text, name, has(given, 'use-wildcard'));
+      const results = await setValues(context, name, parameters);
+      parameters.forEach((parameter, i) => {
+        const { successful, reason } = results[i] ?? { successful: false, reason: '' };
+        const what = `Set parameter ${parameter.name} ${successful ? 'successful' : 'failed'}${reason === '' ? '' : `: ${reason}`}`;
+        if (successful) context.print(what);
+        else context.warn(what);
+      });
       return 0;
     },
   },

@@ -51,14 +51,26 @@ export async function descriptorsOf(caller: Caller, of: string, names: readonly 
   return descriptors as readonly Descriptor[];
 }
 
+/** One after the other; a result each. */
+export async function setValues(
+  caller: Caller, of: string, parameters: readonly { readonly name: string; readonly value: ParameterValue }[],
+): Promise<readonly SetResult[]> {
+  const { results } = await ask(caller, of, 'set_parameters', 'SetParameters', { parameters });
+  return results as readonly SetResult[];
+}
+
 export async function setValue(caller: Caller, of: string, name: string, value: ParameterValue): Promise<SetResult> {
-  const { results } = await ask(caller, of, 'set_parameters', 'SetParameters', { parameters: [{ name, value }] });
-  return (results as readonly SetResult[])[0] ?? { successful: false, reason: '' };
+  return (await setValues(caller, of, [{ name, value }]))[0] ?? { successful: false, reason: '' };
+}
+
+/** What a typed text means. */
+export async function textValue(text: string): Promise<ParameterValue> {
+  const { readYaml } = await import('../decode/read_yaml.ts');
+  const read = readYaml(text);
+  return parameterValue(text, read.kind === 'value' ? read.value : text);
 }
 
 /** Sets what a text means, as `ros2 param set`. */
 export async function setText(caller: Caller, of: string, name: string, text: string): Promise<SetResult> {
-  const { readYaml } = await import('../decode/read_yaml.ts');
-  const read = readYaml(text);
-  return await setValue(caller, of, name, parameterValue(text, read.kind === 'value' ? read.value : text));
+  return await setValue(caller, of, name, await textValue(text));
 }

@@ -60,6 +60,10 @@ function parseWords(command: Command, words: readonly string[]): Parsed {
   let onlyPositionals = false;
   for (let i = 0; i < words.length; i += 1) {
     const word = words[i]!;
+    if (command.positionals[positionals.length]?.rest === true) {
+      positionals.push(...words.slice(i));
+      break;
+    }
     // A number below zero is a value, and a lone dash too.
     if (onlyPositionals || !/^-[^\d.]|^-\d$/.test(word) || (/^-\d$/.test(word) && findOption(command, word) === undefined)) {
       positionals.push(word);
@@ -94,13 +98,15 @@ function parseWords(command: Command, words: readonly string[]): Parsed {
       return wrong(`argument ${names}: invalid choice: '${value}' (choose from ${option.choices.map((each) => `'${each}'`).join(', ')})`);
     }
     if (option.number === true && !(Number(value) > 0)) return wrong(`argument ${names}: '${value}' is not a number above 0`);
-    options.set(keyOf(option), value);
+    const before = option.repeated === true ? options.get(keyOf(option)) : undefined;
+    options.set(keyOf(option), before === undefined ? value : `${before}\n${value}`);
   }
-  const wanted = command.positionals.filter(({ optional }) => optional !== true);
+  const wanted = command.positionals.filter(({ optional, rest }) => optional !== true && rest !== true);
   if (positionals.length < wanted.length) {
     return wrong(`the following arguments are required: ${wanted.slice(positionals.length).map(({ name }) => name).join(', ')}`);
   }
-  if (positionals.length > command.positionals.length && command.positionals.at(-1)?.many !== true) {
+  const last = command.positionals.at(-1);
+  if (positionals.length > command.positionals.length && last?.many !== true && last?.rest !== true) {
     return wrong(`unrecognized arguments: ${positionals.slice(command.positionals.length).join(' ')}`);
   }
   return { kind: 'run', command, given: { positionals, options } };
@@ -122,8 +128,8 @@ function valueOf({ value, many, alone }: Option): string {
 
 function usage(command: Command): string {
   const options = command.options.map((option) => `[${option.names[0]}${valueOf(option)}]`);
-  const positionals = command.positionals.map(({ name, optional, many }) =>
-    many === true ? `[${name} ...]` : optional === true ? `[${name}]` : name);
+  const positionals = command.positionals.map(({ name, optional, many, rest }) =>
+    rest === true ? '...' : many === true ? `[${name} ...]` : optional === true ? `[${name}]` : name);
   return ['usage: ros2', ...command.words, '[-h]', ...options, ...positionals].join(' ');
 }
 

@@ -36,6 +36,8 @@ export async function runCommand(session: Session, words: readonly string[], ter
     session,
     signal: terminal.signal,
     bags: terminal.bags,
+    readText: (name: string) => terminal.readText(name),
+    takeInput: (taker: ((text: string) => void) | undefined) => terminal.takeInput(taker),
     print: (text: string) => terminal.print(text),
     warn: (text: string) => terminal.warn(text),
     codec: async () => {

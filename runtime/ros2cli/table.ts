@@ -3,10 +3,13 @@
 import { actionCommands } from './action_commands.ts';
 import { bagCommands } from './bag_commands.ts';
 import type { Command } from './command.ts';
+import { componentCommands } from './component_commands.ts';
 import { interfaceCommands } from './interface_commands.ts';
 import { lifecycleCommands } from './lifecycle_commands.ts';
 import { nodeCommands } from './node_commands.ts';
 import { paramCommands } from './param_commands.ts';
+import { pkgCommands } from './pkg_commands.ts';
+import { runCommand } from './run_command.ts';
 import { serviceCommands } from './service_commands.ts';
 import { topicCommands } from './topic_commands.ts';
 import { topicEcho } from './topic_echo.ts';
@@ -16,10 +19,13 @@ import { topicPub } from './topic_pub.ts';
 export const commands: readonly Command[] = [
   ...actionCommands,
   ...bagCommands,
+  ...componentCommands,
   ...interfaceCommands,
   ...lifecycleCommands,
   ...nodeCommands,
   ...paramCommands,
+  ...pkgCommands,
+  runCommand,
   ...serviceCommands,
   ...topicCommands,
   topicEcho,

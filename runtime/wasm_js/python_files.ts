@@ -45,7 +45,7 @@ export class PythonFiles {
   }
 
   private archives(): readonly string[] {
-    return [...new Set(this.site.nodes.flatMap(({ python }) => python?.archives ?? []))];
+    return [...new Set([...this.site.nodes, ...this.site.programs].flatMap(({ python }) => python?.archives ?? []))];
   }
 
   /** One of them. Rejects as parts(). */

@@ -9,7 +9,7 @@ import { promiseIntegration } from './program.ts';
 import { homeOf, type PythonFiles } from './python_files.ts';
 import type { PythonStart } from './python_program.ts';
 import { RunningSha256 } from './running_sha256.ts';
-import type { SiteDescription, SiteNode } from './session.ts';
+import type { SiteDescription, SiteNode, SiteProgram } from './session.ts';
 
 export type ImageOfStart = PythonStart['image'];
 
@@ -73,7 +73,7 @@ export class PythonImages {
 
   /** `share`: as in ImageStart. */
   constructor(site: SiteDescription, platform: Platform, files: PythonFiles, share: string) {
-    const all = site.notebook === undefined ? site.nodes : [...site.nodes, kernelNode(site.notebook)];
+    const all: readonly SiteProgram[] = [...site.nodes, ...site.programs, ...(site.notebook === undefined ? [] : [kernelNode(site.notebook)])];
     const nodes = all.filter(({ python }) => python !== undefined);
     const programs = new Set(nodes.map(({ program }) => program));
     this.site = site;

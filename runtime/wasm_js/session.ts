@@ -28,12 +28,10 @@ export interface PythonProgram {
   readonly entry: string;
 }
 
-export interface SiteNode {
-  /** `<executable>-<n>`, the process name that `ros2 launch` prints. */
-  readonly id: string;
+/** What runs, whatever starts it. */
+export interface SiteProgram {
   readonly package: string;
   readonly executable: string;
-  readonly label: string;
   readonly kind: 'cpp' | 'python';
   /** Path of the program, relative to site.json; of a Python node, of Pyodide's wasm file beside its others. */
   readonly program: string;
@@ -42,6 +40,12 @@ export interface SiteNode {
   /** Of kind "python". */
   readonly python?: PythonProgram;
   readonly threads: boolean;
+}
+
+export interface SiteNode extends SiteProgram {
+  /** `<executable>-<n>`, the process name that `ros2 launch` prints. */
+  readonly id: string;
+  readonly label: string;
   readonly arguments: readonly string[];
   readonly environment: Readonly<Record<string, string>>;
   readonly output: string;
@@ -192,6 +196,8 @@ export interface SiteDescription {
   /** undefined: the manifest does not say how it is cited. */
   readonly citation?: SiteCitation;
   readonly nodes: readonly SiteNode[];
+  /** That none of the nodes runs; each once. */
+  readonly programs: readonly SiteProgram[];
   readonly launchSteps: readonly LaunchStep[];
   /** undefined: no launch argument can change what runs. */
   readonly launch?: LaunchView;
@@ -256,6 +262,17 @@ export interface ConsoleLine {
   readonly text: string;
   /** Set when the text has the form of a ROS 2 log line. */
   readonly level?: LogLevel;
+}
+
+/** A node beside those of the site, as `ros2 run` starts one. */
+export interface AddedNode {
+  readonly package: string;
+  readonly executable: string;
+  /** Behind the program's name. */
+  readonly arguments: readonly string[];
+  readonly onLines: (lines: readonly Pick<ConsoleLine, 'stream' | 'text'>[]) => void;
+  /** It is in nodes() no more. */
+  readonly onEnd: (state: Extract<NodeState, { readonly kind: 'exited' | 'crashed' }>) => void;
 }
 
 export interface ConsoleLog {
@@ -328,6 +345,8 @@ export interface SteppedRun {
 export interface Session {
   readonly site: SiteDescription;
   readonly link: LinkKind;
+  /** The folder in which programs find what is installed. */
+  readonly prefix: string;
   readonly time: SiteTime;
   /** undefined: nodes run side by side. */
   readonly stepped: SteppedRun | undefined;
@@ -340,6 +359,8 @@ export interface Session {
   start(id: string): void;
   stop(id: string): void;
   restart(id: string): void;
+  /** Its id. The program must be one that the site carries: of a node, or of its own. */
+  run(node: AddedNode): string;
   startAll(): void;
   stopAll(): void;
   /** At most once per animation frame. */

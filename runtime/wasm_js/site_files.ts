@@ -20,7 +20,7 @@ export type ReadNow = (place: string, path: string) => Uint8Array | undefined;
 const shared = 'share/';
 const markers = 'share/ament_index/resource_index/packages/';
 
-function prefixOf(site: SiteDescription): string {
+export function prefixOf(site: SiteDescription): string {
   return `/opt/ros/${site.distro}`;
 }
 

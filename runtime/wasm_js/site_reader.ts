@@ -8,7 +8,7 @@ import { type FilePart, placesOf, readStore, type SiteStore } from './site_place
 import { fail, flag, type Json, list, number, object, path, readSource, text } from './site_values.ts';
 import type {
   LaunchArgument, LaunchMoment, LaunchPython, LaunchStep, LaunchView, LineTest, NodeMoment, PythonProgram, SiteAuthor, SiteCitation,
-  SiteDescription, SiteFile, SiteNode,
+  SiteDescription, SiteFile, SiteNode, SiteProgram,
 } from './session.ts';
 import type { SiteSources } from './site_sources.ts';
 
@@ -84,23 +84,30 @@ function readStep(value: unknown, what: string): LaunchStep {
   }
 }
 
-function readNode(value: unknown, what: string): SiteNode {
+function readProgram(value: unknown, what: string): SiteProgram {
   const json = object(value, what);
   const kind = text(json, 'kind', what, 'cpp');
   if (kind !== 'cpp' && kind !== 'python') fail(`${what}.kind is ${kind}: this runtime runs programs of kind cpp and python`);
-  const environment = object(json['environment'] ?? {}, `${what}.environment`);
-  const source = readSource(json);
   const names = text(json, 'names', what, '');
   return {
-    id: text(json, 'id', what),
     package: text(json, 'package', what),
     executable: text(json, 'executable', what),
-    label: text(json, 'label', what, text(json, 'id', what)),
     kind,
     program: path(text(json, 'program', what), `${what}.program`),
     ...(names === '' ? {} : { names: path(names, `${what}.names`) }),
     ...(kind === 'python' ? { python: readPython(json['python'], `${what}.python`) } : {}),
     threads: flag(json, 'threads'),
+  };
+}
+
+function readNode(value: unknown, what: string): SiteNode {
+  const json = object(value, what);
+  const environment = object(json['environment'] ?? {}, `${what}.environment`);
+  const source = readSource(json);
+  return {
+    ...readProgram(json, what),
+    id: text(json, 'id', what),
+    label: text(json, 'label', what, text(json, 'id', what)),
     arguments: list(json, 'arguments', what, (item) => (typeof item === 'string' ? item : fail(`${what}.arguments`))),
     environment: Object.fromEntries(Object.keys(environment).map((key) => [key, text(environment, key, what)])),
     output: text(json, 'output', what, 'screen'),
@@ -253,6 +260,7 @@ export function readSite(value: unknown): SiteDescription {
     authors: list(json, 'authors', 'site', readAuthor),
     ...(json['citation'] === undefined ? {} : { citation: readCitation(object(json['citation'], 'site.citation')) }),
     nodes,
+    programs: list(json, 'programs', 'site', readProgram),
     launchSteps,
     ...(json['launch_file'] === undefined ? {} : { launch: readLaunch(json['launch_file']) }),
     interfaces: interfaces === '' ? '' : path(interfaces, 'site.interfaces'),

@@ -15,11 +15,11 @@ import { PythonFiles } from './python_files.ts';
 import { PythonImages } from './python_images.ts';
 import { Sampler } from './sampler.ts';
 import type {
-  ConsoleLog, LastMessage, LinkKind, NodeState, NodeView, Session, SiteDescription, SiteNode, SiteTime, SteppedRun, TabView, TopicView,
-  Unsubscribe,
+  AddedNode, ConsoleLog, LastMessage, LinkKind, NodeState, NodeView, Session, SiteDescription, SiteNode, SiteTime, SteppedRun, TabView,
+  TopicView, Unsubscribe,
 } from './session.ts';
 import { SourceFiles } from './source_files.ts';
-import { siteEnvironment, siteFiles } from './site_files.ts';
+import { prefixOf, siteEnvironment, siteFiles } from './site_files.ts';
 import type { SiteChecks } from './site_checks.ts';
 import { SiteTimeControl } from './site_time.ts';
 import { InputWriter } from './standard_input.ts';
@@ -51,6 +51,7 @@ export interface SessionOptions {
 export class SiteSession implements Session {
   readonly site: SiteDescription;
   readonly link: LinkKind;
+  readonly prefix: string;
   readonly time: SiteTime & { close(): void };
   readonly stepped: SteppedRun | undefined;
   private readonly platform: Platform;
@@ -60,6 +61,10 @@ export class SiteSession implements Session {
   private readonly onLaunchLine: SessionOptions['onLaunchLine'];
   private readonly steps: LaunchSteps;
   private readonly runners = new Map<string, NodeRunner>();
+  /** Those of them that are no part of the site, and those that have ended: who still shows one may still ask for its console. */
+  private readonly added = new Set<string>();
+  private readonly gone = new Set<string>();
+  private readonly common: KernelHost;
   private readonly sampler: Sampler;
   private readonly input: InputWriter;
   private readonly nodeListeners = new Set<(nodes: readonly NodeView[]) => void>();
@@ -83,6 +88,7 @@ export class SiteSession implements Session {
     this.platform = platform;
     this.broker = broker;
     this.link = broker.kind;
+    this.prefix = prefixOf(site);
     this.time = stepped?.time ?? new SiteTimeControl(broker, () => {
       for (const runner of this.runners.values()) runner.timeChanged();
       this.notebook?.runner.timeChanged();
@@ -115,7 +121,7 @@ export class SiteSession implements Session {
       this.sources = new SourceFiles(sources, texts, () => pythonFiles.whole(sources.archive));
     }
     this.images = stepped === undefined ? new PythonImages(site, platform, pythonFiles, files.prefix) : undefined;
-    const common = {
+    const common: KernelHost = {
       environment,
       files,
       platform,
@@ -128,6 +134,7 @@ export class SiteSession implements Session {
       sent: traced ? (of: SiteNode, message: SentMessage) => void trace.add(of.id, message) : onSent,
       resetInput: (id: string) => this.input.reset(id),
     };
+    this.common = common;
     if (site.notebook !== undefined) this.notebook = this.kernel(site.notebook, common);
     for (const node of site.nodes) {
       const console = new NodeConsole(platform.frame);
@@ -201,8 +208,8 @@ export class SiteSession implements Session {
 
   nodes(): readonly NodeView[] {
     const { tabs } = this;
-    const views = [...this.runners.values()].map((runner) => runner.view());
-    return tabs === undefined ? views : views.map((view) => ({ ...view, elsewhere: tabs.elsewhere(view.id) }));
+    const views = [...this.runners].filter(([id]) => !this.gone.has(id)).map(([, runner]) => runner.view());
+    return tabs === undefined ? views : views.map((view) => ({ ...view, elsewhere: this.added.has(view.id) ? [] : tabs.elsewhere(view.id) }));
   }
 
   tab(): TabView | undefined {
@@ -219,7 +226,7 @@ export class SiteSession implements Session {
       return;
     }
     this.tabs = tabs;
-    for (const { id, state } of this.nodes()) if (isHeld(state.kind)) await tabs.claim(id);
+    for (const { id, state } of this.nodes()) if (isHeld(state.kind) && !this.added.has(id)) await tabs.claim(id);
     this.nodesChanged();
   }
 
@@ -240,8 +247,51 @@ export class SiteSession implements Session {
     this.checks = checks;
   }
 
+  run({ package: from, executable, arguments: given, onLines, onEnd }: AddedNode): string {
+    const { nodes, programs } = this.site;
+    const carried = [...nodes, ...programs].find((one) => one.package === from && one.executable === executable);
+    if (carried === undefined) throw new RangeError(`the site has no program ${from}/${executable}`);
+    let number = 1;
+    while (this.runners.has(`${executable}-${number}`) && !this.gone.has(`${executable}-${number}`)) number += 1;
+    const id = `${executable}-${number}`;
+    const { kind, program, names, python, threads } = carried;
+    const node: SiteNode = {
+      id, package: from, executable, label: executable, kind, program, threads, arguments: given, environment: {},
+      ...(names === undefined ? {} : { names }), ...(python === undefined ? {} : { python }),
+      output: 'screen', respawn: false, respawnDelay: 0, startAfter: 0, shutdownOnExit: false,
+    };
+    const console = new NodeConsole(this.platform.frame);
+    const runner = new NodeRunner(node, console, {
+      ...this.common,
+      changed: () => {
+        this.nodesChanged();
+        const { state } = runner.view();
+        if (state.kind !== 'exited' && state.kind !== 'crashed') return;
+        queueMicrotask(() => {
+          // It may have been restarted.
+          if (runner.active() || this.gone.has(id)) return;
+          this.gone.add(id);
+          this.nodesChanged();
+          onEnd(state);
+        });
+      },
+      settled: (of) => this.images?.settled(of),
+      shutdown: () => undefined,
+      happened: () => undefined,
+      lines: (_of, { lines, dropped }) => {
+        console.add(lines, dropped);
+        onLines(lines.map(([stream, , text]) => ({ stream: stream === 1 ? 'stdout' : 'stderr', text })));
+      },
+    });
+    this.gone.delete(id);
+    this.added.add(id);
+    this.runners.set(id, runner);
+    runner.start();
+    return id;
+  }
+
   private running(): string[] {
-    return [...this.runners].filter(([, runner]) => runner.active()).map(([id]) => id);
+    return [...this.runners].filter(([id, runner]) => runner.active() && !this.added.has(id)).map(([id]) => id);
   }
 
   /** `afterSeconds` of the site's time when the run is stepped, else of the real one. */

@@ -17,7 +17,7 @@ import { MessageReader } from '@foxglove/rosmsg2-serialization';
 import { McapIndexedReader } from '@mcap/core';
 import { type Browser, chromium, type Page } from 'playwright-core';
 import { Recorder } from '../../runtime/bag/recorder.ts';
-import { bagFiles } from '../../runtime/ros2cli/bag_files.ts';
+import { bagFiles, textOfFile } from '../../runtime/ros2cli/shell_files.ts';
 import { runCommand } from '../../runtime/ros2cli/run.ts';
 import { openHeadless } from '../../runtime/wasm_js/headless_session.ts';
 import type { Session } from '../../runtime/wasm_js/session.ts';
@@ -86,7 +86,7 @@ function start(session: Session, ...words: string[]): Running {
   const abort = new AbortController();
   const [out, warned]: [string[], string[]] = [[], []];
   const code = runCommand(session, ['bag', ...words], {
-    signal: abort.signal, bags: bagFiles, print: (text) => void out.push(text), warn: (text) => void warned.push(text),
+    signal: abort.signal, bags: bagFiles, readText: textOfFile, takeInput: () => undefined, print: (text) => void out.push(text), warn: (text) => void warned.push(text),
   });
   return { out, warned, code, stop: () => abort.abort() };
 }

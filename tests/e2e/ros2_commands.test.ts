@@ -10,7 +10,7 @@ import { cpSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { after, before, test } from 'node:test';
 import { type Browser, chromium, type Page } from 'playwright-core';
-import { bagFiles } from '../../runtime/ros2cli/bag_files.ts';
+import { bagFiles, textOfFile } from '../../runtime/ros2cli/shell_files.ts';
 import { runCommand } from '../../runtime/ros2cli/run.ts';
 import { openHeadless } from '../../runtime/wasm_js/headless_session.ts';
 import type { Session } from '../../runtime/wasm_js/session.ts';
@@ -50,6 +50,8 @@ interface Ran {
 
 class Shell {
   readonly session: Session;
+  /** What the command that runs does with what is typed. */
+  type: ((text: string) => void) | undefined;
 
   constructor(session: Session) {
     this.session = session;
@@ -62,6 +64,10 @@ class Shell {
     const code = await runCommand(this.session, words, {
       signal: abort.signal,
       bags: bagFiles,
+      readText: textOfFile,
+      takeInput: (taker) => {
+        this.type = taker;
+      },
       print: (text) => {
         out += `${text}\n`;
         if (until?.test(out) === true) abort.abort();

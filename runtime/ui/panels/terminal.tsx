@@ -4,10 +4,12 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import type { BagPlace } from '../../ros2cli/command.ts';
 import { complete } from '../../ros2cli/complete.ts';
+import { programsOf } from '../../ros2cli/programs.ts';
 import { splitLine } from '../../ros2cli/parse.ts';
 import { runCommand } from '../../ros2cli/run.ts';
+import { fetchOfSite } from '../../wasm_js/carried_files.ts';
 import type { ConsoleLine, Session } from '../../wasm_js/session.ts';
-import { completeInput, expandTabs } from '../model/terminal_input.ts';
+import { completeInput, expandTabs, keySequence, withoutTarget } from '../model/terminal_input.ts';
 import { LineList } from '../model/line_list.ts';
 import { IconButton } from '../parts/button.tsx';
 import { LineScroller } from '../parts/line_scroller.tsx';
@@ -20,6 +22,8 @@ const kMostLines = 20_000;
 const kMostHistory = 200;
 /** What a flood may leave undrawn; the oldest of it is left out. */
 const kMostWaiting = 5000;
+/** Of a file that is read or written. */
+const kMostTextBytes = 1 << 20;
 
 /** The lines of one terminal, drawn once per animation frame. */
 class Screen {
@@ -68,6 +72,23 @@ function bagsOf(session: Session): BagPlace {
   };
 }
 
+/** What was written with `>`, by name; as long as the page is open. */
+const written = new Map<string, string>();
+
+/** A text that was written here, or a file of the site by its path, with or without the folders that it begins with. */
+async function readText(session: Session, name: string): Promise<string | undefined> {
+  const own = written.get(name);
+  if (own !== undefined) return own;
+  const prefix = `${session.prefix}/`;
+  const path = name.startsWith(prefix) ? name.slice(prefix.length) : name;
+  const { files } = session.site;
+  const found = files.find((file) => file.path === path) ?? files.find((file) => file.path.endsWith(`/${path}`));
+  if (found === undefined || found.size > kMostTextBytes) return undefined;
+  const response = await fetchOfSite(found.path);
+  if (!response.ok) throw new Error(`HTTP ${response.status}`);
+  return await response.text();
+}
+
 export function TerminalPanel({ session, announce }: PanelProps) {
   const [version, setVersion] = useState(0);
   const screen = useRef<Screen | null>(null);
@@ -79,6 +100,9 @@ export function TerminalPanel({ session, announce }: PanelProps) {
   const history = useRef<{ readonly lines: string[]; at: number }>({ lines: [], at: 0 });
   const interfaces = useRef<readonly string[]>([]);
   const input = useRef<HTMLInputElement>(null);
+  /** Of the command that runs, when it reads what is typed. */
+  const taker = useRef<((text: string) => void) | undefined>(undefined);
+  const [taking, setTaking] = useState(false);
 
   useEffect(() => {
     session.interfaces().then(
@@ -98,11 +122,12 @@ export function TerminalPanel({ session, announce }: PanelProps) {
 
   const run = async (typed: string): Promise<void> => {
     print(`$ ${typed}`);
-    const words = splitLine(typed);
-    if (words === undefined) {
+    const split = splitLine(typed);
+    if (split === undefined) {
       warn(panelTexts.terminal.openQuote);
       return;
     }
+    const { words, target } = withoutTarget(split);
     const [program, ...rest] = words;
     if (program === undefined) return;
     if (program === 'clear') {
@@ -120,12 +145,40 @@ export function TerminalPanel({ session, announce }: PanelProps) {
     const abort = new AbortController();
     current.current = abort;
     setRunning(abort);
-    await runCommand(session, rest, { signal: abort.signal, bags: bagsOf(session), print, warn });
+    let text = '';
+    const keep = (line: string): void => {
+      if (text.length + line.length < kMostTextBytes) {
+        text += `${line}\n`;
+      } else {
+        warn(panelTexts.terminal.tooLong(kMostTextBytes));
+        abort.abort();
+      }
+    };
+    await runCommand(session, rest, {
+      signal: abort.signal,
+      bags: bagsOf(session),
+      readText: (name) => readText(session, name),
+      takeInput: (to) => {
+        taker.current = to;
+        setTaking(to !== undefined);
+      },
+      print: target === undefined ? print : keep,
+      warn,
+    });
+    if (target !== undefined) written.set(target, text);
     current.current = null;
+    taker.current = undefined;
+    setTaking(false);
     setRunning(null);
   };
 
   const submit = (): void => {
+    if (taker.current !== undefined) {
+      print(line);
+      taker.current(`${line}\n`);
+      setLine('');
+      return;
+    }
     const typed = line.trim();
     if (running !== null) return;
     setLine('');
@@ -168,11 +221,17 @@ export function TerminalPanel({ session, announce }: PanelProps) {
     } else if (event.key === 'Enter') {
       event.preventDefault();
       submit();
+    } else if (taker.current !== undefined) {
+      // As in a terminal, keys that are no text go to the program at once; Ctrl-D is the end of what is typed.
+      const sequence = control && event.key === 'd' ? '' : keySequence(event.key);
+      if (sequence === undefined || line !== '') return;
+      event.preventDefault();
+      taker.current(sequence);
     } else if (event.key === 'ArrowUp' || event.key === 'ArrowDown') {
       event.preventDefault();
       recall(event.key === 'ArrowUp' ? -1 : 1);
     } else if (event.key === 'Tab' && !event.shiftKey && line !== '') {
-      const done = completeInput(line, complete(line, { graph: session.graph(), interfaces: interfaces.current }));
+      const done = completeInput(line, complete(line, { graph: session.graph(), interfaces: interfaces.current, programs: programsOf(session.site) }));
       // Nothing to complete: the key moves on, so that nobody is caught here.
       if (done.kind === 'nothing') return;
       event.preventDefault();
@@ -201,9 +260,9 @@ export function TerminalPanel({ session, announce }: PanelProps) {
             ref={input}
             type="text"
             value={line}
-            readOnly={running !== null}
+            readOnly={running !== null && !taking}
             aria-label={panelTexts.terminal.input}
-            placeholder={running === null ? panelTexts.terminal.placeholder : panelTexts.terminal.running}
+            placeholder={running === null ? panelTexts.terminal.placeholder : taking ? panelTexts.terminal.taking : panelTexts.terminal.running}
             autocomplete="off"
             autocapitalize="off"
             autocorrect="off"

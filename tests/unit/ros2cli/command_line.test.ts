@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { complete } from '../../../runtime/ros2cli/complete.ts';
+import { parametersOfFile } from '../../../runtime/ros2cli/parameter_file.ts';
 import { parseCommand, splitLine } from '../../../runtime/ros2cli/parse.ts';
 import { reprFloat, reprMessage, reprText } from '../../../runtime/ros2cli/python_text.ts';
 import { dumpText, parameterValue, pythonValue } from '../../../runtime/ros2cli/parameters.ts';
@@ -39,6 +40,39 @@ test('lists of words, and options that may stand alone', () => {
   assert.match(String(given('bag', 'play', 'run', '--topics')), /argument --topics: expected at least one argument$/);
   assert.match(String(given('bag', 'play', 'run', '--topics', '-l')), /argument --topics: expected at least one argument$/);
   assert.match(String(given('bag', 'record', '-h')), /^usage: ros2 bag record \[-h\] .*\[--topics Topic \[Topic \.\.\.\]\].* \[Topic \.\.\.\]\n/);
+});
+
+test('what stands behind the program is the program\'s', () => {
+  const words = ['--ros-args', '-r', '__ns:=/left', '-p', 'speed:=-1', '--', '-h'];
+  assert.deepEqual(given('run', 'demo', 'talker', ...words), [['demo', 'talker', ...words], {}]);
+  assert.deepEqual(given('run', 'demo', 'talker'), [['demo', 'talker'], {}]);
+  assert.match(String(given('run', '-h')), /^usage: ros2 run \[-h\] package_name executable_name \.\.\.\n/);
+  assert.match(String(given('run', 'demo')), /the following arguments are required: executable_name$/);
+  assert.match(String(given('run', '--prefix', 'gdb', 'demo', 'talker')), /unrecognized arguments: --prefix$/);
+});
+
+test('options that may be given several times', () => {
+  const load = ['component', 'load', '/box', 'demo', 'demo::Talker'];
+  assert.deepEqual(given(...load, '-p', 'a:=1', '-r', 'x:=y', '-p', 'b:=[2, 3]'),
+    [load.slice(2), { 'parameter': 'a:=1\nb:=[2, 3]', 'remap-rule': 'x:=y' }]);
+});
+
+test('a file of parameters: nested names, the wildcard when asked for, the node\'s own count', () => {
+  const file = '/**:\n  ros__parameters: {speed: 1, name: all}\n/robot:\n  ros__parameters:\n    speed: 2.5\n    limits: {low: [1, 2], high: {x: \'3\'}}\n    flag: true\n';
+  assert.deepEqual(parametersOfFile(file, '/robot', false), [
+    { name: 'speed', value: { type: 3, double_value: 2.5 } },
+    { name: 'limits.low', value: { type: 7, integer_array_value: [1n, 2n] } },
+    { name: 'limits.high.x', value: { type: 4, string_value: '3' } },
+    { name: 'flag', value: { type: 1, bool_value: true } },
+  ]);
+  assert.deepEqual(parametersOfFile(file, '/robot', true).map(({ name }) => name), ['speed', 'name', 'limits.low', 'limits.high.x', 'flag']);
+  assert.deepEqual(parametersOfFile('robot: {ros__parameters: {a: x}}', '/robot', false), [{ name: 'a', value: { type: 4, string_value: 'x' } }]);
+  for (const [text, pattern] of [
+    ['/other: {ros__parameters: {a: 1}}', /does not contain parameters for \/robot, only for nodes: \/other$/],
+    ['/robot: {parameters: {a: 1}}', /Invalid structure of parameter file for node \/robot/],
+    ['[1, 2', /./], ['5', /no parameters/],
+    [`/robot: {ros__parameters: ${'{a: '.repeat(60)}1${'}'.repeat(60)}}`, /nested deeper/],
+  ] as const) assert.throws(() => parametersOfFile(text, '/robot', false), pattern, text);
 });
 
 test('what is wrong is told as argparse tells it', () => {
@@ -85,12 +119,17 @@ const qos = {
 const endpoint = (name: string, type: string) => ({ name, type, hash: '', qos, gid: '00'.repeat(16) });
 const graph: GraphView = {
   nodes: [{
+    name: '/box', process: 'component_container-1', publishers: [], subscriptions: [], clients: [], actionServers: [], actionClients: [],
+    services: ['load_node', 'unload_node', 'list_nodes'].map((verb) => endpoint(`/box/_container/${verb}`, 'x')),
+  }, {
     name: '/talker', process: 'talker-1',
     publishers: [endpoint('/chatter', 'std_msgs/msg/String'), endpoint('/count/_action/feedback', 'x')], subscriptions: [],
     services: [endpoint('/add', 'demo/srv/Add')], clients: [], actionServers: [{ name: '/count', type: 'demo/action/Count' }], actionClients: [],
   }, { name: '/_ros2wasm_page', process: undefined, publishers: [], subscriptions: [], services: [], clients: [], actionServers: [], actionClients: [] }],
 };
-const known = { graph, interfaces: ['demo/action/Count', 'demo/srv/Add', 'std_msgs/msg/Int8', 'std_msgs/msg/String'] };
+const known = { graph, interfaces: ['demo/action/Count', 'demo/srv/Add', 'std_msgs/msg/Int8', 'std_msgs/msg/String'], programs: [
+  { package: 'demo', executable: 'talker' }, { package: 'demo', executable: 'listener' }, { package: 'turtlesim', executable: 'draw_square' },
+] };
 
 test('completion offers what may stand there', () => {
   for (const [line, choices] of [
@@ -103,12 +142,18 @@ test('completion offers what may stand there', () => {
     ['ros2 topic echo --field data /c', ['/chatter']],
     ['ros2 topic pub /chatter ', ['std_msgs/msg/String']],
     ['ros2 topic pub /new std_msgs/msg/I', ['std_msgs/msg/Int8']],
-    ['ros2 node info ', ['/talker']],
+    ['ros2 node info ', ['/box', '/talker']],
     ['ros2 service call ', ['/add']],
     ['ros2 service call /add ', ['demo/srv/Add']],
     ['ros2 action send_goal /count ', ['demo/action/Count']],
     ['ros2 interface show std', ['std_msgs/msg/Int8', 'std_msgs/msg/String']],
     ['ros2 topic pub /chatter std_msgs/msg/String ', []],
+    ['ros2 run ', ['demo', 'turtlesim']],
+    ['ros2 run d', ['demo']],
+    ['ros2 run demo ', ['listener', 'talker']],
+    ['ros2 run demo talker ', []],
+    ['ros2 pkg executables t', ['turtlesim']],
+    ['ros2 component list ', ['/box']],
     ['ls ', []],
   ] as const) {
     assert.deepEqual(complete(line, known).choices, choices, line);

@@ -4,6 +4,7 @@ import { PortBroker } from '../../../runtime/wasm_js/broker.ts';
 import { graphView } from '../../../runtime/wasm_js/graph_view.ts';
 import { PageParticipant } from '../../../runtime/wasm_js/page_participant.ts';
 import type {
+  AddedNode,
   ConsoleLine,
   ConsoleLog,
   GraphView,
@@ -77,6 +78,8 @@ export interface FakeOptions {
   readonly checks?: SiteDescription['checks'];
   /** Path of the notebook in the site. */
   readonly notebook?: string;
+  /** That no node runs. */
+  readonly programs?: SiteDescription['programs'];
   /** Paths of files of the site, beside the page's own. */
   readonly files?: readonly string[];
 }
@@ -227,6 +230,7 @@ export class FakeSession implements Session {
   private joined: TabView | undefined;
   readonly site: SiteDescription;
   readonly link: LinkKind;
+  readonly prefix = '/opt/ros/jazzy';
   /** What the page asked for: `start talker-1`, `input talker-1 text`. */
   readonly asked: string[] = [];
   private views: readonly NodeView[];
@@ -234,6 +238,8 @@ export class FakeSession implements Session {
   readonly launchLog = new FakeConsole();
   private readonly consoles = new Map<string, FakeConsole>();
   private readonly last = new Map<string, LastMessage>();
+  /** What run() was told. */
+  readonly added: AddedNode[] = [];
   private readonly nodeListeners = new Set<(nodes: readonly NodeView[]) => void>();
   private readonly topicListeners = new Set<(topics: readonly TopicView[]) => void>();
   private readonly known: Map<string, string>;
@@ -274,6 +280,7 @@ export class FakeSession implements Session {
       license: 'Apache-2.0',
       authors: (options.authors ?? ['Ada Example']).map((name) => ({ name, family: name, given: '' })),
       nodes,
+      programs: options.programs ?? [],
       checks: options.checks ?? [],
       launchSteps: options.launchSteps ?? [],
       packages: [], interfaces: 'interfaces.json',
@@ -385,6 +392,12 @@ export class FakeSession implements Session {
   onGraph(listener: (graph: GraphView) => void): Unsubscribe {
     this.graphListeners.add(listener);
     return () => this.graphListeners.delete(listener);
+  }
+
+  run(node: AddedNode): string {
+    this.added.push(node);
+    this.asked.push(`run ${node.package}/${node.executable} ${node.arguments.join(' ')}`);
+    return `${node.executable}-${this.added.length}`;
   }
 
   sendInput(id: string, text: string): void {

@@ -12,7 +12,7 @@ import { test } from 'node:test';
 import { PortBroker } from '../../../runtime/wasm_js/broker.ts';
 import { mostConsoleLines } from '../../../runtime/wasm_js/console_log.ts';
 import { nodePlatform } from '../../../runtime/wasm_js/node_platform.ts';
-import type { Session, TopicView } from '../../../runtime/wasm_js/session.ts';
+import type { NodeState, Session, TopicView } from '../../../runtime/wasm_js/session.ts';
 import { readSite } from '../../../runtime/wasm_js/site_reader.ts';
 import { SiteSession } from '../../../runtime/wasm_js/site_session.ts';
 import { makeFolder, prints, reaches, withSession } from './site_fixture.ts';
@@ -112,6 +112,33 @@ for (const link of ['shared', 'port'] as const) {
       await prints(session, 'echo-1', /^COLOUR=red$/);
       session.sendInput('echo-1', 'quit\n');
       await reaches(session, 'echo-1', 'exited');
+    }, link));
+
+  test(`${link}: a program runs once more beside the nodes, with its own arguments and input, and is gone when it ends`, watchdog, () =>
+    withSession([{ program: 'echo.c', arguments: ['--first'] }], async (session) => {
+      session.startAll();
+      await prints(session, 'echo-1', /^argument 1: --first$/);
+      const heard: string[] = [];
+      const run = (...given: string[]): Promise<NodeState> => new Promise((ended) => {
+        const id = session.run({
+          package: session.site.nodes[0]!.package, executable: 'echo', arguments: given,
+          onLines: (lines) => {
+            heard.push(...lines.map(({ text }) => text));
+            if (lines.some(({ text }) => text.startsWith('argument 0'))) session.sendInput(id, 'quit\n');
+          },
+          onEnd: ended,
+        });
+        assert.equal(id, 'echo-2');
+        assert.deepEqual(session.nodes().map((node) => node.id), ['echo-1', 'echo-2']);
+      });
+      assert.deepEqual(await run('--second', 'x'), { kind: 'exited', code: 7 });
+      assert.deepEqual(heard.slice(0, 3), ['argument 0: echo', 'argument 1: --second', 'argument 2: x']);
+      assert.deepEqual(session.nodes().map((node) => node.id), ['echo-1']);
+      // Who showed it a moment ago may still ask.
+      assert.ok(session.console('echo-2').lines().length > 0);
+      assert.deepEqual(await run(), { kind: 'exited', code: 7 });
+      assert.equal(session.nodes()[0]?.state.kind, 'running');
+      assert.throws(() => session.run({ package: 'p', executable: 'none', arguments: [], onLines: () => undefined, onEnd: () => undefined }), /no program p\/none/);
     }, link));
 
   // Guarantee, hostile input: a program that traps, throws, aborts or asks for unknown functions is told with its code; the other nodes go on

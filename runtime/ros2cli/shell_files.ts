@@ -1,6 +1,6 @@
-// Bags of a shell: files, relative to where it is.
+// Files of a shell, relative to where it is: bags, and texts.
 
-import { closeSync, fstatSync, openSync, readSync, writeSync } from 'node:fs';
+import { closeSync, fstatSync, openSync, readFileSync, readSync, writeSync } from 'node:fs';
 import type { BagPlace } from './command.ts';
 
 export const bagFiles: BagPlace = {
@@ -36,4 +36,17 @@ function opened(name: string, flags: string, expected: string): number | undefin
     if ((error as NodeJS.ErrnoException).code === expected) return undefined;
     throw error;
   }
+}
+
+/** undefined: there is no such file. Rejects when it cannot be read. */
+export function textOfFile(name: string): Promise<string | undefined> {
+  return Promise.resolve().then(() => {
+    const file = opened(name, 'r', 'ENOENT');
+    if (file === undefined) return undefined;
+    try {
+      return readFileSync(file, 'utf8');
+    } finally {
+      closeSync(file);
+    }
+  });
 }

@@ -95,9 +95,33 @@ void explain_missing_features(Diagnostic& diagnostic, const BuildPlace& place) {
   }
 }
 
+/// What tools say when they have no memory, or were ended for that.
+struct LackOfMemory {
+  std::string_view sign;
+  std::string_view reason;
+};
+constexpr std::string_view kNoMemory = "a tool of the compiler had not enough memory";
+constexpr std::string_view kKilled =
+    "a tool of the compiler was killed (SIGKILL), as systems do when memory runs out";
+constexpr auto kLacksOfMemory = std::to_array<LackOfMemory>({
+    {"LLVM ERROR: out of memory", kNoMemory},
+    {"terminate called after throwing an instance of 'std::bad_alloc'", kNoMemory},
+    {"annot allocate memory", kNoMemory},
+    {"failed to map segment from shared object", kNoMemory},
+    {"virtual memory exhausted", kNoMemory},
+    {"\nMemoryError", kNoMemory},
+    {"failed (received SIGKILL", kKilled},
+    {"unable to execute command: Killed", kKilled},
+    {"ended by signal 9 ", kKilled},
+});
+
 Diagnostic compile_error(const FailedCommand& failed, const BuildPlace& place) {
   const auto lines = lines_of(failed.text);
   const auto error = first_error(lines, place);
+  if (std::string reason = lack_of_memory(failed.text); !error && !reason.empty()) {
+    return out_of_memory("package `" + place.package + "` does not compile: " + failed.output_file,
+                         std::move(reason));
+  }
   Diagnostic result{.code = "R2W0502",
                     .message = "package `" + place.package + "` does not compile",
                     .detail = without_wrapper_lines(failed.text)};
@@ -124,6 +148,22 @@ std::string without_wrapper_lines(std::string_view text) {
   return result;
 }
 
+std::string lack_of_memory(std::string_view text) {
+  const auto* const seen =
+      std::find_if(kLacksOfMemory.begin(), kLacksOfMemory.end(),
+                   [&](const LackOfMemory& one) { return text.find(one.sign) != text.npos; });
+  return std::string(seen == kLacksOfMemory.end() ? std::string_view() : seen->reason);
+}
+
+Diagnostic out_of_memory(std::string what, std::string reason) {
+  return Diagnostic{
+      .code = "R2W0521",
+      .kind = FailureKind::kEnvironment,
+      .message = "out of memory: " + std::move(what),
+      .why = {std::move(reason)},
+      .fix = {"compile fewer files at once: `-j 1`", "give this machine more memory"}};
+}
+
 std::vector<FailedCommand> failed_commands(std::string_view ninja_output) {
   const auto lines = lines_of(ninja_output);
   std::vector<FailedCommand> result;
@@ -147,9 +187,14 @@ Diagnostics compile_errors(std::string_view ninja_output, const BuildPlace& plac
       result.push_back(compile_error(failed, place));
     } else {
       const std::string made = failed.output_file.substr(0, failed.output_file.find(' '));
+      std::string what =
+          "package `" + place.package + "`: the command that makes `" + made + "` failed";
+      if (std::string reason = lack_of_memory(failed.text); !reason.empty()) {
+        result.push_back(out_of_memory(std::move(what), std::move(reason)));
+        continue;
+      }
       result.push_back(Diagnostic{.code = "R2W0506",
-                                  .message = "package `" + place.package +
-                                             "`: the command that makes `" + made + "` failed",
+                                  .message = std::move(what),
                                   .why = {"the command was: " + failed.command},
                                   .detail = failed.text});
     }

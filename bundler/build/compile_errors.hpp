@@ -15,6 +15,13 @@ namespace ros2wasm {
 /// is not part of the tool's own message.
 [[nodiscard]] std::string without_wrapper_lines(std::string_view text);
 
+/// The reason when a tool's output says that it had no memory, or that it was killed, as systems do
+/// for lack of memory; else empty.
+[[nodiscard]] std::string lack_of_memory(std::string_view text);
+
+/// R2W0521: `what`, for this reason.
+[[nodiscard]] Diagnostic out_of_memory(std::string what, std::string reason);
+
 /// One command that failed, as ninja reports it.
 struct FailedCommand {
   std::string output_file;  ///< what it should have made
@@ -34,7 +41,7 @@ struct BuildPlace {
 };
 
 /// R2W0502, one per file that does not compile, each with the compiler's whole message. Commands of
-/// other kinds become R2W0506.
+/// other kinds become R2W0506, and R2W0521 those that had no memory.
 [[nodiscard]] Diagnostics compile_errors(std::string_view ninja_output, const BuildPlace& place);
 
 /// R2W0503 CMakeLists.txt failed, R2W0507 find_package() asked for what is not there.

@@ -54,9 +54,11 @@ std::string described(const LinkRequest& request, const LinkLine& line) {
 
 Diagnostic link_failed(const LinkRequest& request, const LinkLine& line,
                        const std::string& output) {
-  return Diagnostic{.code = "R2W0505",
-                    .message = "cannot link " + described(request, line),
-                    .detail = without_wrapper_lines(output)};
+  std::string what = "cannot link " + described(request, line);
+  if (std::string reason = lack_of_memory(output); !reason.empty())
+    return out_of_memory(std::move(what), std::move(reason));
+  return Diagnostic{
+      .code = "R2W0505", .message = std::move(what), .detail = without_wrapper_lines(output)};
 }
 
 /// Which objects refer to each symbol, from the linker's own trace. Only when a link failed

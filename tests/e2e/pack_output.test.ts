@@ -64,6 +64,7 @@ test('a disk that becomes full while packages are fetched leaves nothing that co
   ws.addPackage('quick', { hello: '#include <cstdio>\nint main() { std::puts("hello"); }\n' });
 });
 
+// Guarantee, robust: a place that may only be read: a clear error, and the old site stays
 for (const [what, folder] of [['the folder beside the site', 'out'], ['the whole place', 'out/site']] as const) {
   test(`read-only: ${what}`, async () => {
     chmodSync(join(ws.root, folder), 0o555);

@@ -129,6 +129,8 @@ async function same(surroundings: Surroundings): Promise<void> {
 test('packed again, warm', () => same({ root: original.root, cache: join(original.root, 'cache') }));
 
 // Guarantee, same bytes: in another folder, with a space and letters of other scripts in its name, cold and warm
+//
+// Guarantee, robust: spaces and letters of other scripts in the paths of a workspace
 test('another folder, with a space and letters of other scripts in its name, cold and then warm', async () => {
   const root = copy('Über uns/κόσμος');
   // One folder deeper: the site lies beside it.

@@ -68,6 +68,23 @@ TEST(CompileErrors, LinksSpeakForThemselvesAndOtherCommandsAreShown) {
   EXPECT_EQ(errors[0].detail, "Traceback\n");
 }
 
+TEST(CompileErrors, ALackOfMemoryIsSaid) {
+  const auto failed = [](const std::string& text) {
+    return compile_errors("FAILED: a.cpp.o \nem++ -c a.cpp\n" + text, kPlace).front();
+  };
+  const Diagnostic killed = failed("em++: error: 'clang++ ...' failed (received SIGKILL (-9))\n");
+  EXPECT_EQ(killed.code, "R2W0521");
+  EXPECT_EQ(killed.kind, FailureKind::kEnvironment);
+  EXPECT_EQ(killed.message, "out of memory: package `demo` does not compile: a.cpp.o");
+  EXPECT_EQ(failed("LLVM ERROR: out of memory\nStack dump:\n").code, "R2W0521");
+  // What a source says of memory is no lack of it.
+  EXPECT_EQ(failed("/ws/a.cpp:4:1: error: no\nthrow \"Cannot allocate memory\";\n^\n").code,
+            "R2W0502");
+  const Diagnostics other =
+      compile_errors("FAILED: gen/x.hpp \npython3 gen.py\nTraceback\nMemoryError\n", kPlace);
+  EXPECT_EQ(other.front().code, "R2W0521");
+}
+
 TEST(ConfigureErrors, ThePlaceIsTheFirstErrors) {
   const Diagnostics errors = configure_errors(
       "-- x\nCMake Error at CMakeLists.txt:8 (add_executable):\n  Cannot find source file:\n",

@@ -12,6 +12,7 @@
 #include <optional>
 #include <thread>
 
+#include "bundler/build/kept_work.hpp"
 #include "bundler/build/link_kit.hpp"
 #include "bundler/build/source_hash.hpp"
 #include "bundler/build/split_programs.hpp"
@@ -203,6 +204,8 @@ class WorkspaceBuilder {
     if (!lock) return lock.errors();
     if (is_kept(prefix, result.hash)) return Done{};  // another process was faster
     if (progress_) progress_({.step = "build", .item = name, .done = 0, .total = 0, .unit = {}});
+    if (auto forgot = forget_what_times_hide(work, package.directory, settings_.base); !forgot)
+      return forgot;
     auto staging = TemporaryDirectory::make(settings_.cache / "built", "." + name + "-");
     if (!staging) return std::move(staging).errors();
 

@@ -7,7 +7,11 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <optional>
+#include <utility>
+#include <vector>
 
+#include "bundler/io/file_lock.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/plan/site_path.hpp"
 #include "bundler/render/own_site.hpp"
@@ -48,6 +52,47 @@ int swap_folders(const fs::path& fresh, const fs::path& folder) {
   const int failure = errno;
   ::rename(aside.c_str(), folder.c_str());
   return failure;
+}
+
+/// A new folder beside the site, which is written there first, and a lock that tells that somebody
+/// writes in it.
+struct Beside {
+  TemporaryDirectory folder;
+  std::optional<FileLock> lock;
+};
+
+std::string beside_prefix(const fs::path& clean) {
+  return "." + clean.filename().string() + "-new-";
+}
+
+/// Some file systems lock no folders: then there is no lock, and nothing is swept away.
+Outcome<Beside> make_beside(const fs::path& clean) {
+  constexpr int kTries = 4;  // one may be swept away before it is locked
+  for (int i = 1;; ++i) {
+    auto folder = TemporaryDirectory::make(clean.parent_path(), beside_prefix(clean));
+    if (!folder) return std::move(folder).errors();
+    auto lock = FileLock::of_folder(folder->path());
+    std::error_code error;
+    if ((lock && fs::exists(folder->path(), error)) || i == kTries)
+      return Beside{.folder = std::move(*folder), .lock = std::move(lock)};
+  }
+}
+
+/// Removes what packs left beside the site that were killed.
+void sweep_beside(const fs::path& clean) {
+  const std::string prefix = beside_prefix(clean);
+  constexpr std::size_t kRandomLetters = 6;  // of mkdtemp()
+  std::vector<fs::path> left;
+  std::error_code error;
+  for (fs::directory_iterator it(clean.parent_path(), error), end; !error && it != end;
+       it.increment(error)) {
+    const std::string name = it->path().filename().string();
+    if (name.size() == prefix.size() + kRandomLetters && name.starts_with(prefix))
+      left.push_back(it->path());
+  }
+  for (const fs::path& folder : left) {
+    if (const auto nobody_writes = FileLock::of_folder(folder)) (void)remove_tree(folder);
+  }
 }
 
 /// What it was before stays beside the site, for links that name it. `old` is where it lies now.
@@ -137,9 +182,10 @@ Outcome<Done> emit_folder(const SitePlan& plan, const fs::path& folder,
     if (auto refusal = refuse_size(folder, total_size(plan) + channel_size(plan), space.available))
       return *refusal;
   }
-  auto beside =
-      TemporaryDirectory::make(clean.parent_path(), "." + clean.filename().string() + "-new-");
-  if (!beside) return std::move(beside).errors();
+  sweep_beside(clean);
+  auto made = make_beside(clean);
+  if (!made) return std::move(made).errors();
+  const TemporaryDirectory* const beside = &made->folder;
   if (auto written = write_planned(plan, beside->path(), clean, cancellation); !written)
     return written;
   for (const ChannelFile& file : plan.channel) {
@@ -152,6 +198,8 @@ Outcome<Done> emit_folder(const SitePlan& plan, const fs::path& folder,
   }
   ::chmod(beside->path().c_str(), 0755);  // temporary folders are private, sites are not
   const bool replaces = fs::exists(clean, error);
+  // It will lie beside for a moment, and is nobody's to sweep away.
+  const auto old = FileLock::of_folder(clean, true);
   int failure = 0;
   if (replaces) {
     failure = swap_folders(beside->path(), clean);

@@ -29,6 +29,13 @@ Outcome<FileLock> FileLock::take(const std::filesystem::path& file,
   return lock;
 }
 
+std::optional<FileLock> FileLock::of_folder(const std::filesystem::path& folder, bool is_shared) {
+  FileLock lock(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+  const int kind = is_shared ? LOCK_SH : LOCK_EX;
+  if (lock.fd_ < 0 || ::flock(lock.fd_, kind | LOCK_NB) != 0) return std::nullopt;
+  return lock;
+}
+
 std::optional<FileLock> FileLock::try_take(const std::filesystem::path& file) {
   FileLock lock(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644));
   if (lock.fd_ < 0 || ::flock(lock.fd_, LOCK_EX | LOCK_NB) != 0) return std::nullopt;

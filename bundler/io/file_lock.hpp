@@ -15,6 +15,10 @@ class FileLock {
   /// Waits for other processes. R2W0211 the file cannot be made or locked.
   [[nodiscard]] static Outcome<FileLock> take(const std::filesystem::path& file,
                                               const Cancellation& cancellation);
+  /// Of a folder that is there; nothing when another process has it, or it is not there.
+  /// `is_shared`: others may have it in this way too.
+  [[nodiscard]] static std::optional<FileLock> of_folder(const std::filesystem::path& folder,
+                                                         bool is_shared = false);
   /// Nothing when another process has it, or the file cannot be made.
   [[nodiscard]] static std::optional<FileLock> try_take(const std::filesystem::path& file);
   FileLock(FileLock&& other) noexcept;

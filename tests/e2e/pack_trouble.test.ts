@@ -2,7 +2,7 @@
 // packs at the same time, an end without warning. The result is right or a clear error, and what stood before stands.
 import assert from 'node:assert/strict';
 import { spawn, spawnSync } from 'node:child_process';
-import { readFileSync, readdirSync } from 'node:fs';
+import { lutimesSync, readFileSync, readdirSync, utimesSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { CLI, type Finished, PackWorkspace, finished } from './pack_workspace.ts';
@@ -195,6 +195,38 @@ test('a compiler that is killed', watchdog, () =>
     assert.match(packed.stderr, /was killed \(SIGKILL\), as systems do when memory runs out/);
   }));
 
+// Guarantee, robust: a clock that jumps, by decades, and files from its past and future: what changed is built, what did not is not
+test('a clock that jumps', watchdog, async () => {
+  const jumping = another();
+  jumping.addPackage('quick', { hello });
+  manifest(jumping, 'quick', 'hello');
+  const packed = async (time: string): Promise<{ sha256: string; built: boolean }> => {
+    // The program's clock and that of all that it starts; times of files as they are.
+    const { code, stdout, stderr } = await finished(spawn('faketime', ['-f', `@${time}`, CLI, '--json', 'pack', '-o', 'site'], {
+      cwd: jumping.root, env: { ...process.env, NO_FAKE_STAT: '1', XDG_CACHE_HOME: join(jumping.root, 'cache') }, stdio: ['ignore', 'pipe', 'pipe'],
+    }));
+    assert.equal(code, 0, stderr);
+    return { sha256: (JSON.parse(stdout) as { sha256: string }).sha256, built: /built quick/.test(stderr) };
+  };
+  const future = await packed('2037-12-30 12:00:00');
+  assert.ok(future.built);
+  const past = await packed('1999-12-31 23:59:59');
+  assert.deepEqual(past, { sha256: future.sha256, built: false });
+  // Written later than all that was made of it, and with a time from long before.
+  const source = jumping.write('src/quick/src/hello.cpp', hello.replace('hello', 'changed'));
+  utimesSync(source, new Date('1990-01-01'), new Date('1990-01-01'));
+  const changed = await packed('2000-01-01 00:00:00');
+  assert.ok(changed.built && changed.sha256 !== future.sha256);
+  await expectPrinted(jumping, 'site', /changed/);
+  for (const entry of readdirSync(jumping.root, { recursive: true, withFileTypes: true })) {
+    const file = join(entry.parentPath, entry.name);
+    lutimesSync(file, new Date('2037-01-01'), new Date('2037-01-01'));
+  }
+  jumping.write('src/quick/src/hello.cpp', hello);
+  const again = await expectPacked(jumping, ['-o', 'site']);
+  assert.equal(again, future.sha256);
+});
+
 // Guarantee, robust: packs at once into one place: each is whole, and the site is that of one of them
 test('packs at once into one place', watchdog, async () => {
   twoManifests();
@@ -209,4 +241,35 @@ test('packs at once into one place', watchdog, async () => {
     assert.ok([first, second].some((sha256) => verified.stdout.includes(sha256)), verified.stdout);
     assert.deepEqual(readdirSync(join(ws.root, 'out')), ['site']);
   }
+});
+
+// Guarantee, robust: `pack` killed (SIGKILL) at every step: the old site, or the new one, whole; the next pack cleans up
+test('killed at every step', watchdog, async () => {
+  twoManifests();
+  const second = await expectPacked(ws, ['second.yaml', '-o', 'elsewhere']);
+  const fresh = ws.files('elsewhere');
+  const first = await expectPacked(ws, ['first.yaml', '-o', 'out/site']);
+  const old = ws.files('out/site');
+  assert.notEqual(first, second);
+  // A comment changes no site, but the package is built again.
+  const touched = (note: string): string => ws.write('src/quick/src/hello.cpp', `// ${note}\n${hello}`);
+  touched('first');
+  const told = await ws.run(['--json', 'pack', 'second.yaml', '-o', 'elsewhere']);
+  const steps = [...new Set(Array.from(told.stderr.matchAll(/"event":"progress","step":"(\w+)"/g), ([, step]) => step))];
+  for (const step of ['solve', 'build', 'plan', 'emit']) assert.ok(steps.includes(step), `${step} of ${steps.join()}`);
+  let killed = 0;
+  for (const step of steps) {
+    touched(`until ${step}`);
+    const child = ws.start(['--json', 'pack', 'second.yaml', '-o', 'out/site']);
+    child.stderr?.on('data', (text: Buffer) => {
+      if (String(text).includes(`"step":"${step}"`)) child.kill('SIGKILL');
+    });
+    const { code } = await finished(child);
+    if (code === null) killed += 1;
+    const now = ws.files('out/site');
+    assert.ok([old, fresh].some((whole) => JSON.stringify([...whole]) === JSON.stringify([...now])), `after ${step}`);
+    assert.equal(await expectPacked(ws, ['first.yaml', '-o', 'out/site']), first);
+    assert.deepEqual(readdirSync(join(ws.root, 'out')), ['site'], `after ${step}`);
+  }
+  assert.ok(killed > 2, `${killed} of ${steps.length}`);
 });

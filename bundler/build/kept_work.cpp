@@ -1,0 +1,71 @@
+// See kept_work.hpp.
+#include "bundler/build/kept_work.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include "bundler/build/source_tree.hpp"
+#include "bundler/io/files.hpp"
+#include "bundler/io/sha256.hpp"
+
+namespace ros2wasm {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* kList = "ros2wasm-sources";  // sha256 and path, a line each
+
+/// When the newest file below a folder was made; nothing when there is none.
+std::optional<fs::file_time_type> newest_below(const fs::path& folder) {
+  std::optional<fs::file_time_type> newest;
+  std::error_code error;
+  for (fs::recursive_directory_iterator it(folder, error), end; !error && it != end;
+       it.increment(error)) {
+    std::error_code gone;
+    if (!it->is_regular_file(gone)) continue;
+    const auto time = it->last_write_time(gone);
+    if (!gone && (!newest || *newest < time)) newest = time;
+  }
+  return newest;
+}
+
+std::set<std::string> lines_of(const std::string& text) {
+  std::set<std::string> result;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) result.insert(line);
+  return result;
+}
+
+}  // namespace
+
+Outcome<Done> forget_what_times_hide(const fs::path& work, const fs::path& sources,
+                                     const fs::path& workspace) {
+  const auto tree = source_tree(sources, workspace);
+  if (!tree) return tree.errors();
+  const auto before = read_file(work / kList);
+  const std::set<std::string> known = before ? lines_of(*before) : std::set<std::string>();
+  const auto newest = newest_below(work);
+  bool is_hidden = false;
+  std::string list;
+  for (const SourceEntry& entry : *tree) {
+    if (entry.is_folder) continue;
+    const fs::path file = sources / entry.path;
+    const auto hashes = hash_file(file);
+    if (!hashes) return hashes.errors();
+    const std::string line = hashes->sha256 + " " + entry.path;
+    list += line + "\n";
+    if (!newest || known.contains(line)) continue;
+    std::error_code error;
+    const auto time = fs::last_write_time(file, error);
+    is_hidden = is_hidden || error || time <= *newest;
+  }
+  if (is_hidden) {
+    if (auto removed = remove_tree(work); !removed) return removed;
+    if (auto made = make_directories(work); !made) return made;
+  }
+  return write_file(work / kList, list);
+}
+
+}  // namespace ros2wasm

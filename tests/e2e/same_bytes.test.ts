@@ -2,7 +2,7 @@
 // some things and packs with a cache of its own. Where a byte differs, `ros2wasm diff` says which.
 import assert from 'node:assert/strict';
 import { spawn, spawnSync } from 'node:child_process';
-import { chmodSync, cpSync, lutimesSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, utimesSync, writeFileSync } from 'node:fs';
+import { chmodSync, cpSync, existsSync, lutimesSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, utimesSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { after, before, test } from 'node:test';
@@ -98,6 +98,8 @@ function copy(name = 'copy', paths: readonly string[] = Object.keys(files)): str
 
 interface Surroundings {
   readonly root: string;
+  /** What is other than at the first pack. */
+  readonly changes: readonly string[];
   /** Goes before the program. */
   readonly through?: readonly string[];
   readonly args?: readonly string[];
@@ -105,7 +107,11 @@ interface Surroundings {
   readonly cache?: string;
 }
 
-function pack({ root, through = [], args = [], environment = {}, cache = join(root, '../cache') }: Surroundings): Promise<Finished> {
+/** What all tests together have changed, and how often with how much in the cache. */
+const changed = new Set<string>();
+const packs = { cold: 0, warm: 0 };
+
+function pack({ root, through = [], args = [], environment = {}, cache = join(root, '../cache') }: Omit<Surroundings, 'changes'>): Promise<Finished> {
   const [name = '', ...rest] = [...through, CLI, 'pack', '-o', '../site', ...args];
   return finished(spawn(name, rest, {
     cwd: root, env: { ...process.env, XDG_CACHE_HOME: cache, ...environment }, stdio: ['ignore', 'pipe', 'pipe'],
@@ -114,6 +120,7 @@ function pack({ root, through = [], args = [], environment = {}, cache = join(ro
 
 /** Packs, and compares with the first site by the tool that users have for that. */
 async function same(surroundings: Surroundings): Promise<void> {
+  const isWarm = existsSync(join(surroundings.cache ?? join(surroundings.root, '../cache'), 'ros2wasm'));
   const packed = await pack(surroundings);
   assert.equal(packed.code, 0, packed.stderr);
   const site = join(surroundings.root, '../site');
@@ -123,10 +130,12 @@ async function same(surroundings: Surroundings): Promise<void> {
   assert.equal(verified.code, 0, verified.stderr);
   const lock = (root: string): string => readFileSync(join(root, 'ros2wasm.lock'), 'utf8');
   assert.equal(lock(surroundings.root), lock(original.root));
+  for (const change of surroundings.changes) changed.add(change);
+  packs[isWarm ? 'warm' : 'cold'] += 1;
 }
 
 // Guarantee, same bytes: packed again
-test('packed again, warm', () => same({ root: original.root, cache: join(original.root, 'cache') }));
+test('packed again, warm', () => same({ root: original.root, changes: ['cache'], cache: join(original.root, 'cache') }));
 
 // Guarantee, same bytes: in another folder, with a space and letters of other scripts in its name, cold and warm
 //
@@ -134,8 +143,8 @@ test('packed again, warm', () => same({ root: original.root, cache: join(origina
 test('another folder, with a space and letters of other scripts in its name, cold and then warm', async () => {
   const root = copy('Über uns/κόσμος');
   // One folder deeper: the site lies beside it.
-  await same({ root, cache: join(root, '../../cache') });
-  await same({ root, cache: join(root, '../../cache') });
+  await same({ root, changes: ['directory'], cache: join(root, '../../cache') });
+  await same({ root, changes: ['directory'], cache: join(root, '../../cache') });
 });
 
 // Guarantee, same bytes: with another umask, language, time zone, home, user and host name, and on one processor
@@ -145,6 +154,7 @@ test('another umask, language, time zone, home, user\'s name and host, and one p
   mkdirSync(home);
   return same({
     root,
+    changes: ['user', 'umask', 'locale', 'time zone', 'host', 'home', 'core count'],
     through: ['sh', '-c', 'umask 077; exec taskset -c 0 "$@"', 'masked'],
     args: ['-j', '1'],
     environment: {
@@ -157,6 +167,7 @@ test('another umask, language, time zone, home, user\'s name and host, and one p
 test('variables that compilers, Python and CMake heed, and more compilers than processors', () =>
   same({
     root: copy(),
+    changes: ['environment', 'compilers at once'],
     args: ['-j', '7'],
     environment: {
       CFLAGS: '-O0 -DNDEBUG', CXXFLAGS: '-O0 -g -DNDEBUG', LDFLAGS: '-Wl,--strip-all', CPATH: '/nowhere', MAKEFLAGS: '-k', EMCC_CFLAGS: '-DOTHER',
@@ -164,7 +175,7 @@ test('variables that compilers, Python and CMake heed, and more compilers than p
     },
   }));
 
-// Guarantee, same bytes: with files written in another order, with times long ago and to come
+// Guarantee, same bytes: with files written in another order, with times long ago and to come, and with a clock that is years ahead
 test('files written in another order, with times long ago and to come', () => {
   const root = copy('copy', Object.keys(files).reverse());
   let year = 0;
@@ -173,7 +184,11 @@ test('files written in another order, with times long ago and to come', () => {
     const time = new Date(Date.UTC(year % 2 === 0 ? 1981 : 2037, 0, 1 + year));
     (entry.isDirectory() ? utimesSync : lutimesSync)(join(entry.parentPath, entry.name), time, time);
   }
-  return same({ root });
+  // The clock stands elsewhere, too, for the program and all that it starts.
+  return same({
+    root, changes: ['clock', 'file system order', 'times of files'],
+    through: ['faketime', '-f', '@2031-02-03 04:05:06'], environment: { NO_FAKE_STAT: '1' },
+  });
 });
 
 // Guarantee, same bytes: from a folder that may only be read, with files that anyone may run
@@ -183,7 +198,7 @@ test('a folder that may only be read, with files that anyone may run', () => {
   for (const entry of readdirSync(root, { recursive: true, withFileTypes: true }))
     chmodSync(join(entry.parentPath, entry.name), 0o555);
   chmodSync(root, 0o555);
-  return same({ root, args: ['--locked'] });
+  return same({ root, changes: ['rights of files'], args: ['--locked'] });
 });
 
 // Guarantee, same bytes: with a cache that another workspace and a broken pack have used
@@ -192,5 +207,12 @@ test('a cache that another workspace and a broken pack have used', async () => {
   writeFileSync(join(other, 'src/tools/src/a.cpp'), 'int broken() { return undeclared; }\n');
   const cache = join(other, '../cache');
   assert.equal((await pack({ root: other, cache })).code, 1);
-  await same({ root: copy(), cache });
+  await same({ root: copy(), changes: ['cache state'], cache });
+});
+
+// Guarantee, same bytes: under more than ten changes of surroundings in all, several times with an empty cache and with a full one
+test('at least ten changes, twice cold and twice warm', () => {
+  for (const one of ['directory', 'user', 'umask', 'locale', 'time zone', 'clock', 'core count', 'file system order', 'cache state', 'environment'])
+    assert.ok(changed.has(one), one);
+  assert.ok(changed.size >= 10 && packs.cold >= 2 && packs.warm >= 2, `${changed.size} ${JSON.stringify(packs)}`);
 });

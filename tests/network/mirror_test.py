@@ -88,6 +88,8 @@ class Mirrors(FetchCase):
                 (subdir / form).unlink(missing_ok=True)
         self.assertEqual(self.packed(), self.wanted)
 
+    # Guarantee, hostile input: a mirror that answers with other pages is passed by, and there is one clear error
+    # when all fail
     def test_one_error_when_all_fail(self) -> None:
         self.use(self.server.url + "/mirror/a", "./mirror/empty")
         self.plan_indexes("/mirror/a", Fault("login_page"))

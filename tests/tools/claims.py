@@ -22,6 +22,8 @@ PAGES = {
     "docs/compatibility.md": ("works", "differs"),
     "docs/guarantees.md": ("same bytes", "verified", "citable", "ci", "hostile input", "robust"),
 }
+# Its table is written by hand; the tests that it names must be there.
+THREATS = "SECURITY.md"
 COMMENT = re.compile(r"^\s*(?://|#)\s?(.*)$")
 CLAIM = re.compile(r"^(?:Compatibility|Guarantee), ([a-z ]+): (.*)$")
 KINDS = [kind for kinds in PAGES.values() for kind in kinds]
@@ -87,6 +89,27 @@ def page(name: str, old: str, rows: dict[str, Rows]) -> str:
     return old
 
 
+def threat_faults(text: str, rows: dict[str, Rows]) -> list[str]:
+    """What is wrong with the table of threats: each row must name tests, and each must show a guarantee of safety."""
+    kinds = ("hostile input", "verified", "robust")
+    showing = {file for kind in kinds for files in rows[kind].values() for file in files}
+    lines = [line.strip().strip("|").split(" | ") for line in text.splitlines() if line.startswith("| ")]
+    threats = [[cell.strip() for cell in cells] for cells in lines[1:] if not cells[0].strip().startswith("---")]
+    faults = []
+    for cells in threats:
+        tests = cells[3].split(", ") if len(cells) == 4 else []
+        if not tests or "" in tests:
+            faults.append(f"`{cells[0]}` names no test")
+        faults += [f"`{cells[0]}`: {name} shows no guarantee" for name in tests if name and name not in showing]
+    # Nobody of these may be forgotten.
+    everybody = (
+        "channel", "mirror", "package", "workspace", "lab's author", "visitor's link", "page that shows a site")
+    for who in everybody:
+        if not any(who in cells[0] for cells in threats):
+            faults.append(f"there is no row for a {who}")
+    return faults
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("--check", action="store_true", help="fail when a page is not current")
@@ -103,7 +126,10 @@ def main() -> int:
             print(f"{name} is not current: run tests/tools/claims.py", file=sys.stderr)
         else:
             (ROOT / name).write_text(new, encoding="utf-8")
-    return 1 if stale and options.check else 0
+    faults = threat_faults((ROOT / THREATS).read_text(encoding="utf-8"), rows)
+    for fault in faults:
+        print(f"{THREATS}: {fault}", file=sys.stderr)
+    return 1 if faults or (stale and options.check) else 0
 
 
 if __name__ == "__main__":

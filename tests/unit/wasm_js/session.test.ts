@@ -6,7 +6,7 @@
 // refused with R2W0704: wasm threads need shared memory
 
 import assert from 'node:assert/strict';
-import { rmSync } from 'node:fs';
+import { rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { PortBroker } from '../../../runtime/wasm_js/broker.ts';
@@ -344,6 +344,47 @@ test('a node that hears nothing is killed at the second stop; restart starts it 
     session.restart('spins-1');
     session.stop('spins-1');
     await reaches(session, 'spins-1', 'running');
+  }));
+
+// Guarantee, hostile input: a program that takes all the memory that it can have meets an end of it, and the others go on
+test('a program that takes all memory', watchdog, () =>
+  withSession([{ program: 'hoards.c' }, { program: 'talker.c' }], async (session) => {
+    session.startAll();
+    const line = await prints(session, 'hoards-1', /pieces and no more$/);
+    assert.ok(Number(/^\d+/.exec(line)?.[0]) <= 64, line); // four gigabytes
+    assert.deepEqual((await reaches(session, 'hoards-1', 'exited')).state, { kind: 'exited', code: 0 });
+    await prints(session, 'talker-2', /Publishing/);
+  }));
+
+/** Name -> the sections of a module after its first eight bytes. */
+const hostileModules = new Map<string, readonly number[]>([
+  ['a table of 4,294,967,295 places', [4, 8, 1, 0x70, 0, 0xff, 0xff, 0xff, 0xff, 0x0f]],
+  ['a memory of 65,537 pages', [5, 5, 1, 0, 0x81, 0x80, 0x04]],
+  ['more functions than bytes', [1, 4, 1, 0x60, 0, 0, 3, 5, 0xff, 0xff, 0xff, 0xff, 0x0f]],
+]);
+for (const [what, sections] of hostileModules) {
+  // Guarantee, hostile input: a WebAssembly module with a table, a memory or a count beyond all limits is refused with its
+  // code, and the other nodes go on
+  test(`a module with ${what}`, watchdog, () =>
+    withSession([{ program: 'exits.c' }, { program: 'talker.c' }], async (session, folder) => {
+      writeFileSync(join(folder, 'programs/exits.wasm'), Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0, ...sections));
+      session.startAll();
+      const { state } = await reaches(session, 'exits-1', 'crashed');
+      assert.match(state.kind === 'crashed' ? state.code : '', /^R2W07\d\d$/);
+      await prints(session, 'talker-2', /Publishing/);
+    }));
+}
+
+// Guarantee, hostile input: a module that loops for ever before its program begins is ended by Stop
+test('a module whose start never ends', watchdog, () =>
+  withSession([{ program: 'exits.c' }, { program: 'talker.c' }], async (session, folder) => {
+    const start = [1, 4, 1, 0x60, 0, 0, 3, 2, 1, 0, 8, 1, 0, 0x0a, 9, 1, 7, 0, 3, 0x40, 0x0c, 0, 0x0b, 0x0b];
+    writeFileSync(join(folder, 'programs/exits.wasm'), Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0, ...start));
+    session.startAll();
+    await prints(session, 'talker-2', /Publishing/);
+    session.stop('exits-1');
+    session.stop('exits-1');
+    assert.deepEqual((await reaches(session, 'exits-1', 'exited')).state, { kind: 'exited', code: 137 });
   }));
 
 // Guarantee, hostile input: a program that prints without end keeps its newest lines only, and the page answers

@@ -43,6 +43,7 @@ TEST(ChannelAddress, CredentialsGoToTheRequestsBelowOnly) {
             "https://other.host/t/xyz/c/x");
 }
 
+// Guarantee, hostile input: a host's credentials go to it alone, over `https://` or to this machine
 TEST(ChannelAddress, AHostsCredentialsAreForItAloneAndOverPrivateWays) {
   const auto bearer = [](const std::string& variable, const std::string& url) {
     return sources_of(url, network_of({{"ROS2WASM_AUTH_" + variable, "xyz"}})).front().bearer;

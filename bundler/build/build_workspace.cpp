@@ -14,6 +14,7 @@
 
 #include "bundler/build/kept_work.hpp"
 #include "bundler/build/link_kit.hpp"
+#include "bundler/build/missing_headers.hpp"
 #include "bundler/build/source_hash.hpp"
 #include "bundler/build/split_programs.hpp"
 #include "bundler/io/file_lock.hpp"
@@ -183,11 +184,23 @@ class WorkspaceBuilder {
                         .prefix = settings_.cache / "built" / (name + "-" + hash->substr(0, 20)),
                         .hash = *hash,
                         .from_cache = true};
-    if (is_kept(result.prefix, *hash)) return result;
-    result.from_cache = false;
-    if (auto done = build_anew(language, package, needs, result, jobs); !done)
-      return std::move(done).errors();
+    if (!is_kept(result.prefix, *hash)) {
+      result.from_cache = false;
+      if (auto done = build_anew(language, package, needs, result, jobs); !done)
+        return std::move(done).errors();
+    }
+    Diagnostics findings = left_out_programs(result.prefix, place_of(package));
+    if (!findings.empty() && findings.front().severity == Severity::kError) return findings;
+    result.warnings = std::move(findings);
     return result;
+  }
+
+  [[nodiscard]] BuildPlace place_of(const LocalPackage& package) const {
+    return {.package = package.xml.name.value,
+            .source = package.directory,
+            .display = shown_path(package.directory, settings_.base, settings_.shown_base),
+            .compiler_version = tools_.compiler.version,
+            .channel_packages = known_packages_};
   }
 
   [[nodiscard]] Outcome<Done> build_anew(const Language& language, const LocalPackage& package,
@@ -209,18 +222,13 @@ class WorkspaceBuilder {
     auto staging = TemporaryDirectory::make(settings_.cache / "built", "." + name + "-");
     if (!staging) return std::move(staging).errors();
 
-    PackageBuild request{
-        .place = {.package = name,
-                  .source = package.directory,
-                  .display = shown_path(package.directory, settings_.base, settings_.shown_base),
-                  .compiler_version = tools_.compiler.version,
-                  .channel_packages = known_packages_},
-        .prefixes = {},
-        .work = work,
-        .install = staging->path(),
-        .final_prefix = prefix,
-        .workspace = settings_.base,
-        .jobs = jobs};
+    PackageBuild request{.place = place_of(package),
+                         .prefixes = {},
+                         .work = work,
+                         .install = staging->path(),
+                         .final_prefix = prefix,
+                         .workspace = settings_.base,
+                         .jobs = jobs};
     for (auto need = needs.rbegin(); need != needs.rend(); ++need)
       request.prefixes.push_back((*need)->prefix);
     if (!settings_.environment_prefix.empty())
@@ -281,7 +289,9 @@ class WorkspaceBuilder {
     }
     WorkspaceBuild result;
     for (const std::size_t index : order_.order) {
-      if (built_[index]) result.packages.push_back(std::move(*built_[index]));
+      if (!built_[index]) continue;
+      for (const Diagnostic& one : built_[index]->warnings) result.warnings.push_back(one);
+      result.packages.push_back(std::move(*built_[index]));
     }
     for (const auto& [index, reason] : left_out_) result.warnings.push_back(reason.warning);
     result.left_out = chains_by_name(packages_, left_out_);

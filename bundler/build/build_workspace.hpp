@@ -32,11 +32,12 @@ struct BuiltPackage {
   std::filesystem::path prefix;
   std::string hash;
   bool from_cache = false;
+  Diagnostics warnings = {};  ///< programs that were left out
 };
 
 struct WorkspaceBuild {
   std::vector<BuiltPackage> packages;  ///< in build order, only what was built
-  Diagnostics warnings;                ///< packages that were left out
+  Diagnostics warnings;                ///< packages and programs that were left out
   LeftOutChains left_out;              ///< the same, for who needs them
 };
 
@@ -48,8 +49,9 @@ struct WorkspaceBuild {
 /// Tools are asked for only when something must be built, so a warm pack works without a compiler's
 /// start. R2W0501 to R2W0508 as the steps say. `left_out` is not built (R2W0514, R2W0519:
 /// warnings); nor is a package, nor those that need it, whose CMakeLists.txt asks for what nobody
-/// has, when others are built (R2W0519). R2W0640 before the others when the disk is full. A package
-/// that fails does not stop those that do not need it: all mistakes come at once.
+/// has, when others are built (R2W0519); nor are programs that include a header that nobody has
+/// (R2W0522). R2W0640 before the others when the disk is full. A package that fails does not stop
+/// those that do not need it: all mistakes come at once.
 [[nodiscard]] Outcome<WorkspaceBuild> build_workspace(
     const std::vector<LocalPackage>& packages, const BuildOrder& order,
     const LeftOutPackages& left_out, const BuildTools& tools, const BuildSettings& settings,

@@ -44,11 +44,13 @@ struct CompilerMessage {
   std::string text;
 };
 
-/// The first "file:line:column: error: text" with the source line that clang prints below it.
-std::optional<CompilerMessage> first_error(const std::vector<std::string>& lines,
-                                           const BuildPlace& place) {
+/// From line `from` on, the next "file:line:column: error: text" with the source line that clang
+/// prints below it. `from` becomes the line behind.
+std::optional<CompilerMessage> next_error(const std::vector<std::string>& lines,
+                                          const BuildPlace& place, std::size_t& from) {
   static const std::regex kError(R"(^(.+?):(\d+):(\d+): (?:fatal )?error: (.*)$)");
-  for (std::size_t i = 0; i < lines.size(); ++i) {
+  while (from < lines.size()) {
+    const std::size_t i = from++;
     std::smatch match;
     if (lines[i].size() > 4000 || !std::regex_match(lines[i], match, kError)) continue;
     CompilerMessage result{.span = {.file = display_file(match[1], place),
@@ -117,7 +119,8 @@ constexpr auto kLacksOfMemory = std::to_array<LackOfMemory>({
 
 Diagnostic compile_error(const FailedCommand& failed, const BuildPlace& place) {
   const auto lines = lines_of(failed.text);
-  const auto error = first_error(lines, place);
+  std::size_t from = 0;
+  const auto error = next_error(lines, place, from);
   if (std::string reason = lack_of_memory(failed.text); !error && !reason.empty()) {
     return out_of_memory("package `" + place.package + "` does not compile: " + failed.output_file,
                          std::move(reason));
@@ -145,6 +148,16 @@ std::string without_wrapper_lines(std::string_view text) {
         line.find("' failed (") != std::string::npos;
     if (!wrapper) result += line + "\n";
   }
+  return result;
+}
+
+Diagnostics compiler_messages(std::string_view text, const BuildPlace& place) {
+  const auto lines = lines_of(text);
+  Diagnostics result;
+  std::size_t from = 0;
+  while (auto error = next_error(lines, place, from))
+    result.push_back(
+        {.code = "R2W0502", .message = std::move(error->text), .span = std::move(error->span)});
   return result;
 }
 

@@ -40,6 +40,9 @@ struct BuildPlace {
       channel_packages;  ///< ROS names that the channels have, sorted: for advice
 };
 
+/// Each error of a compiler's output, in its own words, with its place.
+[[nodiscard]] Diagnostics compiler_messages(std::string_view text, const BuildPlace& place);
+
 /// R2W0502, one per file that does not compile, each with the compiler's whole message. Commands of
 /// other kinds become R2W0506, and R2W0521 those that had no memory.
 [[nodiscard]] Diagnostics compile_errors(std::string_view ninja_output, const BuildPlace& place);

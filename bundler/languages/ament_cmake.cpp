@@ -8,6 +8,7 @@
 #include "bundler/build/kept_header.hpp"
 #include "bundler/build/link_driver.hpp"
 #include "bundler/build/link_kit.hpp"
+#include "bundler/build/missing_headers.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/process.hpp"
 #include "bundler/languages/language.hpp"
@@ -113,8 +114,10 @@ std::string told(const ProcessResult& result, const PackageBuild& request) {
          (name == nullptr ? "unknown" : name) + ")\n";
 }
 
+/// `more`: arguments besides.
 Outcome<Done> configure(const PackageBuild& request, const BuildTools& tools,
-                        const Cancellation& cancellation) {
+                        const Cancellation& cancellation,
+                        const std::vector<std::string>& more = {}) {
   std::error_code ignored;
   fs::remove(request.work / "CMakeCache.txt", ignored);  // what it found may have moved
   std::vector<std::string> arguments = {
@@ -130,6 +133,7 @@ Outcome<Done> configure(const PackageBuild& request, const BuildTools& tools,
     arguments.push_back("-DCMAKE_CXX_COMPILER_LAUNCHER=" + tools.cli.string() +
                         ";compile-source;--");
   }
+  arguments.insert(arguments.end(), more.begin(), more.end());
   const auto result = run_process({.arguments = std::move(arguments),
                                    .environment = child_environment(request, tools),
                                    .directory = request.work},
@@ -156,8 +160,21 @@ Diagnostics link_errors(const fs::path& folder) {
   return result;
 }
 
+/// The headers that are all the output complains of, if nobody has them.
+std::vector<MissingHeader> headers_of_nobody(std::string_view ninja_output,
+                                             const PackageBuild& request) {
+  auto missing = missing_headers(ninja_output, request.place);
+  if (!missing || std::any_of(missing->begin(), missing->end(), [&](const MissingHeader& one) {
+        return is_given(one, request.place, request.prefixes);
+      }))
+    return {};
+  return std::move(*missing);
+}
+
+/// `missing`: becomes the headers that are the only reason of its failure.
 Outcome<Done> compile(const PackageBuild& request, const BuildTools& tools,
-                      const Cancellation& cancellation, const ProgressSink& progress) {
+                      const Cancellation& cancellation, const ProgressSink& progress,
+                      std::vector<MissingHeader>& missing) {
   if (auto cleared = remove_tree(request.work / kLinkDiagnostics); !cleared) return cleared;
   const auto result = run_process({.arguments = {"ninja", "-C", request.work.string(), "-k", "0",
                                                  "-j", std::to_string(request.jobs)},
@@ -167,8 +184,9 @@ Outcome<Done> compile(const PackageBuild& request, const BuildTools& tools,
   if (!result) return result.errors();
   if (result->exit_code == 0) return Done{};
   Diagnostics errors = compile_errors(told(*result, request), request.place);
-  for (Diagnostic& one : link_errors(request.work / kLinkDiagnostics))
-    errors.push_back(std::move(one));
+  Diagnostics of_links = link_errors(request.work / kLinkDiagnostics);
+  if (of_links.empty()) missing = headers_of_nobody(told(*result, request), request);
+  for (Diagnostic& one : of_links) errors.push_back(std::move(one));
   if (errors.empty()) {
     errors.push_back(
         Diagnostic{.code = "R2W0506",
@@ -192,6 +210,23 @@ Outcome<Done> install(const PackageBuild& request, const BuildTools& tools,
                     .detail = told(*result, request)};
 }
 
+/// The package without the programs that lack a header. Fails when they are not programs, or all.
+Outcome<Done> build_without(const std::vector<MissingHeader>& missing, const PackageBuild& request,
+                            const BuildTools& tools, const Cancellation& cancellation,
+                            const ProgressSink& progress) {
+  const fs::path script = request.work / "missing_headers.cmake";
+  if (auto done = write_file(script, left_out_script(missing)); !done) return done;
+  auto done =
+      configure(request, tools, cancellation, {"-DROS2WASM_MISSING_HEADERS=" + script.string()});
+  if (!done) return done;
+  std::vector<MissingHeader> still_missing;
+  done = compile(request, tools, cancellation, progress, still_missing);
+  if (!done) return done;
+  done = install(request, tools, cancellation);
+  if (!done) return done;
+  return write_missing_headers(request.install, missing);
+}
+
 }  // namespace
 
 Outcome<Done> build_with_cmake(const PackageBuild& request, const BuildTools& tools,
@@ -199,7 +234,12 @@ Outcome<Done> build_with_cmake(const PackageBuild& request, const BuildTools& to
   if (!find_program("cmake")) return missing_tool("cmake", "cmake");
   if (!find_program("ninja")) return missing_tool("ninja", "ninja-build");
   if (auto configured = configure(request, tools, cancellation); !configured) return configured;
-  if (auto compiled = compile(request, tools, cancellation, progress); !compiled) return compiled;
+  std::vector<MissingHeader> missing;
+  if (auto compiled = compile(request, tools, cancellation, progress, missing); !compiled) {
+    const bool is_rest_built =
+        !missing.empty() && build_without(missing, request, tools, cancellation, progress);
+    return is_rest_built ? Outcome<Done>(Done{}) : compiled;
+  }
   return install(request, tools, cancellation);
 }
 

@@ -9,7 +9,7 @@ import { isGreen, keptLines, ownEndpoints, type Row, rowText, summary } from './
 import { BadExpectation, type Expectation, keyOf, readExpectations } from './expectation.ts';
 import { findPackages, type Package } from './packages.ts';
 import { chromiumPlayer, nodePlayer, type Player } from './players.ts';
-import { launchFiles, type Packed, Workshop } from './site.ts';
+import { type Failure, launchFiles, type Packed, Workshop } from './site.ts';
 
 const USAGE = 'usage: ./dev scoreboard DIR [--chromium] [--json FILE] [--only PACKAGE[/NAME]]... [--expect FILE]...';
 /** Programs mostly wait, so some are played at a time. */
@@ -35,7 +35,8 @@ async function rowsOf(board: Board, of: Package): Promise<Row[]> {
   const stated = ours.filter(({ kind }) => kind === 'executable').map((one) => one.executable);
   const statedLaunches = ours.filter(({ kind }) => kind === 'launch').map((one) => one.executable);
   const made = 'executables' in built ? built.executables.filter((name) => !CONTAINERS.includes(name)) : [];
-  const names = [...new Set([...stated, ...made])].sort();
+  const leftOut: ReadonlyMap<string, Failure> = 'leftOut' in built ? built.leftOut : new Map();
+  const names = [...new Set([...stated, ...made, ...leftOut.keys()])].sort();
   const blank = { package: of.name, language: of.language, kind: 'executable', built: false, started: false, endpoints: [], log_lines: [], expected: null, error: null } as const;
   if ('failure' in built) {
     const launches = [...new Set([...statedLaunches, ...launchFiles(of.folder)])].sort();
@@ -49,6 +50,8 @@ async function rowsOf(board: Board, of: Package): Promise<Row[]> {
   const ofPrograms = await inParallel(names.filter((name) => board.wanted(`${of.name}/${name}`)), PLAYED_AT_ONCE, async (executable) => {
     const row: Row = { ...blank, executable };
     const expected = expectations.get(keyOf({ package: of.name, executable }));
+    const failure = leftOut.get(expected?.program ?? executable);
+    if (failure !== undefined) return { ...row, error: failure };
     if (!built.executables.includes(expected?.program ?? executable)) return { ...row, error: { code: 'absent', reason: 'the package installs no such executable' } };
     return playedRow(board, row, await workshop.pack({ package: of.name, executable }, expected), expected);
   });

@@ -12,7 +12,10 @@ export interface Failure {
   readonly reason: string;
 }
 
-export type Built = { readonly executables: readonly string[]; readonly launches: readonly string[] } | { readonly failure: Failure };
+/** `leftOut`: programs that the package has and that were not built. */
+export type Built =
+  | { readonly executables: readonly string[]; readonly leftOut: ReadonlyMap<string, Failure>; readonly launches: readonly string[] }
+  | { readonly failure: Failure };
 
 export type Packed = { readonly site: string } | { readonly failure: Failure };
 
@@ -44,7 +47,7 @@ export class Workshop {
     const built = JSON.parse(output) as readonly { readonly package: string; readonly prefix: string }[];
     const prefix = built.find((one) => one.package === name)?.prefix;
     if (prefix === undefined) return { failure: { code: 'R2W0514', reason: 'the package is left out' } };
-    return { executables: programs(join(prefix, 'lib', name)), launches: launchFiles(join(prefix, 'share', name)) };
+    return { executables: programs(join(prefix, 'lib', name)), leftOut: leftOutPrograms(join(prefix, 'lib', name)), launches: launchFiles(join(prefix, 'share', name)) };
   }
 
   /** The folder of a site with the executable and what runs beside it, the executable first. */
@@ -116,6 +119,16 @@ function programs(folder: string): string[] {
   } catch {
     return [];
   }
+}
+
+/** Name -> why it was not built. */
+function leftOutPrograms(folder: string): ReadonlyMap<string, Failure> {
+  if (!existsSync(folder)) return new Map();
+  const notes = readdirSync(folder).filter((name) => name.endsWith('.left_out')).sort();
+  return new Map(notes.map((note) => {
+    const need = readFileSync(join(folder, note), 'utf8');
+    return [note.slice(0, -'.left_out'.length), { code: need.startsWith('the header ') ? 'R2W0522' : 'R2W0405', reason: `left out: it needs ${need}` }];
+  }));
 }
 
 /** Below a folder, as `ros2 launch` offers them; sorted. */

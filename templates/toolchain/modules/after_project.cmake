@@ -4,3 +4,9 @@ if(Python3_EXECUTABLE AND NOT TARGET Python3::Interpreter)
   add_executable(Python3::Interpreter IMPORTED)
   set_target_properties(Python3::Interpreter PROPERTIES IMPORTED_LOCATION "${Python3_EXECUTABLE}")
 endif()
+
+# Programs that include what nothing gives: a first build found that out.
+if(ROS2WASM_MISSING_HEADERS)
+  include("${ROS2WASM_TOOLCHAIN_DIR}/modules/left_out.cmake")
+  include("${ROS2WASM_MISSING_HEADERS}")
+endif()

@@ -1,6 +1,21 @@
 # Libraries that no site has. What links one of them is neither built nor installed; in place of a program
 # stands a note that says why, for whoever names it in a manifest, and in place of an exported library one
 # that is absent too, for the packages that link it.
+get_property(_ros2wasm_exports_are_ours GLOBAL PROPERTY ROS2WASM_EXPORTS_ARE_OURS)
+if(COMMAND ament_export_libraries AND NOT _ros2wasm_exports_are_ours)
+  set_property(GLOBAL PROPERTY ROS2WASM_EXPORTS_ARE_OURS TRUE)
+  # The libraries that are there: packages that find this one look for each.
+  macro(ament_export_libraries)
+    set(_ros2wasm_libraries "")
+    foreach(_ros2wasm_library ${ARGN})
+      _ros2wasm_absent_need("${_ros2wasm_library}" _ros2wasm_need)
+      if(NOT _ros2wasm_need)
+        list(APPEND _ros2wasm_libraries "${_ros2wasm_library}")
+      endif()
+    endforeach()
+    _ament_export_libraries(${_ros2wasm_libraries})
+  endmacro()
+endif()
 include_guard(GLOBAL)
 
 # ros2wasm_absent_libraries(<what> <target>...): makes the targets, which stand for <what>. They are seen in
@@ -49,7 +64,56 @@ function(_ros2wasm_leave_out folder)
     _ros2wasm_leave_out("${_subfolder}")
   endforeach()
 endfunction()
+
+# ros2wasm_lacks_header(<target> <header>): the program includes what nothing gives.
+function(ros2wasm_lacks_header target header)
+  set_property(GLOBAL APPEND PROPERTY ROS2WASM_LACKING "${target}")
+  set_property(GLOBAL PROPERTY "ROS2WASM_LACK_OF_${target}" "${header}")
+endfunction()
+
+# They become absent themselves, if they are programs.
+function(_ros2wasm_mark_lacking)
+  get_property(_lacking GLOBAL PROPERTY ROS2WASM_LACKING)
+  foreach(_target IN LISTS _lacking)
+    get_target_property(_type "${_target}" TYPE)
+    if(NOT _type STREQUAL "EXECUTABLE")
+      message(FATAL_ERROR "${_target}, which lacks a header, is not a program")
+    endif()
+    get_property(_header GLOBAL PROPERTY "ROS2WASM_LACK_OF_${_target}")
+    set_target_properties(${_target} PROPERTIES ROS2WASM_ABSENT "${_header}")
+  endforeach()
+endfunction()
+cmake_language(DEFER DIRECTORY "${CMAKE_SOURCE_DIR}" CALL _ros2wasm_mark_lacking)
+
+# Into <result>, of a folder and those below it: programs that are built.
+function(_ros2wasm_programs folder result)
+  set(_programs "")
+  get_property(_targets DIRECTORY "${folder}" PROPERTY BUILDSYSTEM_TARGETS)
+  foreach(_target IN LISTS _targets)
+    get_target_property(_type ${_target} TYPE)
+    get_target_property(_excluded ${_target} EXCLUDE_FROM_ALL)
+    if(_type STREQUAL "EXECUTABLE" AND NOT _excluded)
+      list(APPEND _programs ${_target})
+    endif()
+  endforeach()
+  get_property(_subfolders DIRECTORY "${folder}" PROPERTY SUBDIRECTORIES)
+  foreach(_subfolder IN LISTS _subfolders)
+    _ros2wasm_programs("${_subfolder}" _more)
+    list(APPEND _programs ${_more})
+  endforeach()
+  set(${result} "${_programs}" PARENT_SCOPE)
+endfunction()
+
+# A package whose programs all lack headers fails whole.
+function(_ros2wasm_require_programs)
+  get_property(_lacking GLOBAL PROPERTY ROS2WASM_LACKING)
+  _ros2wasm_programs("${CMAKE_SOURCE_DIR}" _programs)
+  if(_lacking AND NOT _programs)
+    message(FATAL_ERROR "each program lacks a header")
+  endif()
+endfunction()
 cmake_language(DEFER DIRECTORY "${CMAKE_SOURCE_DIR}" CALL _ros2wasm_leave_out "${CMAKE_SOURCE_DIR}")
+cmake_language(DEFER DIRECTORY "${CMAKE_SOURCE_DIR}" CALL _ros2wasm_require_programs)
 
 # install(), which must not look for what was not built. Only packages that ask for an absent library
 # come here.
@@ -150,15 +214,3 @@ function(_ros2wasm_install_export)
     "endforeach()\n")
   _install(FILES "${CMAKE_CURRENT_BINARY_DIR}/left_out/${_arg_FILE}" DESTINATION "${_arg_DESTINATION}")
 endfunction()
-
-# The libraries that are there: packages that find this one look for each.
-macro(ament_export_libraries)
-  set(_ros2wasm_libraries "")
-  foreach(_ros2wasm_library ${ARGN})
-    _ros2wasm_absent_need("${_ros2wasm_library}" _ros2wasm_need)
-    if(NOT _ros2wasm_need)
-      list(APPEND _ros2wasm_libraries "${_ros2wasm_library}")
-    endif()
-  endforeach()
-  _ament_export_libraries(${_ros2wasm_libraries})
-endmacro()

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "bundler/build/diagnostic_json.hpp"
+#include "bundler/build/missing_headers.hpp"
+#include "tests/unit/bundler/support/temporary_tree.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -127,6 +129,71 @@ TEST(DiagnosticJson, TravelsWhole) {
   EXPECT_EQ(received[0].fix, sent[0].fix);
   EXPECT_EQ(received[0].detail, sent[0].detail);
   EXPECT_TRUE(diagnostics_from_json("{not json").empty());
+}
+
+constexpr std::string_view kLacksHeader =
+    "FAILED: tools/CMakeFiles/web.dir/src/web.cpp.o \n"
+    "/usr/bin/em++ -c /ws/src/demo/src/web.cpp\n"
+    "/ws/src/demo/src/web.cpp:5:10: fatal error: 'web/server.h' file not found\n"
+    "#include \"web/server.h\"\n"
+    "         ^~~~~~~~~~~~~~\n"
+    "1 error generated.\n";
+
+TEST(MissingHeaders, OfWhichProgramAndWhere) {
+  const auto missing = missing_headers(kLacksHeader, kPlace);
+  ASSERT_TRUE(missing);
+  ASSERT_EQ(missing->size(), 1U);
+  EXPECT_EQ(missing->front().target, "web");
+  EXPECT_EQ(missing->front().header, "web/server.h");
+  EXPECT_EQ(missing->front().place.file, "src/web.cpp");
+  EXPECT_EQ(left_out_script(*missing),
+            "ros2wasm_lacks_header([====[web]====] [====[the header `web/server.h` "
+            "(src/web.cpp:5)]====])\n");
+}
+
+TEST(MissingHeaders, NoneWhenAnythingElseFails) {
+  EXPECT_FALSE(missing_headers("", kPlace));
+  EXPECT_FALSE(missing_headers(kNinja, kPlace));
+  const std::string text(kLacksHeader);
+  EXPECT_FALSE(missing_headers(text + "FAILED: web.wasm \nros2wasm link-program web.o\n", kPlace));
+  EXPECT_FALSE(missing_headers(text + "/ws/src/demo/src/web.cpp:9:1: error: no\n", kPlace));
+}
+
+TEST(MissingHeaders, WhatSomebodyHasIsNotMissing) {
+  const testing::TemporaryTree tree;
+  tree.write("prefix/include/parts/parts/wheel.h", "");
+  tree.write("source/include/own.h", "");
+  BuildPlace place = kPlace;
+  place.source = tree / "source";
+  const auto given = [&](const std::string& header) {
+    return is_given({.target = "a", .header = header, .place = {}}, place, {tree / "prefix"});
+  };
+  EXPECT_TRUE(given("parts/wheel.h"));
+  EXPECT_TRUE(given("own.h"));
+  EXPECT_TRUE(given("../own2.h"));
+  EXPECT_TRUE(given("demo/own2.h"));
+  EXPECT_TRUE(given("std_msgs/msg/no_such.hpp"));
+  EXPECT_FALSE(given("web/server.h"));
+}
+
+TEST(MissingHeaders, AnInstalledPackageSaysWhatItLacks) {
+  const testing::TemporaryTree tree;
+  const auto missing = missing_headers(kLacksHeader, kPlace);
+  EXPECT_TRUE(left_out_programs(tree.root(), kPlace).empty());
+  ASSERT_TRUE(write_missing_headers(tree.root(), *missing));
+  const Diagnostics warnings = left_out_programs(tree.root(), kPlace);
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_EQ(warnings[0].code, "R2W0522");
+  EXPECT_EQ(warnings[0].severity, Severity::kWarning);
+  EXPECT_EQ(warnings[0].span->file, "src/demo/src/web.cpp");
+  EXPECT_EQ(warnings[0].span->line, 5U);
+  EXPECT_EQ(warnings[0].span->line_text, "#include \"web/server.h\"");
+  BuildPlace later = kPlace;
+  later.channel_packages.emplace_back("web");
+  const Diagnostics errors = left_out_programs(tree.root(), later);
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors[0].code, "R2W0502");
+  EXPECT_EQ(errors[0].severity, Severity::kError);
 }
 
 }  // namespace

@@ -204,7 +204,23 @@ export const panelTexts = {
     noRobot: (reason: string): string => `no robot description: ${reason}`,
     urdfFaults: { 'too-long': 'the text is too long', 'no-xml': 'the text is not XML', 'no-robot': 'it has no robot' },
     shapesLeftOut: (count: number): string =>
-      count === 1 ? '1 shape is not drawn: a mesh, or without a size' : `${count} shapes are not drawn: meshes, or without a size`,
+      count === 1 ? '1 shape is not drawn: it has no size' : `${count} shapes are not drawn: they have no size`,
+    mesh: {
+      none: 'a marker names no mesh',
+      kind: (file: string): string => `${file} is not drawn: meshes are STL, DAE, OBJ, glTF and GLB`,
+      outside: (file: string): string => `${file} is not drawn: only files of the site are, such as package://NAME/FILE`,
+      missing: (path: string): string => `the site has no file ${path}`,
+      part: (path: string, name: string): string => `${path} names ${name}, which the site does not have`,
+      tooLarge: (file: string): string => `${file} is not drawn: it is larger than 64 MiB`,
+      triangles: (file: string): string => `${file} is not drawn: it has more than 2,000,000 triangles`,
+      tooMany: (file: string): string => `${file} is not drawn: all together are more than 4,000,000 triangles`,
+      unreadable: (file: string, why: string): string => `${file} cannot be read: ${why}`,
+      empty: 'it has no triangles',
+      cut: 'its length does not fit its count of triangles',
+      noCollada: 'it is no COLLADA document',
+      noGltf: 'it is no sound glTF document',
+      noPlace: 'a place in it is no number, or too far',
+    },
   },
 
   turtlesim: {

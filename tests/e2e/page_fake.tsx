@@ -211,8 +211,8 @@ async function signals(options: Partial<FakeOptions> = {}): Promise<FakeSession>
 
 /** Frames and what stands in them; `globalThis.send` as in "signals", `goals` has what was published on /goal_pose. */
 async function world(): Promise<FakeSession> {
-  const { kWorldInterfaces, kWorldTopics } = await import('./world_interfaces.ts');
-  const fake = new FakeSession({ nodes: [{ executable: 'robot' }], interfaces: new Map(kWorldInterfaces) });
+  const { kWorldFiles, kWorldInterfaces, kWorldTopics } = await import('./world_interfaces.ts');
+  const fake = new FakeSession({ nodes: [{ executable: 'robot' }], interfaces: new Map(kWorldInterfaces), files: kWorldFiles });
   fake.setTopics(kWorldTopics);
   await giveSend(fake);
   const { createCodec } = await import('../../runtime/decode/codec.ts');

@@ -6,6 +6,7 @@ import { fileURLToPath } from 'node:url';
 import type { Page } from 'playwright-core';
 import { kSoftwareWebGl } from './chromium.ts';
 import { PageStage, expectAccessible, phone } from './page_stage.ts';
+import { pixels } from './scene_pixels.ts';
 
 declare global {
   // Set by page_fake.tsx in the scene "world".
@@ -50,28 +51,6 @@ async function publish(page: Page, topic: string, type: string, value: unknown):
 
 async function frames(page: Page, transforms: readonly unknown[]): Promise<void> {
   await publish(page, '/tf_static', 'tf2_msgs/msg/TFMessage', { transforms });
-}
-
-/** How many pixels of the drawing have a colour like this. */
-async function pixels(page: Page, kind: 'red' | 'green' | 'blue'): Promise<number> {
-  const png = (await page.locator('.scene-canvas').screenshot()).toString('base64');
-  return page.evaluate(
-    async ([data, wanted]) => {
-      const bytes = Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0));
-      const picture = await createImageBitmap(new Blob([bytes]));
-      const context = new OffscreenCanvas(picture.width, picture.height).getContext('2d', { willReadFrequently: true });
-      context?.drawImage(picture, 0, 0);
-      const all = context?.getImageData(0, 0, picture.width, picture.height).data ?? [];
-      const place = { red: 0, green: 1, blue: 2 }[wanted];
-      let count = 0;
-      for (let i = 0; i < all.length; i += 4) {
-        const others = [0, 1, 2].filter((one) => one !== place).map((one) => all[i + one] ?? 0);
-        if ((all[i + place] ?? 0) > Math.max(...others) + 40) count += 1;
-      }
-      return count;
-    },
-    [png, kind] as const,
-  );
 }
 
 const drawings = (page: Page): Promise<number> =>
@@ -240,7 +219,7 @@ test('robots, maps, scans, clouds, paths, poses and markers are drawn, and each 
   on(null, async (page) => {
     await fillWorld(page);
     const panel = page.locator('.panel-scene');
-    await panel.getByText('1 shape is not drawn').waitFor();
+    await panel.getByText('the site has no file share/arm/hand.stl (R2W0743)').waitFor();
     await page.waitForFunction(() => document.querySelectorAll('.scene-problem').length === 1);
     const boxes = panel.locator('.scene-topics input');
     assert.equal(await boxes.count(), 8);
@@ -318,7 +297,7 @@ test('robots are read under Trusted Types without a policy', () =>
     await page.reload(); // with another fragment alone nothing is loaded
     await page.locator('.scene-canvas').waitFor();
     await fillWorld(page);
-    await page.getByText('1 shape is not drawn').waitFor();
+    await page.getByText('the site has no file share/arm/hand.stl (R2W0743)').waitFor();
   }, kDriver));
 
 test('a goal is set with the pointer or by keys, in the fixed frame', () =>

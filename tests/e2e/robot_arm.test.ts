@@ -49,6 +49,10 @@ test('the page shows the arm, which goes where a parameter says and turns to a g
   const troubles: string[] = [];
   page.on('console', (message) => { if (message.type() === 'error') troubles.push(message.text()); });
   page.on('pageerror', (error) => troubles.push(error.message));
+  const meshes: string[] = [];
+  page.on('response', (response) => {
+    if (response.url().endsWith('/share/robot_arm/meshes/finger.stl')) meshes.push(`${response.status()} ${response.url().replace(server.url, '')}`);
+  });
   // Beside the scene, in numbers: where the finger is, which all joints move.
   const finger = { frames: { source: 'left_finger', target: 'world' } };
   const layout = { row: [{ column: ['parameters', finger, 'console'] }, { scene: { names: false, list: false } }], sizes: [2, 3] };
@@ -72,6 +76,17 @@ test('the page shows the arm, which goes where a parameter says and turns to a g
   // The numbers and the picture are each drawn at their own pace.
   while ((await canvas.screenshot()).equals(before));
   await page.screenshot({ path: join(kOutput, 'robot_arm_page.png') });
+  // The fingers are one mesh, asked for once.
+  assert.deepEqual(meshes, ['200 share/robot_arm/meshes/finger.stl']);
+  const hand = { scene: { names: false, frames: false, frame: 'hand', view: { distance: 0.6, azimuth: 0.9 } } };
+  await page.goto(`${server.url}#layout=${encodeURIComponent(JSON.stringify(hand))}`);
+  meshes.length = 0;
+  await page.reload();
+  await page.locator('.panel-scene').getByText('8 frames', { exact: true }).waitFor();
+  while (meshes.length === 0) await drawnMore(page, 1);
+  await drawnMore(page, 3);
+  assert.equal(await page.locator('.scene-problem').count(), 0);
+  await canvas.screenshot({ path: join(kOutput, 'robot_arm_hand.png') });
   assert.deepEqual(troubles, []);
   await page.close();
 });

@@ -60,3 +60,9 @@ export const kWorldTopics: readonly (Pick<TopicView, 'name' | 'type'> & Partial<
   { name: '/markers', type: 'visualization_msgs/msg/MarkerArray' },
   { name: '/words', type: 'std_msgs/msg/String' },
 ];
+
+/** Below share/meshes: tests answer for them. */
+export const kWorldFiles: readonly string[] = [
+  'wedge.stl', 'wedge.bin.stl', 'wedge.dae', 'wedge.obj', 'wedge.mtl', 'wedge.gltf', 'wedge.bin', 'green.png', 'skin.dae', 'cut.stl', 'loop.dae', 'far.obj',
+  'many.stl', 'wrong.gltf', 'words.dae', 'gone.stl', 'away.dae',
+].map((name) => `share/meshes/${name}`);

@@ -9,7 +9,8 @@ import type { XmlElement } from './xml.ts';
 export type LinkShape =
   | { readonly kind: 'box'; readonly size: Vector }
   | { readonly kind: 'cylinder'; readonly radius: number; readonly length: number }
-  | { readonly kind: 'sphere'; readonly radius: number };
+  | { readonly kind: 'sphere'; readonly radius: number }
+  | { readonly kind: 'mesh'; readonly file: string; readonly scale: Vector };
 
 export type Rgba = readonly [red: number, green: number, blue: number, alpha: number];
 
@@ -28,7 +29,7 @@ export interface RobotLink {
 export interface Robot {
   readonly name: string;
   readonly links: readonly RobotLink[];
-  /** Shapes that are meshes in files of their own, or none that is known. */
+  /** Shapes without a size, or none that is known. */
   readonly leftOut: number;
 }
 
@@ -90,6 +91,11 @@ function shapeOf(geometry: XmlElement): LinkShape | null {
       case 'sphere': {
         const radius = length('radius');
         return isLength(radius) ? { kind: 'sphere', radius } : null;
+      }
+      case 'mesh': {
+        const file = element.attributes.get('filename') ?? '';
+        const [x = NaN, y = NaN, z = NaN] = numbersOf(element, 'scale', 3) ?? [1, 1, 1];
+        return file !== '' && [x, y, z].every((part) => isLength(Math.abs(part))) ? { kind: 'mesh', file, scale: [x, y, z] } : null;
       }
       default:
     }

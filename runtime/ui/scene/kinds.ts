@@ -2,6 +2,7 @@
 
 import type { Display, DisplayColors } from './display.ts';
 import { Markers } from './markers.ts';
+import type { MeshShelf } from './mesh_shelf.ts';
 import { NewestDisplay } from './newest_display.ts';
 import type { Built } from './newest_display.ts';
 import { OdometryTrail } from './odometry_trail.ts';
@@ -11,7 +12,7 @@ import { path, poseArray, singlePose } from './poses.ts';
 import { RobotModel } from './robot_model.ts';
 
 /** `keep`: how many arrows of odometry stay. */
-type Make = (colors: DisplayColors, keep: number) => Display;
+type Make = (colors: DisplayColors, keep: number, meshes: MeshShelf) => Display;
 
 const colored = (make: (accent: string) => (message: unknown) => Built): Make =>
   (colors) => new NewestDisplay((message) => make(colors.accent)(message), true);
@@ -27,8 +28,8 @@ const kinds: ReadonlyMap<string, Make> = new Map<string, Make>([
   ['geometry_msgs/msg/PoseStamped', colored(singlePose)],
   ['geometry_msgs/msg/PoseWithCovarianceStamped', colored(singlePose)],
   ['nav_msgs/msg/OccupancyGrid', () => new NewestDisplay(occupancyGrid)],
-  ['visualization_msgs/msg/Marker', () => new Markers()],
-  ['visualization_msgs/msg/MarkerArray', () => new Markers()],
+  ['visualization_msgs/msg/Marker', (_colors, _keep, meshes) => new Markers(meshes)],
+  ['visualization_msgs/msg/MarkerArray', (_colors, _keep, meshes) => new Markers(meshes)],
   ['geometry_msgs/msg/PoseArray', colored(poseArray)],
 ]);
 
@@ -36,12 +37,12 @@ export function canShow(topic: string, type: string): boolean {
   return kindOf(topic, type) !== undefined;
 }
 
-export function makeDisplay(topic: string, type: string, colors: DisplayColors, keep: number): Display | null {
-  return kindOf(topic, type)?.(colors, keep) ?? null;
+export function makeDisplay(topic: string, type: string, colors: DisplayColors, keep: number, meshes: MeshShelf): Display | null {
+  return kindOf(topic, type)?.(colors, keep, meshes) ?? null;
 }
 
 function kindOf(topic: string, type: string): Make | undefined {
   // A text is a robot by the name of its topic only.
-  if (type === 'std_msgs/msg/String') return /(^|[/_])robot_description$/.test(topic) ? () => new RobotModel() : undefined;
+  if (type === 'std_msgs/msg/String') return /(^|[/_])robot_description$/.test(topic) ? (_colors, _keep, meshes) => new RobotModel(meshes) : undefined;
   return kinds.get(type);
 }

@@ -11,6 +11,7 @@ import type { Vector } from '../model/transform.ts';
 import { panelTexts } from '../texts_panels.ts';
 import { isPlace } from './display.ts';
 import { lines, pairsOf } from './lines.ts';
+import type { MeshShelf, PlacedMesh } from './mesh_shelf.ts';
 import type { Built } from './newest_display.ts';
 import { points } from './points.ts';
 import { arrow, ball, box, cylinder, mesh, pixelsOfWords, placeAt, rgba, solid, words } from './shapes.ts';
@@ -59,11 +60,21 @@ export function markerCost(marker: unknown): MarkerCost {
   };
 }
 
-export function markerShape(marker: unknown): Built {
+export interface MarkerBuilt extends Built {
+  readonly mesh?: PlacedMesh;
+}
+
+export function markerShape(marker: unknown, meshes: MeshShelf): MarkerBuilt {
   const pose = readPose(member(marker, 'pose'));
   const scale = readVector(member(marker, 'scale'));
   if (pose === null || scale === null || !isPlace(...pose.translation) || scale.some((part) => Math.abs(part) > kLargest))
     return { object: null, problem: panelTexts.scene.noPose };
+  if (asNumber(member(marker, 'type')) === MarkerType.meshResource) {
+    const placed = markerMesh(marker, scale, meshes);
+    if (placed === null) return { object: null, problem: panelTexts.scene.mesh.none };
+    placeAt(placed.object, pose);
+    return { object: new Group().add(placed.object), problem: '', mesh: placed };
+  }
   const all = member(marker, 'points');
   const text = member(marker, 'text');
   const { places, colors } = readPoints(all, member(marker, 'colors'));
@@ -75,6 +86,20 @@ export function markerShape(marker: unknown): Built {
   const missing = Array.isArray(all) ? all.length - kMostPoints : 0;
   // The marker's frame is that of what it stands in.
   return { object: new Group().add(shape), problem: missing > 0 ? panelTexts.scene.leftOut(missing) : '' };
+}
+
+/** null: it names no file. */
+function markerMesh(marker: unknown, scale: Vector, meshes: MeshShelf): PlacedMesh | null {
+  const file = member(marker, 'mesh_resource');
+  if (typeof file !== 'string' || file === '') return null;
+  const bytes = member(member(marker, 'mesh_file'), 'data');
+  return meshes.place({
+    file,
+    scale,
+    look: colorOf(member(marker, 'color')),
+    ownLook: member(marker, 'mesh_use_embedded_materials') === true,
+    ...(bytes instanceof Uint8Array && bytes.length > 0 ? { bytes } : {}),
+  });
 }
 
 /** A text: why there is none. */

@@ -10,7 +10,8 @@ import { panelTexts } from '../texts_panels.ts';
 import type { Anchored, Display } from './display.ts';
 import { disposeOf, emptied } from './dispose.ts';
 import { markerCost, markerShape } from './marker_shape.ts';
-import type { MarkerCost } from './marker_shape.ts';
+import type { MarkerBuilt, MarkerCost } from './marker_shape.ts';
+import type { MeshShelf, PlacedMesh } from './mesh_shelf.ts';
 
 const kMostMarkers = 5000;
 /** Of all together. Some hundred MB at most. */
@@ -28,6 +29,7 @@ interface Kept {
   cost: MarkerCost;
   header: HeaderView;
   problem: string;
+  mesh: PlacedMesh | undefined;
   /** Seconds; 0: for good. */
   lifetime: number;
   /** Seconds of the site's time; Infinity: never. */
@@ -36,13 +38,21 @@ interface Kept {
 
 export class Markers implements Display {
   readonly group = new Group();
+  private readonly meshes: MeshShelf;
   private readonly kept = new Map<string, Kept>();
   private refused = false;
   private spent = kNothing;
 
+  constructor(meshes: MeshShelf) {
+    this.meshes = meshes;
+  }
+
   get problem(): string {
     if (this.refused) return panelTexts.scene.markersLeftOut;
-    for (const { problem } of this.kept.values()) if (problem !== '') return problem;
+    for (const { problem, mesh } of this.kept.values()) {
+      if (problem !== '') return problem;
+      if (mesh !== undefined && mesh.problem !== '') return mesh.problem;
+    }
     return '';
   }
 
@@ -60,7 +70,9 @@ export class Markers implements Display {
         const cost = markerCost(marker.message);
         const after = sum(this.spent, cost, 1);
         const fits = after.points <= kMost.points && after.solids <= kMost.solids && after.pixels <= kMost.pixels;
-        const { object, problem } = fits ? markerShape(marker.message) : { object: null, problem: panelTexts.scene.markersLeftOut };
+        const built: MarkerBuilt = fits ? markerShape(marker.message, this.meshes) : { object: null, problem: panelTexts.scene.markersLeftOut };
+        const { object, problem } = built;
+        marker.mesh = built.mesh;
         if (object !== null) [marker.cost, this.spent] = [cost, after];
         marker.message = null;
         marker.object = object;
@@ -79,6 +91,7 @@ export class Markers implements Display {
   }
 
   close(): void {
+    for (const { mesh } of this.kept.values()) mesh?.close();
     emptied(this.group);
     this.kept.clear();
     this.spent = kNothing;
@@ -95,7 +108,7 @@ export class Markers implements Display {
         this.refused = known === undefined && this.kept.size >= kMostMarkers;
         if (known !== undefined) Object.assign(known, { message: marker, header, lifetime });
         else if (!this.refused)
-          this.kept.set(key, { message: marker, object: null, cost: kNothing, header, problem: '', lifetime, ends: Infinity });
+          this.kept.set(key, { message: marker, object: null, cost: kNothing, header, problem: '', mesh: undefined, lifetime, ends: Infinity });
         return;
       }
       case MarkerAction.remove:
@@ -117,6 +130,8 @@ export class Markers implements Display {
 
   private withdraw(marker: Kept): void {
     const { object, cost } = marker;
+    marker.mesh?.close();
+    marker.mesh = undefined;
     if (object === null) return;
     this.group.remove(object);
     disposeOf(object);

@@ -1,6 +1,7 @@
 // A scene on a canvas for as long as a component stands: fed from the session's topics, turned by its visitor.
 
-import { useEffect, useReducer, useRef, useState } from 'preact/hooks';
+import { useEffect, useMemo, useReducer, useRef, useState } from 'preact/hooks';
+import { fetchOfSite } from '../../wasm_js/carried_files.ts';
 import type { PageTimer, Session } from '../../wasm_js/session.ts';
 import type { Codec } from '../../decode/codec.ts';
 import { kUsualView, writeView } from '../model/camera_view.ts';
@@ -15,6 +16,7 @@ import { panelTexts } from '../texts_panels.ts';
 import { controlCamera } from './camera_control.ts';
 import type { GoalPose } from './camera_control.ts';
 import { kOdometry, makeDisplay } from './kinds.ts';
+import { MeshShelf } from './mesh_shelf.ts';
 import { SceneView } from './scene_view.ts';
 import { Stage } from './stage.ts';
 
@@ -146,6 +148,8 @@ export function useScene(use: SceneUse): Scene {
     });
   }, [session, view, codec, era]);
 
+  const meshes = useMemo(() => view === null ? null : shelfOf(session, view), [session, view]);
+
   const { keep } = options;
   const keyOfTopic = ({ name, type }: ShownTopic): string => `${type} ${name}${type === kOdometry ? ` ${keep}` : ''}`;
   const names = shown.map(keyOfTopic).join('\n');
@@ -154,7 +158,7 @@ export function useScene(use: SceneUse): Scene {
     followed.current.clear();
   }, [session, view, codec, era]);
   useEffect(() => {
-    if (view === null || codec === null || typeof codec === 'string') return;
+    if (view === null || meshes === null || codec === null || typeof codec === 'string') return;
     const wanted = new Map(shown.map((topic) => [keyOfTopic(topic), topic]));
     // What stays keeps what it has heard: most of it is not said twice.
     for (const [key, stop] of followed.current) {
@@ -164,7 +168,7 @@ export function useScene(use: SceneUse): Scene {
     }
     for (const [key, { name, type }] of wanted) {
       if (followed.current.has(key)) continue;
-      const display = makeDisplay(name, type, view.displayColors, keep);
+      const display = makeDisplay(name, type, view.displayColors, keep, meshes);
       if (display === null) continue;
       view.add(name, display);
       const stop = feed(session, codec, name, ({ decoded }) => {
@@ -191,6 +195,18 @@ export function useScene(use: SceneUse): Scene {
     begin();
   };
   return { canvas, view, tree, problem, forget, unreadable };
+}
+
+function shelfOf(session: Session, view: SceneView): MeshShelf {
+  const sizes = new Map(session.site.files.map(({ path, size }) => [path, size]));
+  return new MeshShelf({
+    size: (path) => sizes.get(path),
+    async read(path) {
+      const response = await fetchOfSite(path);
+      if (!response.ok) throw new Error(`HTTP ${response.status}`);
+      return response.arrayBuffer();
+    },
+  }, () => view.messageTaken());
 }
 
 function keyOf(view: CameraView): string {

@@ -10,11 +10,13 @@ import { readOptions, writeOptions } from '../../../runtime/ui/model/scene_optio
 import { keyed } from '../../../runtime/ui/scene/camera_control.ts';
 import { canShow, makeDisplay } from '../../../runtime/ui/scene/kinds.ts';
 import { Markers } from '../../../runtime/ui/scene/markers.ts';
+import { MeshShelf } from '../../../runtime/ui/scene/mesh_shelf.ts';
 import { occupancyGrid } from '../../../runtime/ui/scene/occupancy_grid.ts';
 import { laserScan } from '../../../runtime/ui/scene/points.ts';
 import { path, poseArray, singlePose } from '../../../runtime/ui/scene/poses.ts';
 
 const header = { stamp: { sec: 3, nanosec: 0 }, frame_id: 'map' };
+const noMeshes = new MeshShelf({ size: () => undefined, read: () => Promise.reject(new Error('none')) }, () => undefined);
 const upright = { x: 0, y: 0, z: 0, w: 1 };
 const pose = (x: number, y = 0, z = 0): unknown => ({ position: { x, y, z }, orientation: upright });
 
@@ -137,7 +139,7 @@ test('how sure a pose is stands around it as an ellipse and a sector, of one sta
 });
 
 test('odometry leaves arrows where it has been, as many as are kept', () => {
-  const odometry = makeDisplay('/odom', 'nav_msgs/msg/Odometry', { text: '#000', accent: '#fff' }, 4) ?? assert.fail();
+  const odometry = makeDisplay('/odom', 'nav_msgs/msg/Odometry', { text: '#000', accent: '#fff' }, 4, noMeshes) ?? assert.fail();
   const told = (x: number, frame = 'odom'): unknown => ({ header: { ...header, frame_id: frame }, pose: { pose: pose(x), covariance: [] } });
   const places = (): readonly number[] => {
     odometry.build(0);
@@ -219,7 +221,7 @@ const marker = (id: number, more: object = {}): unknown => ({
 });
 
 test('markers are added, changed and deleted, and end with their lifetime', () => {
-  const display = new Markers();
+  const display = new Markers(noMeshes);
   const shown = (): readonly number[] => [...display.anchored()].map(({ object }) => object.children[0]?.position.x ?? NaN);
   display.take({ markers: [marker(1), marker(2), marker(3, { lifetime: { sec: 2, nanosec: 0 } })] });
   assert.equal(display.build(100), 102);
@@ -245,7 +247,7 @@ test('every type of marker is drawn, with points and colours that make no sense 
   const points = [{ x: 0, y: 0, z: 0 }, { x: 1, y: 0, z: 0 }, { x: 0, y: 1, z: 0 }, { x: NaN, y: 0, z: 0 }, { x: 1e300, y: 0, z: 0 }, null];
   for (const type of [0, 1, 2, 3, 4, 5, 6, 7, 8, 11, 12]) {
     for (const more of [{ points: [] }, { points }, { points, colors: points.map(() => ({ r: 9, g: NaN, b: -1, a: 1 })) }, { points: 'no' }]) {
-      const display = new Markers();
+      const display = new Markers(noMeshes);
       display.take(marker(1, { type, ...more }));
       display.build(0);
       assert.equal(display.problem, '', String(type));
@@ -253,12 +255,12 @@ test('every type of marker is drawn, with points and colours that make no sense 
     }
   }
   for (const wrong of [{ type: 10 }, { type: 99 }, { pose: null }, { scale: { x: NaN, y: 0, z: 0 } }, { scale: { x: 1e30, y: 0, z: 0 } }]) {
-    const display = new Markers();
+    const display = new Markers(noMeshes);
     display.take(marker(1, wrong));
     display.build(0);
     assert.notEqual(display.problem, '');
   }
-  const display = new Markers();
+  const display = new Markers(noMeshes);
   for (const nothing of [null, 7, {}, { markers: [null, {}] }]) display.take(nothing);
   display.take({ markers: Array.from({ length: 6000 }, (_, id) => marker(id)) });
   display.build(0);
@@ -269,7 +271,7 @@ test('every type of marker is drawn, with points and colours that make no sense 
 const row = (count: number): unknown => Array.from({ length: count }, (_, x) => ({ x, y: 0, z: 0 }));
 
 test('a strip of arrows is drawn at once, each from its point to the next', () => {
-  const display = new Markers();
+  const display = new Markers(noMeshes);
   display.take(marker(1, { type: 12, scale: { x: 0.1, y: 0.2, z: 0.25 }, points: [{ x: 1, y: 0, z: 0 }, { x: 1, y: 0, z: 0 }, { x: 1, y: 2, z: 0 }, { x: 3, y: 2, z: 0 }] }));
   display.build(0);
   const found: InstancedMesh[] = [];
@@ -293,7 +295,7 @@ test('hostile markers are bounded together, and leave room when they go', () => 
   for (const [more, fit] of [
     [{ type: 6, points: row(20_000) }, 5], [{ type: 12, points: row(20_000) }, 5], [{ type: 4, points: row(200_000) }, 5],
   ] as const) {
-    const display = new Markers();
+    const display = new Markers(noMeshes);
     const shown = (): number => [...display.anchored()].length;
     for (let id = 0; id < 8; id += 1) display.take(marker(id, more));
     display.build(0);
@@ -316,8 +318,8 @@ test('topics that can be shown are known by their type, robots by their name too
   assert.ok(canShow('/scan', 'sensor_msgs/msg/LaserScan'));
   assert.ok(canShow('/robot1/robot_description', 'std_msgs/msg/String'));
   assert.ok(!canShow('/chatter', 'std_msgs/msg/String'));
-  assert.equal(makeDisplay('/chatter', 'std_msgs/msg/String', { text: '#000', accent: '#000' }, 1), null);
-  const display = makeDisplay('/plan', 'nav_msgs/msg/Path', { text: '#000', accent: '#00f' }, 1);
+  assert.equal(makeDisplay('/chatter', 'std_msgs/msg/String', { text: '#000', accent: '#000' }, 1, noMeshes), null);
+  const display = makeDisplay('/plan', 'nav_msgs/msg/Path', { text: '#000', accent: '#00f' }, 1, noMeshes);
   display?.take({ header, poses: [] });
   display?.build(0);
   assert.equal(display?.problem, '');

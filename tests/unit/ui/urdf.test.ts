@@ -31,7 +31,8 @@ test('shapes of links have their places and colours', () => {
       <visual/></link>
     <link/></robot>`);
   assert.ok(typeof robot !== 'string');
-  assert.equal(robot.leftOut, 5);
+  assert.equal(robot.leftOut, 4);
+  assert.deepEqual(robot.links[1]?.visuals[1]?.shape, { kind: 'mesh', file: 'package://x/y.stl', scale: [1, 1, 1] });
   const [a, b, c] = robot.links;
   assert.deepEqual(a?.visuals[0], {
     origin: { translation: [1, 2, 3], rotation: [0, 0, 0, 1] }, shape: { kind: 'box', size: [1, 2, 3] }, color: [1, 0, 0, 1],

@@ -22,7 +22,7 @@ const both = [node('a', ['channels.zip', 'workspace.zip']), node('b', ['channels
 const paths = ['channels.zip', 'workspace.zip', 'numpy.zip', 'pyodide/pyodide.asm.wasm', 'pyodide/python_stdlib.zip', 'python_worker.js', 'other'];
 
 function site(nodes: readonly SiteNode[], listed: readonly string[] = paths): SiteDescription {
-  return { nodes, files: listed.map((path) => ({ path, size: 1, sha256: '1', reason: '' })) } as unknown as SiteDescription;
+  return { nodes, programs: [], files: listed.map((path) => ({ path, size: 1, sha256: '1', reason: '' })) } as unknown as SiteDescription;
 }
 
 function imagesOf(described: SiteDescription, platform: Platform, share: string): PythonImages {

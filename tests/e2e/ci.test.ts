@@ -1,9 +1,9 @@
 // What CI does with a workspace: the workflows that `ros2wasm init --ci` writes, and the budget of a site.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
-import { existsSync, mkdtempSync, rmSync } from 'node:fs';
+import { existsSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
-import { delimiter, dirname, join } from 'node:path';
+import { delimiter, dirname, join, resolve } from 'node:path';
 import { after, before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { build } from 'esbuild';
@@ -91,22 +91,27 @@ async function expectPlayed(commands: readonly string[], environment: Readonly<R
   rmSync(join(ws.root, 'checks.xml'));
 }
 
+type Parse = (file: { readonly name: string; readonly content: string }, trace: unknown) => {
+  readonly context: { readonly errors: { readonly getErrors: () => readonly { readonly message: string }[] } };
+};
 interface Parser {
-  readonly parseWorkflow: (file: { readonly name: string; readonly content: string }, trace: unknown) => {
-    readonly context: { readonly errors: { readonly getErrors: () => readonly { readonly message: string }[] } };
-  };
+  readonly parseWorkflow: Parse;
+  readonly parseAction: Parse;
   readonly NoOperationTraceWriter: new () => unknown;
 }
 
-/** GitHub's own reader of workflows; its files are made for bundlers. */
-async function githubFaults(): Promise<(content: string) => readonly string[]> {
+/** GitHub's own reader of workflows, or of actions; its files are made for bundlers. */
+async function githubFaults(what: 'parseWorkflow' | 'parseAction'): Promise<(content: string) => readonly string[]> {
   const outfile = join(tools, 'workflow_parser.cjs');
   await build({
-    stdin: { contents: "export { parseWorkflow, NoOperationTraceWriter } from '@actions/workflow-parser';", resolveDir: import.meta.dirname },
+    stdin: {
+      contents: "export { parseWorkflow, NoOperationTraceWriter } from '@actions/workflow-parser'; export { parseAction } from '@actions/workflow-parser/actions/action-parser';",
+      resolveDir: import.meta.dirname,
+    },
     bundle: true, format: 'cjs', platform: 'node', outfile, logLevel: 'error',
   });
-  const { parseWorkflow, NoOperationTraceWriter } = await import(pathToFileURL(outfile).href) as Parser;
-  return (content) => parseWorkflow({ name: 'ros2wasm.yml', content }, new NoOperationTraceWriter()).context.errors.getErrors().map((e) => e.message);
+  const parser = await import(pathToFileURL(outfile).href) as Parser;
+  return (content) => parser[what]({ name: 'ros2wasm.yml', content }, new parser.NoOperationTraceWriter()).context.errors.getErrors().map((e) => e.message);
 }
 
 // Guarantee, ci: `ros2wasm init --ci github` writes a workflow that GitHub's own reader takes, with actions named by their full
@@ -116,7 +121,7 @@ test('the workflow for GitHub', watchdog, async () => {
   assert.equal(made.code, 0, made.stderr);
   assert.equal(made.stdout, '.github/workflows/ros2wasm.yml\n');
   const text = ws.read('.github/workflows/ros2wasm.yml').toString();
-  const faults = await githubFaults();
+  const faults = await githubFaults('parseWorkflow');
   assert.deepEqual(faults(text), []);
   assert.notDeepEqual(faults(text.replace('runs-on:', 'run-on:')), [], 'the reader does read');
   const workflow = parse(text) as GithubWorkflow;
@@ -139,6 +144,51 @@ test('the workflow for GitHub', watchdog, async () => {
   assert.notEqual(bare.code, 0);
   assert.match(bare.stderr, /ROS2WASM_PACKAGE: set this variable/);
   await expectPlayed(runs.slice(1), workflow.env);
+});
+
+interface Action {
+  readonly inputs: Readonly<Record<string, { readonly required?: boolean; readonly default?: string }>>;
+  readonly outputs: Readonly<Record<string, { readonly value: string }>>;
+  readonly runs: { readonly using: string; readonly steps: readonly (Step & { readonly id?: string; readonly shell?: string; readonly env: Readonly<Record<string, string>> })[] };
+}
+
+// Guarantee, ci: the repository is an action for GitHub (`action.yml`), as GitHub's own reader takes it, that installs a package with its sha256 only, packs, plays
+// the checks and tells the hash of the site; no input becomes part of a command
+test('the action', watchdog, async () => {
+  const text = readFileSync(resolve('action.yml'), 'utf8');
+  const faults = await githubFaults('parseAction');
+  assert.deepEqual(faults(text), []);
+  assert.notDeepEqual(faults(text.replace('using:', 'use:')), [], 'the reader does read');
+  const action = parse(text) as Action;
+  assert.equal(action.runs.using, 'composite');
+  const output = join(ws.root, 'output of a step');
+  const given: Readonly<Record<string, string>> = {
+    package: pathToFileURL(join(ws.root, 'workspace.yaml')).href, sha256: '0'.repeat(64), site: 'a "site"',
+  };
+  const filled = (value: string): string => value.replace(/\$\{\{ inputs\.(\w+) \}\}/g, (_, name: string) => {
+    const input = action.inputs[name];
+    assert.ok(input, name);
+    return given[name] ?? input.default ?? '';
+  });
+  const play = (step: Action['runs']['steps'][number]): Promise<Finished> => {
+    assert.equal(step.shell, 'bash');
+    assert.doesNotMatch(step.run ?? '', /\$\{\{/, 'what somebody gives is data');
+    const environment = Object.fromEntries(Object.entries(step.env).map(([name, value]) => [name, filled(value)]));
+    return shell(step.run ?? '', { ...environment, GITHUB_OUTPUT: output });
+  };
+  const [install, pack, check, ...more] = action.runs.steps;
+  assert.ok(install && pack && check && more.length === 0);
+  const refused = await play(install);
+  assert.notEqual(refused.code, 0, 'nothing is installed with another sha256');
+  assert.match(refused.stdout + refused.stderr, /FAILED/);
+  for (const step of [pack, check]) {
+    const { code, stderr } = await play(step);
+    assert.equal(code, 0, stderr);
+  }
+  assert.match(ws.read('checks.xml').toString(), /tests="1"[^>]*failures="0"/);
+  const told = /^sha256=([0-9a-f]{64})$/m.exec(readFileSync(output, 'utf8'))?.[1] ?? '';
+  assert.equal((await ws.run(['verify', 'a "site"', '--hash', told])).code, 0);
+  assert.equal(action.outputs['sha256']?.value, ['${{ steps.', '.outputs.sha256 }}'].join(pack.id));
 });
 
 // Guarantee, ci: `ros2wasm init --ci gitlab` writes a pipeline with a report of the checks and a job for Pages; its commands pack

@@ -7,6 +7,7 @@ import { WaitResult } from '../protocol/generated/constants.ts';
 import { hostImports } from './host_imports.ts';
 import type { RunLaunch } from './launch_python.ts';
 import { LineWriter } from './line_writer.ts';
+import type { Link } from './link.ts';
 import { type ProgramEnd, type ProgramHost, promiseIntegration } from './program.ts';
 import type { ProgramMemory } from './program_memory.ts';
 import type { PythonParts } from './python_files.ts';
@@ -173,6 +174,28 @@ function arrived(arrival: Arrival): number {
   return { input: 1, timeout: 0, stop: 2 }[arrival];
 }
 
+/**
+ * A turn of an executor in one call. Writes the wake token, which is read first, and the version of the statuses, skips where
+ * a message goes (address, capacity, address of its info), writes the readers that have something, and returns how many.
+ * If only the expected one has, and the statuses are as they were, its next message is taken: ~length.
+ */
+export function look(
+  link: Pick<Link, 'wakeToken' | 'ready' | 'statusVersion' | 'take'>, heap: ProgramMemory, at: number, capacity: number, expected: number, statuses: number,
+): number {
+  heap.set(at, link.wakeToken());
+  const ready = link.ready();
+  const version = link.statusVersion() | 0;
+  heap.set(at + 4, version);
+  if (ready.length === 1 && ready[0] === expected && version === statuses) {
+    const room = heap.u32(at + 12);
+    const length = link.take(expected, heap, heap.u32(at + 8), room, heap.u32(at + 16));
+    if (length >= 0 && length <= room) return ~length;
+  }
+  const count = Math.min(ready.length, capacity);
+  for (let i = 0; i < count; i += 1) heap.set(at + 20 + 4 * i, ready[i]!);
+  return count;
+}
+
 /** The module `ros2wasm_host` of Python. */
 function hostModule(
   host: ProgramHost, memory: () => ProgramMemory, stop: Interrupts, died: (error: unknown) => void,
@@ -212,13 +235,7 @@ function hostModule(
       return there instanceof Promise ? there.then(arrived) : arrived(there);
     }),
     ...threadFunctions(stop, wait, died),
-    // Of a turn of an executor, in one call: the wake token, which is read first, the readers that have something, the statuses.
-    look: (out: number, capacity: number): number => {
-      memory().set(out, link.wakeToken());
-      const count = (imports['ready'] as (at: number, most: number) => number)(out + 8, capacity);
-      memory().set(out + 4, link.statusVersion());
-      return count;
-    },
+    look: (...turn: readonly [number, number, number, number]): number => look(link, memory(), ...turn),
     pending: () => pending,
     resumed: () => {
       stop.suspended = false;

@@ -18,6 +18,7 @@ from typing import Any, NamedTuple
 from rclpy.context import Context
 from rclpy.event_handler import EventHandler
 from rclpy.guard_condition import GuardCondition
+from rclpy.subscription import Subscription
 from rclpy.task import Future, Task
 from rclpy.timer import Timer
 from rclpy.utilities import get_default_context, timeout_sec_to_nsec
@@ -96,6 +97,8 @@ class Executor:
         self._events: list[tuple[EventHandler, Any]] = []
         #: While the statuses are of this version, no event is ready.
         self._quiet_version = -1
+        #: The subscription that was called last: where nothing else is due, its next message comes with the look.
+        self._heard: tuple[Any, Any] | None = None
         #: Calls are made in other threads than the one that spins.
         self._in_threads = False
         #: An executor of the user's own takes calls out and makes them wherever it likes.
@@ -174,6 +177,7 @@ class Executor:
         if self._seen == changes.count:
             return
         self._seen = changes.count
+        self._heard = None
         self._readers = {}
         self._timers, self._guards, self._waitables, self._events = [], [], [], []
         self._quiet_version = -1
@@ -194,9 +198,34 @@ class Executor:
         group = entity.callback_group
         return group is None or bool(group.can_execute(entity))
 
-    def _collect(self) -> int:
+    def _is_alone(self, reader: Any) -> bool:
+        """Whether nothing that goes before messages, or is ready without one, can be due."""
+        if self._tasks or self._guards or self._waitables or reader._with_info or reader.raw:
+            return False
+        for timer, _ in self._timers:
+            if not timer._destroyed and timer.is_ready():
+                return False
+        return True
+
+    def _hear(self, reader: Any, node: Any) -> Work | host.Seen:
+        """The call for the subscription's next message, if nothing else is ready; or what there is."""
+        group = reader.callback_group
+        if group is not None and not group.beginning_execution(reader):
+            return host.look()
+        held = False
+        try:
+            message, seen = reader._endpoint.look_and_take(reader._codec, self._quiet_version)
+            held = seen is None
+        finally:
+            if not held and group is not None:
+                group.ending_execution(reader)
+        if seen is not None:
+            return seen
+        return Work(partial(self._execute, reader, node, reader._callback, message), reader, node)
+
+    def _collect(self, seen: host.Seen) -> int:
         """Queue all that can be executed now. Returns the wake token of before."""
-        token, version, handles = host.look()
+        token, version, handles = seen
         for entry in self._tasks:
             if entry[0]._is_due():
                 self._queue.append((entry, None))
@@ -215,6 +244,8 @@ class Executor:
                 background.readers[handle]()
         if self._events:
             self._collect_events(version)
+        else:
+            self._quiet_version = version
         for waitable, node in self._waitables:
             if (waitable, node) not in self._queue and self.can_execute(waitable) and waitable._ready():
                 self._queue.append((waitable, node))
@@ -256,6 +287,8 @@ class Executor:
                 if group is not None:
                     group.ending_execution(entity)
                 continue
+            if isinstance(entity, Subscription):
+                self._heard = entity, node
             return Work(partial(self._execute, entity, node, call), entity, node)
         return None
 
@@ -283,11 +316,11 @@ class Executor:
             task._gave_way = False
         return bool(gave_way)
 
-    def _execute(self, entity: Any, node: Any, call: Call) -> None:
+    def _execute(self, entity: Any, node: Any, call: Callable[..., Any], *args: Any) -> None:
         group = entity.callback_group
         held = group is not None
         try:
-            result = call()
+            result = call(*args)
             if result is not None and inspect.iscoroutine(result):
                 # The group stays taken until the coroutine ends.
                 task = Task(result, executor=self)
@@ -298,7 +331,8 @@ class Executor:
         finally:
             if held:
                 group.ending_execution(entity)
-            self._end_giving_way()
+            if self._tasks:
+                self._end_giving_way()
             if self._in_threads or self._hands_out_calls:
                 # Others of the group may be called now, by whoever spins.
                 host.wake()
@@ -311,12 +345,20 @@ class Executor:
                 raise ShutdownException()
             if not self._context.ok():
                 raise ExternalShutdownException()
-            self._refresh()
-            work = self._pop()
+            if self._seen != changes.count:
+                self._refresh()
+            work = self._pop() if self._queue else None
             if work is not None:
                 return work
-            token = self._collect()
-            work = self._pop()
+            heard = self._heard
+            if heard is not None and self._is_alone(heard[0]):
+                found = self._hear(*heard)
+                if isinstance(found, Work):
+                    return found
+                token = self._collect(found)
+            else:
+                token = self._collect(host.look())
+            work = self._pop() if self._queue else None
             if work is not None:
                 return work
             if condition():
@@ -450,7 +492,7 @@ class MultiThreadedExecutor(Executor):
         self._refresh()
         work = self._pop()
         if work is None:
-            self._collect()
+            self._collect(host.look())
             work = self._pop()
         if work is not None:
             self._depth += 1

@@ -31,12 +31,17 @@ INFO_SIZE = struct.calcsize(SAMPLE_INFO_FORMAT)
 NO_INFO = bytes(INFO_SIZE)
 FIRST_CAPACITY = 1 << 16
 MOST_READY = 1024
+#: Words of a look before the readers.
+LOOK_WORDS = 5
 LOW = 0xFFFFFFFF
 
 #: Pyodide's event loop, on which its suspensions run.
 own_loop: Any = None
 #: The program's threads, once they are installed (threads.py).
 threads: Any = None
+
+#: What an executor sees: the wake token, the version of the statuses, the own readers that have something.
+Seen = tuple[int, int, list[int]]
 
 
 class Functions:
@@ -82,8 +87,9 @@ class Buffer:
 _out = Buffer(FIRST_CAPACITY)
 _in = Buffer(FIRST_CAPACITY)
 _info = Buffer(INFO_SIZE)
-_ready = Buffer(4 * (2 + MOST_READY))
-_ready_words = _ready.view.cast('i')
+#: Wake token, version of the statuses, where a message is taken to (address, capacity, address of its info), readers.
+_looked = Buffer(4 * (LOOK_WORDS + MOST_READY))
+_looked_words = _looked.view.cast('i')
 _info_struct = struct.Struct(SAMPLE_INFO_FORMAT)
 _out.view[HEADER_AT:PAYLOAD_AT] = CDR_HEADER
 
@@ -178,6 +184,9 @@ def suspend() -> Any:
 
 def wait_on_link(token: int, timeout_ns: int) -> int:
     """As wait, for the whole program; a stop is only told of."""
+    if timeout_ns < 0:
+        # Small numbers reach the host sooner.
+        return _settled(js.wait(token, -1, -1))
     return _settled(js.wait(token, timeout_ns & LOW, timeout_ns >> 32))
 
 
@@ -295,15 +304,25 @@ def input_arrives(timeout_ns: int) -> bool:
 
 def ready() -> list[int]:
     """The own readers that have something."""
-    count = js.ready(_ready.address, MOST_READY)
-    return _ready_words[:min(count, MOST_READY)].tolist()
+    count = js.ready(_looked.address + 4 * LOOK_WORDS, MOST_READY)
+    return _looked_words[LOOK_WORDS:LOOK_WORDS + min(count, MOST_READY)].tolist()
 
 
-def look() -> tuple[int, int, list[int]]:
-    """The wake token, the version of the statuses, and the own readers that have something."""
-    count = js.look(_ready.address, MOST_READY)
-    token, version, *handles = _ready_words[:2 + min(count, MOST_READY)].tolist()
-    return token, version, handles
+def look() -> Seen:
+    """What there is to do for an executor."""
+    return _seen(js.look(_looked.address, MOST_READY, -1, 0))
+
+
+def _seen(count: int) -> Seen:
+    return _looked_words[0], _looked_words[1], _looked_words[LOOK_WORDS:LOOK_WORDS + count].tolist()
+
+
+def _place_to_take() -> None:
+    """Tell the host where a message goes that is taken with a look."""
+    struct.pack_into('<III', _looked.view, 8, _in.address + HEADER_AT, _in.capacity - HEADER_AT, _info.address)
+
+
+_place_to_take()
 
 
 def _words(*texts: str) -> list[int]:
@@ -426,10 +445,16 @@ class Endpoint:
         length = js.take(self.handle, _in.address + HEADER_AT, _in.capacity - HEADER_AT, _info.address)
         if length > _in.capacity - HEADER_AT:
             length = self._take()
-        if length < 0:
-            return None
-        view = _in.view[:HEADER_AT + length]
-        return codec.read(view, PAYLOAD_AT)[0] if view[HEADER_AT + 1] == 1 else decode(codec, bytes(view[HEADER_AT:]))
+        return None if length < 0 else _taken(codec, length)
+
+    def look_and_take(self, codec: Any, version: int) -> tuple[Any, Seen | None]:
+        """
+        Look, and take the next message if no other own reader has something and the statuses are of that version.
+
+        The message, or what was seen in place of it.
+        """
+        result = js.look(_looked.address, MOST_READY, self.handle, version)
+        return (_taken(codec, ~result), None) if result < 0 else (None, _seen(result))
 
     def take_bytes(self) -> tuple[bytes, SampleInfo] | None:
         length = self._take()
@@ -445,10 +470,18 @@ class Endpoint:
             _grow(_in, length + HEADER_AT)
 
 
+def _taken(codec: Any, length: int) -> Any:
+    """The message that was taken."""
+    view = _in.view[:HEADER_AT + length]
+    return codec.read(view, PAYLOAD_AT)[0] if view[HEADER_AT + 1] == 1 else decode(codec, bytes(view[HEADER_AT:]))
+
+
 def _grow(buffer: Buffer, least: int) -> None:
     buffer.reserve(max(2 * buffer.capacity, least + PAYLOAD_AT))
     if buffer is _out:
         _out.view[HEADER_AT:PAYLOAD_AT] = CDR_HEADER
+    else:
+        _place_to_take()
 
 
 MOST_CAPACITY = 1 << 30

@@ -136,6 +136,9 @@ class FakeBus(types.ModuleType):
         return 0
 
     def take(self, handle: int, out: int, capacity: int, info: int) -> int:
+        return self._take(handle, out, capacity, info)
+
+    def _take(self, handle: int, out: int, capacity: int, info: int) -> int:
         queue = self.endpoints[handle].queue
         if not queue:
             return NOTHING
@@ -151,9 +154,14 @@ class FakeBus(types.ModuleType):
         self._memory(out, 4 * len(found))[:] = struct.pack(f'<{len(found)}I', *found)
         return len(found)
 
-    def look(self, out: int, capacity: int) -> int:
-        count = self.ready(out + 8, capacity)
+    def look(self, out: int, capacity: int, expected: int, statuses: int) -> int:
+        count = self.ready(out + 20, capacity)
         self._memory(out, 8)[:] = struct.pack('<ii', self.wake_token(), self.status_version())
+        place, room, info, first = struct.unpack('<IIIi', self._memory(out + 8, 16))
+        if (count, first, self.status_version()) == (1, expected, statuses):
+            length = self._take(expected, place, room, info)
+            if 0 <= length <= room:
+                return ~length
         return count
 
     # ---- waiting

@@ -29,7 +29,7 @@ class FakeHost(types.ModuleType):
     def ready(self, *_: int) -> int:
         return 0
 
-    def look(self, out: int, _capacity: int) -> int:
+    def look(self, out: int, *_: int) -> int:
         self.places[out][:4] = self.wakes.to_bytes(4, 'little')
         return 0
 

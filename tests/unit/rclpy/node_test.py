@@ -7,6 +7,7 @@ import struct
 import unittest
 from collections import Counter
 from typing import Any
+from unittest import mock
 
 from tests.unit.rclpy.fake_bus import BusTest
 
@@ -43,8 +44,110 @@ class NodeTest(BusTest):
         # The bus itself calls some of its functions.
         for name in ('wake', 'wake_token', 'ready', 'status_version'):
             del calls[name]
-        self.assertEqual(dict(calls), {'write': 1, 'look': 1, 'take': 1})
+        # The message came with the look.
+        self.assertEqual(dict(calls), {'write': 1, 'look': 1})
         self.assertEqual(len(heard), 2)
+
+    def flood(self) -> tuple[Any, list[str], Any]:
+        """A publisher of texts, what was called back, and the node; one was heard, so the next comes with a look."""
+        string = importlib.import_module('std_msgs.msg').String
+        called: list[str] = []
+        node = self.node('flooded')
+        node.create_subscription(string, 'flood', lambda message: called.append(message.data), 10)
+        publisher = node.create_publisher(string, 'flood', 10)
+
+        def publish(*texts: str) -> None:
+            for text in texts:
+                publisher.publish(string(data=text))
+        publish('first')
+        self.spin_until(lambda: called == ['first'])
+        called.clear()
+        return publish, called, node
+
+    def spin(self, times: int) -> None:
+        for _ in range(times):
+            self.executor.spin_once(timeout_sec=0)
+
+    def test_a_flood_of_messages_keeps_nothing_else_from_its_turn(self) -> None:
+        publish, called, node = self.flood()
+        string = importlib.import_module('std_msgs.msg').String
+        node.create_subscription(string, 'other', lambda message: called.append('other'), 10)
+        other = node.create_publisher(string, 'other', 10)
+        publish(*'12345678')
+        self.spin(2)
+        self.assertEqual(called, ['1', '2'])
+        other.publish(string(data='x'))
+        self.spin(3)
+        self.assertEqual(sorted(called[2:]), ['3', '4', 'other'])
+        called.clear()
+        self.spin(1)
+        self.executor.create_task(lambda: called.append('task'))
+        self.spin(2)
+        self.assertEqual(called, ['5', 'task', '6'])
+        called.clear()
+        node.create_timer(0, lambda: called.append('timer'))
+        self.spin(4)
+        self.assertEqual(called, ['timer', '7', 'timer', '8'])
+
+    def test_events_come_between_the_messages_of_a_flood(self) -> None:
+        publish, called, node = self.flood()
+        events = importlib.import_module('rclpy.event_handler')
+        string = importlib.import_module('std_msgs.msg').String
+        matched = int(importlib.import_module('ros2wasm.constants').StatusKind.PUBLICATION_MATCHED)
+        version, change = 0, 0
+
+        def fill(_handle: int, kind: int, out: int) -> int:
+            nonlocal change
+            if kind != matched:
+                return -1
+            self.bus._memory(out, 32)[:] = struct.pack('<8i', version, change, version, change, 0, 0, 0, 0)
+            change = 0
+            return 0
+        self.replace('endpoint_status', fill)
+        self.replace('status_version', lambda: version)
+        node.create_publisher(string, 'told', 10, event_callbacks=events.PublisherEventCallbacks(
+            matched=lambda _: called.append('event'), use_default_callbacks=False))
+        publish('1', '2', '3', '4')
+        self.spin(2)
+        self.assertEqual(called, ['1', '2'])
+        version, change = 1, 1
+        self.spin(2)
+        self.assertEqual(called[2:], ['3', 'event'])
+
+    def test_a_group_that_is_taken_gets_no_message(self) -> None:
+        publish, called, node = self.flood()
+        publish('1')
+        group, busy = node.default_callback_group, object()
+        group.beginning_execution(busy)
+        self.spin(2)
+        self.assertEqual(called, [])
+        group.ending_execution(busy)
+        self.spin(1)
+        self.assertEqual(called, ['1'])
+
+    def test_a_failed_callback_and_a_broken_message_leave_their_group(self) -> None:
+        publish, called, node = self.flood()
+        subscription, = [one for one in node.subscriptions if one.topic.endswith('flood')]
+        good, codec = subscription.callback, subscription._codec
+
+        def fail(_: Any) -> None:
+            raise ZeroDivisionError
+        subscription.callback = fail
+        publish('1', '2', '3')
+        with self.assertRaises(ZeroDivisionError):
+            self.spin(1)
+        subscription.callback = good
+        with mock.patch.object(codec, 'read', fail, create=True), self.assertRaises((TypeError, ZeroDivisionError)):
+            self.spin(1)
+        self.spin(1)
+        self.assertEqual(called, ['3'])
+
+    def test_a_message_larger_than_all_before_comes_after_small_ones(self) -> None:
+        publish, called, _ = self.flood()
+        large = 'x' * 300_000
+        publish('1', large, '2', large)
+        self.spin(4)
+        self.assertEqual(called, ['1', large, '2', large])
 
     def test_events_are_told_when_statuses_change(self) -> None:
         events = importlib.import_module('rclpy.event_handler')

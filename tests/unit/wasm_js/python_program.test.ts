@@ -11,7 +11,8 @@ import { fileURLToPath } from 'node:url';
 import { loadPyodide } from 'pyodide';
 import { PortWaits } from '../../../runtime/wasm_js/port_waits.ts';
 import type { ProgramEnd, ProgramHost } from '../../../runtime/wasm_js/program.ts';
-import { failure, mountShare, runPython } from '../../../runtime/wasm_js/python_program.ts';
+import { failure, look, mountShare, runPython } from '../../../runtime/wasm_js/python_program.ts';
+import { ProgramMemory } from '../../../runtime/wasm_js/program_memory.ts';
 import type { SiteFile } from '../../../runtime/wasm_js/session.ts';
 
 const root = fileURLToPath(new URL('../../..', import.meta.url));
@@ -52,6 +53,35 @@ found`);
   assert.equal(read('short.txt'), 'EIO');
   site.set('share/late.txt', new TextEncoder().encode('yes'));
   assert.equal(read('late.txt'), 'yes');
+});
+
+test('a look takes a message only of the reader that is expected, alone, with the statuses as they were', () => {
+  const heap = new ProgramMemory(new WebAssembly.Memory({ initial: 1 }));
+  const at = 64;
+  for (const [i, word] of [4096, 100, 8192].entries()) heap.set(at + 8 + 4 * i, word);
+  const seen = (ready: readonly number[], statuses: number, length: number): readonly unknown[] => {
+    const taken: number[][] = [];
+    const link = {
+      wakeToken: () => 7, ready: () => ready, statusVersion: () => statuses,
+      take: (endpoint: number, _heap: unknown, ...places: number[]) => {
+        taken.push([endpoint, ...places]);
+        return length;
+      },
+    };
+    const result = look(link, heap, at, 2, 5, 3);
+    assert.deepEqual([heap.u32(at), heap.u32(at + 4), heap.u32(at + 8)], [7, statuses, 4096]);
+    return [result, taken, Array.from({ length: Math.max(result, 0) }, (_, i) => heap.u32(at + 20 + 4 * i))];
+  };
+  const take = [[5, 4096, 100, 8192]];
+  assert.deepEqual(seen([5], 3, 12), [-13, take, []]);
+  assert.deepEqual(seen([5], 3, 0), [-1, take, []]);
+  // Too large, and gone meanwhile.
+  assert.deepEqual(seen([5], 3, 101), [1, take, [5]]);
+  assert.deepEqual(seen([5], 3, -1), [1, take, [5]]);
+  assert.deepEqual(seen([5], 4, 12), [1, [], [5]]);
+  assert.deepEqual(seen([6], 3, 12), [1, [], [6]]);
+  assert.deepEqual(seen([], 3, 12), [0, [], []]);
+  assert.deepEqual(seen([5, 6, 8], 3, 12), [2, [], [5, 6]]);
 });
 
 /** Runs a script on a link to nobody, which suspends. `listed`: what the archive must be. */

@@ -7,6 +7,7 @@ import { join } from 'node:path';
 import { chromium } from 'playwright-core';
 import { chromiumOptions } from '../e2e/chromium.ts';
 import { treeMemoryKb } from './process_memory.ts';
+import { benchPageLoad } from './page_load.ts';
 import type { BenchContext } from './run.ts';
 import { packedExample } from './site_bytes.ts';
 import { serveFolder } from '../support/static_server.ts';
@@ -98,4 +99,5 @@ export async function benchStart(context: BenchContext): Promise<void> {
   } finally {
     rmSync(folder, { recursive: true, force: true });
   }
+  await benchPageLoad(context);
 }

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "bundler/archive/zip_writer.hpp"
+#include "bundler/emit/precompressed.hpp"
 #include "bundler/emit/zip_output.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/render/own_site.hpp"
@@ -99,9 +100,16 @@ Outcome<Done> prune(const fs::path& folder, CourseReport& report) {
     if (fresh) known->second = is_site_of_ours(folder / top);
     return known->second;
   };
+  const auto is_wanted = [&](const std::string& path) {
+    return wanted.contains(path) ||
+           std::any_of(kCompressions.begin(), kCompressions.end(), [&](const Compression& form) {
+             return path.ends_with(form.ending) &&
+                    wanted.contains(path.substr(0, path.size() - form.ending.size()));
+           });
+  };
   std::vector<const TreeEntry*> useless;
   for (const TreeEntry& entry : *tree) {
-    if (!wanted.contains(entry.path) && is_ours(entry.path)) useless.push_back(&entry);
+    if (!is_wanted(entry.path) && is_ours(entry.path)) useless.push_back(&entry);
   }
   for (const TreeEntry* entry : useless) {
     if (auto removed = remove_tree(folder / entry->path); !removed) return removed;
@@ -162,6 +170,10 @@ Outcome<CourseReport> pack_into(const CourseRequest& request, const Course& cour
       if (cancellation.requested()) return errors;
       continue;
     }
+    if (one.precompress && !one.plan_only) {
+      if (auto done = precompress_site(one.output, cancellation); !done)
+        return std::move(done).errors();
+    }
     append(report.warnings, packed->warnings);
     for (const std::string& remark : packed->remarks)
       report.remarks.push_back(lab.name + ": " + remark);
@@ -177,6 +189,9 @@ Outcome<CourseReport> pack_into(const CourseRequest& request, const Course& cour
   for (const PlannedFile& file : own) {
     if (auto written = write_file(folder / file.path, file.bytes); !written)
       return std::move(written).errors();
+    auto forms = request.pack.precompress ? precompress_file(folder / file.path)
+                                          : remove_compressed(folder / file.path);
+    if (!forms) return std::move(forms).errors();
   }
   const auto hashes = course_hash_list(folder, report, own);
   if (!hashes) return hashes.errors();

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "bundler/course.hpp"
+#include "bundler/emit/precompressed.hpp"
 #include "bundler/pipeline.hpp"
 #include "bundler/plan/shipped_channel.hpp"
 #include "cli/arguments.hpp"
@@ -27,6 +28,7 @@ struct Options {
   std::string store;
   bool prune = false;
   SigningChoice signing;
+  bool precompress = false;
 };
 
 std::string column(std::uint64_t size) {
@@ -118,6 +120,7 @@ int run(Context& context, const Options& options) {
                             .quick = options.quick,
                             .strict = options.strict,
                             .store = options.store,
+                            .precompress = options.precompress,
                             .archive_limits = options.archive_limits,
                             .signer = *signer};
   if (is_course(options.input) && *signer) {
@@ -127,6 +130,15 @@ int run(Context& context, const Options& options) {
                    .message = "--sign is for sites",
                    .why = {"a course has many, and its list of them would not be signed"},
                    .fix = {"sign each lab: `minisign -S -m COURSE/LAB/site.json`"}});
+  }
+  const std::string form = request.output.extension().string();
+  if (options.precompress && (form == ".zip" || form == ".html")) {
+    return context.console.fail(
+        Diagnostic{.code = "R2W0902",
+                   .kind = FailureKind::kCommandLine,
+                   .message = "--precompress is for folders",
+                   .why = {"nothing lies beside the files of an archive or a page"},
+                   .fix = {"choose a name with -o that does not end in " + form}});
   }
   if (is_course(options.input))
     return run_course(context, {.pack = request, .prune = options.prune});
@@ -140,6 +152,10 @@ int run(Context& context, const Options& options) {
   }
   const auto report = pack(request, context.cancellation, context.progress);
   if (!report) return context.console.fail(report.errors());
+  if (options.precompress && !options.plan) {
+    if (auto done = precompress_site(report->output, context.cancellation); !done)
+      return context.console.fail(done.errors());
+  }
   for (const Diagnostic& warning : report->warnings) context.console.report(warning);
   for (const std::string& remark : report->remarks) context.console.remark(remark);
   if (context.json) {
@@ -187,6 +203,8 @@ CommandBody pack_command(Arguments& arguments) {
                   "the site");
   arguments.flag("--prune", options->prune,
                  "of a course: remove earlier packs of its labs, and what only they have");
+  arguments.flag("--precompress", options->precompress,
+                 "put NAME.br and NAME.gz beside files, for hosts that send them in their place");
   arguments.flag("--plan", options->plan,
                  "print every file with size, hash and reason; write no site");
   arguments.flag("--quick", options->quick,

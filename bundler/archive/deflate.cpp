@@ -13,6 +13,9 @@ namespace {
 
 constexpr int kWithoutHeader = -15;  // the largest window
 constexpr int kMemory = 9;
+/// Deflate, no flags, no time, as small as it gets, from Unix.
+constexpr std::string_view kGzipHeader("\x1f\x8b\x08\0\0\0\0\0\2\3", 10);
+constexpr std::size_t kGzipEnd = 8;
 constexpr std::size_t kPiece = std::size_t{1} << 20U;
 
 /// zlib counts in 32 bits: it is given a part at a time.
@@ -29,6 +32,20 @@ Diagnostic damaged(const std::string& name, std::string why) {
 
 Bytef* bytes_of(const char* text) {
   return reinterpret_cast<Bytef*>(const_cast<char*>(text));  // NOLINT: zlib reads them only
+}
+
+/// Sum and size, least significant byte first.
+std::string gzip_end(std::string_view bytes) {
+  std::uint32_t sum = 0;
+  for (std::size_t at = 0; at < bytes.size(); at += kPiece) {
+    const std::string_view part = bytes.substr(at, kPiece);
+    sum = static_cast<std::uint32_t>(crc32(sum, bytes_of(part.data()), part_of(part.size())));
+  }
+  std::string end;
+  for (const std::uint32_t number : {sum, static_cast<std::uint32_t>(bytes.size())}) {
+    for (unsigned shift = 0; shift < 32; shift += 8) end += static_cast<char>(number >> shift);
+  }
+  return end;
 }
 
 }  // namespace
@@ -55,6 +72,22 @@ std::string deflated(std::string_view bytes) {
   }
   deflateEnd(&stream);
   return out;
+}
+
+std::string gzipped(std::string_view bytes) {
+  return std::string(kGzipHeader) + deflated(bytes) + gzip_end(bytes);
+}
+
+Outcome<std::string> gunzipped(std::string_view bytes, std::uint64_t limit_bytes,
+                               const std::string& name) {
+  if (!bytes.starts_with(kGzipHeader) || bytes.size() < kGzipHeader.size() + kGzipEnd)
+    return damaged(name, "it does not begin as what ros2wasm writes");
+  const std::string_view end = bytes.substr(bytes.size() - kGzipEnd);
+  bytes.remove_prefix(kGzipHeader.size());
+  bytes.remove_suffix(kGzipEnd);
+  auto inside = inflated(bytes, limit_bytes, name);
+  if (inside && gzip_end(*inside) != end) return damaged(name, "its sum is another one");
+  return inside;
 }
 
 Outcome<std::string> inflated(std::string_view bytes, std::uint64_t limit_bytes,

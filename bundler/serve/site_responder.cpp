@@ -5,9 +5,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 
+#include "bundler/emit/precompressed.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/sha256.hpp"
 #include "bundler/render/own_site.hpp"
@@ -72,13 +74,58 @@ std::optional<OpenFile> open_file(const std::filesystem::path& path) {
                   .etag = etag.data()};
 }
 
+/// One of a list such as `gzip, deflate, br;q=1.0`; not one that is refused with `q=0`.
+bool accepts(std::string_view list, std::string_view encoding) {
+  while (!list.empty()) {
+    const std::size_t end = std::min(list.find(','), list.size());
+    std::string_view one = list.substr(0, end);
+    list.remove_prefix(std::min(end + 1, list.size()));
+    one.remove_prefix(std::min(one.find_first_not_of(" \t"), one.size()));
+    const std::string_view name = one.substr(0, one.find_first_of("; \t"));
+    if (name != encoding) continue;
+    const std::size_t weight = one.find("q=0");
+    return weight == std::string_view::npos ||
+           one.find_first_of("123456789", weight + 3) != std::string_view::npos;
+  }
+  return false;
+}
+
+/// The forms that lie beside the file, the best first.
+std::vector<const Compression*> forms_beside(const std::filesystem::path& path) {
+  std::vector<const Compression*> forms;
+  for (const Compression& form : kCompressions) {
+    std::error_code error;
+    const std::filesystem::path place = path.string() + std::string(form.ending);
+    if (std::filesystem::is_regular_file(std::filesystem::symlink_status(place, error)))
+      forms.push_back(&form);
+  }
+  return forms;
+}
+
+/// The best that is asked for. A part is one of the file itself.
+const Compression* form_for(const HttpRequest& request,
+                            const std::vector<const Compression*>& forms) {
+  const auto accepted = request.header("Accept-Encoding");
+  if (!accepted || request.header("Range")) return nullptr;
+  const auto form = std::find_if(forms.begin(), forms.end(), [&](const Compression* one) {
+    return accepts(*accepted, one->encoding);
+  });
+  return form == forms.end() ? nullptr : *form;
+}
+
 HttpResponse file_response(const HttpRequest& request, const std::filesystem::path& path) {
-  const auto file = open_file(path);
+  const std::vector<const Compression*> forms = forms_beside(path);
+  const Compression* form = form_for(request, forms);
+  const auto file = open_file(
+      form == nullptr ? path : std::filesystem::path(path.string() + std::string(form->ending)));
   if (!file) return text_response(404, "This site has no such file.\n");
   HttpResponse response{.status = 200,
                         .headers = {{"ETag", file->etag}, {"Accept-Ranges", "bytes"}},
                         .content_type = std::string(mime_type(path.filename().native())),
                         .body = FileSlice{file->descriptor, 0, file->size}};
+  if (form != nullptr)
+    response.headers.emplace_back("Content-Encoding", std::string(form->encoding));
+  if (!forms.empty()) response.headers.emplace_back("Vary", "Accept-Encoding");
   const auto if_none_match = request.header("If-None-Match");
   if (if_none_match && matches_etag(*if_none_match, file->etag)) {
     response.status = 304;

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "bundler/emit/precompressed.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/sha256.hpp"
 #include "bundler/plan/shipped_channel.hpp"
@@ -84,10 +85,16 @@ Outcome<std::optional<Diagnostic>> fault_of(const ListedFile& listed,
 /// What no site.json lists, apart from itself, its signature and the channel that may lie beside a
 /// site.
 std::vector<std::string> unlisted_of(const SiteList& list, const std::vector<TreeEntry>& tree) {
-  std::set<std::string> listed{kSiteJsonName, kHashList, kSignatureName, kPublicKeyName};
+  std::set<std::string> listed{kSiteJsonName, kHashList};
   for (const ListedFile& file : list.files) {
     for (std::string& place : places_of(file, list)) listed.insert(std::move(place));
   }
+  std::set<std::string> forms;
+  for (const std::string& path : listed) {
+    for (const Compression& form : kCompressions) forms.insert(path + std::string(form.ending));
+  }
+  listed.merge(forms);
+  listed.insert({kSignatureName, kPublicKeyName});
   std::vector<std::string> result;
   for (const TreeEntry& entry : tree) {
     if (entry.kind == FileKind::kDirectory || listed.contains(entry.path) ||
@@ -165,7 +172,11 @@ Outcome<SiteCheck> check_site_folder(const fs::path& folder, const Cancellation&
   const std::vector<ListedFile> wanted = wanted_of(check.list);
   std::uint64_t total = 0;
   std::uint64_t done = 0;
-  for (const ListedFile& file : wanted) total += file.size;
+  std::set<fs::path> taken;
+  for (const ListedFile& file : wanted) {
+    total += file.size;
+    for (const std::string& place : places_of(file, check.list)) taken.insert(folder / place);
+  }
   for (const ListedFile& file : wanted) {
     if (cancellation.requested()) return interrupted();
     std::vector<fs::path> parts;
@@ -183,9 +194,20 @@ Outcome<SiteCheck> check_site_folder(const fs::path& folder, const Cancellation&
       auto fault = fault_of(file, parts);
       if (!fault) return std::move(fault).errors();
       if (*fault) check.faults.push_back(std::move(**fault));
+      for (std::size_t i = 0; i < parts.size(); ++i) {
+        const bool is_whole = file.parts.empty();
+        const auto wrong = wrong_compressed(parts[i], is_whole ? file.size : file.parts[i].size,
+                                            is_whole ? file.sha256 : file.parts[i].sha256, taken);
+        if (wrong)
+          check.faults.push_back(
+              other_bytes(file.path + *wrong, "it does not unpack to `" + file.path + "`"));
+      }
     }
     report(progress, done += file.size, total);
   }
+  if (const auto wrong =
+          wrong_compressed(folder / kSiteJsonName, text->size(), check.list.hash, taken))
+    check.faults.push_back(other_bytes(kSiteJsonName + *wrong, "it does not unpack to site.json"));
   return check;
 }
 

@@ -213,6 +213,7 @@ class Executor:
         if group is not None and not group.beginning_execution(reader):
             return host.look()
         held = False
+        seen: host.Seen | None
         try:
             message, seen = reader._endpoint.look_and_take(reader._codec, self._quiet_version)
             held = seen is None

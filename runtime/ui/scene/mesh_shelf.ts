@@ -51,8 +51,10 @@ export const kMostTriangles = 2_000_000;
 /** Its message is words for the visitor. */
 export class MeshFault extends Error {}
 
-export function meshProblem(words: string): string {
-  return `${words} (R2W0743)`;
+const kNotDrawn = 'R2W0743';
+
+function meshProblem(words: string): string {
+  return `${words} (${kNotDrawn})`;
 }
 
 export class MeshShelf {

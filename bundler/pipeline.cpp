@@ -404,6 +404,7 @@ Outcome<SitePlan> plan(const PackRequest& request, BuiltWorkspace& workspace, La
                   .text = {},
                   .bags = {},
                   .notebook = std::nullopt,
+                  .max_file_size = request.max_file_size,
                   .store = std::move(store)};
   if (auto added = add_page(workspace, input); !added) return std::move(added).errors();
   auto components = with_runtime_components(input.runtime, std::move(workspace.components));

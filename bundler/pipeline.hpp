@@ -37,8 +37,9 @@ struct PackRequest {
   bool quick = false;           ///< larger programs, linked in a fraction of the time
   bool strict = false;          ///< what the launch file starts and no site can start is an error
   std::filesystem::path store;  ///< folder that sites share; empty: the site has all its files
-  bool precompress = false;     ///< a folder's files have compressed forms beside them
-  std::string archive_limits;   ///< see extract_limits.hpp; empty: as the environment says
+  std::uint64_t max_file_size = 0;  ///< larger ones lie in parts; 0: there is no ceiling
+  bool precompress = false;         ///< a folder's files have compressed forms beside them
+  std::string archive_limits;       ///< see extract_limits.hpp; empty: as the environment says
   std::shared_ptr<const SiteSigner> signer;  ///< who signs the site; nobody when null
 };
 

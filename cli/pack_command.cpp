@@ -29,7 +29,10 @@ struct Options {
   bool prune = false;
   SigningChoice signing;
   bool precompress = false;
+  int max_file_size = 0;
 };
+
+constexpr std::uint64_t kMegabyte = 1000000;
 
 std::string column(std::uint64_t size) {
   std::string text = std::to_string(size);
@@ -104,52 +107,61 @@ int run_course(Context& context, const CourseRequest& request) {
   return 0;
 }
 
+/// R2W0902: options that do not go together.
+std::optional<Diagnostic> unsuited(const Options& options, bool is_signed) {
+  const auto refused = [](std::string message, std::string why, std::string fix) {
+    return Diagnostic{.code = "R2W0902",
+                      .kind = FailureKind::kCommandLine,
+                      .message = std::move(message),
+                      .why = {std::move(why)},
+                      .fix = {std::move(fix)}};
+  };
+  const bool courses = is_course(options.input);
+  const std::string form = std::filesystem::path(options.output).extension().string();
+  const std::string folder = "choose a name with -o that does not end in " + form;
+  if (courses && is_signed) {
+    return refused("--sign is for sites",
+                   "a course has many, and its list of them would not be signed",
+                   "sign each lab: `minisign -S -m COURSE/LAB/site.json`");
+  }
+  if (options.precompress && (form == ".zip" || form == ".html")) {
+    return refused("--precompress is for folders",
+                   "nothing lies beside the files of an archive or a page", folder);
+  }
+  if (options.max_file_size != 0 && form == ".html")
+    return refused("--max-file-size is for folders and archives", "a page is one file", folder);
+  if (!courses && options.prune) {
+    return refused("--prune is for courses", "only a course knows all sites of its store",
+                   "remove the folder of an earlier pack, SITE@HASH, by hand");
+  }
+  return std::nullopt;
+}
+
 int run(Context& context, const Options& options) {
   const auto signer = read_signer(options.signing, context);
   if (!signer) return context.console.fail(signer.errors());
-  const PackRequest request{.input = options.input,
-                            .output = options.output,
-                            .locked = options.locked,
-                            .frozen = options.frozen,
-                            .offline = options.offline,
-                            .with_channel = options.with_channel,
-                            .plan_only = options.plan,
-                            .executable = context.executable,
-                            .variables = context.environment,
-                            .jobs = static_cast<unsigned>(options.jobs),
-                            .quick = options.quick,
-                            .strict = options.strict,
-                            .store = options.store,
-                            .precompress = options.precompress,
-                            .archive_limits = options.archive_limits,
-                            .signer = *signer};
-  if (is_course(options.input) && *signer) {
-    return context.console.fail(
-        Diagnostic{.code = "R2W0902",
-                   .kind = FailureKind::kCommandLine,
-                   .message = "--sign is for sites",
-                   .why = {"a course has many, and its list of them would not be signed"},
-                   .fix = {"sign each lab: `minisign -S -m COURSE/LAB/site.json`"}});
-  }
-  const std::string form = request.output.extension().string();
-  if (options.precompress && (form == ".zip" || form == ".html")) {
-    return context.console.fail(
-        Diagnostic{.code = "R2W0902",
-                   .kind = FailureKind::kCommandLine,
-                   .message = "--precompress is for folders",
-                   .why = {"nothing lies beside the files of an archive or a page"},
-                   .fix = {"choose a name with -o that does not end in " + form}});
-  }
+  const PackRequest request{
+      .input = options.input,
+      .output = options.output,
+      .locked = options.locked,
+      .frozen = options.frozen,
+      .offline = options.offline,
+      .with_channel = options.with_channel,
+      .plan_only = options.plan,
+      .executable = context.executable,
+      .variables = context.environment,
+      .jobs = static_cast<unsigned>(options.jobs),
+      .quick = options.quick,
+      .strict = options.strict,
+      .store = options.store,
+      .max_file_size = kMegabyte * static_cast<std::uint64_t>(options.max_file_size),
+      .precompress = options.precompress,
+      .archive_limits = options.archive_limits,
+      .signer = *signer};
+  if (const auto refused = unsuited(options, *signer != nullptr))
+    return context.console.fail(*refused);
   if (is_course(options.input))
     return run_course(context, {.pack = request, .prune = options.prune});
-  if (options.prune) {
-    return context.console.fail(
-        Diagnostic{.code = "R2W0902",
-                   .kind = FailureKind::kCommandLine,
-                   .message = "--prune is for courses",
-                   .why = {"only a course knows all sites of its store"},
-                   .fix = {"remove the folder of an earlier pack, SITE@HASH, by hand"}});
-  }
   const auto report = pack(request, context.cancellation, context.progress);
   if (!report) return context.console.fail(report.errors());
   if (options.precompress && !options.plan) {
@@ -203,6 +215,8 @@ CommandBody pack_command(Arguments& arguments) {
                   "the site");
   arguments.flag("--prune", options->prune,
                  "of a course: remove earlier packs of its labs, and what only they have");
+  arguments.number("--max-file-size", options->max_file_size, "MB", 1, 100000,
+                   "let larger files lie in parts, for hosts that take none of that size");
   arguments.flag("--precompress", options->precompress,
                  "put NAME.br and NAME.gz beside files, for hosts that send them in their place");
   arguments.flag("--plan", options->plan,

@@ -66,7 +66,15 @@ Outcome<Done> emit_zip(const SitePlan& plan, const fs::path& file,
   for (const bool lists : {true, false}) {
     for (const PlannedFile& one : plan.files) {
       if (is_list(one) != lists) continue;
-      if (auto added = add(one.path, one.bytes); !added) return added;
+      std::size_t at = 0;
+      std::size_t part = 0;
+      for (const std::string& place : places_of(one, plan)) {
+        const std::size_t size =
+            one.parts.empty() ? one.bytes.size() : static_cast<std::size_t>(one.parts[part++].size);
+        if (auto added = add(place, std::string_view(one.bytes).substr(at, size)); !added)
+          return added;
+        at += size;
+      }
     }
   }
   for (const ChannelFile& one : plan.channel) {

@@ -274,15 +274,19 @@ Outcome<SitePlan> plan_site(PlanInput input) {
   const auto by_path = [](const PlannedFile& a, const PlannedFile& b) { return a.path < b.path; };
   std::sort(plan.files.begin(), plan.files.end(), by_path);
   keep_in_store(plan);
-  if (!plan.store.objects.empty()) place_page(plan);
+  append(errors, split_files(plan, input.max_file_size));
+  if (!plan.store.objects.empty() || input.max_file_size != 0) place_page(plan);
   add_metadata(plan, input.manifest, input.components);
   keep_in_store(plan);
   std::sort(plan.files.begin(), plan.files.end(), by_path);
+  append(errors, split_files(plan, input.max_file_size));
   add(plan, "site.json", kSiteJsonReason, site_json(input.manifest, plan));
   plan.sha256 = plan.files.back().sha256;
+  append(errors, split_files(plan, input.max_file_size));
+  if (!errors.empty()) return errors;
   std::sort(plan.files.begin(), plan.files.end(), by_path);
   if (!has_hash_list(plan)) return plan;
-  add(plan, kHashList, kHashListReason, hash_list(plan.files));
+  add(plan, kHashList, kHashListReason, hash_list(placed_files(plan)));
   std::sort(plan.files.begin(), plan.files.end(), by_path);
   return plan;
 }
@@ -291,6 +295,22 @@ std::string hash_list(const std::vector<PlannedFile>& files) {
   std::string text;
   for (const PlannedFile& file : files) text += file.sha256 + "  " + file.path + "\n";
   return text;
+}
+
+std::vector<PlannedFile> placed_files(const SitePlan& plan) {
+  std::vector<PlannedFile> placed;
+  for (const PlannedFile& file : plan.files) {
+    const std::vector<std::string> places = places_of(file, plan);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      placed.push_back({.path = places[i],
+                        .reason = {},
+                        .bytes = {},
+                        .sha256 = file.parts.empty() ? file.sha256 : file.parts[i].sha256});
+    }
+  }
+  std::sort(placed.begin(), placed.end(),
+            [](const PlannedFile& a, const PlannedFile& b) { return a.path < b.path; });
+  return placed;
 }
 
 std::vector<std::string> places_of(const PlannedFile& file, const SitePlan& plan) {

@@ -125,7 +125,8 @@ struct PlanInput {
   std::vector<PageFile> text;             ///< Markdown and notebook of the page, their images
   std::vector<PageFile> bags;             ///< recordings that the page plays
   std::optional<NotebookInput> notebook;
-  std::string store = {};  ///< where the store lies that the site shares; see SiteStore
+  std::uint64_t max_file_size = 0;  ///< larger ones lie in parts; 0: there is no ceiling
+  std::string store = {};           ///< where the store lies that the site shares; see SiteStore
 };
 
 /// R2W0606 a program is not WebAssembly, R2W0430 a check names a node that is not there.
@@ -140,6 +141,9 @@ inline constexpr const char* kHashListReason = "hashes of all files, for `sha256
 
 /// Relative to site.json, in the order of its parts.
 [[nodiscard]] std::vector<std::string> places_of(const PlannedFile& file, const SitePlan& plan);
+
+/// What lies where, with its sha256 and without its bytes, sorted.
+[[nodiscard]] std::vector<PlannedFile> placed_files(const SitePlan& plan);
 
 /// Total size of all files of the site in bytes.
 [[nodiscard]] std::uint64_t total_size(const SitePlan& plan);

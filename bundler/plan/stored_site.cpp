@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 #include <vector>
 
 #include "bundler/io/sha256.hpp"
@@ -19,6 +20,8 @@ constexpr std::array<std::string_view, 4> kBesideFiles{"app.webmanifest", "icon.
                                                        "service_worker.js"};
 /// It is asked for before site.json is read.
 constexpr const char* kWorker = "node_worker.js";
+
+constexpr std::string_view kLoadedWhole[] = {".js", ".css", ".html", ".svg", "site.json"};
 
 void set_parts(PlannedFile& file, const std::vector<std::size_t>& sizes) {
   std::size_t at = 0;
@@ -74,6 +77,34 @@ void keep_in_store(SitePlan& plan) {
         std::find(kBesideFiles.begin(), kBesideFiles.end(), file.path) != kBesideFiles.end();
     if (file.kept == Kept::kBeside && !beside) file.kept = Kept::kObject;
   }
+}
+
+Diagnostics split_files(SitePlan& plan, std::uint64_t most_bytes) {
+  Diagnostics errors;
+  if (most_bytes == 0) return errors;
+  std::set<std::string> names;
+  for (const PlannedFile& file : plan.files) names.insert(file.path);
+  for (PlannedFile& file : plan.files) {
+    if (file.bytes.size() <= most_bytes || !file.parts.empty()) continue;
+    const bool is_whole =
+        std::any_of(std::begin(kLoadedWhole), std::end(kLoadedWhole),
+                    [&](std::string_view ending) { return file.path.ends_with(ending); });
+    if (is_whole || names.contains(file.path + ".part1")) {
+      errors.push_back(Diagnostic{
+          .code = "R2W0617",
+          .message = "`" + file.path + "` has " + std::to_string(file.bytes.size()) +
+                     " bytes, more than --max-file-size",
+          .why = {is_whole ? "browsers load it by themselves, so it cannot lie in parts"
+                           : "the site has a file of the name that its first part would have"},
+          .fix = {"ask for a higher ceiling, or for a host that has one"}});
+      continue;
+    }
+    std::vector<std::size_t> sizes;
+    for (std::size_t left = file.bytes.size(); left > 0; left -= sizes.back())
+      sizes.push_back(static_cast<std::size_t>(std::min<std::uint64_t>(left, most_bytes)));
+    set_parts(file, sizes);
+  }
+  return errors;
 }
 
 void place_page(SitePlan& plan) {

@@ -11,6 +11,10 @@ namespace ros2wasm {
 /// What does not have to lie in the site's own folder, when there is a store.
 void keep_in_store(SitePlan& plan);
 
+/// Files above the ceiling lie in parts. R2W0617 for one that a browser loads by itself, as a
+/// whole.
+[[nodiscard]] Diagnostics split_files(SitePlan& plan, std::uint64_t most_bytes);
+
 /// Elements of the page find the files where they lie. To be called once.
 void place_page(SitePlan& plan);
 

@@ -51,7 +51,7 @@ Outcome<std::vector<FilePart>> read_parts(const JsonValue& file, std::uint64_t w
       left = 1;
       break;
     }
-    left -= *bytes;
+    left -= part.size;
     parts.push_back(std::move(part));
   }
   if (left != 0 || parts.empty())
@@ -127,8 +127,15 @@ std::string percent_encoded(std::string_view path) {
 std::string hash_list(const SiteList& list) {
   std::vector<PlannedFile> files{
       {.path = kSiteJsonName, .reason = {}, .bytes = {}, .sha256 = list.hash}};
-  for (const ListedFile& file : list.files)
-    files.push_back({.path = file.path, .reason = {}, .bytes = {}, .sha256 = file.sha256});
+  for (const ListedFile& file : list.files) {
+    const std::vector<std::string> places = places_of(file, list);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      files.push_back({.path = places[i],
+                       .reason = {},
+                       .bytes = {},
+                       .sha256 = file.parts.empty() ? file.sha256 : file.parts[i].sha256});
+    }
+  }
   std::sort(files.begin(), files.end(),
             [](const PlannedFile& a, const PlannedFile& b) { return a.path < b.path; });
   return hash_list(files);

@@ -43,7 +43,8 @@ async function joined(parts: readonly Response[]): Promise<Response> {
   const failed = parts.find(({ ok }) => !ok);
   const [only] = parts;
   if (failed !== undefined || (only !== undefined && parts.length === 1)) return failed ?? only as Response;
-  return new Response(new Blob(await Promise.all(parts.map((part) => part.blob()))));
+  // blob() fails now and then in Chromium for what the page's head asked for already and is still on its way.
+  return new Response(new Blob(await Promise.all(parts.map((part) => part.arrayBuffer()))));
 }
 
 /** Asks for a file of the site, by its path in site.json. */

@@ -222,7 +222,6 @@ function readNotebook(value: unknown): SiteNotebook {
   };
 }
 
-/** Throws SiteError: R2W0700 for a broken file, R2W0709 for another protocol. */
 /** `family` and `given` are those of ros2wasm's own reading of `name`; a site made before them has the name only. */
 function readAuthor(value: unknown, what: string): SiteAuthor {
   const json = object(value, what);
@@ -234,6 +233,7 @@ function readCitation(json: Readonly<Record<string, unknown>>): SiteCitation {
   return { date: text(json, 'date_released', 'site.citation'), doi: text(json, 'doi', 'site.citation', '') };
 }
 
+/** Throws SiteError: R2W0700 for a broken file, R2W0709 for another protocol. */
 export function readSite(value: unknown): SiteDescription {
   const json = object(value, 'the document');
   if (number(json, 'schema', 'site') !== 1) fail(`schema ${String(json['schema'])} is not known here`);

@@ -13,6 +13,7 @@
 #include "bundler/build/quick_link.hpp"
 #include "bundler/build/wasm_module.hpp"
 #include "bundler/carried_programs.hpp"
+#include "bundler/carried_sources.hpp"
 #include "bundler/channel/channel_index.hpp"
 #include "bundler/channel/transport.hpp"
 #include "bundler/emit/site_output.hpp"
@@ -272,6 +273,7 @@ Outcome<std::vector<PackageRecord>> resolve(const PackRequest& request, Question
     question.workspace.remarks.push_back("wrote " + std::string(kLockFileName) + " (" +
                                          std::to_string(solved->packages.size()) + " packages)");
   }
+  question.workspace.lock_text = std::move(solved->lock_text);
   return std::move(solved->packages);
 }
 
@@ -423,6 +425,7 @@ Outcome<SitePlan> plan(const PackRequest& request, BuiltWorkspace& workspace, La
   }
   for (const BuiltPackage& package : workspace.packages) input.packages.push_back(package.name);
   if (auto added = add_python(workspace, input); !added) return std::move(added).errors();
+  if (auto added = add_sources(request, workspace, input); !added) return std::move(added).errors();
   return plan_site(std::move(input));
 }
 
@@ -462,7 +465,7 @@ Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& ca
   const auto toolchain = find_own_data(
       request.executable, "templates/toolchain/ros2wasm-toolchain.cmake", "the CMake toolchain");
   if (!toolchain) return toolchain.errors();
-  workspace->cache = build_place(roots.cache);
+  workspace->cache = build_place(request.built.empty() ? roots.cache : request.built);
   workspace->environment = environment->prefix;
   // One of the user's own, such as ccache, keeps its place.
   const auto launcher = request.variables.find("CMAKE_CXX_COMPILER_LAUNCHER");

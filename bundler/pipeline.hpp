@@ -39,6 +39,7 @@ struct PackRequest {
   std::filesystem::path store;  ///< folder that sites share; empty: the site has all its files
   std::uint64_t max_file_size = 0;  ///< larger ones lie in parts; 0: there is no ceiling
   bool precompress = false;         ///< a folder's files have compressed forms beside them
+  std::filesystem::path built;      ///< where builds are kept; empty: in the cache
   std::string archive_limits;       ///< see extract_limits.hpp; empty: as the environment says
   std::shared_ptr<const SiteSigner> signer;  ///< who signs the site; nobody when null
 };
@@ -62,6 +63,7 @@ struct BuiltWorkspace {
   std::vector<ChannelFile> channel;       ///< what lies beside the site, if it was asked for
   std::vector<std::filesystem::path> watched;  ///< files and folders that a rebuild depends on
   std::filesystem::path cache;
+  std::string lock_text;  ///< what ros2wasm.lock says, or would say if it were written
   Diagnostics warnings;
   std::vector<std::string> remarks;  ///< what was chosen and done, for people
 };

@@ -101,9 +101,8 @@ SiteComponent of_wheel(const NamedWheel& wheel) {
   return component;
 }
 
-}  // namespace
-
-std::vector<std::string> license_texts(const fs::path& folder, bool whatever_name) {
+/// Sorted; those of the folder itself, or of all below it, with `whatever_name`.
+std::vector<fs::path> license_paths(const fs::path& folder, bool whatever_name) {
   std::vector<fs::path> files;
   std::error_code error;
   fs::recursive_directory_iterator it(folder, error);
@@ -116,8 +115,18 @@ std::vector<std::string> license_texts(const fs::path& folder, bool whatever_nam
   }
   std::sort(files.begin(), files.end());
   if (files.size() > kMostFiles) files.resize(kMostFiles);
+  return files;
+}
+
+}  // namespace
+
+std::vector<fs::path> license_files(const fs::path& folder) {
+  return license_paths(folder, false);
+}
+
+std::vector<std::string> license_texts(const fs::path& folder, bool whatever_name) {
   std::vector<std::string> texts;
-  for (const fs::path& file : files) {
+  for (const fs::path& file : license_paths(folder, whatever_name)) {
     auto text = read_file(file);
     if (text && is_license_text(*text)) texts.push_back(std::move(text).value());
   }

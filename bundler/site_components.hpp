@@ -20,6 +20,9 @@ namespace ros2wasm {
 [[nodiscard]] std::vector<std::string> license_texts(const std::filesystem::path& folder,
                                                      bool whatever_name);
 
+/// What license_texts() reads of the folder itself.
+[[nodiscard]] std::vector<std::filesystem::path> license_files(const std::filesystem::path& folder);
+
 /// The packages of channels, which are in the store, wheels, then those of the workspace that were
 /// not left out. A package without license files has those of `workspace`.
 [[nodiscard]] std::vector<SiteComponent> site_components(const std::vector<PackageRecord>& records,

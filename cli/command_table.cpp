@@ -19,6 +19,7 @@ CommandBody launch_command(Arguments& arguments);
 CommandBody link_program_command(Arguments& arguments);
 CommandBody lock_command(Arguments& arguments);
 CommandBody pack_command(Arguments& arguments);
+CommandBody rebuild_command(Arguments& arguments);
 CommandBody ros2_command(Arguments& arguments);
 CommandBody run_command(Arguments& arguments);
 CommandBody schema_command(Arguments& arguments);
@@ -57,6 +58,9 @@ constexpr auto kCommands = std::to_array<CommandRow>({
      .help = "Check every byte of a site against its list of hashes",
      .declare = verify_command},
     {.name = "diff", .help = "Say what differs between two sites", .declare = diff_command},
+    {.name = "rebuild",
+     .help = "Make a site once more from what it carries, and compare",
+     .declare = rebuild_command},
     {.name = "tree", .help = "Show who needs whom in the lock", .declare = tree_command},
     {.name = "lock", .help = "Write or check ros2wasm.lock", .declare = lock_command},
     {.name = "cache",

@@ -44,6 +44,7 @@ const std::vector<OptionRow>& ui_options() {
 const std::vector<OptionRow>& site_options() {
   static const std::vector<OptionRow> kRows{
       {"exceptions", {"legacy", "standard"}},
+      {"sources", {"true", "false"}},
   };
   return kRows;
 }

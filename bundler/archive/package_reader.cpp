@@ -15,6 +15,7 @@
 #include "bundler/archive/archive_library.hpp"
 #include "bundler/archive/link_rules.hpp"
 #include "bundler/archive/package_lists.hpp"
+#include "bundler/archive/zip_files.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/sha256.hpp"
 #include "workspace_schema/suggestion.hpp"
@@ -31,10 +32,7 @@ struct WrittenFile {
 };
 
 Diagnostic refused(std::string code, const std::string& name, const std::string& why) {
-  return Diagnostic{.code = std::move(code),
-                    .kind = FailureKind::kEnvironment,
-                    .message = "the archive of `" + name + "` was refused",
-                    .why = {why, "nothing of it was kept"}};
+  return refused_archive(std::move(code), name, {why, "nothing of it was kept"});
 }
 
 class Unpacker {

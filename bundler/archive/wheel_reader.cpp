@@ -5,8 +5,7 @@
 #include <optional>
 
 #include "bundler/archive/archive_library.hpp"
-#include "bundler/archive/link_rules.hpp"
-#include "bundler/io/files.hpp"
+#include "bundler/archive/zip_files.hpp"
 #include "bundler/io/sha256.hpp"
 #include "workspace_schema/text_pattern.hpp"
 
@@ -19,17 +18,10 @@ constexpr std::uint64_t kMostBytes = 256ULL << 20U;
 constexpr std::size_t kMostFaults = 10;
 constexpr std::string_view kHashKind = "sha256=";
 
-using Files = std::map<std::string, std::string>;
+using Files = std::map<std::string, ZipFile>;
 
 std::string called(const WheelName& name) {
   return name.project + "-" + name.version + "-" + name.tags + ".whl";
-}
-
-Diagnostic refused(std::string code, const std::string& name, std::vector<std::string> why) {
-  return Diagnostic{.code = std::move(code),
-                    .kind = FailureKind::kEnvironment,
-                    .message = "the archive of `" + name + "` was refused",
-                    .why = std::move(why)};
 }
 
 Diagnostic unfit(const std::string& name, std::string why) {
@@ -37,45 +29,6 @@ Diagnostic unfit(const std::string& name, std::string why) {
                     .message = "the wheel `" + name + "` cannot be installed for a site",
                     .why = {std::move(why)}};
 }
-
-/// Every member that may be kept.
-class Collector {
- public:
-  Collector(const std::string& name, const ExtractLimits& limits, std::uint64_t packed_bytes)
-      : name_(name), meter_(limits, name, packed_bytes) {}
-
-  Outcome<Done> member(const ArchiveMember& member, const ByteSource& source) {
-    if (auto counted = meter_.member(); !counted) return counted;
-    const auto path = safe_member_path(member.path);
-    if (!path) return refused("R2W0222", name_, {"a member leads outside of the wheel"});
-    if (member.kind == MemberKind::kDirectory) return Done{};
-    if (member.kind != MemberKind::kFile)
-      return refused("R2W0223", name_, {"the member `" + *path + "` is no file, but a link"});
-    const auto [found, is_new] = claimed_.emplace(ascii_lower(*path), *path);
-    if (!is_new) {
-      return refused("R2W0224", name_,
-                     {"`" + found->second + "` and `" + *path + "` are one file on some machines"});
-    }
-    std::string bytes;
-    for (;;) {
-      const auto piece = source();
-      if (!piece) return piece.errors();
-      if (piece->empty()) break;
-      if (auto counted = meter_.bytes(piece->size()); !counted) return counted;
-      bytes += *piece;
-    }
-    files_.emplace(*path, std::move(bytes));
-    return Done{};
-  }
-
-  Files take() { return std::move(files_); }
-
- private:
-  const std::string& name_;
-  ExtractMeter meter_;
-  std::map<std::string, std::string> claimed_;  ///< lower case -> as it came
-  Files files_;
-};
 
 std::string url_base64(const std::string& hex) {
   constexpr std::string_view kDigits =
@@ -137,7 +90,7 @@ std::vector<std::string> record_faults(const Files& files, const std::string& in
   const std::string own = info + "RECORD";
   std::vector<std::string> faults;
   std::map<std::string, RecordRow> rows;
-  for (const std::string_view line : lines_of(files.at(own))) {
+  for (const std::string_view line : lines_of(files.at(own).bytes)) {
     if (line.empty()) continue;
     auto row = record_row(line);
     if (!row) {
@@ -147,7 +100,7 @@ std::vector<std::string> record_faults(const Files& files, const std::string& in
     std::string path = row->path;
     rows.emplace(std::move(path), std::move(*row));
   }
-  for (const auto& [path, bytes] : files) {
+  for (const auto& [path, found] : files) {
     // These can stand in no list of hashes, since they hold it.
     if (path == own || path == own + ".jws" || path == own + ".p7s") continue;
     const auto row = rows.find(path);
@@ -155,9 +108,10 @@ std::vector<std::string> record_faults(const Files& files, const std::string& in
       faults.push_back("`" + path + "` is not listed");
     } else if (!row->second.hash.starts_with(kHashKind)) {
       faults.push_back("`" + path + "` is listed without a sha256");
-    } else if (row->second.hash.substr(kHashKind.size()) != url_base64(sha256_hex(bytes))) {
+    } else if (row->second.hash.substr(kHashKind.size()) != url_base64(sha256_hex(found.bytes))) {
       faults.push_back("`" + path + "` has another sha256 than listed");
-    } else if (!row->second.size.empty() && row->second.size != std::to_string(bytes.size())) {
+    } else if (!row->second.size.empty() &&
+               row->second.size != std::to_string(found.bytes.size())) {
       faults.push_back("`" + path + "` has another size than listed");
     }
   }
@@ -194,7 +148,7 @@ std::string first_of(const std::vector<std::string>& values) {
 std::optional<std::string> info_folder(const Files& files) {
   std::optional<std::string> found;
   constexpr std::string_view kInfo = ".dist-info/";
-  for (const auto& [path, bytes] : files) {
+  for (const auto& [path, file] : files) {
     const std::size_t end = path.find('/') + 1;
     if (end == 0 || !std::string_view(path).substr(0, end).ends_with(kInfo)) continue;
     if (found && *found != path.substr(0, end)) return std::nullopt;
@@ -226,17 +180,10 @@ bool is_compiled(const std::string& path) {
 
 Outcome<Wheel> read_wheel(const fs::path& file, const WheelName& wanted, ExtractLimits limits) {
   const std::string name = called(wanted);
-  std::error_code error;
-  const std::uint64_t packed_bytes = fs::file_size(file, error);
-  if (error) return cannot_read(file, error.value());
   limits.total_bytes = std::min(limits.total_bytes, kMostBytes);
-  Collector collector(name, limits, packed_bytes);
-  const auto visited =
-      visit_zip(file, name, [&](const ArchiveMember& member, const ByteSource& bytes) {
-        return collector.member(member, bytes);
-      });
-  if (!visited) return visited.errors();
-  Files files = collector.take();
+  auto read = read_zip_files(file, name, limits);
+  if (!read) return std::move(read).errors();
+  Files files = std::move(*read);
   const auto info = info_folder(files);
   if (!info) return damaged_archive(name, "it has no .dist-info folder, or several");
   for (const char* needed : {"METADATA", "RECORD", "WHEEL"}) {
@@ -245,9 +192,9 @@ Outcome<Wheel> read_wheel(const fs::path& file, const WheelName& wanted, Extract
   }
   if (auto faults = record_faults(files, *info); !faults.empty()) {
     faults.insert(faults.begin(), "its files are not those that its RECORD lists");
-    return refused("R2W0226", name, std::move(faults));
+    return refused_archive("R2W0226", name, std::move(faults));
   }
-  const std::string& metadata = files.at(*info + "METADATA");
+  const std::string& metadata = files.at(*info + "METADATA").bytes;
   Wheel wheel{.project = first_of(header(metadata, "name")),
               .version = first_of(header(metadata, "version")),
               .requirements = header(metadata, "requires-dist"),
@@ -257,15 +204,15 @@ Outcome<Wheel> read_wheel(const fs::path& file, const WheelName& wanted, Extract
     return unfit(name, "its METADATA is that of `" + wheel.project + "`");
   if (normal_project_name(wheel.version) != normal_project_name(wanted.version))
     return unfit(name, "its METADATA is that of version " + wheel.version);
-  if (!first_of(header(files.at(*info + "WHEEL"), "wheel-version")).starts_with("1."))
+  if (!first_of(header(files.at(*info + "WHEEL").bytes, "wheel-version")).starts_with("1."))
     return unfit(name, "its form is newer than version 1");
-  for (auto& [path, bytes] : files) {
+  for (auto& [path, found] : files) {
     auto place = installed_path(path);
     if (!place) continue;
     if (is_compiled(*place))
       return unfit(name, "it has a compiled module, `" + *place + "`, whatever its name says");
-    if (!wheel.files.emplace(*place, std::move(bytes)).second)
-      return refused("R2W0224", name, {"two of its members go to `" + *place + "`"});
+    if (!wheel.files.emplace(*place, std::move(found.bytes)).second)
+      return refused_archive("R2W0224", name, {"two of its members go to `" + *place + "`"});
   }
   return wheel;
 }

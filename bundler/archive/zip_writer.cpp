@@ -57,7 +57,7 @@ std::uint32_t crc32(std::string_view bytes) {
   return value ^ 0xFFFFFFFFU;
 }
 
-void ZipWriter::member(std::string_view name, std::string_view bytes) {
+void ZipWriter::member(std::string_view name, std::string_view bytes, bool executable) {
   const std::string facts = member_facts(name, bytes);
   const auto offset = static_cast<std::uint32_t>(bytes_.size());
   put32(bytes_, 0x04034b50U);
@@ -65,10 +65,10 @@ void ZipWriter::member(std::string_view name, std::string_view bytes) {
   put32(directory_, 0x02014b50U);
   put16(directory_, (3U << 8U) | kVersionNeeded);  // made on Unix
   directory_ += facts;
-  put16(directory_, 0);                // no comment
-  put16(directory_, 0);                // disk
-  put16(directory_, 0);                // internal attributes
-  put32(directory_, 0100644U << 16U);  // regular file, rw-r--r--
+  put16(directory_, 0);                                          // no comment
+  put16(directory_, 0);                                          // disk
+  put16(directory_, 0);                                          // internal attributes
+  put32(directory_, (executable ? 0100755U : 0100644U) << 16U);  // regular file
   put32(directory_, offset);
   directory_ += name;
   ++count_;

@@ -10,7 +10,7 @@ namespace ros2wasm {
 
 class ZipWriter {
  public:
-  void member(std::string_view name, std::string_view bytes);
+  void member(std::string_view name, std::string_view bytes, bool executable = false);
   /// Writes the central directory and returns the archive; nothing may be added afterwards.
   [[nodiscard]] std::string finish();
 

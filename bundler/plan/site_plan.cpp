@@ -269,6 +269,10 @@ Outcome<SitePlan> plan_site(PlanInput input) {
     add(plan, path, "file of " + package + ", fetched when a program opens it", std::move(bytes));
   }
   plan.packages.assign(packages.begin(), packages.end());
+  if (!input.sources.empty()) {
+    add(plan, kSourcesArchive, "what the site is made of, for `ros2wasm rebuild`",
+        std::move(input.sources));
+  }
   add(plan, "interfaces.json", "definitions of all message types",
       interfaces_json(input.interfaces));
   const auto by_path = [](const PlannedFile& a, const PlannedFile& b) { return a.path < b.path; };

@@ -125,6 +125,7 @@ struct PlanInput {
   std::vector<PageFile> text;             ///< Markdown and notebook of the page, their images
   std::vector<PageFile> bags;             ///< recordings that the page plays
   std::optional<NotebookInput> notebook;
+  std::string sources = {};         ///< archive of what the site is made of; empty: it carries none
   std::uint64_t max_file_size = 0;  ///< larger ones lie in parts; 0: there is no ceiling
   std::string store = {};           ///< where the store lies that the site shares; see SiteStore
 };
@@ -134,6 +135,9 @@ struct PlanInput {
 
 /// The file of a site that lists its files, site.json too, for `sha256sum --check`.
 inline constexpr const char* kHashList = "SHA256SUMS";
+/// What the site is made of; see carried_sources.hpp.
+inline constexpr const char* kSourcesArchive = "sources.zip";
+
 inline constexpr const char* kHashListReason = "hashes of all files, for `sha256sum --check`";
 
 /// Its text. `files` in their order there.

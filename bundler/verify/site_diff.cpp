@@ -139,6 +139,18 @@ std::string first_difference(const std::string& path, std::string_view first,
   return bytes_at(at, first.size(), second.size());
 }
 
+std::string difference_line(const SiteDifference& one) {
+  switch (one.change) {
+    case SiteChange::kChanged:
+      return one.path + ": differs in " + one.where + " (" + one.reason + ")";
+    case SiteChange::kOnlyFirst:
+      return one.path + ": only in the first site (" + one.reason + ")";
+    case SiteChange::kOnlySecond:
+      return one.path + ": only in the second site (" + one.reason + ")";
+  }
+  return one.path;
+}
+
 Outcome<std::vector<SiteDifference>> site_differences(const ComparedSite& first,
                                                       const ComparedSite& second) {
   std::vector<SiteDifference> result;

@@ -20,6 +20,9 @@ struct SiteDifference {
   std::string where;   ///< of a changed file: the first place that differs, in the file's own terms
 };
 
+/// For people.
+[[nodiscard]] std::string difference_line(const SiteDifference& one);
+
 struct ComparedSite {
   const SiteList& list;
   std::string description;  ///< site.json

@@ -1,0 +1,24 @@
+// What a site is made of, in one archive of the site, and out of it again: manifest, lock,
+// packages, and the files that the manifest names. An edge: reads and writes folders.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "bundler/archive/extract_limits.hpp"
+#include "bundler/pipeline.hpp"
+
+namespace ros2wasm {
+
+/// Adds the archive when the manifest asks for it (`site: sources: true`). To be called when
+/// `workspace` knows all that it depends on. R2W0661 for what an archive cannot hold.
+[[nodiscard]] Outcome<Done> add_sources(const PackRequest& request, BuiltWorkspace& workspace,
+                                        PlanInput& input);
+
+/// Unpacks one into the empty `folder`; the path of the manifest there. What read_zip_files() says,
+/// and R2W0221 for an archive without a manifest.
+[[nodiscard]] Outcome<std::filesystem::path> unpack_sources(const std::filesystem::path& archive,
+                                                            const std::filesystem::path& folder,
+                                                            const ExtractLimits& limits);
+
+}  // namespace ros2wasm

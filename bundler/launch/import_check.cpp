@@ -25,21 +25,51 @@ constexpr std::string_view kHardware = "a browser reaches no hardware of this ki
 constexpr std::string_view kWheel =
     "a wheel of it for `py3-none-any` can be named under `python: wheels:` of workspace.yaml";
 constexpr std::string_view kNoWindows = "a node has no window: its output is its console";
+constexpr std::string_view kCompiled =
+    "it is compiled code, which nobody compiles for the Python of sites; numpy is there, for what "
+    "can be done by hand";
+constexpr std::string_view kNoSockets =
+    "a page has no sockets: it is no server, and nodes of a site reach each other by topics and "
+    "services";
+constexpr std::string_view kNoRequests =
+    "a page has no sockets, and nothing leaves it: what a node reads can be a file of its package "
+    "(`data_files` of setup.py), found by `ament_index_python`";
 
 /// What people ask for and no site can have.
 constexpr auto kHints = std::to_array<Hint>({
     {"RPi", kHardware},
+    {"aiohttp", kNoRequests},
     {"cv2", "OpenCV is not there for the Python of sites; numpy is, for what can be done by hand"},
     {"cv_bridge", "OpenCV is not there for the Python of sites; an image's `data` is its bytes"},
+    {"fastapi", kNoSockets},
+    {"flask", kNoSockets},
+    {"httpx", kNoRequests},
     {"matplotlib", "it is not there for the Python of sites; the page plots what a node publishes"},
+    {"pandas", kCompiled},
+    {"paho", kNoSockets},
     {"pygame", kNoWindows},
+    {"requests", kNoRequests},
     {"rosbag2_py", "nodes read and write no bags in a site"},
+    {"scipy",
+     "it is compiled code, which nobody compiles for the Python of sites; turns of "
+     "`scipy.spatial.transform` can be done with `transforms3d` or `tf_transformations`, linear "
+     "algebra with numpy"},
     {"serial", kHardware},
+    {"shapely", kCompiled},
+    {"skimage", kCompiled},
+    {"sklearn", kCompiled},
     {"smbus", kHardware},
     {"smbus2", kHardware},
     {"spidev", kHardware},
+    {"tensorflow", kCompiled},
     {"tkinter", kNoWindows},
+    {"torch", kCompiled},
     {"turtle", kNoWindows},
+    {"ultralytics", kCompiled},
+    {"urllib3", kNoRequests},
+    {"uvicorn", kNoSockets},
+    {"websockets", kNoSockets},
+    {"zmq", kNoSockets},
 });
 
 std::string modules_folder() {
@@ -252,9 +282,6 @@ class Walk {
       why.push_back("no channel has " + tried + ", nor has the workspace a module of that name");
     const std::string hint = hint_for(top);
     why.push_back(hint.empty() ? std::string(kWheel) : hint);
-    if (top == "transforms3d")
-      why.emplace_back(
-          "`tf_transformations` is in the channel inside ros2wasm, and needs none of it");
     add(one, "no package of the site has the module `" + top + "`", std::move(why), needed);
   }
 

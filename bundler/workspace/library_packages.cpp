@@ -20,9 +20,11 @@ constexpr auto kLibraryPackages = std::to_array<LibraryPackage>({
     {"nlohmann-json-dev", "nlohmann_json"},
     {"nlohmann_json", "nlohmann_json"},
     {"numpy", "numpy"},
+    {"python-transforms3d-pip", "transforms3d"},
     {"python3-pil", "pillow"},
     {"python3-serial", "pyserial"},
     {"python3-yaml", "pyyaml"},
+    {"transforms3d", "transforms3d"},
     {"yaml-cpp", "yaml-cpp"},
 });
 

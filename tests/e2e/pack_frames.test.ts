@@ -7,7 +7,7 @@ import { after, before, test } from 'node:test';
 
 import { PackWorkspace, finished } from './pack_workspace.ts';
 
-const PROGRAMS = ['drive', 'follow', 'wait', 'turns'];
+const PROGRAMS = ['drive', 'follow', 'wait', 'turns', 'rotations'];
 const MANIFEST = `schema: 1
 name: frames
 distro: jazzy
@@ -28,6 +28,8 @@ const wanted = [
   /^\[turns-4\] 24 sequences of axes$/,
   /^\[turns-4\] matrices hold$/,
   /^\[turns-4\] map cloud \[\[1\.0, -2\.0, 100\.0\], \[10\.0, -20\.0, 70\.0\]\] \[1\.0, 2\.0, 0\.0\]$/,
+  /^\[rotations-5\] 24 sequences agree$/,
+  /^\[rotations-5\] two libraries agree$/,
 ];
 
 let workspace: PackWorkspace;
@@ -44,13 +46,13 @@ after(() => workspace.close());
 test('what Python imports comes along, also from packages of other names', () => {
   const fix = /= fix: add `(.*)` to package\.xml/.exec(packed.stderr)?.[1] ?? '';
   assert.deepEqual(fix.match(/(?<=<depend>)[^<]+/g)?.sort(), [
-    'ament_index_python', 'python3-numpy', 'sensor_msgs_py', 'std_msgs', 'tf2_ros_py', 'tf2_sensor_msgs',
+    'ament_index_python', 'python3-numpy', 'python3-transforms3d', 'sensor_msgs_py', 'std_msgs', 'tf2_ros_py', 'tf2_sensor_msgs',
   ]);
   const site = JSON.parse(workspace.read('site/site.json').toString()) as {
     readonly nodes: readonly { readonly id: string; readonly python: { readonly archives: readonly string[] } }[];
   };
   const withNumpy = site.nodes.filter((node) => node.python.archives.includes('python/numpy.zip')).map((node) => node.id);
-  assert.deepEqual(withNumpy, ['turns-4']);
+  assert.deepEqual(withNumpy, ['turns-4', 'rotations-5']);
 });
 
 for (const link of ['shared', 'port']) {

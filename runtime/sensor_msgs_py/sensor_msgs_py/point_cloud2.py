@@ -46,7 +46,7 @@ def read_points(
 ) -> Any:
     """The points as a structured array: all or the named fields; `uvs`: only those at these indices."""
     assert isinstance(cloud, PointCloud2), 'Cloud is not a sensor_msgs.msg.PointCloud2'
-    points = np.ndarray(
+    points: Any = np.ndarray(
         shape=(cloud.width * cloud.height,), dtype=dtype_from_fields(cloud.fields, point_step=cloud.point_step),
         buffer=cloud.data)
     if field_names is not None:

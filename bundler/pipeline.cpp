@@ -87,6 +87,10 @@ Outcome<BuiltWorkspace> read_workspace(const PackRequest& request) {
   return workspace;
 }
 
+bool reads_setup_py(const LocalPackage& package) {
+  return package.xml.build_type == kPythonBuildType;
+}
+
 /// What is known before anything is solved.
 struct Question {
   BuiltWorkspace workspace;
@@ -167,7 +171,8 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
   if (!packages) return std::move(packages).errors();
   for (const LocalPackage& package : *packages) workspace.watched.push_back(package.directory);
   auto compiler = find_compiler(request.variables);
-  if (!compiler) return std::move(compiler).errors();
+  if (!compiler && !std::all_of(packages->begin(), packages->end(), reads_setup_py))
+    return std::move(compiler).errors();
 
   // 3. what the channels have, and what is asked of them
   begin_step(progress, "solve");
@@ -214,8 +219,9 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
     if (!compilers) return compilers.errors();
     for (const PackageRecord& record : compilers->records) packaged.insert(record.version);
   }
-  if (auto none = no_packages_for(*compiler, {packaged.begin(), packaged.end()}, request.variables))
-    return std::move(*none);
+  const std::vector<std::string> versions(packaged.begin(), packaged.end());
+  if (!compiler) compiler = no_compiler(versions);
+  if (auto none = no_packages_for(*compiler, versions, request.variables)) return std::move(*none);
   auto left_out = left_out_packages(*packages, *order, known, manifest.distro, known_build_types());
   auto wanted =
       channel_request(manifest, *packages, left_out, known, compiler->version, *notebook_needs);
@@ -307,10 +313,6 @@ std::vector<InstalledPackage> all_installed(const std::vector<BuiltPackage>& bui
     if (names.insert(one.name).second) result.push_back(std::move(one));
   }
   return result;
-}
-
-bool reads_setup_py(const LocalPackage& package) {
-  return package.xml.build_type == kPythonBuildType;
 }
 
 /// Step 7: nodes of the launch file or of the manifest; without any, every program of the

@@ -8,6 +8,7 @@
 
 #include "bundler/io/process.hpp"
 #include "workspace_schema/suggestion.hpp"
+#include "workspace_schema/version.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
@@ -49,6 +50,18 @@ Outcome<Compiler> find_compiler(const EnvironmentVariables& variables) {
   if (::stat((real.parent_path() / "emcc.py").c_str(), &info) != 0) ::stat(real.c_str(), &info);
   compiler.identity = compiler.version + " " + real.string() + " " + std::to_string(info.st_size) +
                       " " + std::to_string(info.st_mtim.tv_sec);
+  return compiler;
+}
+
+Compiler no_compiler(const std::vector<std::string>& packaged) {
+  Compiler compiler{.cxx = {}, .c = {}, .version = {}, .identity = {}};
+  std::optional<Version> newest;
+  for (const std::string& text : packaged) {
+    auto version = Version::parse(text);
+    if (!version || (newest && *version <= *newest)) continue;
+    compiler.version = text;
+    newest = std::move(*version);
+  }
   return compiler;
 }
 

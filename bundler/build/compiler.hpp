@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "workspace_schema/outcome.hpp"
 
@@ -22,6 +23,10 @@ struct Compiler {
 
 /// EMSDK's compiler when that variable is set, else the one on PATH. R2W0501 when there is none.
 [[nodiscard]] Outcome<Compiler> find_compiler(const EnvironmentVariables& variables);
+
+/// For a machine without one, when nothing is compiled: of the newest of the versions in
+/// `packaged`, so that the lock is that of a machine with a compiler.
+[[nodiscard]] Compiler no_compiler(const std::vector<std::string>& packaged);
 
 /// R2W0530 when none of the channels' packages was compiled by this compiler's version. `packaged`:
 /// versions of the package emscripten-abi that the channels have; none means that they do not say.

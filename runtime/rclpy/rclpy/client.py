@@ -9,12 +9,15 @@ from rclpy.callback_groups import CallbackGroup
 from rclpy.clock import Clock
 from rclpy.context import Context
 from rclpy.exceptions import InvalidHandle
+from rclpy.impl.elsewhere import names_of
 from rclpy.impl.waiting import wait_for_answer, wait_until
 from rclpy.qos import QoSProfile
 from rclpy.service_introspection import ServiceEvents, ServiceIntrospectionState
 from rclpy.task import Future
 from ros2wasm import host
 from ros2wasm.entities import changes
+
+__getattr__ = names_of(__name__, {'rclpy.type_support': 'SrvType SrvTypeRequest SrvTypeResponse'})
 
 
 class Client:

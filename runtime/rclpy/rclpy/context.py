@@ -84,6 +84,9 @@ class Context:
                 callback()
         host.wake()
 
+    def destroy(self) -> None:
+        """Nothing lies behind it that would have to be freed."""
+
     def on_shutdown(self, callback: Callable[[], None]) -> None:
         """Have something called at the end. Methods are held weakly."""
         if not callable(callback):

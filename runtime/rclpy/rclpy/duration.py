@@ -3,7 +3,8 @@ from __future__ import annotations
 
 from typing import Any
 
-NS = 1_000_000_000
+from rclpy.constants import S_TO_NS
+
 LARGEST = 2 ** 63
 
 
@@ -11,7 +12,7 @@ class Duration:
     """A length of time, in whole nanoseconds."""
 
     def __init__(self, *, seconds: int | float = 0, nanoseconds: int | float = 0) -> None:
-        total = int(seconds * NS) + int(nanoseconds)
+        total = int(seconds * S_TO_NS) + int(nanoseconds)
         if not -LARGEST <= total < LARGEST:
             raise OverflowError('Total nanoseconds value is too large to store in C duration.')
         self._nanoseconds = total
@@ -63,7 +64,7 @@ class Duration:
 
     def to_msg(self) -> Any:
         from builtin_interfaces.msg import Duration as DurationMsg
-        seconds, nanoseconds = divmod(self._nanoseconds, NS)
+        seconds, nanoseconds = divmod(self._nanoseconds, S_TO_NS)
         return DurationMsg(sec=seconds, nanosec=nanoseconds)
 
     @classmethod

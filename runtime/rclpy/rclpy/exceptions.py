@@ -7,8 +7,8 @@ from typing import Any
 class NotInitializedException(Exception):
     """Something was asked of rclpy before its init."""
 
-    def __init__(self, *args: object) -> None:
-        super().__init__('rclpy.init() has not been called', *args)
+    def __init__(self, message: str | None = None) -> None:
+        super().__init__(f'rclpy.init() has not been called.{f" msg:{message}" if message else ""}')
 
 
 class NoImplementationAvailableException(Exception):
@@ -102,8 +102,8 @@ class ParameterAlreadyDeclaredException(ParameterException):
 class InvalidParameterException(ParameterException):
     """Its name breaks the rules."""
 
-    def __init__(self, parameter: Any, *args: object) -> None:
-        super().__init__('Invalid parameter name', parameter, *args)
+    def __init__(self, parameter_name: str) -> None:
+        super().__init__('Invalid parameter name', parameter_name)
 
 
 class InvalidParameterTypeException(ParameterException):
@@ -128,8 +128,8 @@ class InvalidParameterValueException(ParameterException):
 class ParameterImmutableException(ParameterException):
     """It is read-only."""
 
-    def __init__(self, parameter: Any, *args: object) -> None:
-        super().__init__('Attempted to modify read-only parameter', parameter, *args)
+    def __init__(self, parameter_name: str) -> None:
+        super().__init__('Attempted to modify read-only parameter', parameter_name)
 
 
 class ParameterUninitializedException(ParameterException):

@@ -18,12 +18,22 @@ from typing import Any, NamedTuple
 from rclpy.context import Context
 from rclpy.event_handler import EventHandler
 from rclpy.guard_condition import GuardCondition
+from rclpy.impl.elsewhere import names_of
 from rclpy.subscription import Subscription
 from rclpy.task import Future, Task
 from rclpy.timer import Timer
 from rclpy.utilities import get_default_context, timeout_sec_to_nsec
 from ros2wasm import background, host
 from ros2wasm.entities import changes
+
+__getattr__ = names_of(__name__, {
+    'rclpy.client': 'Client',
+    'rclpy.clock': 'Clock',
+    'rclpy.clock_type': 'ClockType',
+    'rclpy.exceptions': 'InvalidHandle',
+    'rclpy.service': 'Service',
+    'rclpy.waitable': 'Waitable',
+})
 
 
 class TimeoutException(Exception):

@@ -13,6 +13,7 @@ from rclpy.context import Context
 from rclpy.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks
 from rclpy.guard_condition import GuardCondition
 from rclpy.impl import best_available, rosout
+from rclpy.impl.elsewhere import names_of
 from rclpy.impl.node_graph import NodeGraph
 from rclpy.impl.node_parameters import NodeParameters
 from rclpy.parameter import Parameter
@@ -36,6 +37,30 @@ from ros2wasm.types import type_hash, type_name
 
 HIDDEN_NODE_PREFIX = '_'
 ROSOUT_TOPIC, EVENTS_TOPIC = '/rosout', '/parameter_events'
+
+__getattr__ = names_of(__name__, {
+    'rcl_interfaces.msg': 'FloatingPointRange IntegerRange ListParametersResult Parameter=ParameterMsg '
+                          'ParameterDescriptor ParameterEvent ParameterType ParameterValue SetParametersResult',
+    'rcl_interfaces.srv': 'ListParameters',
+    'rclpy.clock': 'ROSClock',
+    'rclpy.exceptions': 'InvalidHandle InvalidParameterTypeException InvalidParameterValueException '
+                        'InvalidTopicNameException NotInitializedException ParameterAlreadyDeclaredException '
+                        'ParameterImmutableException ParameterNotDeclaredException ParameterUninitializedException',
+    'rclpy.executors': 'Executor',
+    'rclpy.expand_topic_name': 'expand_topic_name',
+    'rclpy.logging': 'get_logger',
+    'rclpy.logging_service': 'LoggingService',
+    'rclpy.parameter': 'PARAMETER_SEPARATOR_STRING',
+    'rclpy.topic_endpoint_info': 'TopicEndpointInfo',
+    'rclpy.type_support': 'MsgType SrvType SrvTypeRequest SrvTypeResponse',
+    'rclpy.utilities': 'get_default_context',
+    'rclpy.validate_full_topic_name': 'validate_full_topic_name',
+    'rclpy.validate_namespace': 'validate_namespace',
+    'rclpy.validate_node_name': 'validate_node_name',
+    'rclpy.validate_parameter_name': 'validate_parameter_name',
+    'rclpy.validate_topic_name': 'validate_topic_name',
+    'rclpy.waitable': 'Waitable',
+})
 
 
 class NodeNameNonExistentError(RuntimeError):

@@ -6,14 +6,16 @@ from typing import Any
 
 from rcl_interfaces.msg import ParameterEvent
 from rclpy.callback_groups import CallbackGroup
+from rclpy.event_handler import SubscriptionEventCallbacks
 from rclpy.qos import QoSProfile, qos_profile_parameter_events
+from rclpy.qos_overriding_options import QoSOverridingOptions
 
 
 class ParameterCallbackHandle:
     """Returned by add_parameter_callback."""
 
-    def __init__(self, name: str, node_name: str, callback: Callable[[Any], None]) -> None:
-        self.parameter_name = name
+    def __init__(self, parameter_name: str, node_name: str, callback: Callable[[Any], None]) -> None:
+        self.parameter_name = parameter_name
         self.node_name = node_name
         self.callback = callback
 
@@ -30,14 +32,16 @@ class ParameterEventHandler:
 
     def __init__(
         self, node: Any, qos_profile: QoSProfile = qos_profile_parameter_events,
-        callback_group: CallbackGroup | None = None
+        callback_group: CallbackGroup | None = None, event_callbacks: SubscriptionEventCallbacks | None = None,
+        qos_overriding_options: QoSOverridingOptions | None = None, raw: bool = False
     ) -> None:
         self.node = node
         self.qos_profile = qos_profile
         self._parameter_callbacks: list[ParameterCallbackHandle] = []
         self._event_callbacks: list[ParameterEventCallbackHandle] = []
         self.parameter_event_subscription = node.create_subscription(
-            ParameterEvent, '/parameter_events', self._on_event, qos_profile, callback_group=callback_group)
+            ParameterEvent, '/parameter_events', self._on_event, qos_profile, callback_group=callback_group,
+            event_callbacks=event_callbacks, qos_overriding_options=qos_overriding_options, raw=raw)
 
     def destroy(self) -> None:
         self.node.destroy_subscription(self.parameter_event_subscription)

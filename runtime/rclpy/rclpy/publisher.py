@@ -7,8 +7,12 @@ from typing import Any
 from rclpy.callback_groups import CallbackGroup
 from rclpy.duration import Duration
 from rclpy.exceptions import InvalidHandle
+from rclpy.impl.elsewhere import names_of
 from rclpy.qos import QoSProfile
 from ros2wasm import host
+
+__getattr__ = names_of(
+    __name__, {'rclpy.event_handler': 'EventHandler PublisherEventCallbacks', 'rclpy.type_support': 'MsgType'})
 
 
 class Publisher:

@@ -102,6 +102,8 @@ QoSLivelinessPolicy = LivelinessPolicy
 
 #: In place of a Duration: what the others have.
 BEST_AVAILABLE_NS = 9223372036854775806
+DeadlineBestAvailable = Duration(nanoseconds=BEST_AVAILABLE_NS)
+LivelinessLeaseDurationeBestAvailable = Duration(nanoseconds=BEST_AVAILABLE_NS)  # as upstream spells it
 
 
 class QoSProfile:
@@ -262,8 +264,7 @@ class QoSPresetProfiles(Enum):
     BEST_AVAILABLE = QoSProfile(
         history=HistoryPolicy.KEEP_LAST, depth=10, reliability=ReliabilityPolicy.BEST_AVAILABLE,
         durability=DurabilityPolicy.BEST_AVAILABLE, liveliness=LivelinessPolicy.BEST_AVAILABLE,
-        deadline=Duration(nanoseconds=BEST_AVAILABLE_NS),
-        liveliness_lease_duration=Duration(nanoseconds=BEST_AVAILABLE_NS))
+        deadline=DeadlineBestAvailable, liveliness_lease_duration=LivelinessLeaseDurationeBestAvailable)
 
     @classmethod
     def short_keys(cls) -> list[str]:

@@ -10,10 +10,13 @@ from typing import Any
 from rclpy.callback_groups import CallbackGroup
 from rclpy.clock import Clock
 from rclpy.exceptions import InvalidHandle
+from rclpy.impl.elsewhere import names_of
 from rclpy.qos import QoSProfile
 from rclpy.service_introspection import ServiceEvents, ServiceIntrospectionState
 from ros2wasm import host
 from ros2wasm.entities import changes
+
+__getattr__ = names_of(__name__, {'rclpy.type_support': 'SrvType SrvTypeRequest SrvTypeResponse'})
 
 
 class Service:

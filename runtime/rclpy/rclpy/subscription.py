@@ -10,9 +10,13 @@ from typing import Any, TypedDict
 
 from rclpy.callback_groups import CallbackGroup
 from rclpy.exceptions import InvalidHandle
+from rclpy.impl.elsewhere import names_of
 from rclpy.qos import QoSProfile
 from ros2wasm import host
 from ros2wasm.entities import changes
+
+__getattr__ = names_of(
+    __name__, {'rclpy.event_handler': 'EventHandler SubscriptionEventCallbacks', 'rclpy.type_support': 'MsgType'})
 
 
 class MessageInfo(TypedDict):

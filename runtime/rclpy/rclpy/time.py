@@ -4,9 +4,9 @@ from __future__ import annotations
 from typing import Any, overload
 
 from rclpy.clock_type import ClockType
+from rclpy.constants import S_TO_NS
 from rclpy.duration import Duration
 
-NS = 1_000_000_000
 LARGEST = 2 ** 63
 
 
@@ -22,7 +22,7 @@ class Time:
             raise ValueError('Seconds value must not be negative')
         if nanoseconds < 0:
             raise ValueError('Nanoseconds value must not be negative')
-        total = int(seconds * NS) + int(nanoseconds)
+        total = int(seconds * S_TO_NS) + int(nanoseconds)
         if total >= LARGEST:
             raise OverflowError('Total nanoseconds value is too large to store in C time point.')
         self._nanoseconds = total
@@ -33,7 +33,7 @@ class Time:
         return self._nanoseconds
 
     def seconds_nanoseconds(self) -> tuple[int, int]:
-        return self._nanoseconds // NS, self._nanoseconds % NS
+        return self._nanoseconds // S_TO_NS, self._nanoseconds % S_TO_NS
 
     @property
     def clock_type(self) -> ClockType:

@@ -84,7 +84,7 @@ class TimeSource:
         def read() -> None:
             taken = endpoint.take(codec)
             if taken is not None:
-                self._clock_callback(taken[0])
+                self.clock_callback(taken[0])
         background.add(endpoint.handle, read)
 
     def _unsubscribe(self) -> None:
@@ -93,8 +93,8 @@ class TimeSource:
             self._endpoint.destroy()
             self._endpoint = None
 
-    def _clock_callback(self, message: Any) -> None:
-        self._last_time_set = Time.from_msg(message.clock)
+    def clock_callback(self, msg: Any) -> None:
+        self._last_time_set = Time.from_msg(msg.clock)
         for clock in self._associated_clocks:
             clock.set_ros_time_override(self._last_time_set)
 

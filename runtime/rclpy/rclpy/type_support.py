@@ -1,10 +1,15 @@
 """Checks that what is given as a type is one."""
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, TypeVar
 
 from rclpy.exceptions import NoTypeSupportImportedException
 from ros2wasm.message_class import MessageMeta
+
+MsgType = TypeVar('MsgType')
+SrvType = TypeVar('SrvType')
+SrvTypeRequest = TypeVar('SrvTypeRequest')
+SrvTypeResponse = TypeVar('SrvTypeResponse')
 
 
 def check_for_type_support(msg_or_srv_type: Any) -> None:

@@ -58,6 +58,11 @@ def get_rmw_implementation_identifier() -> str:
     return 'rmw_wasm_cpp'
 
 
+def get_available_rmw_implementations() -> set[str]:
+    """All that a site has: one."""
+    return {get_rmw_implementation_identifier()}
+
+
 def timeout_sec_to_nsec(timeout_sec: int | float | None) -> int:
     """Nanoseconds; -1: without end."""
     if timeout_sec is None or timeout_sec < 0:

@@ -4,6 +4,8 @@ from __future__ import annotations
 from rclpy.exceptions import InvalidServiceNameException, InvalidTopicNameException
 from ros2wasm import names
 
+TOPIC_SEPARATOR_STRING = '/'
+
 
 def validate_topic_name(name: str, *, is_service: bool = False) -> bool:
     """Return True, or raise InvalidTopicNameException or InvalidServiceNameException."""

@@ -94,10 +94,10 @@ def read_points_list(
     return [made._make(point) for point in points]
 
 
-def create_cloud(header: Any, fields: Iterable[Any], points: Any, step: int | None = None) -> Any:
+def create_cloud(header: Any, fields: Iterable[Any], points: Any, point_step: int | None = None) -> Any:
     """A message of points: a structured array, or rows of numbers."""
     fields = list(fields)
-    form = dtype_from_fields(fields, point_step=step)
+    form = dtype_from_fields(fields, point_step)
     if not isinstance(points, np.ndarray):
         points = np.array([tuple(point) for point in points], dtype=form)
     elif points.dtype.names is not None:

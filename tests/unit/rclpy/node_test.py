@@ -199,6 +199,28 @@ class NodeTest(BusTest):
         for maybe in (None, 0, -1):
             self.assertTrue(client.wait_for_service(maybe))
 
+    def test_a_double_is_nearly_at_an_end_or_a_step_of_its_range_and_an_integer_is(self) -> None:
+        msg = importlib.import_module('rcl_interfaces.msg')
+        parameter = importlib.import_module('rclpy.parameter').Parameter
+        self.own.declare_parameter('gain', 0.5, msg.ParameterDescriptor(
+            floating_point_range=[msg.FloatingPointRange(from_value=1.0, to_value=0.0, step=0.1)]))
+        self.own.declare_parameter('count', 4, msg.ParameterDescriptor(
+            integer_range=[msg.IntegerRange(from_value=2, to_value=9, step=2)]))
+
+        def reason(name: str, value: float) -> str:
+            result = self.own.set_parameters([parameter(name, value=value)])[0]
+            self.assertEqual(result.successful, not result.reason)
+            return str(result.reason)
+        for value in (0.0, 1.0000005, 0.3, 0.7000004):
+            self.assertEqual(reason('gain', value), '')
+        self.assertEqual(reason('gain', 0.70001), 'The parameter value for gain is not close enough to a valid step. '
+                         'Min: 0.0, max: 1.0, value: 0.70001, step: 0.1')
+        self.assertEqual(reason('gain', 1.00001), 'Parameter gain out of range Min: 0.0, Max: 1.0, value: 1.00001')
+        self.assertEqual([reason('count', value) for value in (2, 8, 9)], ['', '', ''])
+        self.assertEqual(reason('count', 7), 'The parameter value for count is not a valid step. '
+                         'Min: 2, max: 9, value: 7, step: 2')
+        self.assertEqual(reason('count', 10), 'Parameter count out of range. Min: 2, Max: 9, value: 10')
+
     def test_parameters_of_another_node_are_listed_and_heard_of(self) -> None:
         module = importlib.import_module('rclpy.parameter_client')
         client = module.AsyncParameterClient(self.own, self.node('other').get_name())

@@ -17,11 +17,12 @@ from rclpy.validate_parameter_name import validate_parameter_name
 from ros2wasm.parameter_overrides import overrides
 
 WRONG_TYPE = 'Wrong parameter type'
-#: How near to a step of its range a double must be, in relation to the range.
-NEARLY = 1e-9
 
 
 class NodeParameters(NodeBase):
+    #: How near to an end or a step of its range a double must be, in relation to itself.
+    PARAM_REL_TOL = 1e-6
+
     _parameter_event_publisher: Any
 
     def _begin_parameters(self, given: Sequence[Parameter] | None, allow_undeclared: bool) -> None:
@@ -299,22 +300,24 @@ class NodeParameters(NodeBase):
         if parameter.type_ == Parameter.Type.INTEGER and descriptor.integer_range:
             return self._check_range(parameter, descriptor.integer_range[0], 0)
         if parameter.type_ == Parameter.Type.DOUBLE and descriptor.floating_point_range:
-            return self._check_range(parameter, descriptor.floating_point_range[0], NEARLY)
+            return self._check_range(parameter, descriptor.floating_point_range[0], self.PARAM_REL_TOL)
         return SetParametersResult(successful=True)
 
     def _check_range(self, parameter: Parameter, limits: Any, nearly: float) -> Any:
-        low, high, step, value = limits.from_value, limits.to_value, limits.step, parameter.value
+        low, high = sorted((limits.from_value, limits.to_value))
+        step, value = limits.step, parameter.value
         if any(value == end or math.isclose(value, end, rel_tol=nearly) for end in (low, high)):
             return SetParametersResult(successful=True)
-        if not min(low, high) < value < max(low, high):
+        if not low < value < high:
             return SetParametersResult(
                 successful=False,
-                reason=f'Parameter {parameter.name} out of range. Min: {low}, Max: {high}, value: {value}')
-        steps = (value - low) / step if step else 0
-        if abs(steps - round(steps)) > nearly * max(1.0, abs(steps)):
+                reason=f"Parameter {parameter.name} out of range{'' if nearly else '.'} "
+                f'Min: {low}, Max: {high}, value: {value}')
+        if step and not math.isclose(low + round((value - low) / step) * step, value, rel_tol=nearly):
             return SetParametersResult(
                 successful=False,
-                reason=f'The parameter value for {parameter.name} is not a valid step. '
+                reason=f'The parameter value for {parameter.name} is not '
+                f"{'close enough to ' if nearly else ''}a valid step. "
                 f'Min: {low}, max: {high}, value: {value}, step: {step}')
         return SetParametersResult(successful=True)
 

@@ -8,6 +8,7 @@ from rclpy.constants import S_TO_NS
 from rclpy.duration import Duration
 
 LARGEST = 2 ** 63
+CONVERSION_CONSTANT = S_TO_NS  # its older name
 
 
 class Time:

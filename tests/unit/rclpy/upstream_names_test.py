@@ -1,4 +1,4 @@
-"""Every public name of ROS 2 Jazzy's Python packages is there, with its parameters, or listed below with the reason."""
+"""Every public name of ROS 2's Python packages (Jazzy, Humble) is there with its parameters, or listed with the reason."""
 from __future__ import annotations
 
 import importlib
@@ -14,9 +14,9 @@ from typing import Any
 
 from tests.unit.rclpy.installation import install, install_host
 
-# Compatibility, works: the public names of Jazzy's rclpy (also for actions and managed nodes), tf2_ros, tf2_py,
-# tf2_geometry_msgs, tf2_sensor_msgs, message_filters, sensor_msgs_py, rosidl_runtime_py and ament_index_python, with
-# names and places of their parameters, against a list; what is missing has its reason there
+# Compatibility, works: the public names of Jazzy's and Humble's rclpy (also for actions and managed nodes), tf2_ros,
+# tf2_py, tf2_geometry_msgs, tf2_sensor_msgs, message_filters, sensor_msgs_py, rosidl_runtime_py and ament_index_python,
+# with names and places of their parameters (Jazzy's), against a list; what is missing has its reason there
 
 # Compatibility, differs: `Waitable` of rclpy -> what it does on a wait set of rcl is missing, as are
 # `NumberOfEntities`, handles of rcl, and some names that only hints of types need
@@ -36,7 +36,7 @@ LACKING: dict[str, str] = {
     'ament_index_python.resources.Set': HINT,
     **{f'{owner}.{name}': WAIT_SET
        for owner in ('rclpy.action.client.ActionClient', 'rclpy.action.server.ActionServer',
-                     'rclpy.event_handler.EventHandler', 'rclpy.waitable.Waitable')
+                     'rclpy.event_handler.EventHandler', 'rclpy.qos_event.QoSEventHandler', 'rclpy.waitable.Waitable')
        for name in ('add_to_wait_set', 'execute', 'get_num_entities', 'is_ready', 'take_data')},
     'rclpy.waitable.NumberOfEntities*': WAIT_SET,
     'rclpy.executors.NumberOfEntities': WAIT_SET,

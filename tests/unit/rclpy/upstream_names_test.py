@@ -1,4 +1,4 @@
-"""Every public name of ROS 2's Python packages (Jazzy, Humble) is there with its parameters, or listed with the reason."""
+"""Every public name of ROS 2's Python packages (Jazzy, Humble) is there with its parameters, or listed with why not."""
 from __future__ import annotations
 
 import importlib

@@ -199,6 +199,49 @@ class NodeTest(BusTest):
         for maybe in (None, 0, -1):
             self.assertTrue(client.wait_for_service(maybe))
 
+    def test_messages_in_a_row_are_heard_whatever_their_callbacks_do(self) -> None:
+        string = importlib.import_module('std_msgs.msg').String
+        executors = importlib.import_module('rclpy.executors')
+        node = self.node('row')
+        executor = executors.SingleThreadedExecutor(context=node.context)
+        executor.add_node(node)
+        heard: list[str] = []
+        after = importlib.import_module('rclpy.task').Future(executor=executor)
+
+        async def wait(word: str) -> None:
+            await after
+            heard.append(f'{word} at last')
+
+        def hear(message: Any) -> Any:
+            heard.append(message.data)
+            if message.data == 'fails':
+                raise ZeroDivisionError(message.data)
+            if message.data == 'ends':
+                executor.remove_node(node)
+            return wait(message.data) if message.data == 'waits' else None
+        node.create_subscription(string, 'words', hear, 10)
+        publisher = node.create_publisher(string, 'words', 10)
+        words = ['a', 'b', 'fails', 'c', 'waits', 'd', 'ends', 'e']
+        for word in words:
+            publisher.publish(string(data=word))
+        for word in words[:5]:
+            if word == 'fails':
+                with self.assertRaises(ZeroDivisionError):
+                    executor.spin_once(0.01)
+            else:
+                executor.spin_once(0.01)
+        self.assertEqual(heard, words[:5])
+        # Its group is held until the coroutine ends.
+        executor.spin_once(0.01)
+        self.assertEqual(heard, words[:5])
+        after.set_result(None)
+        for _ in range(8):
+            executor.spin_once(0.01)
+        self.assertEqual(heard, [*words[:5], 'waits at last', 'd', 'ends'])
+        node.context.shutdown()
+        with self.assertRaises(executors.ExternalShutdownException):
+            executor.spin_once(0.01)
+
     def test_a_double_is_nearly_at_an_end_or_a_step_of_its_range_and_an_integer_is(self) -> None:
         msg = importlib.import_module('rcl_interfaces.msg')
         parameter = importlib.import_module('rclpy.parameter').Parameter

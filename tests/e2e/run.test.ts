@@ -38,6 +38,7 @@ describe('run', WATCHDOG, () => {
     });
   }
 
+  // Guarantee, ci: `ros2wasm run --checks` decides what the manifest states, headless, and writes it as JUnit XML
   for (const way of [['--link', 'shared'], ['--link', 'port'], ['--stepped']]) {
     test(`--checks ends with 0 when all that the manifest lists was seen, ${way.join(' ')}`, async () => {
       const junit = join(scratch.path, `checks${way.join('')}.xml`);

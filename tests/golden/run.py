@@ -6,6 +6,7 @@ begin with a line of their own:
 
     --- file NAME          a file in the folder where the command runs, as it stands
     --- bytes NAME         the same with \\xNN, \\t, \\r, \\n and \\\\ for what cannot stand in a text; lines are joined
+    --- copy FOLDER        what a folder of the repository has, without locks and sites
     --- exit N             from here on is the answer, which --bless writes anew: the exit code,
     --- stdout             what was printed (sections that would be empty are left out)
     --- stderr
@@ -20,6 +21,7 @@ import difflib
 import os
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -28,7 +30,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-HEADER = re.compile(r"^--- (file|bytes|exit|stdout|stderr|file-after)(?: (.+))?$")
+HEADER = re.compile(r"^--- (file|bytes|copy|exit|stdout|stderr|file-after)(?: (.+))?$")
 ESCAPE = re.compile(r"\\(x[0-9a-fA-F]{2}|[trn\\])")
 WATCHDOG_SECONDS = 300
 
@@ -56,7 +58,7 @@ def parse(path: Path) -> Case:
     answer_from = len(lines)
 
     def close() -> None:
-        if kind in ("file", "bytes"):
+        if kind in ("file", "bytes", "copy"):
             case.inputs.append((kind, name, "\n".join(body)))
 
     for number, line in enumerate(lines):
@@ -94,6 +96,10 @@ def unescaped(text: str) -> bytes:
 def answer_of(case: Case, cli: Path, version: str) -> str:
     with tempfile.TemporaryDirectory(prefix="golden-") as folder:
         for kind, name, text in case.inputs:
+            if kind == "copy":
+                made = shutil.ignore_patterns("ros2wasm.lock", "site")
+                shutil.copytree(ROOT / name, folder, dirs_exist_ok=True, ignore=made)
+                continue
             target = Path(folder, name)
             target.parent.mkdir(parents=True, exist_ok=True)
             target.write_bytes(unescaped(text) if kind == "bytes" else (text + "\n").encode())
@@ -127,7 +133,9 @@ def run(case: Case, cli: Path, version: str, bless: bool) -> str | None:
     if answer == case.answer:
         return None
     if bless:
-        inputs = "".join(f"--- {kind} {name}\n{text}\n" for kind, name, text in case.inputs)
+        inputs = "".join(
+            f"--- {kind} {name}\n" + ("" if kind == "copy" else f"{text}\n") for kind, name, text in case.inputs
+        )
         head = "\n".join(case.head).rstrip("\n") + "\n"
         case.path.write_text(head + inputs + answer, encoding="utf-8")
         print(f"blessed {case.path.relative_to(ROOT)}")

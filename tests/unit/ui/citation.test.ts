@@ -20,6 +20,7 @@ const site = {
   citation: { date: '2026-02-03', doi: '10.5281/zenodo.1_2' },
 };
 
+// Guarantee, citable: the page's "Cite this site": a BibTeX entry, as citation-js reads it
 test('an entry is read back with its authors, title and date, whatever characters they have', () => {
   const entry = bibtex(site, 'ab'.repeat(32), 'https://example.org/site/');
   const cited = new Cite(entry ?? '').data[0] ?? {};

@@ -1,6 +1,7 @@
 // Tasks in threads, and what they leave.
 // Guarantee, robust: what packs do in several threads (archives are fetched and unpacked, packages
 // are built) has no data race: its tests run under the thread sanitizer
+
 #include "bundler/io/worker_pool.hpp"
 
 #include <gtest/gtest.h>

@@ -59,6 +59,9 @@ def generate_launch_description():
 `;
 
 let workspace: PackWorkspace;
+/** Programs are linked in a folder with spaces in its name. */
+const kept = (): Readonly<Record<string, string>> => ({ XDG_CACHE_HOME: join(workspace.root, 'a cache of its own') });
+
 before(async () => {
   workspace = new PackWorkspace();
   for (const name of ['composed_talkers', 'board_companions']) {
@@ -67,7 +70,7 @@ before(async () => {
   workspace.write('workspace.yaml', 'schema: 1\nname: composed\npackages: [src/*]\nlaunch: all.launch.py\n');
   workspace.write('all.launch.py', launchFile.replaceAll('TOPIC', topic()));
   workspace.write('more.yaml', '/**:\n  ros__parameters: {gain: 2.5}\n');
-  const packed = await workspace.run(['pack']);
+  const packed = await workspace.run(['pack'], kept());
   assert.equal(packed.code, 0, packed.stderr);
   assert.match(packed.stderr, /warning\[R2W0417\].*`my_container` runs as `component_container`/);
 });
@@ -107,7 +110,7 @@ for (const link of ['shared', 'port']) {
 test('callbacks of a container take turns, or run at the same time', async () => {
   workspace.write('gates.launch.py', gates.replaceAll("{'patience': 1}", "{'patience': 600}").replace("container('turns', 'component_container'),", ''));
   workspace.write('gates.yaml', 'schema: 1\nname: gates\npackages: [src/*]\nlaunch: gates.launch.py\n');
-  const packed = await workspace.run(['pack', 'gates.yaml', '--output', 'gates']);
+  const packed = await workspace.run(['pack', 'gates.yaml', '--output', 'gates'], kept());
   assert.equal(packed.code, 0, packed.stderr);
   assert.doesNotMatch(packed.stderr, /R2W0417/);
   const { nodes } = JSON.parse(workspace.read('gates/site.json').toString()) as { nodes: { executable: string }[] };
@@ -121,7 +124,7 @@ test('callbacks of a container take turns, or run at the same time', async () =>
   assert.match(`${refused.stdout}${refused.stderr}`, /R2W0704/);
 
   workspace.write('gates.launch.py', gates);
-  const again = await workspace.run(['pack', 'gates.yaml', '--output', 'gates']);
+  const again = await workspace.run(['pack', 'gates.yaml', '--output', 'gates'], kept());
   assert.equal(again.code, 0, again.stderr);
   const turns = await workspace.run(['run', 'gates', '--link', 'shared', '--until', '\\[turns\\.visitor\\]: waited in vain', '--for', '60s']);
   assert.equal(turns.code, 0, `${turns.stdout}${turns.stderr}`);
@@ -136,7 +139,7 @@ launch:
   - {package: composed_talkers, executable: ${container}}
   - {package: board_companions, executable: load_components, arguments: [/ComponentManager, composed_talkers, 'composed_talkers::Counter:=clock', 'composed_talkers::Silent', '1', '7']}
 `);
-    const packed = await workspace.run(['pack', 'asked.yaml', '--output', container]);
+    const packed = await workspace.run(['pack', 'asked.yaml', '--output', container], kept());
     assert.equal(packed.code, 0, packed.stderr);
     const run = await workspace.run(['run', container, '--link', 'shared', '--until', '2 /silent', '--for', '60s']);
     const said = `${run.stdout}${run.stderr}`;

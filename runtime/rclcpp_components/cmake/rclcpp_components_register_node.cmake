@@ -46,7 +46,7 @@ function(_rclcpp_components_keep_whole library)
     return()
   endif()
   set_target_properties(${library} PROPERTIES ROS2WASM_KEPT_WHOLE
-    "SHELL:-Wl,--whole-archive $<TARGET_FILE:${library}> -Wl,--no-whole-archive")
+    "SHELL:-Wl,--whole-archive \"$<TARGET_FILE:${library}>\" -Wl,--no-whole-archive")
   set_property(TARGET ${library} APPEND PROPERTY COMPILE_DEFINITIONS
     "CLASS_LOADER_LIBRARY=\"lib$<TARGET_FILE_BASE_NAME:${library}>.so\"")
   set_property(TARGET ${library} APPEND PROPERTY INTERFACE_LINK_OPTIONS

@@ -11,18 +11,6 @@ namespace ros2wasm {
 namespace {
 namespace fs = std::filesystem;
 
-std::string_view word_of(SiteChange change) {
-  switch (change) {
-    case SiteChange::kChanged:
-      return "changed";
-    case SiteChange::kOnlyFirst:
-      return "only_first";
-    case SiteChange::kOnlySecond:
-      return "only_second";
-  }
-  return "changed";
-}
-
 int diff(Context& context, const fs::path& first, const fs::path& second) {
   const auto a = open_site(first);
   if (!a) return context.console.fail(a.errors());
@@ -34,11 +22,7 @@ int diff(Context& context, const fs::path& first, const fs::path& second) {
     JsonWriter json;
     json.begin_object().key("sha256").begin_array().string(a->list.hash).string(b->list.hash);
     json.end_array().key("differences").begin_array();
-    for (const SiteDifference& one : *differences) {
-      json.begin_object().field("path", one.path).field("change", word_of(one.change));
-      if (!one.where.empty()) json.field("where", one.where);
-      json.field("reason", one.reason).end_object();
-    }
+    write_differences(json, *differences);
     json.end_array().end_object();
     context.console.result(json.text());
   } else if (differences->empty()) {

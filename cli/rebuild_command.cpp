@@ -54,7 +54,9 @@ int run(Context& context, const Options& options) {
     JsonWriter json;
     json.begin_object().field("site", options.site).field("sha256", report->sha256);
     json.field("made", report->made).field_boolean("same", same);
-    json.key("differences").unsigned_integer(report->differences.size()).end_object();
+    json.key("differences").begin_array();
+    write_differences(json, report->differences);
+    json.end_array().end_object();
     context.console.result(json.text());
   }
   if (!same) return context.console.fail(other_site(*report));

@@ -116,6 +116,18 @@ std::optional<std::string> in_text(std::string_view first, std::string_view seco
   return "line " + std::to_string(line + 1);
 }
 
+std::string_view word_of(SiteChange change) {
+  switch (change) {
+    case SiteChange::kChanged:
+      return "changed";
+    case SiteChange::kOnlyFirst:
+      return "only_first";
+    case SiteChange::kOnlySecond:
+      return "only_second";
+  }
+  return "changed";
+}
+
 }  // namespace
 
 std::string first_difference(const std::string& path, std::string_view first,
@@ -137,6 +149,14 @@ std::string first_difference(const std::string& path, std::string_view first,
   }
   if (const auto line = in_text(first, second, at)) return *line;
   return bytes_at(at, first.size(), second.size());
+}
+
+void write_differences(JsonWriter& json, const std::vector<SiteDifference>& differences) {
+  for (const SiteDifference& one : differences) {
+    json.begin_object().field("path", one.path).field("change", word_of(one.change));
+    if (!one.where.empty()) json.field("where", one.where);
+    json.field("reason", one.reason).end_object();
+  }
 }
 
 std::string difference_line(const SiteDifference& one) {

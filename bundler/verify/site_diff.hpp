@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bundler/verify/site_list.hpp"
+#include "workspace_schema/json_writer.hpp"
 #include "workspace_schema/outcome.hpp"
 
 namespace ros2wasm {
@@ -22,6 +23,9 @@ struct SiteDifference {
 
 /// For people.
 [[nodiscard]] std::string difference_line(const SiteDifference& one);
+
+/// For programs: an object for each, in the array that `json` is in.
+void write_differences(JsonWriter& json, const std::vector<SiteDifference>& differences);
 
 struct ComparedSite {
   const SiteList& list;

@@ -172,6 +172,10 @@ test('sources that make another site are told, with the file that differs', watc
   ws.write('other/lab/src/lab_nodes/src/count.cpp', (files['lab/src/lab_nodes/src/count.cpp'] ?? '').replace('"counts"', '"others"'));
   const changed = await run(['rebuild', 'site', '--workspace', 'other/lab']);
   assert.equal(changed.code, 1);
+  const listed = await run(['--json', 'rebuild', 'site', '--workspace', 'other/lab']);
+  const { same, differences } = JSON.parse(listed.stdout) as { same: boolean; differences: { path: string; change: string }[] };
+  assert.equal(same, false);
+  assert.ok(differences.some(({ path, change }) => path === 'programs/lab_nodes/count.wasm' && change === 'changed'));
   assert.match(changed.stderr, /error\[R2W0663\]: the sources make another site: sha256 [0-9a-f]{64}/);
   assert.match(changed.stderr, /programs\/lab_nodes\/count\.wasm: differs in /);
   const other = await run(['pack', 'other/lab', '-o', 'other/site']);

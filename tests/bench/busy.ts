@@ -1,0 +1,136 @@
+// A busy site with its panels open: 20 nodes, 2,000 numbers a second, a VGA image stream, a point cloud. What counts is how
+// the page feels: the gaps between its frames, and whether memory stays flat. The limit is measured in the same run: a bare
+// page in the same browser that asks for frames while nothing runs. WebGL is drawn by the processor (SwiftShader) here.
+import { mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { chromium, type CDPSession, type Page } from 'playwright-core';
+import { chromiumOptions, kSoftwareWebGl } from '../e2e/chromium.ts';
+import { serveFolder } from '../support/static_server.ts';
+import { machineLoad } from './machine_load.ts';
+import { packLaunch } from './packed_launch.ts';
+import { treePrivateKb } from './process_memory.ts';
+import type { BenchContext } from './run.ts';
+
+const NUMBERS = 17;
+const NUMBER_HZ = 118;
+const IMAGE_HZ = 15;
+const CLOUD = { hz: 10, points: 10_000 };
+const DEFAULT_MINUTES = 10;
+const AIM_MS = 20;
+const SETTLING_MS = 10_000;
+const SAMPLES = 10;
+
+/** With all that is looked at open at once; `without` leaves panels out, so that it is seen what they cost. */
+const LAYOUTS: Readonly<Record<string, unknown>> = {
+  'all panels': {
+    row: [
+      { column: [{ scene: { topics: ['/cloud'], fixed: 'map' } }, { plot: { paths: ['/number_0.data', '/number_1.data'], seconds: 10 } }] },
+      { column: [{ image: { topic: '/image' } }, 'topics', 'console'] },
+    ],
+  },
+  'without 3D view': {
+    row: [{ plot: { paths: ['/number_0.data', '/number_1.data'], seconds: 10 } }, { column: [{ image: { topic: '/image' } }, 'topics', 'console'] }],
+  },
+};
+
+const rounded = (value: number): number => Math.round(value * 100) / 100;
+
+/** Gaps between frames in milliseconds, for so long. */
+function gaps(page: Page, ms: number): Promise<number[]> {
+  return page.evaluate((duration) => new Promise<number[]>((done) => {
+    const found: number[] = [];
+    const from = performance.now();
+    let last = from;
+    const frame = (): void => {
+      const now = performance.now();
+      found.push(now - last);
+      last = now;
+      if (now - from < duration) requestAnimationFrame(frame);
+      else done(found);
+    };
+    requestAnimationFrame(frame);
+  }), ms);
+}
+
+function frameFigures(found: readonly number[]): Readonly<Record<string, number>> {
+  const sorted = found.toSorted((a, b) => a - b);
+  const at = (share: number): number => rounded(sorted[Math.floor(sorted.length * share)] ?? Number.NaN);
+  return {
+    frames: found.length, frame_p50_ms: at(0.5), frame_p95_ms: at(0.95), frame_p99_ms: at(0.99), frame_longest_ms: rounded(sorted.at(-1) ?? Number.NaN),
+    under_20_ms: rounded(found.filter((gap) => gap < AIM_MS).length / found.length),
+  };
+}
+
+async function heapKb(devtools: CDPSession): Promise<number> {
+  await devtools.send('HeapProfiler.collectGarbage');
+  const { metrics } = await devtools.send('Performance.getMetrics');
+  return Math.round((metrics.find(({ name }) => name === 'JSHeapUsedSize')?.value ?? Number.NaN) / 1024);
+}
+
+/** How much a straight line through the second half of the samples rises, as a share of their mean. */
+function rise(samples: readonly number[]): number {
+  const half = samples.slice(Math.floor(samples.length / 2));
+  const mean = half.reduce((sum, one) => sum + one, 0) / half.length;
+  const middle = (half.length - 1) / 2;
+  const [up, across] = half.reduce(([a, b], one, i) => [a + (i - middle) * (one - mean), b + (i - middle) ** 2], [0, 0]);
+  return rounded(across === 0 ? 0 : (up / across) * (half.length - 1) / mean);
+}
+
+/** Numbers that the listener heard in its newest whole second. */
+async function heardPerSecond(page: Page): Promise<number> {
+  const text = await page.evaluate(() => document.body.textContent ?? '');
+  return Number([...text.matchAll(/\{"came": (\d+)\}/g)].at(-1)?.[1] ?? Number.NaN);
+}
+
+async function run(context: BenchContext, page: Page, pid: number, panels: string, minutes: number, limit: unknown): Promise<void> {
+  const devtools = await page.context().newCDPSession(page);
+  await devtools.send('Performance.enable');
+  await page.waitForFunction(() => /\{"came": \d+\}/.test(document.body.textContent ?? ''), undefined, { timeout: 60_000 });
+  await page.waitForTimeout(SETTLING_MS);
+  const found: number[] = [];
+  const [heap, processes, heard]: [number[], number[], number[]] = [[], [], []];
+  for (let i = 0; i < SAMPLES; i += 1) {
+    found.push(...await gaps(page, (minutes * 60_000) / SAMPLES));
+    heap.push(await heapKb(devtools));
+    processes.push(treePrivateKb(pid));
+    heard.push(await heardPerSecond(page));
+  }
+  context.emit({
+    bench: 'busy', panels, minutes, nodes: NUMBERS + 3, numbers_per_second: NUMBERS * NUMBER_HZ,
+    heard_per_second: heard.toSorted((a, b) => a - b)[SAMPLES >> 1], image_hz: IMAGE_HZ, cloud: CLOUD, ...frameFigures(found), aim_p95_ms: AIM_MS,
+    heap_kb: heap.at(-1), heap_rise: rise(heap), processes_kb: processes.at(-1), processes_rise: rise(processes), limit, machine_load: machineLoad(),
+  });
+}
+
+export async function benchBusy(context: BenchContext): Promise<void> {
+  const minutes = context.minutes ?? DEFAULT_MINUTES;
+  const folder = mkdtempSync(join(tmpdir(), 'ros2wasm-bench-'));
+  try {
+    const topics = Array.from({ length: NUMBERS }, (_, i) => `/number_${i}`);
+    const site = packLaunch(context, folder, ['busy_bench'], 'busy', [
+      ...topics.map((topic) => `{package: busy_bench, executable: number, name: ${topic.slice(1)}, parameters: {topic: ${topic}, hz: ${NUMBER_HZ}}}`),
+      `{package: busy_bench, executable: camera, parameters: {hz: ${IMAGE_HZ}}}`,
+      `{package: busy_bench, executable: lidar, parameters: {hz: ${CLOUD.hz}, points: ${CLOUD.points}}}`,
+      `{package: busy_bench, executable: listener, parameters: {topics: [${topics.map((topic) => `"${topic}"`).join(', ')}]}}`,
+    ]);
+    const host = await serveFolder(site, { isolated: true });
+    for (const [panels, layout] of Object.entries(LAYOUTS)) {
+      const server = await chromium.launchServer(chromiumOptions(kSoftwareWebGl));
+      const browser = await chromium.connect(server.wsEndpoint());
+      try {
+        const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
+        await page.goto('about:blank');
+        const limit = frameFigures(await gaps(page, 5000));
+        await page.goto(`${host.url}#layout=${encodeURIComponent(JSON.stringify(layout))}`);
+        await run(context, page, server.process().pid ?? 0, panels, minutes, limit);
+      } finally {
+        await browser.close();
+        await server.close();
+      }
+    }
+    await host.close();
+  } finally {
+    rmSync(folder, { recursive: true, force: true });
+  }
+}

@@ -25,7 +25,7 @@ const SAMPLES = 10;
 const LAYOUTS: Readonly<Record<string, unknown>> = {
   'all panels': {
     row: [
-      { column: [{ scene: { topics: ['/cloud'], fixed: 'map' } }, { plot: { paths: ['/number_0.data', '/number_1.data'], seconds: 10 } }] },
+      { column: [{ scene: { topics: ['/cloud'], frame: 'map' } }, { plot: { paths: ['/number_0.data', '/number_1.data'], seconds: 10 } }] },
       { column: [{ image: { topic: '/image' } }, 'topics', 'console'] },
     ],
   },
@@ -83,11 +83,16 @@ async function heardPerSecond(page: Page): Promise<number> {
   return Number([...text.matchAll(/\{"came": (\d+)\}/g)].at(-1)?.[1] ?? Number.NaN);
 }
 
+/** Pictures that the 3D view has drawn; 0 without one. */
+const drawings = (page: Page): Promise<number> =>
+  page.evaluate(() => Number(document.querySelector<HTMLElement>('.scene-canvas')?.dataset['drawings'] ?? 0));
+
 async function run(context: BenchContext, page: Page, pid: number, panels: string, minutes: number, limit: unknown): Promise<void> {
   const devtools = await page.context().newCDPSession(page);
   await devtools.send('Performance.enable');
   await page.waitForFunction(() => /\{"came": \d+\}/.test(document.body.textContent ?? ''), undefined, { timeout: 60_000 });
   await page.waitForTimeout(SETTLING_MS);
+  const drawn = await drawings(page);
   const found: number[] = [];
   const [heap, processes, heard]: [number[], number[], number[]] = [[], [], []];
   for (let i = 0; i < SAMPLES; i += 1) {
@@ -98,7 +103,8 @@ async function run(context: BenchContext, page: Page, pid: number, panels: strin
   }
   context.emit({
     bench: 'busy', panels, minutes, nodes: NUMBERS + 3, numbers_per_second: NUMBERS * NUMBER_HZ,
-    heard_per_second: heard.toSorted((a, b) => a - b)[SAMPLES >> 1], image_hz: IMAGE_HZ, cloud: CLOUD, ...frameFigures(found), aim_p95_ms: AIM_MS,
+    heard_per_second: heard.toSorted((a, b) => a - b)[SAMPLES >> 1], image_hz: IMAGE_HZ, cloud: CLOUD,
+    drawings_3d: await drawings(page) - drawn, ...frameFigures(found), aim_p95_ms: AIM_MS,
     heap_kb: heap.at(-1), heap_rise: rise(heap), processes_kb: processes.at(-1), processes_rise: rise(processes), limit, machine_load: machineLoad(),
   });
 }

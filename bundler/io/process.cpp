@@ -14,6 +14,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 
 #include "bundler/io/confinement.hpp"
 
@@ -161,7 +162,29 @@ struct Streams {
   ::_exit(127);
 }
 
+constexpr int kClockPerProcessor = 10;
+
 }  // namespace
+
+Patience::Patience(int process_id, std::chrono::milliseconds limit)
+    : process_id_(process_id),
+      deadline_(std::chrono::steady_clock::now() + kClockPerProcessor * limit) {
+  most_used_ = used().value_or(std::chrono::nanoseconds(0)) + limit;
+}
+
+std::optional<std::chrono::nanoseconds> Patience::used() const {
+  clockid_t clock{};
+  timespec time{};
+  if (::clock_getcpuclockid(process_id_, &clock) != 0 || ::clock_gettime(clock, &time) != 0)
+    return std::nullopt;  // it has ended, or another system hides it: then the clock decides
+  return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
+}
+
+bool Patience::is_over() const {
+  if (std::chrono::steady_clock::now() >= deadline_) return true;
+  const auto now_used = used();
+  return now_used && *now_used >= most_used_;
+}
 
 std::optional<fs::path> find_program(const std::string& name,
                                      std::optional<std::string_view> path) {
@@ -247,9 +270,9 @@ Outcome<ProcessResult> run_process(const ProcessRequest& request,
 
   ProcessResult result;
   const bool is_limited = request.time_limit.count() > 0;
-  const auto deadline = std::chrono::steady_clock::now() + request.time_limit;
+  const Patience patience(child, request.time_limit);
   const auto out_of_time = [&] {
-    if (!is_limited || std::chrono::steady_clock::now() < deadline) return false;
+    if (!is_limited || !patience.is_over()) return false;
     stop_group(child, own_group);
     result.is_out_of_time = true;
     result.exit_code = 128 + SIGTERM;
@@ -367,7 +390,12 @@ bool Conversation::is_out_of_time() const {
   return state_->is_out_of_time;
 }
 
-Outcome<std::string> Conversation::ask(const std::string& line, std::optional<Time> deadline) {
+Patience Conversation::patience(std::chrono::milliseconds limit) const {
+  return {state_->child, limit};
+}
+
+Outcome<std::string> Conversation::ask(const std::string& line,
+                                       const std::optional<Patience>& patience) {
   State& state = *state_;
   if (state.ended || !state.send(line + "\n")) return state.gone(state.ended ? 0 : state.end());
   const ProcessRequest quiet;
@@ -385,15 +413,15 @@ Outcome<std::string> Conversation::ask(const std::string& line, std::optional<Ti
     std::array<pollfd, 3> waits = {{{state.output.read_end.get(), POLLIN, 0},
                                     {state.error.read_end.get(), POLLIN, 0},
                                     {state.cancellation.wake_fd(), POLLIN, 0}}};
-    const int patience_ms = deadline || state.cancellation.wake_fd() < 0 ? 100 : -1;
-    if (::poll(waits.data(), waits.size(), patience_ms) < 0 && errno != EINTR)
+    const int wait_ms = patience || state.cancellation.wake_fd() < 0 ? 100 : -1;
+    if (::poll(waits.data(), waits.size(), wait_ms) < 0 && errno != EINTR)
       return state.gone(state.end());
     if (state.cancellation.requested()) {
       stop_group(state.child, true);
       state.ended = true;
       return interrupted();
     }
-    if (deadline && std::chrono::steady_clock::now() >= *deadline) {
+    if (patience && patience->is_over()) {
       stop_group(state.child, true);
       state.ended = true;
       state.is_out_of_time = true;

@@ -17,6 +17,21 @@
 
 namespace ros2wasm {
 
+/// How long a program may run: `limit` of its own processor time, so that a busy machine fails
+/// nobody, and ten times as much by the clock. Counts from when it is made.
+class Patience {
+ public:
+  Patience(int process_id, std::chrono::milliseconds limit);
+  [[nodiscard]] bool is_over() const;
+
+ private:
+  [[nodiscard]] std::optional<std::chrono::nanoseconds> used() const;
+
+  int process_id_;
+  std::chrono::nanoseconds most_used_{0};
+  std::chrono::steady_clock::time_point deadline_;
+};
+
 enum class OutputMode {
   kCapture,        ///< stdout and stderr are collected, each in its own string
   kCaptureMerged,  ///< both are collected in `output`, in the order written
@@ -35,7 +50,8 @@ struct ProcessRequest {
   bool share_terminal = false;
   /// For code of strangers: `environment` is all that it has, and it can open no socket.
   bool is_confined = false;
-  std::chrono::milliseconds time_limit{0};  ///< the child's group is ended then; 0: none
+  /// As of Patience; the child's group is ended then. 0: none.
+  std::chrono::milliseconds time_limit{0};
 };
 
 struct ProcessResult {
@@ -60,11 +76,13 @@ class Conversation {
   Conversation& operator=(const Conversation&) = delete;
   ~Conversation();
 
-  using Time = std::chrono::steady_clock::time_point;
+  /// With the program, for as many questions as the caller likes.
+  [[nodiscard]] Patience patience(std::chrono::milliseconds limit) const;
   /// Sends a line, which has no newline in it, and waits for one. R2W0910 when the program has
-  /// ended, with the last of what it wrote to stderr, or is ended at `deadline`; interrupted().
+  /// ended, with the last of what it wrote to stderr, or is ended because `patience` is over;
+  /// interrupted().
   [[nodiscard]] Outcome<std::string> ask(const std::string& line,
-                                         std::optional<Time> deadline = std::nullopt);
+                                         const std::optional<Patience>& patience = std::nullopt);
   [[nodiscard]] bool is_out_of_time() const;
 
  private:

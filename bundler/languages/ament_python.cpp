@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kIndex = "share/ament_index/resource_index/packages";
-constexpr std::chrono::seconds kTimeLimit{60};        // of one setup.py
+constexpr std::chrono::seconds kTimeLimit{60};        // of one setup.py, of its processor
 constexpr std::uintmax_t kLargestCopied = 4'000'000;  // what is bigger is data: its name is enough
 // Where a link of the copy leads when the real one leads out of the workspace.
 constexpr const char* kElsewhere = "out of the workspace";
@@ -119,8 +119,8 @@ Outcome<std::string> run_setup(const PackageBuild& request, const BuildTools& to
   const auto result = run_process(run, cancellation);
   if (!result) return result.errors();
   if (result->is_out_of_time)
-    return setup_failed(request,
-                        "it did not end within " + std::to_string(kTimeLimit.count()) + " seconds");
+    return setup_failed(request, "it did not end within " + std::to_string(kTimeLimit.count()) +
+                                     " seconds of a processor");
   if (result->exit_code == 0) return result->output;
   Diagnostic failed =
       setup_failed(request, "Node.js ended with " + std::to_string(result->exit_code));

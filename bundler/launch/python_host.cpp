@@ -11,7 +11,7 @@ namespace ros2wasm {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::chrono::seconds kTimeLimit{60};  // of one request
+constexpr std::chrono::seconds kTimeLimit{60};  // of one request, of its processor
 
 }  // namespace
 
@@ -47,15 +47,15 @@ Outcome<std::string> PythonHost::ask(const std::string& request,
   if (!conversation_) {
     if (auto started = start(); !started) return started.errors();
   }
-  const auto deadline = std::chrono::steady_clock::now() + kTimeLimit;
+  const Patience patience = conversation_->patience(kTimeLimit);
   std::string line = request;
   for (;;) {
-    auto answer = conversation_->ask(line, deadline);
+    auto answer = conversation_->ask(line, patience);
     if (!answer && conversation_->is_out_of_time()) {
       return Diagnostic{.code = "R2W0416",
                         .message = "a launch file does not end",
                         .why = {"it was given " + std::to_string(kTimeLimit.count()) +
-                                " seconds; its clock stands still"}};
+                                " seconds of a processor; its clock stands still"}};
     }
     // What asks back says so first.
     if (!answer || !answer->starts_with("{\"ask\": ")) return answer;
@@ -65,7 +65,7 @@ Outcome<std::string> PythonHost::ask(const std::string& request,
 
 std::optional<SeenPaths> PythonHost::seen() {
   if (!conversation_) return std::nullopt;
-  const auto answer = conversation_->ask("\"seen\"", std::chrono::steady_clock::now() + kTimeLimit);
+  const auto answer = conversation_->ask("\"seen\"", conversation_->patience(kTimeLimit));
   return answer ? read_seen_paths(*answer) : std::nullopt;
 }
 

@@ -1,9 +1,10 @@
 // Time and memory of `ros2wasm pack` for example 01: cold (empty cache), warm (nothing changed) and after a
-// change of one file; and of `pack --quick` after such a change. Peers: the compiler's start, and the same quick pack with
-// nothing kept of rclcpp's header.
+// change of one file; and of `pack --quick` after such a change. Peers: the bare compiler with the same commands for the
+// same programs, the compiler's start, and the same quick pack with nothing kept of rclcpp's header.
 import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { bareCompiler } from './bare_compiler.ts';
 import { measure } from './measured_process.ts';
 import type { Measured } from './measured_process.ts';
 import type { BenchContext } from './run.ts';
@@ -28,6 +29,8 @@ export function benchPack(context: BenchContext): void {
       return run;
     };
     const cold = pack();
+    const bare = measure(bareCompiler(join(folder, '.cache')), environment);
+    if (bare.exitCode !== 0) throw new Error(`the compiler failed: ${bare.stderr}`);
     const warm = Array.from({ length: WARM_RUNS }, pack);
     const file = join(folder, TALKER);
     const source = readFileSync(file, 'utf8');
@@ -50,7 +53,9 @@ export function benchPack(context: BenchContext): void {
     const compiler = measure(['em++', '-O2', '-c', empty, '-o', join(folder, 'empty.o')]);
     context.emit({
       bench: 'pack', example: '01_talker_listener',
-      cold_ms: Math.round(cold.wallMs), cold_aim_ms: COLD_AIM_MS, cold_peak_kb: cold.peakKb,
+      cold_ms: Math.round(cold.wallMs), cold_aim_ms: COLD_AIM_MS, cold_cpu_ms: Math.round(cold.cpuMs), cold_peak_kb: cold.peakKb,
+      cold_peer: 'em++ alone, the same commands for the same two programs, both at once',
+      cold_peer_ms: Math.round(bare.wallMs), cold_peer_cpu_ms: Math.round(bare.cpuMs), cold_peer_peak_kb: bare.peakKb,
       warm_ms: summary(warm.map((run) => run.wallMs)), warm_peak_kb: summary(warm.map((run) => run.peakKb)).median,
       one_file_changed_ms: Math.round(changed.wallMs), one_file_changed_aim_ms: CHANGE_AIM_MS,
       quick_change_ms: summary(kept.map((run) => run.wallMs)), quick_change_cpu_ms: summary(kept.map((run) => run.cpuMs)).median,

@@ -1,7 +1,7 @@
 // Runs the benchmarks and prints one JSON object a line. Figures are medians of several runs; each line
 // names its peer, measured in the same run on the same machine. A bench that misses an aim it states
 // ends with exit code 1.
-//   node tests/bench/run.ts --build BUILD_DIR [--minutes N] [NAME ...]
+//   node tests/bench/run.ts --build BUILD_DIR [--minutes N] [--source DIR] [NAME ...]
 import { resolve } from 'node:path';
 import { parseArgs } from 'node:util';
 import { benchBusy } from './busy.ts';
@@ -16,6 +16,7 @@ import { benchSolve } from './solve.ts';
 import { benchBytes } from './site_bytes.ts';
 import { benchSoak } from './soak.ts';
 import { benchStart } from './site_start.ts';
+import { benchWorkspace } from './workspace.ts';
 
 export interface BenchContext {
   /** Absolute path of the build directory (ros2wasm, runtime/, channel/). */
@@ -24,6 +25,8 @@ export interface BenchContext {
   readonly root: string;
   /** How long what runs only when named lasts, when that was said. */
   readonly minutes: number | undefined;
+  /** Folder of ROS 2 packages of others, when it was said. */
+  readonly source: string | undefined;
   /** Prints one result line. */
   emit(line: Readonly<Record<string, unknown>>): void;
   /** Says that an aim was missed. */
@@ -43,12 +46,14 @@ const BENCHES: Readonly<Record<string, (context: BenchContext) => Promise<void> 
   soak: benchSoak,
   solve: benchSolve,
   start: benchStart,
+  workspace: benchWorkspace,
 };
-/** Run only when named: they take an hour, and twice ten minutes. */
-const WHEN_NAMED: readonly string[] = ['soak', 'busy'];
+/** Run only when named: an hour, twice ten minutes, and sources of others. */
+const WHEN_NAMED: readonly string[] = ['soak', 'busy', 'workspace'];
 
-const USAGE = `./dev bench [--minutes N] [NAME ...]: one JSON object a line on standard output.
-NAME is one of ${Object.keys(BENCHES).join(', ')}; all but ${WHEN_NAMED.join(' and ')} when none is named. --minutes says how long those last.`;
+const USAGE = `./dev bench [--minutes N] [--source DIR] [NAME ...]: one JSON object a line on standard output.
+NAME is one of ${Object.keys(BENCHES).join(', ')}; all but ${WHEN_NAMED.join(', ')} when none is named. --minutes says how long soak and busy last,
+--source where the packages of workspace are.`;
 
 const { values, positionals: names } = parseArgs({
   allowPositionals: true,
@@ -56,6 +61,7 @@ const { values, positionals: names } = parseArgs({
     build: { type: 'string', default: 'build' },
     help: { type: 'boolean', short: 'h', default: false },
     minutes: { type: 'string' },
+    source: { type: 'string' },
   },
 });
 if (values.help) {
@@ -70,6 +76,7 @@ if (unknown.length > 0) {
 const context: BenchContext = {
   build: resolve(values.build),
   minutes: values.minutes === undefined ? undefined : Number(values.minutes),
+  source: values.source,
   root: resolve(import.meta.dirname, '../..'),
   emit: (line) => console.log(JSON.stringify(line)),
   fail: (why) => {

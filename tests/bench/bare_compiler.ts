@@ -1,0 +1,29 @@
+// The compiler's own commands for all that `ros2wasm build` built below a cache, without our program around them.
+import { spawnSync } from 'node:child_process';
+import { readdirSync, writeFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+
+/** A command that runs them anew, two packages at a time; what it makes takes the place of what was built. */
+export function bareCompiler(cache: string): string[] {
+  const scripts = readdirSync(cache, { recursive: true, encoding: 'utf8' })
+    .filter((path) => path.endsWith('/build.ninja'))
+    .map((path) => {
+      const folder = dirname(join(cache, path));
+      const listed = spawnSync('ninja', ['-C', folder, '-t', 'commands'], { encoding: 'utf8', maxBuffer: 1 << 28 });
+      if (listed.status !== 0) throw new Error(listed.stderr);
+      const script = join(folder, 'bare.sh');
+      const commands = listed.stdout.split('\n').filter((line) => OURS.test(line)).map(bare);
+      writeFileSync(script, [`cd '${folder}'`, ...commands, ''].join('\n'));
+      return script;
+    });
+  const list = join(cache, 'bare.list');
+  writeFileSync(list, scripts.join('\n'));
+  return ['xargs', '-a', list, '-P', '2', '-n', '1', 'sh', '-e'];
+}
+
+const OURS = /^(?:: && )?(?:"[^"]*"|\S+) (?:compile-source|link-program) .*?-- /;
+
+function bare(line: string): string {
+  const command = line.replace(OURS, '').replace(/ && :$/, '');
+  return line.includes(' link-program ') ? `${command} -O2 -fwasm-exceptions -sERROR_ON_UNDEFINED_SYMBOLS=0` : command;
+}

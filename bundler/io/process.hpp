@@ -76,7 +76,7 @@ class Conversation {
   Conversation& operator=(const Conversation&) = delete;
   ~Conversation();
 
-  /// With the program, for as many questions as the caller likes.
+  /// How long the program may go on from now, over as many questions as the caller likes.
   [[nodiscard]] Patience patience(std::chrono::milliseconds limit) const;
   /// Sends a line, which has no newline in it, and waits for one. R2W0910 when the program has
   /// ended, with the last of what it wrote to stderr, or is ended because `patience` is over;

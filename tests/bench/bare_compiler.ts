@@ -1,4 +1,5 @@
-// The compiler's own commands for all that `ros2wasm build` built below a cache, without our program around them.
+// The bare compiler for all that `ros2wasm build` built below a cache: the same commands without our program around them,
+// and for links, whose flags that program adds, those that anybody gives.
 import { spawnSync } from 'node:child_process';
 import { readdirSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';

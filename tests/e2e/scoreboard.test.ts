@@ -43,7 +43,7 @@ test('in Chromium: files of a package and of a program, standard input, and a la
   const { code, rows, output } = await board(['--chromium', '--only', 'file_checks', '--only', 'key_reader', '--only', 'countdown/launch']);
   assert.equal(code, 0, output);
   assert.deepEqual(rows.map((row) => `${row.package}/${row.executable}`),
-    ['countdown/launch/countdown.launch.xml', 'file_checks/own_files', 'file_checks/share', 'file_checks/threads_write', 'key_reader/keys']);
+    ['countdown/launch/countdown.launch.xml', 'file_checks/own_files', 'file_checks/plain', 'file_checks/share', 'file_checks/threads_write', 'key_reader/keys']);
 });
 
 test('a row that is not as expected is red, and a launch file with wrong arguments is not packed', { timeout: 500_000 }, async () => {

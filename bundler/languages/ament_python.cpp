@@ -120,7 +120,7 @@ Outcome<std::string> run_setup(const PackageBuild& request, const BuildTools& to
   if (!result) return result.errors();
   if (result->is_out_of_time)
     return setup_failed(request, "it did not end within " + std::to_string(kTimeLimit.count()) +
-                                     " seconds of a processor");
+                                     " seconds of a processor, or ten times as many by the clock");
   if (result->exit_code == 0) return result->output;
   Diagnostic failed =
       setup_failed(request, "Node.js ended with " + std::to_string(result->exit_code));

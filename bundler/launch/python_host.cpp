@@ -55,7 +55,8 @@ Outcome<std::string> PythonHost::ask(const std::string& request,
       return Diagnostic{.code = "R2W0416",
                         .message = "a launch file does not end",
                         .why = {"it was given " + std::to_string(kTimeLimit.count()) +
-                                " seconds of a processor; its clock stands still"}};
+                                " seconds of a processor, and ten times as many by the clock; the "
+                                "clock that it sees stands still"}};
     }
     // What asks back says so first.
     if (!answer || !answer->starts_with("{\"ask\": ")) return answer;

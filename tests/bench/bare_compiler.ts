@@ -6,6 +6,7 @@ import { dirname, join } from 'node:path';
 
 /** A command that runs them anew, two packages at a time; what it makes takes the place of what was built. */
 export function bareCompiler(cache: string): string[] {
+  let found = 0;
   const scripts = readdirSync(cache, { recursive: true, encoding: 'utf8' })
     .filter((path) => path.endsWith('/build.ninja'))
     .map((path) => {
@@ -14,9 +15,11 @@ export function bareCompiler(cache: string): string[] {
       if (listed.status !== 0) throw new Error(listed.stderr);
       const script = join(folder, 'bare.sh');
       const commands = listed.stdout.split('\n').filter((line) => OURS.test(line)).map(bare);
+      found += commands.length;
       writeFileSync(script, [`cd '${folder}'`, ...commands, ''].join('\n'));
       return script;
     });
+  if (found === 0) throw new Error(`nothing was compiled below ${cache}`);
   const list = join(cache, 'bare.list');
   writeFileSync(list, scripts.join('\n'));
   return ['xargs', '-a', list, '-P', '2', '-n', '1', 'sh', '-e'];

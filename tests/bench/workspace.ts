@@ -14,13 +14,19 @@ import type { BenchContext } from './run.ts';
 const AIM_MS = 15 * 60_000;
 
 export function benchWorkspace(context: BenchContext): void {
-  const source = context.source === undefined ? undefined : resolve(context.source);
-  if (source === undefined) throw new Error('say by --source which folder of ROS 2 packages shall be built');
+  if (context.source === undefined) {
+    context.fail('workspace: say by --source DIR which folder of ROS 2 packages shall be built');
+    return;
+  }
+  const source = resolve(context.source);
   const board = join(context.root, 'tests/scoreboard/expectations');
   const files = readdirSync(board).filter((name) => name.endsWith('.yaml')).map((name) => join(board, name));
   const all = findPackages([source]);
   const expected = [...readExpectations(files).values()].filter((one) => all.get(one.package)?.language === 'cpp');
-  if (expected.length === 0) throw new Error(`the score board knows no C++ package below ${source}`);
+  if (expected.length === 0) {
+    context.fail(`workspace: the score board knows no C++ package below ${source}`);
+    return;
+  }
   const names = [...new Set(expected.map((one) => one.package))].sort();
   const folder = mkdtempSync(join(tmpdir(), 'ros2wasm-bench-'));
   try {

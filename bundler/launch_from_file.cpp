@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "bundler/io/files.hpp"
 #include "bundler/launch/argument_choices.hpp"
 #include "bundler/launch/given_arguments.hpp"
 #include "bundler/launch/launch_evaluation.hpp"
@@ -14,6 +15,7 @@
 #include "bundler/launch/left_out.hpp"
 #include "bundler/launch_tools.hpp"
 #include "workspace_schema/diagnostic_list.hpp"
+#include "workspace_schema/package_xml.hpp"
 #include "workspace_schema/suggestion.hpp"
 #include "workspace_schema/text_encoding.hpp"
 
@@ -128,6 +130,22 @@ Diagnostic not_with(const Texts& given, const SourceSpan& span, const Diagnostic
   return warning;
 }
 
+/// The package of the workspace in whose folder the file lies; empty: none.
+std::string package_around(const BuiltWorkspace& workspace, const std::string& file) {
+  fs::path below = fs::path(file).lexically_normal().parent_path();
+  for (;; below = below.parent_path()) {
+    const fs::path described = workspace.folder / below / "package.xml";
+    if (std::error_code none; fs::exists(described, none)) {
+      const auto text = read_file(described);
+      const auto xml = text ? parse_package_xml(*text, described.string(),
+                                                ros_condition_variables(workspace.manifest.distro))
+                            : Outcome<PackageXml>(text.errors());
+      return xml ? xml->name.value : std::string();
+    }
+    if (below.empty()) return {};
+  }
+}
+
 }  // namespace
 
 Outcome<LaunchedFile> launch_from_file(const PackRequest& request, BuiltWorkspace& workspace,
@@ -172,6 +190,7 @@ Outcome<LaunchedFile> launch_from_file(const PackRequest& request, BuiltWorkspac
   watch(launched->files);
   for (std::string& remark : launched->remarks) workspace.remarks.push_back(std::move(remark));
   LaunchedFile step;
+  step.package = package_around(workspace, file.value);
   std::set<Program> programs;
   for (const LaunchNode& node : launched->nodes) programs.insert(program_of(node));
   if (!launched->arguments.empty()) {

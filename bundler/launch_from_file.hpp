@@ -18,6 +18,7 @@ struct LaunchedFile {
   std::vector<LaunchNode>
       more_nodes;  ///< one for each program that nothing, or only other arguments, start
   std::optional<PackedLaunch> launch;  ///< when the launch file declares arguments
+  std::string package = {};            ///< of the workspace, in which the launch file lies; or none
 };
 
 /// The nodes of the manifest's launch file with the launch arguments that it gives (R2W0730). What

@@ -396,6 +396,7 @@ Outcome<SitePlan> plan(const PackRequest& request, BuiltWorkspace& workspace, La
                   .steps = std::move(launched.steps),
                   .more_nodes = std::move(launched.more_nodes),
                   .launch = std::move(launched.launch),
+                  .launch_package = std::move(launched.package),
                   .programs = {},
                   .names = {},
                   .runtime = std::move(runtime).value(),

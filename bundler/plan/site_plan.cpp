@@ -183,6 +183,7 @@ Outcome<SitePlan> plan_site(PlanInput input) {
     add(plan, page_bag_path(file.path), "`ui: bags:` of the manifest", std::move(file.bytes));
   std::map<std::string, bool> threads_of;
   plan.steps = std::move(input.steps);
+  plan.launch_package = std::move(input.launch_package);
   for (const LaunchNode& node : input.nodes) {
     const std::string path = program_path(node);
     if (is_python(node)) {

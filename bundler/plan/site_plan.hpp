@@ -72,6 +72,7 @@ struct SitePlan {
   std::vector<PlannedNode> nodes;     ///< in launch order
   std::vector<PlannedNode> programs;  ///< that none of these runs; each once
   std::vector<LaunchStep> steps;      ///< of the launch file
+  std::string launch_package;         ///< in which the manifest's launch file lies; or none
   std::optional<PlannedNotebook> notebook;
   std::optional<PlannedLaunch> launch;  ///< when launch arguments can change what runs
   std::vector<std::string> packages;    ///< that the programs' index of packages has, sorted
@@ -113,6 +114,7 @@ struct PlanInput {
   std::vector<LaunchStep> steps;
   std::vector<LaunchNode> more_nodes;  ///< of programs that none of these runs
   std::optional<PackedLaunch> launch;
+  std::string launch_package;  ///< in which the manifest's launch file lies; or none
   std::map<std::filesystem::path, std::string> programs;  ///< bytes of each node's program file
   std::map<std::filesystem::path, std::string> names;     ///< by program file, where there are any
   std::vector<RuntimeAsset> runtime;

@@ -136,8 +136,9 @@ std::string site_json(const Manifest& manifest, const SitePlan& plan) {
     for (const PlannedNode& program : plan.programs) write_site_program(json, program);
     json.end_array();
   }
-  if (!plan.steps.empty()) {
-    json.key("launch").begin_object();
+  if (manifest.launch_file) {
+    json.key("launch").begin_object().field("file", manifest.launch_file->value);
+    if (!plan.launch_package.empty()) json.field("package", plan.launch_package);
     write_launch_steps(json, plan.steps);
     json.end_object();
   }

@@ -181,10 +181,14 @@ Outcome<ChannelRequest> channel_request(const Manifest& manifest,
     for (const auto& one : names) request.specs.push_back(spec_of(one, manifest.distro));
   }
   for (const LocalPackage& package : packages) {
-    if (package.xml.build_type != kPythonBuildType || !has(known.names, kPyodidePackage)) continue;
-    request.specs.push_back({.text = std::string(kPyodidePackage),
-                             .origin = package.xml.name.span.file,
-                             .span = package.xml.name.span});
+    if (package.xml.build_type != kPythonBuildType) continue;
+    // The client library starts every Python program, one that has no node too.
+    for (const std::string& name :
+         {std::string(kPyodidePackage), conda_name(kPythonClient, manifest.distro)}) {
+      if (!has(known.names, name)) continue;
+      request.specs.push_back(
+          {.text = name, .origin = package.xml.name.span.file, .span = package.xml.name.span});
+    }
   }
   if (manifest.launch_file && manifest.launch_file->value.ends_with(".py") &&
       has(known.names, kPyodidePackage)) {

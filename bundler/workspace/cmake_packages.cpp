@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -34,9 +35,10 @@ std::string without_comments(std::string text) {
 }
 
 /// A command with its arguments, as CMake sees them: words, quotes as they are.
+using Words = std::vector<std::pair<std::string, std::size_t>>;  ///< each with its place
 struct Command {
   std::string name;  ///< in small letters
-  std::vector<std::pair<std::string, std::size_t>> words;
+  Words words;
 };
 
 /// The command that starts at `at`, which then stands behind it; none: `at` stands behind the word.
@@ -73,6 +75,59 @@ SourceSpan span_at(std::string_view text, std::size_t at, std::size_t length,
           .line_text = std::string(text.substr(start, text.find('\n', start) - start))};
 }
 
+/// Variables that hold what is written in the file, as far as set(), list(APPEND) and foreach()
+/// over such tell: a foreach()'s own has all its values at once.
+class Variables {
+ public:
+  void follow(const Command& command) {
+    const Words& words = command.words;
+    if (command.name == "set" && !words.empty()) values_[words[0].first] = expanded(words, 1);
+    if (command.name == "foreach" && !words.empty()) loop(words);
+    if (command.name == "list" && words.size() > 1 && words[0].first == "APPEND") {
+      const Words more = expanded(words, 2);
+      Words& list = values_[words[1].first];
+      list.insert(list.end(), more.begin(), more.end());
+    }
+  }
+
+  /// What the words from `first` on are; a variable that is not known stays as it is.
+  [[nodiscard]] Words expanded(const Words& words, std::size_t first) const {
+    Words result;
+    for (; first < words.size(); ++first) {
+      const std::string& word = words[first].first;
+      const auto found = word.starts_with("${") && word.ends_with("}")
+                             ? values_.find(word.substr(2, word.size() - 3))
+                             : values_.end();
+      if (found == values_.end())
+        result.push_back(words[first]);
+      else
+        result.insert(result.end(), found->second.begin(), found->second.end());
+      if (result.size() > kMostValues) break;
+    }
+    return result;
+  }
+
+ private:
+  /// More than any list of packages; lists of lists stay small.
+  static constexpr std::size_t kMostValues = 1000;
+
+  void loop(const Words& words) {
+    const bool has_in = words.size() > 2 && words[1].first == "IN";
+    if (!has_in || words[2].first != "LISTS") {
+      values_[words[0].first] = expanded(words, has_in ? 3 : 1);
+      return;
+    }
+    Words all;
+    for (std::size_t i = 3; i < words.size(); ++i) {
+      const auto list = values_.find(words[i].first);
+      if (list != values_.end()) all.insert(all.end(), list->second.begin(), list->second.end());
+    }
+    values_[words[0].first] = std::move(all);
+  }
+
+  std::map<std::string, Words> values_;
+};
+
 }  // namespace
 
 bool only_installs(std::string_view text) {
@@ -100,6 +155,7 @@ bool only_installs(std::string_view text) {
 std::vector<Spanned<std::string>> cmake_packages(std::string_view text, const std::string& file) {
   const std::string code = without_comments(std::string(text));
   std::vector<Spanned<std::string>> found;
+  Variables variables;
   int inside = 0;
   for (std::size_t at = 0; at < code.size();) {
     if (!is_name_character(code[at])) {
@@ -109,14 +165,20 @@ std::vector<Spanned<std::string>> cmake_packages(std::string_view text, const st
     const auto command = read_command(code, at);
     if (!command) continue;
     inside += command->name == "if" ? 1 : command->name == "endif" ? -1 : 0;
-    if (inside > 0 || command->name != kCommand || command->words.empty()) continue;
-    const auto& [name, place] = command->words.front();
-    const bool is_name = std::all_of(name.begin(), name.end(), is_name_character);
+    if (inside > 0) continue;
+    variables.follow(*command);
+    if (command->name != kCommand || command->words.empty()) continue;
     const bool is_required = std::any_of(command->words.begin(), command->words.end(),
                                          [](const auto& word) { return word.first == kRequired; });
-    const auto same = [&](const Spanned<std::string>& one) { return one.value == name; };
-    if (!is_name || !is_required || std::any_of(found.begin(), found.end(), same)) continue;
-    found.push_back({.value = name, .span = span_at(text, place, name.size(), file)});
+    if (!is_required) continue;
+    for (const auto& [name, place] : variables.expanded({command->words.front()}, 0)) {
+      const bool is_name = std::all_of(name.begin(), name.end(), is_name_character);
+      const auto same = [&one = name](const Spanned<std::string>& other) {
+        return other.value == one;
+      };
+      if (!is_name || std::any_of(found.begin(), found.end(), same)) continue;
+      found.push_back({.value = name, .span = span_at(text, place, name.size(), file)});
+    }
   }
   return found;
 }

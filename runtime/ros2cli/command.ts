@@ -35,7 +35,8 @@ export interface Terminal {
 /** What a word of the command line names; completion offers these. */
 export type Meaning =
   | 'topic' | 'node' | 'service' | 'action' | 'message_type' | 'service_type' | 'action_type' | 'interface' | 'package'
-  | 'parameter' | 'transition' | 'program_package' | 'executable' | 'container' | 'text';
+  | 'parameter' | 'transition' | 'program_package' | 'executable' | 'container' | 'launch_package' | 'launch_file'
+  | 'launch_argument' | 'text';
 
 export interface Positional {
   /** As the usage shows it. */
@@ -85,6 +86,8 @@ export interface Command {
   readonly help: string;
   readonly positionals: readonly Positional[];
   readonly options: readonly Option[];
+  /** From a shell it runs without the site's own nodes: it starts them. */
+  readonly startsNodes?: boolean;
   /** The exit code. A CommandError is printed, and makes it 1. */
   run(context: Context, given: Given): Promise<number>;
 }

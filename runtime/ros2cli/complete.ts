@@ -1,8 +1,9 @@
 // Completion of a line that begins with `ros2`: from the table of commands, and what the graph has.
 
-import type { GraphView } from '../wasm_js/session.ts';
+import type { GraphView, SiteDescription } from '../wasm_js/session.ts';
 import type { Command, Meaning } from './command.ts';
 import { actionsOf, containersOf, servicesOf, shown, topicsOf } from './graph_lists.ts';
+import { baseName } from './launch_command.ts';
 import { findOption, splitLine } from './parse.ts';
 import { commands } from './table.ts';
 
@@ -18,6 +19,8 @@ export interface Known {
   readonly graph: GraphView;
   /** Names of interfaces that the site has. */
   readonly interfaces: readonly string[];
+  /** What `ros2 launch` can start, and its arguments: of a site. */
+  readonly launches?: Pick<SiteDescription, 'launchFile' | 'launch'>;
   /** What `ros2 run` can start. */
   readonly programs: readonly { readonly package: string; readonly executable: string }[];
 }
@@ -66,7 +69,7 @@ function positionalsOf(command: Command, words: readonly string[]): string[] {
   return found;
 }
 
-function meant(meaning: Meaning, given: readonly string[], { graph, interfaces, programs }: Known): readonly string[] {
+function meant(meaning: Meaning, given: readonly string[], { graph, interfaces, programs, launches: { launchFile, launch } = {} }: Known): readonly string[] {
   const ofKind = (kind: string): string[] => interfaces.filter((name) => name.split('/')[1] === kind);
   /** The type of what was named before, when it is known. */
   const typeOf = (list: readonly { readonly name: string; readonly types: readonly string[] }[], all: readonly string[]): readonly string[] =>
@@ -98,6 +101,12 @@ function meant(meaning: Meaning, given: readonly string[], { graph, interfaces, 
       return programs.flatMap((program) => program.package === given[0] ? [program.executable] : []);
     case 'container':
       return containersOf(graph);
+    case 'launch_package':
+      return launchFile === undefined ? [] : [launchFile.package ?? launchFile.file];
+    case 'launch_file':
+      return launchFile !== undefined && launchFile.package === given[0] ? [baseName(launchFile.file)] : [];
+    case 'launch_argument':
+      return (launch?.arguments ?? []).map(({ name }) => `${name}:=`);
     case 'parameter':
     case 'text':
       return [];

@@ -7,6 +7,7 @@ import type { NodeView } from '../wasm_js/session.ts';
 import { SiteError } from '../wasm_js/site_error.ts';
 import { bagFiles, textOfFile } from './shell_files.ts';
 import { runCommand } from './run.ts';
+import { commands } from './table.ts';
 
 const usage = 'usage: node ros2.js [--link shared|port] SITE COMMAND...';
 const interrupted = 130;
@@ -57,8 +58,10 @@ async function main({ site, link, words }: Asked): Promise<number> {
     }
   };
   session.onNodes(tell);
-  session.startAll();
-  await Promise.race([session.settled, pause(longestStartMs)]);
+  if (!commands.some((command) => command.words[0] === words[0] && command.startsNodes === true)) {
+    session.startAll();
+    await Promise.race([session.settled, pause(longestStartMs)]);
+  }
   if (session.link === 'port') await pause(discoveryMs);
   const code = await runCommand(session, words, {
     signal: abort.signal,

@@ -5,6 +5,7 @@ import { bagCommands } from './bag_commands.ts';
 import type { Command } from './command.ts';
 import { componentCommands } from './component_commands.ts';
 import { interfaceCommands } from './interface_commands.ts';
+import { launchCommand } from './launch_command.ts';
 import { lifecycleCommands } from './lifecycle_commands.ts';
 import { nodeCommands } from './node_commands.ts';
 import { paramCommands } from './param_commands.ts';
@@ -21,6 +22,7 @@ export const commands: readonly Command[] = [
   ...bagCommands,
   ...componentCommands,
   ...interfaceCommands,
+  launchCommand,
   ...lifecycleCommands,
   ...nodeCommands,
   ...paramCommands,

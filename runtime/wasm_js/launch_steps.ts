@@ -115,6 +115,11 @@ export class LaunchSteps {
     for (const step of this.host.steps) if (step.on === undefined) this.later(step);
   }
 
+  /** Something is yet to come by itself. */
+  busy(): boolean {
+    return this.pending.size > 0;
+  }
+
   /** `stop`: it has ended, but not by itself. */
   happened(node: string, event: 'start' | 'exit' | 'stop'): void {
     if (event !== 'start') this.abandon(node);

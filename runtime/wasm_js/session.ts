@@ -153,6 +153,14 @@ export interface LaunchPython {
   readonly archives: readonly string[];
 }
 
+/** The launch file of which the site's nodes are. */
+export interface LaunchFile {
+  /** Relative to the manifest. */
+  readonly file: string;
+  /** In whose folder it lies; undefined: in none. */
+  readonly package?: string;
+}
+
 /** A launch file that can be evaluated again when the site starts. Paths are relative to site.json. */
 export interface LaunchView {
   readonly data: string;
@@ -199,6 +207,8 @@ export interface SiteDescription {
   /** That none of the nodes runs; each once. */
   readonly programs: readonly SiteProgram[];
   readonly launchSteps: readonly LaunchStep[];
+  /** undefined: the manifest names no launch file. */
+  readonly launchFile?: LaunchFile;
   /** undefined: no launch argument can change what runs. */
   readonly launch?: LaunchView;
   /** Path of interfaces.json, relative to site.json; empty when the site has none. */
@@ -273,6 +283,26 @@ export interface AddedNode {
   readonly onLines: (lines: readonly Pick<ConsoleLine, 'stream' | 'text'>[]) => void;
   /** It is in nodes() no more. */
   readonly onEnd: (state: Extract<NodeState, { readonly kind: 'exited' | 'crashed' }>) => void;
+}
+
+/** What `ros2 launch` asks for: the launch file's nodes, beside those of the site. */
+export interface LaunchRequest {
+  /** Those that are left out are as the site has them. */
+  readonly arguments: ReadonlyMap<string, string>;
+  /** What one of them prints. */
+  readonly onLines: (node: SiteNode, lines: readonly Pick<ConsoleLine, 'stream' | 'text'>[]) => void;
+  /** Each kind of state once, as it comes. */
+  readonly onNode: (node: SiteNode, state: NodeState) => void;
+  /** A line of the launch itself. */
+  readonly onSaid: (text: string) => void;
+  /** None of them runs any more, and nothing is to come: they are in nodes() no more. */
+  readonly onEnd: () => void;
+}
+
+/** Nodes that one launch has started. */
+export interface LaunchedNodes {
+  /** As Ctrl-C does. */
+  stop(): void;
 }
 
 export interface ConsoleLog {
@@ -361,6 +391,8 @@ export interface Session {
   restart(id: string): void;
   /** Its id. The program must be one that the site carries: of a node, or of its own. */
   run(node: AddedNode): string;
+  /** Rejects with the SiteError of launch arguments that cannot be. */
+  launch(asked: LaunchRequest): Promise<LaunchedNodes>;
   startAll(): void;
   stopAll(): void;
   /** At most once per animation frame. */

@@ -7,7 +7,7 @@ import { SiteError } from './site_error.ts';
 import { type FilePart, placesOf, readStore, type SiteStore } from './site_places.ts';
 import { fail, flag, type Json, list, number, object, path, readSource, text } from './site_values.ts';
 import type {
-  LaunchArgument, LaunchMoment, LaunchPython, LaunchStep, LaunchView, LineTest, NodeMoment, PythonProgram, SiteAuthor, SiteCitation,
+  LaunchArgument, LaunchFile, LaunchMoment, LaunchPython, LaunchStep, LaunchView, LineTest, NodeMoment, PythonProgram, SiteAuthor, SiteCitation,
   SiteDescription, SiteFile, SiteNode, SiteProgram,
 } from './session.ts';
 import type { SiteSources } from './site_sources.ts';
@@ -201,6 +201,14 @@ function readLaunch(value: unknown): LaunchView {
   };
 }
 
+/** Sites of before launch files were named have none. */
+function readLaunchFile(value: unknown): LaunchFile | undefined {
+  const json = object(value, 'site.launch');
+  if (json['file'] === undefined) return undefined;
+  const file = text(json, 'file', 'site.launch');
+  return json['package'] === undefined ? { file } : { file, package: text(json, 'package', 'site.launch') };
+}
+
 function readSources(value: unknown): SiteSources {
   const what = 'site.sources';
   const json = object(value, what);
@@ -247,6 +255,7 @@ export function readSite(value: unknown): SiteDescription {
   const nodes = readNodes(json);
   const ids = new Set(nodes.map((node) => node.id));
   const launchSteps = readSteps(json['launch'] ?? {}, ids);
+  const launchFile = readLaunchFile(json['launch'] ?? {});
   const interfaces = text(json, 'interfaces', 'site', '');
   const store = json['store'] === undefined ? undefined : readStore(json['store']) ?? fail('site.store is no store of objects');
   return {
@@ -262,6 +271,7 @@ export function readSite(value: unknown): SiteDescription {
     nodes,
     programs: list(json, 'programs', 'site', readProgram),
     launchSteps,
+    ...(launchFile === undefined ? {} : { launchFile }),
     ...(json['launch_file'] === undefined ? {} : { launch: readLaunch(json['launch_file']) }),
     interfaces: interfaces === '' ? '' : path(interfaces, 'site.interfaces'),
     packages: list(json, 'packages', 'site', (item) => (typeof item === 'string' ? item : fail('site.packages'))),

@@ -15,8 +15,8 @@ import { PythonFiles } from './python_files.ts';
 import { PythonImages } from './python_images.ts';
 import { Sampler } from './sampler.ts';
 import type {
-  AddedNode, ConsoleLog, LastMessage, LinkKind, NodeState, NodeView, Session, SiteDescription, SiteNode, SiteTime, SteppedRun, TabView,
-  TopicView, Unsubscribe,
+  AddedNode, ConsoleLog, LastMessage, LaunchedNodes, LaunchRequest, LinkKind, NodeState, NodeView, Session, SiteDescription, SiteNode,
+  SiteTime, SteppedRun, TabView, TopicView, Unsubscribe,
 } from './session.ts';
 import { SourceFiles } from './source_files.ts';
 import { prefixOf, siteEnvironment, siteFiles } from './site_files.ts';
@@ -247,24 +247,49 @@ export class SiteSession implements Session {
     this.checks = checks;
   }
 
+  /** `but`: further ones that are taken. */
+  private idFor(executable: string, but: ReadonlySet<string> = new Set()): string {
+    const isTaken = (id: string): boolean => but.has(id) || (this.runners.has(id) && !this.gone.has(id));
+    let number = 1;
+    while (isTaken(`${executable}-${number}`)) number += 1;
+    return `${executable}-${number}`;
+  }
+
+  /** A node beside those of the site. It does not run yet. */
+  private addedRunner(node: SiteNode, told: Pick<RunnerHost, 'happened' | 'shutdown' | 'changed' | 'lines'>): NodeRunner {
+    const console = new NodeConsole(this.platform.frame);
+    const runner = new NodeRunner(node, console, {
+      ...this.common,
+      ...told,
+      changed: () => {
+        this.nodesChanged();
+        told.changed();
+      },
+      settled: (of) => this.images?.settled(of),
+      lines: (of, report) => {
+        console.add(report.lines, report.dropped);
+        told.lines(of, report);
+      },
+    });
+    this.gone.delete(node.id);
+    this.added.add(node.id);
+    this.runners.set(node.id, runner);
+    return runner;
+  }
+
   run({ package: from, executable, arguments: given, onLines, onEnd }: AddedNode): string {
     const { nodes, programs } = this.site;
     const carried = [...nodes, ...programs].find((one) => one.package === from && one.executable === executable);
     if (carried === undefined) throw new RangeError(`the site has no program ${from}/${executable}`);
-    let number = 1;
-    while (this.runners.has(`${executable}-${number}`) && !this.gone.has(`${executable}-${number}`)) number += 1;
-    const id = `${executable}-${number}`;
+    const id = this.idFor(executable);
     const { kind, program, names, python, threads } = carried;
     const node: SiteNode = {
       id, package: from, executable, label: executable, kind, program, threads, arguments: given, environment: {},
       ...(names === undefined ? {} : { names }), ...(python === undefined ? {} : { python }),
       output: 'screen', respawn: false, respawnDelay: 0, startAfter: 0, shutdownOnExit: false,
     };
-    const console = new NodeConsole(this.platform.frame);
-    const runner = new NodeRunner(node, console, {
-      ...this.common,
+    const runner = this.addedRunner(node, {
       changed: () => {
-        this.nodesChanged();
         const { state } = runner.view();
         if (state.kind !== 'exited' && state.kind !== 'crashed') return;
         queueMicrotask(() => {
@@ -275,19 +300,36 @@ export class SiteSession implements Session {
           onEnd(state);
         });
       },
-      settled: (of) => this.images?.settled(of),
       shutdown: () => undefined,
       happened: () => undefined,
-      lines: (_of, { lines, dropped }) => {
-        console.add(lines, dropped);
-        onLines(lines.map(([stream, , text]) => ({ stream: stream === 1 ? 'stdout' : 'stderr', text })));
-      },
+      lines: (_of, { lines }) => onLines(lines.map(([stream, , text]) => ({ stream: stream === 1 ? 'stdout' : 'stderr', text }))),
     });
-    this.gone.delete(id);
-    this.added.add(id);
-    this.runners.set(id, runner);
     runner.start();
     return id;
+  }
+
+  async launch(asked: LaunchRequest): Promise<LaunchedNodes> {
+    const { platform, broker } = this;
+    const [{ LaunchGroup }, site] = await Promise.all([
+      import('./launch_group.ts'),
+      asked.arguments.size === 0 ? this.site
+        : import('./launch_evaluation.ts').then(({ siteWithArguments }) => siteWithArguments(this.site, asked.arguments, platform)),
+    ]);
+    return new LaunchGroup(site.nodes, site.launchSteps, asked, {
+      idFor: (executable, but) => this.idFor(executable, but),
+      runnerOf: (node, told) => this.addedRunner(node, {
+        changed: told.changed,
+        shutdown: told.shutdown,
+        happened: (_of, event) => told.happened(event),
+        lines: (_of, { lines }) => told.lines(lines),
+      }),
+      free: (ids) => {
+        for (const id of ids) this.gone.add(id);
+        this.nodesChanged();
+      },
+      after: (ms, task) => broker.after(ms, task),
+      pageNode: () => this.node(),
+    });
   }
 
   private running(): string[] {

@@ -124,3 +124,27 @@ test('a site without Python nodes has nothing of Python, whatever the workspace 
   assert.equal(site('compiled').sources, undefined);
   rmSync(join(workspace.root, 'compiled'), { recursive: true });
 });
+
+test('a Python program of a package that knows no ROS runs', async () => {
+  const write = (path: string, text: string): string => workspace.write(`plain/src/plain_py/${path}`, text);
+  write('package.xml', `<?xml version="1.0"?>
+<package format="3"><name>plain_py</name><version>0.1.0</version><description>No node</description>
+<maintainer email="someone@example.org">Someone</maintainer><license>Apache-2.0</license>
+<export><build_type>ament_python</build_type></export></package>
+`);
+  write('setup.py', `from setuptools import setup
+setup(name='plain_py', version='0.1.0', packages=['plain_py'],
+      data_files=[('share/ament_index/resource_index/packages', ['resource/plain_py']), ('share/plain_py', ['package.xml'])],
+      entry_points={'console_scripts': ['shapes = plain_py.shapes:main']})
+`);
+  write('setup.cfg', '[develop]\nscript_dir=$base/lib/plain_py\n[install]\ninstall_scripts=$base/lib/plain_py\n');
+  write('resource/plain_py', '');
+  write('plain_py/__init__.py', '');
+  write('plain_py/shapes.py', "def main():\n    print('no node here', sum(range(5)))\n");
+  workspace.write('plain/workspace.yaml', 'schema: 1\nname: plain\npackages: [src/*]\nlaunch:\n  - {package: plain_py, executable: shapes}\n');
+  const packed = await workspace.run(['pack', 'plain/workspace.yaml', '-o', 'plain_site']);
+  assert.equal(packed.code, 0, packed.stderr);
+  const ran = await workspace.run(['run', 'plain_site', '--for', '120s']);
+  assert.equal(ran.code, 0, ran.stderr);
+  assert.match(ran.stdout, /^\[shapes-1\] no node here 10$/m);
+});

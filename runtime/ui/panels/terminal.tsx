@@ -231,7 +231,7 @@ export function TerminalPanel({ session, announce }: PanelProps) {
       event.preventDefault();
       recall(event.key === 'ArrowUp' ? -1 : 1);
     } else if (event.key === 'Tab' && !event.shiftKey && line !== '') {
-      const done = completeInput(line, complete(line, { graph: session.graph(), interfaces: interfaces.current, programs: programsOf(session.site) }));
+      const done = completeInput(line, complete(line, { graph: session.graph(), interfaces: interfaces.current, programs: programsOf(session.site), launches: session.site }));
       // Nothing to complete: the key moves on, so that nobody is caught here.
       if (done.kind === 'nothing') return;
       event.preventDefault();

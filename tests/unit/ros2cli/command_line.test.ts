@@ -129,7 +129,10 @@ const graph: GraphView = {
 };
 const known = { graph, interfaces: ['demo/action/Count', 'demo/srv/Add', 'std_msgs/msg/Int8', 'std_msgs/msg/String'], programs: [
   { package: 'demo', executable: 'talker' }, { package: 'demo', executable: 'listener' }, { package: 'turtlesim', executable: 'draw_square' },
-] };
+], launches: {
+  launchFile: { package: 'demo', file: 'src/demo/launch/demo.launch.py' },
+  launch: { data: '', evaluator: '', notes: [], decided: false, reran: false, arguments: [{ name: 'speed', value: '', description: '', choices: [] }] },
+} };
 
 test('completion offers what may stand there', () => {
   for (const [line, choices] of [
@@ -154,6 +157,11 @@ test('completion offers what may stand there', () => {
     ['ros2 run demo talker ', []],
     ['ros2 pkg executables t', ['turtlesim']],
     ['ros2 component list ', ['/box']],
+    ['ros2 launch ', ['demo']],
+    ['ros2 launch demo ', ['demo.launch.py']],
+    ['ros2 launch other ', []],
+    ['ros2 launch demo demo.launch.py sp', ['speed:=']],
+    ['ros2 launch demo demo.launch.py speed:=1 ', ['speed:=']],
     ['ls ', []],
   ] as const) {
     assert.deepEqual(complete(line, known).choices, choices, line);

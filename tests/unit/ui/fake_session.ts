@@ -5,6 +5,8 @@ import { graphView } from '../../../runtime/wasm_js/graph_view.ts';
 import { PageParticipant } from '../../../runtime/wasm_js/page_participant.ts';
 import type {
   AddedNode,
+  LaunchedNodes,
+  LaunchRequest,
   ConsoleLine,
   ConsoleLog,
   GraphView,
@@ -238,6 +240,8 @@ export class FakeSession implements Session {
   readonly launchLog = new FakeConsole();
   private readonly consoles = new Map<string, FakeConsole>();
   private readonly last = new Map<string, LastMessage>();
+  /** What launch() was told. */
+  readonly launches: LaunchRequest[] = [];
   /** What run() was told. */
   readonly added: AddedNode[] = [];
   private readonly nodeListeners = new Set<(nodes: readonly NodeView[]) => void>();
@@ -398,6 +402,12 @@ export class FakeSession implements Session {
     this.added.push(node);
     this.asked.push(`run ${node.package}/${node.executable} ${node.arguments.join(' ')}`);
     return `${node.executable}-${this.added.length}`;
+  }
+
+  launch(asked: LaunchRequest): Promise<LaunchedNodes> {
+    this.launches.push(asked);
+    this.asked.push(`launch ${[...asked.arguments].map(([name, value]) => `${name}:=${value}`).join(' ')}`);
+    return Promise.resolve({ stop: () => this.asked.push('stop launch') });
   }
 
   sendInput(id: string, text: string): void {

@@ -43,6 +43,21 @@ TEST(CmakePackages, LeavesOutCommentsVariablesAndOtherCommands) {
             std::vector<std::string>());
 }
 
+TEST(CmakePackages, GoesThroughListsOfTheFile) {
+  EXPECT_EQ(names("set(DEPENDENCIES ament_cmake rclcpp)\nlist(APPEND DEPENDENCIES Eigen3)\n"
+                  "foreach(DEP IN LISTS DEPENDENCIES)\n  find_package(${DEP} REQUIRED)\n"
+                  "endforeach()"),
+            (std::vector<std::string>{"ament_cmake", "rclcpp", "Eigen3"}));
+  EXPECT_EQ(names("set(more tf2)\nforeach(one std_msgs ${more} ${unknown})\n"
+                  "find_package(${one} REQUIRED)\nendforeach()\n"
+                  "foreach(one IN ITEMS urdf)\nfind_package(${one} REQUIRED)\nendforeach()"),
+            (std::vector<std::string>{"std_msgs", "tf2", "urdf"}));
+  // Each line doubles the list.
+  std::string grows = "set(a x)\n";
+  for (int i = 0; i < 64; ++i) grows += "set(a ${a} ${a})\n";
+  EXPECT_EQ(names(grows + "find_package(${a} REQUIRED)"), std::vector<std::string>{"x"});
+}
+
 TEST(CmakePackages, KnowsThePlace) {
   const auto found = cmake_packages("project(x)\n  find_package(demo REQUIRED)  # why\n", "a/b");
   ASSERT_EQ(found.size(), 1U);

@@ -27,8 +27,10 @@ std::string shown_launch_path(const std::string& path, const std::string& prefix
 std::map<std::string, std::string> launch_environment(const std::string& distro) {
   return {{"AMENT_PREFIX_PATH", launch_prefix(distro)},
           {"HOME", "/home/user"},
+          {"PWD", kLaunchWorkspace},
           {"ROS_DISTRO", distro},
-          {"ROS_VERSION", "2"}};
+          {"ROS_VERSION", "2"},
+          {"USER", "user"}};
 }
 
 Diagnostic unreadable_launch_path(const std::string& path, std::string why) {

@@ -387,6 +387,14 @@ class Parser {
     return result;
   }
 
+  /// `200and x` is a number and a keyword: launch files that join texts have such.
+  [[nodiscard]] bool begins_keyword() const {
+    const std::string_view rest = text_.substr(at_);
+    const std::string_view keywords[] = {"and", "else", "for", "if", "in", "is", "not", "or"};
+    return std::any_of(std::begin(keywords), std::end(keywords),
+                       [&](std::string_view one) { return rest.starts_with(one); });
+  }
+
   Expression number() {
     const bool hexadecimal = ahead(0) == '0' && (ahead(1) == 'x' || ahead(1) == 'X');
     if (hexadecimal) at_ += 2;
@@ -404,7 +412,7 @@ class Parser {
     }
     const char* begin = written.data();
     const char* end = begin + written.size();
-    if (in_word(ahead(0))) syntax();
+    if (in_word(ahead(0)) && !begins_keyword()) syntax();
     std::int64_t whole = 0;
     const auto integer = std::from_chars(begin, end, whole, hexadecimal ? 16 : 10);
     if (integer.ec == std::errc() && integer.ptr == end) return {.value = {whole}};

@@ -178,6 +178,9 @@ constexpr Case kCases[] = {
     {"round(-2.5)", "-2"},
     {"int('ff', 16)", "255"},
     {"0xff + 1_000", "1255"},
+    {"200 == 200and True", "True"},
+    {"1if 0else 2", "2"},
+    {"0x1for 0", "31"},
     {"floor(3)", "3"},
     {"math.isclose(0.1 + 0.2, 0.3)", "True"},
     {"math.tau", "6.283185307179586"},
@@ -284,6 +287,7 @@ TEST(PythonExpression, FailsAsPythonDoes) {
            Case{"for", "SyntaxError"},
            Case{"1e", "SyntaxError"},
            Case{"0x", "SyntaxError"},
+           Case{"200apples", "SyntaxError"},
            Case{"1_", "SyntaxError"},
            Case{"math.nothing", "AttributeError"},
        }) {

@@ -16,10 +16,12 @@ constexpr std::string_view kBuildTool = "a build tool of this machine";
 constexpr std::string_view kTestTool = "tests run in the native build";
 constexpr std::string_view kLaunchTool = "launch descriptions are read by ros2wasm itself";
 constexpr std::string_view kCommandTool = "a command line tool, of no use in a site";
+constexpr std::string_view kWindowTool = "a program with windows; the page shows what it would";
 constexpr std::string_view kLeftOut = "what needs it is left out of a site";
 constexpr std::string_view kOwnMiddleware = "every site has its own middleware";
 
 constexpr auto kHostPackages = std::to_array<HostPackage>({
+    {"OpenCV", kLeftOut},
     {"ament_cmake", kBuildTool},
     {"ament_cmake_auto", kBuildTool},
     {"ament_cmake_core", kBuildTool},
@@ -43,13 +45,17 @@ constexpr auto kHostPackages = std::to_array<HostPackage>({
     {"cv_bridge", kLeftOut},
     {"git", kBuildTool},
     {"image_geometry", kLeftOut},
+    {"joint_state_publisher_gui", kWindowTool},
     {"launch", kLaunchTool},
     {"launch_ros", kLaunchTool},
     {"launch_testing*", kTestTool},
     {"launch_xml", kLaunchTool},
     {"launch_yaml", kLaunchTool},
-    {"libopencv-dev", kLeftOut},
+    {"libopencv*", kLeftOut},
+    {"opencv", kLeftOut},
+    {"opencv2", kLeftOut},
     {"pkg-config", kBuildTool},
+    {"plotjuggler*", kWindowTool},
     {"python3", kBuildTool},
     {"python3-pytest", kTestTool},
     {"python3-setuptools", kBuildTool},
@@ -61,8 +67,14 @@ constexpr auto kHostPackages = std::to_array<HostPackage>({
     {"ros2action", kCommandTool},
     {"ros2bag", kCommandTool},
     {"ros2cli", kCommandTool},
+    {"ros2component", kCommandTool},
+    {"ros2doctor", kCommandTool},
+    {"ros2interface", kCommandTool},
     {"ros2launch", kLaunchTool},
+    {"ros2lifecycle", kCommandTool},
+    {"ros2node", kCommandTool},
     {"ros2param", kCommandTool},
+    {"ros2pkg", kCommandTool},
     {"ros2run", kCommandTool},
     {"ros2service", kCommandTool},
     {"ros2topic", kCommandTool},
@@ -73,7 +85,10 @@ constexpr auto kHostPackages = std::to_array<HostPackage>({
     {"rosidl_generator_c", kBuildTool},
     {"rosidl_generator_cpp", kBuildTool},
     {"rosidl_generator_py", kBuildTool},
+    {"rqt", kWindowTool},
+    {"rviz2", kWindowTool},
     {"setuptools", kBuildTool},
+    {"xacro", kLaunchTool},
 });
 
 bool matches(std::string_view pattern, std::string_view name) {

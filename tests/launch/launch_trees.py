@@ -255,11 +255,12 @@ def _component(one: Action) -> str:
 
 PYTHON = """\
 from launch import LaunchDescription
-from launch.actions import (AppendEnvironmentVariable, DeclareLaunchArgument, ExecuteProcess, GroupAction,
+from launch.actions import (AppendEnvironmentVariable, ExecuteProcess, GroupAction,
                             IncludeLaunchDescription, LogInfo, ResetEnvironment, ResetLaunchConfigurations,
                             SetEnvironmentVariable, SetLaunchConfiguration, Shutdown, TimerAction,
                             UnsetEnvironmentVariable)
 from launch.conditions import IfCondition, UnlessCondition
+from launch.launch_description import DeclareLaunchArgument
 from launch.launch_description_sources import AnyLaunchDescriptionSource
 from launch.substitutions import (AndSubstitution, AnonName, EnvironmentVariable, EqualsSubstitution, FileContent,
                                   IfElseSubstitution, LaunchConfiguration, NotEqualsSubstitution, NotSubstitution,

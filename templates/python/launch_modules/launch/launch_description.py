@@ -41,3 +41,12 @@ class LaunchDescription(LaunchDescriptionEntity):
 
     def _entities(self) -> list[Entity]:
         return entities_of(self._held)
+
+
+def __getattr__(name: str) -> Any:
+    """Upstream's module imports this action, and so users find it here."""
+    if name == 'DeclareLaunchArgument':
+        from .actions import DeclareLaunchArgument
+
+        return DeclareLaunchArgument
+    raise AttributeError(f'module {__name__!r} has no attribute {name!r}')

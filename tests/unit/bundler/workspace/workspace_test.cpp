@@ -112,15 +112,15 @@ TEST(BuildOrder, CirclesAndTwinsAreErrors) {
 TEST(ChannelRequest, EverythingMissingAtOnceWithItsLine) {
   const TemporaryTree tree;
   tree.write("src/a/package.xml", package_xml("a",
-                                              "<depend>std_mgs</depend>\n<depend>opencv</depend>\n"
-                                              "<exec_depend>rviz2</exec_depend>\n"));
+                                              "<depend>std_mgs</depend>\n<depend>pcl_ros</depend>\n"
+                                              "<exec_depend>slam_toolbox</exec_depend>\n"));
   const auto packages = discovered(tree, "src");
   const auto order = order_packages(packages, "jazzy");
   ASSERT_TRUE(order);
   const auto request =
       channel_request(Manifest{}, packages, {}, {.names = {"ros-jazzy-std-msgs"}}, "3.1.6");
   ASSERT_FALSE(request);
-  ASSERT_EQ(request.errors().size(), 2U);  // rviz2 is a warning only
+  ASSERT_EQ(request.errors().size(), 2U);  // slam_toolbox is a warning only
   EXPECT_EQ(request.errors()[0].code, "R2W0513");
   EXPECT_EQ(request.errors()[0].span->line, 8U);
   EXPECT_EQ(request.errors()[1].span->line, 7U);
@@ -129,8 +129,9 @@ TEST(ChannelRequest, EverythingMissingAtOnceWithItsLine) {
 
 TEST(ChannelRequest, HasPackagesNodesAndTheCompiler) {
   const TemporaryTree tree;
-  tree.write("src/a/package.xml",
-             package_xml("a", "<depend>std_msgs</depend>\n<exec_depend>rviz2</exec_depend>\n"));
+  tree.write(
+      "src/a/package.xml",
+      package_xml("a", "<depend>std_msgs</depend>\n<exec_depend>slam_toolbox</exec_depend>\n"));
   const auto packages = discovered(tree, "src");
   const auto order = order_packages(packages, "jazzy");
   ASSERT_TRUE(order);
@@ -171,7 +172,7 @@ TEST(ChannelRequest, OnlyNamesOfRosPackagesAreTakenForSuch) {
 TEST(ChannelRequest, WhatALockLacksIsAskedForAllTheSame) {
   const TemporaryTree tree;
   tree.write("src/a/package.xml",
-             package_xml("a", "<depend>other</depend>\n<exec_depend>rviz2</exec_depend>\n"));
+             package_xml("a", "<depend>other</depend>\n<exec_depend>slam_toolbox</exec_depend>\n"));
   const auto packages = discovered(tree, "src");
   const auto order = order_packages(packages, "jazzy");
   ASSERT_TRUE(order);
@@ -182,7 +183,7 @@ TEST(ChannelRequest, WhatALockLacksIsAskedForAllTheSame) {
   EXPECT_EQ(request->specs[0].text, "ros-jazzy-other");
   ASSERT_EQ(request->warnings.size(), 1U);
   EXPECT_EQ(request->warnings[0].message,
-            "the lock has no `rviz2`, and the workspace has not either");
+            "the lock has no `slam_toolbox`, and the workspace has not either");
 }
 
 TEST(LeftOut, WhatLacksSomethingAndWhatNeedsIt) {
@@ -194,7 +195,7 @@ TEST(LeftOut, WhatLacksSomethingAndWhatNeedsIt) {
   tree.write("src/sim/package.xml",
              package_xml("sim",
                          "<depend>std_mgs</depend>\n<build_depend>gazebo_ros</build_depend>\n"
-                         "<exec_depend>rviz2</exec_depend>\n"));
+                         "<exec_depend>slam_toolbox</exec_depend>\n"));
   const auto packages = discovered(tree, "src");
   const auto order = order_packages(packages, "jazzy");
   ASSERT_TRUE(order);

@@ -12,7 +12,7 @@ import { PackWorkspace } from './pack_workspace.ts';
 const PACKAGES = resolve(import.meta.dirname, '../packages');
 /** Each says that its checks hold, and ends well. Program -> its package. */
 const PROGRAMS = new Map([
-  ...['camera', 'documents', 'geometry', 'monitor', 'robot', 'scan', 'viewer'].map((one): [string, string] => [one, 'library_checks']),
+  ...['camera', 'documents', 'geometry', 'kinematics', 'monitor', 'robot', 'scan', 'viewer'].map((one): [string, string] => [one, 'library_checks']),
   ['loader', 'plugin_checks'],
 ]);
 const CHECKS = [...PROGRAMS.keys()];

@@ -6,6 +6,10 @@
 // Compatibility, works: `teleop_twist_keyboard`: its keys, texts and parameters (`stamped`, `frame_id`, `speed`, `turn`); keys that are
 // typed before Enter come one by one
 
+// Compatibility, works: `view_frames` of tf2_tools: what it says of the frames
+
+// Compatibility, differs: `view_frames` of tf2_tools -> writes NAME.gv into its own memory, and makes no PDF of it; the page draws frames
+
 import assert from 'node:assert/strict';
 import { join, resolve } from 'node:path';
 import { after, before, test } from 'node:test';
@@ -146,3 +150,23 @@ launch:
     }
   });
 }
+
+test('ros2 run tf2_tools view_frames', watchdog, async () => {
+  const played = await Played.of(`schema: 1
+name: frames
+dependencies: [tf2_ros, tf2_tools]
+launch:
+  - {package: tf2_ros, executable: static_transform_publisher, arguments: [--x, 1, --frame-id, map, --child-frame-id, base]}
+  - {package: tf2_tools, executable: view_frames, arguments: [-t, 2, -o, seen]}
+`);
+  try {
+    played.session.startAll();
+    await played.says(/Listening to tf data for 2\.0 seconds\.\.\./);
+    await played.says(/Generating graph\.\.\./);
+    await played.says(/Result:tf2_msgs\.srv\.FrameGraph_Response\(frame_yaml="base: ?\\n {2}parent: 'map'\\n/);
+    await played.says(/Exporting graph in seen\.gv file\.\.\./);
+    await played.until('it ends well', () => played.session.nodes().some(({ state }) => state.kind === 'exited' && state.code === 0));
+  } finally {
+    played.close();
+  }
+});

@@ -11,7 +11,7 @@
 // Compatibility, differs: `view_frames` of tf2_tools -> writes NAME.gv into its own memory, and makes no PDF of it; the page draws frames
 
 import assert from 'node:assert/strict';
-import { join, resolve } from 'node:path';
+import { resolve } from 'node:path';
 import { after, before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { createDecoder } from '../../runtime/decode/decoder.ts';

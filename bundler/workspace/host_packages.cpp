@@ -49,6 +49,7 @@ constexpr auto kHostPackages = std::to_array<HostPackage>({
     {"launch_xml", kLaunchTool},
     {"launch_yaml", kLaunchTool},
     {"libopencv-dev", kLeftOut},
+    {"libzmq3-dev", kLeftOut},
     {"pkg-config", kBuildTool},
     {"python3", kBuildTool},
     {"python3-pytest", kTestTool},

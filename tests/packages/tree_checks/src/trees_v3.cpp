@@ -66,7 +66,7 @@ int main(int argc, char* argv[]) {
   CHECK(tree.rootNode()->name() == "KeepRunningUntilFailure" && tree.rootBlackboard() == blackboard);
   CHECK(tree.tickRoot() == BT::NodeStatus::RUNNING);
   CHECK(blackboard->get<int>("charge") == 100 && blackboard->get<int>("rounds") == 1);
-  CHECK(tree.tickRoot() == BT::NodeStatus::RUNNING && Wait::halted == 1);
+  CHECK(tree.tickRoot() == BT::NodeStatus::RUNNING && Wait::halted == 2);
   rclcpp::Rate rate(100);
   BT::NodeStatus status = BT::NodeStatus::RUNNING;
   while (rclcpp::ok() && status == BT::NodeStatus::RUNNING) {

@@ -54,6 +54,7 @@ constexpr auto kHostPackages = std::to_array<HostPackage>({
     {"libopencv*", kLeftOut},
     {"opencv", kLeftOut},
     {"opencv2", kLeftOut},
+    {"libzmq3-dev", kLeftOut},
     {"pkg-config", kBuildTool},
     {"plotjuggler*", kWindowTool},
     {"python3", kBuildTool},

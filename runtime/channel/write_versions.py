@@ -16,10 +16,15 @@ PAGE = ROOT / "docs" / "upstream-versions.md"
 TABLE = ROOT / "runtime" / "versions.json"
 
 
+def read_of(entry: dict[str, str]) -> str:
+    """Returns which release's interface ours has, where the newest one could not be read."""
+    return f" (as read in {entry['read']})" if "read" in entry else ""
+
+
 def page(table: dict[str, Any]) -> str:
     """Returns the Markdown text for a parsed versions.json."""
     rows = "".join(
-        f"| {name} | {entry['version']} | {entry['repository']} |\n"
+        f"| {name} | {entry['version']}{read_of(entry)} | {entry['repository']} |\n"
         for name, entry in sorted(table["packages"].items())
     )
     return (

@@ -12,8 +12,9 @@ import { PackWorkspace } from './pack_workspace.ts';
 const PACKAGES = resolve(import.meta.dirname, '../packages');
 /** Each says that its checks hold, and ends well. Program -> its package. */
 const PROGRAMS = new Map([
-  ...['camera', 'documents', 'geometry', 'monitor', 'robot', 'scan', 'viewer'].map((one): [string, string] => [one, 'library_checks']),
+  ...['calibration', 'camera', 'control', 'documents', 'geometry', 'kinematics', 'monitor', 'robot', 'scan', 'viewer'].map((one): [string, string] => [one, 'library_checks']),
   ['loader', 'plugin_checks'],
+  ...['trees', 'trees_v3'].map((one): [string, string] => [one, 'tree_checks']),
 ]);
 const CHECKS = [...PROGRAMS.keys()];
 /** What `documents` says once its checks hold, when objects end with the thread and with the program. */
@@ -44,6 +45,8 @@ packages:
   - src/library_checks
   - src/plugin_checks
   - src/plugin_shapes
+  - src/tree_checks
+  - src/tree_nodes
 launch:
 ${[...PROGRAMS].map(([program, of]) => `  - {package: ${of}, executable: ${program}}`).join('\n')}
   - package: image_transport
@@ -65,7 +68,7 @@ ${[...PROGRAMS].map(([program, of]) => `  - {package: ${of}, executable: ${progr
 let workspace: PackWorkspace;
 before(() => {
   workspace = new PackWorkspace();
-  for (const name of ['library_checks', 'plugin_checks', 'plugin_shapes']) {
+  for (const name of ['library_checks', 'plugin_checks', 'plugin_shapes', 'tree_checks', 'tree_nodes']) {
     cpSync(join(PACKAGES, name), join(workspace.root, 'src', name), { recursive: true });
   }
   cpSync(join(PACKAGES, 'rclcpp_checks/src'), join(workspace.root, 'src/rclcpp_checks/src'), { recursive: true });

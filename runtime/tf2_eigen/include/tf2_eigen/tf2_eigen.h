@@ -1,4 +1,4 @@
 // The older name of this header.
 #pragma once
 
-#include "tf2_eigen/tf2_sensor_msgs.hpp"
+#include "tf2_eigen/tf2_eigen.hpp"

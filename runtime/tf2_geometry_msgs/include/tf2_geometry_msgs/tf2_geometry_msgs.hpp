@@ -26,8 +26,21 @@
 #include "tf2/LinearMath/Vector3.hpp"
 #include "tf2/convert.hpp"
 #include "tf2_ros/buffer_interface.hpp"
+#if __has_include(<kdl/frames.hpp>)
+#include <kdl/frames.hpp>
+#endif
 
 namespace tf2 {
+
+#if __has_include(<kdl/frames.hpp>)
+/// For packages that ask for KDL (orocos_kdl_vendor): the others carry nothing of it.
+inline KDL::Frame gmTransformToKDL(const geometry_msgs::msg::TransformStamped& t) {
+  const auto& translation = t.transform.translation;
+  const auto& rotation = t.transform.rotation;
+  return {KDL::Rotation::Quaternion(rotation.x, rotation.y, rotation.z, rotation.w),
+          KDL::Vector(translation.x, translation.y, translation.z)};
+}
+#endif
 
 // --- vectors and points ---------------------------------------------------------------------
 

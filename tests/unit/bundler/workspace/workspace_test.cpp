@@ -163,6 +163,8 @@ TEST(ChannelRequest, OnlyNamesOfRosPackagesAreTakenForSuch) {
   EXPECT_EQ(spec("my_nodes"), "ros-jazzy-my-nodes");
   EXPECT_EQ(spec("nlohmann-json-dev >=3"), "nlohmann_json >=3");
   EXPECT_EQ(spec("libyaml-cpp-dev"), "yaml-cpp");
+  EXPECT_EQ(spec("liborocos-kdl-dev"), "orocos-kdl");
+  EXPECT_EQ(spec("orocos_kdl"), "orocos-kdl");
   for (const std::string same :
        {"_openmp_mutex", "https://host/c/noarch/more-1.0-h_0.conda", "more-1.0-h_0.conda",
         "./here/noarch/more-1.0-h_0.tar.bz2", "./my_channel::lib", "numpy"})

@@ -1,0 +1,4 @@
+// The name of this header in version 3.
+#pragma once
+
+#include "behaviortree_cpp/exceptions.h"

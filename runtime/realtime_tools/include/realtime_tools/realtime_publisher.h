@@ -1,0 +1,4 @@
+// The older name of this header.
+#pragma once
+
+#include "realtime_tools/realtime_publisher.hpp"

@@ -36,8 +36,12 @@ bool Inbox::take_kept(ros2wasm::Bytes& bytes, ros2wasm::SampleInfo& info) {
 
 size_t Inbox::fetch() {
   size_t count = 0;
-  Arrival arrival{};
-  while (endpoint_->take(arrival.bytes, arrival.info)) {
+  while (true) {
+    // A new one each time: its bytes are given away.
+    Arrival arrival{};
+    if (!endpoint_->take(arrival.bytes, arrival.info)) {
+      return count;
+    }
     if (accepts_ && !accepts_(arrival.bytes, arrival.info)) {
       continue;
     }
@@ -49,7 +53,6 @@ size_t Inbox::fetch() {
     kept_.push_back(std::move(arrival));
     kept_count_ = kept_.size();
   }
-  return count;
 }
 
 void Inbox::look() {

@@ -25,15 +25,6 @@ bool Waitable::is_ready(rcl_wait_set_t*) {
   throw std::runtime_error("waitable does not override is_ready");
 }
 
-void Waitable::execute(const std::shared_ptr<void>& data) {
-  std::shared_ptr<void> copy = data;
-  execute(copy);
-}
-
-void Waitable::execute(std::shared_ptr<void>&) {
-  throw std::runtime_error("waitable does not override execute");
-}
-
 std::shared_ptr<void> Waitable::take_data_by_entity_id(size_t) {
   throw std::runtime_error(
       "Custom waitables should override take_data_by_entity_id if they want to use it.");
@@ -73,7 +64,7 @@ bool Waitable::claim(std::shared_ptr<void>& data) {
 }
 
 bool Waitable::run(std::shared_ptr<void>& data) {
-  execute(static_cast<const std::shared_ptr<void>&>(data));
+  execute(data);
   return true;
 }
 

@@ -137,7 +137,6 @@ class EventHandler : public EventHandlerBase {
                int32_t event_type)
       : EventHandlerBase(std::move(endpoint), event_type), callback_(std::move(callback)) {}
 
-  using Waitable::execute;
   void execute(const std::shared_ptr<void>& data) override {
     InfoT info{};
     detail::fill(info, *static_cast<const EventCounts*>(data.get()));

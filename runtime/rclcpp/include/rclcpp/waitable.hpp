@@ -31,8 +31,7 @@ class Waitable : public detail::Executable {
   virtual void add_to_wait_set(rcl_wait_set_t* wait_set);
   virtual bool is_ready(const rcl_wait_set_t& wait_set);
   virtual bool is_ready(rcl_wait_set_t* wait_set);
-  virtual void execute(const std::shared_ptr<void>& data);
-  virtual void execute(std::shared_ptr<void>& data);
+  virtual void execute(const std::shared_ptr<void>& data) = 0;
   virtual std::shared_ptr<void> take_data() = 0;
   /// Throws std::runtime_error unless it is overridden, as do the two callbacks.
   virtual std::shared_ptr<void> take_data_by_entity_id(size_t id);

@@ -90,7 +90,7 @@ class Older : public rclcpp::Waitable {
     return wait_set->guard_conditions[index_] == &guard_;
   }
   std::shared_ptr<void> take_data() override { return nullptr; }
-  void execute(std::shared_ptr<void>&) override { ++runs; }
+  void execute(const std::shared_ptr<void>&) override { ++runs; }
 
   int runs = 0;
 

@@ -22,7 +22,7 @@ const PARAMETERS = '    parameters:\n      - from_arguments: 2.5\n        names:
 let workspace: PackWorkspace;
 before(() => {
   workspace = new PackWorkspace();
-  for (const name of ['rclcpp_checks', 'lifecycle_sensor', 'tf2_checks', 'filter_checks', 'file_checks']) {
+  for (const name of ['rclcpp_checks', 'lifecycle_sensor', 'rclcpp_events_checks', 'rclcpp_forms_checks', 'tf2_checks', 'filter_checks', 'file_checks']) {
     cpSync(join(PACKAGES, name), join(workspace.root, 'src', name), { recursive: true });
   }
 });
@@ -72,6 +72,8 @@ test('a managed node is led through its life on both links', { timeout: 500_000 
 for (const { title, name, programs } of [
   { title: 'transforms are told, kept and found', name: 'tf2_checks', programs: ['buffer', 'broadcaster', 'listener'] },
   { title: 'share files are read and own files written', name: 'file_checks', programs: ['share', 'own_files'] },
+  { title: 'who waits is told of messages, requests and events; waitables, wait sets and executors of events run', name: 'rclcpp_events_checks', programs: ['told', 'waitables', 'wait_sets', 'events_executor'] },
+  { title: 'seldom used forms and the small libraries do what they say', name: 'rclcpp_forms_checks', programs: ['forms', 'log_macros', 'small_libraries'] },
   { title: 'messages pass filters and are put together', name: 'filter_checks', programs: ['filters', 'subscribers'] },
 ]) {
   test(`${title} on both links`, { timeout: 500_000 }, async () => {

@@ -5,6 +5,7 @@
 #include <mutex>
 #include <vector>
 
+#include "rclcpp/detail/listeners.hpp"
 #include "ros2wasm/endpoint.hpp"
 
 namespace rclcpp {
@@ -59,6 +60,7 @@ void run_background(uint32_t endpoint_id) {
 }
 
 void run_background() {
+  look_for_listeners();
   std::vector<uint32_t> ids;
   ros2wasm::ready_endpoints(ids);
   for (const uint32_t id : ids) {

@@ -1,4 +1,4 @@
-// Callback groups and guard conditions.
+// Callback groups.
 #include "rclcpp/callback_group.hpp"
 
 #include <algorithm>
@@ -125,38 +125,6 @@ void CallbackGroup::remove_waitable(const std::shared_ptr<Waitable>& waitable) n
                                     return weak.expired() || weak.lock() == waitable;
                                   }),
                    waitables_.end());
-}
-
-GuardCondition::GuardCondition(const rclcpp::Context::SharedPtr& context) : context_(context) {
-  if (!context) {
-    throw std::invalid_argument("context argument unexpectedly nullptr");
-  }
-}
-
-void GuardCondition::trigger() {
-  {
-    const std::lock_guard<std::recursive_mutex> lock(callback_mutex_);
-    if (on_trigger_callback_) {
-      on_trigger_callback_(1);
-    } else {
-      ++unread_count_;
-    }
-  }
-  triggered_ = true;
-  ros2wasm::wake();
-}
-
-bool GuardCondition::exchange_in_use_by_wait_set_state(bool in_use_state) {
-  return in_use_by_wait_set_.exchange(in_use_state);
-}
-
-void GuardCondition::set_on_trigger_callback(std::function<void(size_t)> callback) {
-  const std::lock_guard<std::recursive_mutex> lock(callback_mutex_);
-  on_trigger_callback_ = std::move(callback);
-  if (on_trigger_callback_ && unread_count_ > 0) {
-    on_trigger_callback_(unread_count_);
-    unread_count_ = 0;
-  }
 }
 
 }  // namespace rclcpp

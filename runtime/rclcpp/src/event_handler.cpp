@@ -1,6 +1,10 @@
 // Reading event counters off the bus.
 #include "rclcpp/event_handler.hpp"
 
+#include <algorithm>
+#include <utility>
+
+#include "rclcpp/detail/listeners.hpp"
 #include "ros2wasm/endpoint.hpp"
 
 namespace rclcpp {
@@ -17,7 +21,9 @@ EventHandlerBase::EventHandlerBase(std::shared_ptr<ros2wasm::Endpoint> endpoint,
   }
 }
 
-EventHandlerBase::~EventHandlerBase() = default;
+EventHandlerBase::~EventHandlerBase() {
+  clear_on_ready_callback();
+}
 
 bool EventHandlerBase::read() {
   ros2wasm::EndpointStatus status{};
@@ -29,11 +35,15 @@ bool EventHandlerBase::read() {
   counts_.total_change += status.total_change;
   counts_.current_change += status.current_change;
   counts_.last_policy = status.last_policy;
-  pending_ = pending_ || status.total_change != 0 || status.current_change != 0;
+  if (status.total_change != 0 || status.current_change != 0) {
+    pending_ = true;
+    untold_ += static_cast<size_t>(std::max(1, status.total_change));
+  }
   return true;
 }
 
-bool EventHandlerBase::is_ready() {
+bool EventHandlerBase::is_ready_now() {
+  const std::lock_guard<std::recursive_mutex> lock(mutex_);
   const int32_t status = ros2wasm::status_version();
   if (status != seen_status_) {
     seen_status_ = status;
@@ -42,11 +52,67 @@ bool EventHandlerBase::is_ready() {
   return pending_;
 }
 
+bool EventHandlerBase::is_ready(const rcl_wait_set_t&) {
+  return is_ready_now();
+}
+
 std::shared_ptr<void> EventHandlerBase::take_data() {
+  const std::lock_guard<std::recursive_mutex> lock(mutex_);
   auto data = std::make_shared<EventCounts>(counts_);
   counts_ = EventCounts();
   pending_ = false;
+  untold_ = 0;
   return data;
+}
+
+std::shared_ptr<void> EventHandlerBase::take_data_by_entity_id(size_t) {
+  return take_data();
+}
+
+void EventHandlerBase::look() {
+  std::function<void(size_t, int)> callback;
+  size_t count = 0;
+  {
+    const std::lock_guard<std::recursive_mutex> lock(mutex_);
+    is_ready_now();
+    if (!on_ready_callback_ || untold_ == 0) {
+      return;
+    }
+    callback = on_ready_callback_;
+    count = std::exchange(untold_, 0);
+  }
+  // Without the lock: an executor asks is_ready_now() under its own.
+  callback(count, static_cast<int>(EntityType::Event));
+}
+
+void EventHandlerBase::set_on_ready_callback(std::function<void(size_t, int)> callback) {
+  if (!callback) {
+    throw std::invalid_argument("The callback passed to set_on_ready_callback is not callable.");
+  }
+  {
+    const std::lock_guard<std::recursive_mutex> lock(mutex_);
+    on_ready_callback_ = detail::guarded<size_t, int>(this, "rclcpp::EventHandlerBase", "on ready",
+                                                      std::move(callback));
+  }
+  look();
+  if (!listener_) {
+    listener_ = detail::add_listener([this] { look(); });
+  }
+}
+
+void EventHandlerBase::set_on_new_event_callback(std::function<void(size_t)> callback) {
+  if (!callback) {
+    throw std::invalid_argument(
+        "The callback passed to set_on_new_qos_event_callback is not callable.");
+  }
+  set_on_ready_callback([callback = std::move(callback)](size_t count, int) { callback(count); });
+}
+
+void EventHandlerBase::clear_on_ready_callback() {
+  // First the listener: it may be looking in another thread.
+  listener_.reset();
+  const std::lock_guard<std::recursive_mutex> lock(mutex_);
+  on_ready_callback_ = nullptr;
 }
 
 namespace detail {

@@ -9,6 +9,7 @@
 
 #include "rclcpp/client.hpp"
 #include "rclcpp/detail/background.hpp"
+#include "rclcpp/detail/listeners.hpp"
 #include "rclcpp/node.hpp"
 #include "rclcpp/service.hpp"
 #include "rclcpp/subscription_base.hpp"
@@ -336,6 +337,7 @@ bool Executor::get_next_executable(AnyExecutable& any_executable, nanoseconds ti
     if (!spinning || !context_->is_valid()) {
       return false;
     }
+    detail::look_for_listeners();
     nanoseconds limit = nanoseconds::max();
     {
       const std::lock_guard<std::mutex> lock(mutex_);
@@ -365,12 +367,16 @@ bool Executor::get_next_executable(AnyExecutable& any_executable, nanoseconds ti
 }
 
 bool Executor::execute_any_executable(AnyExecutable& any_executable) {
-  if (any_executable.entity && any_executable.entity->run(any_executable.data)) {
+  if (any_executable.entity && run_executable(any_executable)) {
     return true;
   }
   const std::lock_guard<std::mutex> lock(mutex_);
   asked_at_.reset();
   return false;
+}
+
+bool Executor::run_executable(AnyExecutable& any_executable) {
+  return any_executable.entity->run(any_executable.data);
 }
 
 void Executor::spin_once_impl(nanoseconds timeout) {
@@ -415,6 +421,7 @@ void Executor::spin_some_impl(nanoseconds max_duration, bool exhaustive) {
   while (spinning && context_->is_valid() && in_time()) {
     AnyExecutable any_executable;
     bool found = false;
+    detail::look_for_listeners();
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       refresh_entries();

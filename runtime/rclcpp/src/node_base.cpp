@@ -5,11 +5,52 @@
 
 #include "rclcpp/detail/executable.hpp"
 #include "rclcpp/exceptions.hpp"
+#include "rclcpp/expand_topic_or_service_name.hpp"
 #include "ros2wasm/arguments.hpp"
 #include "ros2wasm/endpoint.hpp"
 #include "ros2wasm/names.hpp"
 
 namespace rclcpp {
+namespace {
+
+[[noreturn]] void refuse_name(const std::string& name, const ros2wasm::NameProblem& why,
+                              bool is_service) {
+  if (is_service) {
+    throw exceptions::InvalidServiceNameError(name.c_str(), why.message, why.index);
+  }
+  throw exceptions::InvalidTopicNameError(name.c_str(), why.message, why.index);
+}
+
+// The names of the node are good.
+std::string expand_name(const std::string& name, const std::string& node_name,
+                        const std::string& ns, bool is_service) {
+  if (const auto problem = ros2wasm::check_topic_name(name)) {
+    refuse_name(name, *problem, is_service);
+  }
+  std::string full = ros2wasm::expand_topic_name(name, node_name, ns);
+  if (full.empty()) {
+    refuse_name(name, {"unknown substitution", name.find('{')}, is_service);
+  }
+  return full;
+}
+
+}  // namespace
+
+std::string expand_topic_or_service_name(const std::string& name, const std::string& node_name,
+                                         const std::string& namespace_, bool is_service) {
+  if (const auto problem = ros2wasm::check_node_name(node_name)) {
+    throw exceptions::InvalidNodeNameError(node_name.c_str(), problem->message, problem->index);
+  }
+  if (const auto problem = ros2wasm::check_namespace(namespace_)) {
+    throw exceptions::InvalidNamespaceError(namespace_.c_str(), problem->message, problem->index);
+  }
+  std::string full = expand_name(name, node_name, namespace_, is_service);
+  if (const auto problem = ros2wasm::check_full_topic_name(full)) {
+    refuse_name(full, *problem, is_service);
+  }
+  return full;
+}
+
 namespace node_interfaces {
 namespace {
 
@@ -139,25 +180,13 @@ void NodeBase::trigger_notify_guard_condition() {
 
 std::string NodeBase::resolve_topic_or_service_name(const std::string& name, bool is_service,
                                                     bool only_expand) const {
-  const auto refuse = [is_service](const std::string& wrong, const ros2wasm::NameProblem& why) {
-    if (is_service) {
-      throw exceptions::InvalidServiceNameError(wrong.c_str(), why.message, why.index);
-    }
-    throw exceptions::InvalidTopicNameError(wrong.c_str(), why.message, why.index);
-  };
-  if (const auto problem = ros2wasm::check_topic_name(name)) {
-    refuse(name, *problem);
-  }
-  std::string full = ros2wasm::expand_topic_name(name, name_, namespace_);
-  if (full.empty()) {
-    refuse(name, {"unknown substitution", name.find('{')});
-  }
+  std::string full = expand_name(name, name_, namespace_, is_service);
   if (!only_expand) {
     full = ros2wasm::remap_topic_or_service(arguments_.get(), global_arguments_.get(), full,
                                             is_service, name_, namespace_);
   }
   if (const auto problem = ros2wasm::check_full_topic_name(full)) {
-    refuse(full, *problem);
+    refuse_name(full, *problem, is_service);
   }
   return full;
 }

@@ -144,6 +144,21 @@ std::vector<TopicEndpointInfo> NodeGraph::get_subscriptions_info_by_topic(
                   EndpointKind::subscription, EndpointType::Subscription);
 }
 
+std::vector<std::tuple<std::string, std::string, std::string>>
+NodeGraph::get_node_names_with_enclaves() const {
+  std::vector<std::tuple<std::string, std::string, std::string>> names;
+  for (const ros2wasm::GraphNode& node : ros2wasm::take_graph_snapshot().nodes) {
+    names.emplace_back(node.name, node.ns, "/");
+  }
+  return names;
+}
+
+size_t NodeGraph::count_graph_users() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return static_cast<size_t>(std::count_if(
+      events_.begin(), events_.end(), [](const auto& event) { return !event.first.expired(); }));
+}
+
 rclcpp::Event::SharedPtr NodeGraph::get_graph_event() {
   auto event = rclcpp::Event::make_shared();
   const std::lock_guard<std::mutex> lock(mutex_);

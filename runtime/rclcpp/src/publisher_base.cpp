@@ -102,6 +102,27 @@ size_t PublisherBase::get_queue_size() const {
   return qos_.depth();
 }
 
+void PublisherBase::set_on_new_qos_event_callback(std::function<void(size_t)> callback,
+                                                  rcl_publisher_event_type_t event_type) {
+  const auto found = event_handlers_.find(event_type);
+  if (found == event_handlers_.end()) {
+    RCLCPP_WARN(rclcpp::get_logger("rclcpp"),
+                "Calling set_on_new_qos_event_callback for non registered publisher event_type");
+    return;
+  }
+  found->second->set_on_new_event_callback(std::move(callback));
+}
+
+void PublisherBase::clear_on_new_qos_event_callback(rcl_publisher_event_type_t event_type) {
+  const auto found = event_handlers_.find(event_type);
+  if (found == event_handlers_.end()) {
+    RCLCPP_WARN(rclcpp::get_logger("rclcpp"),
+                "Calling clear_on_new_qos_event_callback for non registered event_type");
+    return;
+  }
+  found->second->clear_on_ready_callback();
+}
+
 size_t PublisherBase::get_subscription_count() const {
   return static_cast<size_t>(std::max(0, endpoint_->matched()));
 }

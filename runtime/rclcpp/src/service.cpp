@@ -9,6 +9,7 @@
 #include "rclcpp/context.hpp"
 #include "rclcpp/detail/background.hpp"
 #include "rclcpp/detail/bus_qos.hpp"
+#include "rclcpp/detail/listeners.hpp"
 #include "rclcpp/detail/type_use.hpp"
 #include "rclcpp/logging.hpp"
 #include "rclcpp/node_interfaces/node_base_interface.hpp"
@@ -24,13 +25,17 @@ void tell(const std::shared_ptr<detail::ServiceEvents>& slot, detail::ServiceEve
   }
 }
 
-std::unique_ptr<ros2wasm::Endpoint> make_endpoint(ros2wasm::EndpointKind kind,
+std::shared_ptr<ros2wasm::Endpoint> make_endpoint(ros2wasm::EndpointKind kind,
                                                   node_interfaces::NodeBaseInterface* node,
                                                   const std::string& name,
                                                   const detail::ServiceCallbacks& type,
                                                   const rclcpp::QoS& qos) {
-  return std::make_unique<ros2wasm::Endpoint>(kind, node->get_node_id(), name, type.type_name,
+  return std::make_shared<ros2wasm::Endpoint>(kind, node->get_node_id(), name, type.type_name,
                                               type.type_hash, detail::to_bus(qos));
+}
+
+size_t kept_depth(const rclcpp::QoS& qos) {
+  return qos.history() == HistoryPolicy::KeepAll ? 0 : qos.depth();
 }
 
 int32_t write_object(ros2wasm::Endpoint& endpoint, const detail::MessageCallbacks& type,
@@ -65,16 +70,18 @@ ServiceBase::ServiceBase(node_interfaces::NodeBaseInterface* node_base,
       type_use_(detail::use_type(node_id_, detail::callbacks_of(type_support).type_hash,
                                  detail::callbacks_of(type_support).info)),
       endpoint_(make_endpoint(ros2wasm::EndpointKind::server, node_base, service_name_,
-                              detail::callbacks_of(type_support), qos_)) {}
+                              detail::callbacks_of(type_support), qos_)),
+      inbox_(endpoint_, kept_depth(qos_)) {}
 
 ServiceBase::~ServiceBase() {
+  inbox_.stop_listening();
   detail::bump_entities_version();
 }
 
 bool ServiceBase::take_type_erased_request(void* request_out, rmw_request_id_t& request_id_out) {
   ros2wasm::Bytes bytes;
   ros2wasm::SampleInfo info{};
-  while (endpoint_->take(bytes, info)) {
+  while (inbox_.take(bytes, info)) {
     if (detail::callbacks_of(type_support_)
             .request->deserialize(bytes.data(), bytes.size(), request_out)) {
       std::memcpy(request_id_out.writer_guid, info.writer_gid, sizeof(info.writer_gid));
@@ -113,11 +120,8 @@ void ServiceBase::set_on_new_request_callback(std::function<void(size_t)> callba
     throw std::invalid_argument(
         "The callback passed to set_on_new_request_callback is not callable.");
   }
-  on_new_request_callback_ = std::move(callback);
-}
-
-int32_t ServiceBase::ready_endpoint() const {
-  return endpoint_->id();
+  inbox_.listen(
+      detail::guarded<size_t>(this, "rclcpp::ServiceBase", "on new request", std::move(callback)));
 }
 
 bool ServiceBase::run(std::shared_ptr<void>&) {
@@ -141,9 +145,11 @@ ClientBase::ClientBase(node_interfaces::NodeBaseInterface* node_base,
       type_use_(detail::use_type(node_id_, detail::callbacks_of(type_support).type_hash,
                                  detail::callbacks_of(type_support).info)),
       endpoint_(make_endpoint(ros2wasm::EndpointKind::client, node_base, service_name_,
-                              detail::callbacks_of(type_support), qos_)) {}
+                              detail::callbacks_of(type_support), qos_)),
+      inbox_(endpoint_, kept_depth(qos_)) {}
 
 ClientBase::~ClientBase() {
+  inbox_.stop_listening();
   detail::bump_entities_version();
 }
 
@@ -175,7 +181,7 @@ bool ClientBase::take_type_erased_response(void* response_out,
                                            rmw_request_id_t& request_header_out) {
   ros2wasm::Bytes bytes;
   ros2wasm::SampleInfo info{};
-  while (endpoint_->take(bytes, info)) {
+  while (inbox_.take(bytes, info)) {
     if (detail::callbacks_of(type_support_)
             .response->deserialize(bytes.data(), bytes.size(), response_out)) {
       std::memcpy(request_header_out.writer_guid, info.related_gid, sizeof(info.related_gid));
@@ -213,11 +219,8 @@ void ClientBase::set_on_new_response_callback(std::function<void(size_t)> callba
     throw std::invalid_argument(
         "The callback passed to set_on_new_response_callback is not callable.");
   }
-  on_new_response_callback_ = std::move(callback);
-}
-
-int32_t ClientBase::ready_endpoint() const {
-  return endpoint_->id();
+  inbox_.listen(
+      detail::guarded<size_t>(this, "rclcpp::ClientBase", "on new response", std::move(callback)));
 }
 
 bool ClientBase::run(std::shared_ptr<void>&) {

@@ -5,6 +5,7 @@
 
 #include "rclcpp/detail/bus_qos.hpp"
 #include "rclcpp/detail/content_filter.hpp"
+#include "rclcpp/detail/listeners.hpp"
 #include "rclcpp/detail/type_use.hpp"
 #include "rclcpp/logging.hpp"
 #include "rclcpp/node_interfaces/node_base_interface.hpp"
@@ -61,11 +62,15 @@ SubscriptionBase::SubscriptionBase(node_interfaces::NodeBaseInterface* node_base
   endpoint_ = std::make_shared<ros2wasm::Endpoint>(ros2wasm::EndpointKind::subscription,
                                                    node_base->get_node_id(), topic_name_,
                                                    type.type_name, type.type_hash, bus_qos);
+  inbox_ = std::make_unique<detail::Inbox>(
+      endpoint_, qos_.history() == HistoryPolicy::KeepAll ? 0 : qos_.depth(),
+      [this](const auto& bytes, const auto& sample) { return accepts(bytes, sample); });
   type_use_ = detail::use_type(node_base->get_node_id(), type.type_hash, type.info);
   add_events(options);
 }
 
 SubscriptionBase::~SubscriptionBase() {
+  inbox_->stop_listening();
   detail::bump_entities_version();
 }
 
@@ -108,15 +113,20 @@ const char* SubscriptionBase::type_name() const {
   return detail::callbacks_of(type_support_).type_name;
 }
 
+bool SubscriptionBase::accepts(const ros2wasm::Bytes& bytes,
+                               const ros2wasm::SampleInfo& sample) const {
+  if (intra_process_ && detail::is_local_publisher(sample.writer_gid)) {
+    return false;
+  }
+  const auto filter = this->filter();
+  return filter == nullptr || filter->passes(bytes.data(), bytes.size());
+}
+
 bool SubscriptionBase::take_bytes(ros2wasm::Bytes& bytes, rclcpp::MessageInfo& info,
                                   bool with_time) {
   ros2wasm::SampleInfo sample{};
-  const auto filter = this->filter();
-  while (endpoint_->take(bytes, sample)) {
-    if (intra_process_ && detail::is_local_publisher(sample.writer_gid)) {
-      continue;
-    }
-    if (filter != nullptr && !filter->passes(bytes.data(), bytes.size())) {
+  while (inbox_->take(bytes, sample)) {
+    if (!accepts(bytes, sample)) {
       continue;
     }
     const int64_t received_ns = with_time ? ros2wasm::system_now_ns() : 0;
@@ -193,11 +203,65 @@ void SubscriptionBase::set_on_new_message_callback(std::function<void(size_t)> c
     throw std::invalid_argument(
         "The callback passed to set_on_new_message_callback is not callable.");
   }
-  on_new_message_callback_ = std::move(callback);
+  inbox_->listen(detail::guarded<size_t>(this, "rclcpp::SubscriptionBase", "on new message",
+                                         std::move(callback)));
 }
 
 void SubscriptionBase::clear_on_new_message_callback() {
-  on_new_message_callback_ = nullptr;
+  inbox_->stop_listening();
+}
+
+void SubscriptionBase::set_on_new_intra_process_message_callback(
+    std::function<void(size_t)> callback) {
+  if (!intra_process_) {
+    RCLCPP_WARN(rclcpp::get_logger("rclcpp"),
+                "Calling set_on_new_intra_process_message_callback for subscription with IPC "
+                "disabled");
+    return;
+  }
+  if (!callback) {
+    throw std::invalid_argument(
+        "The callback passed to set_on_new_intra_process_message_callback is not callable.");
+  }
+  const std::lock_guard<std::recursive_mutex> lock(local_callback_mutex_);
+  on_new_local_message_callback_ = detail::guarded<size_t>(
+      this, "rclcpp::SubscriptionBase", "on new intra process message", std::move(callback));
+  size_t waiting = 0;
+  {
+    const std::lock_guard<std::mutex> local_lock(local_mutex_);
+    waiting = local_messages_.size();
+  }
+  if (waiting > 0) {
+    const auto told = on_new_local_message_callback_;
+    told(waiting);
+  }
+}
+
+void SubscriptionBase::clear_on_new_intra_process_message_callback() {
+  const std::lock_guard<std::recursive_mutex> lock(local_callback_mutex_);
+  on_new_local_message_callback_ = nullptr;
+}
+
+void SubscriptionBase::set_on_new_qos_event_callback(std::function<void(size_t)> callback,
+                                                     rcl_subscription_event_type_t event_type) {
+  const auto found = event_handlers_.find(event_type);
+  if (found == event_handlers_.end()) {
+    RCLCPP_WARN(rclcpp::get_logger("rclcpp"),
+                "Calling set_on_new_qos_event_callback for non registered subscription event_type");
+    return;
+  }
+  found->second->set_on_new_event_callback(std::move(callback));
+}
+
+void SubscriptionBase::clear_on_new_qos_event_callback(rcl_subscription_event_type_t event_type) {
+  const auto found = event_handlers_.find(event_type);
+  if (found == event_handlers_.end()) {
+    RCLCPP_WARN(
+        rclcpp::get_logger("rclcpp"),
+        "Calling clear_on_new_qos_event_callback for non registered subscription event_type");
+    return;
+  }
+  found->second->clear_on_ready_callback();
 }
 
 void SubscriptionBase::use_filter(const ContentFilterOptions& options, const char* failure) {
@@ -262,17 +326,23 @@ void SubscriptionBase::push_local(detail::LocalMessage message) {
     }
     local_messages_.push_back(std::move(message));
   }
-  if (on_new_message_callback_) {
-    on_new_message_callback_(1);
+  {
+    const std::lock_guard<std::recursive_mutex> lock(local_callback_mutex_);
+    if (const auto callback = on_new_local_message_callback_) {
+      callback(1);
+    }
   }
   ros2wasm::wake();
 }
 
 int32_t SubscriptionBase::ready_endpoint() const {
-  return endpoint_->id();
+  return inbox_->ready_endpoint();
 }
 
 bool SubscriptionBase::is_ready_now() {
+  if (inbox_->has_kept()) {
+    return true;
+  }
   const std::lock_guard<std::mutex> lock(local_mutex_);
   return !local_messages_.empty();
 }

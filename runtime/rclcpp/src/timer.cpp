@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "rclcpp/detail/listeners.hpp"
 #include "ros2wasm/endpoint.hpp"
 
 namespace rclcpp {
@@ -46,8 +47,10 @@ void TimerBase::reset() {
     const std::lock_guard<std::recursive_mutex> lock(mutex_);
     next_call_ns_ = clock_->now().nanoseconds() + period_ns_;
     canceled_ = false;
-    if (on_reset_callback_) {
-      on_reset_callback_(1);
+    if (const auto callback = on_reset_callback_) {
+      callback(1);
+    } else {
+      ++untold_resets_;
     }
   }
   ros2wasm::wake();
@@ -103,7 +106,12 @@ void TimerBase::set_on_reset_callback(std::function<void(size_t)> callback) {
     throw std::invalid_argument("The callback passed to set_on_reset_callback is not callable.");
   }
   const std::lock_guard<std::recursive_mutex> lock(mutex_);
-  on_reset_callback_ = std::move(callback);
+  on_reset_callback_ =
+      detail::guarded<size_t>(this, "rclcpp::TimerBase", "on reset", std::move(callback));
+  if (untold_resets_ > 0) {
+    const auto told = on_reset_callback_;
+    told(std::exchange(untold_resets_, 0));
+  }
 }
 
 void TimerBase::clear_on_reset_callback() {

@@ -2,6 +2,7 @@
 #include "rclcpp/wait_set_template.hpp"
 
 #include "rclcpp/detail/background.hpp"
+#include "rclcpp/detail/listeners.hpp"
 #include "ros2wasm/endpoint.hpp"
 
 namespace rclcpp {
@@ -27,9 +28,9 @@ void drop_expired(std::vector<std::weak_ptr<EntityT>>& entities) {
 }
 
 // Marks the entities whose endpoint has data.
-template <typename EntityT>
+template <typename EntityT, typename RclT>
 bool mark_ready(const std::vector<std::weak_ptr<EntityT>>& entities,
-                const std::vector<uint32_t>& ready_ids, const void** flags) {
+                const std::vector<uint32_t>& ready_ids, const RclT** flags) {
   bool any = false;
   for (size_t i = 0; i < entities.size(); ++i) {
     flags[i] = nullptr;
@@ -40,7 +41,7 @@ bool mark_ready(const std::vector<std::weak_ptr<EntityT>>& entities,
     const auto id = static_cast<uint32_t>(entity->ready_endpoint());
     if (entity->is_ready_now() ||
         std::find(ready_ids.begin(), ready_ids.end(), id) != ready_ids.end()) {
-      flags[i] = entity.get();
+      flags[i] = reinterpret_cast<const RclT*>(entity.get());
       any = true;
     }
   }
@@ -68,14 +69,19 @@ void WaitSetCore::changed() {
 }
 
 void WaitSetCore::rebuild_view() {
-  const size_t sizes[] = {subscriptions_.size(), guard_conditions_.size(), timers_.size(),
-                          clients_.size(), services_.size()};
-  for (size_t i = 0; i < flags_.size(); ++i) {
-    // One more, so that the arrays are never null.
-    flags_[i].assign(sizes[i] + 1, nullptr);
+  view_.subscriptions = subscriptions_.size();
+  view_.guard_conditions = guard_conditions_.size();
+  view_.timers = timers_.size();
+  view_.clients = clients_.size();
+  view_.services = services_.size();
+  view_.events = 0;
+  for (const auto& weak : waitables_) {
+    if (const auto waitable = weak.lock()) {
+      view_.reserve(*waitable);
+    }
   }
-  view_ = {flags_[0].data(), sizes[0], flags_[1].data(), sizes[1], flags_[2].data(), sizes[2],
-           flags_[3].data(), sizes[3], flags_[4].data(), sizes[4], nullptr,          0};
+  view_.clear();
+  ready_waitables_.assign(waitables_.size(), 0);
 }
 
 void WaitSetCore::add_subscription(std::shared_ptr<rclcpp::SubscriptionBase> subscription,
@@ -144,36 +150,49 @@ void WaitSetCore::prune() {
   changed();
 }
 
+bool WaitSetCore::look_at_guards() {
+  for (const auto& weak : guard_conditions_) {
+    if (const auto guard = weak.lock()) {
+      guard->add_to_wait_set(view_.handle);
+    }
+  }
+  for (const auto& weak : waitables_) {
+    if (const auto waitable = weak.lock()) {
+      waitable->add_to_wait_set(view_.handle);
+    }
+  }
+  bool any = view_.take_triggers();
+  for (size_t i = 0; i < waitables_.size(); ++i) {
+    const auto waitable = waitables_[i].lock();
+    ready_waitables_[i] =
+        waitable && waitable->is_ready(static_cast<const rcl_wait_set_t&>(view_.handle));
+    any = any || ready_waitables_[i] != 0;
+  }
+  return any;
+}
+
 bool WaitSetCore::look(nanoseconds& next_timer) {
   const std::lock_guard<std::recursive_mutex> lock(mutex_);
   ros2wasm::ready_endpoints(ready_ids_);
   for (const uint32_t id : ready_ids_) {
     run_background(id);
   }
-  bool any = mark_ready(subscriptions_, ready_ids_, view_.subscriptions);
-  any = mark_ready(clients_, ready_ids_, view_.clients) || any;
-  any = mark_ready(services_, ready_ids_, view_.services) || any;
+  // Waitables may say each time how much room they need.
+  rebuild_view();
+  bool any = look_at_guards();
+  any = mark_ready(subscriptions_, ready_ids_, view_.handle.subscriptions) || any;
+  any = mark_ready(clients_, ready_ids_, view_.handle.clients) || any;
+  any = mark_ready(services_, ready_ids_, view_.handle.services) || any;
   next_timer = nanoseconds::max();
   for (size_t i = 0; i < timers_.size(); ++i) {
-    view_.timers[i] = nullptr;
     const auto timer = timers_[i].lock();
     const nanoseconds left = timer ? timer->time_until_trigger() : nanoseconds::max();
     if (left.count() <= 0) {
-      view_.timers[i] = timer.get();
+      view_.handle.timers[i] = reinterpret_cast<const rcl_timer_t*>(timer.get());
       any = true;
     } else if (timer && !timer->get_clock()->ros_time_is_active()) {
       next_timer = std::min(next_timer, left);
     }
-  }
-  for (size_t i = 0; i < guard_conditions_.size(); ++i) {
-    const auto guard = guard_conditions_[i].lock();
-    const bool triggered = guard && guard->take_trigger();
-    view_.guard_conditions[i] = triggered ? guard.get() : nullptr;
-    any = any || triggered;
-  }
-  for (const auto& weak : waitables_) {
-    const auto waitable = weak.lock();
-    any = (waitable && waitable->is_ready()) || any;
   }
   return any;
 }
@@ -187,6 +206,7 @@ WaitResultKind WaitSetCore::wait(nanoseconds timeout) {
   while (true) {
     const int32_t token = ros2wasm::wake_token();
     nanoseconds limit = nanoseconds::max();
+    look_for_listeners();
     if (look(limit)) {
       return WaitResultKind::Ready;
     }

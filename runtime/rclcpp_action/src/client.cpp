@@ -1,6 +1,7 @@
 // The part of action clients that knows no action type.
 #include "rclcpp_action/client.hpp"
 
+#include "rclcpp/detail/background.hpp"
 #include "rclcpp/node_interfaces/node_services.hpp"
 #include "rclcpp/node_interfaces/node_topics.hpp"
 #include "ros2wasm/endpoint.hpp"
@@ -66,6 +67,7 @@ bool ClientBase::wait_for_action_server_nanoseconds(std::chrono::nanoseconds tim
     if (!context->is_valid() || (limited && left <= 0)) {
       return false;
     }
+    rclcpp::detail::run_background();
     ros2wasm::wait(token, left);
   }
 }

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "rcl/context.h"
 #include "rclcpp/init_options.hpp"
 #include "rclcpp/macros.hpp"
 #include "rclcpp/visibility_control.hpp"
@@ -84,6 +85,8 @@ class Context : public std::enable_shared_from_this<Context> {
     return std::static_pointer_cast<SubContext>(slot);
   }
 
+  /// Its name in the C library. It is nobody's to initialise or end.
+  std::shared_ptr<rcl_context_t> get_rcl_context() { return rcl_context_; }
   /// The arguments given to init; never null after it.
   std::shared_ptr<const ros2wasm::Arguments> get_global_arguments() const { return arguments_; }
 
@@ -97,6 +100,7 @@ class Context : public std::enable_shared_from_this<Context> {
   rclcpp::InitOptions init_options_;
   std::string shutdown_reason_;
   std::shared_ptr<const ros2wasm::Arguments> arguments_;
+  const std::shared_ptr<rcl_context_t> rcl_context_ = std::make_shared<rcl_context_t>();
   std::unordered_map<std::type_index, std::shared_ptr<void>> sub_contexts_;
   std::recursive_mutex sub_contexts_mutex_;
   Callbacks on_shutdown_callbacks_;

@@ -3,10 +3,12 @@
 
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <stdexcept>
 #include <string>
 
 #include "rcl/error_handling.h"
+#include "rcl/event.h"
 #include "rclcpp/exceptions.hpp"
 #include "rclcpp/function_traits.hpp"
 #include "rclcpp/waitable.hpp"
@@ -15,26 +17,6 @@
 namespace ros2wasm {
 class Endpoint;
 }
-
-/// Numbers as the bus knows them (StatusKind in runtime/protocol).
-enum rcl_subscription_event_type_e {
-  RCL_SUBSCRIPTION_LIVELINESS_CHANGED = 0,
-  RCL_SUBSCRIPTION_REQUESTED_DEADLINE_MISSED = 1,
-  RCL_SUBSCRIPTION_REQUESTED_INCOMPATIBLE_QOS = 2,
-  RCL_SUBSCRIPTION_MESSAGE_LOST = 3,
-  RCL_SUBSCRIPTION_INCOMPATIBLE_TYPE = 4,
-  RCL_SUBSCRIPTION_MATCHED = 5,
-};
-typedef enum rcl_subscription_event_type_e rcl_subscription_event_type_t;
-
-enum rcl_publisher_event_type_e {
-  RCL_PUBLISHER_LIVELINESS_LOST = 6,
-  RCL_PUBLISHER_OFFERED_DEADLINE_MISSED = 7,
-  RCL_PUBLISHER_OFFERED_INCOMPATIBLE_QOS = 8,
-  RCL_PUBLISHER_INCOMPATIBLE_TYPE = 9,
-  RCL_PUBLISHER_MATCHED = 10,
-};
-typedef enum rcl_publisher_event_type_e rcl_publisher_event_type_t;
 
 namespace rclcpp {
 
@@ -103,19 +85,37 @@ class EventHandlerBase : public Waitable {
   EventHandlerBase(std::shared_ptr<ros2wasm::Endpoint> endpoint, int32_t event_type);
   ~EventHandlerBase() override;
 
-  bool is_ready() override;
+  using Waitable::add_to_wait_set;
+  using Waitable::is_ready;
+  void add_to_wait_set(rcl_wait_set_t& wait_set) override { static_cast<void>(wait_set); }
+  /// The bus counts events, so there is nothing of them in the wait set.
+  bool is_ready(const rcl_wait_set_t& wait_set) override;
   std::shared_ptr<void> take_data() override;
+  std::shared_ptr<void> take_data_by_entity_id(size_t id) override;
+  /// Called with how often the event came and EntityType::Event, by whoever waits next in this
+  /// process.
+  void set_on_ready_callback(std::function<void(size_t, int)> callback) override;
+  void clear_on_ready_callback() override;
+  /// As set_on_ready_callback, without the kind.
+  void set_on_new_event_callback(std::function<void(size_t)> callback);
+
   bool follows_status() const override { return true; }
+  bool is_ready_now() override;
 
  private:
   /// Adds what changed to counts_; false when the endpoint has no such event.
   bool read();
+  void look();
 
   std::shared_ptr<ros2wasm::Endpoint> endpoint_;
   const int32_t event_type_;
   int32_t seen_status_ = 0;
   EventCounts counts_;
   bool pending_ = false;
+  size_t untold_ = 0;           // events that on_ready_callback_ was not told of
+  std::recursive_mutex mutex_;  // of what is above from seen_status_ on, and the callback
+  std::function<void(size_t, int)> on_ready_callback_;
+  std::shared_ptr<void> listener_;
 };
 
 namespace detail {

@@ -114,6 +114,8 @@ class Executor {
                            std::chrono::nanoseconds timeout = std::chrono::nanoseconds(-1));
   /// False: there was nothing to do after all.
   bool execute_any_executable(AnyExecutable& any_executable);
+  /// What execute_any_executable() does with it.
+  virtual bool run_executable(AnyExecutable& any_executable);
 
   std::atomic_bool spinning{false};
   const rclcpp::Context::SharedPtr context_;

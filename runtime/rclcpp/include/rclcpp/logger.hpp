@@ -1,6 +1,7 @@
 // A name to log under.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <utility>
@@ -17,8 +18,11 @@ class NodeLogging;
 class Logger;
 
 Logger get_logger(const std::string& name);
-/// Where log files would be; there are none in a site.
-std::string get_log_directory_name();
+/// Where log files would be: ROS_LOG_DIR, else `log` in ROS_HOME, else ~/.ros/log. None are written
+/// in a site.
+std::filesystem::path get_log_directory();
+/// Its older name.
+std::filesystem::path get_logging_directory();
 
 class Logger {
  public:

@@ -16,6 +16,7 @@
 #include "rclcpp/clock.hpp"
 #include "rclcpp/context.hpp"
 #include "rclcpp/event.hpp"
+#include "rclcpp/generic_client.hpp"
 #include "rclcpp/generic_publisher.hpp"
 #include "rclcpp/generic_subscription.hpp"
 #include "rclcpp/logger.hpp"
@@ -103,6 +104,12 @@ class CommonNode {
   template <typename ServiceT, typename CallbackT>
   typename rclcpp::Service<ServiceT>::SharedPtr create_service(
       const std::string& service_name, CallbackT&& callback, const rmw_qos_profile_t& qos_profile,
+      rclcpp::CallbackGroup::SharedPtr group = nullptr);
+
+  /// Throws InvalidServiceTypeError for a type that the program does not have.
+  rclcpp::GenericClient::SharedPtr create_generic_client(
+      const std::string& service_name, const std::string& service_type,
+      const rclcpp::QoS& qos = rclcpp::ServicesQoS(),
       rclcpp::CallbackGroup::SharedPtr group = nullptr);
 
   template <typename AllocatorT = std::allocator<void>>

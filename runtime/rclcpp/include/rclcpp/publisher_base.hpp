@@ -61,6 +61,12 @@ class PublisherBase : public std::enable_shared_from_this<PublisherBase> {
   /// Throws RCLError: a page has no network flows.
   std::vector<rclcpp::NetworkFlowEndpoint> get_network_flow_endpoints() const;
 
+  /// Called with how often the event came, by whoever waits next in this process. Warns when the
+  /// publisher has no handler for it.
+  void set_on_new_qos_event_callback(std::function<void(size_t)> callback,
+                                     rcl_publisher_event_type_t event_type);
+  void clear_on_new_qos_event_callback(rcl_publisher_event_type_t event_type);
+
   /// True once all matched reliable subscriptions have what was published. The bus hands over at
   /// once, so this does not block.
   template <typename DurationRepT = int64_t, typename DurationT = std::milli>

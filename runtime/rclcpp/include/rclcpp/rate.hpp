@@ -8,6 +8,7 @@
 #include "rclcpp/duration.hpp"
 #include "rclcpp/macros.hpp"
 #include "rclcpp/time.hpp"
+#include "rclcpp/utilities.hpp"
 
 namespace rclcpp {
 
@@ -18,6 +19,50 @@ class RateBase {
   virtual bool sleep() = 0;
   virtual rcl_clock_type_t get_type() const = 0;
   virtual void reset() = 0;
+};
+
+/// The older rate, by a clock of the standard library; rclcpp::Rate takes its place.
+template <class Clock = std::chrono::high_resolution_clock>
+class GenericRate : public RateBase {
+ public:
+  RCLCPP_SMART_PTR_DEFINITIONS(GenericRate)
+
+  /// `rate` in Hz.
+  explicit GenericRate(double rate)
+      : GenericRate(std::chrono::duration_cast<std::chrono::nanoseconds>(
+            std::chrono::duration<double>(1.0 / rate))) {}
+  explicit GenericRate(std::chrono::nanoseconds period)
+      : period_(period), last_interval_(Clock::now()) {}
+
+  /// Sleeps until the period is over; false when it is over already.
+  bool sleep() override {
+    const auto now = Clock::now();
+    auto next = last_interval_ + period_;
+    // The clock went back.
+    if (now < last_interval_) {
+      next = now + period_;
+    }
+    last_interval_ += period_;
+    if (next <= now) {
+      if (now > next + period_) {
+        last_interval_ = now + period_;
+      }
+      return false;
+    }
+    rclcpp::sleep_for(std::chrono::duration_cast<std::chrono::nanoseconds>(next - now));
+    return true;
+  }
+  bool is_steady() const { return Clock::is_steady; }
+  rcl_clock_type_t get_type() const override {
+    return Clock::is_steady ? RCL_STEADY_TIME : RCL_SYSTEM_TIME;
+  }
+  void reset() override { last_interval_ = Clock::now(); }
+  std::chrono::nanoseconds period() const { return period_; }
+
+ private:
+  RCLCPP_DISABLE_COPY(GenericRate)
+  std::chrono::nanoseconds period_;
+  std::chrono::time_point<Clock, std::chrono::nanoseconds> last_interval_;
 };
 
 class Rate : public RateBase {

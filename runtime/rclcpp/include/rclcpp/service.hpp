@@ -10,15 +10,13 @@
 #include "rclcpp/any_service_callback.hpp"
 #include "rclcpp/clock.hpp"
 #include "rclcpp/detail/executable.hpp"
+#include "rclcpp/detail/inbox.hpp"
+#include "rclcpp/detail/known_services.hpp"
 #include "rclcpp/detail/message_type.hpp"
 #include "rclcpp/detail/service_events.hpp"
 #include "rclcpp/macros.hpp"
 #include "rclcpp/qos.hpp"
 #include "rmw/types.h"
-
-namespace ros2wasm {
-class Endpoint;
-}
 
 namespace rclcpp {
 
@@ -49,14 +47,18 @@ class ServiceBase : public detail::Executable, public std::enable_shared_from_th
   }
   rclcpp::QoS get_response_publisher_actual_qos() const { return qos_; }
   rclcpp::QoS get_request_subscription_actual_qos() const { return qos_; }
+  /// Called with the number of requests that came, by whoever waits next in this process; they stay
+  /// to be taken.
   void set_on_new_request_callback(std::function<void(size_t)> callback);
-  void clear_on_new_request_callback() { on_new_request_callback_ = nullptr; }
+  void clear_on_new_request_callback() { inbox_.stop_listening(); }
 
   /// Tells what happens here on `<service>/_service_event`: nothing, that it happens, or all of it.
   void configure_introspection(Clock::SharedPtr clock, const QoS& qos_service_event_pub,
                                rcl_service_introspection_state_t introspection_state);
 
-  int32_t ready_endpoint() const override;
+  int32_t ready_endpoint() const override { return inbox_.ready_endpoint(); }
+  bool polls() const override { return inbox_.polls(); }
+  bool is_ready_now() override { return inbox_.has_kept(); }
   bool run(std::shared_ptr<void>& data) override;
 
  protected:
@@ -72,10 +74,10 @@ class ServiceBase : public detail::Executable, public std::enable_shared_from_th
   const rclcpp::QoS qos_;
   const int32_t node_id_;
   const std::shared_ptr<void> type_use_;
-  std::unique_ptr<ros2wasm::Endpoint> endpoint_;
+  std::shared_ptr<ros2wasm::Endpoint> endpoint_;
+  detail::Inbox inbox_;
   std::shared_ptr<detail::ServiceEvents> events_;
   std::atomic<bool> in_use_by_wait_set_{false};
-  std::function<void(size_t)> on_new_request_callback_;
 };
 
 template <typename ServiceT>
@@ -93,7 +95,9 @@ class Service : public ServiceBase {
           AnyServiceCallback<ServiceT> callback, const rclcpp::QoS& qos)
       : ServiceBase(node_base, service_name,
                     *rosidl_typesupport_cpp::get_service_type_support_handle<ServiceT>(), qos),
-        callback_(std::move(callback)) {}
+        callback_(std::move(callback)) {
+    detail::know_service<ServiceT>();
+  }
 
   bool take_request(typename ServiceT::Request& request_out, rmw_request_id_t& request_id_out) {
     return this->take_type_erased_request(&request_out, request_id_out);

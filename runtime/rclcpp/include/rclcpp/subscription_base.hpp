@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "rclcpp/detail/executable.hpp"
+#include "rclcpp/detail/inbox.hpp"
 #include "rclcpp/detail/intra_process.hpp"
 #include "rclcpp/detail/message_type.hpp"
 #include "rclcpp/event_handler.hpp"
@@ -87,9 +88,17 @@ class SubscriptionBase : public detail::Executable,
   bool exchange_in_use_by_wait_set_state(void* pointer_to_subscription_part, bool in_use_state);
   /// Throws RCLError: a page has no network flows.
   std::vector<rclcpp::NetworkFlowEndpoint> get_network_flow_endpoints() const;
-  /// Called with the number of messages that arrived; takes the place of an executor's attention.
+  /// Called with the number of messages that arrived from the bus, by whoever waits next in this
+  /// process; they stay to be taken.
   void set_on_new_message_callback(std::function<void(size_t)> callback);
   void clear_on_new_message_callback();
+  /// The same of messages that come by pointer, called by who publishes.
+  void set_on_new_intra_process_message_callback(std::function<void(size_t)> callback);
+  void clear_on_new_intra_process_message_callback();
+  /// Called with how often the event came. Warns when the subscription has no handler for it.
+  void set_on_new_qos_event_callback(std::function<void(size_t)> callback,
+                                     rcl_subscription_event_type_t event_type);
+  void clear_on_new_qos_event_callback(rcl_subscription_event_type_t event_type);
   /// Whether messages are filtered by what they say. It happens here, when they are taken.
   bool is_cft_enabled() const;
   /// From the next message on; an empty expression lets all pass. Throws RCLError for one that
@@ -110,7 +119,7 @@ class SubscriptionBase : public detail::Executable,
   void push_local(detail::LocalMessage message);
 
   int32_t ready_endpoint() const override;
-  bool polls() const override { return intra_process_; }
+  bool polls() const override { return intra_process_ || inbox_->polls(); }
   bool is_ready_now() override;
   bool run(std::shared_ptr<void>& data) override;
 
@@ -130,6 +139,8 @@ class SubscriptionBase : public detail::Executable,
   void add_events(const SubscriptionOptionsBase& options);
   void use_filter(const ContentFilterOptions& options, const char* failure);
   std::shared_ptr<const detail::ContentFilter> filter() const;
+  /// Whether the message is for this subscription.
+  bool accepts(const ros2wasm::Bytes& bytes, const ros2wasm::SampleInfo& sample) const;
   /// `with_time`: notes when it was taken; to ask for the time costs as much as to take a message.
   bool take_bytes(ros2wasm::Bytes& bytes, rclcpp::MessageInfo& info, bool with_time);
   bool run_local();
@@ -142,6 +153,7 @@ class SubscriptionBase : public detail::Executable,
   const DeliveredMessageKind delivered_message_kind_;
   bool intra_process_;
   std::shared_ptr<ros2wasm::Endpoint> endpoint_;
+  std::unique_ptr<detail::Inbox> inbox_;
   std::shared_ptr<void> type_use_;
   EventHandlers event_handlers_;
   uint64_t received_count_ = 0;
@@ -151,7 +163,8 @@ class SubscriptionBase : public detail::Executable,
   std::mutex local_mutex_;
   std::deque<detail::LocalMessage> local_messages_;
   std::atomic<bool> in_use_by_wait_set_{false};
-  std::function<void(size_t)> on_new_message_callback_;
+  std::recursive_mutex local_callback_mutex_;
+  std::function<void(size_t)> on_new_local_message_callback_;
 };
 
 }  // namespace rclcpp

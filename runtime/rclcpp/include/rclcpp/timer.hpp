@@ -44,6 +44,7 @@ class TimerBase : public detail::Executable, public std::enable_shared_from_this
   virtual bool is_steady();
   bool is_ready();
   bool exchange_in_use_by_wait_set_state(bool in_use_state);
+  /// Called with the number of resets, at once for those that nobody was told of.
   void set_on_reset_callback(std::function<void(size_t)> callback);
   void clear_on_reset_callback();
   /// The clock that the timer goes by.
@@ -69,6 +70,7 @@ class TimerBase : public detail::Executable, public std::enable_shared_from_this
   int64_t next_call_ns_;
   bool canceled_;
   std::function<void(size_t)> on_reset_callback_;
+  size_t untold_resets_ = 0;
   JumpHandler::SharedPtr jump_handler_;
   std::atomic<bool> in_use_by_wait_set_{false};
 };

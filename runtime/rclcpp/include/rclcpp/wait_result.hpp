@@ -76,9 +76,9 @@ class WaitResult final {
   }
   std::shared_ptr<rclcpp::Waitable> next_ready_waitable() {
     while (kind_ == WaitResultKind::Ready && next_waitable_ < wait_set_->size_of_waitables()) {
-      const auto waitable = wait_set_->waitables(next_waitable_++);
-      if (waitable && waitable->is_ready()) {
-        return waitable;
+      const size_t i = next_waitable_++;
+      if (wait_set_->take_waitable(i)) {
+        return wait_set_->waitables(i);
       }
     }
     return nullptr;

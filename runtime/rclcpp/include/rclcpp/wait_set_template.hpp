@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <memory>
 #include <mutex>
@@ -20,46 +19,10 @@
 #include "rclcpp/subscription_wait_set_mask.hpp"
 #include "rclcpp/timer.hpp"
 #include "rclcpp/wait_result.hpp"
+#include "rclcpp/wait_set_policies/detail/entries.hpp"
 #include "rclcpp/waitable.hpp"
 
-/// What is ready after a wait: a pointer per entity, null when it is not.
-struct rcl_wait_set_t {
-  const void** subscriptions;
-  size_t size_of_subscriptions;
-  const void** guard_conditions;
-  size_t size_of_guard_conditions;
-  const void** timers;
-  size_t size_of_timers;
-  const void** clients;
-  size_t size_of_clients;
-  const void** services;
-  size_t size_of_services;
-  const void** events;
-  size_t size_of_events;
-};
-
 namespace rclcpp {
-
-struct SubscriptionWaitSetEntry {
-  std::shared_ptr<rclcpp::SubscriptionBase> subscription;
-  rclcpp::SubscriptionWaitSetMask mask;
-
-  SubscriptionWaitSetEntry(std::shared_ptr<rclcpp::SubscriptionBase> subscription_in = nullptr,
-                           const rclcpp::SubscriptionWaitSetMask& mask_in = {})  // NOLINT
-      : subscription(std::move(subscription_in)), mask(mask_in) {}
-  template <typename SubscriptionT,
-            typename = std::enable_if_t<std::is_base_of_v<rclcpp::SubscriptionBase, SubscriptionT>>>
-  SubscriptionWaitSetEntry(const std::shared_ptr<SubscriptionT>& subscription_in)  // NOLINT
-      : subscription(subscription_in) {}
-};
-
-struct WaitableWaitSetEntry {
-  std::shared_ptr<rclcpp::Waitable> waitable;
-  std::shared_ptr<void> associated_entity;
-  WaitableWaitSetEntry(std::shared_ptr<rclcpp::Waitable> waitable_in = nullptr,
-                       std::shared_ptr<void> associated_entity_in = nullptr)  // NOLINT
-      : waitable(std::move(waitable_in)), associated_entity(std::move(associated_entity_in)) {}
-};
 
 namespace detail {
 
@@ -119,41 +82,43 @@ class WaitSetCore {
   std::vector<std::weak_ptr<rclcpp::ClientBase>> clients_;
   std::vector<std::weak_ptr<rclcpp::ServiceBase>> services_;
   std::vector<std::weak_ptr<rclcpp::Waitable>> waitables_;
-  rcl_wait_set_t view_{};
+  /// What is ready: subscriptions, timers, clients and services by their addresses; first the own
+  /// guard conditions, then those of the waitables.
+  RclWaitSet view_;
+  /// Ready and not handed out yet.
+  std::vector<char> ready_waitables_;
 
  private:
   void changed();
   bool look(std::chrono::nanoseconds& next_timer);
+  bool look_at_guards();
   void rebuild_view();
 
   rclcpp::Context::SharedPtr context_;
   std::recursive_mutex mutex_;
   bool held_ = false;
-  std::array<std::vector<const void*>, 5> flags_;
   std::vector<uint32_t> ready_ids_;
 };
 
 }  // namespace detail
 
-/// `kFixed`: the entities are given once, in the constructor.
-template <bool kFixed, bool kThreadSafe>
-class BasicWaitSet final {
+/// The policies are those of wait_set_policies/: what may be added later, and by whom. All wait
+/// sets here may be changed by other threads.
+template <class SynchronizationPolicy, class StoragePolicy>
+class WaitSetTemplate final {
  public:
-  RCLCPP_SMART_PTR_DEFINITIONS_NOT_COPYABLE(BasicWaitSet)
+  RCLCPP_SMART_PTR_DEFINITIONS_NOT_COPYABLE(WaitSetTemplate)
 
-  using SubscriptionEntry = SubscriptionWaitSetEntry;
-  using WaitableEntry = WaitableWaitSetEntry;
+  using SubscriptionEntry = typename StoragePolicy::SubscriptionEntry;
+  using WaitableEntry = typename StoragePolicy::WaitableEntry;
 
-  template <typename SubscriptionsT = std::vector<SubscriptionEntry>,
-            typename GuardConditionsT = std::vector<std::shared_ptr<rclcpp::GuardCondition>>,
-            typename TimersT = std::vector<std::shared_ptr<rclcpp::TimerBase>>,
-            typename ClientsT = std::vector<std::shared_ptr<rclcpp::ClientBase>>,
-            typename ServicesT = std::vector<std::shared_ptr<rclcpp::ServiceBase>>,
-            typename WaitablesT = std::vector<WaitableEntry>>
-  explicit BasicWaitSet(
-      const SubscriptionsT& subscriptions = {}, const GuardConditionsT& guard_conditions = {},
-      const TimersT& timers = {}, const ClientsT& clients = {}, const ServicesT& services = {},
-      const WaitablesT& waitables = {},
+  explicit WaitSetTemplate(
+      const typename StoragePolicy::SubscriptionsIterable& subscriptions = {},
+      const typename StoragePolicy::GuardConditionsIterable& guard_conditions = {},
+      const typename StoragePolicy::TimersIterable& timers = {},
+      const typename StoragePolicy::ClientsIterable& clients = {},
+      const typename StoragePolicy::ServicesIterable& services = {},
+      const typename StoragePolicy::WaitablesIterable& waitables = {},
       rclcpp::Context::SharedPtr context = rclcpp::contexts::get_global_default_context())
       : core_(std::move(context)) {
     for (const auto& entry : subscriptions) {
@@ -176,7 +141,7 @@ class BasicWaitSet final {
     }
   }
 
-  const rcl_wait_set_t& get_rcl_wait_set() const { return core_.view_; }
+  const rcl_wait_set_t& get_rcl_wait_set() const { return core_.view_.handle; }
 
   void add_subscription(std::shared_ptr<rclcpp::SubscriptionBase> subscription,
                         rclcpp::SubscriptionWaitSetMask mask = {}) {
@@ -234,15 +199,15 @@ class BasicWaitSet final {
 
   /// Negative: waits for ever. The result holds the wait set until it is gone.
   template <class Rep = int64_t, class Period = std::milli>
-  [[nodiscard]] WaitResult<BasicWaitSet> wait(
+  [[nodiscard]] WaitResult<WaitSetTemplate> wait(
       std::chrono::duration<Rep, Period> time_to_wait = std::chrono::duration<Rep, Period>(-1)) {
     switch (core_.wait(std::chrono::duration_cast<std::chrono::nanoseconds>(time_to_wait))) {
       case WaitResultKind::Ready:
-        return WaitResult<BasicWaitSet>::from_ready_wait_result_kind(*this);
+        return WaitResult<WaitSetTemplate>::from_ready_wait_result_kind(*this);
       case WaitResultKind::Empty:
-        return WaitResult<BasicWaitSet>::from_empty_wait_result_kind();
+        return WaitResult<WaitSetTemplate>::from_empty_wait_result_kind();
       default:
-        return WaitResult<BasicWaitSet>::from_timeout_wait_result_kind();
+        return WaitResult<WaitSetTemplate>::from_timeout_wait_result_kind();
     }
   }
 
@@ -262,13 +227,16 @@ class BasicWaitSet final {
   std::shared_ptr<rclcpp::Waitable> waitables(size_t i) const { return core_.waitables_[i].lock(); }
 
  private:
-  RCLCPP_DISABLE_COPY(BasicWaitSet)
-  friend class WaitResult<BasicWaitSet>;
+  RCLCPP_DISABLE_COPY(WaitSetTemplate)
+  friend class WaitResult<WaitSetTemplate>;
 
   static constexpr void require_dynamic() {
-    static_assert(!kFixed, "a static wait set gets its entities in the constructor only");
+    static_assert(!StoragePolicy::kFixed,
+                  "a static wait set gets its entities in the constructor only");
   }
-  rcl_wait_set_t& ready_view() { return core_.view_; }
+  rcl_wait_set_t& ready_view() { return core_.view_.handle; }
+  /// Whether it is ready; then it is no more.
+  bool take_waitable(size_t i) { return std::exchange(core_.ready_waitables_.at(i), 0) != 0; }
   void wait_result_acquire() { core_.acquire(); }
   void wait_result_release() { core_.release(); }
 

@@ -17,9 +17,9 @@ class AssertionException : public std::exception {
   std::string message_;
 };
 
-class InvalidStateException : public std::exception {
+class IllegalStateException : public std::exception {
  public:
-  explicit InvalidStateException(const char* msg) : message_(msg) {}
+  explicit IllegalStateException(const char* msg) : message_(msg) {}
   const char* what() const noexcept override { return message_.c_str(); }
 
  private:
@@ -34,7 +34,7 @@ inline void require_true(bool condition, const std::string& msg = "invalid argum
 
 inline void check_true(bool condition, const std::string& msg = "check reported invalid state") {
   if (!condition) {
-    throw InvalidStateException{msg.c_str()};
+    throw IllegalStateException{msg.c_str()};
   }
 }
 

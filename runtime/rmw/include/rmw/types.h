@@ -8,6 +8,7 @@
 #include <stdint.h>
 
 #include "rcutils/types/uint8_array.h"
+#include "rmw/ret_types.h"
 #include "rmw/time.h"
 
 #ifdef __cplusplus
@@ -15,15 +16,6 @@ extern "C" {
 #endif
 
 typedef uint8_t rmw_byte_t;
-typedef int32_t rmw_ret_t;
-#define RMW_RET_OK 0
-#define RMW_RET_ERROR 1
-#define RMW_RET_TIMEOUT 2
-#define RMW_RET_UNSUPPORTED 3
-#define RMW_RET_BAD_ALLOC 10
-#define RMW_RET_INVALID_ARGUMENT 11
-#define RMW_RET_INCORRECT_RMW_IMPLEMENTATION 12
-#define RMW_RET_NODE_NAME_NON_EXISTENT 203
 
 #define RMW_GID_STORAGE_SIZE 16u
 

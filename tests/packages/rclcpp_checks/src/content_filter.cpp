@@ -6,9 +6,9 @@
 // >= LIKE BETWEEN, AND OR NOT, %0 to %99
 
 // Compatibility, differs: content filters -> a subscription looks at a message when it takes it,
-// so those that it leaves out count towards the depth of keep_last, and wait sets and listeners of
-// new messages notice them; subscriptions by pointer are filtered too; MATCH (regular expressions)
-// is refused as every other unknown word
+// so those that it leaves out count towards the depth of keep_last, and wait sets notice them;
+// subscriptions by pointer are filtered too; MATCH (regular expressions) is refused as every other
+// unknown word
 
 #include <limits>
 #include <memory>

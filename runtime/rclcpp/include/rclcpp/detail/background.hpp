@@ -11,7 +11,8 @@ namespace detail {
 
 /// `work` runs when endpoint `endpoint_id` has data, for as long as the handle lives.
 std::shared_ptr<void> add_background(int32_t endpoint_id, std::function<void()> work);
-/// Runs what is due. Called with the ids that have data, or asks for them itself.
+/// Runs what is due. Called with the ids that have data, or asks for them itself and lets the
+/// listeners look too.
 void run_background();
 void run_background(uint32_t endpoint_id);
 

@@ -32,11 +32,14 @@ class NodeGraph : public NodeGraphInterface {
                                                        bool no_demangle) const override;
   std::vector<std::string> get_node_names() const override;
   std::vector<std::pair<std::string, std::string>> get_node_names_and_namespaces() const override;
+  std::vector<std::tuple<std::string, std::string, std::string>> get_node_names_with_enclaves()
+      const override;
   size_t count_publishers(const std::string& topic_name) const override;
   size_t count_subscribers(const std::string& topic_name) const override;
   size_t count_clients(const std::string& service_name) const override;
   size_t count_services(const std::string& service_name) const override;
   rclcpp::Event::SharedPtr get_graph_event() override;
+  size_t count_graph_users() const override;
   void wait_for_graph_change(rclcpp::Event::SharedPtr event,
                              std::chrono::nanoseconds timeout) override;
   std::vector<rclcpp::TopicEndpointInfo> get_publishers_info_by_topic(
@@ -47,7 +50,7 @@ class NodeGraph : public NodeGraphInterface {
  private:
   RCLCPP_DISABLE_COPY(NodeGraph)
   NodeBaseInterface* node_base_;
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   // Each event with the graph's version when it was last looked at.
   std::vector<std::pair<rclcpp::Event::WeakPtr, int32_t>> events_;
 };

@@ -88,12 +88,17 @@ class NodeGraphInterface {
   virtual std::vector<std::string> get_node_names() const = 0;
   virtual std::vector<std::pair<std::string, std::string>> get_node_names_and_namespaces()
       const = 0;
+  /// Name, namespace and enclave; a site has the one enclave "/".
+  virtual std::vector<std::tuple<std::string, std::string, std::string>>
+  get_node_names_with_enclaves() const = 0;
   virtual size_t count_publishers(const std::string& topic_name) const = 0;
   virtual size_t count_subscribers(const std::string& topic_name) const = 0;
   virtual size_t count_clients(const std::string& service_name) const = 0;
   virtual size_t count_services(const std::string& service_name) const = 0;
   virtual rclcpp::Event::SharedPtr get_graph_event() = 0;
   /// Returns when the event is set, on shutdown, or after the timeout.
+  /// How many events of get_graph_event() are in use.
+  virtual size_t count_graph_users() const = 0;
   virtual void wait_for_graph_change(rclcpp::Event::SharedPtr event,
                                      std::chrono::nanoseconds timeout) = 0;
   virtual std::vector<rclcpp::TopicEndpointInfo> get_publishers_info_by_topic(

@@ -1,0 +1,12 @@
+// What a context is to the C library: a name for it. Contexts are made by rclcpp.
+#ifndef RCL__CONTEXT_H_
+#define RCL__CONTEXT_H_
+
+#include "rcl/types.h"
+
+typedef struct rcl_context_impl_s rcl_context_impl_t;
+typedef struct rcl_context_s {
+  rcl_context_impl_t* impl;
+} rcl_context_t;
+
+#endif  // RCL__CONTEXT_H_

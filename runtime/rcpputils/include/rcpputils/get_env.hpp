@@ -1,0 +1,4 @@
+// The older name of env.hpp.
+#pragma once
+
+#include "rcpputils/env.hpp"

@@ -149,26 +149,6 @@ Outcome<RepoIndex> locked_index(const fs::path& lock_file, LockRest& rest) {
                    .elsewhere = {}};
 }
 
-/// The compiler, or what stands for it where there is none; R2W0530 when the packages do not fit it.
-Diagnostics compiler_for(const std::vector<PackageRecord>& packaged, const PackRequest& request,
-                         const fs::path& cache, Outcome<Compiler>& compiler) {
-  std::set<std::string> versions;
-  for (const PackageRecord& record : packaged) versions.insert(record.version);
-  const std::vector<std::string> sorted(versions.begin(), versions.end());
-  if (!compiler) {
-    compiler = no_compiler(sorted);
-    return {};
-  }
-  if (auto none = no_packages_for(*compiler, sorted, request.variables)) return {std::move(*none)};
-  std::vector<std::string> builds;
-  for (const PackageRecord& record : packaged)
-    if (record.version == compiler->version) builds.push_back(record.build);
-  const CompilerParts parts = find_compiler_parts(compiler->home, request.variables);
-  if (auto other = other_parts(*compiler, abi_build(parts, cache), builds))
-    return {std::move(*other)};
-  return {};
-}
-
 /// Steps 1 to 3, up to the request to the channels, which a frozen lock fulfils (R2W0311).
 Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellation,
                       const ProgressSink& progress) {
@@ -240,8 +220,8 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
     if (!compilers) return compilers.errors();
     packaged = compilers->records;
   }
-  if (auto faults = compiler_for(packaged, request, roots.cache, compiler); !faults.empty())
-    return faults;
+  compiler = fitting_compiler(std::move(compiler), packaged, request.variables, roots.cache);
+  if (!compiler) return std::move(compiler).errors();
   auto left_out = left_out_packages(*packages, *order, known, manifest.distro, known_build_types());
   auto wanted =
       channel_request(manifest, *packages, left_out, known, compiler->version, *notebook_needs);

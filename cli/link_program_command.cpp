@@ -48,15 +48,15 @@ int link(Context& context, const Options& options) {
   const auto kits = context.environment.find(kLinkKitsVariable);
   const auto quick = context.environment.find(kQuickLinkVariable);
   const auto channels = context.environment.find(kChannelPrefixVariable);
-  const auto linked =
-      link_program({.package = options.package,
-                    .command = options.command,
-                    .environment = link_environment(context.environment, options.command.front()),
-                    .thread_support = support->string(),
-                    .kits = kits == context.environment.end() ? "" : kits->second,
-                    .quick_folder = quick == context.environment.end() ? "" : quick->second,
-                    .channel_prefix = channels == context.environment.end() ? "" : channels->second},
-                   context.cancellation);
+  const auto linked = link_program(
+      {.package = options.package,
+       .command = options.command,
+       .environment = link_environment(context.environment, options.command.front()),
+       .thread_support = support->string(),
+       .kits = kits == context.environment.end() ? "" : kits->second,
+       .quick_folder = quick == context.environment.end() ? "" : quick->second,
+       .channel_prefix = channels == context.environment.end() ? "" : channels->second},
+      context.cancellation);
   hand_up(context, parse_link_line(options.command).output,
           linked ? linked->warnings : linked.errors());
   if (linked) return 0;

@@ -68,7 +68,8 @@ std::string Progress::bar(const ProgressEvent& event, const std::string& speed) 
   line += " " + count_text(event) + speed;
   if (!event.item.empty()) line += "  " + valid_utf8(event.item);
   if (event.warnings > 0)
-    line += event.warnings == 1 ? ", 1 warning" : ", " + std::to_string(event.warnings) + " warnings";
+    line +=
+        event.warnings == 1 ? ", 1 warning" : ", " + std::to_string(event.warnings) + " warnings";
   std::size_t width = 0;
   std::size_t end = 0;
   while (end < line.size()) {

@@ -12,9 +12,8 @@ inline void append(Diagnostics& to, const Diagnostics& more) {
 }
 
 [[nodiscard]] inline bool has_error(const Diagnostics& findings) {
-  return std::any_of(findings.begin(), findings.end(), [](const Diagnostic& one) {
-    return one.severity == Severity::kError;
-  });
+  return std::any_of(findings.begin(), findings.end(),
+                     [](const Diagnostic& one) { return one.severity == Severity::kError; });
 }
 
 /// Those that have no place get this one.

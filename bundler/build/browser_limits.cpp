@@ -10,23 +10,27 @@ namespace {
 
 constexpr BrowserLimit kSockets{
     .what = "sockets",
-    .instead = "exchange the data over topics and services; a page around the site can bring it in "
-               "and out (docs/page.md, In another page)"};
+    .instead =
+        "exchange the data over topics and services; a page around the site can bring it in "
+        "and out (docs/page.md, In another page)"};
 constexpr BrowserLimit kProcesses{
     .what = "processes of its own",
     .instead = "make the other program a node of the launch file, or call it as a function"};
 constexpr BrowserLimit kLoading{
     .what = "libraries that are loaded at run time",
-    .instead = "link the library to the program, or load it with class_loader or pluginlib, whose "
-               "libraries are linked in"};
+    .instead =
+        "link the library to the program, or load it with class_loader or pluginlib, whose "
+        "libraries are linked in"};
 constexpr BrowserLimit kGraphics{
     .what = "the GPU and windows",
-    .instead = "publish what it draws as images or markers, which the page shows, and compute on "
-               "the processor"};
+    .instead =
+        "publish what it draws as images or markers, which the page shows, and compute on "
+        "the processor"};
 constexpr BrowserLimit kOpenCv{
     .what = "OpenCV",
-    .instead = "work on the bytes of sensor_msgs/msg/Image, or give the library's sources to the "
-               "workspace as a package; windows are the page's image panel"};
+    .instead =
+        "work on the bytes of sensor_msgs/msg/Image, or give the library's sources to the "
+        "workspace as a package; windows are the page's image panel"};
 constexpr BrowserLimit kSerial{
     .what = "serial ports",
     .instead = "let a node that simulates the device take its place, or play a bag of its data"};
@@ -35,21 +39,25 @@ constexpr BrowserLimit kDevices{
     .instead = "let a node that simulates the device take its place, or play a bag of its data"};
 constexpr BrowserLimit kShared{
     .what = "memory, queues and semaphores that processes share",
-    .instead = "exchange the data over topics, or use std::mutex and std::condition_variable "
-               "between threads"};
+    .instead =
+        "exchange the data over topics, or use std::mutex and std::condition_variable "
+        "between threads"};
 constexpr BrowserLimit kDescriptors{
     .what = "waiting on descriptors of Linux",
-    .instead = "wait with timers, callbacks and guard conditions of rclcpp; poll() and select() "
-               "work on standard input"};
+    .instead =
+        "wait with timers, callbacks and guard conditions of rclcpp; poll() and select() "
+        "work on standard input"};
 constexpr BrowserLimit kRealTime{
     .what = "real-time scheduling and locked memory",
-    .instead = "the calls for scheduling fail with ENOSYS, and locking memory does nothing: a "
-               "browser gives no priorities, no processors of one's own and no deadlines",
+    .instead =
+        "the calls for scheduling fail with ENOSYS, and locking memory does nothing: a "
+        "browser gives no priorities, no processors of one's own and no deadlines",
     .only_fails = true};
 constexpr BrowserLimit kShell{
     .what = "a shell",
-    .instead = "system() fails with -1 and the node's console says so; make the other program a "
-               "node, or write with std::ofstream what the command would write",
+    .instead =
+        "system() fails with -1 and the node's console says so; make the other program a "
+        "node, or write with std::ofstream what the command would write",
     .only_fails = true};
 
 struct Row {

@@ -24,8 +24,8 @@ struct BrowserLimit {
 /// What a message about such a header says of it, line by line; nothing when it has no limit.
 [[nodiscard]] std::vector<std::string> told_of_header(std::string_view header);
 
-/// The symbols with a limit, without those that only a family of names tells: a C library may define
-/// them nevertheless, so that no link misses them.
+/// The symbols with a limit, without those that only a family of names tells: a C library may
+/// define them nevertheless, so that no link misses them.
 [[nodiscard]] std::vector<std::string_view> limited_symbols();
 
 }  // namespace ros2wasm

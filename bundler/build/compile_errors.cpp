@@ -97,7 +97,8 @@ void explain_limits(Diagnostic& diagnostic) {
   static const std::regex kHeader(R"('([^'\t\n]+)' file not found)");
   std::smatch match;
   if (!std::regex_search(diagnostic.message, match, kHeader)) return;
-  for (std::string& line : told_of_header(match[1].str())) diagnostic.why.push_back(std::move(line));
+  for (std::string& line : told_of_header(match[1].str()))
+    diagnostic.why.push_back(std::move(line));
 }
 
 Diagnostic compile_error(const FailedCommand& failed, const BuildPlace& place) {

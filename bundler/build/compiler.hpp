@@ -14,8 +14,8 @@ namespace ros2wasm {
 using EnvironmentVariables = std::map<std::string, std::string>;
 
 struct Compiler {
-  std::filesystem::path cxx;  ///< em++
-  std::filesystem::path c;    ///< emcc
+  std::filesystem::path cxx;   ///< em++
+  std::filesystem::path c;     ///< emcc
   std::filesystem::path home;  ///< folder of its scripts
   std::string version;         ///< "3.1.6"
   /// Changes whenever the compiler, its clang or its system libraries do: goes into every build's

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <regex>
+#include <set>
 
 #include "bundler/io/files.hpp"
 #include "bundler/io/sha256.hpp"
@@ -128,8 +129,7 @@ std::string abi_build(const CompilerParts& parts, const fs::path& cache) {
       return *known;
   const std::string hash = hash_of(parts.libraries);
   if (hash.empty()) return {};
-  std::string build =
-      kBuildPrefix + parts.clang_version + "_h" + hash.substr(0, kDigits) + "_0";
+  std::string build = kBuildPrefix + parts.clang_version + "_h" + hash.substr(0, kDigits) + "_0";
   // Not kept is only slower.
   if (!cache.empty()) (void)write_file(kept, build);
   return build;
@@ -151,6 +151,22 @@ std::optional<Diagnostic> other_parts(const Compiler& compiler, const std::strin
       .why = {"here they are " + own_build + ", clang's version and a hash of the libraries",
               "those of the packages are " + name_list(known),
               "the compiler is " + compiler.cxx.string()}};
+}
+
+Outcome<Compiler> fitting_compiler(Outcome<Compiler> found,
+                                   const std::vector<PackageRecord>& packaged,
+                                   const EnvironmentVariables& variables, const fs::path& cache) {
+  std::set<std::string> versions;
+  for (const PackageRecord& record : packaged) versions.insert(record.version);
+  const std::vector<std::string> sorted(versions.begin(), versions.end());
+  if (!found) return no_compiler(sorted);
+  if (auto none = no_packages_for(*found, sorted, variables)) return std::move(*none);
+  std::vector<std::string> builds;
+  for (const PackageRecord& record : packaged)
+    if (record.version == found->version) builds.push_back(record.build);
+  const CompilerParts parts = find_compiler_parts(found->home, variables);
+  if (auto other = other_parts(*found, abi_build(parts, cache), builds)) return std::move(*other);
+  return found;
 }
 
 }  // namespace ros2wasm

@@ -62,13 +62,14 @@ Diagnostics compiler_warnings(std::string_view text, const BuildPlace& place) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     std::smatch match;
     if (lines[i].size() > kLongestLine || !std::regex_match(lines[i], match, kWarning)) continue;
-    Diagnostic warning{.code = kCompilerWarning,
-                       .severity = Severity::kWarning,
-                       .message = match[4],
-                       .span = SourceSpan{.file = display_file(match[1], below),
-                                          .line = static_cast<std::uint32_t>(std::stoul(match[2])),
-                                          .column = static_cast<std::uint32_t>(std::stoul(match[3])),
-                                          .length = 1}};
+    Diagnostic warning{
+        .code = kCompilerWarning,
+        .severity = Severity::kWarning,
+        .message = match[4],
+        .span = SourceSpan{.file = display_file(match[1], below),
+                           .line = static_cast<std::uint32_t>(std::stoul(match[2])),
+                           .column = static_cast<std::uint32_t>(std::stoul(match[3])),
+                           .length = 1}};
     if (i + 2 < lines.size() && lines[i + 2].find('^') != std::string::npos) {
       warning.span->line_text = lines[i + 1];
       i += 2;

@@ -1,5 +1,6 @@
-// What compilers and the link driver said of a package without failing: kept from command to command,
-// as ninja runs only those that must, and with the package, so that the cache tells it again.
+// What compilers and the link driver said of a package without failing: kept from command to
+// command, as ninja runs only those that must, and with the package, so that the cache tells it
+// again.
 #pragma once
 
 #include <filesystem>

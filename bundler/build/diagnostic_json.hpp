@@ -1,5 +1,5 @@
-// Diagnostics as JSON: how the link driver, a grandchild of the pack, hands its findings up, and what
-// is kept with what was built. Pure.
+// Diagnostics as JSON: how the link driver, a grandchild of the pack, hands its findings up, and
+// what is kept with what was built. Pure.
 #pragma once
 
 #include <string>

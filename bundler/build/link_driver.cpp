@@ -85,8 +85,7 @@ Diagnostics undefined_symbols(const LinkRequest& request, const LinkLine& line,
   for (const std::string& symbol : symbols) {
     if (limit_of_symbol(symbol) != nullptr) continue;
     const auto found = trace.references.find(symbol);
-    const auto objects =
-        found == trace.references.end() ? std::set<std::string>() : found->second;
+    const auto objects = found == trace.references.end() ? std::set<std::string>() : found->second;
     if (is_limited && std::all_of(objects.begin(), objects.end(), [](const std::string& object) {
           return is_given_object(object, {});
         }))
@@ -107,8 +106,8 @@ Diagnostics findings_of(const LinkRequest& request, const LinkLine& line,
                         const std::vector<std::string>& undefined, const std::string& printed,
                         const std::string& stem, const Cancellation& cancellation) {
   LinkTrace trace = read_link_trace(printed);
-  LinkTrace more = undefined.empty() ? LinkTrace()
-                                     : trace_of(request, line, undefined, stem, cancellation);
+  LinkTrace more =
+      undefined.empty() ? LinkTrace() : trace_of(request, line, undefined, stem, cancellation);
   trace.references.merge(more.references);
   Diagnostics result = limit_findings({.shown = described(request, line),
                                        .trace = trace,

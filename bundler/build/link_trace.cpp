@@ -41,12 +41,11 @@ bool defines_itself(const TracedProgram& program, const std::string& symbol) {
 Diagnostic finding(const TracedProgram& program, const BrowserLimit& limit, const Uses& uses,
                    bool is_undefined) {
   const bool only_warns = limit.only_fails && !is_undefined;
-  Diagnostic result{
-      .code = only_warns ? "R2W0524" : "R2W0523",
-      .severity = only_warns ? Severity::kWarning : Severity::kError,
-      .message = program.shown + (only_warns ? " asks for " : " needs ") + std::string(limit.what) +
-                 ", which no browser has",
-      .label = std::string(limit.what)};
+  Diagnostic result{.code = only_warns ? "R2W0524" : "R2W0523",
+                    .severity = only_warns ? Severity::kWarning : Severity::kError,
+                    .message = program.shown + (only_warns ? " asks for " : " needs ") +
+                               std::string(limit.what) + ", which no browser has",
+                    .label = std::string(limit.what)};
   std::map<std::string, std::vector<std::string>> by_object;
   for (const auto& [symbol, objects] : uses) {
     if (objects.empty()) by_object["something in it"].push_back("`" + symbol + "`");

@@ -154,8 +154,7 @@ fs::path quick_links_folder(const fs::path& build_cache, const Compiler& compile
   return build_cache / "quick-links" / sha256_hex(key).substr(0, 16);
 }
 
-std::optional<std::string> link_quickly(const QuickLink& link,
-                                        const Cancellation& cancellation) {
+std::optional<std::string> link_quickly(const QuickLink& link, const Cancellation& cancellation) {
   const auto own = linker_arguments(link.line.arguments);
   if (!own) return std::nullopt;
   if (!make_directories(link.kept)) return std::nullopt;

@@ -196,8 +196,8 @@ std::optional<ProgramLacks> lacks_of(std::string_view ninja_output, bool has_com
     if (result.headers.empty()) return std::nullopt;
   }
   for (const LinkFindings& link : links) {
-    const bool only_limits = std::all_of(
-        link.diagnostics.begin(), link.diagnostics.end(), [](const Diagnostic& one) {
+    const bool only_limits =
+        std::all_of(link.diagnostics.begin(), link.diagnostics.end(), [](const Diagnostic& one) {
           return one.severity != Severity::kError || one.code == "R2W0523";
         });
     if (!only_limits) return std::nullopt;
@@ -216,9 +216,8 @@ Outcome<Done> remember_findings(std::string_view ninja_output,
       if (one.severity != Severity::kError) fresh[link.output].push_back(one);
   const auto build = read_file(request.work / "build.ninja");
   if (!build) return build.errors();
-  return write_command_findings(
-      request.work,
-      current_findings(read_command_findings(request.work), std::move(fresh), *build));
+  return write_command_findings(request.work, current_findings(read_command_findings(request.work),
+                                                               std::move(fresh), *build));
 }
 
 /// `lacks`: becomes what is the only reason of its failure.
@@ -284,9 +283,9 @@ Outcome<Done> build_without(ProgramLacks lacks, const PackageBuild& request,
                             const ProgressSink& progress) {
   std::string lines = left_out_script(lacks.headers);
   for (const LinkFindings& link : lacks.limits) {
-    const auto limit = std::find_if(
-        link.diagnostics.begin(), link.diagnostics.end(),
-        [](const Diagnostic& one) { return one.severity == Severity::kError; });
+    const auto limit =
+        std::find_if(link.diagnostics.begin(), link.diagnostics.end(),
+                     [](const Diagnostic& one) { return one.severity == Severity::kError; });
     lines += left_out_line(link.program, need_of(*limit));
   }
   const fs::path script = request.work / "missing_headers.cmake";

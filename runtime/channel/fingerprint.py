@@ -27,7 +27,7 @@ SOURCE_SUFFIXES_LEFT_OUT = (".pyc",)
 
 @dataclass(frozen=True)
 class Compiler:
-    """Emscripten: the C++ driver, its version, what of it is in programs, and a hash of that and the driver's scripts."""
+    """Emscripten: the C++ driver, its version, a hash of all that matters of it, and what of it is in programs."""
 
     cxx: Path
     version: str

@@ -46,7 +46,7 @@ def record(package: PackageSource, packages: dict[str, PackageSource], tree: Pat
 
 
 def abi_record(compiler: Compiler) -> dict[str, Any]:
-    """Returns the record of the empty package that stands for a compiler: its build string for clang and the libraries."""
+    """Returns the record of the empty package that stands for a compiler; its build string for what is in programs."""
     return {
         "name": ABI_PACKAGE,
         "version": compiler.version,

@@ -46,9 +46,9 @@ TEST(CompilerWarnings, AreWholeAndOnlyThoseOfThePackage) {
 
 TEST(CompilerWarnings, OutliveRunsThatDoNotCompileTheirFileAgain) {
   const auto run = [](const std::string& more) {
-    return command_findings("[1/2] Building CXX object a.cpp.o\n" + more +
-                                "[2/2] Linking CXX executable tool.wasm\n",
-                            kPlace);
+    return command_findings(
+        "[1/2] Building CXX object a.cpp.o\n" + more + "[2/2] Linking CXX executable tool.wasm\n",
+        kPlace);
   };
   const std::string ninja = "build a.cpp.o: CXX x\nbuild b.cpp.o: CXX y\n";
   const CommandFindings first = current_findings({}, run(kUnused), ninja);

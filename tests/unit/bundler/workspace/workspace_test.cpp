@@ -97,8 +97,9 @@ TEST(BuildOrder, MembersOfAGroupComeBeforeWhatDependsOnIt) {
   const TemporaryTree tree;
   const std::string member = "<member_of_group>our_interfaces</member_of_group>\n";
   tree.write("src/all/package.xml",
-             package_xml("all", "<group_depend>our_interfaces</group_depend>\n" + member +
-                                    "<group_depend condition=\"$ROS_VERSION == 1\">ros1</group_depend>\n"));
+             package_xml(
+                 "all", "<group_depend>our_interfaces</group_depend>\n" + member +
+                            "<group_depend condition=\"$ROS_VERSION == 1\">ros1</group_depend>\n"));
   tree.write("src/arms/package.xml", package_xml("arms", member));
   tree.write("src/other/package.xml",
              package_xml("other", "<member_of_group>ros1</member_of_group>\n"));

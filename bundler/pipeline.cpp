@@ -7,6 +7,7 @@
 #include <set>
 #include <thread>
 
+#include "bundler/build/compiler_parts.hpp"
 #include "bundler/build/exception_encoding.hpp"
 #include "bundler/build/kept_header.hpp"
 #include "bundler/build/plugin_link.hpp"
@@ -193,7 +194,7 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
   auto order = order_packages(*packages, manifest.distro);
   if (!order) return std::move(order).errors();
   KnownNames known{.names = {}, .of_lock = request.frozen, .absent = {}};
-  std::set<std::string> packaged;  // versions of the compiler that there are packages for
+  std::vector<PackageRecord> packaged;  // for versions of the compiler
   std::optional<OpenChannels> open;
   Outcome<RepoIndex> index = RepoIndex();
   if (request.frozen) {
@@ -207,7 +208,7 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
     }
     known.names = index->names();
     for (const PackageRecord& record : index->records)
-      if (record.name == kCompilerPackage) packaged.insert(record.version);
+      if (record.name == kCompilerPackage) packaged.push_back(record);
   } else {
     auto opened = open_channels(addresses, roots, cancellation, progress);
     if (!opened) return std::move(opened).errors();
@@ -217,11 +218,10 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
     const auto compilers =
         open->reachable({&compiler_package, 1}, manifest.channel_priority, cancellation);
     if (!compilers) return compilers.errors();
-    for (const PackageRecord& record : compilers->records) packaged.insert(record.version);
+    packaged = compilers->records;
   }
-  const std::vector<std::string> versions(packaged.begin(), packaged.end());
-  if (!compiler) compiler = no_compiler(versions);
-  if (auto none = no_packages_for(*compiler, versions, request.variables)) return std::move(*none);
+  compiler = fitting_compiler(std::move(compiler), packaged, request.variables, roots.cache);
+  if (!compiler) return std::move(compiler).errors();
   auto left_out = left_out_packages(*packages, *order, known, manifest.distro, known_build_types());
   auto wanted =
       channel_request(manifest, *packages, left_out, known, compiler->version, *notebook_needs);
@@ -502,6 +502,8 @@ Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& ca
   workspace->packages = std::move(built->packages);
   workspace->left_out = std::move(built->left_out);
   if (!workspace->packages.empty()) workspace->remarks.push_back(build_remark(workspace->packages));
+  if (std::string remark = warnings_remark(workspace->packages); !remark.empty())
+    workspace->remarks.push_back(std::move(remark));
 
   // 5. programs with the plugins that they load
   const auto linked = link_plugins(question->packages, workspace->packages, tools, settings,

@@ -16,6 +16,7 @@ CommandBody inspect_command(Arguments& arguments);
 CommandBody init_command(Arguments& arguments);
 CommandBody compile_source_command(Arguments& arguments);
 CommandBody launch_command(Arguments& arguments);
+CommandBody describe_compiler_command(Arguments& arguments);
 CommandBody link_program_command(Arguments& arguments);
 CommandBody lock_command(Arguments& arguments);
 CommandBody pack_command(Arguments& arguments);
@@ -79,6 +80,10 @@ constexpr auto kCommands = std::to_array<CommandRow>({
     {.name = "inspect",
      .help = "Show what ros2wasm makes of a version, a spec or an archive",
      .declare = inspect_command},
+    {.name = "describe-compiler",
+     .help = "Tell what of the compiler is in programs (called where a channel is made)",
+     .declare = describe_compiler_command,
+     .hidden = true},
     {.name = "compile-source",
      .help = "Compile one source (called by CMake)",
      .declare = compile_source_command,

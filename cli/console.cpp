@@ -68,6 +68,7 @@ void Console::remark(std::string_view line) {
 }
 
 void Console::report(const Diagnostic& diagnostic) {
+  if (options_.quiet && diagnostic.code == kCompilerWarning) return;
   const Diagnostic shown = without_credentials(diagnostic);
   const std::scoped_lock lock(mutex_);
   if (options_.json) {

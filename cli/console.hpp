@@ -17,7 +17,8 @@
 namespace ros2wasm {
 
 struct ConsoleOptions {
-  bool quiet = false;  ///< no remarks, no progress; errors and warnings stay
+  bool quiet = false;  ///< no remarks, no progress, no warnings of compilers; errors and
+                       ///< the packer's own warnings stay
   bool json = false;
   TextStyle style;             ///< of diagnostics
   bool live_progress = false;  ///< stderr is a terminal: draw a bar

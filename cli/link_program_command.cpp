@@ -21,14 +21,16 @@ struct Options {
 };
 
 /// Leaves the findings for the pack, which is a grandparent of this process.
-void hand_up(const Context& context, const std::string& output, const Diagnostics& errors) {
+void hand_up(const Context& context, const std::string& output, const Diagnostics& findings) {
   const auto folder = context.environment.find("ROS2WASM_LINK_DIAGNOSTICS");
-  if (folder == context.environment.end() || folder->second.empty()) return;
+  if (findings.empty() || folder == context.environment.end() || folder->second.empty()) return;
+  const std::string program = std::filesystem::path(output).stem().string();
   // Programs in two folders may have one name.
-  const auto name = std::filesystem::path(output).stem().string() + "-" +
-                    sha256_hex(output).substr(0, 16) + ".json";
-  // When this fails the findings are still in what the linker printed.
-  (void)write_file(std::filesystem::path(folder->second) / name, diagnostics_to_json(errors));
+  const auto name = program + "-" + sha256_hex(output).substr(0, 16) + ".json";
+  // When this fails the errors are still in what the linker printed.
+  (void)write_file(
+      std::filesystem::path(folder->second) / name,
+      link_findings_to_json({.output = output, .program = program, .diagnostics = findings}));
 }
 
 int link(Context& context, const Options& options) {
@@ -45,16 +47,19 @@ int link(Context& context, const Options& options) {
   if (!support) return context.console.fail(support.errors());
   const auto kits = context.environment.find(kLinkKitsVariable);
   const auto quick = context.environment.find(kQuickLinkVariable);
-  const auto linked =
-      link_program({.package = options.package,
-                    .command = options.command,
-                    .environment = link_environment(context.environment, options.command.front()),
-                    .thread_support = support->string(),
-                    .kits = kits == context.environment.end() ? "" : kits->second,
-                    .quick_folder = quick == context.environment.end() ? "" : quick->second},
-                   context.cancellation);
+  const auto channels = context.environment.find(kChannelPrefixVariable);
+  const auto linked = link_program(
+      {.package = options.package,
+       .command = options.command,
+       .environment = link_environment(context.environment, options.command.front()),
+       .thread_support = support->string(),
+       .kits = kits == context.environment.end() ? "" : kits->second,
+       .quick_folder = quick == context.environment.end() ? "" : quick->second,
+       .channel_prefix = channels == context.environment.end() ? "" : channels->second},
+      context.cancellation);
+  hand_up(context, parse_link_line(options.command).output,
+          linked ? linked->warnings : linked.errors());
   if (linked) return 0;
-  hand_up(context, parse_link_line(options.command).output, linked.errors());
   return context.console.fail(linked.errors());
 }
 

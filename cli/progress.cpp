@@ -41,6 +41,7 @@ std::string json_line(const ProgressEvent& event) {
   json.key("done").unsigned_integer(event.done);
   json.key("total").unsigned_integer(event.total);
   json.field("unit", event.unit);
+  if (event.warnings > 0) json.key("warnings").unsigned_integer(event.warnings);
   json.end_object();
   return json.text() + "\n";
 }
@@ -66,6 +67,9 @@ std::string Progress::bar(const ProgressEvent& event, const std::string& speed) 
   }
   line += " " + count_text(event) + speed;
   if (!event.item.empty()) line += "  " + valid_utf8(event.item);
+  if (event.warnings > 0)
+    line +=
+        event.warnings == 1 ? ", 1 warning" : ", " + std::to_string(event.warnings) + " warnings";
   std::size_t width = 0;
   std::size_t end = 0;
   while (end < line.size()) {

@@ -32,6 +32,9 @@ enum class FailureKind : int {
   kInterrupted = 130,
 };
 
+/// The code of what compilers warn of: --quiet leaves it out.
+inline constexpr const char* kCompilerWarning = "R2W0525";
+
 /// One finding. `code` is "R2W" plus four digits and has a page in cli/explain/.
 struct Diagnostic {
   std::string code;

@@ -187,14 +187,19 @@ class Reader {
       package_.maintainers.push_back(element.text);
     } else if (element.name == "description") {
       package_.description = folded_space(element.text);
-    } else if (element.name == "member_of_group") {
-      if (condition_holds(element)) {
-        package_.member_of_groups.push_back({.value = element.text, .span = element.text_span});
-      }
+    } else if (element.name == "member_of_group" || element.name == "group_depend") {
+      read_group(element);
     } else if (std::find(kOtherElements.begin(), kOtherElements.end(), element.name) ==
                kOtherElements.end()) {
       unknown_element(element);
     }
+  }
+
+  void read_group(const XmlElement& element) {
+    if (!condition_holds(element)) return;
+    auto& groups =
+        element.name == "group_depend" ? package_.group_depends : package_.member_of_groups;
+    groups.push_back({.value = element.text, .span = element.text_span});
   }
 
   void unknown_element(const XmlElement& element) {

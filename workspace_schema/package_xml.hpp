@@ -42,6 +42,7 @@ struct PackageXml {
   std::vector<Spanned<std::string>> licenses;
   std::vector<std::string> maintainers;
   std::vector<Spanned<std::string>> member_of_groups;  ///< e.g. rosidl_interface_packages
+  std::vector<Spanned<std::string>> group_depends;     ///< groups whose members must be built first
   std::vector<PackageDependency>
       dependencies;        ///< in the order of the file, only those whose condition holds
   std::string build_type;  ///< <export><build_type>; "catkin" by format's default when absent

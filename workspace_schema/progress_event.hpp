@@ -16,7 +16,8 @@ struct ProgressEvent {
   std::string item;
   std::uint64_t done = 0;
   std::uint64_t total = 0;
-  std::string unit;  ///< "bytes", "packages" ...; may be empty
+  std::string unit;            ///< "bytes", "packages" ...; may be empty
+  std::uint64_t warnings = 0;  ///< that the compiler gave for `item` so far
 };
 
 /// May be empty: test before calling. Called on the thread that runs the step.

@@ -12,6 +12,7 @@
 #include <optional>
 #include <thread>
 
+#include "bundler/build/compiler_warnings.hpp"
 #include "bundler/build/kept_work.hpp"
 #include "bundler/build/link_kit.hpp"
 #include "bundler/build/missing_headers.hpp"
@@ -23,6 +24,7 @@
 #include "bundler/io/sha256.hpp"
 #include "bundler/store/build_place.hpp"
 #include "bundler/workspace/channel_request.hpp"
+#include "workspace_schema/diagnostic_list.hpp"
 #include "workspace_schema/suggestion.hpp"
 
 namespace ros2wasm {
@@ -190,7 +192,8 @@ class WorkspaceBuilder {
         return std::move(done).errors();
     }
     Diagnostics findings = left_out_programs(result.prefix, place_of(package));
-    if (!findings.empty() && findings.front().severity == Severity::kError) return findings;
+    append(findings, kept_findings(result.prefix, place_of(package)));
+    if (has_error(findings)) return findings;
     result.warnings = std::move(findings);
     return result;
   }
@@ -227,6 +230,7 @@ class WorkspaceBuilder {
                          .work = work,
                          .install = staging->path(),
                          .final_prefix = prefix,
+                         .channel_prefix = settings_.environment_prefix,
                          .workspace = settings_.base,
                          .jobs = jobs};
     for (auto need = needs.rbegin(); need != needs.rend(); ++need)
@@ -356,6 +360,19 @@ std::string build_remark(const std::vector<BuiltPackage>& packages) {
   if (fresh.empty())
     return "nothing to build: " + std::to_string(packages.size()) + " packages are as before";
   return "built " + name_list(fresh);
+}
+
+std::string warnings_remark(const std::vector<BuiltPackage>& packages) {
+  std::vector<std::string> counts;
+  for (const BuiltPackage& one : packages) {
+    const auto count =
+        std::count_if(one.warnings.begin(), one.warnings.end(),
+                      [](const Diagnostic& warning) { return warning.code == kCompilerWarning; });
+    if (count == 0) continue;
+    counts.push_back(std::to_string(count) + " in " + one.name +
+                     (one.from_cache ? " (as it was built before)" : ""));
+  }
+  return counts.empty() ? std::string() : "compiler warnings: " + name_list(counts);
 }
 
 }  // namespace ros2wasm

@@ -32,7 +32,7 @@ struct BuiltPackage {
   std::filesystem::path prefix;
   std::string hash;
   bool from_cache = false;
-  Diagnostics warnings = {};  ///< programs that were left out
+  Diagnostics warnings = {};  ///< programs that were left out, and what the compiler warned of
 };
 
 struct WorkspaceBuild {
@@ -50,8 +50,8 @@ struct WorkspaceBuild {
 /// start. R2W0501 to R2W0508 as the steps say. `left_out` is not built (R2W0514, R2W0519:
 /// warnings); nor is a package, nor those that need it, whose CMakeLists.txt asks for what nobody
 /// has, when others are built (R2W0519); nor are programs that include a header that nobody has
-/// (R2W0522). R2W0640 before the others when the disk is full. A package that fails does not stop
-/// those that do not need it: all mistakes come at once.
+/// (R2W0522), or ask for what no browser has (R2W0523). R2W0640 before the others when the disk is
+/// full. A package that fails does not stop those that do not need it: all mistakes come at once.
 [[nodiscard]] Outcome<WorkspaceBuild> build_workspace(
     const std::vector<LocalPackage>& packages, const BuildOrder& order,
     const LeftOutPackages& left_out, const BuildTools& tools, const BuildSettings& settings,
@@ -59,5 +59,8 @@ struct WorkspaceBuild {
 
 /// Which of them were built, and which the cache had, in one line.
 [[nodiscard]] std::string build_remark(const std::vector<BuiltPackage>& packages);
+
+/// How much the compiler warned of, by package, in one line; empty when of nothing.
+[[nodiscard]] std::string warnings_remark(const std::vector<BuiltPackage>& packages);
 
 }  // namespace ros2wasm

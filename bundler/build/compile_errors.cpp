@@ -7,37 +7,12 @@
 #include <regex>
 #include <sstream>
 
+#include "bundler/build/browser_limits.hpp"
 #include "workspace_schema/suggestion.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
 namespace {
-
-std::vector<std::string> lines_of(std::string_view text) {
-  std::vector<std::string> result;
-  std::istringstream stream{std::string(text)};
-  for (std::string line; std::getline(stream, line);) {
-    if (line.ends_with('\r')) line.pop_back();
-    result.push_back(std::move(line));
-  }
-  return result;
-}
-
-/// "[3/7] Building ..." or "ninja: ...": ninja speaking, not the command.
-bool is_ninja_line(const std::string& line) {
-  return line.starts_with("ninja: ") || line.starts_with("FAILED: ") ||
-         (line.starts_with('[') && line.find('/') != std::string::npos &&
-          line.find("] ") != std::string::npos &&
-          line.find_first_not_of("[0123456789/") == line.find(']'));
-}
-
-/// How a message names a file: below the package as the person sees it, else as it is.
-std::string display_file(const std::string& file, const BuildPlace& place) {
-  const fs::path path(file);
-  const std::string relative = path.lexically_relative(place.source).generic_string();
-  if (path.is_relative() || relative.empty() || relative.starts_with("..")) return file;
-  return place.display.empty() ? relative : place.display + "/" + relative;
-}
 
 struct CompilerMessage {
   SourceSpan span;
@@ -117,8 +92,17 @@ constexpr auto kLacksOfMemory = std::to_array<LackOfMemory>({
     {"ended by signal 9 ", kKilled},
 });
 
+/// What is known of headers that no site can have.
+void explain_limits(Diagnostic& diagnostic) {
+  static const std::regex kHeader(R"('([^'\t\n]+)' file not found)");
+  std::smatch match;
+  if (!std::regex_search(diagnostic.message, match, kHeader)) return;
+  for (std::string& line : told_of_header(match[1].str()))
+    diagnostic.why.push_back(std::move(line));
+}
+
 Diagnostic compile_error(const FailedCommand& failed, const BuildPlace& place) {
-  const auto lines = lines_of(failed.text);
+  const auto lines = output_lines(failed.text);
   std::size_t from = 0;
   const auto error = next_error(lines, place, from);
   if (std::string reason = lack_of_memory(failed.text); !error && !reason.empty()) {
@@ -135,14 +119,43 @@ Diagnostic compile_error(const FailedCommand& failed, const BuildPlace& place) {
     result.message += ": " + failed.output_file;
   }
   explain_missing_features(result, place);
+  explain_limits(result);
   return result;
 }
 
 }  // namespace
 
+std::vector<std::string> output_lines(std::string_view text) {
+  std::vector<std::string> result;
+  std::istringstream stream{std::string(text)};
+  for (std::string line; std::getline(stream, line);) {
+    if (line.ends_with('\r')) line.pop_back();
+    result.push_back(std::move(line));
+  }
+  return result;
+}
+
+bool is_ninja_line(const std::string& line) {
+  return line.starts_with("ninja: ") || line.starts_with("FAILED: ") ||
+         (line.starts_with('[') && line.find('/') != std::string::npos &&
+          line.find("] ") != std::string::npos &&
+          line.find_first_not_of("[0123456789/") == line.find(']'));
+}
+
+std::string display_file(const std::string& file, const BuildPlace& place) {
+  const fs::path path(file);
+  const std::string relative = path.lexically_relative(place.source).generic_string();
+  if (path.is_relative() || relative.empty() || relative.starts_with("..")) return file;
+  return place.display.empty() ? relative : place.display + "/" + relative;
+}
+
+bool is_link(const FailedCommand& failed) {
+  return failed.command.find(" link-program ") != std::string::npos;
+}
+
 std::string without_wrapper_lines(std::string_view text) {
   std::string result;
-  for (const std::string& line : lines_of(text)) {
+  for (const std::string& line : output_lines(text)) {
     const bool wrapper =
         (line.starts_with("em++: error: '") || line.starts_with("emcc: error: '")) &&
         line.find("' failed (") != std::string::npos;
@@ -152,7 +165,7 @@ std::string without_wrapper_lines(std::string_view text) {
 }
 
 Diagnostics compiler_messages(std::string_view text, const BuildPlace& place) {
-  const auto lines = lines_of(text);
+  const auto lines = output_lines(text);
   Diagnostics result;
   std::size_t from = 0;
   while (auto error = next_error(lines, place, from))
@@ -178,7 +191,7 @@ Diagnostic out_of_memory(std::string what, std::string reason) {
 }
 
 std::vector<FailedCommand> failed_commands(std::string_view ninja_output) {
-  const auto lines = lines_of(ninja_output);
+  const auto lines = output_lines(ninja_output);
   std::vector<FailedCommand> result;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (!lines[i].starts_with("FAILED: ")) continue;
@@ -194,8 +207,7 @@ std::vector<FailedCommand> failed_commands(std::string_view ninja_output) {
 Diagnostics compile_errors(std::string_view ninja_output, const BuildPlace& place) {
   Diagnostics result;
   for (const FailedCommand& failed : failed_commands(ninja_output)) {
-    if (failed.command.find(" link-program ") != std::string::npos)
-      continue;  // it speaks for itself
+    if (is_link(failed)) continue;  // it speaks for itself
     if (failed.output_file.ends_with(".o")) {
       result.push_back(compile_error(failed, place));
     } else {
@@ -221,7 +233,7 @@ Diagnostics configure_errors(std::string_view cmake_output, const BuildPlace& pl
   Diagnostic result{.code = "R2W0503",
                     .message = "CMakeLists.txt of package `" + place.package + "` failed",
                     .detail = std::string(cmake_output)};
-  for (const std::string& line : lines_of(cmake_output)) {
+  for (const std::string& line : output_lines(cmake_output)) {
     std::smatch match;
     if (line.size() > 4000 || !std::regex_match(line, match, kPlace)) continue;
     const std::string file = match[1];

@@ -22,6 +22,11 @@ namespace ros2wasm {
 /// R2W0521: `what`, for this reason.
 [[nodiscard]] Diagnostic out_of_memory(std::string what, std::string reason);
 
+[[nodiscard]] std::vector<std::string> output_lines(std::string_view text);
+
+/// "[3/7] Building ..." or "ninja: ...": ninja speaking, not the command.
+[[nodiscard]] bool is_ninja_line(const std::string& line);
+
 /// One command that failed, as ninja reports it.
 struct FailedCommand {
   std::string output_file;  ///< what it should have made
@@ -39,6 +44,12 @@ struct BuildPlace {
   std::vector<std::string>
       channel_packages;  ///< ROS names that the channels have, sorted: for advice
 };
+
+/// How a message names a file: below the package as the person sees it, else as it is.
+[[nodiscard]] std::string display_file(const std::string& file, const BuildPlace& place);
+
+/// Is it a link, whose driver hands its findings up itself?
+[[nodiscard]] bool is_link(const FailedCommand& failed);
 
 /// Each error of a compiler's output, in its own words, with its place.
 [[nodiscard]] Diagnostics compiler_messages(std::string_view text, const BuildPlace& place);

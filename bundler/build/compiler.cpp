@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <fstream>
 
+#include "bundler/build/compiler_parts.hpp"
 #include "bundler/io/process.hpp"
 #include "workspace_schema/suggestion.hpp"
 #include "workspace_schema/version.hpp"
@@ -44,17 +45,18 @@ Outcome<Compiler> find_compiler(const EnvironmentVariables& variables) {
   }
   std::error_code error;
   const fs::path real = fs::canonical(*cxx, error);
-  Compiler compiler{.cxx = *cxx, .c = cxx->parent_path() / "emcc"};
+  Compiler compiler{.cxx = *cxx, .c = cxx->parent_path() / "emcc", .home = real.parent_path()};
   compiler.version = version_beside(real.parent_path());
   struct stat info {};
   if (::stat((real.parent_path() / "emcc.py").c_str(), &info) != 0) ::stat(real.c_str(), &info);
   compiler.identity = compiler.version + " " + real.string() + " " + std::to_string(info.st_size) +
-                      " " + std::to_string(info.st_mtim.tv_sec);
+                      " " + std::to_string(info.st_mtim.tv_sec) + " " +
+                      stamp_of(find_compiler_parts(real.parent_path(), variables));
   return compiler;
 }
 
 Compiler no_compiler(const std::vector<std::string>& packaged) {
-  Compiler compiler{.cxx = {}, .c = {}, .version = {}, .identity = {}};
+  Compiler compiler{.cxx = {}, .c = {}, .home = {}, .version = {}, .identity = {}};
   std::optional<Version> newest;
   for (const std::string& text : packaged) {
     auto version = Version::parse(text);

@@ -14,10 +14,12 @@ namespace ros2wasm {
 using EnvironmentVariables = std::map<std::string, std::string>;
 
 struct Compiler {
-  std::filesystem::path cxx;  ///< em++
-  std::filesystem::path c;    ///< emcc
-  std::string version;        ///< "3.1.6"
-  /// Changes whenever the compiler does: goes into every build's hash.
+  std::filesystem::path cxx;   ///< em++
+  std::filesystem::path c;     ///< emcc
+  std::filesystem::path home;  ///< folder of its scripts
+  std::string version;         ///< "3.1.6"
+  /// Changes whenever the compiler, its clang or its system libraries do: goes into every build's
+  /// hash.
   std::string identity;
 };
 

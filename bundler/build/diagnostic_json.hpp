@@ -1,4 +1,5 @@
-// Diagnostics as JSON: how the link driver, a grandchild of the pack, hands its findings up. Pure.
+// Diagnostics as JSON: how the link driver, a grandchild of the pack, hands its findings up, and
+// what is kept with what was built. Pure.
 #pragma once
 
 #include <string>
@@ -12,5 +13,17 @@ namespace ros2wasm {
 
 /// What is not such JSON yields nothing.
 [[nodiscard]] Diagnostics diagnostics_from_json(std::string_view text);
+
+/// What the link of one program found.
+struct LinkFindings {
+  std::string output;   ///< the file that was linked, as the command names it
+  std::string program;  ///< its name, which is that of CMake's target
+  Diagnostics diagnostics;
+};
+
+[[nodiscard]] std::string link_findings_to_json(const LinkFindings& findings);
+
+/// What is not such JSON yields nothing.
+[[nodiscard]] LinkFindings link_findings_from_json(std::string_view text);
 
 }  // namespace ros2wasm

@@ -3,16 +3,17 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
 #include <set>
-#include <sstream>
 
+#include "bundler/build/browser_limits.hpp"
 #include "bundler/build/compile_errors.hpp"
 #include "bundler/build/link_kit.hpp"
+#include "bundler/build/link_trace.hpp"
 #include "bundler/build/quick_link.hpp"
 #include "bundler/build/single_link_object.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/process.hpp"
+#include "workspace_schema/diagnostic_list.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
@@ -61,49 +62,59 @@ Diagnostic link_failed(const LinkRequest& request, const LinkLine& line,
       .code = "R2W0505", .message = std::move(what), .detail = without_wrapper_lines(output)};
 }
 
-/// Which objects refer to each symbol, from the linker's own trace. Only when a link failed
-/// already, so its cost does not matter.
-std::map<std::string, std::set<std::string>> references(const LinkRequest& request,
-                                                        const LinkLine& line,
-                                                        const std::vector<std::string>& symbols,
-                                                        const std::string& stem,
-                                                        const Cancellation& cancellation) {
-  constexpr std::string_view kMark = ": reference to ";
+/// Those of symbols that nothing defines, from one more link. Only when a link failed already, so
+/// its cost does not matter.
+LinkTrace trace_of(const LinkRequest& request, const LinkLine& line,
+                   const std::vector<std::string>& symbols, const std::string& stem,
+                   const Cancellation& cancellation) {
   LinkLine traced = line;
-  for (const std::string& symbol : symbols)
-    traced.arguments.push_back("-Wl,--trace-symbol=" + symbol);
+  for (std::string& option : trace_options(symbols)) traced.arguments.push_back(std::move(option));
   traced.arguments.emplace_back("-O0");
   const auto result = run_process({.arguments = link_command(traced, LinkKind::kSingle, stem),
                                    .environment = request.environment},
                                   cancellation);
-  std::map<std::string, std::set<std::string>> found;
-  std::istringstream text(result ? result->output : std::string());
-  for (std::string one; std::getline(text, one);) {
-    const auto at = one.find(kMark);
-    if (at == std::string::npos) continue;
-    found[one.substr(at + kMark.size())].insert(fs::path(one.substr(0, at)).filename().string());
-  }
-  return found;
+  return read_link_trace(result ? result->output : std::string());
 }
 
+/// `is_limited`: what only the compiler's own libraries need of these is told already, as what no
+/// browser has.
 Diagnostics undefined_symbols(const LinkRequest& request, const LinkLine& line,
-                              const std::vector<std::string>& symbols, const std::string& stem,
-                              const Cancellation& cancellation) {
-  const auto who = references(request, line, symbols, stem, cancellation);
+                              const std::vector<std::string>& symbols, const LinkTrace& trace,
+                              bool is_limited) {
   Diagnostics result;
   for (const std::string& symbol : symbols) {
+    if (limit_of_symbol(symbol) != nullptr) continue;
+    const auto found = trace.references.find(symbol);
+    const auto objects = found == trace.references.end() ? std::set<std::string>() : found->second;
+    if (is_limited && std::all_of(objects.begin(), objects.end(), [](const std::string& object) {
+          return is_given_object(object, {});
+        }))
+      continue;
     Diagnostic diagnostic{.code = "R2W0504",
                           .message = "nothing defines `" + demangled(symbol) + "`, which " +
                                      described(request, line) + " needs"};
-    const auto objects = who.find(symbol);
-    if (objects != who.end()) {
-      for (const std::string& object : objects->second) {
-        diagnostic.why.push_back("`" + object + "` refers to it");
-      }
-    }
+    for (const std::string& object : objects)
+      diagnostic.why.push_back("`" + fs::path(object).filename().string() + "` refers to it");
     diagnostic.why.emplace_back("no object and no library on the link line has it");
     result.push_back(std::move(diagnostic));
   }
+  return result;
+}
+
+/// What of the program no browser has, and what nothing defines. Warnings alone: it can run.
+Diagnostics findings_of(const LinkRequest& request, const LinkLine& line,
+                        const std::vector<std::string>& undefined, const std::string& printed,
+                        const std::string& stem, const Cancellation& cancellation) {
+  LinkTrace trace = read_link_trace(printed);
+  LinkTrace more =
+      undefined.empty() ? LinkTrace() : trace_of(request, line, undefined, stem, cancellation);
+  trace.references.merge(more.references);
+  Diagnostics result = limit_findings({.shown = described(request, line),
+                                       .trace = trace,
+                                       .undefined = undefined,
+                                       .channel_prefix = request.channel_prefix});
+  const bool is_limited = has_error(result);
+  append(result, undefined_symbols(request, line, undefined, trace, is_limited));
   return result;
 }
 
@@ -123,17 +134,23 @@ Outcome<LinkReport> link_program(const LinkRequest& request, const Cancellation&
       TemporaryDirectory::make(output.parent_path(), output.stem().string() + ".link-");
   if (!folder) return folder.errors();
   const std::string stem = (folder->path() / "program").string();
+  const std::vector<std::string_view> limited = limited_symbols();
+  LinkLine traced = line;
+  for (std::string& option : trace_options({limited.begin(), limited.end()}))
+    traced.arguments.push_back(std::move(option));
   const auto link = [&](LinkKind kind) -> Outcome<ProcessResult> {
-    const bool done =
-        !request.quick_folder.empty() && link_quickly({.line = line,
-                                                       .kind = kind,
-                                                       .stem = stem,
-                                                       .kept = request.quick_folder,
-                                                       .environment = request.environment},
-                                                      cancellation);
-    if (done) return ProcessResult{};
+    const LinkLine& linked = kind == LinkKind::kSingle ? traced : line;
+    if (!request.quick_folder.empty()) {
+      const auto printed = link_quickly({.line = linked,
+                                         .kind = kind,
+                                         .stem = stem,
+                                         .kept = request.quick_folder,
+                                         .environment = request.environment},
+                                        cancellation);
+      if (printed) return ProcessResult{.exit_code = 0, .output = *printed};
+    }
     return run_process(
-        {.arguments = link_command(line, kind, stem), .environment = request.environment},
+        {.arguments = link_command(linked, kind, stem), .environment = request.environment},
         cancellation);
   };
 
@@ -142,7 +159,8 @@ Outcome<LinkReport> link_program(const LinkRequest& request, const Cancellation&
   if (!object) return object.errors();
   auto linked = link(LinkKind::kSingle);
   if (!linked) return std::move(linked).errors();
-  if (linked->exit_code != 0) return link_failed(request, line, linked->output);
+  if (linked->exit_code != 0) return link_failed(request, line, without_trace(linked->output));
+  const std::string printed = linked->output;
   const auto bytes = read_file(stem + ".wasm");
   const auto module = bytes ? read_wasm_module(*bytes) : std::nullopt;
   if (!module) return link_failed(request, line, "the linker wrote no WebAssembly module");
@@ -163,9 +181,8 @@ Outcome<LinkReport> link_program(const LinkRequest& request, const Cancellation&
                           [&](const WasmImport& import) { return import.name == symbol; });
     });
   }
-  if (!findings.undefined.empty()) {
-    return undefined_symbols(request, line, findings.undefined, stem, cancellation);
-  }
+  report.warnings = findings_of(request, line, findings.undefined, printed, stem, cancellation);
+  if (has_error(report.warnings)) return std::move(report.warnings);
   std::error_code error;
   fs::rename(stem + ".wasm", output, error);
   if (error) return link_failed(request, line, error.message());

@@ -46,7 +46,8 @@ bool is_dropped(std::string_view argument) {
 bool loader_supplies(const WasmImport& import) {
   if (import.module == "wasi_snapshot_preview1" || import.module == "ros2wasm") return true;
   if (import.module != "env" || import.kind != WasmExternal::kFunction) return false;
-  // System calls that neither libc nor WASI has: the loader answers "not supported".
+  // System calls that neither libc nor WASI has: the loader answers "not supported", and the node's
+  // console says so. Which of them a program of the user's must not ask for: browser_limits.hpp.
   if (import.name.starts_with("__syscall_")) return true;
   return std::find(kLoaderFunctions.begin(), kLoaderFunctions.end(), import.name) !=
          kLoaderFunctions.end();

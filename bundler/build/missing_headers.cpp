@@ -5,6 +5,7 @@
 #include <regex>
 #include <sstream>
 
+#include "bundler/build/browser_limits.hpp"
 #include "bundler/io/files.hpp"
 
 namespace ros2wasm {
@@ -48,6 +49,7 @@ std::optional<std::vector<MissingHeader>> missing_headers(std::string_view ninja
                                                           const BuildPlace& place) {
   std::vector<MissingHeader> result;
   for (const FailedCommand& failed : failed_commands(ninja_output)) {
+    if (is_link(failed)) continue;
     auto one = missing_header(failed, place);
     if (!one) return std::nullopt;
     result.push_back(std::move(*one));
@@ -76,13 +78,15 @@ bool is_given(const MissingHeader& missing, const BuildPlace& place,
   return false;
 }
 
+std::string left_out_line(const std::string& target, const std::string& need) {
+  return "ros2wasm_lacks_header(" + bracketed(target) + " " + bracketed(need) + ")\n";
+}
+
 std::string left_out_script(const std::vector<MissingHeader>& missing) {
   std::string result;
   for (const MissingHeader& one : missing) {
-    result += "ros2wasm_lacks_header(" + bracketed(one.target) + " " +
-              bracketed("the header `" + one.header + "` (" + one.place.file + ":" +
-                        std::to_string(one.place.line) + ")") +
-              ")\n";
+    result += left_out_line(one.target, "the header `" + one.header + "` (" + one.place.file + ":" +
+                                            std::to_string(one.place.line) + ")");
   }
   return result;
 }
@@ -131,15 +135,17 @@ Diagnostics left_out_programs(const fs::path& prefix, const BuildPlace& place) {
                         .why = {"package.xml does not ask for `" + first_folder(header) + "`"}});
       continue;
     }
-    warnings.push_back(
-        {.code = "R2W0522",
-         .severity = Severity::kWarning,
-         .message = "`" + target + "` of package `" + place.package +
-                    "` is left out: nothing gives the header `" + header + "`",
-         .span = std::move(span),
-         .label = "included here",
-         .why = {"it is built when the header lies in the package, or when a package that "
-                 "package.xml asks for installs it"}});
+    std::vector<std::string> why = told_of_header(header);
+    why.emplace_back(
+        "it is built when the header lies in the package, or when a package that package.xml asks "
+        "for installs it");
+    warnings.push_back({.code = "R2W0522",
+                        .severity = Severity::kWarning,
+                        .message = "`" + target + "` of package `" + place.package +
+                                   "` is left out: nothing gives the header `" + header + "`",
+                        .span = std::move(span),
+                        .label = "included here",
+                        .why = std::move(why)});
   }
   return errors.empty() ? warnings : errors;
 }

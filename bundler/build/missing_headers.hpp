@@ -22,7 +22,7 @@ struct MissingHeader {
 inline constexpr const char* kMissingHeaders = ".missing-headers";
 
 /// When each command that failed is a compiler's, with no other error than a header that is not
-/// found: those headers. Else nothing. Pure.
+/// found: those headers. Else nothing. Links are passed over. Pure.
 [[nodiscard]] std::optional<std::vector<MissingHeader>> missing_headers(
     std::string_view ninja_output, const BuildPlace& place);
 
@@ -31,7 +31,10 @@ inline constexpr const char* kMissingHeaders = ".missing-headers";
 [[nodiscard]] bool is_given(const MissingHeader& missing, const BuildPlace& place,
                             const std::vector<std::filesystem::path>& prefixes);
 
-/// For the toolchain, which leaves the targets out. Pure.
+/// For the toolchain, which leaves a target out and says that it needs this. Pure.
+[[nodiscard]] std::string left_out_line(const std::string& target, const std::string& need);
+
+/// Such lines for all. Pure.
 [[nodiscard]] std::string left_out_script(const std::vector<MissingHeader>& missing);
 
 [[nodiscard]] Outcome<Done> write_missing_headers(const std::filesystem::path& prefix,

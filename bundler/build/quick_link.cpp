@@ -154,21 +154,21 @@ fs::path quick_links_folder(const fs::path& build_cache, const Compiler& compile
   return build_cache / "quick-links" / sha256_hex(key).substr(0, 16);
 }
 
-bool link_quickly(const QuickLink& link, const Cancellation& cancellation) {
+std::optional<std::string> link_quickly(const QuickLink& link, const Cancellation& cancellation) {
   const auto own = linker_arguments(link.line.arguments);
-  if (!own) return false;
-  if (!make_directories(link.kept)) return false;
+  if (!own) return std::nullopt;
+  if (!make_directories(link.kept)) return std::nullopt;
   const auto marker = marker_of(link, cancellation);
   const auto call = marker ? linker_call(link, *marker, cancellation) : std::nullopt;
-  if (!call) return false;
+  if (!call) return std::nullopt;
   std::vector<std::string> command = {call->linker, "-o", link.stem + ".wasm"};
   command.insert(command.end(), call->before.begin(), call->before.end());
   command.push_back(*marker);
   command.insert(command.end(), own->begin(), own->end());
   command.insert(command.end(), call->after.begin(), call->after.end());
-  const auto linked =
-      run_process({.arguments = command, .environment = link.environment}, cancellation);
-  return linked && linked->exit_code == 0;
+  auto linked = run_process({.arguments = command, .environment = link.environment}, cancellation);
+  if (!linked || linked->exit_code != 0) return std::nullopt;
+  return std::move(linked->output);
 }
 
 }  // namespace ros2wasm

@@ -45,8 +45,9 @@ struct QuickLink {
   std::map<std::string, std::string> environment;  ///< for the compiler
 };
 
-/// Writes `<stem>.wasm`, as link_command() would; false when it must be linked the long way, which
-/// also knows the errors.
-[[nodiscard]] bool link_quickly(const QuickLink& link, const Cancellation& cancellation);
+/// Writes `<stem>.wasm`, as link_command() would, and gives what the linker printed; nothing when
+/// it must be linked the long way, which also knows the errors.
+[[nodiscard]] std::optional<std::string> link_quickly(const QuickLink& link,
+                                                      const Cancellation& cancellation);
 
 }  // namespace ros2wasm

@@ -3,15 +3,20 @@
 #include <algorithm>
 #include <charconv>
 #include <cstring>
+#include <optional>
+#include <set>
 
+#include "bundler/build/compiler_warnings.hpp"
 #include "bundler/build/diagnostic_json.hpp"
 #include "bundler/build/kept_header.hpp"
 #include "bundler/build/link_driver.hpp"
 #include "bundler/build/link_kit.hpp"
+#include "bundler/build/link_trace.hpp"
 #include "bundler/build/missing_headers.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/process.hpp"
 #include "bundler/languages/language.hpp"
+#include "workspace_schema/diagnostic_list.hpp"
 #include "workspace_schema/replaced_text.hpp"
 
 namespace ros2wasm {
@@ -38,6 +43,7 @@ EnvironmentVariables child_environment(const PackageBuild& request, const BuildT
   EnvironmentVariables result = tools.compiler_environment;
   result["NINJA_STATUS"] = "[%f/%t] ";
   result["ROS2WASM_LINK_DIAGNOSTICS"] = (request.work / kLinkDiagnostics).string();
+  result[kChannelPrefixVariable] = request.channel_prefix.string();
   result[kLinkKitsVariable] = (request.work / kLinkKits).string();
   result[kQuickLinkVariable] = tools.quick_links.string();
   result[kKeptHeadersVariable] = tools.kept_headers.string();
@@ -66,11 +72,11 @@ std::string for_people(std::string_view output, const PackageBuild& request) {
   return text;
 }
 
-/// Turns "[3/7] Building ..." lines into progress. Output comes in pieces.
+/// Turns "[3/7] Building ..." lines into progress, and counts the warnings between them. Output
+/// comes in pieces.
 class NinjaProgress {
  public:
-  NinjaProgress(std::string package, const ProgressSink& sink)
-      : package_(std::move(package)), sink_(sink) {}
+  NinjaProgress(const BuildPlace& place, const ProgressSink& sink) : place_(place), sink_(sink) {}
 
   void operator()(std::string_view piece) {
     if (!sink_) return;
@@ -83,6 +89,9 @@ class NinjaProgress {
 
  private:
   void report(std::string_view line) {
+    if (line.find(": warning: ") != line.npos)
+      for (const Diagnostic& one : compiler_warnings(line, place_))
+        warnings_.insert(one.span->file + ":" + std::to_string(one.span->line) + one.message);
     if (!line.starts_with('[')) return;
     std::uint64_t done = 0;
     std::uint64_t total = 0;
@@ -93,13 +102,15 @@ class NinjaProgress {
     if (second.ec != std::errc() || total == 0) return;
     // The step as a whole ends elsewhere, so a package never reports that all is done.
     sink_({.step = "build",
-           .item = package_,
+           .item = place_.package,
            .done = std::min(done, total - 1),
            .total = total,
-           .unit = "commands"});
+           .unit = "commands",
+           .warnings = warnings_.size()});
   }
 
-  std::string package_;
+  const BuildPlace& place_;
+  std::set<std::string> warnings_;  ///< each once
   const ProgressSink& sink_;
   std::string pending_;
 };
@@ -144,18 +155,16 @@ Outcome<Done> configure(const PackageBuild& request, const BuildTools& tools,
 }
 
 /// What the link driver left, in the order of the files' names.
-Diagnostics link_errors(const fs::path& folder) {
+std::vector<LinkFindings> link_findings(const fs::path& folder) {
   std::vector<fs::path> files;
   std::error_code error;
   for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
     files.push_back(it->path());
   }
   std::sort(files.begin(), files.end());
-  Diagnostics result;
+  std::vector<LinkFindings> result;
   for (const fs::path& file : files) {
-    const auto text = read_file(file);
-    if (!text) continue;
-    for (Diagnostic& one : diagnostics_from_json(*text)) result.push_back(std::move(one));
+    if (const auto text = read_file(file)) result.push_back(link_findings_from_json(*text));
   }
   return result;
 }
@@ -171,27 +180,73 @@ std::vector<MissingHeader> headers_of_nobody(std::string_view ninja_output,
   return std::move(*missing);
 }
 
-/// `missing`: becomes the headers that are the only reason of its failure.
+/// What programs of a package need and no site has.
+struct ProgramLacks {
+  std::vector<MissingHeader> headers;
+  std::vector<LinkFindings> limits;  ///< each with R2W0523 alone, and warnings
+};
+
+/// When nothing else is wrong with the package; else nothing.
+std::optional<ProgramLacks> lacks_of(std::string_view ninja_output, bool has_compile_errors,
+                                     const std::vector<LinkFindings>& links,
+                                     const PackageBuild& request) {
+  ProgramLacks result;
+  if (has_compile_errors) {
+    result.headers = headers_of_nobody(ninja_output, request);
+    if (result.headers.empty()) return std::nullopt;
+  }
+  for (const LinkFindings& link : links) {
+    const bool only_limits =
+        std::all_of(link.diagnostics.begin(), link.diagnostics.end(), [](const Diagnostic& one) {
+          return one.severity != Severity::kError || one.code == "R2W0523";
+        });
+    if (!only_limits) return std::nullopt;
+    if (has_error(link.diagnostics)) result.limits.push_back(link);
+  }
+  return result;
+}
+
+/// What the commands of this run and of earlier ones said, for the package's findings.
+Outcome<Done> remember_findings(std::string_view ninja_output,
+                                const std::vector<LinkFindings>& links,
+                                const PackageBuild& request) {
+  CommandFindings fresh = command_findings(ninja_output, request.place);
+  for (const LinkFindings& link : links)
+    for (const Diagnostic& one : link.diagnostics)
+      if (one.severity != Severity::kError) fresh[link.output].push_back(one);
+  const auto build = read_file(request.work / "build.ninja");
+  if (!build) return build.errors();
+  return write_command_findings(request.work, current_findings(read_command_findings(request.work),
+                                                               std::move(fresh), *build));
+}
+
+/// `lacks`: becomes what is the only reason of its failure.
 Outcome<Done> compile(const PackageBuild& request, const BuildTools& tools,
                       const Cancellation& cancellation, const ProgressSink& progress,
-                      std::vector<MissingHeader>& missing) {
+                      std::optional<ProgramLacks>& lacks) {
   if (auto cleared = remove_tree(request.work / kLinkDiagnostics); !cleared) return cleared;
   const auto result = run_process({.arguments = {"ninja", "-C", request.work.string(), "-k", "0",
                                                  "-j", std::to_string(request.jobs)},
                                    .environment = child_environment(request, tools),
-                                   .on_output = NinjaProgress(request.place.package, progress)},
+                                   .on_output = NinjaProgress(request.place, progress)},
                                   cancellation);
   if (!result) return result.errors();
+  const auto links = link_findings(request.work / kLinkDiagnostics);
+  if (auto kept = remember_findings(result->output, links, request); !kept) return kept;
   if (result->exit_code == 0) return Done{};
-  Diagnostics errors = compile_errors(told(*result, request), request.place);
-  Diagnostics of_links = link_errors(request.work / kLinkDiagnostics);
-  if (of_links.empty()) missing = headers_of_nobody(told(*result, request), request);
-  for (Diagnostic& one : of_links) errors.push_back(std::move(one));
+  const std::string output = told(*result, request);
+  Diagnostics errors = compile_errors(output, request.place);
+  const bool has_compile_errors = !errors.empty();
+  for (const LinkFindings& link : links)
+    for (const Diagnostic& one : link.diagnostics)
+      if (one.severity == Severity::kError) errors.push_back(one);
   if (errors.empty()) {
     errors.push_back(
         Diagnostic{.code = "R2W0506",
                    .message = "ninja failed for package `" + request.place.package + "`",
-                   .detail = told(*result, request)});
+                   .detail = output});
+  } else {
+    lacks = lacks_of(output, has_compile_errors, links, request);
   }
   return errors;
 }
@@ -210,21 +265,40 @@ Outcome<Done> install(const PackageBuild& request, const BuildTools& tools,
                     .detail = told(*result, request)};
 }
 
-/// The package without the programs that lack a header. Fails when they are not programs, or all.
-Outcome<Done> build_without(const std::vector<MissingHeader>& missing, const PackageBuild& request,
+/// With the package: what was said of it, and which programs are not in it.
+Outcome<Done> keep_all_findings(const PackageBuild& request, const ProgramLacks& lacks) {
+  Diagnostics findings;
+  for (const LinkFindings& link : lacks.limits)
+    for (const Diagnostic& one : link.diagnostics)
+      if (one.severity == Severity::kError) findings.push_back(left_out_for_limit(one));
+  append(findings, all_findings(read_command_findings(request.work)));
+  if (auto kept = keep_findings(request.install, findings); !kept) return kept;
+  if (lacks.headers.empty()) return Done{};
+  return write_missing_headers(request.install, lacks.headers);
+}
+
+/// The package without the programs that lack something. Fails when they are not programs, or all.
+Outcome<Done> build_without(ProgramLacks lacks, const PackageBuild& request,
                             const BuildTools& tools, const Cancellation& cancellation,
                             const ProgressSink& progress) {
+  std::string lines = left_out_script(lacks.headers);
+  for (const LinkFindings& link : lacks.limits) {
+    const auto limit =
+        std::find_if(link.diagnostics.begin(), link.diagnostics.end(),
+                     [](const Diagnostic& one) { return one.severity == Severity::kError; });
+    lines += left_out_line(link.program, need_of(*limit));
+  }
   const fs::path script = request.work / "missing_headers.cmake";
-  if (auto done = write_file(script, left_out_script(missing)); !done) return done;
+  if (auto done = write_file(script, lines); !done) return done;
   auto done =
       configure(request, tools, cancellation, {"-DROS2WASM_MISSING_HEADERS=" + script.string()});
   if (!done) return done;
-  std::vector<MissingHeader> still_missing;
-  done = compile(request, tools, cancellation, progress, still_missing);
+  std::optional<ProgramLacks> still_lacking;
+  done = compile(request, tools, cancellation, progress, still_lacking);
   if (!done) return done;
   done = install(request, tools, cancellation);
   if (!done) return done;
-  return write_missing_headers(request.install, missing);
+  return keep_all_findings(request, lacks);
 }
 
 }  // namespace
@@ -234,13 +308,14 @@ Outcome<Done> build_with_cmake(const PackageBuild& request, const BuildTools& to
   if (!find_program("cmake")) return missing_tool("cmake", "cmake");
   if (!find_program("ninja")) return missing_tool("ninja", "ninja-build");
   if (auto configured = configure(request, tools, cancellation); !configured) return configured;
-  std::vector<MissingHeader> missing;
-  if (auto compiled = compile(request, tools, cancellation, progress, missing); !compiled) {
+  std::optional<ProgramLacks> lacks;
+  if (auto compiled = compile(request, tools, cancellation, progress, lacks); !compiled) {
     const bool is_rest_built =
-        !missing.empty() && build_without(missing, request, tools, cancellation, progress);
+        lacks && build_without(std::move(*lacks), request, tools, cancellation, progress);
     return is_rest_built ? Outcome<Done>(Done{}) : compiled;
   }
-  return install(request, tools, cancellation);
+  if (auto installed = install(request, tools, cancellation); !installed) return installed;
+  return keep_all_findings(request, {});
 }
 
 }  // namespace ros2wasm

@@ -39,10 +39,11 @@ struct PackageBuild {
       prefixes;  ///< where its dependencies are installed, nearest first
   std::filesystem::path
       work;  ///< kept from run to run, so that only what changed is compiled again
-  std::filesystem::path install;       ///< empty folder to install into
-  std::filesystem::path final_prefix;  ///< what `install` will be called later
-  std::filesystem::path workspace;     ///< its folder: links of the package may lead there
-  unsigned jobs = 1;                   ///< compilers at once, of this package
+  std::filesystem::path install;         ///< empty folder to install into
+  std::filesystem::path final_prefix;    ///< what `install` will be called later
+  std::filesystem::path channel_prefix;  ///< of its dependencies from the channels; may be empty
+  std::filesystem::path workspace;       ///< its folder: links of the package may lead there
+  unsigned jobs = 1;                     ///< compilers at once, of this package
 };
 
 /// In the folder of work, what link-program leaves for a second link (link_kit.hpp).

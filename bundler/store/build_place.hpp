@@ -9,14 +9,14 @@
 namespace ros2wasm {
 
 /// Part of every hash too: raise it when the same sources shall be built anew.
-inline constexpr const char* kBuildFormat = "4";
+inline constexpr const char* kBuildFormat = "5";
 
 /// Of all versions: `<cache>/build`.
 [[nodiscard]] inline std::filesystem::path build_area(const std::filesystem::path& cache) {
   return cache / "build";
 }
 
-/// Of this ros2wasm: `<cache>/build/0.1.0-4`.
+/// Of this ros2wasm: `<cache>/build/0.1.0-5`.
 [[nodiscard]] inline std::filesystem::path build_place(const std::filesystem::path& cache) {
   return build_area(cache) / (std::string(ROS2WASM_VERSION) + "-" + kBuildFormat);
 }

@@ -36,6 +36,15 @@ Diagnostics duplicate_names(const std::vector<LocalPackage>& packages) {
   return errors;
 }
 
+/// Is one of these groups among those?
+bool has_member(const std::vector<Spanned<std::string>>& groups,
+                const std::vector<Spanned<std::string>>& of_member) {
+  return std::any_of(groups.begin(), groups.end(), [&](const Spanned<std::string>& group) {
+    return std::any_of(of_member.begin(), of_member.end(),
+                       [&](const Spanned<std::string>& one) { return one.value == group.value; });
+  });
+}
+
 /// Adds the limits that are not there yet.
 void add_limits(const PackageDependency& dependency, std::vector<std::string>& limits) {
   static const std::map<std::string, std::string> kOperators = {
@@ -53,6 +62,22 @@ std::string match_spec(const std::string& name, const std::vector<std::string>& 
   std::string spec = name;
   for (const std::string& limit : limits) spec += (&limit == &limits.front() ? " " : ",") + limit;
   return spec;
+}
+
+/// What package `index` asks for among the others, by name or by group, each once and sorted.
+Indices direct_needs(const std::vector<LocalPackage>& packages, std::size_t index) {
+  const PackageXml& own = packages[index].xml;
+  std::set<std::size_t> result;
+  for (std::size_t i = 0; i < packages.size(); ++i) {
+    const PackageXml& other = packages[i].xml;
+    const bool by_name = std::any_of(
+        own.dependencies.begin(), own.dependencies.end(), [&](const PackageDependency& one) {
+          return one.name.value == other.name.value && matters_for_building(one.kind);
+        });
+    const bool by_group = i != index && has_member(own.group_depends, other.member_of_groups);
+    if (by_name || by_group) result.insert(i);
+  }
+  return {result.begin(), result.end()};
 }
 
 /// Depth first; `state` 1 is "being visited". Returns a cycle's members when there is one.
@@ -186,19 +211,8 @@ Outcome<BuildOrder> order_packages(const std::vector<LocalPackage>& packages,
                                    std::string_view distro) {
   Diagnostics errors = duplicate_names(packages);
   if (!errors.empty()) return errors;
-  std::map<std::string, std::size_t> local;
-  for (std::size_t i = 0; i < packages.size(); ++i) local[packages[i].xml.name.value] = i;
-
-  std::vector<Indices> direct(packages.size());
-  for (std::size_t i = 0; i < packages.size(); ++i) {
-    for (const PackageDependency& dependency : packages[i].xml.dependencies) {
-      const auto neighbour = local.find(dependency.name.value);
-      if (neighbour == local.end() || !matters_for_building(dependency.kind)) continue;
-      if (std::find(direct[i].begin(), direct[i].end(), neighbour->second) == direct[i].end())
-        direct[i].push_back(neighbour->second);
-    }
-    std::sort(direct[i].begin(), direct[i].end());
-  }
+  std::vector<Indices> direct;
+  for (std::size_t i = 0; i < packages.size(); ++i) direct.push_back(direct_needs(packages, i));
 
   Sorter sorter(direct);
   for (std::size_t i = 0; i < packages.size(); ++i) {

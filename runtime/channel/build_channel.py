@@ -21,7 +21,7 @@ from typing import Any
 
 sys.dont_write_bytecode = True
 
-from fingerprint import Compiler, find_compiler, linker_digest, package_keys, packer_digest  # noqa: E402
+from fingerprint import Compiler, find_compiler, linker_digest, package_keys, packer_digest, with_parts  # noqa: E402
 from metadata import ABI_PACKAGE, abi_record, record  # noqa: E402
 from package_source import PackageSource, find_packages  # noqa: E402
 from stage import BuildFailure, Workshop, build_package  # noqa: E402
@@ -108,7 +108,7 @@ def build_changed(workshop: Workshop, packages: dict[str, PackageSource], change
 
 
 def run(options: argparse.Namespace) -> int:
-    compiler: Compiler = find_compiler(options.emscripten)
+    compiler: Compiler = with_parts(find_compiler(options.emscripten), options.cli)
     packages = find_packages(ROOT / "runtime")
     toolchain = ROOT / "templates" / "toolchain"
     keys = package_keys(packages, compiler, Path(__file__).parent, toolchain)

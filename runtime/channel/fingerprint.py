@@ -7,7 +7,8 @@ from __future__ import annotations
 import hashlib
 import os
 import shutil
-from dataclasses import dataclass
+import subprocess
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from package_source import PackageSource
@@ -26,15 +27,25 @@ SOURCE_SUFFIXES_LEFT_OUT = (".pyc",)
 
 @dataclass(frozen=True)
 class Compiler:
-    """Emscripten: the C++ driver, its version, and a hash of the driver's scripts."""
+    """Emscripten: the C++ driver, its version, a hash of all that matters of it, and what of it is in programs."""
 
     cxx: Path
     version: str
     digest: str
+    abi_build: str = ""  # clang and the system libraries; empty when they are not known
 
     @property
     def tag(self) -> str:
         return "em" + "".join(c for c in self.version if c.isdigit())
+
+
+def with_parts(compiler: Compiler, cli: Path) -> Compiler:
+    """The compiler with its clang and libraries, as ros2wasm finds them where the channel is used."""
+    environment = {**os.environ, "PATH": f"{compiler.cxx.parent}{os.pathsep}{os.environ['PATH']}"}
+    environment.pop("EMSDK", None)
+    said = subprocess.run([cli, "describe-compiler"], env=environment, capture_output=True, text=True, check=True)
+    build = said.stdout.strip()
+    return replace(compiler, digest=hashlib.sha256((compiler.digest + build).encode()).hexdigest(), abi_build=build)
 
 
 def find_compiler(emscripten: Path | None) -> Compiler:

@@ -46,11 +46,11 @@ def record(package: PackageSource, packages: dict[str, PackageSource], tree: Pat
 
 
 def abi_record(compiler: Compiler) -> dict[str, Any]:
-    """Returns the record of the empty package that stands for a compiler version."""
+    """Returns the record of the empty package that stands for a compiler; its build string for what is in programs."""
     return {
         "name": ABI_PACKAGE,
         "version": compiler.version,
-        "build": "0",
+        "build": compiler.abi_build or "0",
         "build_number": 0,
         "subdir": "noarch",
         "depends": [],

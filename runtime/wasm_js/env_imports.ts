@@ -27,6 +27,8 @@ export interface EnvHost {
   readonly threaded: boolean;
   readonly clock: SiteClock;
   readonly random: (bytes: Uint8Array) => void;
+  /** A line for the node's console. */
+  readonly tell: (line: string) => void;
   /** The calling thread has ended and nobody will join it. */
   readonly detach: () => void;
 }
@@ -39,6 +41,12 @@ type EnvFunction = (...args: never[]) => unknown;
 
 export function envImports(host: EnvHost): Record<string, EnvFunction> {
   const { memory, exports } = host;
+  const told = new Set<string>();
+  const absent = (call: string): void => {
+    if (told.has(call)) return;
+    told.add(call);
+    host.tell(`R2W0761: ${call} failed: a browser has no such thing (ros2wasm explain R2W0761)`);
+  };
   const single: Record<string, EnvFunction> = {
     emscripten_notify_memory_growth: () => undefined,
     getentropy: (address: number, length: number): number => {
@@ -47,7 +55,12 @@ export function envImports(host: EnvHost): Record<string, EnvFunction> {
       memory().u8.set(bytes, address);
       return 0;
     },
-    system: (): number => -1,
+    system: (command: number): number => {
+      // Without a command it asks whether there is a shell.
+      if (command === 0) return 0;
+      absent(`system(${JSON.stringify(memory().cString(command))})`);
+      return -1;
+    },
     abort: (): never => host.leave(new WebAssembly.RuntimeError('abort() was called (SIGABRT, exit code 134)')),
     exit: (code: number): never => host.leave(new ProgramExit(code)),
     emscripten_memcpy_big: (to: number, from: number, length: number): number => {
@@ -102,13 +115,19 @@ export function envImports(host: EnvHost): Record<string, EnvFunction> {
     emscripten_num_logical_cores: (): number => Math.max(2, navigator.hardwareConcurrency),
   };
   const functions = { ...single, ...(host.threaded ? { ...timeImports(memory, host.clock), ...threads } : {}) };
-  // System calls that this C library leaves to JavaScript: none of them is there.
+  // System calls that this C library leaves to JavaScript: none of them is there, and the first of each is told. A
+  // program whose own code asks for what matters most of them is refused when it is linked (browser_limits.cpp).
   return new Proxy(functions, {
     get: (target, name) => {
       if (typeof name !== 'string') return undefined;
       const known = target[name];
       if (known !== undefined) return known;
-      if (name.startsWith('__syscall_')) return () => enosys;
+      if (name.startsWith('__syscall_')) {
+        return () => {
+          absent(`${name.slice('__syscall_'.length)}()`);
+          return enosys;
+        };
+      }
       if (/^(emscripten_webgl_|emscripten_set_|emscripten_gl|gl)[A-Za-z_]+$/.test(name)) return () => -1;
       return undefined;
     },

@@ -203,6 +203,10 @@ export async function runProgram(
     random,
     threaded,
     clock: host.link.clock,
+    tell: (line) => {
+      out.stderr.flush();
+      host.line('stderr', line);
+    },
     detach: () => {
       detached = true;
     },

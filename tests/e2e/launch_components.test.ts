@@ -1,9 +1,13 @@
 // Components that a launch file loads into a container: they run in the container of their package, with their names,
 // remappings, parameters and extra arguments; callbacks take turns there, or do not, as the container's name says.
+//
+// Compatibility, differs: a container of a launch file with components of several packages -> becomes one container for
+// each of these packages, each a worker of its own (R2W0417 says so); they hear each other by topics, intra-process
+// communication ends at the package
 
 import assert from 'node:assert/strict';
-import { cpSync } from 'node:fs';
-import { join, resolve } from 'node:path';
+import { cpSync, readFileSync, readdirSync } from 'node:fs';
+import { join, relative, resolve } from 'node:path';
 import { after, before, test } from 'node:test';
 
 import { PackWorkspace } from './pack_workspace.ts';
@@ -147,4 +151,35 @@ launch:
     const told = said.split('\n').filter((line) => /^\[load_components-2\] (load|unload|\d)/.test(line)).map((line) => line.slice('[load_components-2] '.length));
     assert.deepEqual(told, ['load composed_talkers::Counter: /clock', 'load composed_talkers::Silent: /silent', 'unload 1: done', 'unload 7: No node found with unique_id: 7', '2 /silent']);
   }
+});
+
+test('components of two packages are two containers, which hear each other', async () => {
+  const from = join(workspace.root, 'src/composed_talkers');
+  for (const entry of readdirSync(from, { recursive: true, withFileTypes: true })) {
+    if (!entry.isFile()) continue;
+    const file = join(entry.parentPath, entry.name);
+    const text = readFileSync(file, 'utf8').replaceAll('composed_talkers', 'other_talkers');
+    workspace.write(join('src/other_talkers', relative(from, file)).replace('composed_talkers', 'other_talkers'), text);
+  }
+  workspace.write('two.launch.py', `
+from launch import LaunchDescription
+from launch_ros.actions import ComposableNodeContainer
+from launch_ros.descriptions import ComposableNode
+
+
+def generate_launch_description():
+    return LaunchDescription([ComposableNodeContainer(
+        package='rclcpp_components', executable='component_container', name='box', namespace='',
+        composable_node_descriptions=[
+            ComposableNode(package='composed_talkers', plugin='composed_talkers::Counter', name='source'),
+            ComposableNode(package='other_talkers', plugin='other_talkers::Echo', name='ear')])])
+`);
+  workspace.write('two.yaml', 'schema: 1\nname: two\npackages: [src/*]\nlaunch: two.launch.py\n');
+  const packed = await workspace.run(['pack', 'two.yaml', '--output', 'two'], kept());
+  assert.equal(packed.code, 0, packed.stderr);
+  assert.match(packed.stderr, /warning\[R2W0417\]/);
+  const { nodes } = JSON.parse(workspace.read('two/site.json').toString()) as { nodes: { package: string; label: string }[] };
+  assert.deepEqual(nodes.map((node) => [node.package, node.label]), [['composed_talkers', '/box'], ['other_talkers', '/box_other_talkers']]);
+  const run = await workspace.run(['run', 'two', '--until', '\\[ear\\]: heard 5', '--for', '60s']);
+  assert.equal(run.code, 0, run.stderr);
 });

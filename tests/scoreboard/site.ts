@@ -121,13 +121,19 @@ function programs(folder: string): string[] {
   }
 }
 
+/** The toolchain's note says a header, what of a browser with the source that refers to it, or a library. */
+function codeOfNeed(need: string): string {
+  if (need.startsWith('the header ')) return 'R2W0522';
+  return need.includes(' refers to `') ? 'R2W0523' : 'R2W0405';
+}
+
 /** Name -> why it was not built. */
 function leftOutPrograms(folder: string): ReadonlyMap<string, Failure> {
   if (!existsSync(folder)) return new Map();
   const notes = readdirSync(folder).filter((name) => name.endsWith('.left_out')).sort();
   return new Map(notes.map((note) => {
     const need = readFileSync(join(folder, note), 'utf8');
-    return [note.slice(0, -'.left_out'.length), { code: need.startsWith('the header ') ? 'R2W0522' : 'R2W0405', reason: `left out: it needs ${need}` }];
+    return [note.slice(0, -'.left_out'.length), { code: codeOfNeed(need), reason: `left out: it needs ${need}` }];
   }));
 }
 

@@ -5,6 +5,7 @@ A test says so in a comment of its own, up to the end of the comment or to an em
 
     // Compatibility, works: WHAT
     // Compatibility, differs: WHAT -> HOW, AND WHY
+    // Compatibility, cannot: WHAT -> WHO SAYS SO (a code), AND WHAT CAN BE DONE
     // Guarantee, KIND: WHAT
 """
 from __future__ import annotations
@@ -19,7 +20,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 # Page -> its tables.
 PAGES = {
-    "docs/compatibility.md": ("works", "differs"),
+    "docs/compatibility.md": ("works", "differs", "cannot"),
     "docs/guarantees.md": ("same bytes", "verified", "citable", "ci", "hostile input", "robust"),
 }
 # Its table is written by hand; the tests that it names must be there.
@@ -28,6 +29,15 @@ COMMENT = re.compile(r"^\s*(?://|#)\s?(.*)$")
 CLAIM = re.compile(r"^(?:Compatibility|Guarantee), ([a-z ]+): (.*)$")
 KINDS = [kind for kinds in PAGES.values() for kind in kinds]
 ENDINGS = (".ts", ".cpp", ".py", ".yaml", ".golden")
+# Kinds whose rows have two cells before the tests, and the heads of these.
+TWO_CELLS = {"differs": "| what | how, and why |", "cannot": "| what | said by, and what can be done |"}
+CODE = re.compile(r"\bR2W\d{4}\b")
+# What run_tests.py runs: a file is a test of a suite when it has one of these names below one of these folders.
+SUITES = (
+    ("tests/golden/", ".golden"), ("tests/e2e/", ".test.ts"), ("tests/unit/", ".test.ts"),
+    ("tests/conformance/", ".test.ts"), ("tests/", "_test.py"), ("tests/", "_test.cpp"),
+    ("tests/fuzz/", "run.py"),
+)
 
 Rows = dict[str, list[str]]  # a row's text -> the files that show it
 
@@ -63,16 +73,59 @@ def all_claims() -> dict[str, Rows]:
     return rows
 
 
+def check_code(file: str, reason: str) -> None:
+    """What cannot be had is said by a code, which has a page; where nothing can say so the row tells that."""
+    codes = CODE.findall(reason)
+    if not codes and not reason.startswith("no code:"):
+        raise SystemExit(f"{file}: `{reason}` names no code that says so")
+    for code in codes:
+        if not (ROOT / "cli" / "explain" / f"{code}.md").is_file():
+            raise SystemExit(f"{file}: there is no page for {code}")
+
+
+def is_test(name: str) -> bool:
+    """Is it run by a suite itself?"""
+    return any(name.startswith(folder) and name.endswith(ending) for folder, ending in SUITES)
+
+
+def unused_files(rows: dict[str, Rows]) -> list[str]:
+    """Files that claim something and that no suite runs: they are no test, and none names them or their package."""
+    claiming = {file for of_kind in rows.values() for files in of_kind.values() for file in files}
+    command = ["git", "ls-files", "-co", "--exclude-standard", "tests"]
+    names = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True).stdout.splitlines()
+    sources = [name for name in names if name.endswith(".ts") and (ROOT / name).is_file()]
+    texts = {name: (ROOT / name).read_text(encoding="utf-8", errors="replace") for name in sources}
+    cmake = "".join(path.read_text(encoding="utf-8") for path in (ROOT / "tests").rglob("*.cmake"))
+    cmake += "".join(path.read_text(encoding="utf-8") for path in (ROOT / "tests").rglob("CMakeLists.txt"))
+    unused = []
+    for file in sorted(claiming):
+        path = Path(file)
+        if file.endswith("_test.cpp"):
+            is_run = path.name in cmake
+        elif is_test(file):
+            is_run = True
+        elif path.parts[1] == "scoreboard":  # which reads its whole folder
+            is_run = path.parent.name == "expectations"
+        else:  # a package by its folder, else what another file of the tests imports
+            word = path.parts[2] if path.parts[1] == "packages" else path.name
+            is_run = any(word in text for name, text in texts.items() if name != file)
+        if not is_run:
+            unused.append(file)
+    return unused
+
+
 def table(kind: str, rows: Rows) -> str:
     """Returns the Markdown table of a kind."""
     head = "| what | shown by |\n| --- | --- |\n"
-    if kind == "differs":
-        head = "| what | how, and why | shown by |\n| --- | --- | --- |\n"
+    if kind in TWO_CELLS:
+        head = f"{TWO_CELLS[kind]} shown by |\n| --- | --- | --- |\n"
     lines = []
     for text, files in rows.items():
-        cells = text.split(" -> ", 1) if kind == "differs" else [text]
-        if len(cells) != (2 if kind == "differs" else 1):
-            raise SystemExit(f"{files[0]}: `{text}` does not say how it differs")
+        cells = text.split(" -> ", 1) if kind in TWO_CELLS else [text]
+        if len(cells) != (2 if kind in TWO_CELLS else 1):
+            raise SystemExit(f"{files[0]}: `{text}` does not say how or why, behind ` -> `")
+        if kind == "cannot":
+            check_code(files[0], cells[1])
         lines.append(f"| {' | '.join([*cells, ', '.join(files)])} |\n")
     return head + "".join(lines)
 
@@ -126,6 +179,9 @@ def main() -> int:
             print(f"{name} is not current: run tests/tools/claims.py", file=sys.stderr)
         else:
             (ROOT / name).write_text(new, encoding="utf-8")
+    for file in unused_files(rows):
+        print(f"{file} claims something, and no suite runs it", file=sys.stderr)
+        stale = True
     faults = threat_faults((ROOT / THREATS).read_text(encoding="utf-8"), rows)
     for fault in faults:
         print(f"{THREATS}: {fault}", file=sys.stderr)

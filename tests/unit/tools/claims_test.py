@@ -1,9 +1,10 @@
-"""The table of threats: a row without a test, with one that shows nothing, and a forgotten one are told."""
+"""The table of threats: a row without a test, with one that shows nothing, and a forgotten one are told. And of the
+other tables: files that no suite runs, and what cannot be had without a code that says so."""
 from __future__ import annotations
 
 import unittest
 
-from tests.tools.claims import KINDS, ROOT, THREATS, Rows, all_claims, threat_faults
+from tests.tools.claims import KINDS, ROOT, THREATS, Rows, all_claims, table, threat_faults, unused_files
 
 
 class ThreatTable(unittest.TestCase):
@@ -29,6 +30,21 @@ class ThreatTable(unittest.TestCase):
         lines = [line for line in self.text.splitlines(True) if not line.startswith("| a visitor's link |")]
         self.assertEqual(threat_faults("".join(lines), self.rows), ["there is no row for a visitor's link"])
         self.assertEqual(len(threat_faults("", {kind: {} for kind in KINDS})), 7)
+
+    def test_files_that_no_suite_runs(self) -> None:
+        self.assertEqual(unused_files(self.rows), [])
+        files = ["tests/support/rviz/nothing_of_this.ts", "tests/tools/lint.py"]
+        self.assertEqual(unused_files({"works": {"something": files}}), files)
+
+    def test_what_cannot_be_had_names_its_code(self) -> None:
+        def row(reason: str) -> str:
+            return table("cannot", {f"sockets -> {reason}": ["tests/a.golden"]})
+
+        self.assertIn("| sockets | R2W0523; topics | tests/a.golden |", row("R2W0523; topics"))
+        self.assertIn("no code: ", row("no code: nothing can tell"))
+        for reason in ("because", "R2W9999 says so"):
+            with self.assertRaises(SystemExit):
+                row(reason)
 
 
 if __name__ == "__main__":

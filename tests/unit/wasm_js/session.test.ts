@@ -2,7 +2,7 @@
 
 // Compatibility, works: exceptions and `std::thread` in one program; one compile, two links
 
-// Compatibility, differs: a program with threads on a page without cross-origin isolation ->
+// Compatibility, cannot: a program with threads on a page without cross-origin isolation ->
 // refused with R2W0704: wasm threads need shared memory
 
 import assert from 'node:assert/strict';

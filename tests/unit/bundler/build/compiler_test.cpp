@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "bundler/build/compiler_parts.hpp"
 #include "tests/unit/bundler/support/temporary_tree.hpp"
 
 namespace ros2wasm {
@@ -55,6 +56,55 @@ TEST(Compiler, PackagesMustComeOfTheSameOne) {
   EXPECT_TRUE(no_packages_for(*sdk, {"3.1.5"}, both)->fix.empty());
   EXPECT_FALSE(no_packages_for(*sdk, {"3.1.6", "3.1.64"}, both));
   EXPECT_FALSE(no_packages_for(*sdk, {}, both));
+}
+
+TEST(Compiler, OfOneVersionButOfOtherPartsIsAnother) {
+  const testing::TemporaryTree tree;
+  const fs::path home = install(tree, "sdk/upstream/emscripten", "3.1.64");
+  const EnvironmentVariables sdk = {{"EMSDK", (tree.root() / "sdk").string()}};
+  const std::string libraries = "sdk/upstream/emscripten/cache/sysroot/lib/wasm32-emscripten/";
+  tree.write("sdk/upstream/bin/clang", "a program");
+  tree.write("sdk/upstream/lib/clang/19.0.0/include/stddef.h", "");
+  EXPECT_EQ(abi_build(find_compiler_parts(home, sdk), {}), "");  // none made yet
+  for (const std::string name :
+       {"libc++-except", "libc++-mt-except", "libc++abi-except", "libc++abi-mt-except", "libc-mt",
+        "libc", "libcompiler_rt-mt", "libcompiler_rt", "libdlmalloc-mt", "libdlmalloc",
+        "libstandalonewasm-memgrow", "libunwind-except", "libunwind-mt-except"})
+    tree.write(libraries + name + ".a", name);
+  const auto before = find_compiler(sdk);
+  ASSERT_TRUE(before);
+  const std::string build = abi_build(find_compiler_parts(home, sdk), tree / "cache");
+  EXPECT_TRUE(build.starts_with("clang19.0.0_h")) << build;
+  EXPECT_EQ(abi_build(find_compiler_parts(home, sdk), tree / "cache"), build);
+  EXPECT_EQ(abi_build(find_compiler_parts(home, sdk), {}), build);
+  EXPECT_FALSE(other_parts(*before, build, {build}));
+  EXPECT_FALSE(other_parts(*before, build, {"0"}));  // a channel that does not say
+
+  tree.write(libraries + "libc.a", "mended libc");
+  const auto after = find_compiler(sdk);
+  ASSERT_TRUE(after);
+  EXPECT_NE(after->identity, before->identity);  // nothing that was built is taken
+  const std::string mended = abi_build(find_compiler_parts(home, sdk), tree / "cache");
+  EXPECT_NE(mended, build);
+  const auto refused = other_parts(*after, mended, {build});
+  ASSERT_TRUE(refused);
+  EXPECT_EQ(refused->code, "R2W0530");
+  EXPECT_NE(refused->why[0].find(mended), std::string::npos);
+  EXPECT_NE(refused->why[1].find(build), std::string::npos);
+
+  fs::rename(tree / "sdk/upstream/lib/clang/19.0.0", tree / "sdk/upstream/lib/clang/19.1.0");
+  EXPECT_TRUE(abi_build(find_compiler_parts(home, sdk), {}).starts_with("clang19.1.0_h"));
+}
+
+TEST(Compiler, WhereADistributionHasItsClang) {
+  const testing::TemporaryTree tree;
+  const fs::path home = install(tree, "share/emscripten", "3.1.6");
+  tree.write("llvm-14/bin/clang", "a program");
+  tree.write("llvm-14/lib/clang/14.0.6/include/stddef.h", "");
+  tree.write("share/emscripten/.emscripten",
+             "# where\nLLVM_ROOT = '" + (tree / "llvm-14/bin").string() + "' # directory\n");
+  EXPECT_EQ(find_compiler_parts(home, {}).clang_version, "14.0.6");
+  EXPECT_EQ(find_compiler_parts(home, {{"EM_LLVM_ROOT", "/nowhere"}}).clang_version, "");
 }
 
 TEST(Compiler, ToolsBesideItComeFirstInALink) {

@@ -93,6 +93,46 @@ TEST(BuildOrder, WhatIsNeededComesFirst) {
   EXPECT_EQ(order->external[1].match_spec, "ros-jazzy-std-msgs");
 }
 
+TEST(BuildOrder, MembersOfAGroupComeBeforeWhatDependsOnIt) {
+  const TemporaryTree tree;
+  const std::string member = "<member_of_group>our_interfaces</member_of_group>\n";
+  tree.write("src/all/package.xml",
+             package_xml(
+                 "all", "<group_depend>our_interfaces</group_depend>\n" + member +
+                            "<group_depend condition=\"$ROS_VERSION == 1\">ros1</group_depend>\n"));
+  tree.write("src/arms/package.xml", package_xml("arms", member));
+  tree.write("src/other/package.xml",
+             package_xml("other", "<member_of_group>ros1</member_of_group>\n"));
+  tree.write("src/wheels/package.xml", package_xml("wheels", member));
+  const auto order = order_packages(discovered(tree, "src"), "jazzy");
+  ASSERT_TRUE(order);
+  EXPECT_EQ(order->needs[0], (std::vector<std::size_t>{1, 3}));
+  EXPECT_EQ(order->order, (std::vector<std::size_t>{1, 3, 0, 2}));
+  EXPECT_TRUE(order->external.empty());
+}
+
+TEST(BuildOrder, Format2SaysTheSame) {
+  const TemporaryTree tree;
+  tree.write("src/app/package.xml",
+             "<package format=\"2\">\n<name>app</name>\n<version>1.0.0</version>\n"
+             "<description>d</description>\n<maintainer email=\"a@example.org\">A</maintainer>\n"
+             "<license>MIT</license>\n<buildtool_depend>ament_cmake</buildtool_depend>\n"
+             "<depend>lib</depend>\n<build_export_depend>geometry_msgs</build_export_depend>\n"
+             "<exec_depend>tools</exec_depend>\n<test_depend>checks</test_depend>\n"
+             "<doc_depend>doxygen</doc_depend>\n"
+             "<export><build_type>ament_cmake</build_type></export>\n</package>\n");
+  tree.write("src/lib/package.xml", package_xml("lib"));
+  tree.write("src/tools/package.xml", package_xml("tools"));
+  const auto packages = discovered(tree, "src");
+  ASSERT_EQ(packages.size(), 3U);
+  EXPECT_EQ(packages[0].xml.format, 2);
+  const auto order = order_packages(packages, "jazzy");
+  ASSERT_TRUE(order);
+  EXPECT_EQ(order->needs[0], std::vector<std::size_t>{1});  // tools are for running only
+  ASSERT_EQ(order->external.size(), 1U);
+  EXPECT_EQ(order->external[0].match_spec, "ros-jazzy-geometry-msgs");
+}
+
 TEST(BuildOrder, CirclesAndTwinsAreErrors) {
   const TemporaryTree tree;
   tree.write("src/a/package.xml", package_xml("a", "<build_depend>b</build_depend>\n"));

@@ -15,7 +15,7 @@ from metadata import conda_name, record
 from package_source import PackageSource, find_packages
 from write_versions import page
 
-COMPILER = Compiler(Path("/opt/em++"), "3.1.6", "0" * 64)
+COMPILER = Compiler(Path("/opt/em++"), "3.1.6", "0" * 64, "clang14.0.6_h0123456789ab_0")
 
 
 def package_xml(name: str, *needs: str, tag: str = "depend") -> str:

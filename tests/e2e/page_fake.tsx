@@ -209,7 +209,7 @@ async function signals(options: Partial<FakeOptions> = {}): Promise<FakeSession>
   return fake;
 }
 
-/** Frames and what stands in them; `globalThis.send` as in "signals", `goals` has what was published on /goal_pose. */
+/** Frames and what stands in them; `globalThis.send` as in "signals", `goals` has what was published on /goal_pose, /initialpose and /clicked_point. */
 async function world(): Promise<FakeSession> {
   const { kWorldFiles, kWorldInterfaces, kWorldTopics } = await import('./world_interfaces.ts');
   const fake = new FakeSession({ nodes: [{ executable: 'robot' }], interfaces: new Map(kWorldInterfaces), files: kWorldFiles });
@@ -218,10 +218,13 @@ async function world(): Promise<FakeSession> {
   const { createCodec } = await import('../../runtime/decode/codec.ts');
   const codec = createCodec(await fake.interfaces());
   const goals: unknown[] = [];
-  fake.node().subscription('/goal_pose', 'geometry_msgs/msg/PoseStamped', {}, (bytes) => {
-    const decoded = codec.decode('geometry_msgs/msg/PoseStamped', bytes);
-    goals.push(decoded.kind === 'value' ? decoded.value : decoded.reason);
-  });
+  for (const [topic, name] of [['/goal_pose', 'PoseStamped'], ['/initialpose', 'PoseWithCovarianceStamped'], ['/clicked_point', 'PointStamped']] as const) {
+    const type = `geometry_msgs/msg/${name}`;
+    fake.node().subscription(topic, type, {}, (bytes) => {
+      const decoded = codec.decode(type, bytes);
+      goals.push(decoded.kind === 'value' ? decoded.value : decoded.reason);
+    });
+  }
   Object.assign(globalThis, { goals });
   return fake;
 }

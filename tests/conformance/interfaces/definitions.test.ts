@@ -1,6 +1,6 @@
 // The interface definitions say what ROS 2 Jazzy's say: same constants, fields, defaults and order.
 
-// Compatibility, works: all 358 interface definitions, CDR as on the wire of ROS 2, type hashes
+// Compatibility, works: all 368 interface definitions, CDR as on the wire of ROS 2, type hashes
 // (RIHS01)
 
 import assert from 'node:assert/strict';
@@ -18,9 +18,9 @@ import { REPOSITORY, interfaceFiles } from './interface_files.ts';
 // Of definitions in normal form, taken once from facts about upstream's packages.
 const DIGESTS = {
   'ROS 2': { count: 232, digest: 'ae2a3406ffbcb41bb421b65b0342f7845a2cb7ce64191ed32d63ee7bcac64a20' },
-  'packages that many use with it': { count: 126, digest: 'd13e50525b2067dd873eab38eff7045d5f739acdbc6c1140b3f2ce30a252569a' },
+  'packages that many use with it': { count: 136, digest: '70bf6e125f04be15c8d69b09c2fca8969226b2d76f8e91c5f90629de0a2a5f59' },
 } as const;
-const USED_WITH_IT = new Set(['ackermann_msgs', 'action_tutorials_interfaces', 'control_msgs', 'geographic_msgs', 'nav2_msgs', 'vision_msgs']);
+const USED_WITH_IT = new Set(['ackermann_msgs', 'action_tutorials_interfaces', 'control_msgs', 'geographic_msgs', 'map_msgs', 'nav2_msgs', 'vision_msgs']);
 
 interface NormalSection {
   readonly constants: readonly (readonly string[])[];

@@ -31,6 +31,7 @@ const kMessages: Readonly<Record<string, string>> = {
   'sensor_msgs/PointCloud2':
     'std_msgs/Header header\nuint32 height\nuint32 width\nPointField[] fields\nbool is_bigendian\nuint32 point_step\nuint32 row_step\nuint8[] data\nbool is_dense',
   'sensor_msgs/CompressedImage': 'std_msgs/Header header\nstring format\nuint8[] data',
+  'sensor_msgs/JointState': 'std_msgs/Header header\nstring[] name\nfloat64[] position\nfloat64[] velocity\nfloat64[] effort',
   'sensor_msgs/Image': 'std_msgs/Header header\nuint32 height\nuint32 width\nstring encoding\nuint8 is_bigendian\nuint32 step\nuint8[] data',
   'geometry_msgs/PoseWithCovarianceStamped': 'std_msgs/Header header\nPoseWithCovariance pose',
   'geometry_msgs/PointStamped': 'std_msgs/Header header\nPoint point',
@@ -74,5 +75,5 @@ export const kWorldTopics: readonly (Pick<TopicView, 'name' | 'type'> & Partial<
 /** Below share/meshes: tests answer for them. */
 export const kWorldFiles: readonly string[] = [
   'wedge.stl', 'wedge.bin.stl', 'wedge.dae', 'wedge.obj', 'wedge.mtl', 'wedge.gltf', 'wedge.bin', 'green.png', 'skin.dae', 'cut.stl', 'loop.dae', 'far.obj',
-  'many.stl', 'wrong.gltf', 'words.dae', 'gone.stl', 'away.dae',
+  'many.stl', 'wrong.gltf', 'words.dae', 'gone.stl', 'away.dae', 'view.rviz',
 ].map((name) => `share/meshes/${name}`);

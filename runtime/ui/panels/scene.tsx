@@ -79,6 +79,12 @@ export function ScenePanel({ session, state, setState, announce }: PanelProps) {
     }
   };
 
+  // What the panel is to show at first, by a file of the site: from then on it is as its visitor wants it.
+  const asked = textMember(state, 'file');
+  useEffect(() => {
+    if (asked !== '' && files.includes(asked)) void showAs(readSiteText(asked).then((text) => ({ name: nameOf(asked), text })));
+  }, [asked]);
+
   const { canvas, view, tree, problem, forget, unreadable, newest } = useScene({
     session, codec, options, shown, aims: tools.aims,
     onView: (next) => change({ view: next }),

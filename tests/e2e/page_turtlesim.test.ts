@@ -317,6 +317,13 @@ test('the real turtle is driven by keys and leaves a stroke, which those who com
     await page.waitForFunction(() => !/heading 0°/.test(document.querySelector('.turtle-sheet')?.getAttribute('aria-label') ?? '0'));
     const [, , heading = 0] = await pose(page);
     assert.ok(heading > 0, `${heading}`);
+    // The letters around F turn it to headings, as those of turtle_teleop_key do.
+    await drawing(page, /turtle1/).press('e');
+    await drawing(page, /heading 13[3-7]°$/).waitFor();
+    await drawing(page, /turtle1/).press('g');
+    await drawing(page, /heading -?[0-2]°$/).waitFor();
+    await drawing(page, /turtle1/).press('t');
+    await drawing(page, /heading 4[3-7]°$/).waitFor();
     // Many strokes later the panel is opened anew: of the scenes that are kept none has the first stroke any more.
     for (let i = 0; i < 3; i += 1) {
       const before = await page.locator('.turtle-sheet').getAttribute('aria-label');

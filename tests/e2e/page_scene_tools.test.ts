@@ -127,10 +127,10 @@ test('what is pressed on says its topic, frame, stamp and values, and so does th
     await page.getByText('Press on two places.').waitFor();
     const [x, y] = await middle(page);
     const perMetre = await page.locator('.scene-canvas').evaluate((element) => element.clientHeight / (2 * 6 * Math.tan(Math.PI / 8)));
-    await page.mouse.click(x, y + perMetre);
-    await page.getByText('press on the other place').waitFor();
+    await page.mouse.click(x, y + perMetre * 1.5);
+    await page.locator('.panel-note').getByText('press on the other place').waitFor();
     const [nextX, nextY] = await middle(page);
-    await page.mouse.click(nextX + perMetre * 2, nextY + perMetre);
+    await page.mouse.click(nextX + perMetre * 2, nextY + perMetre * 1.5);
     const said = await page.locator('.panel-note').getByText(/ m; along the axes /).innerText();
     assert.ok(Math.abs(Number.parseFloat(said) - 2) < 0.03, said);
     await page.screenshot({ path: join(kOutput, 'scene_measure.png') });

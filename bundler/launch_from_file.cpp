@@ -253,6 +253,7 @@ Outcome<LaunchedFile> launch_from_file(const PackRequest& request, BuiltWorkspac
   }
   step.nodes = std::move(launched->nodes);
   step.steps = std::move(launched->steps);
+  step.panels = std::move(launched->panels);
   return step;
 }
 

@@ -397,6 +397,7 @@ Outcome<SitePlan> plan(const PackRequest& request, BuiltWorkspace& workspace, La
                   .more_nodes = std::move(launched.more_nodes),
                   .launch = std::move(launched.launch),
                   .launch_package = std::move(launched.package),
+                  .panels = std::move(launched.panels),
                   .programs = {},
                   .names = {},
                   .runtime = std::move(runtime).value(),

@@ -123,6 +123,7 @@ Outcome<LaunchFileNodes> launch_file_nodes(const std::string& path,
                        [&](const auto& one) { return one.name == package; });
   };
   append(result.warnings, left_out_of_site(*description, is_known, world));
+  result.panels = stand_in_panels(*description, is_known);
 
   std::vector<LaunchProcess> processes;
   std::vector<std::size_t> numbers;  // in the description

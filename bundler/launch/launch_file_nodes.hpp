@@ -8,6 +8,7 @@
 #include "bundler/launch/launch_description.hpp"
 #include "bundler/launch/launch_graph.hpp"
 #include "bundler/launch/launch_scope.hpp"
+#include "bundler/launch/left_out.hpp"
 #include "workspace_schema/outcome.hpp"
 
 namespace ros2wasm {
@@ -16,6 +17,7 @@ struct LaunchFileNodes {
   std::vector<LaunchNode> nodes;
   std::vector<LaunchStep> steps;
   Diagnostics warnings;                   ///< R2W0412, R2W0415
+  std::vector<StandInPanel> panels;       ///< that do the work of what is left out
   std::vector<std::string> remarks;       ///< what the file logs
   std::vector<std::string> files;         ///< that were read, as launch files see them
   std::vector<LaunchArgument> arguments;  ///< that can be given, each once

@@ -15,16 +15,17 @@ namespace {
 struct StandIn {
   std::string_view package;  ///< ends with `*`: all that begin so
   std::string_view instead;
+  std::string_view panel = {};  ///< that the usual layout has in its place
 };
 
 constexpr StandIn kStandIns[] = {
     {"gazebo*", "a site has no simulator"},
     {"ros_gz*", "a site has no simulator"},
     {"ros_ign*", "a site has no simulator"},
-    {"joint_state_publisher_gui", "joint_state_publisher publishes the joints' zero positions"},
+    {"joint_state_publisher_gui", "the panel Joints of the page stands in for it", "joints"},
     {"plotjuggler*", "the page shows the messages of topics"},
     {"rqt*", "the page shows nodes and topics"},
-    {"rviz*", "the 3D view of the page stands in for it"},
+    {"rviz*", "the 3D view of the page stands in for it", "scene"},
     {"xterm", "a site has no windows of programs"},
 };
 
@@ -38,14 +39,20 @@ Diagnostic left_out(const std::string& what, const std::string& why, const Sourc
 
 constexpr std::size_t kMostDisplays = 12;
 
-/// What of the configuration that `rviz2 -d FILE` has is shown, and where.
-std::vector<std::string> displays_of(const NodeEntry& node, const LaunchWorld& world) {
+/// What follows `-d`; empty: nothing does.
+std::string configuration_of(const NodeEntry& node) {
   const auto& words = node.arguments;
   const auto option = std::find_if(words.begin(), words.end(), [](const std::string& word) {
     return word == "-d" || word == "--display-config";
   });
-  if (option == words.end() || option + 1 == words.end()) return {};
-  const auto text = world.read(*(option + 1));
+  return option == words.end() || option + 1 == words.end() ? std::string() : *(option + 1);
+}
+
+/// What of the configuration that `rviz2 -d FILE` has is shown, and where.
+std::vector<std::string> displays_of(const NodeEntry& node, const LaunchWorld& world) {
+  const std::string file = configuration_of(node);
+  if (file.empty()) return {};
+  const auto text = world.read(file);
   if (!text) return {};  // it may be made later, or lie where no site looks
   const RvizDisplays displays = rviz_displays(*text);
   std::vector<std::string> result;
@@ -58,17 +65,46 @@ std::vector<std::string> displays_of(const NodeEntry& node, const LaunchWorld& w
   return result;
 }
 
-}  // namespace
-
-std::optional<std::string> stand_in(const std::string& package, const IsKnownPackage& is_known) {
-  if (is_known(package)) return std::nullopt;
+const StandIn* find_stand_in(const std::string& package, const IsKnownPackage& is_known) {
+  if (is_known(package)) return nullptr;
   for (const StandIn& one : kStandIns) {
     const bool begins = one.package.ends_with('*');
     if (begins ? package.starts_with(one.package.substr(0, one.package.size() - 1))
                : package == one.package)
-      return std::string(one.instead);
+      return &one;
   }
-  return std::nullopt;
+  return nullptr;
+}
+
+/// `/opt/ros/DISTRO/share/PKG/FILE` is `share/PKG/FILE` of the site. Files that no package
+/// installs are in none.
+std::string place_in_site(const std::string& path) {
+  constexpr std::string_view kInstalled = "/opt/ros/";
+  const auto share = path.find("/share/");
+  if (!path.starts_with(kInstalled) || share == std::string::npos) return {};
+  return path.substr(share + 1);
+}
+
+}  // namespace
+
+std::optional<std::string> stand_in(const std::string& package, const IsKnownPackage& is_known) {
+  const StandIn* found = find_stand_in(package, is_known);
+  return found == nullptr ? std::nullopt : std::optional(std::string(found->instead));
+}
+
+std::vector<StandInPanel> stand_in_panels(const LaunchDescription& description,
+                                          const IsKnownPackage& is_known) {
+  std::vector<StandInPanel> panels;
+  for (const LaunchProcess& process : description.processes) {
+    const StandIn* found = find_stand_in(process.node.package.value, is_known);
+    if (found == nullptr || found->panel.empty()) continue;
+    StandInPanel panel{.panel = std::string(found->panel),
+                       .file = place_in_site(configuration_of(process.node))};
+    if (std::none_of(panels.begin(), panels.end(),
+                     [&](const StandInPanel& one) { return one.panel == panel.panel; }))
+      panels.push_back(std::move(panel));
+  }
+  return panels;
 }
 
 Diagnostics left_out_of_site(const LaunchDescription& description, const IsKnownPackage& is_known,

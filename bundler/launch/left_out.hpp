@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "bundler/launch/launch_description.hpp"
 #include "bundler/launch/launch_scope.hpp"
@@ -22,6 +23,19 @@ using IsKnownPackage = std::function<bool(const std::string& package)>;
 [[nodiscard]] Diagnostics left_out_of_site(const LaunchDescription& description,
                                            const IsKnownPackage& is_known,
                                            const LaunchWorld& world);
+
+/// A panel of the page that does the work of a program which is left out.
+struct StandInPanel {
+  std::string panel;
+  std::string file;  ///< of the site, that says what is shown; or none
+
+  friend bool operator==(const StandInPanel&, const StandInPanel&) = default;
+};
+
+/// The 3D view for rviz2, with the file of `-d` when packages install it; Joints for
+/// joint_state_publisher_gui. Each panel once.
+[[nodiscard]] std::vector<StandInPanel> stand_in_panels(const LaunchDescription& description,
+                                                        const IsKnownPackage& is_known);
 
 /// These warnings as errors: of `--strict`.
 [[nodiscard]] Diagnostics refused_when_strict(const Diagnostics& warnings);

@@ -13,12 +13,21 @@ namespace {
 /// What draws them is in runtime/ui/scene/kinds.ts; the page's own list is kDrawn in
 /// runtime/ui/model/rviz_config.ts, and a test holds it against this one.
 constexpr std::string_view kDrawn[] = {
-    "LaserScan", "Map",       "Marker",      "MarkerArray",        "Odometry",   "Path",
-    "Pose",      "PoseArray", "PointCloud2", "PoseWithCovariance", "RobotModel",
+    "AccelStamped",  "GridCells",
+    "LaserScan",     "Map",
+    "Marker",        "MarkerArray",
+    "Odometry",      "Path",
+    "PointCloud2",   "PointStamped",
+    "Polygon",       "Pose",
+    "PoseArray",     "PoseWithCovariance",
+    "Range",         "RobotModel",
+    "TwistStamped",  "Wrench",
+    "WrenchStamped",
 };
 /// Without a topic.
 constexpr std::string_view kOfTheScene[] = {"Grid", "TF"};
-constexpr std::string_view kImage = "Image";
+/// Drawn over the scene, or in a panel of their own.
+constexpr std::string_view kPictures[] = {"Image", "Camera"};
 
 const YamlNode* member(const YamlNode& map, std::string_view key) {
   if (map.kind != YamlKind::kMap) return nullptr;
@@ -75,9 +84,9 @@ void add_displays(const YamlNode& parent, RvizDisplays& result) {
         plugin.starts_with("rviz_default_plugins/") || plugin.starts_with("rviz/");
     const bool is_shown =
         is_known && (is_among(kOfTheScene, kind) || (is_among(kDrawn, kind) && !topic.empty()));
-    (is_shown                     ? result.shown
-     : is_known && kind == kImage ? result.elsewhere
-                                  : result.missing)
+    (is_shown                                                  ? result.shown
+     : is_known && is_among(kPictures, kind) && !topic.empty() ? result.elsewhere
+                                                               : result.missing)
         .push_back(std::move(name));
   }
 }

@@ -133,6 +133,7 @@ std::string page_bag_path(const std::string& path) {
 
 Outcome<SitePlan> plan_site(PlanInput input) {
   SitePlan plan;
+  plan.panels = std::move(input.panels);
   Diagnostics errors;
   std::set<std::string> paths;
   for (const LaunchNode& node : input.nodes) paths.insert(program_path(node));

@@ -12,6 +12,7 @@
 
 #include "bundler/launch/launch_description.hpp"
 #include "bundler/launch/launch_graph.hpp"
+#include "bundler/launch/left_out.hpp"
 #include "bundler/launch/packed_launch.hpp"
 #include "bundler/launch/share_tree.hpp"
 #include "bundler/plan/python_site.hpp"
@@ -73,6 +74,7 @@ struct SitePlan {
   std::vector<PlannedNode> programs;  ///< that none of these runs; each once
   std::vector<LaunchStep> steps;      ///< of the launch file
   std::string launch_package;         ///< in which the manifest's launch file lies; or none
+  std::vector<StandInPanel> panels;   ///< of the usual layout, for programs that are left out
   std::optional<PlannedNotebook> notebook;
   std::optional<PlannedLaunch> launch;  ///< when launch arguments can change what runs
   std::vector<std::string> packages;    ///< that the programs' index of packages has, sorted
@@ -114,7 +116,8 @@ struct PlanInput {
   std::vector<LaunchStep> steps;
   std::vector<LaunchNode> more_nodes;  ///< of programs that none of these runs
   std::optional<PackedLaunch> launch;
-  std::string launch_package;  ///< in which the manifest's launch file lies; or none
+  std::string launch_package;        ///< in which the manifest's launch file lies; or none
+  std::vector<StandInPanel> panels;  ///< of the usual layout
   std::map<std::filesystem::path, std::string> programs;  ///< bytes of each node's program file
   std::map<std::filesystem::path, std::string> names;     ///< by program file, where there are any
   std::vector<RuntimeAsset> runtime;

@@ -36,7 +36,7 @@ void write_sources(JsonWriter& json, const std::vector<PlannedSource>& sources) 
   json.end_array().end_object();
 }
 
-void write_ui(JsonWriter& json, const Manifest& manifest) {
+void write_ui(JsonWriter& json, const SitePlan& plan, const Manifest& manifest) {
   json.key("ui").begin_object();
   for (const auto& [key, value] : manifest.ui) {
     if (value == "true" || value == "false") {
@@ -50,6 +50,15 @@ void write_ui(JsonWriter& json, const Manifest& manifest) {
   if (!manifest.ui_bags.empty()) {
     json.key("bags").begin_array();
     for (const auto& bag : manifest.ui_bags) json.string(page_bag_path(bag.value));
+    json.end_array();
+  }
+  if (!plan.panels.empty()) {
+    json.key("opens").begin_array();
+    for (const auto& [panel, file] : plan.panels) {
+      json.begin_object().field("panel", panel);
+      if (!file.empty()) json.field("file", file);
+      json.end_object();
+    }
     json.end_array();
   }
   json.end_object();
@@ -152,7 +161,7 @@ std::string site_json(const Manifest& manifest, const SitePlan& plan) {
   write_sources(json, plan.sources);
   write_checks(json, plan.checks);
   if (plan.notebook) write_notebook(json, *plan.notebook);
-  write_ui(json, manifest);
+  write_ui(json, plan, manifest);
   if (!plan.store.objects.empty()) {
     json.key("store").begin_object().field("objects", plan.store.objects);
     json.field("scripts", plan.store.scripts).end_object();

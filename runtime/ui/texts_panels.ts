@@ -232,7 +232,7 @@ export const panelTexts = {
     driven: 'Turtle that the keys drive',
     clear: 'Clear the drawing',
     reset: 'Reset the simulator: one turtle in the middle of an empty sheet',
-    keys: (turtle: string): string => `The arrow keys drive ${turtle}`,
+    keys: (turtle: string): string => `The arrow keys drive ${turtle}; G, T, R, E, D, C, V and B turn it to a heading, F stops that`,
     held: 'Time is held: turtles stand still until it goes on.',
     pad: 'Drive the turtle',
     moves: {

@@ -1,6 +1,7 @@
 // A busy site with its panels open: 20 nodes, 2,000 numbers a second, a VGA image stream, a point cloud. What counts is how
 // the page feels: the gaps between its frames, and whether memory stays flat. The limit is measured in the same run: a bare
-// page in the same browser that asks for frames while nothing runs. WebGL is drawn by the processor (SwiftShader) here.
+// page in the same browser that asks for frames while nothing runs. WebGL is drawn by the processor (SwiftShader) here, so
+// with the 3D view the aim is judged beside the bare page: one frame more.
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -18,12 +19,17 @@ const IMAGE_HZ = 15;
 const CLOUD = { hz: 10, points: 10_000 };
 const DEFAULT_MINUTES = 10;
 const AIM_MS = 20;
+const FRAME_MS = 1000 / 60;
+/** Of its mean, over the second half; shorter runs than this only warm up. */
+const MEMORY_RISE = 0.05;
+const LONG_MINUTES = 5;
+const WITH_3D = 'all panels';
 const SETTLING_MS = 10_000;
 const SAMPLES = 10;
 
 /** With all that is looked at open at once; `without` leaves panels out, so that it is seen what they cost. */
 const LAYOUTS: Readonly<Record<string, unknown>> = {
-  'all panels': {
+  [WITH_3D]: {
     row: [
       { column: [{ scene: { topics: ['/cloud'], frame: 'map' } }, { plot: { paths: ['/number_0.data', '/number_1.data'], seconds: 10 } }] },
       { column: [{ image: { topic: '/image' } }, 'topics', 'console'] },
@@ -53,13 +59,32 @@ function gaps(page: Page, ms: number): Promise<number[]> {
   }), ms);
 }
 
-function frameFigures(found: readonly number[]): Readonly<Record<string, number>> {
+interface FrameFigures {
+  readonly frames: number;
+  readonly frame_p50_ms: number;
+  readonly frame_p95_ms: number;
+  readonly frame_p99_ms: number;
+  readonly frame_longest_ms: number;
+  readonly under_20_ms: number;
+}
+
+function frameFigures(found: readonly number[]): FrameFigures {
   const sorted = found.toSorted((a, b) => a - b);
   const at = (share: number): number => rounded(sorted[Math.floor(sorted.length * share)] ?? Number.NaN);
   return {
     frames: found.length, frame_p50_ms: at(0.5), frame_p95_ms: at(0.95), frame_p99_ms: at(0.99), frame_longest_ms: rounded(sorted.at(-1) ?? Number.NaN),
     under_20_ms: rounded(found.filter((gap) => gap < AIM_MS).length / found.length),
   };
+}
+
+/** Why an aim was missed; empty: none was. The machine's own share is what the bare page has in the same browser. */
+function missed(panels: string, found: FrameFigures, limit: FrameFigures, minutes: number, rises: readonly number[]): string {
+  const said: string[] = [];
+  // Where the bare page itself has slow frames, or the processor draws the 3D view, one frame more than the bare page's is allowed.
+  const aim = panels === WITH_3D || limit.frame_p95_ms > AIM_MS ? Math.max(AIM_MS, limit.frame_p95_ms) + FRAME_MS : AIM_MS;
+  if (!(found.frame_p95_ms <= aim)) said.push(`95 % of frames within ${found.frame_p95_ms} ms, not ${rounded(aim)} (bare page: ${limit.frame_p95_ms})`);
+  if (minutes >= LONG_MINUTES && rises.some((one) => !(one <= MEMORY_RISE))) said.push(`memory rises by ${rises.join(' and ')} of its mean`);
+  return said.length === 0 ? '' : `busy, ${panels}: ${said.join('; ')}`;
 }
 
 async function heapKb(devtools: CDPSession): Promise<number> {
@@ -87,7 +112,14 @@ async function heardPerSecond(page: Page): Promise<number> {
 const drawings = (page: Page): Promise<number> =>
   page.evaluate(() => Number(document.querySelector<HTMLElement>('.scene-canvas')?.dataset['drawings'] ?? 0));
 
-async function run(context: BenchContext, page: Page, pid: number, panels: string, minutes: number, limit: unknown): Promise<void> {
+/** Of the 3D view, as a share of the screen's; null without one. */
+const resolution = (page: Page): Promise<number | null> =>
+  page.evaluate(() => {
+    const canvas = document.querySelector<HTMLElement>('.scene-canvas');
+    return canvas === null ? null : Number(canvas.dataset['resolution'] ?? 1);
+  });
+
+async function run(context: BenchContext, page: Page, pid: number, panels: string, minutes: number, limit: FrameFigures): Promise<void> {
   const devtools = await page.context().newCDPSession(page);
   await devtools.send('Performance.enable');
   await page.waitForFunction(() => /\{"came": \d+\}/.test(document.body.textContent ?? ''), undefined, { timeout: 60_000 });
@@ -101,10 +133,13 @@ async function run(context: BenchContext, page: Page, pid: number, panels: strin
     processes.push(treePrivateKb(pid));
     heard.push(await heardPerSecond(page));
   }
+  const figures = frameFigures(found);
+  const why = missed(panels, figures, limit, minutes, [rise(heap), rise(processes)]);
+  if (why !== '') context.fail(why);
   context.emit({
     bench: 'busy', panels, minutes, nodes: NUMBERS + 3, numbers_per_second: NUMBERS * NUMBER_HZ,
     heard_per_second: heard.toSorted((a, b) => a - b)[SAMPLES >> 1], image_hz: IMAGE_HZ, cloud: CLOUD,
-    drawings_3d: await drawings(page) - drawn, ...frameFigures(found), aim_p95_ms: AIM_MS,
+    drawings_3d: await drawings(page) - drawn, resolution_3d: await resolution(page), ...figures, aim_p95_ms: AIM_MS,
     heap_kb: heap.at(-1), heap_rise: rise(heap), processes_kb: processes.at(-1), processes_rise: rise(processes), limit, machine_load: machineLoad(),
   });
 }

@@ -18,11 +18,11 @@ export function expectedLines(): RegExp[] {
 }
 
 /** Packs a copy, so that nothing is written into the examples. Returns the site's folder. */
-export async function packExample(scratch: Scratch, example = kFirst): Promise<string> {
+export async function packExample(scratch: Scratch, example = kFirst, manifest = 'workspace.yaml', folder = 'site'): Promise<string> {
   const workspace = join(scratch.path, 'workspace');
-  const site = join(scratch.path, 'site');
+  const site = join(scratch.path, folder);
   cpSync(folderOf(example), workspace, { recursive: true });
-  const packed = await runCli(['pack', join(workspace, 'workspace.yaml'), '-o', site]);
+  const packed = await runCli(['pack', join(workspace, manifest), '-o', site]);
   assert.equal(packed.code, 0, packed.errors);
   return site;
 }

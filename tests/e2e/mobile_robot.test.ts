@@ -60,6 +60,13 @@ test('in the page a goal is pressed and reached, with gains of the lab sheet', w
   await page.getByRole('heading', { name: 'Tune a controller' }).waitFor();
   await page.getByRole('tab', { name: 'Console' }).click();
   await reached(page, 1);
+  // Its plots: how far it is from where it goes, by how much it looks aside, and how fast it turns.
+  const plotted = page.locator('.panel-plot .path');
+  await page.waitForFunction(() =>
+    [...document.querySelectorAll('.panel-plot .path-value')].filter((each) => /^-?\d/.test(each.textContent ?? '')).length === 3);
+  assert.deepEqual(await plotted.locator('.path-name').allInnerTexts(), ['/distance.data', '/heading_error.data', '/odom.twist.twist.angular.z']);
+  const near = Number.parseFloat(await plotted.locator('.path-value').first().innerText());
+  assert.ok(near >= 0 && near < 0.5, `${near} m from the goal that it has reached`);
   const canvas = page.locator('.scene-canvas');
   await page.getByRole('button', { name: 'Set a goal' }).click();
   const box = (await canvas.boundingBox()) ?? assert.fail();

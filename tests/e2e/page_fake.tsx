@@ -209,20 +209,28 @@ async function signals(options: Partial<FakeOptions> = {}): Promise<FakeSession>
   return fake;
 }
 
-/** Frames and what stands in them; `globalThis.send` as in "signals", `goals` has what was published on /goal_pose. */
+/** Frames and what stands in them; `globalThis.send` as in "signals", `goals` has what was published on /goal_pose, /initialpose and /clicked_point, `joints` what was on /joint_states. */
 async function world(): Promise<FakeSession> {
   const { kWorldFiles, kWorldInterfaces, kWorldTopics } = await import('./world_interfaces.ts');
-  const fake = new FakeSession({ nodes: [{ executable: 'robot' }], interfaces: new Map(kWorldInterfaces), files: kWorldFiles });
+  const fake = new FakeSession({
+    nodes: [{ executable: 'robot' }], interfaces: new Map(kWorldInterfaces), files: kWorldFiles,
+    ui: { opens: [{ panel: 'scene', file: 'share/meshes/view.rviz' }, { panel: 'joints' }, { panel: 'none' }, 7] },
+  });
   fake.setTopics(kWorldTopics);
   await giveSend(fake);
   const { createCodec } = await import('../../runtime/decode/codec.ts');
   const codec = createCodec(await fake.interfaces());
   const goals: unknown[] = [];
-  fake.node().subscription('/goal_pose', 'geometry_msgs/msg/PoseStamped', {}, (bytes) => {
-    const decoded = codec.decode('geometry_msgs/msg/PoseStamped', bytes);
-    goals.push(decoded.kind === 'value' ? decoded.value : decoded.reason);
-  });
-  Object.assign(globalThis, { goals });
+  const listen = (topic: string, type: string, list: unknown[]): void => {
+    fake.node().subscription(topic, type, {}, (bytes) => {
+      const decoded = codec.decode(type, bytes);
+      list.push(decoded.kind === 'value' ? decoded.value : decoded.reason);
+    });
+  };
+  for (const [topic, name] of [['/goal_pose', 'PoseStamped'], ['/initialpose', 'PoseWithCovarianceStamped'], ['/clicked_point', 'PointStamped']] as const) listen(topic, `geometry_msgs/msg/${name}`, goals);
+  const joints: unknown[] = [];
+  listen('/joint_states', 'sensor_msgs/msg/JointState', joints);
+  Object.assign(globalThis, { goals, joints });
   return fake;
 }
 

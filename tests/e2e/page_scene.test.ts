@@ -376,17 +376,19 @@ test('an .rviz file says what is shown', () =>
     await open('arm.rviz', `Visualization Manager:
   Displays:
     - {Class: rviz_default_plugins/Path, Enabled: true, Name: Plan, Topic: {Value: /plan}}
-    - {Class: rviz_default_plugins/Camera, Enabled: true, Name: Camera}
+    - {Class: rviz_default_plugins/Camera, Enabled: true, Name: Camera, Topic: {Value: /camera}}
+    - {Class: rviz_default_plugins/Axes, Enabled: true, Name: Axes}
     - {Class: rviz_default_plugins/Map, Enabled: false, Name: Map, Topic: {Value: /map}}
   Global Options: {Fixed Frame: base}
   Tools: [{Class: rviz_default_plugins/SetGoal, Topic: {Value: /there}}]
 `);
-    await note.getByText('As in arm.rviz, without Camera').waitFor();
+    await note.getByText('As in arm.rviz, without Axes').waitFor();
     const checked = page.locator('.scene-topics input:checked');
     await page.waitForFunction(() => document.querySelectorAll('.scene-topics input:checked').length === 1);
     assert.equal(await checked.evaluate((input) => input.closest('label')?.textContent), '/planPath');
     assert.equal(await page.getByRole('combobox', { name: 'Fixed frame' }).inputValue(), 'base');
     await page.getByRole('button', { name: 'Set a goal: publishes on /there' }).waitFor();
+    await page.locator('.scene-image').getByText('/camera', { exact: true }).waitFor();
   }));
 
 for (const colorScheme of ['light', 'dark'] as const) {

@@ -7,6 +7,7 @@ import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import type { BrowserContextOptions, Page } from 'playwright-core';
 import { serveFolder } from '../support/static_server.ts';
+import { packExample } from './example_site.ts';
 import { PageStage, expectAccessible, phone } from './page_stage.ts';
 import { Scratch, runCli } from './served_site.ts';
 
@@ -264,8 +265,8 @@ for (const colorScheme of ['light', 'dark'] as const) {
 }
 
 /** Example 03, open at that address. Fails on any trouble of the page. */
-async function onExample(options: BrowserContextOptions, fragment: string, body: (page: Page) => Promise<void>): Promise<void> {
-  const served = await serveFolder(join(scratch.path, 'site'));
+async function onExample(options: BrowserContextOptions, fragment: string, body: (page: Page) => Promise<void>, folder = 'site'): Promise<void> {
+  const served = await serveFolder(join(scratch.path, folder));
   const context = await stage.browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
   const page = await context.newPage();
   page.setDefaultTimeout(120_000);
@@ -317,6 +318,13 @@ test('the real turtle is driven by keys and leaves a stroke, which those who com
     await page.waitForFunction(() => !/heading 0°/.test(document.querySelector('.turtle-sheet')?.getAttribute('aria-label') ?? '0'));
     const [, , heading = 0] = await pose(page);
     assert.ok(heading > 0, `${heading}`);
+    // The letters around F turn it to headings, as those of turtle_teleop_key do.
+    await drawing(page, /turtle1/).press('e');
+    await drawing(page, /heading 13[3-7]°$/).waitFor();
+    await drawing(page, /turtle1/).press('g');
+    await drawing(page, /heading -?[0-2]°$/).waitFor();
+    await drawing(page, /turtle1/).press('t');
+    await drawing(page, /heading 4[3-7]°$/).waitFor();
     // Many strokes later the panel is opened anew: of the scenes that are kept none has the first stroke any more.
     for (let i = 0; i < 3; i += 1) {
       const before = await page.locator('.turtle-sheet').getAttribute('aria-label');
@@ -340,3 +348,15 @@ test('on a phone the pad drives the turtle; reset brings it back and clears the 
     await drawing(page, /turtle1 at x 5\.5, y 5\.5, heading 0°$/).waitFor();
     await colored(page, 350, 249, kBlue);
   }));
+
+test('example 03, squares: one turtle draws squares, and the one of the other simulator does the same', async () => {
+  await packExample(scratch, '03_turtlesim', 'squares.yaml', 'squares');
+  const both = ['/turtlesim1/turtlesim', '/turtlesim2/turtlesim'].map((node) => ({ turtlesim: { node } }));
+  const fragment = `#layout=${encodeURIComponent(JSON.stringify({ row: both }))}`;
+  await onExample({}, fragment, async (page) => {
+    // draw_square turns at the first corner: both turtles look up there, within the same minute.
+    for (const one of ['turtlesim1', 'turtlesim2'])
+      await drawing(page, new RegExp(`^Drawing of /${one}/turtlesim: turtle1 at x [67]\\.\\d, y [56]\\.\\d, heading (8[5-9]|9[0-5])`)).waitFor();
+    await page.screenshot({ path: join(kOutput, 'turtlesim_squares.png') });
+  }, 'squares');
+});

@@ -31,6 +31,14 @@ const kMessages: Readonly<Record<string, string>> = {
   'sensor_msgs/PointCloud2':
     'std_msgs/Header header\nuint32 height\nuint32 width\nPointField[] fields\nbool is_bigendian\nuint32 point_step\nuint32 row_step\nuint8[] data\nbool is_dense',
   'sensor_msgs/CompressedImage': 'std_msgs/Header header\nstring format\nuint8[] data',
+  'sensor_msgs/JointState': 'std_msgs/Header header\nstring[] name\nfloat64[] position\nfloat64[] velocity\nfloat64[] effort',
+  'sensor_msgs/Image': 'std_msgs/Header header\nuint32 height\nuint32 width\nstring encoding\nuint8 is_bigendian\nuint32 step\nuint8[] data',
+  'geometry_msgs/PoseWithCovarianceStamped': 'std_msgs/Header header\nPoseWithCovariance pose',
+  'geometry_msgs/PointStamped': 'std_msgs/Header header\nPoint point',
+  'geometry_msgs/Point32': 'float32 x\nfloat32 y\nfloat32 z',
+  'geometry_msgs/Polygon': 'Point32[] points',
+  'geometry_msgs/PolygonStamped': 'std_msgs/Header header\nPolygon polygon',
+  'map_msgs/OccupancyGridUpdate': 'std_msgs/Header header\nint32 x\nint32 y\nuint32 width\nuint32 height\nint8[] data',
   'visualization_msgs/UVCoordinate': 'float32 u\nfloat32 v',
   'visualization_msgs/MeshFile': 'string filename\nuint8[] data',
   'visualization_msgs/Marker':
@@ -58,11 +66,14 @@ export const kWorldTopics: readonly (Pick<TopicView, 'name' | 'type'> & Partial<
   { name: '/odom', type: 'nav_msgs/msg/Odometry' },
   { name: '/particles', type: 'geometry_msgs/msg/PoseArray' },
   { name: '/markers', type: 'visualization_msgs/msg/MarkerArray' },
+  { name: '/camera', type: 'sensor_msgs/msg/Image' },
+  { name: '/camera/compressed', type: 'sensor_msgs/msg/CompressedImage' },
+  { name: '/map_updates', type: 'map_msgs/msg/OccupancyGridUpdate' },
   { name: '/words', type: 'std_msgs/msg/String' },
 ];
 
 /** Below share/meshes: tests answer for them. */
 export const kWorldFiles: readonly string[] = [
   'wedge.stl', 'wedge.bin.stl', 'wedge.dae', 'wedge.obj', 'wedge.mtl', 'wedge.gltf', 'wedge.bin', 'green.png', 'skin.dae', 'cut.stl', 'loop.dae', 'far.obj',
-  'many.stl', 'wrong.gltf', 'words.dae', 'gone.stl', 'away.dae',
+  'many.stl', 'wrong.gltf', 'words.dae', 'gone.stl', 'away.dae', 'view.rviz',
 ].map((name) => `share/meshes/${name}`);

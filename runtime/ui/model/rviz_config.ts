@@ -1,12 +1,14 @@
-// What an .rviz file says about a scene, as far as the page has the same: fixed frame, view, topics, grid, names of
-// frames, where goals go. Loaded when such a file is opened. The file may be anything.
+// What an .rviz file says about a scene, as far as the page has the same: fixed frame, view, topics and how they look,
+// pictures, grid, names of frames, where tools publish. Loaded when such a file is opened. The file may be anything.
 
 import { parseDocument } from 'yaml';
 import { kFieldOfView, readView } from './camera_view.ts';
 import type { CameraView } from './camera_view.ts';
 import { member, textMember } from './json.ts';
-import { kMostKept } from './scene_options.ts';
-import type { SceneOptions } from './scene_options.ts';
+import { readLook } from './display_look.ts';
+import type { DisplayLook, Looks } from './display_look.ts';
+import { kMostImages, kMostKept, readVariance } from './scene_options.ts';
+import type { ImageOverlay, SceneOptions } from './scene_options.ts';
 import { frameName } from './transform.ts';
 
 export interface RvizScene {
@@ -23,9 +25,11 @@ const kPictureHeight = 600;
 
 /** Displays with a topic that the scene draws. `pack` tells by the same list what the page has (bundler/launch/rviz_config.cpp). */
 export const kDrawn: ReadonlySet<string> = new Set([
-  'LaserScan', 'Map', 'Marker', 'MarkerArray', 'Odometry', 'Path', 'Pose', 'PoseArray', 'PointCloud2', 'PoseWithCovariance',
-  'RobotModel',
+  'AccelStamped', 'GridCells', 'LaserScan', 'Map', 'Marker', 'MarkerArray', 'Odometry', 'Path', 'PointCloud2', 'PointStamped',
+  'Polygon', 'Pose', 'PoseArray', 'PoseWithCovariance', 'Range', 'RobotModel', 'TwistStamped', 'Wrench', 'WrenchStamped',
 ]);
+/** Displays whose topic is shown as a picture over the scene. What Camera draws into its picture is not. */
+const kPictures: ReadonlySet<string> = new Set(['Image', 'Camera']);
 /** `rviz` is what ROS 1 calls it. */
 const kLibraries: ReadonlySet<string> = new Set(['rviz_default_plugins/', 'rviz/']);
 const kTopics = ['Topic', 'Description Topic', 'Image Topic', 'Marker Topic'] as const;
@@ -45,17 +49,30 @@ export function readRviz(text: string): RvizScene | null {
   const on = [...enabled(displays, 0)].slice(0, kMostDisplays);
   const topics = new Set<string>();
   const leftOut: string[] = [];
+  const looks: Record<string, DisplayLook> = {};
+  const images: ImageOverlay[] = [];
   for (const { kind, name, value } of on) {
     if (kind === 'Grid' || kind === 'TF') continue;
     const topic = kTopics.map((key) => topicOf(member(value, key))).find((each) => each !== '');
-    if (topic === undefined || !kDrawn.has(kind)) leftOut.push(name);
-    else topics.add(topic);
+    if (topic !== undefined && kPictures.has(kind) && images.length < kMostImages) {
+      if (!images.some((image) => image.topic === topic)) images.push({ topic, size: 'small' });
+    } else if (topic === undefined || !kDrawn.has(kind)) leftOut.push(name);
+    else {
+      topics.add(topic);
+      const look = lookOf(kind, value);
+      if (Object.keys(look).length > 0) looks[topic] = look;
+    }
   }
   const keep = member(on.find(({ kind }) => kind === 'Odometry')?.value, 'Keep');
   const frames = on.find(({ kind }) => kind === 'TF');
   const frame = frameName(textMember(member(root, 'Global Options'), 'Fixed Frame'));
   const view = viewOf(member(member(root, 'Views'), 'Current'));
-  const goal = goalOf(member(root, 'Tools'));
+  const tools = member(root, 'Tools');
+  const goal = topicOf(member(toolOf(tools, 'SetGoal'), 'Topic'));
+  const estimating = toolOf(tools, 'SetInitialPose');
+  const estimate = topicOf(member(estimating, 'Topic'));
+  const point = topicOf(member(toolOf(tools, 'PublishPoint'), 'Topic'));
+  const follow = textMember(member(member(root, 'Views'), 'Current'), 'Target Frame');
   return {
     options: {
       topics: [...topics],
@@ -65,6 +82,13 @@ export function readRviz(text: string): RvizScene | null {
       ...(frame === '' ? {} : { frame }),
       ...(view === null ? {} : { view }),
       ...(goal === '' ? {} : { goal }),
+      ...(estimate === '' ? {} : { estimate }),
+      ...(estimating === undefined ? {} : { variance: varianceOf(estimating) }),
+      ...(point === '' ? {} : { point }),
+      // RViz writes the fixed frame in brackets: `<Fixed Frame>`.
+      follow: follow.startsWith('<') ? '' : frameName(follow),
+      looks: looks satisfies Looks,
+      images,
       // 0 is without end there.
       ...(typeof keep === 'number' ? { keep: keep >= 1 && keep <= kMostKept ? keep : kMostKept } : {}),
     },
@@ -133,8 +157,61 @@ function turn(yaw: unknown): number {
   return typeof yaw === 'number' ? Math.atan2(Math.sin(yaw), Math.cos(yaw)) : NaN;
 }
 
-function goalOf(tools: unknown): string {
-  if (!Array.isArray(tools)) return '';
-  const tool = (tools as readonly unknown[]).find((one) => textMember(one, 'Class').endsWith('/SetGoal'));
-  return topicOf(member(tool, 'Topic'));
+function toolOf(tools: unknown, kind: string): unknown {
+  if (!Array.isArray(tools)) return undefined;
+  return (tools as readonly unknown[]).find((one) => textMember(one, 'Class').endsWith(`/${kind}`));
+}
+
+function varianceOf(tool: unknown): SceneOptions['variance'] {
+  const [x, y, yaw] = ['x', 'y', 'yaw'].map((name) => member(tool, `Covariance ${name}`));
+  return readVariance({ x, y, yaw });
+}
+
+/** The settings of a display that the scene has, too. Those that are as RViz has them at first are left to the scene. */
+function lookOf(kind: string, display: unknown): DisplayLook {
+  const alpha = member(display, 'Alpha');
+  const color = colorOf(member(display, kind.startsWith('Wrench') ? 'Force Color' : kind.endsWith('Stamped') && kind !== 'PointStamped' ? 'Linear Color' : 'Color'));
+  const isPoints = kind === 'LaserScan' || kind === 'PointCloud2';
+  const scheme = member(display, 'Color Scheme');
+  return readLook({
+    // A map's own usual opacity is not that of the others.
+    ...(alpha === 1 && kind !== 'Map' ? {} : { alpha }),
+    ...(isPoints ? pointLook(display) : color === null ? {} : { color }),
+    ...(kind === 'Map' ? { scheme: scheme === 'map' ? undefined : scheme } : {}),
+    ...(kind === 'RobotModel'
+      ? { hideVisual: member(display, 'Visual Enabled') === false, collision: member(display, 'Collision Enabled') === true }
+      : {}),
+  });
+}
+
+function pointLook(display: unknown): Readonly<Record<string, unknown>> {
+  const size = member(display, 'Size (Pixels)');
+  const decay = member(display, 'Decay Time');
+  const common = { ...(size === 3 ? {} : { size }), ...(decay === 0 ? {} : { decay }) };
+  switch (member(display, 'Color Transformer')) {
+    case 'FlatColor':
+      return { ...common, channel: 'flat', color: colorOf(member(display, 'Color')) };
+    case 'RGB8':
+    case 'RGBF32':
+      return { ...common, channel: 'rgb' };
+    case 'AxisColor': {
+      const bounds = member(display, 'Autocompute Value Bounds');
+      const range = member(bounds, 'Value') === false ? { least: member(bounds, 'Min Value'), most: member(bounds, 'Max Value') } : {};
+      return { ...common, channel: textMember(display, 'Axis', 'Z').toLowerCase(), ...range };
+    }
+    case 'Intensity': {
+      const isFixed = member(display, 'Autocompute Intensity Bounds') === false;
+      const range = isFixed ? { least: member(display, 'Min Intensity'), most: member(display, 'Max Intensity') } : {};
+      return { ...common, channel: textMember(display, 'Channel Name', 'intensity'), ...range };
+    }
+    default:
+      return common;
+  }
+}
+
+/** `255; 128; 0` as `#ff8000`; null: it is none. */
+function colorOf(value: unknown): string | null {
+  const parts = typeof value === 'string' ? value.split(';').map(Number) : [];
+  const isColor = parts.length === 3 && parts.every((part) => Number.isInteger(part) && part >= 0 && part <= 255);
+  return isColor ? `#${parts.map((part) => part.toString(16).padStart(2, '0')).join('')}` : null;
 }

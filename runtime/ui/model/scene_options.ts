@@ -1,9 +1,27 @@
-// What a scene's panel keeps: fixed frame, view, what is shown. It comes from links too.
+// What a scene's panel keeps: fixed frame, view, what is shown and how, where its tools publish. It comes from links too.
 
 import { readView, writeView } from './camera_view.ts';
 import type { CameraView } from './camera_view.ts';
+import { readLooks, writeLooks } from './display_look.ts';
+import type { Looks } from './display_look.ts';
 import { flagMember, member, numberMember, textMember, textsMember } from './json.ts';
 import type { Json } from './json.ts';
+
+export const kImageSizes = ['small', 'medium', 'large'] as const;
+export type ImageSize = (typeof kImageSizes)[number];
+
+/** A picture over the scene. */
+export interface ImageOverlay {
+  readonly topic: string;
+  readonly size: ImageSize;
+}
+
+/** Metres squared, and radians squared of the heading. */
+export interface PoseVariance {
+  readonly x: number;
+  readonly y: number;
+  readonly yaw: number;
+}
 
 export interface SceneOptions {
   /** Empty: one that suits. */
@@ -18,6 +36,15 @@ export interface SceneOptions {
   readonly topics: readonly string[] | null;
   /** Where goals are published. */
   readonly goal: string;
+  /** Where estimates of the robot's pose are published. */
+  readonly estimate: string;
+  readonly variance: PoseVariance;
+  /** Where points are published. */
+  readonly point: string;
+  /** The frame that the view goes with; empty: the fixed one. */
+  readonly follow: string;
+  readonly looks: Looks;
+  readonly images: readonly ImageOverlay[];
   /** How many arrows of odometry stay. */
   readonly keep: number;
 }
@@ -27,6 +54,10 @@ export const kMostKept = 1000;
 const kUsuallyKept = 100;
 
 const kMostTopics = 100;
+export const kMostImages = 6;
+/** As RViz: half a metre, and 15 degrees, which it keeps as a float32. */
+const kUsualVariance: PoseVariance = { x: 0.25, y: 0.25, yaw: Math.fround((Math.PI / 12) ** 2) };
+const kMostVariance = 1e6;
 
 export function readOptions(state: Json): SceneOptions {
   return {
@@ -38,20 +69,41 @@ export function readOptions(state: Json): SceneOptions {
     list: flagMember(state, 'list', true),
     topics: member(state, 'topics') === undefined ? null : textsMember(state, 'topics', kMostTopics),
     goal: textMember(state, 'goal', '/goal_pose'),
+    estimate: textMember(state, 'estimate', '/initialpose'),
+    variance: readVariance(member(state, 'variance')),
+    point: textMember(state, 'point', '/clicked_point'),
+    follow: textMember(state, 'follow'),
+    looks: readLooks(member(state, 'looks')),
+    images: readImages(member(state, 'images')),
     keep: Math.round(numberMember(state, 'keep', 1, kMostKept, kUsuallyKept)),
   };
 }
 
-export function writeOptions({ frame, view, grid, frames, names, list, topics, goal, keep }: SceneOptions): Json {
+export function readVariance(value: unknown): PoseVariance {
+  const at = (name: 'x' | 'y' | 'yaw'): number => numberMember(value, name, 0, kMostVariance, kUsualVariance[name]);
+  return { x: at('x'), y: at('y'), yaw: at('yaw') };
+}
+
+function readImages(value: unknown): readonly ImageOverlay[] {
+  if (!Array.isArray(value)) return [];
+  return value
+    .slice(0, kMostImages)
+    .map((one: unknown) => ({
+      topic: textMember(one, 'topic'),
+      size: kImageSizes.find((size) => size === member(one, 'size')) ?? 'small',
+    }))
+    .filter(({ topic }) => topic !== '');
+}
+
+export function writeOptions({ view, topics, looks, variance, images, follow, ...plain }: SceneOptions): Json {
+  const isUsual = variance.x === kUsualVariance.x && variance.y === kUsualVariance.y && variance.yaw === kUsualVariance.yaw;
   return {
-    frame,
+    ...plain,
     view: writeView(view),
-    grid,
-    frames,
-    names,
-    list,
-    goal,
-    keep,
+    ...(follow === '' ? {} : { follow }),
     ...(topics === null ? {} : { topics: [...topics] }),
+    ...(Object.keys(looks).length === 0 ? {} : { looks: writeLooks(looks) }),
+    ...(isUsual ? {} : { variance: { ...variance } }),
+    ...(images.length === 0 ? {} : { images: images.map((one) => ({ ...one })) }),
   };
 }

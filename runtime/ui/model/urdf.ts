@@ -1,5 +1,6 @@
-// A robot description (URDF) as far as it is seen: of each link the shapes, where they are in it and their colours.
-// The text may be anything. Joints are left to who publishes /tf.
+// A robot description (URDF) as far as it is seen: of each link the shapes, those
+// for seeing and those for collisions, where they are in it and their colours.
+// The text may be anything. Joints are read by model/joints.ts; where links are is told by /tf.
 
 import { fromRollPitchYaw, kIdentity } from './transform.ts';
 import type { Transform, Vector } from './transform.ts';
@@ -24,6 +25,8 @@ export interface Visual {
 export interface RobotLink {
   readonly name: string;
   readonly visuals: readonly Visual[];
+  /** What stands for the link when collisions are looked for. Without colours. */
+  readonly collisions: readonly Visual[];
 }
 
 export interface Robot {
@@ -53,14 +56,17 @@ export function readUrdf(text: string): Robot | UrdfFault {
   let count = 0;
   let leftOut = 0;
   const links = childrenOf(robot, 'link').slice(0, kMostLinks).map((link): RobotLink => {
-    const visuals: Visual[] = [];
-    for (const element of childrenOf(link, 'visual')) {
-      const visual = count < kMostVisuals ? visualOf(element, colors) : null;
-      if (visual === null) leftOut += 1;
-      else visuals.push(visual);
-      count += 1;
-    }
-    return { name: link.attributes.get('name') ?? '', visuals };
+    const shapes = (name: string): readonly Visual[] => {
+      const found: Visual[] = [];
+      for (const element of childrenOf(link, name)) {
+        const visual = count < kMostVisuals ? visualOf(element, colors) : null;
+        if (visual === null) leftOut += 1;
+        else found.push(visual);
+        count += 1;
+      }
+      return found;
+    };
+    return { name: link.attributes.get('name') ?? '', visuals: shapes('visual'), collisions: shapes('collision') };
   });
   return { name: robot.attributes.get('name') ?? '', links, leftOut };
 }

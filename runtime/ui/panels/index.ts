@@ -1,11 +1,14 @@
 // The panels of the page, one row each, in the order of the "+" menu.
 
 import type { SiteDescription } from '../../wasm_js/session.ts';
+import { textMember } from '../model/json.ts';
 import { texts } from '../texts.ts';
 import { ConsolePanel } from './console.tsx';
 import { NodesPanel } from './nodes.tsx';
 import type { PanelRow } from './panel_props.ts';
 import { TopicsPanel } from './topics.tsx';
+
+const kMostOpened = 4;
 
 export const panels: readonly PanelRow[] = [
   {
@@ -145,6 +148,14 @@ export const panels: readonly PanelRow[] = [
     source: { kind: 'lazy', load: () => import('./scene.tsx').then((file) => file.ScenePanel) },
   },
   {
+    id: 'joints',
+    title: texts.panels.joints,
+    icon: 'sliders',
+    many: true,
+    keeps: true,
+    source: { kind: 'lazy', load: () => import('./joints.tsx').then((file) => file.JointsPanel) },
+  },
+  {
     id: 'services',
     title: texts.panels.services,
     icon: 'call',
@@ -185,29 +196,47 @@ export function panelRow(id: string): PanelRow | undefined {
 
 /** The usual layout of a site, in the form of model/layout_text.ts: for a wide page, or one with room for two columns. */
 export function usualLayout(wide: boolean, site: SiteDescription): unknown {
-  const placed = (place: 'guide' | 'stage' | 'list'): readonly string[] =>
+  const placed = (place: 'guide' | 'stage' | 'list'): readonly Pane[] =>
     panels
       .filter(({ usual }) => usual?.place === place && usual.when(site))
       .map(({ id }) => id);
   const guide = placed('guide');
-  const stage = placed('stage');
-  const list = ['nodes', ...placed('list')];
+  const stage = [...placed('stage'), ...opened(site)];
+  const list: readonly Pane[] = ['nodes', ...placed('list')];
   const seen = column([...stage, 'console'], 3, 2);
   if (!wide)
     return {
       row: [column([...guide, ...list, 'topics']), seen],
       sizes: [2, 3],
-      shown: guide[0] ?? stage[0] ?? 'console',
+      shown: nameOf(guide[0] ?? stage[0] ?? 'console'),
     };
-  const shown = stage[0] ?? guide[0] ?? 'console';
+  const shown = nameOf(stage[0] ?? guide[0] ?? 'console');
   if (guide.length === 0) return { row: [column(list), seen, 'topics'], sizes: [19, 56, 25], shown };
   const middle = stage.length === 0 ? column([...list, 'console'], 1, 2) : seen;
   const right = stage.length === 0 ? 'topics' : column([...list, 'topics']);
   return { row: [column(guide), middle, right], sizes: [33, 42, 25], shown };
 }
 
+/** The id of a panel, with its state or without. */
+type Pane = string | Readonly<Record<string, unknown>>;
+
+function nameOf(pane: Pane): string {
+  return typeof pane === 'string' ? pane : (Object.keys(pane)[0] ?? '');
+}
+
+/** What does the work of programs of the launch file that are left out, such as rviz2. */
+function opened(site: SiteDescription): readonly Pane[] {
+  const { opens } = site.ui;
+  if (!Array.isArray(opens)) return [];
+  return (opens as readonly unknown[]).slice(0, kMostOpened).flatMap((one): readonly Pane[] => {
+    const [panel, file] = [textMember(one, 'panel'), textMember(one, 'file')];
+    if (panelRow(panel) === undefined) return [];
+    return [file === '' ? panel : { [panel]: { file } }];
+  });
+}
+
 /** Below each other, each of that size and the last one of its own. */
-function column(panes: readonly string[], each = 1, last = 1): unknown {
+function column(panes: readonly Pane[], each = 1, last = 1): unknown {
   return panes.length === 1
     ? panes[0]
     : { column: panes, sizes: panes.map((_, index) => (index === panes.length - 1 ? last : each)) };

@@ -1,26 +1,32 @@
-// A scene in three dimensions: the frames of /tf, what topics tell, and goals that are set with the pointer.
+// A scene in three dimensions: the frames of /tf, what topics tell, pictures over it, and tools for the pointer.
 // State: model/scene_options.ts.
 
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
-import type { PagePublisher } from '../../wasm_js/session.ts';
 import { kUsualView } from '../model/camera_view.ts';
-import { stampOf } from '../model/draft_value.ts';
+import { kPlainLook, withLook } from '../model/display_look.ts';
 import { isHiddenTopic } from '../model/hidden_names.ts';
+import { member, textMember } from '../model/json.ts';
 import { problemOf } from '../model/problem.ts';
-import { readOptions, writeOptions } from '../model/scene_options.ts';
+import { kMostImages, readOptions, writeOptions } from '../model/scene_options.ts';
 import type { SceneOptions } from '../model/scene_options.ts';
-import { fromRollPitchYaw } from '../model/transform.ts';
 import { IconButton } from '../parts/button.tsx';
+import { isImage } from '../parts/image_drawing.ts';
 import { MenuButton } from '../parts/menu.tsx';
 import { useCodec } from '../parts/message_feed.ts';
 import { PanelFrame } from '../parts/panel.tsx';
+import { SceneDetails } from '../parts/scene_details.tsx';
+import type { Inspected } from '../parts/scene_details.tsx';
+import { SceneImages } from '../parts/scene_images.tsx';
 import { SceneList } from '../parts/scene_list.tsx';
+import { SceneToolButtons } from '../parts/scene_tools.tsx';
+import { SceneTroubles } from '../parts/scene_troubles.tsx';
 import { chooseText, readSiteText } from '../parts/site_text.ts';
 import { useTopics } from '../parts/watch.ts';
-import type { GoalPose } from '../scene/camera_control.ts';
-import { canShow, kOdometry } from '../scene/kinds.ts';
+import { canShow, kOdometry, settingsOf } from '../scene/kinds.ts';
+import type { Picked } from '../scene/pick.ts';
 import { useScene } from '../scene/use_scene.ts';
 import type { ShownTopic } from '../scene/use_scene.ts';
+import { useTools } from '../scene/use_tools.ts';
 import { texts } from '../texts.ts';
 import { panelTexts } from '../texts_panels.ts';
 import type { PanelProps } from './panel_props.ts';
@@ -29,20 +35,25 @@ import type { PanelProps } from './panel_props.ts';
 const kMostUnasked = 20;
 const kMostOffers = 1000;
 const kMostFiles = 20;
-const kPose = 'geometry_msgs/msg/PoseStamped';
+const kMostFields = 30;
 
 export function ScenePanel({ session, state, setState, announce }: PanelProps) {
   const options = useMemo(() => readOptions(state), [state]);
   const codec = useCodec(session);
+  const ready = codec === null || typeof codec === 'string' ? null : codec;
   const topics = useTopics(session);
-  const [goalMode, setGoalMode] = useState(false);
-  const [said, setSaid] = useState('');
-  const publisher = useRef<PagePublisher | null>(null);
+  const [inspected, inspect] = useState<Inspected | null>(null);
 
   const latest = useRef({ options, setState });
   latest.current = { options, setState };
-  const change = (next: Partial<SceneOptions>): void =>
-    latest.current.setState(writeOptions({ ...latest.current.options, ...next }));
+  const change = (next: Partial<SceneOptions>): void => {
+    // More than one change may come before the page has told of the first.
+    latest.current.options = { ...latest.current.options, ...next };
+    latest.current.setState(writeOptions(latest.current.options));
+  };
+  const tools = useTools(session, codec, options, announce, (picked: Picked | null, frame) => {
+    inspect(picked?.part == null ? null : { topic: picked.part.topic, hit: { place: picked.place, frame, part: picked.part } });
+  });
 
   const known = topics
     .filter(({ name, type }) => canShow(name, type))
@@ -51,36 +62,6 @@ export function ScenePanel({ session, state, setState, announce }: PanelProps) {
   const isOn = (name: string): boolean =>
     options.topics === null ? usual.some((topic) => topic.name === name) : options.topics.includes(name);
   const shown: readonly ShownTopic[] = known.filter(({ name }) => isOn(name));
-
-  useEffect(() => {
-    if (!goalMode) return undefined;
-    publisher.current = session.node().publisher(options.goal, kPose);
-    setSaid(panelTexts.scene.goalHint);
-    return () => {
-      publisher.current?.close();
-      publisher.current = null;
-      setSaid('');
-    };
-  }, [session, goalMode, options.goal]);
-
-  const say = (words: string): void => {
-    setSaid(words);
-    announce(words);
-  };
-  const publishGoal = (goal: GoalPose, frame: string): void => say(sendGoal(goal, frame));
-  const sendGoal = ({ place: [x, y], heading }: GoalPose, frame: string): string => {
-    if (frame === '') return panelTexts.scene.goalNoFrame;
-    if (codec === null || typeof codec === 'string' || publisher.current === null) return texts.topics.decoding;
-    const [qx, qy, qz, qw] = fromRollPitchYaw(0, 0, heading);
-    const encoded = codec.encode(kPose, {
-      header: { stamp: stampOf(session.time.view().now), frame_id: frame },
-      pose: { position: { x, y, z: 0 }, orientation: { x: qx, y: qy, z: qz, w: qw } },
-    });
-    if (encoded.kind !== 'bytes') return panelTexts.text.failed(encoded.reason);
-    const problem = publisher.current.problem ?? publisher.current.publish(encoded.bytes);
-    if (problem !== undefined) return panelTexts.text.failed(problem.message);
-    return panelTexts.scene.goalSent(x.toFixed(2), y.toFixed(2), ((heading * 180) / Math.PI).toFixed(0));
-  };
 
   const files = useMemo(
     () => session.site.files.map(({ path }) => path).filter((path) => path.endsWith('.rviz')).slice(0, kMostFiles),
@@ -92,18 +73,26 @@ export function ScenePanel({ session, state, setState, announce }: PanelProps) {
       const { readRviz } = await import('../model/rviz_config.ts');
       const scene = readRviz(text);
       if (scene !== null) change(scene.options);
-      say(scene === null ? panelTexts.scene.noRviz(name) : panelTexts.scene.rvizRead(name, scene.leftOut));
+      tools.say(scene === null ? panelTexts.scene.noRviz(name) : panelTexts.scene.rvizRead(name, scene.leftOut));
     } catch (error) {
-      say(panelTexts.text.failed(problemOf(error).what));
+      tools.say(panelTexts.text.failed(problemOf(error).what));
     }
   };
 
-  const { canvas, view, tree, problem, forget, unreadable } = useScene({
-    session, codec, options, shown, goalMode,
+  // What the panel is to show at first, by a file of the site: from then on it is as its visitor wants it.
+  const asked = textMember(state, 'file');
+  useEffect(() => {
+    if (asked !== '' && files.includes(asked)) void showAs(readSiteText(asked).then((text) => ({ name: nameOf(asked), text })));
+  }, [asked]);
+
+  const { canvas, view, tree, problem, forget, unreadable, newest } = useScene({
+    session, codec, options, shown, aims: tools.aims,
     onView: (next) => change({ view: next }),
-    onGoal: publishGoal,
-    onLeaveGoalMode: () => setGoalMode(false),
+    onPose: tools.onPose,
+    onPick: tools.onPick,
+    onLeaveTool: () => tools.choose(null),
   });
+  useEffect(() => view?.measure(tools.measured), [view, tools.measured]);
 
   // Roots first: those are what one wants to see from.
   const frames = [...new Set([...tree.roots(), ...tree.views().map(({ name }) => name)])].slice(0, kMostOffers);
@@ -113,16 +102,24 @@ export function ScenePanel({ session, state, setState, announce }: PanelProps) {
     type,
     on: isOn(name),
     problem: isOn(name) ? (unreadable.get(name) ?? view?.problem(name) ?? '') : '',
+    settings: settingsOf(name, type),
+    look: options.looks[name] ?? kPlainLook,
+    fields: fieldsOf(newest(name)),
   }));
   const loops = tree.loops().map(([first]) => panelTexts.scene.loop(first ?? ''));
   const note = [unreadable.get('') ?? '', ...loops.slice(0, 3)].filter((one) => one !== '').join('; ');
+  const troubles = [...(note === '' ? [] : [note]), ...rows.filter((row) => row.problem !== '').map((row) => `${row.name}: ${row.problem}`)];
+  const pictures = [...new Set([
+    ...topics.filter(({ type }) => isImage(type)).map(({ name }) => name).toSorted(),
+    ...options.images.map(({ topic }) => topic),
+  ])].slice(0, kMostOffers);
 
   return (
     <PanelFrame
       id="scene"
       title={texts.panels.scene}
       icon="scene"
-      note={said === '' && view !== null ? panelTexts.scene.frameCount(view.frameCount) : said}
+      note={tools.said === '' && view !== null ? panelTexts.scene.frameCount(view.frameCount) : tools.said}
       tools={
         <>
           <select
@@ -156,12 +153,7 @@ export function ScenePanel({ session, state, setState, announce }: PanelProps) {
             label={panelTexts.scene.home}
             onClick={() => change({ view: { ...kUsualView, top: options.view.top } })}
           />
-          <IconButton
-            icon="goal"
-            label={panelTexts.scene.goal(options.goal)}
-            pressed={goalMode}
-            onClick={() => setGoalMode(!goalMode)}
-          />
+          <SceneToolButtons tool={tools.tool} choose={tools.choose} options={options} />
           <MenuButton
             icon="layout"
             label={panelTexts.scene.rviz}
@@ -189,6 +181,7 @@ export function ScenePanel({ session, state, setState, announce }: PanelProps) {
               { words: panelTexts.scene.names, on: options.names, set: (names) => change({ names }) },
             ]}
             keep={shown.some(({ type }) => type === kOdometry) ? { count: options.keep, set: (keep) => change({ keep }) } : null}
+            follow={{ frame: options.follow, frames, set: (follow) => change({ follow }) }}
             rows={rows}
             note={note}
             onRow={(name, on) => {
@@ -196,15 +189,41 @@ export function ScenePanel({ session, state, setState, announce }: PanelProps) {
               const kept = (options.topics ?? []).filter((other) => other !== name && !others.includes(other));
               change({ topics: [...others, ...kept, ...(on ? [name] : [])] });
             }}
+            onLook={(name, look) => change({ looks: withLook(latest.current.options.looks, name, look) })}
+            onDetails={(topic) => inspect({ topic, hit: null })}
+            images={pictures.map((topic) => ({
+              topic,
+              on: options.images.some((image) => image.topic === topic),
+              set: (on) => {
+                const others = options.images.filter((image) => image.topic !== topic);
+                change({ images: [...others, ...(on ? [{ topic, size: 'small' as const }] : [])].slice(-kMostImages) });
+              },
+            }))}
           />
         ) : null}
-        <canvas
-          class={`scene-canvas ${goalMode ? 'scene-goal' : ''}`}
-          role="application"
-          aria-label={panelTexts.scene.canvas}
-          tabIndex={0}
-          ref={canvas}
-        />
+        <div class="scene-stage">
+          <canvas
+            class={`scene-canvas ${tools.tool === null ? '' : 'scene-tool'}`}
+            role="application"
+            aria-label={panelTexts.scene.canvas}
+            tabIndex={0}
+            ref={canvas}
+          />
+          {tools.tool === null ? null : <span class="scene-cross" aria-hidden="true" />}
+          {ready === null || options.images.length === 0 ? null : (
+            <SceneImages session={session} codec={ready} images={options.images} set={(images) => change({ images })} />
+          )}
+          {options.list || troubles.length === 0 ? null : <SceneTroubles troubles={troubles} />}
+          {inspected === null ? null : (
+            <SceneDetails
+              inspected={inspected}
+              type={known.find(({ name }) => name === inspected.topic)?.type ?? ''}
+              message={newest(inspected.topic)}
+              codec={ready}
+              close={() => inspect(null)}
+            />
+          )}
+        </div>
       </div>
     </PanelFrame>
   );
@@ -212,4 +231,13 @@ export function ScenePanel({ session, state, setState, announce }: PanelProps) {
 
 function nameOf(path: string): string {
   return path.slice(path.lastIndexOf('/') + 1);
+}
+
+/** Of a point cloud: by what its points can be coloured. */
+function fieldsOf(message: unknown): readonly string[] {
+  const fields = member(message, 'fields');
+  if (!Array.isArray(fields)) return [];
+  return (fields.slice(0, kMostFields) as readonly unknown[])
+    .map((field) => textMember(field, 'name'))
+    .filter((name) => name !== '' && name !== 'rgba');
 }

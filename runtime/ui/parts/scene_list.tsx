@@ -1,8 +1,15 @@
-// The list of what a scene shows: grid and frames, then every topic that it can show, each with why it does not.
+// The list of what a scene shows: grid and frames, then every topic that it can show, each with why it does not, how it
+// looks and what it says, then the pictures over it.
 
+import { useState } from 'preact/hooks';
+import type { DisplayLook, Setting } from '../model/display_look.ts';
 import { panelTexts } from '../texts_panels.ts';
+import { sceneTexts } from '../texts_scene.ts';
 import { viewTexts } from '../texts_views.ts';
+import { IconButton } from './button.tsx';
 import { Name } from './name.tsx';
+import { SceneSettings } from './scene_settings.tsx';
+import type { LookChange } from './scene_settings.tsx';
 
 export interface SceneRow {
   readonly name: string;
@@ -10,20 +17,28 @@ export interface SceneRow {
   readonly on: boolean;
   /** Why it is not shown, or not all of it; empty: it is. */
   readonly problem: string;
+  readonly settings: readonly Setting[];
+  readonly look: DisplayLook;
+  readonly fields: readonly string[];
 }
 
 export interface SceneListProps {
   readonly flags: readonly { readonly words: string; readonly on: boolean; readonly set: (on: boolean) => void }[];
   /** How many arrows of odometry stay; null: no odometry is shown. */
   readonly keep: { readonly count: number; readonly set: (count: number) => void } | null;
+  readonly follow: { readonly frame: string; readonly frames: readonly string[]; readonly set: (frame: string) => void };
   readonly rows: readonly SceneRow[];
   readonly onRow: (name: string, on: boolean) => void;
+  readonly onLook: (name: string, change: LookChange) => void;
+  readonly onDetails: (name: string) => void;
+  readonly images: readonly { readonly topic: string; readonly on: boolean; readonly set: (on: boolean) => void }[];
   readonly note: string;
 }
 
 const kKeeps: readonly number[] = [1, 10, 100, 1000];
 
-export function SceneList({ flags, keep, rows, onRow, note }: SceneListProps) {
+export function SceneList({ flags, keep, follow, rows, onRow, onLook, onDetails, images, note }: SceneListProps) {
+  const [opened, open] = useState('');
   return (
     <div class="scene-list" role="group" aria-label={panelTexts.scene.list}>
       {flags.map(({ words, on, set }) => (
@@ -47,26 +62,60 @@ export function SceneList({ flags, keep, rows, onRow, note }: SceneListProps) {
           {viewTexts.scene.keep}
         </label>
       )}
+      <label class="scene-setting">
+        <span>{sceneTexts.follow}</span>
+        <select class="select" value={follow.frame} onChange={(event) => follow.set(event.currentTarget.value)}>
+          <option value="">{sceneTexts.followNone}</option>
+          {[...new Set([...follow.frames, ...(follow.frame === '' ? [] : [follow.frame])])].map((name) => (
+            <option key={name} value={name}>{name}</option>
+          ))}
+        </select>
+      </label>
       {note === '' ? null : <p class="scene-problem">{note}</p>}
       <ul class="scene-topics" role="list">
-        {rows.map(({ name, type, on, problem }) => (
+        {rows.map(({ name, type, on, problem, settings, look, fields }) => (
           <li key={name}>
-            <label class="check">
-              <input
-                type="checkbox"
-                checked={on}
-                onChange={(event) => onRow(name, event.currentTarget.checked)}
-              />
-              <span class="scene-topic">
-                <Name text={name} />
-                <span class="scene-type">{type.split('/').at(-1)}</span>
-              </span>
-            </label>
+            <div class="scene-row">
+              <label class="check">
+                <input
+                  type="checkbox"
+                  checked={on}
+                  onChange={(event) => onRow(name, event.currentTarget.checked)}
+                />
+                <span class="scene-topic">
+                  <Name text={name} />
+                  <span class="scene-type">{type.split('/').at(-1)}</span>
+                </span>
+              </label>
+              {on ? <IconButton icon="info" label={sceneTexts.details(name)} onClick={() => onDetails(name)} /> : null}
+              {on && settings.length > 0 ? (
+                <IconButton
+                  icon="sliders"
+                  label={sceneTexts.settings(name)}
+                  pressed={opened === name}
+                  onClick={() => open(opened === name ? '' : name)}
+                />
+              ) : null}
+            </div>
             {problem === '' ? null : <p class="scene-problem">{problem}</p>}
+            {on && opened === name && settings.length > 0 ? (
+              <SceneSettings topic={name} settings={settings} look={look} fields={fields} change={(change) => onLook(name, change)} />
+            ) : null}
           </li>
         ))}
       </ul>
       {rows.length === 0 ? <p class="hint">{panelTexts.scene.noTopics}</p> : null}
+      {images.length === 0 ? null : (
+        <fieldset class="scene-pictures">
+          <legend>{sceneTexts.images}</legend>
+          {images.map(({ topic, on, set }) => (
+            <label class="check" key={topic}>
+              <input type="checkbox" checked={on} onChange={(event) => set(event.currentTarget.checked)} />
+              <span class="scene-topic"><Name text={topic} /></span>
+            </label>
+          ))}
+        </fieldset>
+      )}
     </div>
   );
 }

@@ -1,4 +1,5 @@
-// Drives a turtle with the moves of turtle_teleop_key: by arrow keys, and by a pad whose buttons may be held.
+// Drives a turtle with the moves of turtle_teleop_key: by arrow keys, by the letters around F, which turn it to a heading,
+// and by a pad whose buttons may be held.
 
 import { useEffect, useMemo, useRef } from 'preact/hooks';
 import type { PagePublisher, PageTimer, Session } from '../../wasm_js/session.ts';
@@ -7,6 +8,7 @@ import { problemOf } from '../model/problem.ts';
 import { panelTexts } from '../texts_panels.ts';
 import { Icon } from './icon.tsx';
 import { matched } from './matched.ts';
+import { TurtleHeading } from './turtle_heading.ts';
 import { useLetGo } from './use_let_go.ts';
 
 const kTwist = 'geometry_msgs/msg/Twist';
@@ -28,7 +30,7 @@ const kMoveNames = ['forward', 'left', 'back', 'right'] as const satisfies reado
 
 export interface TurtleDrive {
   readonly move: (move: TurtleMove) => void;
-  /** Takes the key if it is an arrow by itself. */
+  /** Takes the key if it is an arrow, or one of the letters, by itself. */
   readonly key: (event: KeyboardEvent) => void;
   /** Moves until release(), by the site's time. */
   readonly hold: (move: TurtleMove) => void;
@@ -52,6 +54,7 @@ export function useTurtleDrive(
 class Driver implements TurtleDrive {
   private outlet: { readonly publisher: PagePublisher; readonly ready: Promise<void> } | null = null;
   private timer: PageTimer | null = null;
+  private heading: TurtleHeading | null = null;
   private closed = false;
   private readonly session: Session;
   private readonly codec: Codec | null;
@@ -71,8 +74,17 @@ class Driver implements TurtleDrive {
 
   readonly key = (event: KeyboardEvent): void => {
     if (event.defaultPrevented || event.ctrlKey || event.altKey || event.metaKey || event.shiftKey) return;
+    if (this.topic === '') return;
+    if (TurtleHeading.knows(event.key) && this.codec !== null) {
+      event.preventDefault();
+      // The topic is the turtle's `cmd_vel`, and its action lies beside that.
+      const action = `${this.topic.slice(0, this.topic.lastIndexOf('/'))}/rotate_absolute`;
+      this.heading ??= new TurtleHeading(this.session, this.codec, action);
+      this.heading.key(event.key).then(() => this.tell(''), (error: unknown) => this.tell(problemOf(error).what));
+      return;
+    }
     const move = kMoveNames.find((name) => kMoves[name].key === event.key);
-    if (move === undefined || this.topic === '') return;
+    if (move === undefined) return;
     event.preventDefault();
     this.move(move);
   };
@@ -92,6 +104,7 @@ class Driver implements TurtleDrive {
     this.closed = true;
     this.release();
     this.outlet?.publisher.close();
+    this.heading?.close();
   }
 
   private async send(move: TurtleMove): Promise<void> {

@@ -1,5 +1,6 @@
-// Turns, moves and zooms a view: by mouse, by one or two fingers, by keys. In goal mode one pointer sets a pose on the
-// ground instead: where it goes down is the place, whereto it is drawn the heading.
+// Turns, moves and zooms a view: by mouse, by one or two fingers, by keys. With a tool for poses one pointer sets a pose
+// on the ground instead: where it goes down is the place, whereto it is drawn the heading. With a tool for points a press
+// that goes nowhere is one. Keys do both in the middle of the picture.
 
 import { panned, turned, zoomed } from '../model/camera_view.ts';
 import type { CameraView } from '../model/camera_view.ts';
@@ -12,15 +13,18 @@ export interface CameraHost {
   /** It rests again: worth keeping. */
   settle(): void;
   home(): void;
-  isGoalMode(): boolean;
+  /** What the tool in hand sets; null: none is. */
+  aims(): 'pose' | 'point' | null;
   groundAt(x: number, y: number): Vector | null;
-  /** While a goal is drawn; null when it was given up. */
-  aim(goal: GoalPose | null): void;
-  setGoal(goal: GoalPose): void;
-  leaveGoalMode(): void;
+  /** While a pose is drawn; null when it was given up. */
+  aim(pose: GroundPose | null): void;
+  setPose(pose: GroundPose): void;
+  /** In pixels of the canvas. */
+  setPoint(x: number, y: number): void;
+  leaveTool(): void;
 }
 
-export interface GoalPose {
+export interface GroundPose {
   readonly place: Vector;
   /** A yaw in radians. */
   readonly heading: number;
@@ -35,10 +39,15 @@ const kTurnStep = 40; // pixels' worth, for one press of a key
 const kZoomStep = 1.2;
 const kLeastDrag = 8; // pixels, below which a goal has no heading of its own
 const kUsualHeight = 400;
+const kHeadingStep = Math.PI / 12; // for one press of a key
 
 export function controlCamera(canvas: HTMLCanvasElement, host: CameraHost): () => void {
   const pointers = new Map<number, Pointer>();
   let goalStart: { readonly place: Vector; readonly x: number; readonly y: number } | null = null;
+  /** Where the pointer of a tool for points went down, until it is further than a press. */
+  let press: Pointer | null = null;
+  /** What keys have turned the heading by. */
+  let keyTurn = 0;
   let settling: ReturnType<typeof setTimeout> | undefined;
   const abort = new AbortController();
   const height = (): number => canvas.clientHeight || kUsualHeight;
@@ -53,14 +62,16 @@ export function controlCamera(canvas: HTMLCanvasElement, host: CameraHost): () =
     canvas.setPointerCapture(event.pointerId);
     if (event.pointerType === 'mouse') event.preventDefault(); // no text is selected, no autoscroll begins
     canvas.focus({ preventScroll: true });
-    const isGoal = host.isGoalMode() && pointers.size === 1 && event.button === 0;
+    const isFirst = pointers.size === 1 && event.button === 0;
+    press = host.aims() === 'point' && isFirst ? { ...at } : null;
+    const isGoal = host.aims() === 'pose' && isFirst;
     const place = isGoal ? host.groundAt(at.x, at.y) : null;
     if (goalStart !== null) host.aim(null); // a second finger: not a goal after all
     goalStart = place === null ? null : { place, ...at };
     if (place !== null) host.aim({ place, heading: 0 });
   };
 
-  const goalAt = (at: Pointer): GoalPose | null => {
+  const goalAt = (at: Pointer): GroundPose | null => {
     if (goalStart === null) return null;
     const { place, x, y } = goalStart;
     const end = Math.hypot(at.x - x, at.y - y) < kLeastDrag ? null : host.groundAt(at.x, at.y);
@@ -77,6 +88,8 @@ export function controlCamera(canvas: HTMLCanvasElement, host: CameraHost): () =
       host.aim(goal);
       return;
     }
+    if (press !== null && Math.hypot(at.x - press.x, at.y - press.y) < kLeastDrag) return;
+    press = null;
     const [dx, dy] = [at.x - pointer.x, at.y - pointer.y];
     const before = spanOf(pointers);
     [pointer.x, pointer.y] = [at.x, at.y];
@@ -98,7 +111,10 @@ export function controlCamera(canvas: HTMLCanvasElement, host: CameraHost): () =
     if (goalStart !== null) {
       goalStart = null;
       host.aim(null);
-      if (goal !== null) host.setGoal(goal);
+      if (goal !== null) host.setPose(goal);
+    } else if (press !== null) {
+      if (event.type === 'pointerup') host.setPoint(press.x, press.y);
+      press = null;
     } else if (pointers.size === 0) {
       host.settle();
     }
@@ -112,14 +128,36 @@ export function controlCamera(canvas: HTMLCanvasElement, host: CameraHost): () =
     settling = setTimeout(() => host.settle(), 300);
   };
 
+  /** In the middle of the picture. False: the tool has no use for the key. */
+  const toolKey = (name: string): boolean => {
+    const [x, y] = [canvas.clientWidth / 2, canvas.clientHeight / 2];
+    const aims = host.aims();
+    if (name === 'Escape') {
+      host.aim(null);
+      host.leaveTool();
+    } else if (aims === 'point' && name === 'Enter') {
+      host.setPoint(x, y);
+    } else if (aims === 'pose' && (name === 'Enter' || name === '[' || name === ']')) {
+      keyTurn += name === '[' ? kHeadingStep : name === ']' ? -kHeadingStep : 0;
+      const place = host.groundAt(x, y);
+      // Away from the eye: as one looks, so one goes.
+      const ahead = host.view().top ? 0 : turnedBack(host.view().azimuth);
+      const pose = place === null ? null : { place, heading: wrapped(ahead + keyTurn) };
+      if (name !== 'Enter') host.aim(pose);
+      else if (pose !== null) {
+        host.aim(null);
+        host.setPose(pose);
+      }
+    } else {
+      return false;
+    }
+    return true;
+  };
+
   const key = (event: KeyboardEvent): void => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
-    if (host.isGoalMode() && (event.key === 'Enter' || event.key === 'Escape')) {
+    if (host.aims() !== null && toolKey(event.key)) {
       event.preventDefault();
-      const place = event.key === 'Enter' ? host.groundAt(canvas.clientWidth / 2, canvas.clientHeight / 2) : null;
-      if (event.key === 'Escape') host.leaveGoalMode();
-      // Away from the eye: as one looks, so one goes.
-      else if (place !== null) host.setGoal({ place, heading: host.view().top ? 0 : turnedBack(host.view().azimuth) });
       return;
     }
     const next = keyed(host.view(), event.key, event.shiftKey, height());
@@ -172,6 +210,10 @@ export function keyed(view: CameraView, key: string, shift: boolean, height: num
 function spanOf(pointers: ReadonlyMap<number, Pointer>): number | null {
   const [a, b] = [...pointers.values()];
   return a === undefined || b === undefined ? null : Math.hypot(a.x - b.x, a.y - b.y);
+}
+
+function wrapped(angle: number): number {
+  return Math.atan2(Math.sin(angle), Math.cos(angle));
 }
 
 function turnedBack(azimuth: number): number {

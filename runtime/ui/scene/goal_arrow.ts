@@ -1,8 +1,8 @@
-// The arrow on the ground while a goal is set.
+// The arrow on the ground while a goal or an estimate is set.
 
 import { Group } from 'three';
 import { fromRollPitchYaw } from '../model/transform.ts';
-import type { GoalPose } from './camera_control.ts';
+import type { GroundPose } from './camera_control.ts';
 import { disposeOf } from './dispose.ts';
 import { arrow, mesh, named, placeAt } from './shapes.ts';
 
@@ -21,7 +21,7 @@ export class GoalArrow {
     this.group.visible = false;
   }
 
-  set(goal: GoalPose | null, distance: number): void {
+  set(goal: GroundPose | null, distance: number): void {
     this.group.visible = goal !== null;
     if (goal === null) return;
     placeAt(this.group, { translation: goal.place, rotation: fromRollPitchYaw(0, 0, goal.heading) });

@@ -1,48 +1,94 @@
-// What a scene can show: for each type of messages, what draws it.
+// What a scene can show: for each type of messages, what draws it and which settings that has.
 
-import type { Display, DisplayColors } from './display.ts';
+import type { Setting } from '../model/display_look.ts';
+import type { Display, DisplayContext } from './display.ts';
 import { Markers } from './markers.ts';
-import type { MeshShelf } from './mesh_shelf.ts';
 import { NewestDisplay } from './newest_display.ts';
 import type { Built } from './newest_display.ts';
+import { GridDisplay } from './occupancy_grid.ts';
 import { OdometryTrail } from './odometry_trail.ts';
-import { occupancyGrid } from './occupancy_grid.ts';
-import { laserScan, pointCloud } from './points.ts';
+import { PointDisplay } from './point_display.ts';
 import { path, poseArray, singlePose } from './poses.ts';
 import { RobotModel } from './robot_model.ts';
+import { lookOf, named } from './shapes.ts';
+import type { Rgba } from './shapes.ts';
+import { gridCells, pointBall, polygon, rangeCone, vectorPair } from './small_shapes.ts';
 
-/** `keep`: how many arrows of odometry stay. */
-type Make = (colors: DisplayColors, keep: number, meshes: MeshShelf) => Display;
+interface Kind {
+  readonly make: (context: DisplayContext) => Display;
+  readonly settings: readonly Setting[];
+  /** The end of a second topic's name, which tells of changes. */
+  readonly updates?: string;
+}
 
-const colored = (make: (accent: string) => (message: unknown) => Built): Make =>
-  (colors) => new NewestDisplay((message) => make(colors.accent)(message), true);
+const kPaint = ['color', 'alpha'] as const;
+const kPoints = ['size', 'color', 'alpha', 'decay', 'channel'] as const;
+
+/** The newest message, in the colour that was chosen, or else the page's. */
+const painted = (make: (look: Rgba) => (message: unknown) => Built, alpha = 1): Kind => ({
+  make: (context) => new NewestDisplay((message) => make(lookOf(context, undefined, alpha))(message)),
+  settings: kPaint,
+});
+
+/** Two vectors of one field, in RViz's colours and scale; the first one's can be chosen. */
+const pair = (outer: string, first: string, second: string, scale: number): Kind => ({
+  make: (context) => new NewestDisplay((message) => {
+    const look = lookOf(context, '#cc3333');
+    return vectorPair([
+      { path: [outer, first], look, scale },
+      { path: [outer, second], look: { ...named('#cccc33'), alpha: look.alpha }, scale },
+    ])(message);
+  }),
+  settings: kPaint,
+});
+
+const markers: Kind = { make: ({ meshes }) => new Markers(meshes), settings: [] };
 
 /** What is shown of it depends on how many are kept. */
 export const kOdometry = 'nav_msgs/msg/Odometry';
 
-const kinds: ReadonlyMap<string, Make> = new Map<string, Make>([
-  ['sensor_msgs/msg/LaserScan', colored(laserScan)],
-  ['sensor_msgs/msg/PointCloud2', () => new NewestDisplay(pointCloud)],
-  ['nav_msgs/msg/Path', colored(path)],
-  [kOdometry, (colors, keep) => new OdometryTrail(colors, keep)],
-  ['geometry_msgs/msg/PoseStamped', colored(singlePose)],
-  ['geometry_msgs/msg/PoseWithCovarianceStamped', colored(singlePose)],
-  ['nav_msgs/msg/OccupancyGrid', () => new NewestDisplay(occupancyGrid)],
-  ['visualization_msgs/msg/Marker', (_colors, _keep, meshes) => new Markers(meshes)],
-  ['visualization_msgs/msg/MarkerArray', (_colors, _keep, meshes) => new Markers(meshes)],
-  ['geometry_msgs/msg/PoseArray', colored(poseArray)],
+const kinds: ReadonlyMap<string, Kind> = new Map<string, Kind>([
+  ['sensor_msgs/msg/LaserScan', { make: (context) => PointDisplay.scan(context), settings: kPoints }],
+  ['sensor_msgs/msg/PointCloud2', { make: (context) => PointDisplay.cloud(context), settings: kPoints }],
+  ['sensor_msgs/msg/Range', painted(rangeCone, 0.5)],
+  ['nav_msgs/msg/Path', painted(path)],
+  [kOdometry, { make: (context) => new OdometryTrail(context), settings: kPaint }],
+  ['nav_msgs/msg/OccupancyGrid', { make: (context) => new GridDisplay(context), settings: ['alpha', 'scheme'], updates: '_updates' }],
+  ['nav_msgs/msg/GridCells', painted(gridCells)],
+  ['geometry_msgs/msg/PoseStamped', painted(singlePose)],
+  ['geometry_msgs/msg/PoseWithCovarianceStamped', painted(singlePose)],
+  ['geometry_msgs/msg/PoseArray', painted(poseArray)],
+  ['geometry_msgs/msg/PointStamped', painted(pointBall)],
+  ['geometry_msgs/msg/PolygonStamped', painted(polygon)],
+  ['geometry_msgs/msg/WrenchStamped', pair('wrench', 'force', 'torque', 2)],
+  ['geometry_msgs/msg/TwistStamped', pair('twist', 'linear', 'angular', 1)],
+  ['geometry_msgs/msg/AccelStamped', pair('accel', 'linear', 'angular', 1)],
+  ['visualization_msgs/msg/Marker', markers],
+  ['visualization_msgs/msg/MarkerArray', markers],
 ]);
+
+const robot: Kind = { make: (context) => new RobotModel(context), settings: ['alpha', 'shapes'] };
 
 export function canShow(topic: string, type: string): boolean {
   return kindOf(topic, type) !== undefined;
 }
 
-export function makeDisplay(topic: string, type: string, colors: DisplayColors, keep: number, meshes: MeshShelf): Display | null {
-  return kindOf(topic, type)?.(colors, keep, meshes) ?? null;
+export function settingsOf(topic: string, type: string): readonly Setting[] {
+  return kindOf(topic, type)?.settings ?? [];
 }
 
-function kindOf(topic: string, type: string): Make | undefined {
+/** The topic that tells of changes; empty: none does. */
+export function updatesOf(topic: string, type: string): string {
+  const { updates } = kindOf(topic, type) ?? {};
+  return updates === undefined ? '' : topic + updates;
+}
+
+export function makeDisplay(topic: string, type: string, context: DisplayContext): Display | null {
+  return kindOf(topic, type)?.make(context) ?? null;
+}
+
+function kindOf(topic: string, type: string): Kind | undefined {
   // A text is a robot by the name of its topic only.
-  if (type === 'std_msgs/msg/String') return /(^|[/_])robot_description$/.test(topic) ? (_colors, _keep, meshes) => new RobotModel(meshes) : undefined;
+  if (type === 'std_msgs/msg/String') return /(^|[/_])robot_description$/.test(topic) ? robot : undefined;
   return kinds.get(type);
 }

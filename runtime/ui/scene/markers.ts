@@ -90,6 +90,19 @@ export class Markers implements Display {
     for (const { object, header } of this.kept.values()) if (object !== null) yield { object, header };
   }
 
+  describe(object: Object3D): ReadonlyMap<string, string | number> {
+    for (const [key, kept] of this.kept) {
+      if (kept.object !== object) continue;
+      const [space = '', id = ''] = key.split('\n');
+      return new Map<string, string | number>([['ns', space], ['id', Number(id)]]);
+    }
+    return new Map();
+  }
+
+  repaint(): void {
+    // A marker says itself how it looks.
+  }
+
   close(): void {
     for (const { mesh } of this.kept.values()) mesh?.close();
     emptied(this.group);

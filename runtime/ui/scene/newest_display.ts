@@ -19,15 +19,12 @@ export class NewestDisplay implements Display {
   problem = '';
   private readonly make: (message: unknown) => Built;
   private waiting: { readonly message: unknown } | null = null;
-  /** Kept for another theme. */
+  /** Kept for another theme or look. */
   private shown: { readonly message: unknown } | null = null;
-  private readonly isColored: boolean;
   private header: HeaderView = { stamp: NaN, frame: '' };
 
-  /** `isColored`: with a colour of the page. */
-  constructor(make: (message: unknown) => Built, isColored = false) {
+  constructor(make: (message: unknown) => Built) {
     this.make = make;
-    this.isColored = isColored;
   }
 
   repaint(): void {
@@ -41,7 +38,7 @@ export class NewestDisplay implements Display {
   build(): undefined {
     if (this.waiting === null) return;
     const { message } = this.waiting;
-    if (this.isColored) this.shown = this.waiting;
+    this.shown = this.waiting;
     this.waiting = null;
     emptied(this.group);
     const { object, problem, header } = this.make(message);

@@ -6,10 +6,11 @@ import { member } from '../model/json.ts';
 import { readHeader, readPose } from '../model/transform.ts';
 import type { HeaderView, Transform } from '../model/transform.ts';
 import { isPlace } from './display.ts';
-import type { Anchored, Display, DisplayColors } from './display.ts';
+import type { Anchored, Display, DisplayContext } from './display.ts';
 import { emptied } from './dispose.ts';
 import { NewestDisplay } from './newest_display.ts';
 import { arrows, singlePose } from './poses.ts';
+import { lookOf } from './shapes.ts';
 
 const kLeastWay = 0.1; // metres
 const kLeastTurn = 0.1; // radians
@@ -18,17 +19,15 @@ export class OdometryTrail implements Display {
   readonly group = new Group();
   private readonly trail = new Group();
   private readonly newest: NewestDisplay;
-  private readonly colors: DisplayColors;
-  /** At most so many arrows, the newest one counted. */
-  private readonly keep: number;
+  /** Of arrows there are at most `keep`, the newest one counted. */
+  private readonly context: DisplayContext;
   private poses: Transform[] = [];
   private header: HeaderView = { stamp: NaN, frame: '' };
   private isChanged = false;
 
-  constructor(colors: DisplayColors, keep: number) {
-    this.colors = colors;
-    this.keep = keep;
-    this.newest = new NewestDisplay((message) => singlePose(colors.accent)(message), true);
+  constructor(context: DisplayContext) {
+    this.context = context;
+    this.newest = new NewestDisplay((message) => singlePose(lookOf(context))(message));
     this.group.add(this.newest.group, this.trail);
   }
 
@@ -50,7 +49,7 @@ export class OdometryTrail implements Display {
     const last = this.poses.at(-1);
     if (last !== undefined && !isApart(last, pose)) return;
     this.poses.push(pose);
-    if (this.poses.length > this.keep) this.poses.shift();
+    if (this.poses.length > this.context.keep) this.poses.shift();
     this.isChanged = true;
   }
 
@@ -61,7 +60,7 @@ export class OdometryTrail implements Display {
     emptied(this.trail);
     const before = this.poses.slice(0, -1);
     if (before.length === 0) return;
-    this.trail.add(arrows(before, this.colors.accent));
+    this.trail.add(arrows(before, lookOf(this.context)));
   }
 
   *anchored(): Iterable<Anchored> {

@@ -11,8 +11,8 @@ import { panelTexts } from '../texts_panels.ts';
 import { isPlace } from './display.ts';
 import type { Built } from './newest_display.ts';
 import { lines, pairsOf } from './lines.ts';
-import { arrow, mesh, named, placeAt, solid } from './shapes.ts';
-import type { ArrowSize } from './shapes.ts';
+import { arrow, mesh, placeAt, solid } from './shapes.ts';
+import type { ArrowSize, Rgba } from './shapes.ts';
 
 const kOne: ArrowSize = { length: 0.6, shaft: 0.05, head: 0.14, headLength: 0.18 };
 const kMany: ArrowSize = { length: 0.3, shaft: 0.025, head: 0.07, headLength: 0.09 };
@@ -23,12 +23,12 @@ const kMostArrows = 10_000;
 type Make = (message: unknown) => Built;
 
 /** geometry_msgs/msg/PoseStamped, PoseWithCovarianceStamped, nav_msgs/msg/Odometry. */
-export function singlePose(color: string): Make {
+export function singlePose(look: Rgba): Make {
   return (message) => {
     const outer = member(message, 'pose');
     const pose = readPose(member(outer, 'pose') ?? outer);
     if (pose === null || !isPlace(...pose.translation)) return { object: null, problem: panelTexts.scene.noPose };
-    const pointer = mesh(arrow(kOne), named(color));
+    const pointer = mesh(arrow(kOne), look);
     const spread = readCovariance(member(outer, 'covariance'));
     if (spread === null) {
       placeAt(pointer, pose);
@@ -37,15 +37,15 @@ export function singlePose(color: string): Make {
     const object = new Group();
     object.position.set(...pose.translation);
     pointer.quaternion.set(...pose.rotation);
-    object.add(pointer, ...spreadOf(spread, pose, color));
+    object.add(pointer, ...spreadOf(spread, pose, look));
     return { object, problem: '' };
   };
 }
 
 /** An ellipse in the directions of the message's frame, and a sector to both sides of the heading. */
-function spreadOf({ ellipse, heading }: Spread, { rotation: [x, y, z, w] }: Transform, color: string): readonly Mesh[] {
+function spreadOf({ ellipse, heading }: Spread, { rotation: [x, y, z, w] }: Transform, { color, alpha }: Rgba): readonly Mesh[] {
   const flat = (geometry: BufferGeometry, opacity: number): Mesh =>
-    new Mesh(geometry, new MeshBasicMaterial({ color, opacity, transparent: true, depthWrite: false, side: DoubleSide }));
+    new Mesh(geometry, new MeshBasicMaterial({ color, opacity: opacity * alpha, transparent: true, depthWrite: false, side: DoubleSide }));
   const parts: Mesh[] = [];
   if (ellipse !== null) {
     const part = flat(new CircleGeometry(1, 48), 0.25);
@@ -62,8 +62,8 @@ function spreadOf({ ellipse, heading }: Spread, { rotation: [x, y, z, w] }: Tran
 }
 
 /** Small ones, drawn at once. */
-export function arrows(poses: readonly Transform[], color: string): InstancedMesh {
-  const instances = new InstancedMesh(arrow(kMany), solid(named(color)), poses.length);
+export function arrows(poses: readonly Transform[], look: Rgba): InstancedMesh {
+  const instances = new InstancedMesh(arrow(kMany), solid(look), poses.length);
   const one = new Vector3(1, 1, 1);
   const matrix = new Matrix4();
   for (const [index, { translation, rotation }] of poses.entries())
@@ -73,15 +73,15 @@ export function arrows(poses: readonly Transform[], color: string): InstancedMes
 }
 
 /** geometry_msgs/msg/PoseArray. */
-export function poseArray(color: string): Make {
+export function poseArray(look: Rgba): Make {
   return (message) => {
     const { poses, problem } = readPoses(member(message, 'poses'), kMostArrows, (item) => item);
-    return { object: arrows(poses, color), problem };
+    return { object: arrows(poses, look), problem };
   };
 }
 
 /** nav_msgs/msg/Path: a line. */
-export function path(color: string): Make {
+export function path(look: Rgba): Make {
   return (message) => {
     const list = member(message, 'poses');
     const { poses, problem } = readPoses(list, kMostPoses, (item) => member(item, 'pose'));
@@ -91,7 +91,7 @@ export function path(color: string): Make {
     const header = readHeader(message);
     const first: unknown = Array.isArray(list) ? list[0] : undefined;
     const frame = header.frame === '' ? readHeader(first).frame : header.frame;
-    return { object: lines(pairsOf(positions), named(color), null, kPathWidth), problem, header: { ...header, frame } };
+    return { object: lines(pairsOf(positions), look, null, kPathWidth), problem, header: { ...header, frame } };
   };
 }
 

@@ -3,15 +3,18 @@
 
 import type { CameraView } from '../model/camera_view.ts';
 import { kIdentity } from '../model/transform.ts';
-import type { HeaderView } from '../model/transform.ts';
+import type { HeaderView, Vector } from '../model/transform.ts';
 import type { Lookup, TransformTree } from '../model/transform_tree.ts';
 import { unreachable } from '../../wasm_js/session.ts';
 import { panelTexts } from '../texts_panels.ts';
 import type { Display, DisplayColors } from './display.ts';
 import { FrameAxes } from './frame_axes.ts';
 import type { FramePlace } from './frame_axes.ts';
-import type { GoalPose } from './camera_control.ts';
+import type { GroundPose } from './camera_control.ts';
 import { GoalArrow } from './goal_arrow.ts';
+import { pick } from './pick.ts';
+import type { Picked } from './pick.ts';
+import { Ruler } from './ruler.ts';
 import { placeAt } from './shapes.ts';
 import type { Stage } from './stage.ts';
 
@@ -31,11 +34,13 @@ export class SceneView {
   private readonly host: SceneHost;
   private readonly axes = new FrameAxes();
   private readonly goal = new GoalArrow();
+  private readonly ruler = new Ruler();
   private readonly displays = new Map<string, Display>();
   /** By topic: why its parts have no place. */
   private readonly lost = new Map<string, string>();
   private chosen = '';
   private fixed = '';
+  private followed = '';
   private camera: CameraView;
   private framesMoved = true;
   private changes = 0;
@@ -46,7 +51,7 @@ export class SceneView {
     this.tree = tree;
     this.camera = camera;
     this.host = host;
-    stage.scene.add(this.axes.group, this.goal.group);
+    stage.scene.add(this.axes.group, this.goal.group, this.ruler.group);
   }
 
   /** Grows when something that is told about the scene in words may be different. */
@@ -92,8 +97,25 @@ export class SceneView {
     };
   }
 
-  /** While a goal is set. */
-  aim(goal: GoalPose | null): void {
+  /** The view goes with this frame; empty: with the fixed one. */
+  follow(name: string): void {
+    this.followed = name;
+    this.transformsMoved();
+  }
+
+  /** null: nothing is there. */
+  pick(x: number, y: number): Picked | null {
+    return pick(this.stage, this.displays, x, y);
+  }
+
+  /** At most two places of the fixed frame. */
+  measure(places: readonly Vector[]): void {
+    this.ruler.set(places);
+    this.stage.draw();
+  }
+
+  /** While a goal or an estimate is set. */
+  aim(goal: GroundPose | null): void {
     this.goal.set(goal, this.camera.distance);
     this.stage.draw();
   }
@@ -107,7 +129,13 @@ export class SceneView {
   setColors(): void {
     this.stage.setColors();
     this.framesMoved = true;
-    for (const display of this.displays.values()) display.repaint?.();
+    for (const display of this.displays.values()) display.repaint();
+  }
+
+  /** The look of a topic's display has changed. */
+  repaint(topic: string): void {
+    this.displays.get(topic)?.repaint();
+    this.stage.draw();
   }
 
   add(topic: string, display: Display): void {
@@ -148,6 +176,8 @@ export class SceneView {
     this.fixed = fixed;
     if (this.framesMoved) this.arrangeFrames();
     this.framesMoved = false;
+    const eye = this.followed === '' ? null : this.lookup({ frame: this.followed, stamp: NaN });
+    this.stage.setOrigin(eye?.kind === 'found' ? eye.transform.translation : kIdentity.translation);
     this.axes.fit(this.camera);
     for (const [topic, display] of this.displays) this.lost.set(topic, this.place(display));
     this.changes += 1;
@@ -157,6 +187,7 @@ export class SceneView {
     for (const topic of [...this.displays.keys()]) this.remove(topic);
     this.axes.close();
     this.goal.close();
+    this.ruler.close();
     this.stage.close();
   }
 

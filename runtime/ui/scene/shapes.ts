@@ -7,6 +7,7 @@ import {
 import type { Object3D } from 'three';
 import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
 import type { Transform } from '../model/transform.ts';
+import type { DisplayContext } from './display.ts';
 
 export interface Rgba {
   readonly color: Color;
@@ -20,6 +21,11 @@ export function rgba(red: number, green: number, blue: number, alpha: number): R
 
 export function named(color: string): Rgba {
   return { color: new Color(color), alpha: 1 };
+}
+
+/** As was chosen for the display, or else of the page's colour. */
+export function lookOf({ colors, look }: DisplayContext, usual = colors.accent, usualAlpha = 1): Rgba {
+  return { color: new Color(look.color ?? usual), alpha: look.alpha ?? usualAlpha };
 }
 
 export function solid({ color, alpha }: Rgba): MeshStandardMaterial {

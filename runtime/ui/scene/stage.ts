@@ -5,12 +5,17 @@ import {
   AmbientLight, Color, DirectionalLight, GridHelper, OrthographicCamera, PerspectiveCamera, Plane, Raycaster, Scene,
   Vector2, Vector3, WebGLRenderer,
 } from 'three';
-import { eyeOf, kFieldOfView } from '../model/camera_view.ts';
+import type { Intersection, Object3D } from 'three';
+import { eyeOf, kFieldOfView, metresPerPixel } from '../model/camera_view.ts';
 import type { CameraView } from '../model/camera_view.ts';
 import type { Vector } from '../model/transform.ts';
 import { disposeOf } from './dispose.ts';
+import { drawsInSoftware, Resolution } from './resolution.ts';
 
 const kMostPixelRatio = 2;
+const kRestMs = 400;
+/** Pixels beside a point or a line that count as on it. */
+const kReach = 5;
 const kGround = new Plane(new Vector3(0, 0, 1), 0);
 
 export interface StageColors {
@@ -29,8 +34,14 @@ export class Stage {
   private grid: GridHelper | null = null;
   private gridShown = true;
   private view: CameraView;
+  /** What the view is around: a frame that it goes with. */
+  private origin: Vector = [0, 0, 0];
   private frame = 0;
   private drawings = 0;
+  private readonly resolution = new Resolution();
+  /** Nothing moves any more: the next picture may take its time. */
+  private atRest = false;
+  private resting: ReturnType<typeof setTimeout> | undefined;
 
   private readonly canvas: HTMLCanvasElement;
   private readonly beforeDrawing: () => void;
@@ -45,7 +56,7 @@ export class Stage {
     this.view = view;
     this.beforeDrawing = beforeDrawing;
     this.colors = colorsOf(canvas);
-    this.renderer = new WebGLRenderer({ canvas, context, antialias: true, alpha: true });
+    this.renderer = new WebGLRenderer({ canvas, context });
     this.perspective.up.set(0, 0, 1);
     this.flat.up.set(0, 1, 0);
     const sun = new DirectionalLight(0xffffff, 1.6);
@@ -61,7 +72,7 @@ export class Stage {
 
   /** null: this browser has no WebGL, or not for this page. */
   static open(canvas: HTMLCanvasElement, view: CameraView, beforeDrawing: () => void): Stage | null {
-    const context = canvas.getContext('webgl2', { antialias: true, alpha: true });
+    const context = canvas.getContext('webgl2', { antialias: !drawsInSoftware(), alpha: true });
     return context === null ? null : new Stage(canvas, context, view, beforeDrawing);
   }
 
@@ -94,8 +105,9 @@ export class Stage {
     this.draw();
   }
 
-  get height(): number {
-    return this.canvas.clientHeight;
+  /** Taken into account by the next drawing. */
+  setOrigin(origin: Vector): void {
+    this.origin = origin;
   }
 
   /** Draws in the next animation frame. */
@@ -105,16 +117,28 @@ export class Stage {
 
   /** Where a point of the canvas, in pixels from its corner, meets the ground; null when it looks past it. */
   groundAt(x: number, y: number): Vector | null {
+    const met = this.ray(x, y).ray.intersectPlane(kGround, new Vector3());
+    return met === null || met.length() > 1e6 ? null : [met.x, met.y, 0];
+  }
+
+  /** What of an object that is seen lies under a point of the canvas, nearest first. */
+  hits(x: number, y: number, object: Object3D): readonly Intersection[] {
+    return this.ray(x, y).intersectObject(object, true).filter((hit) => isSeen(hit.object));
+  }
+
+  private ray(x: number, y: number): Raycaster {
     const { clientWidth, clientHeight } = this.canvas;
     const caster = new Raycaster();
-    const place = new Vector2((x / clientWidth) * 2 - 1, 1 - (y / clientHeight) * 2);
-    caster.setFromCamera(place, this.place());
-    const met = caster.ray.intersectPlane(kGround, new Vector3());
-    return met === null || met.length() > 1e6 ? null : [met.x, met.y, 0];
+    caster.setFromCamera(new Vector2((x / clientWidth) * 2 - 1, 1 - (y / clientHeight) * 2), this.place());
+    const reach = kReach * metresPerPixel(this.view, clientHeight);
+    caster.params.Points.threshold = reach;
+    caster.params.Line.threshold = reach;
+    return caster;
   }
 
   close(): void {
     cancelAnimationFrame(this.frame);
+    clearTimeout(this.resting);
     this.frame = -1; // nothing is drawn any more
     this.observer.disconnect();
     this.canvas.removeEventListener('webglcontextrestored', this.draw);
@@ -128,15 +152,30 @@ export class Stage {
     const { clientWidth, clientHeight } = this.canvas;
     if (clientWidth === 0 || clientHeight === 0) return; // behind another tab; being shown resizes it
     this.beforeDrawing();
-    const ratio = Math.min(kMostPixelRatio, devicePixelRatio);
+    const { atRest } = this;
+    this.atRest = false;
+    clearTimeout(this.resting);
+    const ratio = Math.min(kMostPixelRatio, devicePixelRatio) * (atRest ? 1 : this.resolution.share);
     const size = this.renderer.getSize(new Vector2());
     if (size.x !== clientWidth || size.y !== clientHeight || this.renderer.getPixelRatio() !== ratio) {
       this.renderer.setPixelRatio(ratio);
       this.renderer.setSize(clientWidth, clientHeight, false);
     }
+    const began = performance.now();
     this.renderer.render(this.scene, this.place());
     this.drawings += 1;
     this.canvas.dataset['drawings'] = String(this.drawings);
+    if (atRest) return;
+    // What a picture costs is known when the page has its next frame.
+    requestAnimationFrame(() => {
+      if (this.resolution.tell(performance.now() - began)) this.canvas.dataset['resolution'] = this.resolution.share.toFixed(2);
+    });
+    if (this.resolution.share < 1) this.resting = setTimeout(this.rest, kRestMs);
+  };
+
+  private readonly rest = (): void => {
+    this.atRest = true;
+    this.draw();
   };
 
   /** The camera of the view, where it belongs. */
@@ -154,8 +193,9 @@ export class Stage {
     }
     camera.near = distance / 100;
     camera.far = distance * 100 + 1000;
-    camera.position.set(...eyeOf(this.view));
-    camera.lookAt(...target);
+    const [x, y, z] = this.origin;
+    camera.position.set(...eyeOf(this.view)).add(new Vector3(x, y, z));
+    camera.lookAt(target[0] + x, target[1] + y, target[2] + z);
     camera.updateProjectionMatrix();
     camera.updateMatrixWorld();
     return camera;
@@ -166,4 +206,9 @@ export class Stage {
 function colorsOf(canvas: HTMLCanvasElement): StageColors {
   const { color, borderTopColor, caretColor } = getComputedStyle(canvas);
   return { text: color, line: borderTopColor, accent: caretColor };
+}
+
+function isSeen(object: Object3D): boolean {
+  for (let one: Object3D | null = object; one !== null; one = one.parent) if (!one.visible) return false;
+  return true;
 }

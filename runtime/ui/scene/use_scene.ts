@@ -6,6 +6,7 @@ import type { PageTimer, Session } from '../../wasm_js/session.ts';
 import type { Codec } from '../../decode/codec.ts';
 import { kUsualView, writeView } from '../model/camera_view.ts';
 import type { CameraView } from '../model/camera_view.ts';
+import { kPlainLook } from '../model/display_look.ts';
 import type { SceneOptions } from '../model/scene_options.ts';
 import { TransformTree } from '../model/transform_tree.ts';
 import { followTransforms } from '../parts/follow_transforms.ts';
@@ -14,9 +15,11 @@ import { useTheme } from '../parts/watch.ts';
 import { texts } from '../texts.ts';
 import { panelTexts } from '../texts_panels.ts';
 import { controlCamera } from './camera_control.ts';
-import type { GoalPose } from './camera_control.ts';
-import { kOdometry, makeDisplay } from './kinds.ts';
+import type { GroundPose } from './camera_control.ts';
+import { kOdometry, makeDisplay, updatesOf } from './kinds.ts';
+import type { DisplayContext } from './display.ts';
 import { MeshShelf } from './mesh_shelf.ts';
+import type { Picked } from './pick.ts';
 import { SceneView } from './scene_view.ts';
 import { Stage } from './stage.ts';
 
@@ -30,10 +33,13 @@ export interface SceneUse {
   readonly codec: Codec | string | null;
   readonly options: SceneOptions;
   readonly shown: readonly ShownTopic[];
-  readonly goalMode: boolean;
+  /** What the tool in hand sets; null: none is. */
+  readonly aims: 'pose' | 'point' | null;
   readonly onView: (view: CameraView) => void;
-  readonly onGoal: (goal: GoalPose, frame: string) => void;
-  readonly onLeaveGoalMode: () => void;
+  readonly onPose: (pose: GroundPose, frame: string) => void;
+  /** null: nothing was there. */
+  readonly onPick: (picked: Picked | null, frame: string) => void;
+  readonly onLeaveTool: () => void;
 }
 
 export interface Scene {
@@ -46,6 +52,8 @@ export interface Scene {
   readonly forget: () => void;
   /** Why a topic cannot be shown. */
   readonly unreadable: ReadonlyMap<string, string>;
+  /** The newest message of a topic that is shown; undefined: none has come. */
+  readonly newest: (topic: string) => unknown;
 }
 
 const kWordsMs = 250;
@@ -64,6 +72,7 @@ export function useScene(use: SceneUse): Scene {
   const settled = useRef('');
   /** By type and name: ends what shows the topic. */
   const followed = useRef(new Map<string, () => void>());
+  const newest = useRef(new Map<string, unknown>());
   const [, tell] = useReducer<number, void>((n) => n + 1, 0);
 
   useEffect(() => {
@@ -98,11 +107,12 @@ export function useScene(use: SceneUse): Scene {
         latest.current.onView(made.view);
       },
       home: () => made.look({ ...kUsualView, top: made.view.top }),
-      isGoalMode: () => latest.current.goalMode,
+      aims: () => latest.current.aims,
       groundAt: (x, y) => stage.groundAt(x, y),
-      aim: (goal) => made.aim(goal),
-      setGoal: (goal) => latest.current.onGoal(goal, made.fixedFrame),
-      leaveGoalMode: () => latest.current.onLeaveGoalMode(),
+      aim: (pose) => made.aim(pose),
+      setPose: (pose) => latest.current.onPose(pose, made.fixedFrame),
+      setPoint: (x, y) => latest.current.onPick(made.pick(x, y), made.fixedFrame),
+      leaveTool: () => latest.current.onLeaveTool(),
     });
     const lost = (): void => setProblem(panelTexts.scene.lost);
     const back = (): void => setProblem('');
@@ -133,6 +143,14 @@ export function useScene(use: SceneUse): Scene {
     view?.look(options.view);
   }, [view, options.view]);
   useEffect(() => view?.chooseFrame(options.frame), [view, options.frame]);
+  useEffect(() => view?.follow(options.follow), [view, options.follow]);
+  const known = useRef(options.looks);
+  useEffect(() => {
+    const before = known.current;
+    known.current = options.looks;
+    for (const topic of new Set([...Object.keys(before), ...Object.keys(options.looks)]))
+      if (JSON.stringify(before[topic]) !== JSON.stringify(options.looks[topic])) view?.repaint(topic);
+  }, [view, options.looks]);
   useEffect(() => view?.show(options), [view, options.grid, options.frames, options.names]);
 
   useEffect(() => {
@@ -168,22 +186,29 @@ export function useScene(use: SceneUse): Scene {
     }
     for (const [key, { name, type }] of wanted) {
       if (followed.current.has(key)) continue;
-      const display = makeDisplay(name, type, view.displayColors, keep, meshes);
+      const context: DisplayContext = {
+        colors: view.displayColors, keep, meshes,
+        get look() { return latest.current.options.looks[name] ?? kPlainLook; },
+      };
+      const display = makeDisplay(name, type, context);
       if (display === null) continue;
       view.add(name, display);
-      const stop = feed(session, codec, name, ({ decoded }) => {
+      const follow = (topic: string): (() => void) => topic === '' ? () => undefined : feed(session, codec, topic, ({ decoded }) => {
         if (decoded.kind === 'failed') {
           unreadable.set(name, texts.topics.undecodable(decoded.reason));
           tell();
           return;
         }
         unreadable.delete(name);
+        if (topic === name) newest.current.set(name, decoded.value);
         display.take(decoded.value);
         view.messageTaken();
       });
+      const stops = [follow(name), follow(updatesOf(name, type))];
       followed.current.set(key, () => {
-        stop();
+        for (const stop of stops) stop();
         view.remove(name);
+        newest.current.delete(name);
         unreadable.delete(name);
       });
     }
@@ -194,7 +219,7 @@ export function useScene(use: SceneUse): Scene {
     view?.transformsMoved();
     begin();
   };
-  return { canvas, view, tree, problem, forget, unreadable };
+  return { canvas, view, tree, problem, forget, unreadable, newest: (topic) => newest.current.get(topic) };
 }
 
 function shelfOf(session: Session, view: SceneView): MeshShelf {

@@ -129,7 +129,9 @@ test('what is no longer shown makes room: all that is drawn has a bound', async 
 
 test('a robot shows its meshes when they have come, and says each that is missing', async () => {
   const come = Promise.withResolvers<void>();
-  const robot = new RobotModel(shelfOf({ 'share/arm/hand.stl': asciiStl() }, [], () => come.resolve()));
+  const robot = new RobotModel({
+    colors: { text: '#000', accent: '#fff' }, look: {}, keep: 1, meshes: shelfOf({ 'share/arm/hand.stl': asciiStl() }, [], () => come.resolve()),
+  });
   const visual = (file: string): string => `<visual><geometry><mesh filename="${file}" scale="1 1 -2"/></geometry></visual>`;
   robot.take({ data: `<robot name="r"><link name="a">${visual('package://arm/hand.stl')}${visual('package://arm/foot.stl')}</link></robot>` });
   robot.build();

@@ -41,7 +41,7 @@ test('displays, frame, view and goal are taken over', () => {
   const scene = readRviz(kFile) ?? assert.fail();
   const { view, ...options } = scene.options;
   assert.deepEqual(options, {
-    topics: ['/robot_description', '/scan', '/map', '/odom'], grid: true, frames: true, names: false, frame: 'odom', goal: '/robot/goal', keep: 7,
+    topics: ['/robot_description', '/scan', '/map', '/odom'], grid: true, frames: true, names: false, frame: 'odom', goal: '/robot/goal', keep: 7, follow: '', looks: {}, images: [],
   });
   assert.deepEqual(scene.leftOut, ['Swarm']);
   for (const [written, keep] of [['0', 1000], ['5000', 1000], ['-3', 1000], ['1', 1], ['many', undefined]] as const)
@@ -57,9 +57,10 @@ test('displays, frame, view and goal are taken over', () => {
 test('kinds of displays are those that pack tells of, and what is not drawn is left out', () => {
   const read = (path: string): string => readFileSync(new URL(`../../../${path}`, import.meta.url), 'utf8');
   const scene = readRviz(read('tests/support/rviz/kinds.rviz')) ?? assert.fail();
-  assert.deepEqual(scene.options.topics, ['/t1', '/t2', '/t3', '/t4', '/t5']);
+  assert.deepEqual(scene.options.topics, ['/t1', '/t2', '/t3', '/t4', '/t5', '/t6', '/t7', '/t8', '/t9']);
   assert.deepEqual([scene.options.grid, scene.options.frames], [true, true]);
-  assert.deepEqual(scene.leftOut, ['image 1', 'image 2', ...[1, 2, 3, 4, 5, 6, 7].map((number) => `left out ${number}`)]);
+  assert.deepEqual(scene.leftOut, [1, 2, 3].map((number) => `left out ${number}`));
+  assert.deepEqual(scene.options.images?.map(({ topic }) => topic), ['/i1', '/i2', '/i3']);
   const [, list = ''] = /kDrawn\[\] = \{([^}]*)\}/.exec(read('bundler/launch/rviz_config.cpp')) ?? [];
   assert.deepEqual([...list.matchAll(/"(\w+)"/g)].map(([, kind]) => kind).sort(), [...kDrawn].sort());
 });
@@ -75,4 +76,33 @@ test('what is no such file is refused, and odd values are as usual', () => {
   assert.equal(odd?.options.view?.distance, 6);
   assert.deepEqual(odd?.options.topics, []);
   assert.equal(odd?.options.view?.azimuth, Math.PI / 4);
+});
+
+test('how displays look, where tools publish and what the view goes with are taken over', () => {
+  const read = (displays: string, more = ''): ReturnType<typeof readRviz> => readRviz(`Visualization Manager:\n  Displays:\n${displays}\n${more}`);
+  const looks = (display: string): unknown => Object.values(read(`    - {Enabled: true, Topic: {Value: /t}, ${display}}`)?.options.looks ?? {})[0];
+  assert.deepEqual(
+    looks('Class: rviz_default_plugins/PointCloud2, Alpha: 0.5, Size (Pixels): 7, Decay Time: 2.5, Color Transformer: AxisColor, Axis: X, Autocompute Value Bounds: {Value: false, Min Value: -1, Max Value: 4}'),
+    { alpha: 0.5, size: 7, decay: 2.5, channel: 'x', least: -1, most: 4 },
+  );
+  assert.deepEqual(
+    looks('Class: rviz_default_plugins/LaserScan, Color Transformer: Intensity, Channel Name: intensity, Autocompute Intensity Bounds: false, Min Intensity: 0, Max Intensity: 47'),
+    { channel: 'intensity', least: 0, most: 47 },
+  );
+  assert.deepEqual(looks('Class: rviz_default_plugins/LaserScan, Color Transformer: FlatColor, Color: 255; 0; 16'), { color: '#ff0010', channel: 'flat' });
+  assert.deepEqual(looks('Class: rviz_default_plugins/PointCloud2, Alpha: 1, Size (Pixels): 3, Decay Time: 0, Color Transformer: RGB8'), { channel: 'rgb' });
+  assert.deepEqual(looks('Class: rviz_default_plugins/Map, Alpha: 0.7, Color Scheme: costmap'), { alpha: 0.7, scheme: 'costmap' });
+  assert.deepEqual(looks('Class: rviz_default_plugins/Path, Alpha: 1, Color: 25; 255; 0'), { color: '#19ff00' });
+  assert.deepEqual(looks('Class: rviz_default_plugins/RobotModel, Alpha: 1, Visual Enabled: false, Collision Enabled: true'), { hideVisual: true, collision: true });
+  assert.deepEqual(looks('Class: rviz_default_plugins/Wrench, Force Color: 1; 2; 3'), { color: '#010203' });
+  assert.equal(looks('Class: rviz_default_plugins/Path, Alpha: 7, Color: 1; 2'), undefined);
+  assert.equal(looks('Class: rviz_default_plugins/Path, Alpha: many, Color: 1; 2; 999'), undefined);
+  const tools = read('    - {Class: rviz_default_plugins/Grid, Enabled: true}', `  Tools:
+    - {Class: rviz_default_plugins/SetInitialPose, Covariance x: 0.5, Covariance y: 0.125, Covariance yaw: .nan, Topic: {Value: /robot/initialpose}}
+    - {Class: rviz_default_plugins/PublishPoint, Single click: true, Topic: {Value: there}}
+  Views: {Current: {Class: rviz_default_plugins/Orbit, Target Frame: /base_link}}
+`)?.options;
+  assert.deepEqual([tools?.estimate, tools?.point, tools?.follow], ['/robot/initialpose', '/there', 'base_link']);
+  assert.deepEqual(tools?.variance, { x: 0.5, y: 0.125, yaw: 0.06853891909122467 });
+  assert.equal(read('    - {Class: rviz_default_plugins/Grid, Enabled: true}', '  Views: {Current: {Target Frame: <Fixed Frame>}}')?.options.follow, '');
 });

@@ -1,29 +1,26 @@
 // What a scene makes of messages: places and colours as they are told, and nothing of values that make no sense.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { DataTexture, InstancedMesh, Matrix4, Mesh, MeshBasicMaterial, Points, Quaternion, Vector3 } from 'three';
-import type { Object3D } from 'three';
+import { InstancedMesh, Matrix4, Mesh, Quaternion, Vector3 } from 'three';
 import { eyeOf, kUsualView, panned, readView, turned, writeView, zoomed } from '../../../runtime/ui/model/camera_view.ts';
 import { readCovariance } from '../../../runtime/ui/model/covariance.ts';
+import type { DisplayContext } from '../../../runtime/ui/scene/display.ts';
+import type { DisplayLook } from '../../../runtime/ui/model/display_look.ts';
+import { readScan } from '../../../runtime/ui/model/laser_scan.ts';
 import { readCloud } from '../../../runtime/ui/model/point_cloud.ts';
 import { readOptions, writeOptions } from '../../../runtime/ui/model/scene_options.ts';
 import { keyed } from '../../../runtime/ui/scene/camera_control.ts';
 import { canShow, makeDisplay } from '../../../runtime/ui/scene/kinds.ts';
 import { Markers } from '../../../runtime/ui/scene/markers.ts';
 import { MeshShelf } from '../../../runtime/ui/scene/mesh_shelf.ts';
-import { occupancyGrid } from '../../../runtime/ui/scene/occupancy_grid.ts';
-import { laserScan } from '../../../runtime/ui/scene/points.ts';
 import { path, poseArray, singlePose } from '../../../runtime/ui/scene/poses.ts';
+import { named } from '../../../runtime/ui/scene/shapes.ts';
 
 const header = { stamp: { sec: 3, nanosec: 0 }, frame_id: 'map' };
 const noMeshes = new MeshShelf({ size: () => undefined, read: () => Promise.reject(new Error('none')) }, () => undefined);
+const context = (look: DisplayLook = {}, keep = 1): DisplayContext => ({ colors: { text: '#000', accent: '#fff' }, look, keep, meshes: noMeshes });
 const upright = { x: 0, y: 0, z: 0, w: 1 };
 const pose = (x: number, y = 0, z = 0): unknown => ({ position: { x, y, z }, orientation: upright });
-
-function positions(object: Object3D | null): readonly number[] {
-  assert.ok(object instanceof Points);
-  return [...(object.geometry.getAttribute('position').array as Float32Array)].map((value) => Number(value.toFixed(4)) + 0);
-}
 
 test('a view turns, moves and zooms within bounds, and is kept', () => {
   const [x, y, z] = eyeOf({ ...kUsualView, azimuth: 0, elevation: 0, target: [1, 2, 3] });
@@ -62,9 +59,15 @@ test('beams of a scan stand at their angles, without those that hit nothing', ()
     header, angle_min: 0, angle_increment: Math.PI / 2, range_min: 0.1, range_max: 10,
     ranges: Float32Array.of(1, 2, Infinity, 3, NaN, 0.01, 11, -1),
   };
-  assert.deepEqual(positions(laserScan('#fff')(scan).object), [1, 0, 0, 0, 2, 0, 0, -3, 0]);
-  assert.equal(laserScan('#fff')({ ...scan, angle_increment: NaN }).object, null);
-  assert.notEqual(laserScan('#fff')({}).problem, '');
+  const read = readScan(scan) ?? assert.fail();
+  assert.deepEqual([...read.positions].map((value) => Number(value.toFixed(4)) + 0), [1, 0, 0, 0, 2, 0, 0, -3, 0]);
+  assert.deepEqual([[...read.sources], read.colors], [[0, 1, 3], null]);
+  assert.equal(readScan({ ...scan, angle_increment: NaN }), null);
+  assert.equal(readScan({}), null);
+  // By what came back, least violet and most red; by a field that is missing all are alike.
+  const strong = readScan({ ...scan, intensities: Float32Array.of(5, 5, 0, 25, 0, 0, 0, 0) }, { channel: 'intensity' });
+  assert.deepEqual([...(strong?.colors ?? [])], [0.5, 0, 1, 0.5, 0, 1, 1, 0, 0]);
+  assert.equal(new Set(readScan(scan, { channel: 'intensity' })?.colors ?? []).size <= 3, true);
 });
 
 function cloud(fields: readonly (readonly [string, number, number])[], step: number, data: Uint8Array, more: object = {}): unknown {
@@ -85,14 +88,14 @@ test('points of a cloud have their places and colours, in any layout', () => {
   const found = readCloud(cloud(fields, 16, bytes));
   assert.ok(typeof found !== 'string');
   assert.deepEqual([[...found.positions], found.coloredBy], [[1, 2, 3], 'rgb']);
-  assert.deepEqual([...found.colors].map((part) => Number(part.toFixed(3))), [1, 0.502, 0]);
+  assert.deepEqual([...(found.colors ?? [])].map((part) => Number(part.toFixed(3))), [1, 0.502, 0]);
 
   // Big-endian 16-bit places with an intensity of 8 bits: least violet, most red.
   const small = Uint8Array.of(0, 1, 0, 2, 0, 3, 10, 0, 4, 0, 5, 0, 6, 200);
   const other = readCloud(cloud([['x', 0, 3], ['y', 2, 3], ['z', 4, 3], ['intensity', 6, 2]], 7, small, { is_bigendian: true }));
   assert.ok(typeof other !== 'string');
   assert.deepEqual([[...other.positions], other.coloredBy], [[1, 2, 3, 4, 5, 6], 'intensity']);
-  assert.deepEqual([...other.colors], [0.5, 0, 1, 1, 0, 0]);
+  assert.deepEqual([...(other.colors ?? [])], [0.5, 0, 1, 1, 0, 0]);
 });
 
 test('clouds whose sizes lie give what they hold', () => {
@@ -130,7 +133,7 @@ test('how sure a pose is stands around it as an ellipse and a sector, of one sta
   assert.equal(readCovariance(covariance(0.04, 0, 0.25, 0))?.ellipse?.angle, Math.PI / 2);
   const quarter = { x: 0, y: 0, z: Math.SQRT1_2, w: Math.SQRT1_2 };
   const told = { pose: { position: { x: 1, y: 2, z: 3 }, orientation: quarter }, covariance: covariance(0.25, 0, 0.0625, 0.0625) };
-  const { object } = singlePose('#fff')({ header, pose: told });
+  const { object } = singlePose(named('#fff'))({ header, pose: told });
   const [pointer, ellipse, sector] = object?.children ?? [];
   assert.deepEqual(object?.position.toArray(), [1, 2, 3]);
   // The ellipse is told in the frame of the message, whatever the pose's heading.
@@ -139,7 +142,7 @@ test('how sure a pose is stands around it as an ellipse and a sector, of one sta
 });
 
 test('odometry leaves arrows where it has been, as many as are kept', () => {
-  const odometry = makeDisplay('/odom', 'nav_msgs/msg/Odometry', { text: '#000', accent: '#fff' }, 4, noMeshes) ?? assert.fail();
+  const odometry = makeDisplay('/odom', 'nav_msgs/msg/Odometry', context({}, 4)) ?? assert.fail();
   const told = (x: number, frame = 'odom'): unknown => ({ header: { ...header, frame_id: frame }, pose: { pose: pose(x), covariance: [] } });
   const places = (): readonly number[] => {
     odometry.build(0);
@@ -176,14 +179,14 @@ test('a covariance that is none draws nothing', () => {
   ];
   for (const wrong of nothing) {
     assert.equal(readCovariance(wrong), null);
-    assert.ok(singlePose('#fff')({ header, pose: { pose: pose(4), covariance: wrong } }).object instanceof Mesh);
+    assert.ok(singlePose(named('#fff'))({ header, pose: { pose: pose(4), covariance: wrong } }).object instanceof Mesh);
   }
   // Of a heading that nobody knows.
   assert.equal(readCovariance(covariance(0, 0, 0, 1e6))?.heading, Math.PI);
 });
 
 test('poses stand where they are told, and what is none is said', () => {
-  const color = '#fff';
+  const color = named('#fff');
   assert.deepEqual(singlePose(color)({ header, pose: pose(1, 2, 3) }).object?.position.toArray(), [1, 2, 3]);
   // As in odometry: within a pose with its covariance.
   assert.deepEqual(singlePose(color)({ header, pose: { pose: pose(4), covariance: [] } }).object?.position.toArray(), [4, 0, 0]);
@@ -196,23 +199,6 @@ test('poses stand where they are told, and what is none is said', () => {
   assert.equal(line.header?.frame, 'map');
   assert.equal(path(color)({ header, poses: [] }).problem, '');
   assert.equal(path(color)({}).problem, 'no pose');
-});
-
-test('a map has its cells in their colours, the first one at its origin', () => {
-  const grid = (more: object, data: unknown = Int8Array.of(0, 100, -1, 50)): unknown =>
-    ({ header, info: { width: 2, height: 2, resolution: 0.5, origin: pose(-1, -1), ...more }, data });
-  const { object } = occupancyGrid(grid({}));
-  assert.ok(object instanceof Mesh && object.material instanceof MeshBasicMaterial && object.material.map instanceof DataTexture);
-  const { data } = object.material.map.image as { data: Uint8Array };
-  assert.deepEqual([...data], [255, 255, 255, 255, 0, 0, 0, 255, 112, 137, 134, 255, 128, 128, 128, 255]);
-  assert.deepEqual(object.position.toArray(), [-1, -1, 0]);
-  const lies: readonly unknown[] = [
-    grid({ width: 3 }), grid({ width: 65536, height: 65536 }), grid({ resolution: NaN }), grid({ resolution: 0 }), grid({ resolution: 1e30 }),
-    grid({ origin: pose(NaN) }), grid({}, [0, 0, 0, 0]), grid({ width: 0, height: 0 }, new Int8Array(0)), {}, null,
-  ];
-  for (const lie of lies) assert.equal(occupancyGrid(lie).object, null);
-  const large = occupancyGrid(grid({ width: 5000, height: 2 }, new Int8Array(10_000)));
-  assert.match(large.problem, /one of 2 cells/);
 });
 
 const marker = (id: number, more: object = {}): unknown => ({
@@ -318,8 +304,8 @@ test('topics that can be shown are known by their type, robots by their name too
   assert.ok(canShow('/scan', 'sensor_msgs/msg/LaserScan'));
   assert.ok(canShow('/robot1/robot_description', 'std_msgs/msg/String'));
   assert.ok(!canShow('/chatter', 'std_msgs/msg/String'));
-  assert.equal(makeDisplay('/chatter', 'std_msgs/msg/String', { text: '#000', accent: '#000' }, 1, noMeshes), null);
-  const display = makeDisplay('/plan', 'nav_msgs/msg/Path', { text: '#000', accent: '#00f' }, 1, noMeshes);
+  assert.equal(makeDisplay('/chatter', 'std_msgs/msg/String', context()), null);
+  const display = makeDisplay('/plan', 'nav_msgs/msg/Path', context());
   display?.take({ header, poses: [] });
   display?.build(0);
   assert.equal(display?.problem, '');

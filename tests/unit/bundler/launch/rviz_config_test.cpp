@@ -53,11 +53,11 @@ TEST(RvizConfig, KindsAreThoseOfThePage) {
     return std::all_of(names.begin(), names.end(),
                        [&](const std::string& name) { return name.starts_with(word); });
   };
-  EXPECT_EQ(found.shown.size(), 7U);
+  EXPECT_EQ(found.shown.size(), 11U);
   EXPECT_TRUE(begin_with(found.shown, "drawn"));
-  EXPECT_EQ(found.elsewhere.size(), 2U);
+  EXPECT_EQ(found.elsewhere.size(), 3U);
   EXPECT_TRUE(begin_with(found.elsewhere, "image"));
-  EXPECT_EQ(found.missing.size(), 7U);
+  EXPECT_EQ(found.missing.size(), 3U);
   EXPECT_TRUE(begin_with(found.missing, "left out"));
 }
 

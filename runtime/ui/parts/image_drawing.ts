@@ -1,0 +1,113 @@
+// Draws the messages of an image topic, raw or compressed, on a canvas: the newest one, once per frame of the page at most.
+
+import { isMessage } from '../../decode/yaml.ts';
+import type { Codec } from '../../decode/codec.ts';
+import type { Session, Unsubscribe } from '../../wasm_js/session.ts';
+import { asNumber } from '../model/field_path.ts';
+import { pixelsOf } from '../model/image_pixels.ts';
+import type { RawImage } from '../model/image_pixels.ts';
+import { texts } from '../texts.ts';
+import { panelTexts } from '../texts_panels.ts';
+import { feed } from './message_feed.ts';
+
+const kRaw = 'sensor_msgs/msg/Image';
+const kCompressed = 'sensor_msgs/msg/CompressedImage';
+const kMostCompressed = 1 << 26;
+
+export function isImage(type: string): boolean {
+  return type === kRaw || type === kCompressed;
+}
+
+export interface ImageTold {
+  /** Size and encoding, in words. */
+  readonly facts: string;
+  /** Why the newest one is not drawn; empty: it is. */
+  readonly problem: string;
+  /** null when it came compressed, or not at all. */
+  readonly raw: RawImage | null;
+}
+
+export function drawImages(
+  session: Session,
+  codec: Codec,
+  topic: string,
+  canvas: () => HTMLCanvasElement | null,
+  tell: (told: ImageTold) => void,
+): Unsubscribe {
+  let current = true;
+  let newest: { readonly type: string; readonly value: Readonly<Record<string, unknown>> } | null = null;
+  let frame = 0;
+  let busy = false;
+  const draw = async (): Promise<void> => {
+    frame = 0;
+    const next = newest;
+    const element = canvas();
+    if (next === null || element === null || busy) return;
+    newest = null;
+    busy = true;
+    const told = next.type === kRaw ? drawRaw(element, next.value) : await drawCompressed(element, next.value);
+    busy = false;
+    if (!current) return;
+    tell(told);
+    if (newest !== null && frame === 0) frame = requestAnimationFrame(() => void draw());
+  };
+  const stop = feed(session, codec, topic, ({ decoded, type }) => {
+    if (decoded.kind === 'failed') {
+      tell(fault(texts.topics.undecodable(decoded.reason)));
+      return;
+    }
+    if (!isMessage(decoded.value)) return;
+    // Only the newest one that there is time for is drawn.
+    newest = { type, value: decoded.value };
+    if (frame === 0) frame = requestAnimationFrame(() => void draw());
+  });
+  return () => {
+    current = false;
+    cancelAnimationFrame(frame);
+    stop();
+  };
+}
+
+function fault(problem: string): ImageTold {
+  return { facts: '', problem, raw: null };
+}
+
+function drawRaw(canvas: HTMLCanvasElement, value: Readonly<Record<string, unknown>>): ImageTold {
+  const { data, encoding } = value;
+  if (!(data instanceof Uint8Array) || typeof encoding !== 'string') return fault(panelTexts.image.noImage);
+  const raw: RawImage = {
+    width: asNumber(value['width']),
+    height: asNumber(value['height']),
+    step: asNumber(value['step']),
+    isBigEndian: asNumber(value['is_bigendian']) !== 0,
+    encoding,
+    data,
+  };
+  const pixels = pixelsOf(raw);
+  if (typeof pixels === 'string') return fault(texts.topics.undecodable(pixels));
+  resize(canvas, pixels.width, pixels.height);
+  canvas.getContext('2d')?.putImageData(new ImageData(pixels.rgba, pixels.width, pixels.height), 0, 0);
+  return { facts: panelTexts.image.facts(pixels.width, pixels.height, encoding), problem: '', raw };
+}
+
+async function drawCompressed(canvas: HTMLCanvasElement, value: Readonly<Record<string, unknown>>): Promise<ImageTold> {
+  const { data, format } = value;
+  if (!(data instanceof Uint8Array) || data.length > kMostCompressed) return fault(panelTexts.image.noImage);
+  const name = typeof format === 'string' ? format : '';
+  try {
+    const picture = await createImageBitmap(new Blob([Uint8Array.from(data)]));
+    resize(canvas, picture.width, picture.height);
+    canvas.getContext('2d')?.drawImage(picture, 0, 0);
+    const facts = panelTexts.image.facts(picture.width, picture.height, name.slice(0, 40));
+    picture.close();
+    return { facts, problem: '', raw: null };
+  } catch {
+    return fault(panelTexts.image.notRead(name.slice(0, 40)));
+  }
+}
+
+function resize(canvas: HTMLCanvasElement, width: number, height: number): void {
+  if (canvas.width === width && canvas.height === height) return;
+  canvas.width = width;
+  canvas.height = height;
+}

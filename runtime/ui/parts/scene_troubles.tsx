@@ -1,0 +1,18 @@
+// What a scene cannot show, said over it while its list is closed.
+
+import { sceneTexts } from '../texts_scene.ts';
+
+const kMostShown = 3;
+
+export function SceneTroubles({ troubles }: { readonly troubles: readonly string[] }) {
+  const rest = troubles.length - kMostShown;
+  return (
+    <details class="scene-troubles" open>
+      <summary>{sceneTexts.troubles(troubles.length)}</summary>
+      <ul>
+        {troubles.slice(0, kMostShown).map((words) => <li key={words}>{words}</li>)}
+        {rest > 0 ? <li>{sceneTexts.more(rest)}</li> : null}
+      </ul>
+    </details>
+  );
+}

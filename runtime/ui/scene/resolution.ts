@@ -1,0 +1,49 @@
+// How finely a picture is drawn: as finely as the screen shows it, and coarser while pictures take too long, as they do
+// where the processor draws them. Pure but for the look at the driver.
+
+/** Of the page's frames: a picture that keeps the next one waiting longer is too dear. */
+const kDear = 21; // ms
+/** One that leaves so much room may be finer. */
+const kCheap = 17.5; // ms
+const kLeast = 0.4;
+const kCoarser = 0.8;
+const kFiner = 1.1;
+/** So many pictures one after the other, before anything is changed. */
+const kPatience = { coarser: 3, finer: 40 } as const;
+
+export class Resolution {
+  private scale = 1;
+  private dear = 0;
+  private cheap = 0;
+
+  /** Of the screen's own resolution. */
+  get share(): number {
+    return this.scale;
+  }
+
+  /** A picture was drawn; `ms`: until the page's next frame. True: the next one is to be drawn otherwise. */
+  tell(ms: number): boolean {
+    this.dear = ms > kDear ? this.dear + 1 : 0;
+    this.cheap = ms < kCheap ? this.cheap + 1 : ms > kDear ? 0 : this.cheap;
+    const before = this.scale;
+    if (this.dear >= kPatience.coarser) this.change(kCoarser);
+    else if (this.cheap >= kPatience.finer) this.change(kFiner);
+    return this.scale !== before;
+  }
+
+  private change(factor: number): void {
+    this.scale = Math.min(1, Math.max(kLeast, this.scale * factor));
+    this.dear = 0;
+    this.cheap = 0;
+  }
+}
+
+/** Is there no graphics card, so that smooth edges cost several pictures' worth? */
+export function drawsInSoftware(): boolean {
+  const context = document.createElement('canvas').getContext('webgl2');
+  if (context === null) return false;
+  const info = context.getExtension('WEBGL_debug_renderer_info');
+  const name = String(context.getParameter(info === null ? context.RENDERER : info.UNMASKED_RENDERER_WEBGL));
+  context.getExtension('WEBGL_lose_context')?.loseContext();
+  return /swiftshader|llvmpipe|software|basic render/i.test(name);
+}

@@ -1,0 +1,20 @@
+// A scene is drawn coarser while its pictures take too long, and finer again.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { Resolution } from '../../../runtime/ui/scene/resolution.ts';
+
+test('the resolution drops with dear pictures, has an end, and comes back with cheap ones', () => {
+  const resolution = new Resolution();
+  assert.deepEqual([resolution.tell(60), resolution.tell(60), resolution.share], [false, false, 1]);
+  // One that was quick: the others were by chance.
+  resolution.tell(16);
+  assert.deepEqual([resolution.tell(60), resolution.tell(60), resolution.tell(60)], [false, false, true]);
+  assert.equal(resolution.share, 0.8);
+  for (let i = 0; i < 100; i += 1) resolution.tell(60);
+  assert.equal(resolution.share, 0.4);
+  for (let i = 0; i < 39; i += 1) assert.equal(resolution.tell(16.7), false);
+  assert.equal(resolution.tell(16.7), true);
+  assert.ok(resolution.share > 0.4 && resolution.share < 0.5);
+  for (let i = 0; i < 1000; i += 1) resolution.tell(16.7);
+  assert.equal(resolution.share, 1);
+});

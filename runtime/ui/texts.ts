@@ -194,7 +194,7 @@ export const texts = {
     rate: 'Rate',
     bandwidth: 'Bandwidth',
     count: 'Messages',
-    qos: 'QoS',
+    misfits: (count: number): string => (count === 1 ? '1 pair does not fit' : `${count} pairs do not fit`),
     lastMessage: 'Last message',
     lastOf: (name: string): string => `Last message of ${name}`,
     noMessage: 'No message has been published yet.',
@@ -207,16 +207,7 @@ export const texts = {
     bytes: (count: string): string => `${count} bytes`,
     items: (count: string, type: string): string => `${count} \u00d7 ${type}`,
     shownOf: (shown: string, all: string): string => `the first ${shown} of ${all}`,
-    qosWords: {
-      reliable: 'reliable',
-      best_effort: 'best effort',
-      transient_local: 'transient local',
-      volatile: 'volatile',
-      keep_last: (depth: number): string => `keep\u00a0last\u00a0${depth}`,
-      keep_all: 'keep all',
-    },
   },
-
 
   about: {
     open: 'About this page',

@@ -14,6 +14,7 @@ import { LineList } from '../model/line_list.ts';
 import { IconButton } from '../parts/button.tsx';
 import { LineScroller } from '../parts/line_scroller.tsx';
 import { PanelFrame } from '../parts/panel.tsx';
+import { takeLines } from '../parts/terminal_line.ts';
 import { texts } from '../texts.ts';
 import { panelTexts } from '../texts_panels.ts';
 import type { PanelProps } from './panel_props.ts';
@@ -189,6 +190,19 @@ export function TerminalPanel({ session, announce }: PanelProps) {
     history.current.at = lines.length;
     void run(typed);
   };
+
+  const runNow = useRef(run);
+  runNow.current = run;
+  // A link of the lab sheet asks for a line.
+  useEffect(
+    () =>
+      takeLines((asked) => {
+        if (current.current !== null) return false;
+        void runNow.current(asked);
+        return true;
+      }),
+    [],
+  );
 
   const stop = (): void => {
     if (current.current === null) {

@@ -77,7 +77,12 @@ export const texts = {
   layout: {
     menu: 'Layout of the page',
     copyLink: 'Copy a link to this view',
+    copyYaml: 'Copy as \u201cui: layout:\u201d of a manifest',
     usual: 'Usual layout',
+    enlarge: 'Fill the page with this group',
+    restore: 'Back to all panels',
+    enlarged: 'It fills the page',
+    restored: 'All panels are shown again',
     add: 'Open a panel here',
     more: (title: string): string => `Move or close ${title}`,
     close: (title: string): string => `Close ${title}`,
@@ -106,6 +111,10 @@ export const texts = {
       `This page has no such panels, so they are left out: ${names.join(', ')}.`,
     linkChanged: (files: string): string =>
       `Who made this link had changed sources, which are not in it: ${files}. Here they are as you have them.`,
+    linkParameters: (count: number): string =>
+      `The link brings ${count === 1 ? 'a parameter' : `${count} parameters`}, set when ${count === 1 ? 'its node runs' : 'their nodes run'}.`,
+    linkNoParameters: 'The parameters in this link cannot be read.',
+    linkRefused: (name: string, node: string, reason: string): string => `${name} of ${node} was not set: ${reason}.`,
     linkInAddress: 'The browser refused to copy. The link stands in the address bar.',
   },
 

@@ -3,6 +3,7 @@
 
 import { callService, type Caller } from './calls.ts';
 import { parameterValue, type ParameterValue } from './parameters.ts';
+import { noteSet } from './set_parameters.ts';
 
 /** A node that is busy is not waited for without end. */
 const timeoutMs = 10_000;
@@ -56,7 +57,9 @@ export async function setValues(
   caller: Caller, of: string, parameters: readonly { readonly name: string; readonly value: ParameterValue }[],
 ): Promise<readonly SetResult[]> {
   const { results } = await ask(caller, of, 'set_parameters', 'SetParameters', { parameters });
-  return results as readonly SetResult[];
+  const told = results as readonly SetResult[];
+  noteSet(caller.session, of, parameters.filter((_, at) => told[at]?.successful === true).map(({ name }) => name));
+  return told;
 }
 
 export async function setValue(caller: Caller, of: string, name: string, value: ParameterValue): Promise<SetResult> {

@@ -1,6 +1,5 @@
 // The page of a running site: header, the dock with its panels, and one announcer.
 
-import type { ComponentChild } from 'preact';
 import { useCallback, useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import type { Session } from '../wasm_js/session.ts';
 import type { AboutDialogProps } from './parts/about_dialog.tsx';
@@ -14,6 +13,7 @@ import { LazyPanel } from './parts/lazy_panel.tsx';
 import { OpenPanel } from './parts/panel.tsx';
 import { EmbedFoot, useEmbedHost, useEmbedTheme } from './parts/embed_foot.tsx';
 import { SourceLinksContext, sourceLinks } from './parts/source_links.ts';
+import { useLoaded } from './parts/use_loaded.ts';
 import { useLayout } from './parts/use_layout.ts';
 import { useNodes, useMedia } from './parts/watch.ts';
 import type { EmbedView } from './model/embed_link.ts';
@@ -148,10 +148,6 @@ function useNodeNews(session: Session, announce: (text: string) => void): void {
 
 /** Its code comes when it is first opened. */
 function About(props: AboutDialogProps) {
-  const [Dialog, setDialog] = useState<((props: AboutDialogProps) => ComponentChild) | null>(null);
-  const wanted = props.open && Dialog === null;
-  useEffect(() => {
-    if (wanted) void import('./parts/about_dialog.tsx').then((file) => setDialog(() => file.AboutDialog));
-  }, [wanted]);
-  return Dialog === null ? null : <Dialog {...props} />;
+  const code = useLoaded(props.open, () => import('./parts/about_dialog.tsx'));
+  return code === null ? null : <code.AboutDialog {...props} />;
 }

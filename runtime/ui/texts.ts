@@ -77,7 +77,12 @@ export const texts = {
   layout: {
     menu: 'Layout of the page',
     copyLink: 'Copy a link to this view',
+    copyYaml: 'Copy as \u201cui: layout:\u201d of a manifest',
     usual: 'Usual layout',
+    enlarge: 'Fill the page with this group',
+    restore: 'Back to all panels',
+    enlarged: 'It fills the page',
+    restored: 'All panels are shown again',
     add: 'Open a panel here',
     more: (title: string): string => `Move or close ${title}`,
     close: (title: string): string => `Close ${title}`,
@@ -106,6 +111,10 @@ export const texts = {
       `This page has no such panels, so they are left out: ${names.join(', ')}.`,
     linkChanged: (files: string): string =>
       `Who made this link had changed sources, which are not in it: ${files}. Here they are as you have them.`,
+    linkParameters: (count: number): string =>
+      `The link brings ${count === 1 ? 'a parameter' : `${count} parameters`}, set when ${count === 1 ? 'its node runs' : 'their nodes run'}.`,
+    linkNoParameters: 'The parameters in this link cannot be read.',
+    linkRefused: (name: string, node: string, reason: string): string => `${name} of ${node} was not set: ${reason}.`,
     linkInAddress: 'The browser refused to copy. The link stands in the address bar.',
   },
 
@@ -194,7 +203,7 @@ export const texts = {
     rate: 'Rate',
     bandwidth: 'Bandwidth',
     count: 'Messages',
-    qos: 'QoS',
+    misfits: (count: number): string => (count === 1 ? '1 pair does not fit' : `${count} pairs do not fit`),
     lastMessage: 'Last message',
     lastOf: (name: string): string => `Last message of ${name}`,
     noMessage: 'No message has been published yet.',
@@ -207,16 +216,7 @@ export const texts = {
     bytes: (count: string): string => `${count} bytes`,
     items: (count: string, type: string): string => `${count} \u00d7 ${type}`,
     shownOf: (shown: string, all: string): string => `the first ${shown} of ${all}`,
-    qosWords: {
-      reliable: 'reliable',
-      best_effort: 'best effort',
-      transient_local: 'transient local',
-      volatile: 'volatile',
-      keep_last: (depth: number): string => `keep\u00a0last\u00a0${depth}`,
-      keep_all: 'keep all',
-    },
   },
-
 
   about: {
     open: 'About this page',

@@ -12,6 +12,8 @@ const beatMs = 250;
 
 interface Running {
   readonly check: SiteCheck;
+  /** When time began to count, ms of the site's time: the first node's start. */
+  begin: number | undefined;
   look: Look | undefined;
   /** Once it is decided. */
   verdict: { readonly passed: boolean; readonly seen: string; readonly afterMs: number } | undefined;
@@ -28,8 +30,6 @@ export class CheckRun implements SiteChecks {
   private readonly listeners = new Set<(views: readonly CheckView[]) => void>();
   private readonly stopNodes: Unsubscribe;
   private running: Running[] = [];
-  /** When the first node started, ms of the site's time. */
-  private begin: number | undefined;
   private timer: PageTimer | undefined;
   private telling = false;
   private news = false;
@@ -62,10 +62,9 @@ export class CheckRun implements SiteChecks {
     return () => void this.listeners.delete(listener);
   }
 
-  again(): void {
-    this.halt();
-    this.begin = undefined;
-    this.start();
+  again(at?: number): void {
+    this.halt(at);
+    this.start(at);
     this.watchBegin();
     this.tell();
   }
@@ -85,14 +84,18 @@ export class CheckRun implements SiteChecks {
     return this.session.time.view().now;
   }
 
-  private start(): void {
+  /** All, or the one at that place. */
+  private start(at?: number): void {
     const { session, codec } = this;
     const from = this.now();
-    this.running = session.site.checks.map((check) => ({ check, look: undefined, verdict: undefined }));
+    const before = this.running;
+    this.running = session.site.checks.map((check, index) =>
+      at === undefined || at === index ? { check, begin: undefined, look: undefined, verdict: undefined } : before[index]!);
     for (const running of this.running) {
+      if (running.look !== undefined) continue;
       const { check } = running;
       // Lines bear whole ms.
-      const inTime = (at: number): boolean => at >= Math.floor(from) && at <= (this.begin ?? Infinity) + check.withinMs;
+      const inTime = (time: number): boolean => time >= Math.floor(from) && time <= (running.begin ?? Infinity) + check.withinMs;
       running.look = startLook(check.aim, { session, codec, inTime, met: (seen) => this.decide(running, true, seen) });
       if (running.verdict !== undefined) running.look.close();
     }
@@ -100,8 +103,10 @@ export class CheckRun implements SiteChecks {
 
   /** Time counts from when a node starts. */
   private watchBegin(): void {
-    if (this.begin !== undefined || this.session.nodes().every(({ state }) => state.kind === 'stopped')) return;
-    this.begin = this.now();
+    const waiting = this.running.filter(({ begin }) => begin === undefined);
+    if (waiting.length === 0 || this.session.nodes().every(({ state }) => state.kind === 'stopped')) return;
+    for (const running of waiting) running.begin = this.now();
+    this.stopTimer();
     const shortest = Math.min(beatMs, ...this.running.map(({ check }) => check.withinMs));
     if (this.running.some(({ verdict }) => verdict === undefined)) {
       this.timer = this.session.node().timer(shortest, () => this.beat());
@@ -112,8 +117,8 @@ export class CheckRun implements SiteChecks {
   private beat(): void {
     for (const running of this.running) {
       if (running.verdict === undefined) running.look?.look();
-      if (running.verdict !== undefined || this.begin === undefined) continue;
-      if (this.now() < this.begin + running.check.withinMs) continue;
+      if (running.verdict !== undefined || running.begin === undefined) continue;
+      if (this.now() < running.begin + running.check.withinMs) continue;
       const seen = running.look?.seen() ?? '';
       // A last look may have found it.
       if (this.undecided(running)) this.decide(running, false, seen);
@@ -126,7 +131,7 @@ export class CheckRun implements SiteChecks {
 
   private decide(running: Running, passed: boolean, seen: string): void {
     if (running.verdict !== undefined) return;
-    running.verdict = { passed, seen, afterMs: Math.max(0, this.now() - (this.begin ?? this.now())) };
+    running.verdict = { passed, seen, afterMs: Math.max(0, this.now() - (running.begin ?? this.now())) };
     running.look?.close();
     if (this.running.every(({ verdict }) => verdict !== undefined)) this.stopTimer();
     this.tell();
@@ -137,9 +142,9 @@ export class CheckRun implements SiteChecks {
     this.timer = undefined;
   }
 
-  private halt(): void {
-    this.stopTimer();
-    for (const { look, verdict } of this.running) if (verdict === undefined) look?.close();
+  private halt(at?: number): void {
+    if (at === undefined) this.stopTimer();
+    for (const { look, verdict } of at === undefined ? this.running : this.running.slice(at, at + 1)) if (verdict === undefined) look?.close();
   }
 
   /** What is decided while it is told is told after that, and once. */

@@ -85,6 +85,12 @@ function underWay(session: SiteSession): Promise<void> {
   });
 }
 
+/** As the address says (`#autorun=0` or `1`), else the manifest. */
+function startsByItself(site: Pick<Session['site'], 'ui'>): boolean {
+  const asked = new URLSearchParams(location.hash.slice(1)).get('autorun');
+  return asked === '0' ? false : asked === '1' || site.ui['autostart'] !== false;
+}
+
 /** Never resolves when the page reloads to become isolated. Rejects with a SiteError. */
 export async function startSession(options: LaunchOptions = {}): Promise<Session> {
   const base = options.base ?? new URL('./', document.baseURI);
@@ -125,7 +131,7 @@ export async function startSession(options: LaunchOptions = {}): Promise<Session
   performance.mark('ros2wasm: nodes are told to start');
   if (named !== undefined) {
     for (const id of named) session.start(id);
-  } else if (site.ui['autostart'] !== false) {
+  } else if (startsByItself(site)) {
     await session.startUnclaimed();
     await underWay(session);
   }

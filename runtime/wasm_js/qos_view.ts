@@ -1,8 +1,8 @@
 // QoS in words, as the page and commands show and ask for it, and in the numbers of the bus. Pure.
 
-import { Durability, History, Liveliness, Reliability } from '../protocol/generated/constants.ts';
+import { Durability, History, Liveliness, PolicyKind, Reliability } from '../protocol/generated/constants.ts';
 import type { EndpointQosView, QosRequest } from './page_node.ts';
-import { defaultQos, type EndpointQos } from './qos.ts';
+import { defaultQos, type EndpointQos, incompatiblePolicy } from './qos.ts';
 import type { QosView } from './session.ts';
 
 export function qosView(qos: EndpointQos): QosView {
@@ -41,4 +41,24 @@ export function endpointQos(asked: QosRequest): EndpointQos {
     lifespan: nanoseconds(asked.lifespanNs),
     lease: nanoseconds(asked.leaseNs),
   };
+}
+
+export type MisfitPolicy = 'reliability' | 'durability' | 'deadline' | 'liveliness' | 'lease';
+
+/** Why the one gets nothing of the other; undefined: they fit. */
+export function misfitPolicy(offered: EndpointQosView, requested: EndpointQosView): MisfitPolicy | undefined {
+  switch (incompatiblePolicy(endpointQos(offered), endpointQos(requested))) {
+    case PolicyKind.none:
+      return undefined;
+    case PolicyKind.reliability:
+      return 'reliability';
+    case PolicyKind.durability:
+      return 'durability';
+    case PolicyKind.deadline:
+      return 'deadline';
+    case PolicyKind.liveliness:
+      return 'liveliness';
+    default:
+      return 'lease';
+  }
 }

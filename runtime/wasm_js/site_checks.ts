@@ -47,6 +47,6 @@ export interface SiteChecks {
   views(): readonly CheckView[];
   /** Called when one is decided, and when all begin again. */
   onChange(listener: (views: readonly CheckView[]) => void): Unsubscribe;
-  /** Forgets what was seen and looks again from now on. */
-  again(): void;
+  /** Forgets what was seen and looks again from now on: at all, or at the one of that place in views(). */
+  again(at?: number): void;
 }

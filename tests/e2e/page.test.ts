@@ -93,6 +93,16 @@ test('the graph shows the two nodes and their topic, with its rate', () =>
     assert.equal(await page.locator('.graph-box').count(), 3);
   }));
 
+test('a link says whether nodes start by themselves', () =>
+  onSite({}, async (page) => {
+    await listener(page).getByText(/I heard/).first().waitFor();
+    await page.goto('about:blank');
+    await page.goto(`${served.url}#autorun=0`);
+    await page.getByText('0 of 2 running').waitFor();
+    await page.getByRole('button', { name: 'Start all' }).click();
+    await listener(page).getByText(/I heard/).first().waitFor();
+  }));
+
 test('the first view is small: page, scripts and styles under 120 kB, without what runs the nodes', () =>
   onSite({}, async (page) => {
     await page.getByText('2 of 2 running').waitFor();

@@ -289,11 +289,12 @@ function sheet(): FakeSession {
 }
 
 /** A service that adds and an action that counts, served by another participant of a real graph. `globalThis.leave()` ends it, `hush(true)` silences the service. */
-async function services(): Promise<FakeSession> {
+async function services(options: Partial<FakeOptions> = {}): Promise<FakeSession> {
   // Not part of the first view, which a test measures.
   const { GraphPeer } = await import('../unit/wasm_js/graph_peer.ts');
   const fake = new FakeSession({
     nodes: [{ executable: 'server' }],
+    ...options,
     interfaces: new Map([
       ['demo/srv/Add', 'int64 a\nint64 b\n---\nint64 sum\n'],
       ['demo/action/Count', 'int32 to\n---\nint32 end\n---\nint32 now\n'],
@@ -428,7 +429,16 @@ const kScenes: Readonly<Record<string, () => FakeSession | Promise<FakeSession>>
   world,
   turtles,
   sheet,
-  services,
+  services: () => services(),
+  /** A lab sheet beside services, an action and checks. */
+  lab: async () => {
+    const fake = await services({ ui: { text: 'text/lab/README.md' }, files: ['text/lab/README.md'] });
+    fake.checks = new FakeChecks([
+      { title: '/topic above 1 Hz', state: 'failed', seen: '0 Hz', afterMs: 5000, withinMs: 5000 },
+      { title: kHostile, state: 'failed', seen: kHostile, afterMs: 5000, withinMs: 5000 },
+    ]);
+    return fake;
+  },
   // Not part of the first view, which a test measures.
   health: async () => {
     const fake = await (await import('./page_fake_health.ts')).health();

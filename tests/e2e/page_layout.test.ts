@@ -5,6 +5,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import type { Page } from 'playwright-core';
+import { parse } from 'yaml';
 import { PageStage, expectAccessible, focused, phone } from './page_stage.ts';
 
 let stage: PageStage;
@@ -221,3 +222,92 @@ test('on a phone all tabs stand in one column, and a closed panel is opened agai
     await page.locator('.panel-console').waitFor();
     assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 360);
   }));
+
+const fieldsOf = (link: string): URLSearchParams => new URLSearchParams(new URL(link).hash.slice(1));
+
+async function copyLink(page: Page): Promise<string> {
+  await page.getByRole('button', { name: 'Layout of the page' }).click();
+  await page.getByRole('menuitem', { name: 'Copy a link to this view' }).click();
+  await page.waitForFunction(() => location.hash.includes('site='));
+  return page.url();
+}
+
+test('a link brings the parameters that were set, and whether nodes run', async () => {
+  let link = '';
+  const beside = encodeURIComponent(JSON.stringify({ row: ['nodes', 'parameters'] }));
+  await stage.on(`parameters#layout=${beside}`, {}, async (page) => {
+    await page.getByRole('textbox', { name: 'speed of /robot', exact: true }).fill('2.0');
+    await page.keyboard.press('Enter');
+    await page.getByRole('status').getByText('speed of /robot is set').waitFor();
+    await page.getByRole('button', { name: 'Stop all' }).click();
+    link = await copyLink(page);
+    assert.deepEqual(JSON.parse(fieldsOf(link).get('params') ?? ''), { '/robot': { speed: [3, '2.0'] } });
+    assert.equal(fieldsOf(link).get('autorun'), '0');
+    // The way back to the usual layout leaves nothing of it in the address.
+    await page.getByRole('button', { name: 'Layout of the page' }).click();
+    await page.getByRole('menuitem', { name: 'Usual layout' }).click();
+    assert.equal(new URL(page.url()).hash, '');
+  });
+  const bring = (params: string): string => `parameters#layout=${beside}&params=${encodeURIComponent(params)}`;
+  await stage.on(bring(fieldsOf(link).get('params') ?? ''), {}, async (page) => {
+    await page.getByText('The link brings a parameter, set when its node runs.').waitFor();
+    await page.waitForFunction(() => (document.querySelector('[aria-label="speed of /robot"]') as HTMLInputElement | null)?.value === '2.0');
+  });
+  const odd = { '/robot': { speed: [3, '9'], frame: 'x', motto: [4, '<b>'], joints: [9, '[a'] }, 'no name': { a: [1, 'true'] }, '/nobody': { a: [2, '1'] } };
+  await stage.on(bring(JSON.stringify(odd)), {}, async (page) => {
+    await page.getByText(/speed of \/robot was not set: speed must not be above 2\.0/).waitFor();
+    await page.getByText(/joints of \/robot was not set: /).waitFor();
+    assert.match(await page.getByRole('region', { name: 'About the link' }).innerText(), /^The link brings 4 parameters/);
+    assert.equal(await page.locator('.notice b').count(), 0);
+  });
+  await stage.on(bring('{"/robot": 1'), {}, async (page) => {
+    await page.getByText('The parameters in this link cannot be read.').waitFor();
+  });
+});
+
+test('the layout is copied as lines of a manifest', () =>
+  stage.on(`quiet#layout=${encodeURIComponent(JSON.stringify({ row: ['nodes', { plot: { paths: ['/a.b'] } }], sizes: [1, 3] }))}`, { permissions: ['clipboard-read', 'clipboard-write'] }, async (page) => {
+    await page.getByRole('tab', { name: 'Plot' }).waitFor();
+    await page.getByRole('button', { name: 'Layout of the page' }).click();
+    await page.getByRole('menuitem', { name: /^Copy as .ui: layout:/ }).click();
+    await page.getByRole('status').getByText('Copied').waitFor();
+    const { ui } = parse(await page.evaluate(() => navigator.clipboard.readText())) as { ui: { layout: { row: unknown } } };
+    assert.deepEqual(ui.layout.row, ['nodes', { plot: { paths: ['/a.b'] } }]);
+  }));
+
+test('a group fills the page, by keyboard, and what is behind goes on unseen', () =>
+  stage.on('quiet', {}, async (page) => {
+    await page.getByRole('button', { name: 'Move or close Topics' }).focus();
+    for (const key of ['Enter', 'f', 'Enter']) await page.keyboard.press(key);
+    await page.getByRole('button', { name: 'Back to all panels' }).waitFor();
+    const width = (): Promise<number> => page.locator('.group:has(#tab-topics)').evaluate((group) => group.getBoundingClientRect().width);
+    assert.ok((await width()) > 1200, String(await width()));
+    assert.equal(await page.getByRole('tab', { name: 'Nodes' }).count(), 0);
+    assert.equal(await page.locator('#tab-nodes').count(), 1);
+    await expectAccessible(page);
+    await page.getByRole('button', { name: 'Back to all panels' }).focus();
+    await page.keyboard.press('Enter');
+    await page.getByRole('tab', { name: 'Nodes' }).waitFor();
+    assert.ok((await width()) < 700);
+  }));
+
+test('links bring what panels show: a filter, a message, a request, a line that is not run', async () => {
+  const layout = (panels: unknown): string => `#layout=${encodeURIComponent(JSON.stringify(panels))}`;
+  await stage.on(`publish${layout({ row: [{ console: { text: 'hello', level: 'WARN' } }, { publish: { topic: '/cmd_vel', type: 'geometry_msgs/msg/Twist', message: '{linear: {x: 0.5}}' } }, { terminal: { line: 'ros2 topic list\n<b>' } }] })}`, {}, async (page) => {
+    assert.equal(await page.getByRole('searchbox', { name: 'Filter lines' }).inputValue(), 'hello');
+    assert.equal(await page.getByRole('combobox', { name: 'Lowest level shown' }).inputValue(), 'WARN');
+    await page.getByRole('textbox', { name: 'YAML of the message for /cmd_vel' }).waitFor();
+    assert.equal(await page.getByRole('textbox', { name: 'YAML of the message for /cmd_vel' }).inputValue(), '{linear: {x: 0.5}}');
+    assert.equal(await page.getByRole('textbox', { name: 'Command' }).inputValue(), 'ros2 topic list <b>');
+    assert.equal(await page.getByText('$ ros2 topic list').count(), 0);
+    // What is written is in the next link, once it is left.
+    await page.getByRole('textbox', { name: 'YAML of the message for /cmd_vel' }).fill('{angular: {z: 2}}');
+    await page.getByRole('searchbox', { name: 'Filter lines' }).fill('world');
+    assert.match(fieldsOf(await copyLink(page)).get('layout') ?? '', /"text":"world".*"message":"\{angular: \{z: 2\}\}"/);
+  });
+  await stage.on(`services${layout({ services: { name: '/add', request: '{a: 20, b: 3}' } })}`, {}, async (page) => {
+    await page.getByRole('button', { name: 'Call' }).click();
+    await page.getByText('sum:').waitFor();
+    assert.match(await page.locator('.message').innerText(), /sum: 23/);
+  });
+});

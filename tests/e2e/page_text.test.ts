@@ -46,7 +46,7 @@ const kHostile = `# <img src=x onerror="document.title='owned'">
 
 $\\href{javascript:document.title='owned'}{x}$ $\\url{https://web.example}$ $\\includegraphics{https://web.example/a.png}$ $\\style{background:url(https://web.example)}{x}$
 
-<ros2wasm:eval?x=1> [act](ros2wasm:eval?code=1)
+<ros2wasm:eval?x=1> [act](ros2wasm:eval?code=1) ![act](ros2wasm:run?line=clear) <img src="ros2wasm:stop?node=talker">
 `;
 
 let stage: PageStage;
@@ -107,6 +107,61 @@ test('a lab sheet stands beside its machine: math, images, tables, links that ac
     await page.waitForFunction(() => document.activeElement?.textContent === 'What to see');
     assert.equal(await text.getByRole('link', { name: 'nowhere' }).count(), 0);
     assert.equal(await text.getByRole('link', { name: 'the web' }).getAttribute('rel'), 'noopener noreferrer');
+  });
+});
+
+const kLab = `# Lab 2
+
+[add](<ros2wasm:call?name=/add&value={a: 2, b: 40}>) [add nothing](<ros2wasm:call?name=/add&value={c: 1}>) [nobody](ros2wasm:call?name=/none)
+[count](<ros2wasm:goal?name=/count&value={to: 3}>)
+[look at all](ros2wasm:check) [look at one](<ros2wasm:check?name=/topic above 1 Hz>) [look at none](ros2wasm:check?name=x)
+[hold](ros2wasm:pause) [step](ros2wasm:step?ms=20) [go on](ros2wasm:resume)
+[list](<ros2wasm:run?line=ros2 service list -t>) [again](<ros2wasm:run?line=ros2 node list>) [two lines](<ros2wasm:run?line=ros2 node list%0Aros2 topic list>)
+`;
+
+test('links of a lab sheet call, send goals, look at checks, hold time and run commands', async () => {
+  put(kLab);
+  await stage.on('lab', {}, async (page) => {
+    const text = page.locator('.text');
+    const said = page.locator('.text-said');
+    const click = (name: string): Promise<void> => text.getByRole('button', { name, exact: true }).click();
+    await click('add');
+    await said.getByText('Reply of /add:').waitFor();
+    assert.equal(await said.innerText(), 'Reply of /add:\nsum: 42');
+    await click('add nothing');
+    await said.getByText(/^Not done: .*c/).waitFor();
+    await click('nobody');
+    await said.getByText('Not done: nobody offers /none').waitFor();
+    await click('count');
+    await said.getByText('Goal of /count: ').waitFor();
+    await click('look at all');
+    await said.getByText('Looking: /topic above 1 Hz (nothing)').waitFor();
+    assert.equal(await said.locator('*').count(), 0);
+    // What is decided is said beside the link.
+    await page.evaluate(() => {
+      const checks = fake.checks as unknown as { set: (views: unknown[]) => void; views: () => object[] };
+      checks.set(checks.views().map((view, index) => (index === 0 ? { ...view, state: 'passed', seen: '2 Hz' } : view)));
+    });
+    await said.getByText('Passed: /topic above 1 Hz (2 Hz)').waitFor();
+    await click('look at one');
+    await said.getByText(/^Looking: \/topic above 1 Hz \(nothing\)$/).waitFor();
+    await click('look at none');
+    await said.getByText('This site has no check \u201cx\u201d.').waitFor();
+    await click('hold');
+    await click('step');
+    await said.getByText('Time went on by 20 ms.').waitFor();
+    await click('go on');
+    assert.deepEqual(await page.evaluate(() => fake.time.asked), ['pause', 'step 20000000', 'resume']);
+    await click('list');
+    const output = page.getByRole('log', { name: 'Output of the commands' });
+    await output.getByText('/add [demo/srv/Add]').waitFor();
+    assert.equal(await output.getByText('$ ros2 service list -t').count(), 1);
+    await click('again');
+    await output.getByText('$ ros2 node list').waitFor();
+    assert.equal(await page.getByRole('tab', { name: /^Terminal/ }).count(), 1);
+    // One that would run more than it shows means nothing.
+    assert.equal(await text.getByRole('button', { name: 'two lines' }).getAttribute('aria-disabled'), 'true');
+    assert.match(await page.title(), /^Talker and listener/);
   });
 });
 

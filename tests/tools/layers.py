@@ -22,7 +22,7 @@ ALLOWED: dict[str, set[str]] = {
     "runtime/wasm_cpp": {"runtime/protocol"},
 }
 # The page sees the runtime through these files only.
-UI_DOORS = {"session.ts", "launcher.ts", "carried_files.ts", "page_files.ts"}
+UI_DOORS = {"session.ts", "launcher.ts", "carried_files.ts", "page_files.ts", "qos_view.ts"}
 # Commands and bags know no more than panels do; the program for Node.js opens the site itself.
 COMMAND_DOORS = {"session.ts", "site_error.ts", "launch_arguments.ts"}
 HEADLESS_MAIN = "runtime/ros2cli/headless_main.ts"

@@ -1,6 +1,6 @@
-// What a link to a view carries behind its "#": `site=HASH&layout=JSON`. The hash is the beginning of the sha256 of
-// site.json, which names every file of the site with its own: a link tells when it was made for another site.
-// Fields of others (arguments, parameters) are kept as they are.
+// What a link to a view carries behind its "#": `site=HASH&layout=JSON`, and where they are not as they were made,
+// `params=JSON` and `autorun=0`. The hash is the beginning of the sha256 of site.json, which names every file of the site
+// with its own: a link tells when it was made for another site. Fields of others are kept as they are.
 
 import { fetchOfSite } from '../../wasm_js/carried_files.ts';
 
@@ -42,4 +42,9 @@ export async function siteDigest(): Promise<string | null> {
   } catch {
     return null;
   }
+}
+
+/** Whether nodes start by themselves, for a link: null where they do what the manifest says. */
+export function autorunField(running: boolean, usual: boolean): string | null {
+  return running === usual ? null : running ? '1' : '0';
 }

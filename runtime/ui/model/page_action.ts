@@ -1,7 +1,5 @@
 // Links that act, in the text of a lab sheet: `ros2wasm:open?panel=plot&paths=/odom.pose.pose.position.x`,
-// `ros2wasm:start?node=talker`, `ros2wasm:stop?node=...`, `ros2wasm:restart?node=...`,
-// `ros2wasm:set_param?node=/robot&name=speed&value=1.5` and
-// `ros2wasm:publish?topic=/cmd_vel&type=geometry_msgs/msg/Twist&value={linear: {x: 1}}`. Pure: what they mean.
+// `ros2wasm:start?node=talker` and its like; docs/page.md lists them. Pure: what they mean.
 
 import type { Json } from './json.ts';
 
@@ -9,10 +7,20 @@ export type PageAction =
   | { readonly kind: 'open'; readonly panel: string; readonly state: Json }
   | { readonly kind: 'start' | 'stop' | 'restart'; readonly node: string }
   | { readonly kind: 'set_param'; readonly node: string; readonly name: string; readonly value: string }
-  | { readonly kind: 'publish'; readonly topic: string; readonly type: string; readonly value: string };
+  | { readonly kind: 'publish'; readonly topic: string; readonly type: string; readonly value: string }
+  /** Without a type: as the graph has it. */
+  | { readonly kind: 'call' | 'goal'; readonly name: string; readonly type: string; readonly value: string }
+  /** Of that title; empty: all. */
+  | { readonly kind: 'check'; readonly name: string }
+  /** Of the terminal. */
+  | { readonly kind: 'run'; readonly line: string }
+  | { readonly kind: 'pause' | 'resume' }
+  | { readonly kind: 'step'; readonly ms: number };
 
 const kScheme = 'ros2wasm:';
 const kMostLength = 8_192;
+const kStepMs = 100;
+const kMostStepMs = 3_600_000;
 
 export function isPageAction(href: string): boolean {
   return href.toLowerCase().startsWith(kScheme);
@@ -43,6 +51,23 @@ export function readPageAction(href: string): PageAction | null {
     case 'publish': {
       const action = { topic: field('topic'), type: field('type'), value: field('value') };
       return action.topic === '' || action.type === '' ? null : { kind: 'publish', ...action };
+    }
+    case 'call':
+    case 'goal':
+      return field('name') === '' ? null : { kind: name, name: field('name'), type: field('type'), value: field('value') };
+    case 'check':
+      return { kind: 'check', name: field('name') };
+    case 'run': {
+      const line = field('line').trim();
+      // One line: what stands behind the end of one would be run unseen.
+      return line === '' || /\p{Cc}/u.test(line) ? null : { kind: 'run', line };
+    }
+    case 'pause':
+    case 'resume':
+      return { kind: name };
+    case 'step': {
+      const ms = fields.has('ms') ? Number(field('ms')) : kStepMs;
+      return ms > 0 && ms <= kMostStepMs ? { kind: 'step', ms } : null;
     }
     default:
       return null;

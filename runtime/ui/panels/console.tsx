@@ -1,9 +1,11 @@
 // The consoles: one per node side by side, all merged as `ros2 launch` prints them, or one node alone.
+// State: {text, level}, the filter.
 
 import { useMemo, useState } from 'preact/hooks';
 import { LEVELS } from '../model/log_line.ts';
 import type { Level } from '../model/log_line.ts';
 import type { LineFilter } from '../model/line_list.ts';
+import { textMember } from '../model/json.ts';
 import { readPreference, writePreference } from '../model/preferences.ts';
 import { ConsoleTile } from '../parts/console_tile.tsx';
 import { PanelFrame } from '../parts/panel.tsx';
@@ -16,13 +18,15 @@ type View = 'each' | 'merged';
 
 const kViews: readonly View[] = ['each', 'merged'];
 
-export function ConsolePanel({ session, focus, store, announce }: PanelProps) {
+export function ConsolePanel({ session, focus, store, announce, state, setState }: PanelProps) {
   const nodes = useNodes(session);
   const [view, setView] = useState<View>(() => readPreference(store, 'consoles', kViews, 'each'));
-  const [text, setText] = useState('');
-  const [level, setLevel] = useState<Level | null>(null);
+  const text = textMember(state, 'text');
+  const level: Level | null = LEVELS.find((name) => name === textMember(state, 'level')) ?? null;
   const filter = useMemo<LineFilter>(() => ({ text, level }), [text, level]);
 
+  const change = (next: LineFilter): void =>
+    setState(next.text === '' && next.level === null ? null : { text: next.text, level: next.level ?? '' });
   const choose = (next: View): void => {
     setView(next);
     focus.set(null);
@@ -71,7 +75,7 @@ export function ConsolePanel({ session, focus, store, announce }: PanelProps) {
         aria-label={texts.console.level}
         value={level ?? ''}
         onChange={(event) =>
-          setLevel(LEVELS.find((name) => name === event.currentTarget.value) ?? null)
+          change({ text, level: LEVELS.find((name) => name === event.currentTarget.value) ?? null })
         }
       >
         <option value="">{texts.console.allLevels}</option>
@@ -79,7 +83,7 @@ export function ConsolePanel({ session, focus, store, announce }: PanelProps) {
           <option value={name}>{texts.console.atLeast(name)}</option>
         ))}
       </select>
-      <SearchField value={text} label={texts.console.filter} onText={setText} />
+      <SearchField value={text} label={texts.console.filter} onText={(next) => change({ text: next, level })} />
     </>
   );
   return (

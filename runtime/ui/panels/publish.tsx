@@ -1,9 +1,10 @@
 // Publishes messages that are written in a form or as YAML: once, or at a rate in the site's time.
-// State: {topic, type, rate}.
+// State: {topic, type, rate, message}, the message as YAML.
 
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import type { PagePublisher, PageTimer } from '../../wasm_js/session.ts';
 import { draftBytes, refusal } from '../model/draft_value.ts';
+import { toYaml } from '../../decode/yaml.ts';
 import type { DraftText } from '../model/draft_value.ts';
 import { isHiddenTopic } from '../model/hidden_names.ts';
 import { numberMember, textMember } from '../model/json.ts';
@@ -29,6 +30,7 @@ export function PublishPanel({ session, state, setState, instance }: PanelProps)
   const topic = textMember(state, 'topic');
   const type = textMember(state, 'type');
   const rate = numberMember(state, 'rate', 0.01, kMostRate, 10);
+  const message = textMember(state, 'message');
   const [rateText, setRateText] = useState(String(rate));
   const topics = useTopics(session);
   const [allTypes, setAllTypes] = useState<readonly string[]>([]);
@@ -40,6 +42,7 @@ export function PublishPanel({ session, state, setState, instance }: PanelProps)
   const outlet = useRef<Outlet | null>(null);
   const newest = useRef(draft);
   newest.current = draft;
+  const kept = useRef<string | null>(null);
   const known = topics.find((each) => each.name === topic)?.type ?? '';
   const ready = codec !== null && typeof codec !== 'string';
 
@@ -71,14 +74,28 @@ export function PublishPanel({ session, state, setState, instance }: PanelProps)
     return shut;
   }, [session, topic, type]);
   useEffect(() => {
-    setDraft(!ready || type === '' ? '' : beginDraft(codec, type));
-  }, [codec, type]);
+    if (!ready || type === '') setDraft('');
+    // One that a link brings, and not what this panel has kept itself.
+    else if (message !== '' && message !== kept.current) setDraft({ view: 'yaml', text: message });
+    else if (message === '') setDraft(beginDraft(codec, type));
+  }, [codec, type, message]);
+  /** As it is when it is left: not at each key. */
+  const keep = (): void => {
+    if (!ready || typeof draft === 'string') return;
+    const parsed = codec.types.get(type);
+    if (typeof parsed === 'string') return;
+    const text = draft.view === 'yaml' ? draft.text : toYaml(draft.value, parsed.shape, null);
+    const usual = beginDraft(codec, type);
+    const untouched = typeof usual !== 'string' && usual.view === 'form' && text === toYaml(usual.value, parsed.shape, null);
+    kept.current = untouched ? '' : text;
+    if (kept.current !== message) change({ message: kept.current });
+  };
 
-  const change = (next: { topic?: string; type?: string; rate?: number }): void =>
-    setState({ topic, type, rate, ...next });
+  const change = (next: { topic?: string; type?: string; rate?: number; message?: string }): void =>
+    setState({ topic, type, rate, ...(message === '' ? {} : { message }), ...next });
   const chooseTopic = (name: string): void => {
     const found = topics.find((each) => each.name === name)?.type;
-    change({ topic: name, ...(found === undefined || found === '' ? {} : { type: found }) });
+    change({ topic: name, ...(found === undefined || found === '' || found === type ? {} : { type: found, message: '' }) });
   };
 
   const send = async (through: Outlet): Promise<void> => {
@@ -164,7 +181,7 @@ export function PublishPanel({ session, state, setState, instance }: PanelProps)
             autocapitalize="off"
             spellcheck={false}
             placeholder="geometry_msgs/msg/Twist"
-            onInput={(event) => change({ type: event.currentTarget.value })}
+            onInput={(event) => change({ type: event.currentTarget.value, message: '' })}
           />
         </label>
         <datalist id={`publish-types-${instance}`}>
@@ -182,13 +199,15 @@ export function PublishPanel({ session, state, setState, instance }: PanelProps)
             <p class="hint">{draft}</p>
           )
         ) : !ready ? null : (
-          <MessageEditor
-            codec={codec}
-            type={type}
-            draft={draft}
-            onChange={setDraft}
-            label={topic === '' ? type : topic}
-          />
+          <div onFocusOut={keep}>
+            <MessageEditor
+              codec={codec}
+              type={type}
+              draft={draft}
+              onChange={setDraft}
+              label={topic === '' ? type : topic}
+            />
+          </div>
         )}
         <div class="work-row">
           <button type="submit" class="button button-main" aria-disabled={able ? undefined : 'true'}>

@@ -1,5 +1,6 @@
 // The services and actions of the graph: a form for each, the call with its reply, the goal with feedback and result.
-// A row that has something to show stays when its server has gone.
+// A row that has something to show stays when its server has gone. State: {name, request}, one that is opened with that
+// request or goal, written as YAML.
 
 import { useEffect, useRef, useState } from 'preact/hooks';
 import type { PageGoal, Session } from '../../wasm_js/session.ts';
@@ -8,6 +9,7 @@ import { draftBytes, refusal } from '../model/draft_value.ts';
 import type { DraftText } from '../model/draft_value.ts';
 import { endpointsToCall } from '../model/callable.ts';
 import type { Callable } from '../model/callable.ts';
+import { textMember } from '../model/json.ts';
 import { problemOf } from '../model/problem.ts';
 import { GraphRow } from '../parts/graph_row.tsx';
 import { beginDraft, MessageEditor } from '../parts/message_editor.tsx';
@@ -21,18 +23,25 @@ import { texts } from '../texts.ts';
 import { panelTexts } from '../texts_panels.ts';
 import type { PanelProps } from './panel_props.ts';
 
-export function ServicesPanel({ session, announce }: PanelProps) {
+export function ServicesPanel({ session, announce, state }: PanelProps) {
   const graph = useGraph(session);
   const codec = useCodec(session);
   const [all, setAll] = useState(false);
   const [text, setText] = useState('');
   const [opened, setOpened] = useState<ReadonlyMap<string, Callable>>(new Map());
-  const there = endpointsToCall(graph, all);
+  const asked = textMember(state, 'name');
+  const request = textMember(state, 'request');
+  const there = endpointsToCall(graph, all || asked !== '');
   const keys = new Set(there.map(keyOf));
   // What was opened stays, with what it shows.
   const rows = [...there, ...[...opened.values()].filter((each) => !keys.has(keyOf(each)))]
     .filter(({ name, type }) => `${name} ${type}`.toLowerCase().includes(text.toLowerCase()))
     .sort((a, b) => (a.name < b.name ? -1 : a.name > b.name ? 1 : 0));
+  const found = there.find(({ name }) => name === asked);
+  const wanted = found === undefined ? '' : keyOf(found);
+  useEffect(() => {
+    if (found !== undefined) setOpened((before) => new Map(before).set(wanted, found));
+  }, [wanted, request]);
   const toggle = (row: Callable): void => {
     const next = new Map(opened);
     if (!next.delete(keyOf(row))) next.set(keyOf(row), row);
@@ -57,6 +66,8 @@ export function ServicesPanel({ session, announce }: PanelProps) {
             key={keyOf(row)}
             row={row}
             gone={!keys.has(keyOf(row))}
+            asked={keyOf(row) === wanted}
+            request={keyOf(row) === wanted ? request : ''}
             open={opened.has(keyOf(row))}
             onToggle={() => toggle(row)}
             session={session}
@@ -76,12 +87,15 @@ function keyOf({ kind, name, type }: Callable): string {
 interface RowProps extends Pick<PanelProps, 'session' | 'announce'> {
   readonly row: Callable;
   readonly gone: boolean;
+  /** A link or another panel asked for it, with what is sent. */
+  readonly asked: boolean;
+  readonly request: string;
   readonly open: boolean;
   readonly onToggle: () => void;
   readonly codec: Codec | null;
 }
 
-function Row({ row, gone, open, onToggle, session, codec, announce }: RowProps) {
+function Row({ row, gone, asked, request, open, onToggle, session, codec, announce }: RowProps) {
   const flow = (
     <>
       <span class="topic-rate">{row.kind === 'action' ? panelTexts.services.action : panelTexts.services.service}</span>
@@ -91,7 +105,7 @@ function Row({ row, gone, open, onToggle, session, codec, announce }: RowProps) 
   const inside = () => {
     if (codec === null) return null;
     const View = row.kind === 'action' ? GoalView : CallView;
-    return <View row={row} session={session} codec={codec} announce={announce} />;
+    return <View key={request} row={row} request={request} session={session} codec={codec} announce={announce} />;
   };
   return (
     <GraphRow
@@ -100,6 +114,7 @@ function Row({ row, gone, open, onToggle, session, codec, announce }: RowProps) 
       type={row.type}
       flow={flow}
       open={open}
+      asked={asked}
       onToggle={onToggle}
       inside={inside}
     />
@@ -108,6 +123,8 @@ function Row({ row, gone, open, onToggle, session, codec, announce }: RowProps) 
 
 interface ViewProps {
   readonly row: Callable;
+  /** As YAML; empty: as the type begins. */
+  readonly request: string;
   readonly session: Session;
   readonly codec: Codec;
   readonly announce: (text: string) => void;
@@ -124,10 +141,14 @@ async function written(
   return made.bytes;
 }
 
+function begun({ codec, request }: ViewProps, type: string): DraftText | string {
+  return request === '' ? beginDraft(codec, type) : { view: 'yaml', text: request };
+}
+
 function CallView(props: ViewProps) {
   const { row, session, codec, announce } = props;
   const request = `${row.type}_Request`;
-  const [draft, setDraft] = useState<DraftText | string>(() => beginDraft(codec, request));
+  const [draft, setDraft] = useState<DraftText | string>(() => begun(props, request));
   const [calling, setCalling] = useState(false);
   const [givenUp, setGivenUp] = useState(false);
   const [problem, setProblem] = useState('');
@@ -194,7 +215,7 @@ function CallView(props: ViewProps) {
 function GoalView(props: ViewProps) {
   const { row, session, codec, announce } = props;
   const type = `${row.type}_Goal`;
-  const [draft, setDraft] = useState<DraftText | string>(() => beginDraft(codec, type));
+  const [draft, setDraft] = useState<DraftText | string>(() => begun(props, type));
   const [goal, setGoal] = useState<PageGoal | null>(null);
   const [state, setState] = useState('');
   const [problem, setProblem] = useState('');

@@ -1,5 +1,5 @@
 // A terminal for the commands of ros2: input with history and completion, output as text, Ctrl-C. A command that runs
-// goes on while another tab is in front, and ends with the panel.
+// goes on while another tab is in front, and ends with the panel. State: {line}, which stands there at first.
 
 import { useEffect, useRef, useState } from 'preact/hooks';
 import type { BagPlace } from '../../ros2cli/command.ts';
@@ -10,10 +10,12 @@ import { runCommand } from '../../ros2cli/run.ts';
 import { fetchOfSite } from '../../wasm_js/carried_files.ts';
 import type { ConsoleLine, Session } from '../../wasm_js/session.ts';
 import { completeInput, expandTabs, keySequence, withoutTarget } from '../model/terminal_input.ts';
+import { textMember } from '../model/json.ts';
 import { LineList } from '../model/line_list.ts';
 import { IconButton } from '../parts/button.tsx';
 import { LineScroller } from '../parts/line_scroller.tsx';
 import { PanelFrame } from '../parts/panel.tsx';
+import { takeLines } from '../parts/terminal_line.ts';
 import { texts } from '../texts.ts';
 import { panelTexts } from '../texts_panels.ts';
 import type { PanelProps } from './panel_props.ts';
@@ -89,12 +91,17 @@ async function readText(session: Session, name: string): Promise<string | undefi
   return await response.text();
 }
 
-export function TerminalPanel({ session, announce }: PanelProps) {
+export function TerminalPanel({ session, announce, state }: PanelProps) {
   const [version, setVersion] = useState(0);
   const screen = useRef<Screen | null>(null);
   screen.current ??= new Screen(session, () => setVersion((before) => before + 1));
   const { list } = screen.current;
   const [line, setLine] = useState('');
+  // A line that a link brings is written, not run.
+  const brought = textMember(state, 'line');
+  useEffect(() => {
+    if (brought !== '') setLine(brought.replace(/\p{Cc}/gu, ' '));
+  }, [brought]);
   const [running, setRunning] = useState<AbortController | null>(null);
   const current = useRef<AbortController | null>(null);
   const history = useRef<{ readonly lines: string[]; at: number }>({ lines: [], at: 0 });
@@ -189,6 +196,19 @@ export function TerminalPanel({ session, announce }: PanelProps) {
     history.current.at = lines.length;
     void run(typed);
   };
+
+  const runNow = useRef(run);
+  runNow.current = run;
+  // A link of the lab sheet asks for a line.
+  useEffect(
+    () =>
+      takeLines((asked) => {
+        if (current.current !== null) return false;
+        void runNow.current(asked);
+        return true;
+      }),
+    [],
+  );
 
   const stop = (): void => {
     if (current.current === null) {

@@ -1,27 +1,32 @@
-// The topics of the graph: who writes and reads, how often, and the last message of each opened one. State: {topic}, one
-// that another panel asked for.
+// The topics of the graph: who writes and reads, how often, whose QoS does not fit, and the last message of each opened
+// one. State: {topic}, one that another panel asked for.
 
-import { useEffect, useRef, useState } from 'preact/hooks';
-import type { QosView, TopicView } from '../../wasm_js/session.ts';
-import type { Decoded, Decoder } from '../../decode/decoder.ts';
+import { useEffect, useMemo, useState } from 'preact/hooks';
+import type { TopicView } from '../../wasm_js/session.ts';
 import { isHiddenTopic } from '../model/hidden_names.ts';
 import { textMember } from '../model/json.ts';
 import { readPreference, writePreference } from '../model/preferences.ts';
-import { formatBandwidth, formatCount, formatDuration, formatRate } from '../model/quantities.ts';
+import { formatRate } from '../model/quantities.ts';
+import { misfitsOf, topicEndsOf } from '../model/topic_qos.ts';
+import type { Misfit, TopicEnd } from '../model/topic_qos.ts';
 import { GraphRow } from '../parts/graph_row.tsx';
-import { useCodec } from '../parts/message_feed.ts';
-import { MessageView } from '../parts/message_view.tsx';
+import { Icon } from '../parts/icon.tsx';
 import { PanelFrame } from '../parts/panel.tsx';
 import { SearchField } from '../parts/search_field.tsx';
-import { useTopics } from '../parts/watch.ts';
+import { useLoaded } from '../parts/use_loaded.ts';
+import { useGraph, useTopics } from '../parts/watch.ts';
 import { texts } from '../texts.ts';
 import type { PanelProps } from './panel_props.ts';
 
 /** A filter is worth its room from this many topics on. */
 const kFilterFrom = 8;
 
-export function TopicsPanel({ session, store, announce, state, setState }: PanelProps) {
+const kNobody: readonly TopicEnd[] = [];
+
+export function TopicsPanel({ session, store, announce, state, setState, open }: PanelProps) {
   const topics = useTopics(session);
+  const graph = useGraph(session);
+  const ends = useMemo(() => topicEndsOf(graph), [graph]);
   const [hidden, setHidden] = useState(
     () => readPreference(store, 'hiddenTopics', ['yes', 'no'], 'no') === 'yes',
   );
@@ -90,11 +95,13 @@ export function TopicsPanel({ session, store, announce, state, setState }: Panel
           <TopicRow
             key={topic.name}
             topic={topic}
+            ends={ends.get(topic.name) ?? kNobody}
             open={opened.has(topic.name)}
             asked={topic.name === asked}
             onToggle={() => toggle(topic.name)}
             session={session}
             announce={announce}
+            openPanel={open}
           />
         ))}
       </ul>
@@ -104,16 +111,26 @@ export function TopicsPanel({ session, store, announce, state, setState }: Panel
 
 interface TopicRowProps extends Pick<PanelProps, 'session' | 'announce'> {
   readonly topic: TopicView;
+  readonly ends: readonly TopicEnd[];
   readonly open: boolean;
   /** Comes into sight. */
   readonly asked: boolean;
   readonly onToggle: () => void;
+  readonly openPanel: PanelProps['open'];
 }
 
-function TopicRow({ topic, open, asked, onToggle, session, announce }: TopicRowProps) {
+function TopicRow({ topic, ends, open, asked, onToggle, session, announce, openPanel }: TopicRowProps) {
+  const misfits = useMemo<readonly Misfit[]>(() => misfitsOf(ends), [ends]);
+  const code = useLoaded(open, () => import('../parts/topic_inside.tsx'));
   const flow = (
     <>
       <span class="topic-rate">{formatRate(topic.rateHz)}</span>
+      {misfits.length === 0 ? null : (
+        <span class="topic-misfits">
+          <Icon name="warning" />
+          {texts.topics.misfits(misfits.length)}
+        </span>
+      )}
       <span class="topic-ends">
         <span class="visually-hidden">
           {texts.topics.publishers(topic.publishers)},{' '}
@@ -126,18 +143,12 @@ function TopicRow({ topic, open, asked, onToggle, session, announce }: TopicRowP
       </span>
     </>
   );
-  const inside = () => (
-    <>
-      <dl class="facts">
-        <Fact name={texts.topics.bandwidth} value={formatBandwidth(topic.bytesPerSecond)} />
-        <Fact name={texts.topics.count} value={formatCount(topic.count)} />
-        {topic.qos.map((qos) => (
-          <Fact name={texts.topics.qos} value={qosWords(qos)} />
-        ))}
-      </dl>
-      <LastMessageView topic={topic} session={session} announce={announce} />
-    </>
-  );
+  const inside = () =>
+    code === null ? (
+      <p class="hint">{texts.topics.decoding}</p>
+    ) : (
+      <code.TopicInside topic={topic} ends={ends} misfits={misfits} session={session} announce={announce} open={openPanel} />
+    );
   return (
     <GraphRow
       id={`topic-${encodeURIComponent(topic.name)}`}
@@ -150,63 +161,4 @@ function TopicRow({ topic, open, asked, onToggle, session, announce }: TopicRowP
       inside={inside}
     />
   );
-}
-
-function Fact({ name, value }: { readonly name: string; readonly value: string }) {
-  return (
-    <div>
-      <dt>{name}</dt>
-      <dd>{value}</dd>
-    </div>
-  );
-}
-
-function LastMessageView({
-  topic,
-  session,
-  announce,
-}: Pick<TopicRowProps, 'topic' | 'session' | 'announce'>) {
-  const decoder = useCodec(session);
-  // Decoded again when a message came, not at every sample of the rates.
-  const decoded = useRef<{
-    readonly count: number;
-    readonly decoder: Decoder;
-    readonly result: Decoded;
-  } | null>(null);
-  const last = session.lastMessage(topic.name);
-  if (last === undefined) return <p class="hint">{whyNoMessage(topic)}</p>;
-  if (decoder === null) return <p class="hint">{texts.topics.decoding}</p>;
-  if (typeof decoder === 'string') return <p class="hint">{texts.topics.undecodable(decoder)}</p>;
-  if (decoded.current?.count !== last.count || decoded.current.decoder !== decoder) {
-    decoded.current = {
-      count: last.count,
-      decoder,
-      result: decoder.decode(topic.type, last.bytes),
-    };
-  }
-  const result = decoded.current.result;
-  if (result.kind === 'failed') return <p class="hint">{texts.topics.undecodable(result.reason)}</p>;
-  const size = texts.topics.bytes(formatCount(last.bytes.byteLength));
-  const ago = texts.topics.ago(formatDuration(session.time.view().now - last.receivedAt));
-  return (
-    <MessageView
-      title={texts.topics.lastMessage}
-      facts={`${ago}, ${size}`}
-      message={result}
-      label={texts.topics.lastOf(topic.name)}
-      copyLabel={texts.topics.copy(topic.name)}
-      announce={announce}
-    />
-  );
-}
-
-function whyNoMessage(topic: TopicView): string {
-  if (topic.count === 0) return texts.topics.noMessage;
-  return topic.publishers === 0 ? texts.topics.notKept : texts.topics.fetching;
-}
-
-function qosWords(qos: QosView): string {
-  const words = texts.topics.qosWords;
-  const history = qos.history === 'keep_last' ? words.keep_last(qos.depth) : words.keep_all;
-  return [words[qos.reliability], words[qos.durability], history].join(', ');
 }

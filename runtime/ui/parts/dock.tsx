@@ -26,7 +26,7 @@ export function Dock({ control, narrow, bare = false, show }: DockProps) {
   const drag = useTabDrag(control.move);
   const shared = { control, show, narrow, bare, beginDrag: narrow || bare ? null : drag.begin };
   return (
-    <main id="content" class={narrow ? 'dock dock-narrow' : 'dock'}>
+    <main id="content" class={`dock ${narrow ? 'dock-narrow' : control.large === null ? '' : 'dock-large'}`}>
       {narrow ? (
         <GroupView {...shared} group={oneGroup(layout)} />
       ) : (
@@ -106,7 +106,7 @@ function GroupView({ group, control, narrow, bare, show, beginDrag }: ViewProps 
   );
   const strip = !bare || group.tabs.length > 1;
   return (
-    <div class="group" data-group={group.key}>
+    <div class={`group ${control.large === group.key && !narrow ? 'group-large' : ''}`} data-group={group.key}>
       {strip ? (
         <TabStrip group={group} control={control} narrow={narrow} bare={bare} beginDrag={beginDrag} />
       ) : null}

@@ -6,8 +6,10 @@ import { isHiddenTopic } from '../model/hidden_names.ts';
 import { isShownService } from '../model/callable.ts';
 import { actionEnds, boxId, serviceEnds, shownNodes, topicEnds } from '../model/graph_picture.ts';
 import { formatBandwidth, formatCount, formatRate } from '../model/quantities.ts';
+import { misfitsOf, topicEndsOf } from '../model/topic_qos.ts';
 import { viewTexts } from '../texts_views.ts';
 import { IconButton } from './button.tsx';
+import { Misfits } from './misfits.tsx';
 import { Name } from './name.tsx';
 import { StateBadge } from './node_state.tsx';
 import { useNodes } from './watch.ts';
@@ -112,6 +114,7 @@ function TopicDetails({ name, ends, graph, topics, hidden, onSelect, showTopic }
           {`, ${formatRate(view.rateHz)}, ${formatBandwidth(view.bytesPerSecond)}, ${viewTexts.graph.messages(formatCount(view.count))}`}
         </p>
       )}
+      <Misfits list={misfitsOf(topicEndsOf(graph).get(name) ?? [])} />
       <Entries title={viewTexts.graph.publishers} entries={entries(ends.from)} onSelect={onSelect} />
       <Entries title={viewTexts.graph.subscribers} entries={entries(ends.to)} onSelect={onSelect} />
     </>

@@ -1,8 +1,10 @@
-// A message as a tree that reads like the YAML of `ros2 topic echo`. Long arrays are folded and cut.
+// A message as a tree that reads like the YAML of `ros2 topic echo`. Long arrays are folded and cut. On request: what
+// has changed since an earlier message, and fields that can be chosen, by mouse or with the arrow keys.
 
 import { fieldOf, formatScalar, isList, isMessage, kTruncateLength } from '../../decode/yaml.ts';
 import { isFloat } from '../../decode/shape.ts';
 import type { Field, Shape } from '../../decode/shape.ts';
+import { partOf, sameValue } from '../model/message_change.ts';
 import { formatCount } from '../model/quantities.ts';
 import { texts } from '../texts.ts';
 import { Icon } from './icon.tsx';
@@ -12,18 +14,54 @@ const kTextLength = 2000;
 /** Lists up to this length, and messages up to this depth, are open at first. */
 const kOpenLength = 12;
 const kOpenDepth = 3;
+/** Of a value that was, beside the one that is. */
+const kWasLength = 80;
+
+/** What it is compared with, and how that is said. */
+export interface TreeChange {
+  readonly before: unknown;
+  /** What is the same is left out. */
+  readonly only: boolean;
+  readonly was: (text: string) => string;
+  readonly changed: string;
+}
+
+/** `path` as in `/odom.pose.pose.position.x`. */
+export interface TreeChoice {
+  /** The name of the message: paths begin with it. */
+  readonly topic: string;
+  readonly path: string | null;
+  readonly choose: (path: string, value: unknown) => void;
+}
 
 export interface MessageTreeProps {
   readonly label: string;
   readonly value: unknown;
   readonly shape: Shape | null;
+  readonly change?: TreeChange | undefined;
+  readonly choice?: TreeChoice | undefined;
 }
 
-export function MessageTree({ label, value, shape }: MessageTreeProps) {
+/** What all parts of one tree share. */
+interface Context {
+  readonly change: TreeChange | undefined;
+  readonly choice: TreeChoice | undefined;
+}
+
+export function MessageTree({ label, value, shape, change, choice }: MessageTreeProps) {
   return (
-    <div class="tree" role="group" aria-label={label} tabIndex={0}>
+    <div class="tree" role="group" aria-label={label} tabIndex={0} onKeyDown={choice === undefined ? undefined : moveFocus}>
       {isMessage(value) ? (
-        <Fields message={value} shape={shape} depth={0} />
+        <Fields
+          // What was opened and closed is of one view.
+          key={change?.only === true ? 'changed' : 'all'}
+          message={value}
+          shape={shape}
+          depth={0}
+          path={choice?.topic ?? ''}
+          before={change?.before}
+          context={{ change, choice }}
+        />
       ) : (
         <Scalar value={value} float={false} />
       )}
@@ -31,70 +69,142 @@ export function MessageTree({ label, value, shape }: MessageTreeProps) {
   );
 }
 
+/** Up and down go from field to field; one Tab leads in, and the next one on. */
+function moveFocus(event: KeyboardEvent): void {
+  const tree = event.currentTarget;
+  const by = event.key === 'ArrowDown' ? 1 : event.key === 'ArrowUp' ? -1 : 0;
+  if (by === 0 || !(tree instanceof HTMLElement)) return;
+  const stops = [...tree.querySelectorAll<HTMLElement>('summary, .tree-pick')].filter((each) => each.checkVisibility());
+  const at = stops.findIndex((each) => each === document.activeElement);
+  const next = at === -1 ? (by > 0 ? stops[0] : undefined) : stops[at + by];
+  if (next === undefined) return;
+  event.preventDefault();
+  next.focus();
+}
+
+interface Place {
+  readonly depth: number;
+  readonly path: string;
+  /** What stood there in the earlier message. */
+  readonly before: unknown;
+  readonly context: Context;
+}
+
 function Fields({
   message,
   shape,
   depth,
-}: {
-  readonly message: Readonly<Record<string, unknown>>;
-  readonly shape: Shape | null;
-  readonly depth: number;
-}) {
+  path,
+  before,
+  context,
+}: Place & { readonly message: Readonly<Record<string, unknown>>; readonly shape: Shape | null }) {
   const entries = Object.entries(message);
   if (entries.length === 0) return <span class="tree-value">{'{}'}</span>;
   return (
     <>
       {entries.map(([name, value]) => (
-        <Entry key={name} name={name} value={value} field={fieldOf(shape, name)} depth={depth} />
+        <Entry
+          key={name}
+          name={name}
+          value={value}
+          field={fieldOf(shape, name)}
+          depth={depth}
+          path={`${path}.${name}`}
+          before={partOf(before, name)}
+          context={context}
+        />
       ))}
     </>
   );
 }
 
-interface EntryProps {
+interface EntryProps extends Place {
   readonly name: string;
   readonly value: unknown;
   readonly field: Field | undefined;
-  readonly depth: number;
 }
 
-function Entry({ name, value, field, depth }: EntryProps) {
+function Entry({ name, value, field, depth, path, before, context }: EntryProps) {
+  const { change } = context;
+  const changed = change !== undefined && !sameValue(value, before);
+  if (change?.only === true && !changed) return null;
+  const open = change?.only === true;
+  const mark = changed ? <span class="tree-mark">{change.changed}</span> : null;
   const key = <span class="tree-key">{`${name}:`}</span>;
   if (isList(value) && value.length > 0) {
     return (
-      <details class="tree-branch" open={value.length <= kOpenLength && depth < kOpenDepth}>
+      <details class="tree-branch" open={open || (value.length <= kOpenLength && depth < kOpenDepth)}>
         <summary title={field?.type}>
           <Icon name="chevron" class="tree-turn" />
           {key}{' '}
           <span class="tree-note">
             {texts.topics.items(formatCount(value.length), field?.type ?? '')}
           </span>
+          {mark}
         </summary>
-        <List list={value} field={field} depth={depth + 1} />
+        <List list={value} field={field} depth={depth + 1} path={path} before={before} context={context} />
       </details>
     );
   }
   if (isMessage(value) && Object.keys(value).length > 0) {
     return (
-      <details class="tree-branch" open={depth < kOpenDepth}>
+      <details class="tree-branch" open={open || depth < kOpenDepth}>
         <summary title={field?.type}>
           <Icon name="chevron" class="tree-turn" />
           {key}
+          {mark}
         </summary>
         <div class="tree-inside">
-          <Fields message={value} shape={field?.shape ?? null} depth={depth + 1} />
+          <Fields
+            message={value}
+            shape={field?.shape ?? null}
+            depth={depth + 1}
+            path={path}
+            before={before}
+            context={context}
+          />
         </div>
       </details>
     );
   }
+  return <Leaf name={`${name}:`} value={value} field={field} path={path} before={before} context={context} />;
+}
+
+/** One value, or an empty list or message. */
+function Leaf({
+  name,
+  value,
+  field,
+  path,
+  before,
+  context: { change, choice },
+}: Omit<EntryProps, 'depth'>) {
+  const changed = change !== undefined && !sameValue(value, before);
+  const raw = typeof value === 'object';
   return (
-    <div class="tree-leaf" title={field?.type}>
-      {key}{' '}
+    <div class={`tree-leaf ${changed ? 'tree-changed' : ''}`} title={field?.type}>
+      {choice === undefined ? (
+        <span class="tree-key">{name}</span>
+      ) : (
+        <button
+          type="button"
+          class="tree-key tree-pick"
+          tabIndex={-1}
+          aria-label={path}
+          aria-pressed={choice.path === path}
+          onClick={() => choice.choose(path, value)}
+        >
+          {name}
+        </button>
+      )}{' '}
       <Scalar
         value={isList(value) ? '[]' : isMessage(value) ? '{}' : value}
         float={isFloat(field)}
-        raw={typeof value === 'object'}
+        raw={raw}
       />
+      {!changed || before === undefined || typeof before === 'object' ? null : (
+        <span class="tree-was"> {change.was(formatScalar(before, kWasLength, '', isFloat(field)))}</span>
+      )}
     </div>
   );
 }
@@ -103,29 +213,31 @@ function List({
   list,
   field,
   depth,
-}: {
-  readonly list: ArrayLike<unknown>;
-  readonly field: Field | undefined;
-  readonly depth: number;
-}) {
-  const items: unknown[] = Array.from(
-    { length: Math.min(list.length, kTruncateLength) },
-    (_, index) => list[index],
-  );
+  path,
+  before,
+  context,
+}: Place & { readonly list: ArrayLike<unknown>; readonly field: Field | undefined }) {
+  const shown: number[] = [];
+  let count = 0;
+  for (let index = 0; index < list.length; index += 1) {
+    if (context.change?.only === true && sameValue(list[index], partOf(before, index))) continue;
+    count += 1;
+    if (shown.length < kTruncateLength) shown.push(index);
+  }
   return (
     <div class="tree-inside">
-      {items.map((item, index) =>
-        isMessage(item) ? (
-          <Entry key={index} name={`- ${index}`} value={item} field={field} depth={depth} />
+      {shown.map((index) => {
+        const place = { path: `${path}[${index}]`, before: partOf(before, index), context, field };
+        const item = list[index];
+        return isMessage(item) ? (
+          <Entry key={index} name={`- ${index}`} value={item} depth={depth} {...place} />
         ) : (
-          <div class="tree-leaf" key={index}>
-            <span class="tree-key">-</span> <Scalar value={item} float={isFloat(field)} />
-          </div>
-        ),
-      )}
-      {items.length < list.length ? (
+          <Leaf key={index} name={context.change?.only === true ? `- ${index}:` : '-'} value={item} {...place} />
+        );
+      })}
+      {shown.length < count ? (
         <div class="tree-note">
-          {texts.topics.shownOf(formatCount(items.length), formatCount(list.length))}
+          {texts.topics.shownOf(formatCount(shown.length), formatCount(count))}
         </div>
       ) : null}
     </div>

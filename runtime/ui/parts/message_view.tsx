@@ -1,9 +1,11 @@
 // A message that came: its title, a button that copies it as YAML, and its values as a tree.
 
+import type { ComponentChildren } from 'preact';
 import type { Decoded } from '../../decode/decoder.ts';
 import { toYaml } from '../../decode/yaml.ts';
 import { CopyButton } from './button.tsx';
 import { MessageTree } from './message_tree.tsx';
+import type { TreeChange, TreeChoice } from './message_tree.tsx';
 
 export interface MessageViewProps {
   readonly title: string;
@@ -14,9 +16,15 @@ export interface MessageViewProps {
   readonly label: string;
   readonly copyLabel: string;
   readonly announce: (text: string) => void;
+  /** More buttons, before the one that copies. */
+  readonly tools?: ComponentChildren;
+  /** Between the title and the tree. */
+  readonly children?: ComponentChildren;
+  readonly change?: TreeChange | undefined;
+  readonly choice?: TreeChoice | undefined;
 }
 
-export function MessageView({ title, facts, message, label, copyLabel, announce }: MessageViewProps) {
+export function MessageView({ title, facts, message, label, copyLabel, announce, tools, children, change, choice }: MessageViewProps) {
   const { value, shape } = message;
   return (
     <div class="message">
@@ -25,9 +33,11 @@ export function MessageView({ title, facts, message, label, copyLabel, announce 
           <h3 class="message-title">{title}</h3>
           {facts === undefined ? null : <span class="message-facts">{facts}</span>}
         </div>
+        {tools}
         <CopyButton label={copyLabel} text={() => toYaml(value, shape)} announce={announce} />
       </div>
-      <MessageTree label={label} value={value} shape={shape} />
+      {children}
+      <MessageTree label={label} value={value} shape={shape} change={change} choice={choice} />
     </div>
   );
 }

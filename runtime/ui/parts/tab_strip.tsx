@@ -6,6 +6,7 @@ import { groupsOf } from '../model/layout.ts';
 import type { Group } from '../model/layout.ts';
 import { panelRow, panels } from '../panels/index.ts';
 import { texts } from '../texts.ts';
+import { IconButton } from './button.tsx';
 import { Icon } from './icon.tsx';
 import { MenuButton } from './menu.tsx';
 import type { MenuItem } from './menu.tsx';
@@ -87,6 +88,9 @@ export function TabStrip({ group, control, narrow, bare, beginDrag }: TabStripPr
       )}
       {bare ? null : (
         <div class="strip-tools">
+          {control.large === group.key && !narrow ? (
+            <IconButton icon="fit" pressed label={texts.layout.restore} onClick={() => control.enlarge(null)} />
+          ) : null}
           <MenuButton icon="plus" label={texts.layout.add} items={panelItems(group, control)} />
           {front === undefined ? null : (
             <MenuButton
@@ -145,8 +149,16 @@ function tabItems(
     const found = groups[here + step];
     return found === undefined ? null : { group: found.key, zone: 'into' as const };
   };
+  const large = control.large === group.key;
   return [
     close,
+    {
+      id: 'large',
+      words: large ? words.restore : words.enlarge,
+      icon: 'fit',
+      disabled: groups.length < 2,
+      choose: () => control.enlarge(large ? null : group.key),
+    },
     to('earlier', words.moveEarlier, true, at > 0 ? within(at - 1) : null),
     to('later', words.moveLater, false, at < group.tabs.length - 1 ? within(at + 2) : null),
     to('previous', words.movePrevious, false, other(-1)),

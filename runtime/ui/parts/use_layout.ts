@@ -3,6 +3,7 @@
 
 import { useCallback, useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import type { Session } from '../../wasm_js/session.ts';
+import { setParameters } from '../../ros2cli/set_parameters.ts';
 import { embeddedLayout, wholeAddress } from '../model/embed_link.ts';
 import type { EmbedView } from '../model/embed_link.ts';
 import { readJson } from '../model/json.ts';
@@ -11,7 +12,7 @@ import * as layouts from '../model/layout.ts';
 import type { DropTarget, Layout } from '../model/layout.ts';
 import { parseLayout, readLayout, writeLayout } from '../model/layout_text.ts';
 import type { ReadLayout } from '../model/layout_text.ts';
-import { changedFragment, readFragment, siteHash } from '../model/link.ts';
+import { autorunField, changedFragment, readFragment, siteHash } from '../model/link.ts';
 import { readText, writePreference } from '../model/preferences.ts';
 import type { Store } from '../model/preferences.ts';
 import { panelRow, usualLayout } from '../panels/index.ts';
@@ -32,6 +33,11 @@ export interface LayoutControl {
   readonly reset: () => void;
   /** The address with the layout in it, also put where the address stands. */
   readonly link: () => Promise<string>;
+  /** The layout as the lines of a manifest. */
+  readonly yaml: () => string;
+  /** The group that fills the page for now. */
+  readonly large: string | null;
+  readonly enlarge: (group: string | null) => void;
   /** The address of the whole page with this layout. */
   readonly whole: () => string;
   /** What the visitor should know about the link that was followed. */
@@ -41,6 +47,8 @@ export interface LayoutControl {
 
 const kMostState = 8_192;
 const kMostNamed = 200;
+const kMostNotice = 2000;
+const kNoView = { layout: null, site: null, changed: null, params: null, autorun: null };
 
 export function useLayout(
   session: Session,
@@ -65,6 +73,7 @@ export function useLayout(
     () => chosen ?? { ...usual, front: front ?? usual.front },
     [chosen, usual, front],
   );
+  const [large, setLarge] = useState<string | null>(null);
   const latest = useRef(layout);
   latest.current = layout;
   const { notice, dismiss } = useLinkNotice(session, embed, setChosen);
@@ -82,7 +91,7 @@ export function useLayout(
       setChosen(changed);
       writePreference(store, name, JSON.stringify(writeLayout(changed)));
       // From now on a reload shows the visitor's layout, not the link's.
-      if (embed === null && readFragment(location.hash).has('layout')) setFragment({ layout: null, site: null, changed: null });
+      if (embed === null && readFragment(location.hash).has('layout')) setFragment(kNoView);
     },
     [store, name, embed],
   );
@@ -149,18 +158,28 @@ export function useLayout(
       reset: () => {
         setChosen(null);
         writePreference(store, name, '');
-        setFragment({ layout: null, site: null, changed: null });
+        setFragment(kNoView);
       },
       link: async () => {
         const site = await siteHash();
         const files = changedFiles(session);
         const changed = files.length === 0 ? null : files.join('\n');
-        setFragment({ site, changed, layout: JSON.stringify(writeLayout(latest.current)) });
+        const running = session.nodes().some(({ state }) => state.kind !== 'stopped');
+        const autorun = session.nodes().length === 0 ? null : autorunField(running, session.site.ui['autostart'] !== false);
+        const params = setParameters(session).size === 0 ? null : await (await import('./linked_parameters.ts')).linkedParameters(session);
+        setFragment({ site, changed, autorun, params, layout: JSON.stringify(writeLayout(latest.current)) });
         return location.href;
+      },
+      yaml: () => `ui:\n  layout: ${JSON.stringify(writeLayout(latest.current))}\n`,
+      large: layouts.groupsOf(layout.root).some(({ key }) => key === large) ? large : null,
+      enlarge: (group) => {
+        setLarge(group);
+        announce(group === null ? texts.layout.restored : texts.layout.enlarged);
+        focusTab(latest.current.front);
       },
       whole: () => wholeAddress(location.href, JSON.stringify(writeLayout(latest.current))),
     };
-  }, [session, layout, notice, change, announce]);
+  }, [session, layout, notice, large, change, announce]);
 }
 
 const kNothing: Layout = { root: layouts.makeGroup('pane-1', []), front: '' };
@@ -191,6 +210,21 @@ function useLinkNotice(
   const [notice, setNotice] = useState('');
   useEffect(() => {
     let current = true;
+    let applied = '';
+    let endParameters: () => void = () => undefined;
+    /** They are set as their nodes come, also when the node is started later. */
+    const parameters = async (text: string): Promise<void> => {
+      if (text === applied) return;
+      applied = text;
+      endParameters();
+      const { applyParameters, readLinkedParameters } = await import('./linked_parameters.ts');
+      const all = readLinkedParameters(text);
+      if (!current || text !== applied) return;
+      const told = all.length === 0 ? texts.layout.linkNoParameters : texts.layout.linkParameters(all.length);
+      setNotice((before) => [before, told].filter((part) => part !== '').join(' '));
+      endParameters = applyParameters(session, all, ({ node, name }, reason) =>
+        setNotice((before) => `${before} ${texts.layout.linkRefused(name, node, reason)}`.trim().slice(0, kMostNotice)));
+    };
     const read = (): void => {
       const fields = readFragment(location.hash);
       const found = linked(embed);
@@ -201,11 +235,13 @@ function useLinkNotice(
       const foreign = (fields.get('changed') ?? '').split('\n').filter((file) => file !== '' && !own.has(file));
       if (foreign.length > 0) parts.push(texts.layout.linkChanged(foreign.join(', ').slice(0, kMostNamed)));
       setNotice(parts.join(' '));
+      const params = fields.get('params');
+      if (params !== null) void parameters(params);
       const site = fields.get('site');
       if (site === null) return;
       void siteHash().then((hash) => {
         if (!current || hash === null || hash === site) return;
-        setNotice([texts.layout.linkOther, ...parts].join(' '));
+        setNotice((before) => [texts.layout.linkOther, before].join(' ').trim());
       });
     };
     const follow = (): void => {
@@ -217,6 +253,7 @@ function useLinkNotice(
     addEventListener('hashchange', follow);
     return () => {
       current = false;
+      endParameters();
       removeEventListener('hashchange', follow);
     };
   }, []);

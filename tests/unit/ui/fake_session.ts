@@ -50,9 +50,10 @@ export class FakeChecks implements SiteChecks {
     return () => this.listeners.delete(listener);
   }
 
-  again(): void {
+  again(at?: number): void {
     this.begun += 1;
-    this.set(this.shown.map(({ title, withinMs }) => ({ title, withinMs, state: 'waiting', seen: 'nothing' })));
+    this.set(this.shown.map((view, index) =>
+      at === undefined || at === index ? { title: view.title, withinMs: view.withinMs, state: 'waiting', seen: 'nothing' } : view));
   }
 
   set(views: readonly CheckView[]): void {

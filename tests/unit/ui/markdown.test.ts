@@ -44,6 +44,17 @@ test('links that act say what they do, and nothing else counts', () => {
   assert.deepEqual(readPageAction('ros2wasm:publish?topic=/a&type=b/msg/C&value=%7Bx:%201%7D'), {
     kind: 'publish', topic: '/a', type: 'b/msg/C', value: '{x: 1}',
   });
+  assert.deepEqual(readPageAction('ros2wasm:call?name=/add&value={a:%201,%20b:%202}'), { kind: 'call', name: '/add', type: '', value: '{a: 1, b: 2}' });
+  assert.deepEqual(readPageAction('ros2wasm:goal?name=/count&type=demo/action/Count'), { kind: 'goal', name: '/count', type: 'demo/action/Count', value: '' });
+  assert.deepEqual(readPageAction('ros2wasm:check'), { kind: 'check', name: '' });
+  assert.deepEqual(readPageAction('ros2wasm:check?name=It%20moves'), { kind: 'check', name: 'It moves' });
+  assert.deepEqual(readPageAction('ros2wasm:run?line=ros2%20topic%20list%20-t'), { kind: 'run', line: 'ros2 topic list -t' });
+  assert.deepEqual(readPageAction('ros2wasm:pause'), { kind: 'pause' });
+  assert.deepEqual(readPageAction('ros2wasm:resume?x=1'), { kind: 'resume' });
+  assert.deepEqual(readPageAction('ros2wasm:step'), { kind: 'step', ms: 100 });
+  assert.deepEqual(readPageAction('ros2wasm:step?ms=0.5'), { kind: 'step', ms: 0.5 });
+  const wrong = ['call', 'call?value=1', 'goal?name=', 'run', 'run?line=%20', 'run?line=ros2%20topic%20list%0Aros2%20node%20list', 'run?line=a%1bb', 'step?ms=0', 'step?ms=-1', 'step?ms=1e9', 'step?ms=x', 'step?ms=Infinity', 'Pause', 'pause%20', '__proto__', 'constructor?name=a'];
+  for (const href of wrong) assert.equal(readPageAction(`ros2wasm:${href}`), null, href);
   for (const href of ['ros2wasm:', 'ros2wasm:open', 'ros2wasm:start?node=', 'ros2wasm:eval?x=1', 'ros2wasm:publish?topic=/a', `ros2wasm:start?node=${'x'.repeat(9000)}`])
     assert.equal(readPageAction(href), null, href.slice(0, 40));
   assert.equal(isPageAction('https://a.example/ros2wasm:start?node=a'), false);

@@ -162,6 +162,19 @@ test('again() forgets what was seen and looks at what comes', watchdog, async ()
     assert.equal(checks.views()[0]?.state, 'waiting');
     checks.end();
     assert.equal(checks.views()[0]?.state, 'failed');
+    // One alone: the other keeps its verdict.
+    const [kept, once] = checks.views();
+    checks.again(1);
+    assert.equal(checks.views()[1]?.afterMs, undefined);
+    await until(([, other]) => other?.state === 'passed');
+    assert.deepEqual(checks.views()[0], kept);
+    assert.notEqual(checks.views()[1], once);
+    // And the one that cannot pass fails when its time is over.
+    checks.again(0);
+    assert.equal(checks.views()[0]?.state, 'waiting');
+    assert.equal(checks.views()[1]?.state, 'passed');
+    checks.end();
+    assert.equal(checks.views()[0]?.state, 'failed');
   });
 });
 

@@ -29,7 +29,7 @@ const blockedMs = 1000;
 /** Ways to wait of tests/packages/chatter_py/scripts/waits; the first is whom `publish` waits for. */
 const ways = ['deaf', 'spin', 'sleep', 'ask', 'rate', 'call', 'loop', 'publish', 'event', 'join', 'get', 'compute'];
 const idOf = (way: string): string => `${way}-${ways.indexOf(way) + 1}`;
-const waiting = /^waits$/;
+const waiting = /^waits for ever$/;
 
 /** Who is waited for comes last. Nothing reaches a worker that computes without sharing memory: that one is killed. */
 const stoppable = (link: 'shared' | 'port'): readonly string[] =>
@@ -111,7 +111,7 @@ for (const [link, isolated] of [['shared', true], ['port', false]] as const) {
       assert.equal(await page.evaluate(() => crossOriginIsolated), isolated);
       // All wait, but for the one whose wait is no begin of a line: that one has said its last when nothing more comes.
       await page.waitForFunction(
-        (count) => document.body.textContent.split(/\bwaits\b/).length - 1 >= count, ways.length, { timeout: 200_000 });
+        (count) => document.body.textContent.split('waits for ever').length - 1 >= count, ways.length, { timeout: 200_000 });
       await said('sent ');
       for (let seen = ''; ;) {
         // The last that was sent.

@@ -50,4 +50,3 @@ class WaitSet:
 
     def is_ready(self, entity_type: str, index: int) -> bool:
         return self._added[entity_type][index]
-

@@ -90,7 +90,7 @@ class Walk {
     const std::string top = top_level(module);
     if (compiled_.contains(top)) report_.compiled.insert(top);
     if (is_python_module(top) && !is_lacking_python_module(top))
-      return tell_of_failing(one, module);
+      return tell_of_failing(one, module, path);
     for (const std::string& part : with_parents(module))
       if (!import_module(part, needed)) return missing(one, module, part, needed);
     for (const std::string& name : one.names) {
@@ -199,7 +199,10 @@ class Walk {
   }
 
   /// Python has it, and what it is for does not work.
-  void tell_of_failing(const PythonImport& one, const std::string& module) {
+  void tell_of_failing(const PythonImport& one, const std::string& module,
+                       const std::string& path) {
+    // What a library of others does with it is its own affair.
+    if (!world_.workspace.contains(path)) return;
     std::optional<FailingModule> found = failing_module(module);
     for (const std::string& name : one.names) {
       if (!found) found = failing_module(module + "." + name);
@@ -207,7 +210,7 @@ class Walk {
     if (!found) return;
     add(one, "`" + std::string(found->name) + "` can be imported, but does not work in a site",
         {std::string(found->fails), std::string(found->instead)}, false);
-    if (!quiet_) report_.missing.back().code = "R2W0523";
+    report_.missing.back().code = "R2W0523";
   }
 
   void missing_interface(const PythonImport& one, const std::string& module,

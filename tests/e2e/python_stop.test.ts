@@ -120,10 +120,17 @@ for (const [link, isolated] of [['shared', true], ['port', false]] as const) {
         seen = text;
         await page.waitForTimeout(blockedMs);
       }
-      const begun = performance.now();
-      for (const way of stoppable(link)) await running(way).click();
-      for (const way of stoppable(link)) await page.getByRole('button', { name: `Start /${way}`, exact: true }).waitFor({ timeout: soonMs });
-      assert.ok(performance.now() - begun < soonMs, `they end after ${performance.now() - begun} ms`);
+      for (const way of stoppable(link)) {
+        // Within the page: a busy machine is slow to click for us.
+        const took = await page.evaluate(async ([stop, start]) => {
+          const button = (label: string) => document.querySelector<HTMLButtonElement>(`button[aria-label="${label}"]`);
+          const begun = performance.now();
+          button(stop)?.click();
+          while (button(start) === null) await new Promise((resolve) => setTimeout(resolve, 20));
+          return performance.now() - begun;
+        }, [`Stop /${way}`, `Start /${way}`] as const);
+        assert.ok(took < soonMs, `${way} ends after ${took} ms`);
+      }
       assert.doesNotMatch(await page.textContent('body') ?? '', /Exited with code 137/);
       await page.getByRole('button', { name: 'Start /sleep', exact: true }).click();
       await running('sleep').waitFor();

@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 
+#include "bundler/launch/import_hints.hpp"
 #include "bundler/workspace/build_order.hpp"
 #include "bundler/workspace/python_imports.hpp"
 #include "bundler/workspace/python_modules.hpp"
@@ -15,62 +16,8 @@ namespace {
 
 constexpr std::string_view kInit = "/__init__.py";
 constexpr std::array<std::string_view, 3> kKinds = {"msg", "srv", "action"};
-
-struct Hint {
-  std::string_view module;
-  std::string_view why;
-};
-
-constexpr std::string_view kHardware = "a browser reaches no hardware of this kind";
 constexpr std::string_view kWheel =
     "a wheel of it for `py3-none-any` can be named under `python: wheels:` of workspace.yaml";
-constexpr std::string_view kNoWindows = "a node has no window: its output is its console";
-constexpr std::string_view kCompiled =
-    "it is compiled code, which nobody compiles for the Python of sites; numpy is there, for what "
-    "can be done by hand";
-constexpr std::string_view kNoSockets =
-    "a page has no sockets: it is no server, and nodes of a site reach each other by topics and "
-    "services";
-constexpr std::string_view kNoRequests =
-    "a page has no sockets, and nothing leaves it: what a node reads can be a file of its package "
-    "(`data_files` of setup.py), found by `ament_index_python`";
-
-/// What people ask for and no site can have.
-constexpr auto kHints = std::to_array<Hint>({
-    {"RPi", kHardware},
-    {"aiohttp", kNoRequests},
-    {"cv2", "OpenCV is not there for the Python of sites; numpy is, for what can be done by hand"},
-    {"cv_bridge", "OpenCV is not there for the Python of sites; an image's `data` is its bytes"},
-    {"fastapi", kNoSockets},
-    {"flask", kNoSockets},
-    {"httpx", kNoRequests},
-    {"matplotlib", "it is not there for the Python of sites; the page plots what a node publishes"},
-    {"pandas", kCompiled},
-    {"paho", kNoSockets},
-    {"pygame", kNoWindows},
-    {"requests", kNoRequests},
-    {"rosbag2_py", "nodes read and write no bags in a site"},
-    {"scipy",
-     "it is compiled code, which nobody compiles for the Python of sites; turns of "
-     "`scipy.spatial.transform` can be done with `transforms3d` or `tf_transformations`, linear "
-     "algebra with numpy"},
-    {"serial", kHardware},
-    {"shapely", kCompiled},
-    {"skimage", kCompiled},
-    {"sklearn", kCompiled},
-    {"smbus", kHardware},
-    {"smbus2", kHardware},
-    {"spidev", kHardware},
-    {"tensorflow", kCompiled},
-    {"tkinter", kNoWindows},
-    {"torch", kCompiled},
-    {"turtle", kNoWindows},
-    {"ultralytics", kCompiled},
-    {"urllib3", kNoRequests},
-    {"uvicorn", kNoSockets},
-    {"websockets", kNoSockets},
-    {"zmq", kNoSockets},
-});
 
 std::string modules_folder() {
   return std::string(kPythonModules) + "/";
@@ -142,7 +89,8 @@ class Walk {
       return add(one, "`" + one.module + "` leads out of the package", {}, needed);
     const std::string top = top_level(module);
     if (compiled_.contains(top)) report_.compiled.insert(top);
-    if (is_python_module(top) && !is_lacking_python_module(top)) return;
+    if (is_python_module(top) && !is_lacking_python_module(top))
+      return tell_of_failing(one, module, path);
     for (const std::string& part : with_parents(module))
       if (!import_module(part, needed)) return missing(one, module, part, needed);
     for (const std::string& name : one.names) {
@@ -250,6 +198,21 @@ class Walk {
                                          .why = std::move(why)});
   }
 
+  /// Python has it, and what it is for does not work.
+  void tell_of_failing(const PythonImport& one, const std::string& module,
+                       const std::string& path) {
+    // What a library of others does with it is its own affair.
+    if (!world_.workspace.contains(path)) return;
+    std::optional<FailingModule> found = failing_module(module);
+    for (const std::string& name : one.names) {
+      if (!found) found = failing_module(module + "." + name);
+    }
+    if (!found) return;
+    add(one, "`" + std::string(found->name) + "` can be imported, but does not work in a site",
+        {std::string(found->fails), std::string(found->instead)}, false);
+    report_.missing.back().code = "R2W0526";
+  }
+
   void missing_interface(const PythonImport& one, const std::string& module,
                          const std::string& name, bool needed) {
     add(one, "`" + module + "` has no `" + name + "`",
@@ -261,7 +224,8 @@ class Walk {
     const std::string top = top_level(module);
     if (is_lacking_python_module(top)) {
       return add(one, "`" + module + "` is not there in a site",
-                 {"it is a part of Python that Python in a browser lacks", hint_for(top)}, needed);
+                 {"it is a part of Python that Python in a browser lacks", hint_for_module(top)},
+                 needed);
     }
     if (part != top) {
       return add(one, "`" + part + "` is not there",
@@ -280,15 +244,9 @@ class Walk {
     }
     if (why.empty())
       why.push_back("no channel has " + tried + ", nor has the workspace a module of that name");
-    const std::string hint = hint_for(top);
+    const std::string hint = hint_for_module(top);
     why.push_back(hint.empty() ? std::string(kWheel) : hint);
     add(one, "no package of the site has the module `" + top + "`", std::move(why), needed);
-  }
-
-  static std::string hint_for(const std::string& module) {
-    const auto found = std::find_if(kHints.begin(), kHints.end(),
-                                    [&](const Hint& row) { return row.module == module; });
-    return found == kHints.end() ? std::string() : std::string(found->why);
   }
 
   const PythonWorld& world_;

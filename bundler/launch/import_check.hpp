@@ -22,8 +22,9 @@ struct PythonWorld {
 };
 
 struct ImportReport {
-  Diagnostics missing;  ///< R2W0518: errors, and warnings for what a program can do without; files
-                        ///< are named as they are installed
+  /// R2W0518: errors, and warnings for what a program can do without. R2W0526: warnings for what
+  /// Python has and what does not work in a site. Files are named as they are installed.
+  Diagnostics missing;
   std::set<std::string> compiled;  ///< top-level modules with compiled parts, of the channels
 };
 

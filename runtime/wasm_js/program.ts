@@ -177,6 +177,9 @@ export async function runProgram(
     write: (stream, bytes) => out[stream].write(bytes),
     input: {
       read: (capacity) => {
+        // What asks for it ends in no newline.
+        out.stdout.flush();
+        out.stderr.flush();
         host.idle();
         return host.input.read(capacity);
       },

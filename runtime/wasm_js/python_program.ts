@@ -198,7 +198,7 @@ export function look(
 
 /** The module `ros2wasm_host` of Python. */
 function hostModule(
-  host: ProgramHost, memory: () => ProgramMemory, stop: Interrupts, died: (error: unknown) => void,
+  host: ProgramHost, memory: () => ProgramMemory, stop: Interrupts, died: (error: unknown) => void, showOutput: () => void,
 ): Record<string, unknown> {
   const { link } = host;
   const imports = hostImports(link, memory, host.idle, host.sent);
@@ -242,6 +242,7 @@ function hostModule(
     },
     take_stop: () => stop.take(),
     forget_stop: () => stop.forget(),
+    show_output: showOutput,
     tell: host.tell,
     address: (bytes: PyProxy): number => addressOf(bytes, buffers),
   };
@@ -333,6 +334,10 @@ export const runPython: RunPython = async (module, start, host, files, reports) 
     return crash('R2W0705', 'this browser can neither share memory with this page nor suspend a program');
   }
   const out = { stdout: new LineWriter((l) => host.line('stdout', l)), stderr: new LineWriter((l) => host.line('stderr', l)) };
+  const flush = (): void => {
+    out.stdout.flush();
+    out.stderr.flush();
+  };
   const stop = new Interrupts(() => host.link.stops(), !host.stepped);
   let died: (error: unknown) => void = () => undefined;
   const death = new Promise<never>((_resolve, reject) => {
@@ -344,7 +349,7 @@ export const runPython: RunPython = async (module, start, host, files, reports) 
   const functions = hostModule(host, () => {
     if (memory === undefined) throw new TypeError('Python calls out before it is loaded');
     return memory;
-  }, stop, died);
+  }, stop, died, flush);
   try {
     const begun = await begin(module, start, host, files, functions, reports.broken);
     const { python } = begun;
@@ -370,7 +375,6 @@ export const runPython: RunPython = async (module, start, host, files, reports) 
   } catch (error) {
     return failure(error);
   } finally {
-    out.stdout.flush();
-    out.stderr.flush();
+    flush();
   }
 };

@@ -6,6 +6,7 @@ import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import type { Page } from 'playwright-core';
+import { nbformatFaults } from '../support/nbformat_rules.ts';
 import { serveFolder } from '../support/static_server.ts';
 import { PageStage, expectAccessible } from './page_stage.ts';
 import { Scratch, runCli } from './served_site.ts';
@@ -107,6 +108,7 @@ test('example 06: all cells run on the graph of the site', async () => {
     const file = JSON.parse(readFileSync(await download.path(), 'utf8')) as { readonly nbformat: number; readonly cells: readonly Record<string, unknown>[] };
     assert.equal(download.suggestedFilename(), 'lab.ipynb');
     assert.equal(file.nbformat, 4);
+    assert.deepEqual(nbformatFaults(file), []);
     assert.equal(file.cells.length, 12);
     assert.equal(file.cells[11]?.['id'], 'table');
     // A new cell has the keyboard at once.
@@ -126,6 +128,62 @@ test('example 06: all cells run on the graph of the site', async () => {
     await served.close();
   }
 });
+
+// Works: notebooks: images, calls of services and `input()` from cells, and all of it on pages without shared memory
+test('on a page without shared memory: an image, a call of a service, input(), and what is downloaded', async () => {
+  const served = await serveFolder(site);
+  const context = await stage.browser.newContext({ viewport: { width: 1400, height: 900 }, acceptDownloads: true, serviceWorkers: 'block' });
+  const page = await context.newPage();
+  page.setDefaultTimeout(120_000);
+  try {
+    await page.goto(served.url);
+    const notebook = page.locator('#panel-notebook');
+    await notebook.getByText('Python is not started').waitFor();
+    assert.equal(await page.evaluate(() => crossOriginIsolated), false);
+    await page.getByText('waits for topic_a').first().waitFor();
+    await rewrite(page, 12, several);
+    await page.keyboard.press('Control+Enter');
+    const outputs = cellOf(page, 12).locator('.outputs');
+    await outputs.getByText('the relay has use_sim_time: False').waitFor();
+    const image = outputs.locator('img.value-image');
+    await image.waitFor();
+    assert.match(await image.getAttribute('src') ?? '', /^data:image\/png;base64,/);
+    assert.deepEqual(await image.evaluate(async (element) => {
+      await (element as HTMLImageElement).decode();
+      return [(element as HTMLImageElement).naturalWidth, (element as HTMLImageElement).naturalHeight];
+    }), [3, 2]);
+    await cellOf(page, 12).getByRole('textbox', { name: 'Who is there?' }).fill('Ada');
+    await page.keyboard.press('Enter');
+    await outputs.getByText('Hello Ada').waitFor();
+    await notebook.getByText('Python waits').waitFor();
+    await notebook.getByRole('button', { name: 'Notebook', exact: true }).click();
+    const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('menuitem', { name: 'Download .ipynb' }).click()]);
+    const file = JSON.parse(readFileSync(await download.path(), 'utf8')) as { readonly cells: readonly { readonly outputs?: readonly { readonly output_type: string }[] }[] };
+    assert.deepEqual(nbformatFaults(file), []);
+    assert.deepEqual([...new Set(file.cells[11]?.outputs?.map((output) => output.output_type))].sort(), ['display_data', 'stream']);
+  } finally {
+    await context.close();
+    await served.close();
+  }
+});
+
+const several = `import rclpy, struct, zlib
+from IPython.display import Image, display
+from rcl_interfaces.srv import GetParameters
+if not rclpy.ok():
+    rclpy.init()
+asking = rclpy.create_node('asking')
+client = asking.create_client(GetParameters, '/relay/get_parameters')
+client.wait_for_service()
+future = client.call_async(GetParameters.Request(names=['use_sim_time']))
+rclpy.spin_until_future_complete(asking, future)
+print('the relay has use_sim_time:', future.result().values[0].bool_value)
+def chunk(kind, data):
+    return struct.pack('>I', len(data)) + kind + data + struct.pack('>I', zlib.crc32(kind + data))
+rows = b''.join(b'\\x00' + b'\\xff\\x80\\x00' * 3 for _ in range(2))
+png = b'\\x89PNG\\r\\n\\x1a\\n' + chunk(b'IHDR', struct.pack('>IIBBBBB', 3, 2, 8, 2, 0, 0, 0)) + chunk(b'IDAT', zlib.compress(rows)) + chunk(b'IEND', b'')
+display(Image(data=png))
+print('Hello', input('Who is there?'))`;
 
 const hostile = `from IPython.display import HTML, SVG, Markdown, display
 display(HTML("""<script>document.title = 'owned'</script><img src=x onerror="document.title='owned'">

@@ -32,7 +32,7 @@ __getattr__ = names_of(__name__, {
     'rclpy.clock_type': 'ClockType',
     'rclpy.exceptions': 'InvalidHandle',
     'rclpy.service': 'Service',
-    'rclpy.waitable': 'Waitable',
+    'rclpy.waitable': 'NumberOfEntities Waitable',
 })
 
 

@@ -267,6 +267,8 @@ def stop_requested() -> bool:
 
 def read_input(capacity: int) -> bytes | None:
     """Wait for standard input. Empty: there will be no more; None: a stop."""
+    # What asks for it ends in no newline.
+    js.show_output()
     while threads is not None and threads.count > 1:
         token = wake_token()
         arrived = _settled(js.input_is_there())

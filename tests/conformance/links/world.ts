@@ -9,6 +9,8 @@ export interface RawWorker {
   onMessage(listener: (message: unknown) => void): void;
   /** Resolves when the worker runs no more. */
   terminate(): Promise<void>;
+  /** It has left its graph, and may serve another one; without: it is ended. */
+  release?(): void;
 }
 
 type Answer = { value?: unknown; error?: string; begun?: string };
@@ -76,6 +78,19 @@ export class RemotePeer {
     await this.bury(true);
   }
 
+  /** At the end of a scene: whoever waits for nothing can be used again. */
+  retire(): Promise<void> {
+    const { release } = this.raw;
+    if (release === undefined || this.pending.length > 0) return this.terminate();
+    this.burial ??= (async () => {
+      await this.call('close');
+      this.broker.end(this.participant, true);
+      this.broker.gone(this.participant);
+      release();
+    })();
+    return this.burial;
+  }
+
   /** As the page does it (node_runner.ts). */
   private bury(closed: boolean): Promise<void> {
     this.burial ??= (async () => {
@@ -120,7 +135,7 @@ export class World {
   }
 
   async close(): Promise<void> {
-    await Promise.all(this.workers.map((worker) => worker.terminate()));
+    await Promise.all(this.workers.map((worker) => worker.retire()));
     this.broker.close();
   }
 }

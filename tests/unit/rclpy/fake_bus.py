@@ -205,6 +205,9 @@ class FakeBus(types.ModuleType):
             return 2
         return int(bool(self.rest or self.typed))
 
+    def show_output(self) -> None:
+        pass
+
     def read_input(self, capacity: int) -> Any:
         """As the loader's: a part of one message."""
         if not self.rest and not self.typed:

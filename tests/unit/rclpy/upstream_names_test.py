@@ -18,8 +18,8 @@ from tests.unit.rclpy.installation import install, install_host
 # tf2_py, tf2_geometry_msgs, tf2_sensor_msgs, message_filters, sensor_msgs_py, rosidl_runtime_py and ament_index_python,
 # with names and places of their parameters (Jazzy's), against a list; what is missing has its reason there
 
-# Compatibility, differs: `Waitable` of rclpy -> what it does on a wait set of rcl is missing, as are
-# `NumberOfEntities`, handles of rcl, and some names that only hints of types need
+# Compatibility, differs: rclpy's wait set -> nothing waits on it: a waitable is asked whenever something happened;
+# handles of rcl, and some names that only hints of types need, are missing
 
 DEBIAN = '/usr/lib/python3/dist-packages'
 NAMES = Path(__file__).with_name('upstream_names.txt')
@@ -35,13 +35,8 @@ LACKING: dict[str, str] = {
     'ament_index_python.cli*': 'a program for shells',
     'ament_index_python.resources.Set': HINT,
     **{f'{owner}.{name}': WAIT_SET
-       for owner in ('rclpy.action.client.ActionClient', 'rclpy.action.server.ActionServer',
-                     'rclpy.event_handler.EventHandler', 'rclpy.qos_event.QoSEventHandler', 'rclpy.waitable.Waitable')
+       for owner in ('rclpy.event_handler.EventHandler', 'rclpy.qos_event.QoSEventHandler')
        for name in ('add_to_wait_set', 'execute', 'get_num_entities', 'is_ready', 'take_data')},
-    'rclpy.waitable.NumberOfEntities*': WAIT_SET,
-    'rclpy.executors.NumberOfEntities': WAIT_SET,
-    'rclpy.waitable.Waitable.add_future': WAIT_SET,
-    'rclpy.waitable.Waitable.remove_future': WAIT_SET,
     'rclpy.action.server.ActionServer.notify_goal_done': WAIT_SET,
     'rclpy.action.server.RCLError': 'an error of rcl',
     'rclpy.client.Client.__init__': HANDLE,

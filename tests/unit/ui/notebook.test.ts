@@ -7,6 +7,7 @@ import type { HtmlNode } from '../../../runtime/ui/model/html.ts';
 import { newCell, readNotebook, writeNotebook } from '../../../runtime/ui/model/notebook.ts';
 import type { Notebook } from '../../../runtime/ui/model/notebook.ts';
 import { readEvent } from '../../../runtime/wasm_js/notebook_kernel.ts';
+import { nbformatFaults } from '../../support/nbformat_rules.ts';
 
 const file = {
   cells: [
@@ -31,6 +32,23 @@ test('a notebook is written as it was read', () => {
   assert.deepEqual(written, { ...file, cells: file.cells.map((cell) => ({ ...cell, source: cell.source === '' ? [] : [cell.source].flat() })) });
   const older = JSON.parse(writeNotebook(read({ ...file, nbformat_minor: 2, cells: [{ cell_type: 'code', source: [] }] }))) as typeof file;
   assert.deepEqual(older.cells, [{ cell_type: 'code', metadata: {}, execution_count: null, outputs: [], source: [] }]);
+});
+
+test('what is written is as the schema of nbformat asks, whatever was read', () => {
+  const outputs = [
+    { output_type: 'execute_result', execution_count: 2, data: { 'text/plain': ['4'], 'application/json': { deep: [1] } }, metadata: {} },
+    { output_type: 'error', ename: 'E', evalue: 'e', traceback: ['a'] },
+  ];
+  for (const minor of [0, 2, 4, 5]) {
+    const cells = [...file.cells, { cell_type: 'code', id: 'a', outputs, execution_count: 2 }, { cell_type: 'code', metadata: 3, source: 'x' }];
+    const notebook = read({ ...file, nbformat_minor: minor, cells: minor < 5 ? cells.map(({ id: _, ...cell }) => cell) : cells });
+    const written: unknown = JSON.parse(writeNotebook({ ...notebook, cells: [...notebook.cells, newCell('code'), newCell('raw')] }));
+    assert.deepEqual(nbformatFaults(written).filter((fault) => minor > 0 || !fault.includes('.attachments')), [], `4.${minor}`);
+  }
+  const broken = { ...file, extra: 1, cells: [{ ...file.cells[1], outputs: [{ output_type: 'stream', text: 1 }] }, { cell_type: 'raw', id: 'b', metadata: {} }] };
+  assert.deepEqual(nbformatFaults(broken), [
+    '.cells[0].outputs[0].name is missing', '.cells[0].outputs[0].text is neither a text nor a list of lines', '.cells[1].source is missing',
+    '.extra is unknown', 'two cells have one id']);
 });
 
 test('cells that are added or have the same id get ids of their own', () => {

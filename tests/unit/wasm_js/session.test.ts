@@ -102,6 +102,8 @@ for (const link of ['shared', 'port'] as const) {
       await prints(session, 'echo-1', /^COLOUR=red$/);
       assert.deepEqual(session.console('echo-1').lines().slice(0, 4).map(({ text }) => text),
         ['argument 0: echo', 'argument 1: --ros-args', 'argument 2: -r', 'argument 3: a:=b']);
+      // A question is there before its answer, though it ends no line.
+      await prints(session, 'echo-1', /^what\? $/);
       session.sendInput('echo-1', 'grüezi\n');
       await prints(session, 'echo-1', /^echo grüezi$/);
       session.sendInput('echo-1', 'one\ntwo\n');

@@ -56,6 +56,25 @@ TEST_F(ImportCheckTest, WheelsAreFollowedForWhatAProgramNeeds) {
             (Lines{"no package of the site has the module `gone`", "`parts.leg` is not there"}));
 }
 
+TEST_F(ImportCheckTest, WhatFailsWhenItIsUsedIsAWarning) {
+  wheels_ = {{std::string(kPythonModules) + "/parts.py", "import subprocess\n"}};
+  EXPECT_EQ(
+      messages("import subprocess, http, socket as s, parts\nfrom urllib import request, parse\n"
+               "import http.server\nfrom multiprocessing.pool import ThreadPool\n"
+               "def f():\n  from ctypes import CDLL\n"),
+      (Lines{"warning: `subprocess` can be imported, but does not work in a site",
+             "warning: `socket` can be imported, but does not work in a site",
+             "warning: `urllib.request` can be imported, but does not work in a site",
+             "warning: `http.server` can be imported, but does not work in a site",
+             "warning: `multiprocessing` can be imported, but does not work in a site",
+             "warning: `ctypes` can be imported, but does not work in a site"}));
+  EXPECT_EQ(report_.missing[0].code, "R2W0526");
+  EXPECT_EQ(report_.missing[0].span->line, 1U);
+  EXPECT_EQ(report_.missing[0].why.size(), 2U);
+  EXPECT_EQ(messages("import http, urllib.parse, socketio_like\n"),
+            (Lines{"no package of the site has the module `socketio_like`"}));
+}
+
 TEST_F(ImportCheckTest, FollowsTheModulesOfTheWorkspaceOnly) {
   module("demo/__init__.py", "");
   module("demo/talker.py",

@@ -6,6 +6,7 @@
 int main(int argc, char** argv) {
   for (int i = 0; i < argc; ++i) printf("argument %d: %s\n", i, argv[i]);
   printf("COLOUR=%s\n", getenv("COLOUR"));
+  printf("what? ");
   fflush(stdout);
   char line[256];
   while (fgets(line, sizeof line, stdin)) {

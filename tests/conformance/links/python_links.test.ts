@@ -1,0 +1,47 @@
+// The scenes between Python programs, and between Python and TypeScript, on both links under Node.js.
+
+// Compatibility, works: Python on either side of the middleware's scenes, on both links: matching,
+// order, depth, transient_local, backpressure, QoS and its events, services, deaths, the graph
+
+import { after, test } from 'node:test';
+import type { LinkKind } from '../../../runtime/wasm_js/session.ts';
+import { startNodeWorker } from './node_start.ts';
+import { PythonWorkers } from './python_start.ts';
+import { qosScenes } from './qos_scenes.ts';
+import { scenes } from './scenes.ts';
+import { serviceScenes } from './service_scenes.ts';
+import { type RawWorker, World } from './world.ts';
+
+const watchdogMs = 120_000;
+
+/** It is about one message of 300 MB, of which an interpreter would keep three copies to its end. */
+const tooLarge = 'messages larger than there can be room for are refused';
+
+const python = new PythonWorkers();
+after(() => python.close());
+
+type Start = () => Promise<RawWorker>;
+
+/** By turns, in the order in which a scene starts its workers: mostly the one that publishes or serves comes first. */
+const sides: Readonly<Record<string, readonly [Start, Start]>> = {
+  'Python to Python': [python.start, python.start],
+  'Python to TypeScript': [python.start, startNodeWorker],
+  'TypeScript to Python': [startNodeWorker, python.start],
+};
+
+for (const kind of ['shared', 'port'] as const satisfies readonly LinkKind[]) {
+  for (const [between, starts] of Object.entries(sides)) {
+    for (const scene of [...scenes, ...qosScenes, ...serviceScenes]) {
+      if (scene.name === tooLarge) continue;
+      test(`${kind}, ${between}: ${scene.name}`, { timeout: watchdogMs }, async () => {
+        let begun = 0;
+        const world = new World(kind, () => starts[begun++ % 2]!());
+        try {
+          await scene.run(world);
+        } finally {
+          await world.close();
+        }
+      });
+    }
+  }
+}

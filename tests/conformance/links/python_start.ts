@@ -1,0 +1,53 @@
+// Conformance workers whose program is Python, as Node.js worker threads. One that has done its part in a scene is kept
+// for the next: an interpreter takes longer to start than most scenes last.
+
+import { execFileSync } from 'node:child_process';
+import { copyFileSync, mkdirSync, mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { Worker } from 'node:worker_threads';
+import type { PythonPeerData } from './python_peer.ts';
+import type { RawWorker } from './world.ts';
+
+const root = fileURLToPath(new URL('../../..', import.meta.url));
+
+export class PythonWorkers {
+  private readonly folder = mkdtempSync(join(tmpdir(), 'ros2wasm-python-peer-'));
+  private readonly idle: Worker[] = [];
+  /** How many interpreters were started. */
+  started = 0;
+
+  constructor() {
+    mkdirSync(join(this.folder, 'lib'));
+    copyFileSync(fileURLToPath(new URL('python_peer.py', import.meta.url)), join(this.folder, 'lib/peer'));
+    execFileSync('python3', [
+      join(root, 'tests/support/make_archive.py'), join(this.folder, 'all.zip'), `${join(this.folder, 'lib')}=lib/test`,
+      ...['rclpy', 'ros2wasm'].map((name) => `${join(root, 'runtime/rclpy', name)}=lib/python3.12/site-packages/${name}`),
+    ]);
+  }
+
+  readonly start = (): Promise<RawWorker> => {
+    const worker = this.idle.pop() ?? this.begin();
+    return Promise.resolve({
+      post: (message, transfer) => worker.postMessage(message, transfer as never),
+      onMessage: (listener) => worker.on('message', listener),
+      terminate: async () => void (await worker.terminate()),
+      release: () => {
+        worker.removeAllListeners('message');
+        this.idle.push(worker);
+      },
+    });
+  };
+
+  private begin(): Worker {
+    this.started += 1;
+    const workerData: PythonPeerData = { base: `${this.folder}/`, archive: 'all.zip', entry: 'lib/test/peer' };
+    return new Worker(new URL('python_peer.ts', import.meta.url), { workerData });
+  }
+
+  async close(): Promise<void> {
+    await Promise.all(this.idle.map((worker) => worker.terminate()));
+    rmSync(this.folder, { recursive: true });
+  }
+}

@@ -1,0 +1,47 @@
+// Modules of Python that a program can import and not use in a site: the pack warns of them, with file and line.
+
+// Compatibility, differs: subprocess, multiprocessing, sockets and what builds on them, shared libraries of ctypes -> a
+// browser has none of it: the pack warns of the import with file and line, and what to do instead
+
+import assert from 'node:assert/strict';
+import { rmSync } from 'node:fs';
+import { after, before, test } from 'node:test';
+import { PackWorkspace } from './pack_workspace.ts';
+
+let workspace: PackWorkspace;
+
+before(() => {
+  workspace = new PackWorkspace();
+});
+
+after(() => rmSync(workspace.root, { recursive: true }));
+
+test('a program that starts others is packed, with a warning for each import', { timeout: 300_000 }, async () => {
+  workspace.write('workspace.yaml', 'schema: 1\nname: lab\ndistro: jazzy\npackages: [src/*]\nlaunch:\n  - {package: eyes, executable: see}\n');
+  workspace.write('src/eyes/package.xml', `<package format="3">
+  <name>eyes</name><version>1.2.3</version><description>Of a test</description>
+  <maintainer email="someone@example.org">Someone</maintainer><license>Apache-2.0</license>
+  <exec_depend>rclpy</exec_depend><export><build_type>ament_python</build_type></export>
+</package>
+`);
+  workspace.write('src/eyes/setup.cfg', '[develop]\nscript_dir=$base/lib/eyes\n[install]\ninstall_scripts=$base/lib/eyes\n');
+  workspace.write('src/eyes/setup.py', `from setuptools import setup
+setup(name='eyes', version='1.2.3', packages=['eyes'], entry_points={'console_scripts': ['see = eyes.see:main']})
+`);
+  workspace.write('src/eyes/eyes/__init__.py', '');
+  workspace.write('src/eyes/eyes/see.py', `import ctypes
+import socket
+from multiprocessing import Process
+
+
+def main():
+    import subprocess
+    from urllib import parse, request
+`);
+  const { code, stderr } = await workspace.run(['pack', 'workspace.yaml', '--plan']);
+  assert.equal(code, 0, stderr);
+  const told = [...stderr.matchAll(/warning\[R2W0526\]: `(.+)` can be imported, but does not work in a site\n --> src\/eyes\/eyes\/see\.py:(\d+):\d+\n/g)];
+  assert.deepEqual(told.map(([, module, line]) => `${module} ${line}`),
+    ['ctypes 1', 'socket 2', 'multiprocessing 3', 'subprocess 7', 'urllib.request 8'], stderr);
+  assert.match(stderr, /why: a browser starts no programs: `run` and `Popen` raise OSError\n.*why: a program of the workspace can be a node/);
+});

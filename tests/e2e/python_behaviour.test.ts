@@ -1,0 +1,77 @@
+// What parts of rclpy do that few nodes use, on both links: rates, options of loggers, what is known about messages, jumps
+// of time, the graph, type descriptions, overridden QoS, calls within callbacks, guard conditions, waitables, queued goals.
+
+// Compatibility, works: rates, options of loggers, callbacks with message info, jump callbacks, the graph's queries, type
+// descriptions, overridden QoS, `Client.call` in a callback, guard conditions, own waitables and queued goals of rclpy
+
+import assert from 'node:assert/strict';
+import { rmSync } from 'node:fs';
+import { after, before, test } from 'node:test';
+import { openHeadless } from '../../runtime/wasm_js/headless_session.ts';
+import { ownPackage } from '../support/python_nodes.ts';
+import { prints, reaches } from '../unit/wasm_js/site_fixture.ts';
+import { makeSite } from './runtime_site.ts';
+
+const watchdog = { timeout: 240_000 };
+let folder = '';
+
+before(() => {
+  folder = makeSite([], {}, {}, {
+    nodes: [{ entry: 'lib/chatter_py/behaviour', executable: 'behaviour' }], packages: ownPackage('chatter_py'),
+  });
+});
+
+after(() => rmSync(folder, { recursive: true }));
+
+/** What tests/packages/chatter_py/scripts/behaviour prints, in this order. */
+const wanted = [
+  'ten beats at 50 Hz True',
+  'a destroyed rate: Rate cannot sleep because it has been destroyed',
+  'once [True, False, False]',
+  'skip_first [False, True, True]',
+  'throttled [True, False, False]',
+  'throttled for a moment [True, True, True]',
+  'no such option: parameter "colour" is not supported',
+  "infos [(7, 1), (8, 2)] ['publication_sequence_number', 'received_timestamp', 'reception_sequence_number', 'source_timestamp']",
+  'in order of time True',
+  'a step is no jump []',
+  "jumps ['before', ('ROS_TIME_NO_CHANGE', 8), 'before', ('ROS_TIME_NO_CHANGE', -60)]",
+  'told no more 4',
+  'waits True True False',
+  'nodes True True True',
+  "topics [('/lab/words', ['std_msgs/msg/String'])]",
+  "services [('/lab/add', ['example_interfaces/srv/AddTwoInts'])]",
+  'counts 1 1 0 1 1',
+  'publisher graphs /lab std_msgs/msg/String PUBLISHER BEST_EFFORT TRANSIENT_LOCAL 16',
+  'subscription SUBSCRIPTION BEST_EFFORT',
+  "by node ['/lab/words'] [('/lab/add', ['example_interfaces/srv/AddTwoInts'])]",
+  'of a node that is not there: NodeNameNonExistentError',
+  "described True std_msgs/msg/String ['data'] True",
+  'a bad hash: Failed to parse type hash',
+  'overridden 7 BEST_EFFORT keep_last',
+  'a call in the main thread 42',
+  'a call in a callback [3]',
+  "a guard condition ['called']",
+  "a waitable [] ['data'] NumberOfEntities(0, 1, 2, 0, 0, 0)",
+  "queued goals [('begin', 3), ('end', 3), ('begin', 1), ('end', 1), ('begin', 2), ('end', 2)] [[3], [1], [2]]",
+  'that is all',
+];
+
+for (const link of ['shared', 'port'] as const) {
+  test(`${link}: seldom used parts of rclpy do what they do natively`, watchdog, async () => {
+    const { session, close } = await openHeadless(folder, link, new URL('../../runtime/wasm_js/headless.ts', import.meta.url));
+    try {
+      session.start('behaviour-1');
+      const end = await Promise.race([prints(session, 'behaviour-1', /^that is all$/), reaches(session, 'behaviour-1', 'exited')]);
+      const texts = session.console('behaviour-1').lines().map(({ text }) => text);
+      const logged = texts.filter((text) => text.startsWith('['));
+      assert.deepEqual(texts.filter((text) => !logged.includes(text)), wanted, JSON.stringify(end));
+      const times = (text: string): number => logged.filter((line) => line.endsWith(`[logs]: ${text}`)).length;
+      assert.deepEqual(
+        ['tells once', 'skips the first', 'is throttled', 'is throttled for a moment'].map(times), [1, 2, 1, 3]);
+    } finally {
+      session.close();
+      close();
+    }
+  });
+}

@@ -1,0 +1,142 @@
+// A stop ends a Python node wherever it waits, long before it would be killed, and it can be started again: on both links,
+// in Node.js and in Chromium.
+
+// Compatibility, works: a stop of a Python node in `rclpy.spin`, `time.sleep`, `input`, `Rate.sleep`, `Client.call`,
+// `asyncio.run`, a publish that waits for a slow reader, `Event.wait`, `Thread.join`, `Queue.get`, or
+// while it computes on the shared link
+
+// Compatibility, differs: a Python node that computes without end, in a page without shared memory -> a stop is not heard:
+// it is killed after five seconds
+
+import assert from 'node:assert/strict';
+import { rmSync } from 'node:fs';
+import { after, before, test } from 'node:test';
+import { type Browser, chromium } from 'playwright-core';
+import { openHeadless } from '../../runtime/wasm_js/headless_session.ts';
+import { stopGraceMs } from '../../runtime/wasm_js/node_runner.ts';
+import { serveFolder } from '../support/static_server.ts';
+import { ownPackage } from '../support/python_nodes.ts';
+import { prints, reaches } from '../unit/wasm_js/site_fixture.ts';
+import { chromiumOptions } from './chromium.ts';
+import { makeSite } from './runtime_site.ts';
+
+const watchdog = { timeout: 300_000 };
+/** What a busy machine may need; a node that is killed has been there for stopGraceMs. */
+const soonMs = stopGraceMs * 0.6;
+const killed = 137;
+const blockedMs = 1000;
+
+/** Ways to wait of tests/packages/chatter_py/scripts/waits; the first is whom `publish` waits for. */
+const ways = ['deaf', 'spin', 'sleep', 'ask', 'rate', 'call', 'loop', 'publish', 'event', 'join', 'get', 'compute'];
+const idOf = (way: string): string => `${way}-${ways.indexOf(way) + 1}`;
+const waiting = /^waits for ever$/;
+
+/** Who is waited for comes last. Nothing reaches a worker that computes without sharing memory: that one is killed. */
+const stoppable = (link: 'shared' | 'port'): readonly string[] =>
+  [...ways.slice(1), 'deaf'].filter((way) => way !== 'compute' || link === 'shared');
+
+let folder = '';
+let browser: Browser;
+
+before(async () => {
+  folder = makeSite([], {}, {}, {
+    nodes: ways.map((way) => ({ entry: 'lib/chatter_py/waits', executable: way, arguments: [way] })),
+    packages: ownPackage('chatter_py'),
+  });
+  browser = await chromium.launch(chromiumOptions());
+});
+
+after(async () => {
+  await browser.close();
+  rmSync(folder, { recursive: true });
+});
+
+for (const link of ['shared', 'port'] as const) {
+  test(`${link}, Node.js: a stop ends each wait, and the node starts again`, watchdog, async () => {
+    const { session, close } = await openHeadless(folder, link, new URL('../../runtime/wasm_js/headless.ts', import.meta.url));
+    try {
+      /** A publish waits once nothing more is said for a while. */
+      const blocked = async (): Promise<void> => {
+        await prints(session, idOf('publish'), /^sent \d+$/);
+        for (let seen = -1; ;) {
+          const { length } = session.console(idOf('publish')).lines();
+          if (length === seen) return;
+          seen = length;
+          await new Promise((resolve) => setTimeout(resolve, blockedMs));
+        }
+      };
+      const waits = async (way: string): Promise<void> => way === 'publish' ? blocked() : void await prints(session, idOf(way), waiting);
+      for (const way of ways) {
+        session.start(idOf(way));
+        await waits(way);
+      }
+      for (const way of stoppable(link)) {
+        const begun = performance.now();
+        session.stop(idOf(way));
+        const { state } = await reaches(session, idOf(way), 'exited');
+        const took = performance.now() - begun;
+        assert.ok(took < soonMs, `${way} ends after ${took} ms`);
+        assert.notEqual((state as { code: number }).code, killed, `${way} is killed`);
+      }
+      session.console(idOf('ask')).clear();
+      session.start(idOf('ask'));
+      // The question is there before its answer, though it ends no line.
+      await prints(session, idOf('ask'), /^a line\? $/);
+      session.sendInput(idOf('ask'), 'an answer\n');
+      await prints(session, idOf('ask'), /^asked and told: an answer$/);
+      assert.equal(((await reaches(session, idOf('ask'), 'exited')).state as { code: number }).code, 0);
+    } finally {
+      session.close();
+      close();
+    }
+  });
+}
+
+for (const [link, isolated] of [['shared', true], ['port', false]] as const) {
+  test(`${link}, Chromium: input() is answered from the page, and a stop ends each wait`, watchdog, async () => {
+    const host = await serveFolder(folder, { isolated });
+    const context = await browser.newContext({ serviceWorkers: 'block' });
+    try {
+      const page = await context.newPage();
+      await page.goto(host.url);
+      const running = (label: string) => page.getByRole('button', { name: `Stop /${label}`, exact: true });
+      const said = (text: string): Promise<unknown> =>
+        page.waitForFunction((wanted) => document.body.textContent.includes(wanted), text, { timeout: 200_000 });
+      await said('a line? ');
+      await page.getByRole('button', { name: 'Type into /ask' }).click();
+      await page.keyboard.type('an answer');
+      await page.keyboard.press('Enter');
+      await said('asked and told: an answer');
+      await page.getByRole('button', { name: 'Start /ask', exact: true }).click();
+      assert.equal(await page.evaluate(() => crossOriginIsolated), isolated);
+      // All wait, but for the one whose wait is no begin of a line: that one has said its last when nothing more comes.
+      await page.waitForFunction(
+        (count) => document.body.textContent.split('waits for ever').length - 1 >= count, ways.length, { timeout: 200_000 });
+      await said('sent ');
+      for (let seen = ''; ;) {
+        // The last that was sent.
+        const text = await page.evaluate(() => document.body.textContent.match(/sent \d+/g)?.at(-1) ?? '');
+        if (text === seen) break;
+        seen = text;
+        await page.waitForTimeout(blockedMs);
+      }
+      for (const way of stoppable(link)) {
+        // Within the page: a busy machine is slow to click for us.
+        const took = await page.evaluate(async ([stop, start]) => {
+          const button = (label: string) => document.querySelector<HTMLButtonElement>(`button[aria-label="${label}"]`);
+          const begun = performance.now();
+          button(stop)?.click();
+          while (button(start) === null) await new Promise((resolve) => setTimeout(resolve, 20));
+          return performance.now() - begun;
+        }, [`Stop /${way}`, `Start /${way}`] as const);
+        assert.ok(took < soonMs, `${way} ends after ${took} ms`);
+      }
+      assert.doesNotMatch(await page.textContent('body') ?? '', /Exited with code 137/);
+      await page.getByRole('button', { name: 'Start /sleep', exact: true }).click();
+      await running('sleep').waitFor();
+    } finally {
+      await context.close();
+      await host.close();
+    }
+  });
+}

@@ -3,7 +3,7 @@
 
 import type { loadPyodide, PyodideInterface } from 'pyodide';
 import type { PyBuffer, PyCallable, PyProxy } from 'pyodide/ffi';
-import { WaitResult } from '../protocol/generated/constants.ts';
+import { SampleInfoLayout, WaitResult } from '../protocol/generated/constants.ts';
 import { hostImports } from './host_imports.ts';
 import type { RunLaunch } from './launch_python.ts';
 import { LineWriter } from './line_writer.ts';
@@ -174,10 +174,17 @@ function arrived(arrival: Arrival): number {
   return { input: 1, timeout: 0, stop: 2 }[arrival];
 }
 
+/** Behind the wake token and the version of the statuses: where a message is taken to, its SampleInfo, where one is sent from. */
+const places = { take: 8, takeRoom: 12, info: 16, publish: 20, readers: 24 } as const;
+const infoWords = SampleInfoLayout.size >> 2;
+
+/** A message was sent, and the slice of time is over. */
+const sliceOver = 1;
+
 /**
  * A turn of an executor in one call. Writes the wake token, which is read first, and the version of the statuses, skips where
- * a message goes (address, capacity, address of its info), writes the readers that have something, and returns how many.
- * If only the expected one has, and the statuses are as they were, its next message is taken: ~length.
+ * messages go (see places), writes the readers that have something, and returns how many. If only the expected one has, and
+ * the statuses are as they were, its next message is taken: ~length.
  */
 export function look(
   link: Pick<Link, 'wakeToken' | 'ready' | 'statusVersion' | 'take'>, heap: ProgramMemory, at: number, capacity: number, expected: number, statuses: number,
@@ -187,12 +194,12 @@ export function look(
   const version = link.statusVersion() | 0;
   heap.set(at + 4, version);
   if (ready.length === 1 && ready[0] === expected && version === statuses) {
-    const room = heap.u32(at + 12);
-    const length = link.take(expected, heap, heap.u32(at + 8), room, heap.u32(at + 16));
+    const room = heap.u32(at + places.takeRoom);
+    const length = link.take(expected, heap, heap.u32(at + places.take), room, heap.u32(at + places.info));
     if (length >= 0 && length <= room) return ~length;
   }
   const count = Math.min(ready.length, capacity);
-  for (let i = 0; i < count; i += 1) heap.set(at + 20 + 4 * i, ready[i]!);
+  for (let i = 0; i < count; i += 1) heap.set(at + places.readers + 4 * i, ready[i]!);
   return count;
 }
 
@@ -210,32 +217,36 @@ function hostModule(
     pending = promise;
     return promised;
   };
-  const suspending = (f: (...args: never[]) => unknown) => (...args: never[]): unknown => {
-    const result = f(...args);
-    return result instanceof Promise ? wait(result) : result;
-  };
+  const settled = <T>(result: T | Promise<T>): T | number => result instanceof Promise ? wait(result) : result;
   // Here and not in Python: an interrupt between the end of a suspension and Python's look at its result would be lost.
   const told = (result: number): number => result === WaitResult.stop && !stop.take() ? WaitResult.woken : result;
-  const telling = (f: (...args: never[]) => unknown) => (...args: never[]): unknown => {
-    const result = f(...args) as number | Promise<number>;
-    return typeof result === 'number' ? told(result) : result.then(told);
-  };
+  const telling = (result: number | Promise<number>): number => typeof result === 'number' ? told(result) : wait(result.then(told));
   return {
     ...imports,
-    wait: suspending(telling(imports['wait']!)),
-    sleep: suspending(telling(imports['sleep']!)),
-    write: suspending(imports['write']!),
-    read_input: suspending((capacity: number) => {
+    wait: (token: number, low: number, high: number) => telling(imports.wait(token, low, high)),
+    sleep: (low: number, high: number) => telling(imports.sleep(low, high)),
+    write: (endpoint: number, data: number, length: number, info: number) => settled(imports.write(endpoint, data, length, info)),
+    read_input: (capacity: number) => {
       host.idle();
-      return host.input.read(capacity);
-    }),
-    // Of the four above, and of this, the result may be a promise.
-    input_is_there: suspending(() => {
+      return settled(host.input.read(capacity));
+    },
+    input_is_there: () => {
       const there = host.input.arrives(0);
-      return there instanceof Promise ? there.then(arrived) : arrived(there);
-    }),
+      return there instanceof Promise ? wait(there.then(arrived)) : arrived(there);
+    },
+    // What is called for every message has one argument: each more costs Pyodide a tenth of a microsecond.
+    publisher: (endpoint: number, at: number) => (length: number): number => {
+      const heap = memory();
+      const info = heap.u32(at + places.info);
+      heap.i32.fill(0, info >> 2, (info >> 2) + infoWords);
+      const result = imports.write(endpoint, heap.u32(at + places.publish), length, info);
+      if (typeof result !== 'number') return wait(result);
+      return result === 0 && stop.sliceIsOver() ? sliceOver : result;
+    },
+    hearer: (endpoint: number, at: number, capacity: number) => (statuses: number): number =>
+      look(link, memory(), at, capacity, endpoint, statuses),
     ...threadFunctions(stop, wait, died),
-    look: (...turn: readonly [number, number, number, number]): number => look(link, memory(), ...turn),
+    look: (at: number, capacity: number, expected: number, statuses: number): number => look(link, memory(), at, capacity, expected, statuses),
     pending: () => pending,
     resumed: () => {
       stop.suspended = false;

@@ -330,7 +330,7 @@ def as_array(items: Any, code: str) -> Any:
 
 
 def fixed_array(code: str, data: 'array[int]') -> Any:
-    """What a fixed array of numbers is in a message: numpy's if the site has it, as in ROS 2. The data becomes its own."""
+    """What a fixed array of numbers is in a message: numpy's, over these bytes, if the site has it, as in ROS 2."""
     numpy = find_numpy()
     if numpy is None:
         return array(code, data.tobytes())
@@ -360,8 +360,8 @@ class Codec:
     @cached_property
     def read(self) -> Callable[['array[int]', int], tuple[Any, int]]:
         """
-        (bytes, place) -> message, place behind it. The place is a multiple of 8; the bytes are an array, whose slices are
-        copies. What is beyond the end of the message is the caller's to see.
+        (bytes, place) -> message, place behind it. The place is a multiple of 8; the bytes are an array, whose slices
+        are copies. Whether the place behind it is beyond the message's end is for the caller to see.
         """
         return self._reader(WIDEST)
 

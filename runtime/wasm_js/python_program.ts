@@ -6,6 +6,7 @@ import type { PyBuffer, PyCallable, PyProxy } from 'pyodide/ffi';
 import { SampleInfoLayout, WaitResult } from '../protocol/generated/constants.ts';
 import { hostImports } from './host_imports.ts';
 import type { RunLaunch } from './launch_python.ts';
+import { type FileSystem, lateFile } from './late_file.ts';
 import { LineWriter } from './line_writer.ts';
 import type { Link } from './link.ts';
 import { type ProgramEnd, type ProgramHost, promiseIntegration } from './program.ts';
@@ -258,37 +259,30 @@ function hostModule(
   };
 }
 
-/** The part of Emscripten's file system that is used here. */
-interface FileSystem {
-  readonly mkdirTree: (path: string) => void;
-  readonly createFile: (folder: string, name: string, properties: object, read: boolean, write: boolean) => object;
-  readonly ErrnoError: new (number: number) => Error;
-}
-
-/** EIO of Emscripten. */
-const inputError = 29;
-
 /** Puts the site's share files in place; the bytes of one come when it is first read, all of them or an error. */
 export function mountShare(python: PyodideInterface, { files, readNow }: Pick<ProgramHost, 'files' | 'readNow'>): void {
   const system = python['FS'] as unknown as FileSystem;
-  for (const [path, size] of files.files) {
-    const whole = `${files.prefix}/${path}`;
-    const at = whole.lastIndexOf('/');
-    system.mkdirTree(whole.slice(0, at));
-    const node = system.createFile(whole.slice(0, at), whole.slice(at + 1), {}, true, false);
-    let bytes: Uint8Array | undefined;
-    const contents = (): Uint8Array => {
-      if (bytes !== undefined) return bytes;
-      const found = readNow(files.place, path);
-      if (found?.length !== size) throw new system.ErrnoError(inputError);
-      bytes = found;
-      return found;
-    };
-    Object.defineProperties(node, {
-      contents: { get: contents },
-      usedBytes: { get: () => size },
-    });
-  }
+  for (const [path, size] of files.files) lateFile(system, `${files.prefix}/${path}`, size, () => readNow(files.place, path));
+}
+
+/** Where Pyodide has the standard library. */
+const libraryPath = '/lib/python312.zip';
+
+/**
+ * A started interpreter has imported most of what nodes use: the library's 3.3 MB come when it opens the file. undefined:
+ * nobody can read it in the middle of a program here, so that it must be there at once.
+ */
+function lateLibrary({ base, home, parts }: PythonStart): { readonly address: string; readonly place: (system: FileSystem) => void } | undefined {
+  const path = `${home}python_stdlib.zip`;
+  const blob = parts.found.get(path);
+  if (blob === undefined || !('FileReaderSync' in globalThis)) return undefined;
+  return {
+    address: base + path,
+    place: (system) => {
+      system.unlink(libraryPath);
+      lateFile(system, libraryPath, blob.size, () => new Uint8Array(new FileReaderSync().readAsArrayBuffer(blob)));
+    },
+  };
 }
 
 /** How what Python could not catch reads. */
@@ -323,10 +317,15 @@ async function begin(
   if (start.image !== undefined) {
     try {
       const more = archivesOf(start, start.archives.slice(start.image.archives), files);
-      const image = readImage(await start.image.bytes.arrayBuffer());
+      const image = await readImage(start.image.bytes);
       if (image.loaded.some((path) => start.sources?.changed.has(path))) return await boot();
-      const opened = await openPyodide({ ...options, image: { ...image, host: functions } });
-      restoreFiles(opened.python, image);
+      const library = lateLibrary(start);
+      const opened = await openPyodide({
+        ...options,
+        fetched: (address) => address === library?.address ? new Blob() : options.fetched(address),
+        image: { ...image, host: functions, withFiles: (system) => library?.place(system) },
+      });
+      await restoreFiles(opened.python, image);
       install(opened.python, await more);
       startModule(opened.python).renew(opened.python.toPy(environment));
       return opened;

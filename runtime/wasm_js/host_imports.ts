@@ -21,7 +21,7 @@ export type HostFunction = (...args: never[]) => unknown;
 
 export function hostImports(
   link: Link, memory: () => ProgramMemory, idle: () => void, sent?: (message: SentMessage) => void,
-): Record<string, HostFunction> {
+) {
   /** Of endpoints, when somebody hears what is sent. */
   const names = new Map<number, string>();
   const i64 = (address: number): bigint => memory().i64(address);
@@ -137,5 +137,5 @@ export function hostImports(
       return bytes.length;
     },
     thread_create_required: (): number => ErrorCode.unsupported,
-  };
+  } satisfies Record<string, HostFunction>;
 }

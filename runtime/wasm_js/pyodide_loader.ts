@@ -2,6 +2,7 @@
 // compiled already, with the site's clocks and random numbers, and with a memory that is there already.
 
 import type { loadPyodide, PyodideInterface } from 'pyodide';
+import type { FileSystem } from './late_file.ts';
 import type { Link } from './link.ts';
 import { ProgramMemory } from './program_memory.ts';
 
@@ -13,14 +14,18 @@ export interface PythonPlace {
   readonly random: ((bytes: Uint8Array) => void) | undefined;
 }
 
-/** A memory with an interpreter in it; the parts lie in one buffer. */
+/** A memory with an interpreter in it. */
 export interface OpenImage {
   /** What Pyodide says of it, in Pyodide's form. */
   readonly description: Uint8Array;
-  /** From its begin to the last byte that is not 0. */
-  readonly memory: Uint8Array;
-  /** How large it is with what follows. */
+  /** Bytes of the memory. */
   readonly size: number;
+  /** Its parts that are not 0, in order: whole pages. */
+  readonly runs: readonly (readonly [begin: number, length: number])[];
+  /** Gives the bytes of the runs, one after the other. */
+  readonly read: (target: Uint8Array) => Promise<void>;
+  /** Called before Python goes on, when the files are there that Pyodide puts there itself. */
+  readonly withFiles: (system: FileSystem) => void;
   /** The site's functions, in place of those that were there when the image was made. */
   readonly host: object;
 }
@@ -96,8 +101,32 @@ async function withModule<T>(
 /** The part of Emscripten's module that is used here. */
 interface EmscriptenModule {
   readonly HEAPU8: Uint8Array;
+  readonly FS: FileSystem;
 }
 type CreateModule = (settings: { INITIAL_MEMORY?: number }) => Promise<EmscriptenModule>;
+
+/** Of memory, as systems have it. */
+export const pageBytes = 4096;
+
+/** The memory becomes the image's. What is 0 in both is only read: such pages take no memory. */
+export async function fillMemory(heap: Uint8Array, { runs, read }: Pick<OpenImage, 'runs' | 'read'>): Promise<void> {
+  const words = new Int32Array(heap.buffer, heap.byteOffset, heap.length >> 2);
+  const clear = (from: number, to: number): void => {
+    for (let page = from; page < to; page += pageBytes) {
+      const end = (page + pageBytes) >> 2;
+      let word = page >> 2;
+      while (word < end && words[word] === 0) word += 1;
+      if (word < end) words.fill(0, word, end);
+    }
+  };
+  let at = 0;
+  for (const [begin, length] of runs) {
+    clear(at, begin);
+    at = begin + length;
+    await read(heap.subarray(begin, at));
+  }
+  clear(at, heap.length);
+}
 
 const factory = '_createPyodideModule';
 
@@ -113,8 +142,8 @@ async function withMemory<T>(image: OpenImage | undefined, load: () => Promise<T
     if (create === undefined) throw new TypeError('Pyodide has no module');
     const made = await create({ ...settings, INITIAL_MEMORY: image.size });
     if (made.HEAPU8.length !== image.size) throw new RangeError('the image is of a memory of another size');
-    made.HEAPU8.set(image.memory);
-    made.HEAPU8.fill(0, image.memory.length);
+    await fillMemory(made.HEAPU8, image);
+    image.withFiles(made.FS);
     return made;
   };
   // The script that Pyodide loads assigns it, in a browser also what it reads back.

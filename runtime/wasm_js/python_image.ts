@@ -4,8 +4,9 @@
 
 import type { PyodideInterface } from 'pyodide';
 import type { PyBuffer, PyCallable, PyProxy } from 'pyodide/ffi';
+import { BlobParts } from './blob_parts.ts';
 import { ExpectedFiles } from './expected_files.ts';
-import { openPyodide, type OpenImage } from './pyodide_loader.ts';
+import { openPyodide, type OpenImage, pageBytes } from './pyodide_loader.ts';
 import type { PythonParts } from './python_files.ts';
 import type { WorkerFiles } from './python_program.ts';
 
@@ -29,15 +30,15 @@ export interface ImageStart {
 /** How python_worker.js is called in a browser to make an image. Throws when there can be none. */
 export type MakePythonImage = (module: WebAssembly.Module, start: ImageStart, files: WorkerFiles) => Promise<Blob>;
 
-/** An image that was read. */
-export interface PythonImage extends Omit<OpenImage, 'host'> {
-  readonly files: readonly (readonly [path: string, bytes: Uint8Array])[];
+/** An image of which the memory is yet to be read, and then the files. */
+export interface PythonImage extends Omit<OpenImage, 'host' | 'withFiles'> {
+  readonly files: readonly (readonly [path: string, size: number])[];
   /** The files of what was imported, below the installation. */
   readonly loaded: readonly string[];
 }
 
 /** Changes when what lies in an image does. */
-export const imageVersion = 2;
+export const imageVersion = 3;
 const magic = 0x494d3252;
 /** magic, version, bytes of the head. */
 const prologueSize = 12;
@@ -46,7 +47,8 @@ const hostMark = 'ros2wasm_host';
 
 interface Head {
   readonly description: number;
-  readonly used: number;
+  /** Begin and length of each. */
+  readonly runs: readonly (readonly [begin: number, length: number])[];
   readonly size: number;
   readonly files: readonly (readonly [path: string, size: number])[];
   readonly loaded: readonly string[];
@@ -161,43 +163,55 @@ function pack(
 ): Blob {
   const description = new Uint32Array(snapshot.buffer, snapshot.byteOffset, 2)[1] ?? 0;
   const memory = snapshot.subarray(description);
-  let used = memory.length;
-  while (used > 0 && memory[used - 1] === 0) used -= 1;
-  const head: Head = { description, used, size: memory.length, files: files.map(([path, bytes]) => [path, bytes.length]), loaded };
+  const runs = filledRuns(memory);
+  const head: Head = { description, runs, size: memory.length, files: files.map(([path, bytes]) => [path, bytes.length]), loaded };
   const text = new TextEncoder().encode(JSON.stringify(head));
   const prologue = new Uint32Array([magic, imageVersion, text.length]);
-  return new Blob([prologue, text, snapshot.subarray(0, description + used), ...files.map(([, bytes]) => bytes)]);
+  const filled = runs.map(([begin, length]) => memory.subarray(begin, begin + length));
+  return new Blob([prologue, text, snapshot.subarray(0, description), ...filled, ...files.map(([, bytes]) => bytes)]);
 }
 
-/** Throws when it is none. The buffer is of no use afterwards. */
-export function readImage(buffer: ArrayBuffer): PythonImage {
-  const [mark, version, length = 0] = new Uint32Array(buffer, 0, 3);
-  if (mark !== magic || version !== imageVersion) throw new TypeError('these bytes are no image of an interpreter');
-  const head = JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, prologueSize, length))) as Head;
-  let at = prologueSize + length;
-  const next = (size: number): Uint8Array => {
-    const bytes = new Uint8Array(buffer, at, size);
-    at += size;
+/** Where a memory is not 0, in whole pages. */
+export function filledRuns(memory: Uint8Array): [begin: number, length: number][] {
+  const runs: [number, number][] = [];
+  for (let page = 0; page < memory.length; page += pageBytes) {
+    const bytes = memory.subarray(page, page + pageBytes);
+    if (bytes.every((byte) => byte === 0)) continue;
+    const last = runs.at(-1);
+    if (last !== undefined && last[0] + last[1] === page) last[1] += bytes.length;
+    else runs.push([page, bytes.length]);
+  }
+  return runs;
+}
+
+/** Throws when it is none. */
+export async function readImage(blob: Blob): Promise<PythonImage> {
+  const parts = new BlobParts(blob);
+  const next = async (size: number): Promise<Uint8Array<ArrayBuffer>> => {
+    const bytes = new Uint8Array(size);
+    await parts.read(bytes);
     return bytes;
   };
-  // Copied, since it is read as words, and the files stay in use.
-  const description = next(head.description).slice();
-  const memory = next(head.used);
-  const whole = new Uint8Array(buffer, at).slice();
-  let begin = 0;
-  const files = head.files.map(([path, size]) => [path, whole.subarray(begin, begin += size)] as const);
-  if (begin !== whole.length) throw new RangeError('the image is not complete');
-  return { description, memory, size: head.size, files, loaded: head.loaded };
+  const [mark, version, length = 0] = new Uint32Array((await next(prologueSize)).buffer);
+  if (mark !== magic || version !== imageVersion) throw new TypeError('these bytes are no image of an interpreter');
+  const head = JSON.parse(new TextDecoder().decode(await next(length))) as Head;
+  const { description, runs, size, files, loaded } = head;
+  const sizes = [prologueSize, length, description, ...runs.map(([, bytes]) => bytes), ...files.map(([, bytes]) => bytes)];
+  if (sizes.reduce((sum, bytes) => sum + bytes, 0) !== blob.size) throw new RangeError('the image is not complete');
+  return { description: await next(description), runs, size, read: (target) => parts.read(target), files, loaded };
 }
 
 /** Puts the files of an image in their places. */
-export function restoreFiles(python: PyodideInterface, { files }: PythonImage): void {
+export async function restoreFiles(python: PyodideInterface, { files, read }: PythonImage): Promise<void> {
   const system = fileSystem(python);
+  const whole = new Uint8Array(files.reduce((sum, [, size]) => sum + size, 0));
+  await read(whole);
   let folder = '';
-  for (const [path, bytes] of files) {
+  let at = 0;
+  for (const [path, size] of files) {
     const own = path.slice(0, path.lastIndexOf('/'));
     if (own !== folder) system.mkdirTree(own);
     folder = own;
-    system.writeFile(path, bytes, { canOwn: true });
+    system.writeFile(path, whole.subarray(at, at += size), { canOwn: true });
   }
 }

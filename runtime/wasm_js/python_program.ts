@@ -3,9 +3,10 @@
 
 import type { loadPyodide, PyodideInterface } from 'pyodide';
 import type { PyBuffer, PyCallable, PyProxy } from 'pyodide/ffi';
-import { WaitResult } from '../protocol/generated/constants.ts';
+import { SampleInfoLayout, WaitResult } from '../protocol/generated/constants.ts';
 import { hostImports } from './host_imports.ts';
 import type { RunLaunch } from './launch_python.ts';
+import { type FileSystem, lateFile } from './late_file.ts';
 import { LineWriter } from './line_writer.ts';
 import type { Link } from './link.ts';
 import { type ProgramEnd, type ProgramHost, promiseIntegration } from './program.ts';
@@ -174,10 +175,17 @@ function arrived(arrival: Arrival): number {
   return { input: 1, timeout: 0, stop: 2 }[arrival];
 }
 
+/** Behind the wake token and the version of the statuses: where a message is taken to, its SampleInfo, where one is sent from. */
+const places = { take: 8, takeRoom: 12, info: 16, publish: 20, readers: 24 } as const;
+const infoWords = SampleInfoLayout.size >> 2;
+
+/** A message was sent, and the slice of time is over. */
+const sliceOver = 1;
+
 /**
  * A turn of an executor in one call. Writes the wake token, which is read first, and the version of the statuses, skips where
- * a message goes (address, capacity, address of its info), writes the readers that have something, and returns how many.
- * If only the expected one has, and the statuses are as they were, its next message is taken: ~length.
+ * messages go (see places), writes the readers that have something, and returns how many. If only the expected one has, and
+ * the statuses are as they were, its next message is taken: ~length.
  */
 export function look(
   link: Pick<Link, 'wakeToken' | 'ready' | 'statusVersion' | 'take'>, heap: ProgramMemory, at: number, capacity: number, expected: number, statuses: number,
@@ -187,12 +195,12 @@ export function look(
   const version = link.statusVersion() | 0;
   heap.set(at + 4, version);
   if (ready.length === 1 && ready[0] === expected && version === statuses) {
-    const room = heap.u32(at + 12);
-    const length = link.take(expected, heap, heap.u32(at + 8), room, heap.u32(at + 16));
+    const room = heap.u32(at + places.takeRoom);
+    const length = link.take(expected, heap, heap.u32(at + places.take), room, heap.u32(at + places.info));
     if (length >= 0 && length <= room) return ~length;
   }
   const count = Math.min(ready.length, capacity);
-  for (let i = 0; i < count; i += 1) heap.set(at + 20 + 4 * i, ready[i]!);
+  for (let i = 0; i < count; i += 1) heap.set(at + places.readers + 4 * i, ready[i]!);
   return count;
 }
 
@@ -210,32 +218,36 @@ function hostModule(
     pending = promise;
     return promised;
   };
-  const suspending = (f: (...args: never[]) => unknown) => (...args: never[]): unknown => {
-    const result = f(...args);
-    return result instanceof Promise ? wait(result) : result;
-  };
+  const settled = <T>(result: T | Promise<T>): T | number => result instanceof Promise ? wait(result) : result;
   // Here and not in Python: an interrupt between the end of a suspension and Python's look at its result would be lost.
   const told = (result: number): number => result === WaitResult.stop && !stop.take() ? WaitResult.woken : result;
-  const telling = (f: (...args: never[]) => unknown) => (...args: never[]): unknown => {
-    const result = f(...args) as number | Promise<number>;
-    return typeof result === 'number' ? told(result) : result.then(told);
-  };
+  const telling = (result: number | Promise<number>): number => typeof result === 'number' ? told(result) : wait(result.then(told));
   return {
     ...imports,
-    wait: suspending(telling(imports['wait']!)),
-    sleep: suspending(telling(imports['sleep']!)),
-    write: suspending(imports['write']!),
-    read_input: suspending((capacity: number) => {
+    wait: (token: number, low: number, high: number) => telling(imports.wait(token, low, high)),
+    sleep: (low: number, high: number) => telling(imports.sleep(low, high)),
+    write: (endpoint: number, data: number, length: number, info: number) => settled(imports.write(endpoint, data, length, info)),
+    read_input: (capacity: number) => {
       host.idle();
-      return host.input.read(capacity);
-    }),
-    // Of the four above, and of this, the result may be a promise.
-    input_is_there: suspending(() => {
+      return settled(host.input.read(capacity));
+    },
+    input_is_there: () => {
       const there = host.input.arrives(0);
-      return there instanceof Promise ? there.then(arrived) : arrived(there);
-    }),
+      return there instanceof Promise ? wait(there.then(arrived)) : arrived(there);
+    },
+    // What is called for every message has one argument: each more costs Pyodide a tenth of a microsecond.
+    publisher: (endpoint: number, at: number) => (length: number): number => {
+      const heap = memory();
+      const info = heap.u32(at + places.info);
+      heap.i32.fill(0, info >> 2, (info >> 2) + infoWords);
+      const result = imports.write(endpoint, heap.u32(at + places.publish), length, info);
+      if (typeof result !== 'number') return wait(result);
+      return result === 0 && stop.sliceIsOver() ? sliceOver : result;
+    },
+    hearer: (endpoint: number, at: number, capacity: number) => (statuses: number): number =>
+      look(link, memory(), at, capacity, endpoint, statuses),
     ...threadFunctions(stop, wait, died),
-    look: (...turn: readonly [number, number, number, number]): number => look(link, memory(), ...turn),
+    look: (at: number, capacity: number, expected: number, statuses: number): number => look(link, memory(), at, capacity, expected, statuses),
     pending: () => pending,
     resumed: () => {
       stop.suspended = false;
@@ -248,37 +260,30 @@ function hostModule(
   };
 }
 
-/** The part of Emscripten's file system that is used here. */
-interface FileSystem {
-  readonly mkdirTree: (path: string) => void;
-  readonly createFile: (folder: string, name: string, properties: object, read: boolean, write: boolean) => object;
-  readonly ErrnoError: new (number: number) => Error;
-}
-
-/** EIO of Emscripten. */
-const inputError = 29;
-
 /** Puts the site's share files in place; the bytes of one come when it is first read, all of them or an error. */
 export function mountShare(python: PyodideInterface, { files, readNow }: Pick<ProgramHost, 'files' | 'readNow'>): void {
   const system = python['FS'] as unknown as FileSystem;
-  for (const [path, size] of files.files) {
-    const whole = `${files.prefix}/${path}`;
-    const at = whole.lastIndexOf('/');
-    system.mkdirTree(whole.slice(0, at));
-    const node = system.createFile(whole.slice(0, at), whole.slice(at + 1), {}, true, false);
-    let bytes: Uint8Array | undefined;
-    const contents = (): Uint8Array => {
-      if (bytes !== undefined) return bytes;
-      const found = readNow(files.place, path);
-      if (found?.length !== size) throw new system.ErrnoError(inputError);
-      bytes = found;
-      return found;
-    };
-    Object.defineProperties(node, {
-      contents: { get: contents },
-      usedBytes: { get: () => size },
-    });
-  }
+  for (const [path, size] of files.files) lateFile(system, `${files.prefix}/${path}`, size, () => readNow(files.place, path));
+}
+
+/** Where Pyodide has the standard library. */
+const libraryPath = '/lib/python312.zip';
+
+/**
+ * A started interpreter has imported most of what nodes use: the library's 3.3 MB come when it opens the file. undefined:
+ * nobody can read it in the middle of a program here, so that it must be there at once.
+ */
+function lateLibrary({ base, home, parts }: PythonStart): { readonly address: string; readonly place: (system: FileSystem) => void } | undefined {
+  const path = `${home}python_stdlib.zip`;
+  const blob = parts.found.get(path);
+  if (blob === undefined || !('FileReaderSync' in globalThis)) return undefined;
+  return {
+    address: base + path,
+    place: (system) => {
+      system.unlink(libraryPath);
+      lateFile(system, libraryPath, blob.size, () => new Uint8Array(new FileReaderSync().readAsArrayBuffer(blob)));
+    },
+  };
 }
 
 /** How what Python could not catch reads. */
@@ -313,10 +318,15 @@ async function begin(
   if (start.image !== undefined) {
     try {
       const more = archivesOf(start, start.archives.slice(start.image.archives), files);
-      const image = readImage(await start.image.bytes.arrayBuffer());
+      const image = await readImage(start.image.bytes);
       if (image.loaded.some((path) => start.sources?.changed.has(path))) return await boot();
-      const opened = await openPyodide({ ...options, image: { ...image, host: functions } });
-      restoreFiles(opened.python, image);
+      const library = lateLibrary(start);
+      const opened = await openPyodide({
+        ...options,
+        fetched: (address) => address === library?.address ? new Blob() : options.fetched(address),
+        image: { ...image, host: functions, withFiles: (system) => library?.place(system) },
+      });
+      await restoreFiles(opened.python, image);
       install(opened.python, await more);
       startModule(opened.python).renew(opened.python.toPy(environment));
       return opened;

@@ -6,7 +6,7 @@ from enum import Enum, IntEnum
 from typing import Any
 
 from rclpy.duration import Duration
-from ros2wasm.host import Qos
+from ros2wasm.graph_snapshot import Qos
 
 
 class QoSPolicyKind(IntEnum):

@@ -6,7 +6,7 @@ from typing import Any
 
 from rclpy.qos import QoSProfile, from_bus
 from rclpy.type_hash import TypeHash
-from ros2wasm.host import GraphEndpoint
+from ros2wasm.graph_snapshot import GraphEndpoint
 
 
 class TopicEndpointTypeEnum(IntEnum):

@@ -153,12 +153,15 @@ class Encoder(Writer):
         """Elements that lie in memory as on the wire."""
         self.flush()
         items = self.local('items')
-        self.line(f'{items} = {self.name(as_bytes, "flat")}({value}, {code!r})')
+        self.line(f'{items} = {value}')
+        self.line(f'if {items}.__class__ is not {self.name(array, "array")} or {items}.typecode != {code!r}:')
+        self.line(f'    {items} = {self.name(as_array, "flat")}({items}, {code!r})')
         self.line(f'if len({items}):')
         self.depth += 1
         self.align(SIZES[code])
-        self.line(f'end = at + len({items})')
-        self.line(f'buf[at:end] = {items}')
+        self.line(f'end = at + len({items}) * {SIZES[code]}')
+        plain = items if code == 'B' else f'{self.name(memoryview, "view")}({items}).cast("B")'
+        self.line(f'buf[at:end] = {plain}')
         self.line('at = end')
         self.depth -= 1
         self.forget_alignment(1 if SIZES[code] < 4 else 4)
@@ -236,19 +239,26 @@ class Decoder(Writer):
     def raw(self, target: str, type_: FieldType, count: str) -> None:
         code = NUMBERS[type_.base]
         self.flush()
-        conditional = type_.container != 'array'
-        if conditional:
+        if type_.container == 'array':
+            self.align(SIZES[code])
+            self.line(f'end = at + {count} * {SIZES[code]}')
+            self.line(f'{target} = {self.name(fixed_array, "fixed")}({code!r}, buf[at:end])')
+            self.line('at = end')
+        elif code == 'B':
+            self.line(f'end = at + {count}')
+            self.line(f'{target} = buf[at:end]')
+            self.line('at = end')
+        else:
+            # The sum of two empty arrays is a new one, at half of what it costs to call for it.
+            empty = self.name(array(code), 'empty')
+            self.line(f'{target} = {empty} + {empty}')
             self.line(f'if {count}:')
             self.depth += 1
-        self.align(SIZES[code])
-        self.line(f'end = at + {count} * {SIZES[code]}')
-        make = fixed_array if type_.container == 'array' else from_bytes
-        self.line(f'{target} = {self.name(make, "array")}({code!r}, buf[at:end])')
-        self.line('at = end')
-        if conditional:
+            self.align(SIZES[code])
+            self.line(f'end = at + {count} * {SIZES[code]}')
+            self.line(f'{target}.frombytes({self.name(memoryview, "view")}(buf)[at:end])')
+            self.line('at = end')
             self.depth -= 1
-            self.line('else:')
-            self.line(f'    {target} = {self.name(array, "empty")}({code!r})')
         self.forget_alignment(1 if SIZES[code] < 4 else 4)
 
     def single(self, type_: FieldType, target: str, codec: Callable[[str], 'Codec'], inline: bool) -> None:
@@ -304,34 +314,27 @@ def encode_wide(text: str) -> bytes:
     return array('I', units).tobytes()
 
 
-def decode_wide(data: memoryview) -> str:
+def decode_wide(data: 'array[int]') -> str:
     units = array('I')
     units.frombytes(data)
     return array('H', [unit & 0xFFFF for unit in units]).tobytes().decode('utf-16-le')
 
 
-def as_bytes(items: Any, code: str) -> Any:
-    """The bytes of numbers, without a copy where their form allows it."""
-    kind = getattr(items, 'typecode', None) if isinstance(items, array) else None
-    if kind != code:
-        if code == 'B' and isinstance(items, (bytes, bytearray)):
-            return items
-        items = array(code, items.tolist() if hasattr(items, 'tolist') else items)
-    return memoryview(items).cast('B') if len(items) else b''
+def as_array(items: Any, code: str) -> Any:
+    """Numbers as they lie on the wire; those of bytes are left where they are."""
+    if code == 'B' and isinstance(items, (bytes, bytearray)):
+        return items
+    if isinstance(items, array) and items.typecode == code:
+        return items
+    return array(code, items.tolist() if hasattr(items, 'tolist') else items)
 
 
-def from_bytes(code: str, data: memoryview) -> 'array[Any]':
-    items = array(code)
-    items.frombytes(data)
-    return items
-
-
-def fixed_array(code: str, data: memoryview) -> Any:
-    """What a fixed array of numbers is in a message: numpy's if the site has it, as in ROS 2."""
+def fixed_array(code: str, data: 'array[int]') -> Any:
+    """What a fixed array of numbers is in a message: numpy's, over these bytes, if the site has it, as in ROS 2."""
     numpy = find_numpy()
     if numpy is None:
-        return from_bytes(code, data)
-    return numpy.frombuffer(data, dtype=numpy.dtype(code)).copy()
+        return array(code, data.tobytes())
+    return numpy.frombuffer(data, dtype=numpy.dtype(code))
 
 
 @lru_cache(maxsize=None)
@@ -355,8 +358,11 @@ class Codec:
         return self._writer(WIDEST)
 
     @cached_property
-    def read(self) -> Callable[[memoryview, int], tuple[Any, int]]:
-        """(buffer, place) -> message, place behind it. The place is a multiple of 8."""
+    def read(self) -> Callable[['array[int]', int], tuple[Any, int]]:
+        """
+        (bytes, place) -> message, place behind it. The place is a multiple of 8; the bytes are an array, whose slices
+        are copies. Whether the place behind it is beyond the message's end is for the caller to see.
+        """
         return self._reader(WIDEST)
 
     @cached_property
@@ -365,7 +371,7 @@ class Codec:
         return self._writer(1)
 
     @cached_property
-    def read_part(self) -> Callable[[memoryview, int], tuple[Any, int]]:
+    def read_part(self) -> Callable[['array[int]', int], tuple[Any, int]]:
         return self._reader(1)
 
     def _writer(self, modulus: int) -> Callable[[Any, memoryview, int], int]:
@@ -373,7 +379,7 @@ class Codec:
         self.write_fields(encoder, 'm')
         return encoder.compile('write_' + self.structure.name.replace('/', '_'), 'm, buf, at', 'at')
 
-    def _reader(self, modulus: int) -> Callable[[memoryview, int], tuple[Any, int]]:
+    def _reader(self, modulus: int) -> Callable[['array[int]', int], tuple[Any, int]]:
         decoder = Decoder(modulus)
         decoder.line(f'm = {decoder.name(self.cls.__new__, "new")}({decoder.name(self.cls, "cls")})')
         self.read_fields(decoder, 'm')

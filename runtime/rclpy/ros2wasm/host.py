@@ -1,6 +1,6 @@
 """The functions of the host (SPEC.md section 3), for Python. The one file that knows the JavaScript module of the site.
 
-Places in memory are those of bytearrays that live as long as the program.
+Places in memory are those of arrays that live as long as the program.
 """
 from __future__ import annotations
 
@@ -8,19 +8,26 @@ import signal
 import struct
 import sys
 import time
+from array import array
 from asyncio import events
-from typing import Any, NamedTuple
+from collections.abc import Callable
+from functools import cached_property
+from typing import Any, NamedTuple, NoReturn
 
 import ros2wasm_host
 from pyodide.ffi import can_run_sync, run_sync
 
+from ros2wasm.codec import CdrError
 from ros2wasm.constants import (
     ENDPOINT_DESC_FORMAT, ENDPOINT_STATUS_FORMAT, SAMPLE_INFO_FORMAT, EndpointKind, ErrorCode, StatusKind, WaitResult,
 )
+from ros2wasm.graph_snapshot import GraphEndpoint, GraphNode, Qos, read_graph
 
 WOKEN, TIMEOUT, STOP = int(WaitResult.WOKEN), int(WaitResult.TIMEOUT), int(WaitResult.STOP)
 #: The host's result is a promise, which it keeps for suspend.
 PENDING = -1 << 31
+#: A message was sent, and the slice of time is over (threads.py).
+SLICE_OVER = 1
 #: What js.input_is_there says.
 INPUT, INPUT_STOP = 1, 2
 NOTHING = int(ErrorCode.NOTHING)
@@ -29,10 +36,11 @@ HEADER_AT, PAYLOAD_AT = 4, 8
 CDR_HEADER = b'\x00\x01\x00\x00'
 INFO_SIZE = struct.calcsize(SAMPLE_INFO_FORMAT)
 NO_INFO = bytes(INFO_SIZE)
+LITTLE_ENDIAN = 1
 FIRST_CAPACITY = 1 << 16
 MOST_READY = 1024
 #: Words of a look before the readers.
-LOOK_WORDS = 5
+LOOK_WORDS = 6
 LOW = 0xFFFFFFFF
 
 #: Pyodide's event loop, on which its suspensions run.
@@ -78,16 +86,17 @@ class Buffer:
         self.reserve(capacity)
 
     def reserve(self, capacity: int) -> None:
-        bytes_ = bytearray(capacity)
         self.capacity = capacity
-        self.view = memoryview(bytes_)
-        self.address: int = js.address(bytes_)
+        self.bytes = array('B', bytes(capacity))
+        self.view = memoryview(self.bytes)
+        self.address: int = js.address(self.bytes)
 
 
 _out = Buffer(FIRST_CAPACITY)
 _in = Buffer(FIRST_CAPACITY)
 _info = Buffer(INFO_SIZE)
-#: Wake token, version of the statuses, where a message is taken to (address, capacity, address of its info), readers.
+#: Wake token, version of the statuses, where a message is taken to (address, capacity, address of its info), where one
+#: is that is published, readers.
 _looked = Buffer(4 * (LOOK_WORDS + MOST_READY))
 _looked_words = _looked.view.cast('i')
 _info_struct = struct.Struct(SAMPLE_INFO_FORMAT)
@@ -104,41 +113,12 @@ class SampleInfo(NamedTuple):
     writer_gid: bytes
 
 
-class Qos(NamedTuple):
-    """As EndpointDesc has it; times in ns, 0: none."""
-
-    reliability: int
-    durability: int
-    history: int
-    depth: int
-    liveliness: int
-    deadline_ns: int
-    lifespan_ns: int
-    lease_ns: int
-
-
 class Status(NamedTuple):
     total_count: int
     total_change: int
     current_count: int
     current_change: int
     last_policy: int
-
-
-class GraphNode(NamedTuple):
-    participant: int
-    namespace: str
-    name: str
-
-
-class GraphEndpoint(NamedTuple):
-    kind: int
-    node: GraphNode
-    name: str
-    type: str
-    hash: str
-    qos: Qos
-    gid: bytes
 
 
 def interrupt() -> None:
@@ -319,12 +299,17 @@ def _seen(count: int) -> Seen:
     return _looked_words[0], _looked_words[1], _looked_words[LOOK_WORDS:LOOK_WORDS + count].tolist()
 
 
-def _place_to_take() -> None:
-    """Tell the host where a message goes that is taken with a look."""
-    struct.pack_into('<III', _looked.view, 8, _in.address + HEADER_AT, _in.capacity - HEADER_AT, _info.address)
+def _tell_places() -> None:
+    """
+    Tell the host where a message goes that is taken with a look, and where one is that is published.
+
+    Beside them lies what is known about it.
+    """
+    struct.pack_into('<IIII', _looked.view, 8, _in.address + HEADER_AT, _in.capacity - HEADER_AT, _info.address,
+                     _out.address + HEADER_AT)
 
 
-_place_to_take()
+_tell_places()
 
 
 def _words(*texts: str) -> list[int]:
@@ -378,9 +363,24 @@ class Endpoint:
         js.endpoint_gid(self.handle, _info.address)
         self.gid = bytes(_info.view[:16])
 
+    @cached_property
+    def _publish(self) -> Callable[[int], int]:
+        """Send so many bytes of the buffer that goes out. One argument: each more costs as much as a copy."""
+        publish: Callable[[int], int] = js.publisher(self.handle, _looked.address)
+        return publish
+
+    @cached_property
+    def _hear(self) -> Callable[[int], int]:
+        """As js.look, for this reader and a version of the statuses."""
+        hear: Callable[[int], int] = js.hearer(self.handle, _looked.address, MOST_READY)
+        return hear
+
     def destroy(self) -> None:
         js.endpoint_destroy(self.handle)
         self.handle = -1
+        # The next endpoint may have the same handle.
+        for name in ('_publish', '_hear'):
+            vars(self).pop(name, None)
 
     def matched(self) -> int:
         count: int = js.matched(self.handle)
@@ -407,13 +407,18 @@ class Endpoint:
             end = codec.write(message, _out.view, PAYLOAD_AT)
         except (struct.error, ValueError):
             end = encode(codec, message)
-        _info.view[:] = NO_INFO
-        result = js.write(self.handle, _out.address + HEADER_AT, end - HEADER_AT, _info.address)
+        result = self._publish(end - HEADER_AT)
+        if result:
+            self._published(result)
+
+    def _published(self, result: int) -> None:
+        """What else may come of it."""
         if result == PENDING:
             result = suspend()
         if result < 0:
             self._refused(result)
-        look_around()
+        if result == SLICE_OVER:
+            look_around()
 
     def write_bytes(self, data: bytes) -> SampleInfo:
         """Send what is serialised already."""
@@ -455,8 +460,16 @@ class Endpoint:
 
         The message, or what was seen in place of it.
         """
-        result = js.look(_looked.address, MOST_READY, self.handle, version)
-        return (_taken(codec, ~result), None) if result < 0 else (None, _seen(result))
+        result = self._hear(version)
+        if result >= 0:
+            return None, _seen(result)
+        data = _in.bytes
+        if data[HEADER_AT + 1] != LITTLE_ENDIAN:
+            _refuse_encoding()
+        message, end = codec.read(data, PAYLOAD_AT)
+        if end > HEADER_AT + ~result:
+            _refuse_length()
+        return message, None
 
     def take_bytes(self) -> tuple[bytes, SampleInfo] | None:
         length = self._take()
@@ -474,16 +487,28 @@ class Endpoint:
 
 def _taken(codec: Any, length: int) -> Any:
     """The message that was taken."""
-    view = _in.view[:HEADER_AT + length]
-    return codec.read(view, PAYLOAD_AT)[0] if view[HEADER_AT + 1] == 1 else decode(codec, bytes(view[HEADER_AT:]))
+    data = _in.bytes
+    if data[HEADER_AT + 1] != LITTLE_ENDIAN:
+        _refuse_encoding()
+    message, end = codec.read(data, PAYLOAD_AT)
+    if end > HEADER_AT + length:
+        _refuse_length()
+    return message
+
+
+def _refuse_encoding() -> NoReturn:
+    raise BusError('only little-endian CDR is read', int(ErrorCode.UNSUPPORTED))
+
+
+def _refuse_length() -> NoReturn:
+    raise CdrError('the message is shorter than its type')
 
 
 def _grow(buffer: Buffer, least: int) -> None:
     buffer.reserve(max(2 * buffer.capacity, least + PAYLOAD_AT))
     if buffer is _out:
         _out.view[HEADER_AT:PAYLOAD_AT] = CDR_HEADER
-    else:
-        _place_to_take()
+    _tell_places()
 
 
 MOST_CAPACITY = 1 << 30
@@ -526,24 +551,11 @@ def serialize(codec: Any, message: Any) -> bytes:
 def decode(codec: Any, data: bytes) -> Any:
     """A message out of its bytes, which begin with the CDR header."""
     if data[:2] != CDR_HEADER[:2]:
-        raise BusError('only little-endian CDR is read', int(ErrorCode.UNSUPPORTED))
-    view = memoryview(bytes(HEADER_AT) + data)
-    return codec.read(view, PAYLOAD_AT)[0]
-
-
-class _Cursor:
-    def __init__(self, view: memoryview) -> None:
-        self.view, self.at = view, 0
-
-    def numbers(self, format_: str) -> tuple[Any, ...]:
-        found = struct.unpack_from('<' + format_, self.view, self.at)
-        self.at += struct.calcsize('<' + format_)
-        return found
-
-    def text(self) -> str:
-        length, = self.numbers('I')
-        self.at += length
-        return str(self.view[self.at - length:self.at], 'utf-8')
+        _refuse_encoding()
+    message, end = codec.read(array('B', bytes(HEADER_AT) + data), PAYLOAD_AT)
+    if end > HEADER_AT + len(data):
+        _refuse_length()
+    return message
 
 
 def graph() -> tuple[list[GraphNode], list[GraphEndpoint]]:
@@ -552,19 +564,7 @@ def graph() -> tuple[list[GraphNode], list[GraphEndpoint]]:
     while size > _in.capacity:
         _grow(_in, size)
         size = js.graph_snapshot(_in.address, _in.capacity)
-    cursor = _Cursor(_in.view)
-    nodes = []
-    for _ in range(cursor.numbers('I')[0]):
-        participant, = cursor.numbers('I')
-        namespace = cursor.text()
-        nodes.append(GraphNode(participant, namespace, cursor.text()))
-    endpoints = []
-    for _ in range(cursor.numbers('I')[0]):
-        kind, node = cursor.numbers('II')
-        name, type_, hash_ = cursor.text(), cursor.text(), cursor.text()
-        qos = Qos(*cursor.numbers('IIIIIqqq'))
-        endpoints.append(GraphEndpoint(kind, nodes[node], name, type_, hash_, qos, cursor.numbers('16s')[0]))
-    return nodes, endpoints
+    return read_graph(_in.view)
 
 
 def system_ns() -> int:

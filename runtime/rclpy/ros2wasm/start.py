@@ -24,7 +24,7 @@ NS = 1_000_000_000
 INTERRUPTED = -int(signal.SIGINT)
 #: What the image of a started interpreter has imported.
 PREPARED_MODULES = (
-    'argparse', 'copy', 'dataclasses', 'datetime', 'enum', 'json', 'math', 'random', 'rclpy', 'rclpy.action',
+    'argparse', 'copy', 'dataclasses', 'datetime', 'enum', 'json', 'math', 'pkgutil', 'random', 'rclpy', 'rclpy.action',
     'rclpy.executors', 'rclpy.lifecycle', 'rclpy.parameter', 'rclpy.qos', 'typing',
 )
 #: What it can write and read at once, where the site has them.

@@ -10,6 +10,7 @@ import threading
 import time
 import types
 import unittest
+from array import array
 from bisect import bisect_right
 from collections import deque
 from collections.abc import Callable
@@ -45,7 +46,7 @@ class FakeBus(types.ModuleType):
         self.endpoints: dict[int, Reader] = {}
         self.handles = 0
         self._bases: list[int] = []
-        self._blocks: list[bytearray] = []
+        self._blocks: list[array[int]] = []
         self._parked: dict[int, threading.Semaphore] = {}
         self._next: list[Callable[[], None]] = []
         self._pending: Any = None
@@ -63,7 +64,7 @@ class FakeBus(types.ModuleType):
 
     # ---- memory
 
-    def address(self, block: bytearray) -> int:
+    def address(self, block: 'array[int]') -> int:
         base = self._bases[-1] + len(self._blocks[-1]) + 4096 & -16 if self._bases else 4096
         self._bases.append(base)
         self._blocks.append(block)
@@ -154,10 +155,21 @@ class FakeBus(types.ModuleType):
         self._memory(out, 4 * len(found))[:] = struct.pack(f'<{len(found)}I', *found)
         return len(found)
 
+    def publisher(self, handle: int, places: int) -> Callable[[int], int]:
+        def publish(length: int) -> int:
+            info, data = struct.unpack('<II', self._memory(places + 16, 8))
+            self._memory(info, 64)[:] = bytes(64)
+            return self.write(handle, data, length, info) or int(self.slice_over)
+        return publish
+
+    def hearer(self, handle: int, out: int, capacity: int) -> Callable[[int], int]:
+        return lambda statuses: self.look(out, capacity, handle, statuses)
+
     def look(self, out: int, capacity: int, expected: int, statuses: int) -> int:
-        count = self.ready(out + 20, capacity)
+        count = self.ready(out + 24, capacity)
         self._memory(out, 8)[:] = struct.pack('<ii', self.wake_token(), self.status_version())
-        place, room, info, first = struct.unpack('<IIIi', self._memory(out + 8, 16))
+        place, room, info = struct.unpack('<III', self._memory(out + 8, 12))
+        first, = struct.unpack('<i', self._memory(out + 24, 4))
         if (count, first, self.status_version()) == (1, expected, statuses):
             length = self._take(expected, place, room, info)
             if 0 <= length <= room:

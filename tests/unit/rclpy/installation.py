@@ -7,6 +7,7 @@ import sys
 import tempfile
 import types
 import unittest
+from array import array
 from pathlib import Path
 from unittest import mock
 
@@ -20,9 +21,9 @@ class FakeHost(types.ModuleType):
     def __init__(self) -> None:
         super().__init__('ros2wasm_host')
         self.wakes = 0
-        self.places: list[bytearray] = []
+        self.places: list[array[int]] = []
 
-    def address(self, place: bytearray) -> int:
+    def address(self, place: 'array[int]') -> int:
         self.places.append(place)
         return len(self.places) - 1
 
@@ -30,7 +31,7 @@ class FakeHost(types.ModuleType):
         return 0
 
     def look(self, out: int, *_: int) -> int:
-        self.places[out][:4] = self.wakes.to_bytes(4, 'little')
+        memoryview(self.places[out])[:4] = self.wakes.to_bytes(4, 'little')
         return 0
 
     def wake(self) -> None:

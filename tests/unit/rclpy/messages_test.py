@@ -23,7 +23,7 @@ class MessagesTest(unittest.TestCase):
         return bytes(view[8:message._codec.write(message, view, 8)])
 
     def decode(self, cls: Any, data: bytes) -> Any:
-        return cls._codec.read(memoryview(bytes(8) + data), 8)[0]
+        return cls._codec.read(array('B', bytes(8) + data), 8)[0]
 
     def test_a_message_is_as_upstreams(self) -> None:
         message = self.types.find_message('std_msgs/msg/String')

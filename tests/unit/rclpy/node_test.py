@@ -37,16 +37,46 @@ class NodeTest(BusTest):
             if not name.startswith('_') and inspect.ismethod(getattr(self.bus, name)):
                 counted(name)
         self.spin_until(lambda: not self.bus.ready(0, 0))
-        for _ in range(2):
+        # The second one comes with the look, by a function that is asked for once.
+        for _ in range(3):
             calls.clear()
             publisher.publish(string(data='x'))
             self.executor.spin_once(timeout_sec=0)
         # The bus itself calls some of its functions.
         for name in ('wake', 'wake_token', 'ready', 'status_version'):
             del calls[name]
-        # The message came with the look.
         self.assertEqual(dict(calls), {'write': 1, 'look': 1})
-        self.assertEqual(len(heard), 2)
+        self.assertEqual(len(heard), 3)
+
+    def test_bytes_that_end_before_their_message_are_refused(self) -> None:
+        """What an earlier, longer message left behind them is not read."""
+        string = importlib.import_module('std_msgs.msg').String
+        error = importlib.import_module('ros2wasm.codec').CdrError
+        heard: list[Any] = []
+        node = self.node('short')
+        node.create_subscription(string, 'short', heard.append, 10)
+        publisher = node.create_publisher(string, 'short', 10)
+        whole = self.rclpy.serialization.serialize_message(string(data='x' * 24))
+        publisher.publish(whole)
+        self.spin_until(lambda: bool(heard))
+        for _ in range(2):
+            publisher.publish(whole[:16])
+            with self.assertRaises(error):
+                self.executor.spin_once(timeout_sec=0)
+        publisher.publish(whole)
+        self.spin_until(lambda: len(heard) == 2)
+        with self.assertRaises(error):
+            self.rclpy.serialization.deserialize_message(whole[:16], string)
+
+    def test_a_destroyed_publisher_sends_nothing_for_the_next_of_its_handle(self) -> None:
+        string = importlib.import_module('std_msgs.msg').String
+        publisher = self.node('brief').create_publisher(string, 'brief', 10)
+        endpoint = publisher._endpoint
+        publisher.publish(string())
+        publisher.destroy()
+        self.replace('write', lambda handle, *_: -3 if handle == -1 else 0)
+        with self.assertRaises(importlib.import_module('ros2wasm.host').BusError):
+            endpoint.publish(publisher._codec, string())
 
     def flood(self) -> tuple[Any, list[str], Any]:
         """A publisher of texts, what was called back, and the node; one was heard, so the next comes with a look."""

@@ -5,6 +5,7 @@ import importlib
 import random
 import struct
 import unittest
+from array import array
 from typing import Any
 
 from tests.unit.rclpy.installation import ROOT, install
@@ -111,7 +112,7 @@ class RandomMessagesTest(unittest.TestCase):
                     view = memoryview(bytearray(1 << 18))
                     data = bytes(view[8:message._codec.write(message, view, 8)])
                     self.assertEqual(data.hex(), plain.out.hex(), name)
-                    back = message._codec.read(memoryview(bytes(8) + data), 8)[0]
+                    back = message._codec.read(array('B', bytes(8) + data), 8)[0]
                     self.assertEqual(back, message, name)
                     count += 1
         self.assertGreater(count, 900)

@@ -5,8 +5,10 @@ import { test } from 'node:test';
 import type { KeptBytes } from '../../../runtime/wasm_js/kept_bytes.ts';
 import type { WorkerReport } from '../../../runtime/wasm_js/node_worker.ts';
 import type { Platform } from '../../../runtime/wasm_js/platform.ts';
-import { imageVersion, readImage } from '../../../runtime/wasm_js/python_image.ts';
+import { filledRuns, imageVersion, readImage } from '../../../runtime/wasm_js/python_image.ts';
+import { fillMemory, pageBytes } from '../../../runtime/wasm_js/pyodide_loader.ts';
 import { PythonFiles } from '../../../runtime/wasm_js/python_files.ts';
+import { BlobParts } from '../../../runtime/wasm_js/blob_parts.ts';
 import { PythonImages } from '../../../runtime/wasm_js/python_images.ts';
 import type { SiteDescription, SiteNode } from '../../../runtime/wasm_js/session.ts';
 
@@ -166,12 +168,49 @@ test('it is kept; a broken one is dropped and made anew once', watchdog, async (
   assert.equal(await images.take(both[0] as SiteNode, {}), undefined);
 });
 
-test('what is no image is not read', () => {
-  assert.throws(() => readImage(new ArrayBuffer(4)));
-  assert.throws(() => readImage(new Uint8Array(64).buffer), /no image/);
-  const head = new TextEncoder().encode(JSON.stringify({ description: 16, used: 1 << 20, size: 1 << 20, files: [] }));
+test('what is no image is not read', async () => {
+  await assert.rejects(readImage(new Blob([new Uint8Array(4)])), RangeError);
+  await assert.rejects(readImage(new Blob([new Uint8Array(64)])), /no image/);
+  const head = new TextEncoder().encode(JSON.stringify({ description: 16, runs: [[0, 1 << 20]], size: 1 << 20, files: [], loaded: [] }));
   const bytes = new Uint8Array(1024);
   new Uint32Array(bytes.buffer).set([0x494d3252, imageVersion, head.length]);
   bytes.set(head, 12);
-  assert.throws(() => readImage(bytes.buffer), RangeError);
+  await assert.rejects(readImage(new Blob([bytes])), /not complete/);
+});
+
+test('a memory becomes that of the image, of which only the filled pages are kept', async () => {
+  const image = new Uint8Array(8 * pageBytes);
+  for (const at of [5, pageBytes - 1, 3 * pageBytes, 4 * pageBytes + 7]) image[at] = at % 251 + 1;
+  const runs = filledRuns(image);
+  assert.deepEqual(runs, [[0, pageBytes], [3 * pageBytes, 2 * pageBytes]]);
+  const kept = new Blob(runs.map(([begin, length]) => image.slice(begin, begin + length)));
+  const parts = new BlobParts(kept);
+  // As data of the program lies there when it has begun.
+  const heap = new Uint8Array(8 * pageBytes);
+  for (const at of [1, pageBytes + 1, 3 * pageBytes + 9, 7 * pageBytes, 8 * pageBytes - 1]) heap[at] = 1;
+  await fillMemory(heap, { runs, read: (target) => parts.read(target) });
+  assert.deepEqual(heap, image);
+  await assert.rejects(parts.read(new Uint8Array(1)));
+});
+
+test('parts of a blob come in order, in browsers that read into a given buffer and in others', async () => {
+  const bytes = new Uint8Array(1_000_000).map((_, i) => i % 253);
+  const plain = new Blob([bytes]);
+  const other = new Blob([bytes]);
+  Object.defineProperty(other, 'stream', {
+    value: () => {
+      throw new TypeError('no such reader');
+    },
+  });
+  for (const blob of [plain, other]) {
+    const parts = new BlobParts(blob);
+    const found = new Uint8Array(bytes.length);
+    let at = 0;
+    for (const size of [3, 0, 300_000, 699_997]) {
+      await parts.read(found.subarray(at, at + size));
+      at += size;
+    }
+    assert.deepEqual(found, bytes);
+    await assert.rejects(parts.read(new Uint8Array(1)));
+  }
 });

@@ -70,7 +70,7 @@ test('a look takes a message only of the reader that is expected, alone, with th
     };
     const result = look(link, heap, at, 2, 5, 3);
     assert.deepEqual([heap.u32(at), heap.u32(at + 4), heap.u32(at + 8)], [7, statuses, 4096]);
-    return [result, taken, Array.from({ length: Math.max(result, 0) }, (_, i) => heap.u32(at + 20 + 4 * i))];
+    return [result, taken, Array.from({ length: Math.max(result, 0) }, (_, i) => heap.u32(at + 24 + 4 * i))];
   };
   const take = [[5, 4096, 100, 8192]];
   assert.deepEqual(seen([5], 3, 12), [-13, take, []]);

@@ -6,7 +6,7 @@ from typing import Any
 
 from rclpy.duration import Duration
 from rclpy.qos import BEST_AVAILABLE_NS, DurabilityPolicy, LivelinessPolicy, QoSProfile, ReliabilityPolicy
-from ros2wasm.host import Qos
+from ros2wasm.graph_snapshot import Qos
 
 
 def is_open(profile: QoSProfile) -> bool:

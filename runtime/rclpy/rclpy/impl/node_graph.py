@@ -9,12 +9,13 @@ from rclpy.impl.node_base import NodeBase
 from rclpy.topic_endpoint_info import TopicEndpointInfo, TopicEndpointTypeEnum
 from ros2wasm import background, host, names
 from ros2wasm.constants import EndpointKind
+from ros2wasm.graph_snapshot import GraphEndpoint
 
 NS = 1_000_000_000
 NamesAndTypes = list[tuple[str, list[str]]]
 
 
-def gather(endpoints: Iterable[host.GraphEndpoint]) -> NamesAndTypes:
+def gather(endpoints: Iterable[GraphEndpoint]) -> NamesAndTypes:
     """Names with their types, both in order."""
     found: dict[str, set[str]] = {}
     for one in endpoints:
@@ -23,7 +24,7 @@ def gather(endpoints: Iterable[host.GraphEndpoint]) -> NamesAndTypes:
 
 
 class NodeGraph(NodeBase):
-    def _endpoints(self, *kinds: EndpointKind) -> list[host.GraphEndpoint]:
+    def _endpoints(self, *kinds: EndpointKind) -> list[GraphEndpoint]:
         return [one for one in host.graph()[1] if one.kind in kinds]
 
     def _of_node(self, node_name: str, node_namespace: str, kind: EndpointKind) -> NamesAndTypes:

@@ -8,6 +8,7 @@ export const texts = {
 
   startAll: 'Start all',
   stopAll: 'Stop all',
+  restartAll: 'Restart all',
   runningOf: (running: number, all: number): string => `${running} of ${all} running`,
   version: (version: string): string => `version ${version}`,
   by: (names: string): string => `by ${names}`,
@@ -27,6 +28,15 @@ export const texts = {
     reran: 'Python was asked again for these values.',
     decided:
       'Some of what runs was decided in Python when the site was packed, for other values of the arguments.',
+  },
+
+  seed: {
+    title: 'Repeatable run',
+    label: 'Seed',
+    about: 'One node runs at a time, and time is held at first: every run with this seed sends the same messages.',
+    wrong: 'A seed is a whole number below 1,000,000,000.',
+    apply: 'Restart with this seed',
+    leave: 'Restart without a seed',
   },
 
   time: {
@@ -167,7 +177,7 @@ export const texts = {
     clear: (label: string): string => `Clear the console of ${label}`,
     input: (label: string): string => `Type into ${label}`,
     inputLabel: (label: string): string => `Standard input of ${label}`,
-    inputHint: 'Type a line, then Enter',
+    inputHint: 'Type a line, then Enter; Ctrl-C stops',
     send: 'Send',
     latest: 'Latest',
     toSource: (file: string, line: number): string => `Show line ${line} of ${file}`,

@@ -395,6 +395,10 @@ export interface Session {
   launch(asked: LaunchRequest): Promise<LaunchedNodes>;
   startAll(): void;
   stopAll(): void;
+  /** Stops all, and launches the site again when the last one has ended. */
+  restartAll(): void;
+  /** Ctrl-C in the node's terminal: its console shows `^C`, and it is stopped. */
+  interrupt(id: string): void;
   /** At most once per animation frame. */
   onNodes(listener: (nodes: readonly NodeView[]) => void): Unsubscribe;
   console(id: string): ConsoleLog;
@@ -421,7 +425,7 @@ export interface Session {
   graph(): GraphView;
   /** Called when the graph has changed, at most once per animation frame. */
   onGraph(listener: (graph: GraphView) => void): Unsubscribe;
-  /** Text for the node's standard input; end lines with \n. */
+  /** Text for the node's standard input; end lines with \n. An empty one is the end of its input. */
   sendInput(id: string, text: string): void;
   close(): void;
 }

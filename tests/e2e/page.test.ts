@@ -158,7 +158,12 @@ test('stop, start, restart', () =>
       .waitFor();
     await page.getByRole('button', { name: 'Stop all' }).click();
     await page.getByText('0 of 2 running').waitFor();
-    await page.getByRole('button', { name: 'Start all' }).click();
+    await page.getByRole('button', { name: 'Start all', exact: true }).click();
+    await page.getByText('2 of 2 running').waitFor();
+    const beginnings = (): Promise<number> => listener(page).getByText(/world! 0'/).count();
+    const before = await beginnings();
+    await page.getByRole('button', { name: 'Restart all' }).click();
+    await listener(page).getByText(/world! 0'/).nth(before).waitFor();
     await page.getByText('2 of 2 running').waitFor();
   }));
 

@@ -59,8 +59,9 @@ test('run control asks the session, for one node and for all', () =>
     await page.getByRole('button', { name: 'Restart /listener' }).click();
     await page.getByRole('button', { name: 'Stop all' }).click();
     await page.getByText('0 of 2 running').waitFor();
-    await page.getByRole('button', { name: 'Start all' }).click();
+    await page.getByRole('button', { name: 'Start all', exact: true }).click();
     await page.getByText('2 of 2 running').waitFor();
+    await page.getByRole('button', { name: 'Restart all' }).click();
     assert.deepEqual(await page.evaluate(() => fake.asked), [
       'stop talker-1',
       'start talker-1',
@@ -69,7 +70,23 @@ test('run control asks the session, for one node and for all', () =>
       'stop listener-2',
       'start talker-1',
       'start listener-2',
+      'restart talker-1',
+      'restart listener-2',
     ]);
+  }));
+
+test('a seed opens the page anew, beside what stands in the address', () =>
+  stage.on('quiet', {}, async (page) => {
+    await page.evaluate(() => history.replaceState(null, '', `${location.search}&rate:=2.0&seed=3#layout=x`));
+    await page.getByText('Repeatable run').click();
+    const seed = page.getByRole('textbox', { name: 'Seed' });
+    await seed.fill('seven');
+    await page.getByText('A seed is a whole number').waitFor();
+    await page.keyboard.press('Enter');
+    await seed.fill('12');
+    await page.getByRole('button', { name: 'Restart with this seed' }).click();
+    await page.waitForURL((url) => url.search === '?scene=quiet&rate:=2.0&seed=12');
+    await page.waitForSelector('.page');
   }));
 
 test('states are words: starting, exited with code, crashed with code, message and place', () =>
@@ -239,6 +256,16 @@ test('standard input', () =>
       await page.getByRole('textbox', { name: 'Standard input of /talker' }).inputValue(),
       '',
     );
+    // What is selected is copied; else Ctrl-C is the signal. Ctrl-D sends what is typed, or the end.
+    await page.keyboard.type('part');
+    await page.keyboard.press('Control+a');
+    await page.keyboard.press('Control+c');
+    await page.keyboard.press('End');
+    await page.keyboard.press('Control+d');
+    await page.keyboard.press('Control+d');
+    await page.keyboard.press('Control+c');
+    await page.getByRole('log', { name: 'Console of /talker' }).getByText('^C', { exact: true }).waitFor();
+    assert.deepEqual(await page.evaluate(() => fake.asked.slice(1)), ['input talker-1 part', 'input talker-1 ', 'stop talker-1']);
   }));
 
 test('messages are trees; long arrays are folded and cut', () =>

@@ -10,6 +10,7 @@ import { isAlive, StateBadge } from '../parts/node_state.tsx';
 import { Name } from '../parts/name.tsx';
 import { PanelFrame } from '../parts/panel.tsx';
 import { SourceLinksContext } from '../parts/source_links.ts';
+import { SeedForm } from '../parts/seed_form.tsx';
 import { ProblemView } from '../parts/problem_view.tsx';
 import { useNodes, useNow } from '../parts/watch.ts';
 import { texts } from '../texts.ts';
@@ -30,6 +31,7 @@ export function NodesPanel({ session, focus, announce }: PanelProps) {
       {launch === undefined || launch.arguments.length === 0 ? null : (
         <LaunchForm launch={launch} />
       )}
+      {nodes.length === 0 || session.link === 'port' ? null : <SeedForm seed={session.stepped?.seed} />}
       {nodes.length === 0 ? <p class="hint">{texts.nodes.none}</p> : null}
       <ul class="nodes" role="list">
         {nodes.map((node) => (

@@ -89,7 +89,11 @@ export function ConsoleTile({
         empty={emptyWords(list.allCount, nodes)}
       />
       {asking && only !== undefined ? (
-        <InputLine label={label} send={(text) => session.sendInput(only.id, text)} />
+        <InputLine
+          label={label}
+          send={(text) => session.sendInput(only.id, text)}
+          interrupt={() => session.interrupt(only.id)}
+        />
       ) : null}
     </article>
   );
@@ -141,11 +145,24 @@ function useLines(session: Session, ids: string, merged: boolean): Lines {
 function InputLine({
   label,
   send,
+  interrupt,
 }: {
   readonly label: string;
   readonly send: (text: string) => void;
+  readonly interrupt: () => void;
 }) {
   const [text, setText] = useState('');
+  const onKey = (event: KeyboardEvent & { readonly currentTarget: HTMLInputElement }): void => {
+    const { selectionStart, selectionEnd } = event.currentTarget;
+    if (!event.ctrlKey || event.altKey || event.metaKey || event.shiftKey) return;
+    const key = event.key.toLowerCase();
+    if (key === 'c' && selectionStart === selectionEnd) interrupt();
+    // As in a terminal: what is typed goes without a line's end; nothing is the end of all.
+    else if (key === 'd') send(text);
+    else return;
+    event.preventDefault();
+    setText('');
+  };
   return (
     <form
       class="input-line"
@@ -163,6 +180,7 @@ function InputLine({
         class="input-text"
         value={text}
         onInput={(event) => setText(event.currentTarget.value)}
+        onKeyDown={onKey}
         aria-label={texts.console.inputLabel(label)}
         placeholder={texts.console.inputHint}
         autocomplete="off"

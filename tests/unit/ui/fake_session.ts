@@ -354,6 +354,15 @@ export class FakeSession implements Session {
     for (const node of this.views) this.stop(node.id);
   }
 
+  restartAll(): void {
+    for (const node of this.views) this.restart(node.id);
+  }
+
+  interrupt(id: string): void {
+    this.print(id, '^C');
+    this.stop(id);
+  }
+
   console(id: string): FakeConsole {
     const found = this.consoles.get(id);
     if (found === undefined) throw new Error(`no node ${id}`);

@@ -1,7 +1,7 @@
 // Runs one command of `ros2` over a Session. What goes wrong is printed; the result is the exit code.
 
 import type { Codec } from '../decode/codec.ts';
-import type { Session } from '../wasm_js/session.ts';
+import type { KeyMode, Session } from '../wasm_js/session.ts';
 import { reason } from './calls.ts';
 import { CommandError, type Terminal } from './command.ts';
 import { parseCommand } from './parse.ts';
@@ -37,7 +37,7 @@ export async function runCommand(session: Session, words: readonly string[], ter
     signal: terminal.signal,
     bags: terminal.bags,
     readText: (name: string) => terminal.readText(name),
-    takeInput: (taker: ((text: string) => void) | undefined) => terminal.takeInput(taker),
+    takeInput: (taker: ((text: string) => void) | undefined, keys?: KeyMode) => terminal.takeInput(taker, keys),
     print: (text: string) => terminal.print(text),
     warn: (text: string) => terminal.warn(text),
     codec: async () => {

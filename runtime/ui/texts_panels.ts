@@ -146,7 +146,9 @@ export const panelTexts = {
     allNodes: 'All nodes',
     filter: 'Filter the log',
     copy: 'Copy the log',
+    save: 'Save the log',
     clear: 'Clear the log',
+    places: 'Show where each line was logged',
     empty: 'Nothing has been logged on /rosout since this panel was opened.',
   },
 

@@ -239,6 +239,9 @@ export type NodeState =
   | { readonly kind: 'exited'; readonly code: number }
   | { readonly kind: 'crashed'; readonly message: string; readonly code: string };
 
+/** As a program sets its terminal with termios: Ctrl-C stops it, or is a key like any other. */
+export type KeyMode = 'cbreak' | 'raw';
+
 export interface NodeView {
   readonly id: string;
   readonly label: string;
@@ -248,6 +251,8 @@ export interface NodeView {
   /** ms since 1970. */
   readonly startedAt?: number;
   readonly source?: SourcePlace;
+  /** It reads each key at once, not lines; `raw`: Ctrl-C too. */
+  readonly terminal?: KeyMode;
   /** Numbers of the other tabs of the graph in which it runs. */
   readonly elsewhere?: readonly number[];
   /** Paths of the sources that it has read since it started, or had when it ended, in that order; and of those the changed ones. */

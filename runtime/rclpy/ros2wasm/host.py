@@ -15,7 +15,7 @@ import ros2wasm_host
 from pyodide.ffi import can_run_sync, run_sync
 
 from ros2wasm.constants import (
-    ENDPOINT_DESC_FORMAT, ENDPOINT_STATUS_FORMAT, SAMPLE_INFO_FORMAT, EndpointKind, ErrorCode, StatusKind, WaitResult,
+    ENDPOINT_DESC_FORMAT, ENDPOINT_STATUS_FORMAT, SAMPLE_INFO_FORMAT, EndpointKind, ErrorCode, StatusKind, TerminalMode, WaitResult,
 )
 
 WOKEN, TIMEOUT, STOP = int(WaitResult.WOKEN), int(WaitResult.TIMEOUT), int(WaitResult.STOP)
@@ -255,6 +255,11 @@ def tell(event: str) -> int:
     """Have the page know of something. Returns how much of it the page has not dealt with yet."""
     ahead: int = js.tell(event)
     return ahead
+
+
+def terminal_mode(mode: TerminalMode) -> None:
+    """What the program makes of its standard input from now on."""
+    js.terminal_mode(int(mode))
 
 
 def wake() -> None:

@@ -8,10 +8,11 @@ import { programsOf } from '../../ros2cli/programs.ts';
 import { splitLine } from '../../ros2cli/parse.ts';
 import { runCommand } from '../../ros2cli/run.ts';
 import { fetchOfSite } from '../../wasm_js/carried_files.ts';
-import type { ConsoleLine, Session } from '../../wasm_js/session.ts';
-import { completeInput, expandTabs, keySequence, withoutTarget } from '../model/terminal_input.ts';
+import type { ConsoleLine, KeyMode, Session } from '../../wasm_js/session.ts';
+import { completeInput, expandTabs, withoutTarget } from '../model/terminal_input.ts';
 import { LineList } from '../model/line_list.ts';
 import { IconButton } from '../parts/button.tsx';
+import { keyFieldProps } from '../parts/key_input.ts';
 import { LineScroller } from '../parts/line_scroller.tsx';
 import { PanelFrame } from '../parts/panel.tsx';
 import { texts } from '../texts.ts';
@@ -103,6 +104,8 @@ export function TerminalPanel({ session, announce }: PanelProps) {
   /** Of the command that runs, when it reads what is typed. */
   const taker = useRef<((text: string) => void) | undefined>(undefined);
   const [taking, setTaking] = useState(false);
+  /** The command reads each key at once. */
+  const [keys, setKeys] = useState<KeyMode | undefined>(undefined);
 
   useEffect(() => {
     session.interfaces().then(
@@ -158,9 +161,10 @@ export function TerminalPanel({ session, announce }: PanelProps) {
       signal: abort.signal,
       bags: bagsOf(session),
       readText: (name) => readText(session, name),
-      takeInput: (to) => {
+      takeInput: (to, mode) => {
         taker.current = to;
         setTaking(to !== undefined);
+        setKeys(mode);
       },
       print: target === undefined ? print : keep,
       warn,
@@ -169,6 +173,7 @@ export function TerminalPanel({ session, announce }: PanelProps) {
     current.current = null;
     taker.current = undefined;
     setTaking(false);
+    setKeys(undefined);
     setRunning(null);
   };
 
@@ -207,7 +212,11 @@ export function TerminalPanel({ session, announce }: PanelProps) {
     setLine(lines[to] ?? '');
   };
 
+  const field = keys === undefined ? undefined : keyFieldProps({ mode: keys, send: (text) => taker.current?.(text), interrupt: stop });
+
   const onKey = (event: KeyboardEvent): void => {
+    // The field has sent it.
+    if (field !== undefined && event.target === input.current) return;
     const control = event.ctrlKey && !event.altKey && !event.metaKey;
     const selected = input.current !== null && input.current.selectionStart !== input.current.selectionEnd;
     if (control && event.key === 'c' && !selected && document.getSelection()?.isCollapsed !== false) {
@@ -222,11 +231,11 @@ export function TerminalPanel({ session, announce }: PanelProps) {
       event.preventDefault();
       submit();
     } else if (taker.current !== undefined) {
-      // As in a terminal, keys that are no text go to the program at once; Ctrl-D is the end of what is typed.
-      const sequence = control && event.key === 'd' ? '' : keySequence(event.key);
-      if (sequence === undefined || line !== '') return;
+      // As in a terminal: what is typed goes without a line's end; nothing is the end of all.
+      if (!control || event.key !== 'd') return;
       event.preventDefault();
-      taker.current(sequence);
+      taker.current(line);
+      setLine('');
     } else if (event.key === 'ArrowUp' || event.key === 'ArrowDown') {
       event.preventDefault();
       recall(event.key === 'ArrowUp' ? -1 : 1);
@@ -259,16 +268,18 @@ export function TerminalPanel({ session, announce }: PanelProps) {
           <input
             ref={input}
             type="text"
-            value={line}
+            value={field === undefined ? line : ''}
             readOnly={running !== null && !taking}
             aria-label={panelTexts.terminal.input}
-            placeholder={running === null ? panelTexts.terminal.placeholder : taking ? panelTexts.terminal.taking : panelTexts.terminal.running}
+            placeholder={running === null ? panelTexts.terminal.placeholder : keys !== undefined ? texts.console.keysHint : taking ? panelTexts.terminal.taking : panelTexts.terminal.running}
             autocomplete="off"
             autocapitalize="off"
             autocorrect="off"
             spellcheck={false}
             enterkeyhint="go"
             onInput={(event) => setLine(event.currentTarget.value)}
+            aria-description={keys === undefined ? undefined : texts.console.keysHint}
+            {...field}
           />
         </label>
       </div>

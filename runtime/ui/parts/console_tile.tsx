@@ -2,13 +2,16 @@
 // and a line for standard input.
 
 import { useEffect, useMemo, useReducer, useState } from 'preact/hooks';
-import type { ConsoleLine, ConsoleLog, NodeView, Session } from '../../wasm_js/session.ts';
+import type { ConsoleLine, ConsoleLog, KeyMode, NodeView, Session } from '../../wasm_js/session.ts';
 import { afterSnapshot } from '../model/line_feed.ts';
 import { LineList } from '../model/line_list.ts';
 import type { LineFilter } from '../model/line_list.ts';
 import { formatCount } from '../model/quantities.ts';
 import { texts } from '../texts.ts';
 import { CopyButton, IconButton } from './button.tsx';
+import { download } from './download.ts';
+import { Icon } from './icon.tsx';
+import { keyFieldProps } from './key_input.ts';
 import { LineScroller } from './line_scroller.tsx';
 import { isAlive, StateBadge } from './node_state.tsx';
 
@@ -42,11 +45,14 @@ export function ConsoleTile({
 }: ConsoleTileProps) {
   const ids = [...(launch ? [kLaunch] : []), ...nodes.map((node) => node.id)].join('\n');
   const { list, version, changed } = useLines(session, ids, merged);
-  const [asking, setAsking] = useState(false);
+  const [asked, setAsking] = useState<boolean | null>(null);
 
   useMemo(() => list.setFilter(filter), [list, filter]);
 
   const only = merged ? undefined : nodes[0];
+  const mode = only?.terminal;
+  // A node that waits for keys shows where they go.
+  const asking = asked ?? mode !== undefined;
   const alone = nodes.length === 0;
   const label = only?.label ?? (alone ? texts.console.launch : texts.console.allNodes);
   const title = only === undefined && !alone ? texts.console.mergedLabel : texts.console.of(label);
@@ -56,6 +62,10 @@ export function ConsoleTile({
     if (launch) session.launchLog.clear();
     list.clear();
     changed();
+  };
+  const save = (): void => {
+    const name = only?.id ?? (alone ? kLaunch : 'all_nodes');
+    download(`${name}.log`, new Blob([list.text()], { type: 'text/plain' }));
   };
   return (
     <article class="tile" aria-label={title}>
@@ -76,6 +86,7 @@ export function ConsoleTile({
             text={() => list.text()}
             announce={announce}
           />
+          <IconButton icon="down" label={texts.console.save(label)} onClick={save} />
           <IconButton icon="clear" label={texts.console.clear(label)} onClick={clear} />
           {onClose === undefined ? null : (
             <IconButton icon="close" label={texts.console.showAll} onClick={onClose} />
@@ -91,6 +102,8 @@ export function ConsoleTile({
       {asking && only !== undefined ? (
         <InputLine
           label={label}
+          mode={mode}
+          focused={asked === true}
           send={(text) => session.sendInput(only.id, text)}
           interrupt={() => session.interrupt(only.id)}
         />
@@ -144,14 +157,21 @@ function useLines(session: Session, ids: string, merged: boolean): Lines {
 
 function InputLine({
   label,
+  mode,
+  focused,
   send,
   interrupt,
 }: {
   readonly label: string;
+  /** undefined: it reads lines. */
+  readonly mode: KeyMode | undefined;
+  /** When it appears. */
+  readonly focused: boolean;
   readonly send: (text: string) => void;
   readonly interrupt: () => void;
 }) {
   const [text, setText] = useState('');
+  const keys = mode === undefined ? undefined : keyFieldProps({ mode, send, interrupt });
   const onKey = (event: KeyboardEvent & { readonly currentTarget: HTMLInputElement }): void => {
     const { selectionStart, selectionEnd } = event.currentTarget;
     if (!event.ctrlKey || event.altKey || event.metaKey || event.shiftKey) return;
@@ -168,34 +188,38 @@ function InputLine({
       class="input-line"
       onSubmit={(event) => {
         event.preventDefault();
-        send(`${text}\n`);
+        if (mode === undefined) send(`${text}\n`);
         setText('');
       }}
     >
       <span class="input-sign" aria-hidden="true">
-        {'>'}
+        {mode === undefined ? '>' : <Icon name="input" />}
       </span>
       <input
         type="text"
         class="input-text"
-        value={text}
+        value={mode === undefined ? text : ''}
         onInput={(event) => setText(event.currentTarget.value)}
         onKeyDown={onKey}
+        {...keys}
         aria-label={texts.console.inputLabel(label)}
-        placeholder={texts.console.inputHint}
+        placeholder={mode === undefined ? texts.console.inputHint : texts.console.keysHint}
+        aria-description={mode === undefined ? undefined : texts.console.keysHint}
         autocomplete="off"
         autocapitalize="off"
         spellcheck={false}
         ref={(element) => {
-          if (element !== null && element.dataset['met'] === undefined) {
+          if (focused && element !== null && element.dataset['met'] === undefined) {
             element.dataset['met'] = '';
             element.focus();
           }
         }}
       />
-      <button type="submit" class="button">
-        {texts.console.send}
-      </button>
+      {mode === undefined ? (
+        <button type="submit" class="button">
+          {texts.console.send}
+        </button>
+      ) : null}
     </form>
   );
 }

@@ -11,6 +11,7 @@ import type {
   ConsoleLog,
   GraphView,
   KernelEvent,
+  KeyMode,
   KernelOrder,
   LastMessage,
   LinkKind,
@@ -445,6 +446,12 @@ export class FakeSession implements Session {
     this.views = this.views.map((node) =>
       node.id === id ? { ...node, state, startedAt: Date.now() } : node,
     );
+    for (const listener of this.nodeListeners) listener(this.views);
+  }
+
+  /** The node reads keys from now on, or lines. */
+  setTerminal(id: string, terminal: KeyMode | undefined): void {
+    this.views = this.views.map(({ terminal: _, ...node }) => node.id !== id || terminal === undefined ? node : { ...node, terminal });
     for (const listener of this.nodeListeners) listener(this.views);
   }
 

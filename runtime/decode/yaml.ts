@@ -17,16 +17,25 @@ export function isMessage(value: unknown): value is Readonly<Record<string, unkn
   return typeof value === 'object' && value !== null && !isList(value);
 }
 
+/** How much is shown, and how. */
+interface Style {
+  /** Longer arrays and texts are cut; null: none is. */
+  readonly truncate: number | null;
+  /** Arrays stand in one line, as with --flow-style. */
+  readonly flow: boolean;
+}
+
 /** One document: every line ends with a newline. */
 export function toYaml(
   value: unknown,
   shape: Shape | null,
   truncate: number | null = kTruncateLength,
+  flow = false,
 ): string {
   if (!isMessage(value)) return `${formatScalar(value, truncate, '')}\n`;
   if (Object.keys(value).length === 0) return '{}\n';
   const lines: string[] = [];
-  writeMessage(value, shape, '', '', truncate, lines);
+  writeMessage(value, shape, '', '', { truncate, flow }, lines);
   return `${lines.join('\n')}\n`;
 }
 
@@ -80,7 +89,7 @@ function writeMessage(
   shape: Shape | null,
   first: string,
   indent: string,
-  truncate: number | null,
+  style: Style,
   lines: string[],
 ): void {
   let start = first;
@@ -89,14 +98,14 @@ function writeMessage(
     const head = `${start}${key}:`;
     start = indent;
     if (isList(value)) {
-      writeList(head, value, field, indent, truncate, lines);
+      writeList(head, value, field, indent, style, lines);
     } else if (!isMessage(value)) {
-      lines.push(`${head} ${formatScalar(value, truncate, `${indent}  `, isFloat(field))}`);
+      lines.push(`${head} ${formatScalar(value, style.truncate, `${indent}  `, isFloat(field))}`);
     } else if (Object.keys(value).length === 0) {
       lines.push(`${head} {}`);
     } else {
       lines.push(head);
-      writeMessage(value, field?.shape ?? null, `${indent}  `, `${indent}  `, truncate, lines);
+      writeMessage(value, field?.shape ?? null, `${indent}  `, `${indent}  `, style, lines);
     }
   }
 }
@@ -106,28 +115,49 @@ function writeList(
   list: ArrayLike<unknown>,
   field: Field | undefined,
   indent: string,
-  truncate: number | null,
+  style: Style,
   lines: string[],
 ): void {
   if (list.length === 0) {
     lines.push(`${head} []`);
     return;
   }
+  if (style.flow) {
+    lines.push(`${head} ${inFlow(list, field, style.truncate)}`);
+    return;
+  }
+  const { truncate } = style;
   lines.push(head);
   const count = truncate === null ? list.length : Math.min(list.length, truncate);
   for (let i = 0; i < count; i += 1) {
     const item = list[i];
     if (isMessage(item) && Object.keys(item).length > 0) {
-      writeMessage(item, field?.shape ?? null, `${indent}- `, `${indent}  `, truncate, lines);
+      writeMessage(item, field?.shape ?? null, `${indent}- `, `${indent}  `, style, lines);
     } else {
       lines.push(
-        `${indent}- ${isMessage(item) ? '{}' : formatScalar(item, truncate, `${indent}  `, isFloat(field))}`,
+        `${indent}- ${isMessage(item) ? '{}' : formatScalar(item, style.truncate, `${indent}  `, isFloat(field))}`,
       );
     }
   }
   if (count < list.length) {
     lines.push(`${indent}- '...'`);
   }
+}
+
+/** In one line, messages in it too. `field`: what it is, or what its items are. */
+export function inFlow(value: unknown, field: Field | undefined, truncate: number | null): string {
+  if (isList(value)) {
+    const count = truncate === null ? value.length : Math.min(value.length, truncate);
+    const items = Array.from({ length: count }, (_, i) => inFlow(value[i], field, truncate));
+    return `[${[...items, ...(count < value.length ? ["'...'"] : [])].join(', ')}]`;
+  }
+  if (isMessage(value)) {
+    return `{${Object.entries(value).map(([key, each]) => `${key}: ${inFlow(each, fieldOf(field?.shape ?? null, key), truncate)}`).join(', ')}}`;
+  }
+  const text = formatScalar(value, truncate, '', isFloat(field));
+  // These have a meaning between braces.
+  const plain = typeof value === 'string' && !/^['"]/.test(text);
+  return plain && /[,?:[\]{}]/.test(text) ? singleQuote(text, '') : text;
 }
 
 // --- Text, by the rules of PyYAML's emitter -----------------------------------------------------------

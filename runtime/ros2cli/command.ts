@@ -36,7 +36,7 @@ export interface Terminal {
 export type Meaning =
   | 'topic' | 'node' | 'service' | 'action' | 'message_type' | 'service_type' | 'action_type' | 'interface' | 'package'
   | 'parameter' | 'transition' | 'program_package' | 'executable' | 'container' | 'launch_package' | 'launch_file'
-  | 'launch_argument' | 'text';
+  | 'launch_argument' | 'message_values' | 'service_values' | 'goal_values' | 'text';
 
 export interface Positional {
   /** As the usage shows it. */

@@ -18,6 +18,17 @@ async function loadCodec(session: Session): Promise<Codec> {
   return createCodec(interfaces);
 }
 
+/** The session's, loaded at the first call. */
+export async function codecOf(session: Session): Promise<Codec> {
+  let codec = codecs.get(session);
+  if (codec === undefined) {
+    codec = loadCodec(session);
+    codecs.set(session, codec);
+    codec.catch(() => codecs.delete(session));
+  }
+  return await codec;
+}
+
 /** `words` begin after `ros2`. Rejects never. */
 export async function runCommand(session: Session, words: readonly string[], terminal: Terminal): Promise<number> {
   const parsed = parseCommand(commands, words);
@@ -40,15 +51,7 @@ export async function runCommand(session: Session, words: readonly string[], ter
     takeInput: (taker: ((text: string) => void) | undefined, keys?: KeyMode) => terminal.takeInput(taker, keys),
     print: (text: string) => terminal.print(text),
     warn: (text: string) => terminal.warn(text),
-    codec: async () => {
-      let codec = codecs.get(session);
-      if (codec === undefined) {
-        codec = loadCodec(session);
-        codecs.set(session, codec);
-        codec.catch(() => codecs.delete(session));
-      }
-      return await codec;
-    },
+    codec: () => codecOf(session),
   };
   try {
     const code = await command.run(context, given);

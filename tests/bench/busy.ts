@@ -7,6 +7,7 @@ import { join } from 'node:path';
 import { chromium, type CDPSession, type Page } from 'playwright-core';
 import { chromiumOptions, kSoftwareWebGl } from '../e2e/chromium.ts';
 import { serveFolder } from '../support/static_server.ts';
+import { AIM_MS, frameFigures, gaps } from './frame_gaps.ts';
 import { machineLoad } from './machine_load.ts';
 import { packLaunch } from './packed_launch.ts';
 import { treePrivateKb } from './process_memory.ts';
@@ -17,7 +18,6 @@ const NUMBER_HZ = 118;
 const IMAGE_HZ = 15;
 const CLOUD = { hz: 10, points: 10_000 };
 const DEFAULT_MINUTES = 10;
-const AIM_MS = 20;
 const SETTLING_MS = 10_000;
 const SAMPLES = 10;
 
@@ -35,32 +35,6 @@ const LAYOUTS: Readonly<Record<string, unknown>> = {
 };
 
 const rounded = (value: number): number => Math.round(value * 100) / 100;
-
-/** Gaps between frames in milliseconds, for so long. */
-function gaps(page: Page, ms: number): Promise<number[]> {
-  return page.evaluate((duration) => new Promise<number[]>((done) => {
-    const found: number[] = [];
-    const from = performance.now();
-    let last = from;
-    const frame = (): void => {
-      const now = performance.now();
-      found.push(now - last);
-      last = now;
-      if (now - from < duration) requestAnimationFrame(frame);
-      else done(found);
-    };
-    requestAnimationFrame(frame);
-  }), ms);
-}
-
-function frameFigures(found: readonly number[]): Readonly<Record<string, number>> {
-  const sorted = found.toSorted((a, b) => a - b);
-  const at = (share: number): number => rounded(sorted[Math.floor(sorted.length * share)] ?? Number.NaN);
-  return {
-    frames: found.length, frame_p50_ms: at(0.5), frame_p95_ms: at(0.95), frame_p99_ms: at(0.99), frame_longest_ms: rounded(sorted.at(-1) ?? Number.NaN),
-    under_20_ms: rounded(found.filter((gap) => gap < AIM_MS).length / found.length),
-  };
-}
 
 async function heapKb(devtools: CDPSession): Promise<number> {
   await devtools.send('HeapProfiler.collectGarbage');

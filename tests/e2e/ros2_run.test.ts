@@ -138,6 +138,9 @@ for (const link of ['shared', 'port'] as const) {
       await type(page, 'ros2 param set /robot speed 1.0');
       await type(page, 'ros2 param load /robot robot.yaml');
       await shows(page, 'Set parameter speed successful');
+      await page.locator('.terminal-input input').fill('ros2 param get /robot sp');
+      await page.locator('.terminal-input input').press('Tab');
+      await page.waitForFunction(() => document.querySelector<HTMLInputElement>('.terminal-input input')?.value === 'ros2 param get /robot speed ');
       await type(page, 'ros2 param get /robot speed');
       await shows(page, 'Double value is: 1.75');
       await type(page, 'ros2 param load /robot none.yaml');

@@ -15,7 +15,8 @@ import ros2wasm_host
 from pyodide.ffi import can_run_sync, run_sync
 
 from ros2wasm.constants import (
-    ENDPOINT_DESC_FORMAT, ENDPOINT_STATUS_FORMAT, SAMPLE_INFO_FORMAT, EndpointKind, ErrorCode, StatusKind, TerminalMode, WaitResult,
+    ENDPOINT_DESC_FORMAT, ENDPOINT_STATUS_FORMAT, SAMPLE_INFO_FORMAT, EndpointKind, ErrorCode, StatusKind, TerminalMode,
+    WaitResult,
 )
 
 WOKEN, TIMEOUT, STOP = int(WaitResult.WOKEN), int(WaitResult.TIMEOUT), int(WaitResult.STOP)

@@ -1,7 +1,7 @@
 """Standard input as a terminal: its modes (`termios`, and `tty` on it), waiting for keys (`select`), reading.
 
-The page is told the mode, and sends lines or keys by it. Where a line comes all the same, a terminal without lines gives
-the characters before the line's end, one at a time; an empty line is the Enter key.
+The page is told the mode, and sends lines or keys by it. Where a line comes all the same, a terminal without lines
+gives the characters before the line's end, one at a time; an empty line is the Enter key.
 """
 from __future__ import annotations
 

@@ -3,13 +3,16 @@
 
 import { useEffect, useRef, useState } from 'preact/hooks';
 import type { BagPlace } from '../../ros2cli/command.ts';
-import { complete } from '../../ros2cli/complete.ts';
+import { complete, wanted } from '../../ros2cli/complete.ts';
 import { programsOf } from '../../ros2cli/programs.ts';
-import { splitLine } from '../../ros2cli/parse.ts';
 import { runCommand } from '../../ros2cli/run.ts';
+import { tellWanted } from '../../ros2cli/told.ts';
 import { fetchOfSite } from '../../wasm_js/carried_files.ts';
 import type { ConsoleLine, KeyMode, Session } from '../../wasm_js/session.ts';
-import { completeInput, expandTabs, withoutTarget } from '../model/terminal_input.ts';
+import { desktopPanel, needless } from '../model/desktop_programs.ts';
+import { lineFilter, shellSteps } from '../model/shell_line.ts';
+import type { ShellStep } from '../model/shell_line.ts';
+import { completeInput, expandTabs } from '../model/terminal_input.ts';
 import { LineList } from '../model/line_list.ts';
 import { IconButton } from '../parts/button.tsx';
 import { keyFieldProps } from '../parts/key_input.ts';
@@ -21,6 +24,9 @@ import type { PanelProps } from './panel_props.ts';
 
 const kMostLines = 20_000;
 const kMostHistory = 200;
+/** Exit codes of a shell. */
+const kWrongLine = 2;
+const kNotFound = 127;
 /** What a flood may leave undrawn; the oldest of it is left out. */
 const kMostWaiting = 5000;
 /** Of a file that is read or written. */
@@ -90,7 +96,7 @@ async function readText(session: Session, name: string): Promise<string | undefi
   return await response.text();
 }
 
-export function TerminalPanel({ session, announce }: PanelProps) {
+export function TerminalPanel({ session, announce, open }: PanelProps) {
   const [version, setVersion] = useState(0);
   const screen = useRef<Screen | null>(null);
   screen.current ??= new Screen(session, () => setVersion((before) => before + 1));
@@ -123,31 +129,15 @@ export function TerminalPanel({ session, announce }: PanelProps) {
   const print = (text: string): void => screen.current?.write(text, 'stdout');
   const warn = (text: string): void => screen.current?.write(text, 'stderr');
 
-  const run = async (typed: string): Promise<void> => {
-    print(`$ ${typed}`);
-    const split = splitLine(typed);
-    if (split === undefined) {
-      warn(panelTexts.terminal.openQuote);
-      return;
+  /** Its exit code. */
+  const runStep = async ({ words, filters, target }: ShellStep, abort: AbortController): Promise<number> => {
+    const [program = '', ...rest] = words;
+    const through = filters.map(lineFilter);
+    const wrong = program === '' ? panelTexts.terminal.nothing : through.find((filter) => typeof filter === 'string');
+    if (wrong !== undefined) {
+      warn(String(wrong));
+      return kWrongLine;
     }
-    const { words, target } = withoutTarget(split);
-    const [program, ...rest] = words;
-    if (program === undefined) return;
-    if (program === 'clear') {
-      screen.current?.clear();
-      return;
-    }
-    if (program === 'help') {
-      print(panelTexts.terminal.help);
-      return;
-    }
-    if (program !== 'ros2') {
-      warn(panelTexts.terminal.notFound(program));
-      return;
-    }
-    const abort = new AbortController();
-    current.current = abort;
-    setRunning(abort);
     let text = '';
     const keep = (line: string): void => {
       if (text.length + line.length < kMostTextBytes) {
@@ -157,7 +147,47 @@ export function TerminalPanel({ session, announce }: PanelProps) {
         abort.abort();
       }
     };
-    await runCommand(session, rest, {
+    const out = target === undefined ? print : keep;
+    let passed = 0;
+    const filtered = (all: string): void => {
+      const lines = all.split('\n').filter((line) => through.every((filter) => typeof filter === 'string' || filter.passes(line)));
+      passed += lines.length;
+      if (lines.length > 0) out(lines.join('\n'));
+    };
+    const code = await runProgram(program, words, rest, through.length === 0 ? out : filtered, abort);
+    if (target !== undefined) written.set(target, text);
+    return through.length === 0 ? code : passed > 0 ? 0 : 1;
+  };
+
+  const runProgram = async (
+    program: string, words: readonly string[], rest: readonly string[], out: (text: string) => void, abort: AbortController,
+  ): Promise<number> => {
+    if (program === 'clear') {
+      screen.current?.clear();
+      return 0;
+    }
+    if (program === 'help' || program === 'echo') {
+      out(program === 'help' ? panelTexts.terminal.help : rest.join(' '));
+      return 0;
+    }
+    const window = desktopPanel(words, session.site.packages);
+    if (window !== undefined) {
+      const paths = window.rest.filter((word) => word.startsWith('/'));
+      const opened = window.panel === 'plot' && paths.length > 0 ? open('plot', { paths }) : open(window.panel);
+      if (!opened) return 1;
+      out(panelTexts.terminal.opened(window.program, texts.panels[window.panel as keyof typeof texts.panels]));
+      return 0;
+    }
+    const why = needless(program);
+    if (why !== undefined) {
+      out(panelTexts.terminal.needless[why]);
+      return 0;
+    }
+    if (program !== 'ros2') {
+      warn(panelTexts.terminal.notFound(program));
+      return kNotFound;
+    }
+    const code = await runCommand(session, rest, {
       signal: abort.signal,
       bags: bagsOf(session),
       readText: (name) => readText(session, name),
@@ -166,14 +196,32 @@ export function TerminalPanel({ session, announce }: PanelProps) {
         setTaking(to !== undefined);
         setKeys(mode);
       },
-      print: target === undefined ? print : keep,
+      print: out,
       warn,
     });
-    if (target !== undefined) written.set(target, text);
-    current.current = null;
     taker.current = undefined;
     setTaking(false);
     setKeys(undefined);
+    return code;
+  };
+
+  const run = async (typed: string): Promise<void> => {
+    print(`$ ${typed}`);
+    const steps = shellSteps(typed);
+    if (steps === undefined) {
+      warn(panelTexts.terminal.openQuote);
+      return;
+    }
+    if (steps.length === 0) return;
+    const abort = new AbortController();
+    current.current = abort;
+    setRunning(abort);
+    let code = 0;
+    for (const step of steps) {
+      if (abort.signal.aborted) break;
+      if (step.when === 'always' || (step.when === 'succeeded') === (code === 0)) code = await runStep(step, abort);
+    }
+    current.current = null;
     setRunning(null);
   };
 
@@ -240,17 +288,31 @@ export function TerminalPanel({ session, announce }: PanelProps) {
       event.preventDefault();
       recall(event.key === 'ArrowUp' ? -1 : 1);
     } else if (event.key === 'Tab' && !event.shiftKey && line !== '') {
-      const done = completeInput(line, complete(line, { graph: session.graph(), interfaces: interfaces.current, programs: programsOf(session.site), launches: session.site }));
-      // Nothing to complete: the key moves on, so that nobody is caught here.
-      if (done.kind === 'nothing') return;
-      event.preventDefault();
-      if (done.kind === 'line') {
-        setLine(done.line);
-      } else {
-        print(`$ ${line}\n${done.choices.join('  ')}`);
-        announce(panelTexts.terminal.choices(done.choices.length));
+      const ask = wanted(line);
+      if (ask !== undefined) {
+        event.preventDefault();
+        void tellWanted(session, ask).then((told) => {
+          // Unless more was typed meanwhile.
+          if (input.current?.value === line) offer(told);
+        });
+      } else if (offer([])) {
+        event.preventDefault();
       }
     }
+  };
+
+  /** Completes the line, or shows what there is. False: nothing to complete, the key moves on, so that nobody is caught here. */
+  const offer = (told: readonly string[]): boolean => {
+    const known = { graph: session.graph(), interfaces: interfaces.current, programs: programsOf(session.site), launches: session.site, told };
+    const done = completeInput(line, complete(line, known));
+    if (done.kind === 'nothing') return false;
+    if (done.kind === 'line') {
+      setLine(done.line);
+    } else {
+      print(`$ ${line}\n${done.choices.join('  ')}`);
+      announce(panelTexts.terminal.choices(done.choices.length));
+    }
+    return true;
   };
 
   const tools = (

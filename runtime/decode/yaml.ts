@@ -1,6 +1,7 @@
 // Message values as YAML, letter for letter as `ros2 topic echo` prints them (PyYAML's block style with
 // the default limit of 128 items and characters). Pure.
 
+import type { inFlow } from './flow_yaml.ts';
 import { isFloat } from './shape.ts';
 import type { Field, Shape } from './shape.ts';
 
@@ -21,8 +22,8 @@ export function isMessage(value: unknown): value is Readonly<Record<string, unkn
 interface Style {
   /** Longer arrays and texts are cut; null: none is. */
   readonly truncate: number | null;
-  /** Arrays stand in one line, as with --flow-style. */
-  readonly flow: boolean;
+  /** Writes an array in one line, as with --flow-style; undefined: below each other. */
+  readonly flow: typeof inFlow | undefined;
 }
 
 /** One document: every line ends with a newline. */
@@ -30,7 +31,7 @@ export function toYaml(
   value: unknown,
   shape: Shape | null,
   truncate: number | null = kTruncateLength,
-  flow = false,
+  flow?: typeof inFlow,
 ): string {
   if (!isMessage(value)) return `${formatScalar(value, truncate, '')}\n`;
   if (Object.keys(value).length === 0) return '{}\n';
@@ -122,11 +123,11 @@ function writeList(
     lines.push(`${head} []`);
     return;
   }
-  if (style.flow) {
-    lines.push(`${head} ${inFlow(list, field, style.truncate)}`);
+  const { truncate, flow } = style;
+  if (flow !== undefined) {
+    lines.push(`${head} ${flow(list, field, truncate)}`);
     return;
   }
-  const { truncate } = style;
   lines.push(head);
   const count = truncate === null ? list.length : Math.min(list.length, truncate);
   for (let i = 0; i < count; i += 1) {
@@ -142,22 +143,6 @@ function writeList(
   if (count < list.length) {
     lines.push(`${indent}- '...'`);
   }
-}
-
-/** In one line, messages in it too. `field`: what it is, or what its items are. */
-export function inFlow(value: unknown, field: Field | undefined, truncate: number | null): string {
-  if (isList(value)) {
-    const count = truncate === null ? value.length : Math.min(value.length, truncate);
-    const items = Array.from({ length: count }, (_, i) => inFlow(value[i], field, truncate));
-    return `[${[...items, ...(count < value.length ? ["'...'"] : [])].join(', ')}]`;
-  }
-  if (isMessage(value)) {
-    return `{${Object.entries(value).map(([key, each]) => `${key}: ${inFlow(each, fieldOf(field?.shape ?? null, key), truncate)}`).join(', ')}}`;
-  }
-  const text = formatScalar(value, truncate, '', isFloat(field));
-  // These have a meaning between braces.
-  const plain = typeof value === 'string' && !/^['"]/.test(text);
-  return plain && /[,?:[\]{}]/.test(text) ? singleQuote(text, '') : text;
 }
 
 // --- Text, by the rules of PyYAML's emitter -----------------------------------------------------------

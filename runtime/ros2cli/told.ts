@@ -1,7 +1,7 @@
 // What completion must ask for: a node's parameters, a type's message to begin with.
 
 import { draftOf, TooLarge } from '../decode/draft.ts';
-import { inFlow } from '../decode/yaml.ts';
+import { inFlow } from '../decode/flow_yaml.ts';
 import type { Session } from '../wasm_js/session.ts';
 import type { Wanted } from './complete.ts';
 import { namesOf } from './parameter_calls.ts';

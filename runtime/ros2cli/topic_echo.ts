@@ -1,5 +1,6 @@
 // ros2 topic echo, and service echo: messages as they come, until Ctrl-C.
 
+import { inFlow } from '../decode/flow_yaml.ts';
 import type { Shape } from '../decode/shape.ts';
 import { isFloat } from '../decode/shape.ts';
 import { fieldOf, isList, isMessage, kTruncateLength, toYaml } from '../decode/yaml.ts';
@@ -111,7 +112,7 @@ async function echo(context: Context, given: Given, { name, type }: TopicChoice,
         : typeof value === 'string' ? value : reprScalar(value, float);
       return `${text}\n---`;
     }
-    return `${toYaml(without(value, has(given, 'no-arr'), has(given, 'no-str'), shape), shape, truncate, has(given, 'flow-style'))}---`;
+    return `${toYaml(without(value, has(given, 'no-arr'), has(given, 'no-str'), shape), shape, truncate, has(given, 'flow-style') ? inFlow : undefined)}---`;
   }
 }
 

@@ -13,31 +13,7 @@ export const texts = {
   version: (version: string): string => `version ${version}`,
   by: (names: string): string => `by ${names}`,
 
-  launch: {
-    title: 'Launch arguments',
-    apply: 'Apply and restart',
-    defaults: 'Back to defaults',
-    usual: (value: string): string => (value === '' ? 'default: empty' : `default: ${value}`),
-    none: 'no default',
-    python: ({ program, tried }: { readonly program?: string; readonly tried: readonly string[] }): string =>
-      program !== undefined
-        ? 'The launch file is written in Python: what only Python decides is asked of it again, in this page.'
-        : tried.length === 0
-          ? 'The launch file is written in Python: what only Python decides stays as it was packed.'
-          : `The launch file is written in Python: what only Python decides was packed for each value of ${tried.join(', ')}; with other values it stays as it was packed.`,
-    reran: 'Python was asked again for these values.',
-    decided:
-      'Some of what runs was decided in Python when the site was packed, for other values of the arguments.',
-  },
-
-  seed: {
-    title: 'Repeatable run',
-    label: 'Seed',
-    about: 'One node runs at a time, and time is held at first: every run with this seed sends the same messages.',
-    wrong: 'A seed is a whole number below 1,000,000,000.',
-    apply: 'Restart with this seed',
-    leave: 'Restart without a seed',
-  },
+  seed: 'Repeatable run',
 
   time: {
     group: 'Time of the site',
@@ -177,10 +153,6 @@ export const texts = {
     save: (label: string): string => `Save the console of ${label}`,
     clear: (label: string): string => `Clear the console of ${label}`,
     input: (label: string): string => `Type into ${label}`,
-    inputLabel: (label: string): string => `Standard input of ${label}`,
-    inputHint: 'Type a line, then Enter; Ctrl-C stops',
-    keysHint: 'Keys go to the node at once; Tab leads on',
-    send: 'Send',
     latest: 'Latest',
     toSource: (file: string, line: number): string => `Show line ${line} of ${file}`,
     newer: (count: string): string => `${count} new`,

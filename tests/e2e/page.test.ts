@@ -143,11 +143,11 @@ test('what was published stays when the publisher stops, and when all nodes do',
 
 test('the log shows /rosout of the nodes, with the place in their sources', () =>
   onSite({}, async (page) => {
-    const layout = encodeURIComponent(JSON.stringify({ row: ['nodes', { log: { places: 'shown', node: 'talker' } }] }));
+    const layout = encodeURIComponent(JSON.stringify({ row: ['nodes', { log: { places: 'shown', node: 'minimal_publisher' } }] }));
     await page.goto(`${served.url}?#layout=${layout}`);
     const log = page.getByRole('log', { name: 'Log' });
     // One from before the panel was there, which /rosout keeps, and one from after.
-    await log.getByText(/^\[INFO\] \[\d+\.\d{9}\] \[talker\]: Publishing: 'Hello, world! 0' {2}\[File "[^"]*\.cpp", line \d+, in \S+\]$/).waitFor();
+    await log.getByText(/^\[INFO\] \[\d+\.\d{9}\] \[minimal_publisher\]: Publishing: 'Hello, world! 0' {2}\[File "[^"]*\.cpp", line \d+, in \S+\]$/).waitFor();
     const seen = await log.locator('.line').count();
     await log.locator('.line').nth(seen + 1).waitFor();
     await page.getByRole('combobox', { name: 'Lowest level shown' }).selectOption('WARN');

@@ -264,6 +264,7 @@ test('save gives the shown lines as a file', () =>
 test('standard input', () =>
   stage.on('quiet', {}, async (page) => {
     await page.getByRole('button', { name: 'Type into /talker' }).click();
+    await page.getByRole('textbox', { name: 'Standard input of /talker' }).waitFor();
     assert.equal(await focused(page), 'Standard input of /talker');
     await page.keyboard.type('hello <b>');
     await page.keyboard.press('Enter');
@@ -310,7 +311,11 @@ test('a node that reads keys gets each at once; Tab leads on', () =>
     await page.keyboard.press('Shift+Tab');
     assert.equal(await focused(page), 'Console of /talker');
     await page.evaluate(() => fake.setTerminal('talker-1', undefined));
+    await page.getByPlaceholder('Type a line').waitFor();
+    await page.getByRole('button', { name: 'Type into /talker' }).click();
     await field.waitFor({ state: 'detached' });
+    await page.evaluate(() => fake.setTerminal('talker-1', 'raw'));
+    assert.equal(await field.count(), 0);
   }));
 
 test('messages are trees; long arrays are folded and cut', () =>

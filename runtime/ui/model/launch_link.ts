@@ -1,4 +1,4 @@
-// The page's address with launch arguments, as `?name:=value`, or with a seed. Pure.
+// The page's address with launch arguments, as `?name:=value`. Pure.
 
 import type { LaunchArgument } from '../../wasm_js/session.ts';
 
@@ -18,20 +18,6 @@ export function launchLink(
       words.push(`${encodeURIComponent(name)}:=${encodeURIComponent(value)}`);
   }
   url.search = words.filter((word) => word !== '').join('&');
-  return url.href;
-}
-
-/** As launcher.ts takes it. */
-export function isSeed(text: string): boolean {
-  return /^\d{1,9}$/.test(text);
-}
-
-/** The page's address with another seed, or without one. */
-export function seedLink(address: string, seed: string | undefined): string {
-  const url = new URL(address);
-  // Written as launch arguments are: their := stays.
-  const words = url.search.replace(/^\?/, '').split('&').filter((word) => word !== '' && !/^seed(=|$)/.test(word));
-  url.search = [...words, ...(seed === undefined ? [] : [`seed=${seed}`])].join('&');
   return url.href;
 }
 

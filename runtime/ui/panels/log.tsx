@@ -106,8 +106,9 @@ export function LogPanel({ session, state, setState, announce }: PanelProps) {
     changed();
   };
   const offered = [...new Set([...names.current, ...(node === '' ? [] : [node])])].toSorted();
-  const empty =
-    list.allCount > 0 ? texts.console.emptyFiltered(formatCount(list.allCount)) : panelTexts.log.empty;
+  // Of the chosen node, or of all where that one has said nothing.
+  const count = list.allCount > 0 ? list.allCount : entries.current.length;
+  const empty = count > 0 ? texts.console.emptyFiltered(formatCount(count)) : panelTexts.log.empty;
   return (
     <PanelFrame
       id="log"

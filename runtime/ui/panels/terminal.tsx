@@ -20,6 +20,7 @@ import { LineScroller } from '../parts/line_scroller.tsx';
 import { PanelFrame } from '../parts/panel.tsx';
 import { texts } from '../texts.ts';
 import { panelTexts } from '../texts_panels.ts';
+import { runTexts } from '../texts_run.ts';
 import type { PanelProps } from './panel_props.ts';
 
 const kMostLines = 20_000;
@@ -333,14 +334,14 @@ export function TerminalPanel({ session, announce, open }: PanelProps) {
             value={field === undefined ? line : ''}
             readOnly={running !== null && !taking}
             aria-label={panelTexts.terminal.input}
-            placeholder={running === null ? panelTexts.terminal.placeholder : keys !== undefined ? texts.console.keysHint : taking ? panelTexts.terminal.taking : panelTexts.terminal.running}
+            placeholder={running === null ? panelTexts.terminal.placeholder : keys !== undefined ? runTexts.input.keys : taking ? panelTexts.terminal.taking : panelTexts.terminal.running}
             autocomplete="off"
             autocapitalize="off"
             autocorrect="off"
             spellcheck={false}
             enterkeyhint="go"
             onInput={(event) => setLine(event.currentTarget.value)}
-            aria-description={keys === undefined ? undefined : texts.console.keysHint}
+            aria-description={keys === undefined ? undefined : runTexts.input.keys}
             {...field}
           />
         </label>

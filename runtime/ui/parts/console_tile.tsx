@@ -2,16 +2,14 @@
 // and a line for standard input.
 
 import { useEffect, useMemo, useReducer, useState } from 'preact/hooks';
-import type { ConsoleLine, ConsoleLog, KeyMode, NodeView, Session } from '../../wasm_js/session.ts';
+import type { ConsoleLine, ConsoleLog, NodeView, Session } from '../../wasm_js/session.ts';
 import { afterSnapshot } from '../model/line_feed.ts';
 import { LineList } from '../model/line_list.ts';
 import type { LineFilter } from '../model/line_list.ts';
 import { formatCount } from '../model/quantities.ts';
 import { texts } from '../texts.ts';
 import { CopyButton, IconButton } from './button.tsx';
-import { download } from './download.ts';
-import { Icon } from './icon.tsx';
-import { keyFieldProps } from './key_input.ts';
+import type { InputLine, InputLineProps } from './input_line.tsx';
 import { LineScroller } from './line_scroller.tsx';
 import { isAlive, StateBadge } from './node_state.tsx';
 
@@ -45,14 +43,21 @@ export function ConsoleTile({
 }: ConsoleTileProps) {
   const ids = [...(launch ? [kLaunch] : []), ...nodes.map((node) => node.id)].join('\n');
   const { list, version, changed } = useLines(session, ids, merged);
-  const [asked, setAsking] = useState<boolean | null>(null);
+  /** 'shown': nobody asked, but the node began to read keys, and may read lines again. */
+  const [asked, setAsking] = useState<boolean | 'shown'>(false);
+  const [met, setMet] = useState(false);
 
   useMemo(() => list.setFilter(filter), [list, filter]);
 
   const only = merged ? undefined : nodes[0];
   const mode = only?.terminal;
-  // A node that waits for keys shows where they go.
-  const asking = asked ?? mode !== undefined;
+  const asking = asked !== false;
+  useEffect(() => {
+    // A node that waits for keys shows where they go, once.
+    if (mode === undefined || met) return;
+    setMet(true);
+    if (asked === false) setAsking('shown');
+  }, [mode]);
   const alone = nodes.length === 0;
   const label = only?.label ?? (alone ? texts.console.launch : texts.console.allNodes);
   const title = only === undefined && !alone ? texts.console.mergedLabel : texts.console.of(label);
@@ -65,7 +70,8 @@ export function ConsoleTile({
   };
   const save = (): void => {
     const name = only?.id ?? (alone ? kLaunch : 'all_nodes');
-    download(`${name}.log`, new Blob([list.text()], { type: 'text/plain' }));
+    const content = new Blob([list.text()], { type: 'text/plain' });
+    void import('./download.ts').then(({ download }) => download(`${name}.log`, content));
   };
   return (
     <article class="tile" aria-label={title}>
@@ -100,7 +106,7 @@ export function ConsoleTile({
         empty={emptyWords(list.allCount, nodes)}
       />
       {asking && only !== undefined ? (
-        <InputLine
+        <LazyInput
           label={label}
           mode={mode}
           focused={asked === true}
@@ -155,71 +161,11 @@ function useLines(session: Session, ids: string, merged: boolean): Lines {
   return { list, version, changed: () => changed() };
 }
 
-function InputLine({
-  label,
-  mode,
-  focused,
-  send,
-  interrupt,
-}: {
-  readonly label: string;
-  /** undefined: it reads lines. */
-  readonly mode: KeyMode | undefined;
-  /** When it appears. */
-  readonly focused: boolean;
-  readonly send: (text: string) => void;
-  readonly interrupt: () => void;
-}) {
-  const [text, setText] = useState('');
-  const keys = mode === undefined ? undefined : keyFieldProps({ mode, send, interrupt });
-  const onKey = (event: KeyboardEvent & { readonly currentTarget: HTMLInputElement }): void => {
-    const { selectionStart, selectionEnd } = event.currentTarget;
-    if (!event.ctrlKey || event.altKey || event.metaKey || event.shiftKey) return;
-    const key = event.key.toLowerCase();
-    if (key === 'c' && selectionStart === selectionEnd) interrupt();
-    // As in a terminal: what is typed goes without a line's end; nothing is the end of all.
-    else if (key === 'd') send(text);
-    else return;
-    event.preventDefault();
-    setText('');
-  };
-  return (
-    <form
-      class="input-line"
-      onSubmit={(event) => {
-        event.preventDefault();
-        if (mode === undefined) send(`${text}\n`);
-        setText('');
-      }}
-    >
-      <span class="input-sign" aria-hidden="true">
-        {mode === undefined ? '>' : <Icon name="input" />}
-      </span>
-      <input
-        type="text"
-        class="input-text"
-        value={mode === undefined ? text : ''}
-        onInput={(event) => setText(event.currentTarget.value)}
-        onKeyDown={onKey}
-        {...keys}
-        aria-label={texts.console.inputLabel(label)}
-        placeholder={mode === undefined ? texts.console.inputHint : texts.console.keysHint}
-        aria-description={mode === undefined ? undefined : texts.console.keysHint}
-        autocomplete="off"
-        autocapitalize="off"
-        spellcheck={false}
-        ref={(element) => {
-          if (focused && element !== null && element.dataset['met'] === undefined) {
-            element.dataset['met'] = '';
-            element.focus();
-          }
-        }}
-      />
-      {mode === undefined ? (
-        <button type="submit" class="button">
-          {texts.console.send}
-        </button>
-      ) : null}
-    </form>
-  );
+/** The line for standard input comes when it is asked for. */
+function LazyInput(props: InputLineProps) {
+  const [Line, setLine] = useState<typeof InputLine | null>(null);
+  useEffect(() => {
+    void import('./input_line.tsx').then((found) => setLine(() => found.InputLine));
+  }, []);
+  return Line === null ? null : <Line {...props} />;
 }

@@ -1,8 +1,8 @@
 // The seed of a stepped run. Setting one opens the page anew, so that the link says what runs.
 
 import { useState } from 'preact/hooks';
-import { isSeed, seedLink } from '../model/launch_link.ts';
-import { texts } from '../texts.ts';
+import { isSeed, seedLink } from '../model/seed_link.ts';
+import { runTexts } from '../texts_run.ts';
 
 /** `seed`: of the run that goes on; undefined: nodes run side by side. */
 export function SeedForm({ seed }: { readonly seed: number | undefined }) {
@@ -12,12 +12,10 @@ export function SeedForm({ seed }: { readonly seed: number | undefined }) {
     if (isSeed(text)) location.assign(seedLink(location.href, text));
   };
   return (
-    <details class="launch" open={seed !== undefined}>
-      <summary class="launch-title">{texts.seed.title}</summary>
       <form class="launch-form" onSubmit={apply}>
         <div class="launch-field">
           <label class="launch-name" for="seed">
-            {texts.seed.label}
+            {runTexts.seed.label}
           </label>
           <input
             id="seed"
@@ -31,20 +29,19 @@ export function SeedForm({ seed }: { readonly seed: number | undefined }) {
             onInput={(event) => setText(event.currentTarget.value.trim())}
           />
           <p class="launch-about" id="seed-about">
-            {isSeed(text) ? texts.seed.about : texts.seed.wrong}
+            {isSeed(text) ? runTexts.seed.about : runTexts.seed.wrong}
           </p>
         </div>
         <p class="launch-tools">
           <button type="submit" class="button button-main" aria-disabled={!isSeed(text)}>
-            {texts.seed.apply}
+            {runTexts.seed.apply}
           </button>
           {seed === undefined ? null : (
             <button type="button" class="button" onClick={() => location.assign(seedLink(location.href, undefined))}>
-              {texts.seed.leave}
+              {runTexts.seed.leave}
             </button>
           )}
         </p>
       </form>
-    </details>
   );
 }

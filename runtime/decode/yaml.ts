@@ -1,6 +1,7 @@
 // Message values as YAML, letter for letter as `ros2 topic echo` prints them (PyYAML's block style with
 // the default limit of 128 items and characters). Pure.
 
+import type { inFlow } from './flow_yaml.ts';
 import { isFloat } from './shape.ts';
 import type { Field, Shape } from './shape.ts';
 
@@ -17,16 +18,25 @@ export function isMessage(value: unknown): value is Readonly<Record<string, unkn
   return typeof value === 'object' && value !== null && !isList(value);
 }
 
+/** How much is shown, and how. */
+interface Style {
+  /** Longer arrays and texts are cut; null: none is. */
+  readonly truncate: number | null;
+  /** Writes an array in one line, as with --flow-style; undefined: below each other. */
+  readonly flow: typeof inFlow | undefined;
+}
+
 /** One document: every line ends with a newline. */
 export function toYaml(
   value: unknown,
   shape: Shape | null,
   truncate: number | null = kTruncateLength,
+  flow?: typeof inFlow,
 ): string {
   if (!isMessage(value)) return `${formatScalar(value, truncate, '')}\n`;
   if (Object.keys(value).length === 0) return '{}\n';
   const lines: string[] = [];
-  writeMessage(value, shape, '', '', truncate, lines);
+  writeMessage(value, shape, '', '', { truncate, flow }, lines);
   return `${lines.join('\n')}\n`;
 }
 
@@ -80,7 +90,7 @@ function writeMessage(
   shape: Shape | null,
   first: string,
   indent: string,
-  truncate: number | null,
+  style: Style,
   lines: string[],
 ): void {
   let start = first;
@@ -89,14 +99,14 @@ function writeMessage(
     const head = `${start}${key}:`;
     start = indent;
     if (isList(value)) {
-      writeList(head, value, field, indent, truncate, lines);
+      writeList(head, value, field, indent, style, lines);
     } else if (!isMessage(value)) {
-      lines.push(`${head} ${formatScalar(value, truncate, `${indent}  `, isFloat(field))}`);
+      lines.push(`${head} ${formatScalar(value, style.truncate, `${indent}  `, isFloat(field))}`);
     } else if (Object.keys(value).length === 0) {
       lines.push(`${head} {}`);
     } else {
       lines.push(head);
-      writeMessage(value, field?.shape ?? null, `${indent}  `, `${indent}  `, truncate, lines);
+      writeMessage(value, field?.shape ?? null, `${indent}  `, `${indent}  `, style, lines);
     }
   }
 }
@@ -106,11 +116,16 @@ function writeList(
   list: ArrayLike<unknown>,
   field: Field | undefined,
   indent: string,
-  truncate: number | null,
+  style: Style,
   lines: string[],
 ): void {
   if (list.length === 0) {
     lines.push(`${head} []`);
+    return;
+  }
+  const { truncate, flow } = style;
+  if (flow !== undefined) {
+    lines.push(`${head} ${flow(list, field, truncate)}`);
     return;
   }
   lines.push(head);
@@ -118,10 +133,10 @@ function writeList(
   for (let i = 0; i < count; i += 1) {
     const item = list[i];
     if (isMessage(item) && Object.keys(item).length > 0) {
-      writeMessage(item, field?.shape ?? null, `${indent}- `, `${indent}  `, truncate, lines);
+      writeMessage(item, field?.shape ?? null, `${indent}- `, `${indent}  `, style, lines);
     } else {
       lines.push(
-        `${indent}- ${isMessage(item) ? '{}' : formatScalar(item, truncate, `${indent}  `, isFloat(field))}`,
+        `${indent}- ${isMessage(item) ? '{}' : formatScalar(item, style.truncate, `${indent}  `, isFloat(field))}`,
       );
     }
   }

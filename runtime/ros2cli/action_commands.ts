@@ -57,7 +57,7 @@ export const actionCommands: readonly Command[] = [
     words: ['action', 'send_goal'],
     help: 'Send an action goal',
     positionals: [
-      { name: 'action_name', meaning: 'action' }, { name: 'action_type', meaning: 'action_type' }, { name: 'goal', meaning: 'text' },
+      { name: 'action_name', meaning: 'action' }, { name: 'action_type', meaning: 'action_type' }, { name: 'goal', meaning: 'goal_values' },
     ],
     options: [{ names: ['--feedback', '-f'], help: 'Echo feedback messages for the goal' }],
     run: async (context, given) => {

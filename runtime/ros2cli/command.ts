@@ -3,7 +3,7 @@
 import type { BagSource } from '../bag/bag_file.ts';
 import type { BagSink } from '../bag/bag_writer.ts';
 import type { Codec } from '../decode/codec.ts';
-import type { Session } from '../wasm_js/session.ts';
+import type { KeyMode, Session } from '../wasm_js/session.ts';
 
 /** Where bags are, by name: the files of a shell, or what a page keeps. */
 export interface BagPlace {
@@ -22,8 +22,8 @@ export interface Terminal {
   readonly bags: BagPlace;
   /** The text of a file; undefined: there is none of that name. */
   readText(name: string): Promise<string | undefined>;
-  /** What is typed goes there from now on, with the newlines; undefined: nowhere. */
-  takeInput(taker: ((text: string) => void) | undefined): void;
+  /** What is typed goes there from now on, line by line with the newlines, or key by key; undefined: nowhere. */
+  takeInput(taker: ((text: string) => void) | undefined, keys?: KeyMode): void;
   /** One line or several, without the newline at the end. */
   print(text: string): void;
   /** The same, for what is no result. */
@@ -36,7 +36,7 @@ export interface Terminal {
 export type Meaning =
   | 'topic' | 'node' | 'service' | 'action' | 'message_type' | 'service_type' | 'action_type' | 'interface' | 'package'
   | 'parameter' | 'transition' | 'program_package' | 'executable' | 'container' | 'launch_package' | 'launch_file'
-  | 'launch_argument' | 'text';
+  | 'launch_argument' | 'message_values' | 'service_values' | 'goal_values' | 'text';
 
 export interface Positional {
   /** As the usage shows it. */

@@ -1,5 +1,6 @@
 // Completion of a line that begins with `ros2`: from the table of commands, and what the graph has.
 
+import { expandName, fullTypeName } from '../decode/ros_names.ts';
 import type { GraphView, SiteDescription } from '../wasm_js/session.ts';
 import type { Command, Meaning } from './command.ts';
 import { actionsOf, containersOf, servicesOf, shown, topicsOf } from './graph_lists.ts';
@@ -15,6 +16,11 @@ export interface Completion {
   readonly choices: readonly string[];
 }
 
+/** What only a node or the definitions can tell: the parameters of a node, a message of a type to begin with. */
+export type Wanted =
+  | { readonly kind: 'parameters'; readonly node: string }
+  | { readonly kind: 'prototype'; readonly type: string };
+
 export interface Known {
   readonly graph: GraphView;
   /** Names of interfaces that the site has. */
@@ -23,6 +29,8 @@ export interface Known {
   readonly launches?: Pick<SiteDescription, 'launchFile' | 'launch'>;
   /** What `ros2 run` can start. */
   readonly programs: readonly { readonly package: string; readonly executable: string }[];
+  /** What was wanted, once it is there. */
+  readonly told?: readonly string[];
 }
 
 /** `line`: what stands before the caret. */
@@ -32,6 +40,35 @@ export function complete(line: string, known: Known): Completion {
   const before = splitLine(line.slice(0, start)) ?? [];
   const offered = choices(before, word, known);
   return { word, start, choices: [...new Set(offered)].filter((choice) => choice.startsWith(word) && choice !== '').sort() };
+}
+
+/** What must be asked for before this line can be completed; undefined: nothing. */
+export function wanted(line: string): Wanted | undefined {
+  const start = /\S*$/.exec(line)!.index;
+  const before = splitLine(line.slice(0, start)) ?? [];
+  const own = before[0] !== 'ros2' ? undefined : commands.find(({ words }) => words[0] === before[1] && (words.length === 1 || words[1] === before[2]));
+  if (own === undefined || line.slice(start).startsWith('-')) return undefined;
+  const begin = 1 + own.words.length;
+  const option = before.length > begin ? findOption(own, before.at(-1)!) : undefined;
+  if (option?.value !== undefined) return undefined;
+  const given = positionalsOf(own, before.slice(begin));
+  const [first = '', second = ''] = given;
+  const prototype = (kind: 'msg' | 'srv' | 'action', suffix: string): Wanted | undefined => {
+    const type = fullTypeName(second, kind);
+    return type === undefined ? undefined : { kind: 'prototype', type: `${type}${suffix}` };
+  };
+  switch (own.positionals[given.length]?.meaning) {
+    case 'parameter':
+      return { kind: 'parameters', node: expandName(first, '') };
+    case 'message_values':
+      return prototype('msg', '');
+    case 'service_values':
+      return prototype('srv', '_Request');
+    case 'goal_values':
+      return prototype('action', '_Goal');
+    default:
+      return undefined;
+  }
 }
 
 function choices(before: readonly string[], word: string, known: Known): readonly string[] {
@@ -69,7 +106,7 @@ function positionalsOf(command: Command, words: readonly string[]): string[] {
   return found;
 }
 
-function meant(meaning: Meaning, given: readonly string[], { graph, interfaces, programs, launches: { launchFile, launch } = {} }: Known): readonly string[] {
+function meant(meaning: Meaning, given: readonly string[], { graph, interfaces, programs, launches: { launchFile, launch } = {}, told = [] }: Known): readonly string[] {
   const ofKind = (kind: string): string[] => interfaces.filter((name) => name.split('/')[1] === kind);
   /** The type of what was named before, when it is known. */
   const typeOf = (list: readonly { readonly name: string; readonly types: readonly string[] }[], all: readonly string[]): readonly string[] =>
@@ -108,6 +145,10 @@ function meant(meaning: Meaning, given: readonly string[], { graph, interfaces, 
     case 'launch_argument':
       return (launch?.arguments ?? []).map(({ name }) => `${name}:=`);
     case 'parameter':
+    case 'message_values':
+    case 'service_values':
+    case 'goal_values':
+      return told;
     case 'text':
       return [];
   }

@@ -67,11 +67,20 @@ async function main({ site, link, words }: Asked): Promise<number> {
     signal: abort.signal,
     bags: bagFiles,
     readText: textOfFile,
-    takeInput: (taker) => {
+    takeInput: (taker, keys) => {
       process.stdin.removeAllListeners();
-      if (taker === undefined) process.stdin.pause();
+      if (process.stdin.isTTY) process.stdin.setRawMode(keys !== undefined);
+      if (taker === undefined) {
+        process.stdin.pause();
+        return;
+      }
+      const take = (text: string): void => {
+        // A terminal without lines gives no signal for Ctrl-C, and a carriage return for Enter.
+        if (keys === 'cbreak' && process.stdin.isTTY && text.includes('\u0003')) abort.abort();
+        else taker(keys === undefined ? text : text.replaceAll('\r', '\n'));
+      };
       // An empty text is the end.
-      else process.stdin.setEncoding('utf8').on('data', taker).on('end', () => taker('')).on('error', () => undefined);
+      process.stdin.setEncoding('utf8').on('data', take).on('end', () => taker('')).on('error', () => undefined);
     },
     print: (text) => void process.stdout.write(`${text}\n`),
     warn: (text) => void process.stderr.write(`${text}\n`),

@@ -1,7 +1,7 @@
 // Runs one command of `ros2` over a Session. What goes wrong is printed; the result is the exit code.
 
 import type { Codec } from '../decode/codec.ts';
-import type { Session } from '../wasm_js/session.ts';
+import type { KeyMode, Session } from '../wasm_js/session.ts';
 import { reason } from './calls.ts';
 import { CommandError, type Terminal } from './command.ts';
 import { parseCommand } from './parse.ts';
@@ -16,6 +16,17 @@ const codecs = new WeakMap<Session, Promise<Codec>>();
 async function loadCodec(session: Session): Promise<Codec> {
   const [{ createCodec }, interfaces] = await Promise.all([import('../decode/codec.ts'), session.interfaces()]);
   return createCodec(interfaces);
+}
+
+/** The session's, loaded at the first call. */
+export async function codecOf(session: Session): Promise<Codec> {
+  let codec = codecs.get(session);
+  if (codec === undefined) {
+    codec = loadCodec(session);
+    codecs.set(session, codec);
+    codec.catch(() => codecs.delete(session));
+  }
+  return await codec;
 }
 
 /** `words` begin after `ros2`. Rejects never. */
@@ -37,18 +48,10 @@ export async function runCommand(session: Session, words: readonly string[], ter
     signal: terminal.signal,
     bags: terminal.bags,
     readText: (name: string) => terminal.readText(name),
-    takeInput: (taker: ((text: string) => void) | undefined) => terminal.takeInput(taker),
+    takeInput: (taker: ((text: string) => void) | undefined, keys?: KeyMode) => terminal.takeInput(taker, keys),
     print: (text: string) => terminal.print(text),
     warn: (text: string) => terminal.warn(text),
-    codec: async () => {
-      let codec = codecs.get(session);
-      if (codec === undefined) {
-        codec = loadCodec(session);
-        codecs.set(session, codec);
-        codec.catch(() => codecs.delete(session));
-      }
-      return await codec;
-    },
+    codec: () => codecOf(session),
   };
   try {
     const code = await command.run(context, given);

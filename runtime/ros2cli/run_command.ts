@@ -1,5 +1,6 @@
 // ros2 run: a program of the site once more, beside its nodes, with arguments of its own.
 
+import type { KeyMode } from '../wasm_js/session.ts';
 import { type Command, CommandError } from './command.ts';
 import { programsOf } from './programs.ts';
 
@@ -32,6 +33,7 @@ export const runCommand: Command = {
           for (const { stream, text } of lines) (stream === 'stdout' ? context.print : context.warn)(text);
         },
         onEnd: (state) => {
+          off();
           context.takeInput(undefined);
           context.signal.removeEventListener('abort', stop);
           if (state.kind === 'crashed') context.warn(`[ros2run]: ${state.message} (${state.code})`);
@@ -40,7 +42,15 @@ export const runCommand: Command = {
         },
       });
       const stop = (): void => session.stop(id);
-      context.takeInput((text) => session.sendInput(id, text));
+      const take = (text: string): void => session.sendInput(id, text);
+      let keys: KeyMode | undefined;
+      const off = session.onNodes((nodes) => {
+        const now = nodes.find((node) => node.id === id)?.terminal;
+        if (now === keys) return;
+        keys = now;
+        context.takeInput(take, keys);
+      });
+      context.takeInput(take);
       context.signal.addEventListener('abort', stop, { once: true });
       if (context.signal.aborted) stop();
     });

@@ -68,7 +68,7 @@ export const serviceCommands: readonly Command[] = [
     words: ['service', 'call'],
     help: 'Call a service',
     positionals: [
-      { name: 'service_name', meaning: 'service' }, { name: 'service_type', meaning: 'service_type' }, { name: 'values', meaning: 'text', optional: true },
+      { name: 'service_name', meaning: 'service' }, { name: 'service_type', meaning: 'service_type' }, { name: 'values', meaning: 'service_values', optional: true },
     ],
     options: [{ names: ['--rate', '-r'], value: 'N', number: true, help: 'Repeat the call at a specific rate in Hz' }],
     run: async (context, given) => {

@@ -13,7 +13,7 @@ import { pkgCommands } from './pkg_commands.ts';
 import { runCommand } from './run_command.ts';
 import { serviceCommands } from './service_commands.ts';
 import { topicCommands } from './topic_commands.ts';
-import { topicEcho } from './topic_echo.ts';
+import { serviceEcho, topicEcho } from './topic_echo.ts';
 import { topicMeasures } from './topic_measures.ts';
 import { topicPub } from './topic_pub.ts';
 
@@ -29,6 +29,7 @@ export const commands: readonly Command[] = [
   ...pkgCommands,
   runCommand,
   ...serviceCommands,
+  serviceEcho,
   ...topicCommands,
   topicEcho,
   ...topicMeasures,

@@ -1,11 +1,26 @@
-// ros2 topic echo.
+// ros2 topic echo, and service echo: messages as they come, until Ctrl-C.
 
+import { inFlow } from '../decode/flow_yaml.ts';
 import type { Shape } from '../decode/shape.ts';
 import { isFloat } from '../decode/shape.ts';
 import { fieldOf, isList, isMessage, kTruncateLength, toYaml } from '../decode/yaml.ts';
-import { type Command, CommandError, has, numberOf, untilDone } from './command.ts';
+import { expandName, fullTypeName } from '../decode/ros_names.ts';
+import { type Command, CommandError, type Context, type Given, has, numberOf, type Option, untilDone } from './command.ts';
 import { reprFloat, reprScalar } from './python_text.ts';
-import { chooseTopic, fittingQos, qosOptions } from './subscribing.ts';
+import { servicesOf } from './graph_lists.ts';
+import { chooseTopic, fittingQos, qosOptions, type TopicChoice } from './subscribing.ts';
+
+/** How messages are shown. */
+const showOptions: readonly Option[] = [
+  { names: ['--csv'], help: 'Output all recursive fields separated by commas' },
+  { names: ['--full-length', '-f'], help: 'Output all elements for arrays, bytes, and string' },
+  { names: ['--truncate-length', '-l'], value: 'N', number: true, help: 'The length to truncate arrays, bytes, and string to (default: 128)' },
+  { names: ['--no-arr'], help: "Don't print array fields of messages" },
+  { names: ['--no-str'], help: "Don't print string fields of messages" },
+  { names: ['--flow-style'], help: 'Print arrays in one line' },
+];
+
+type Value = Readonly<Record<string, unknown>>;
 
 export const topicEcho: Command = {
   words: ['topic', 'echo'],
@@ -13,71 +28,93 @@ export const topicEcho: Command = {
   positionals: [{ name: 'topic_name', meaning: 'topic' }, { name: 'message_type', meaning: 'message_type', optional: true }],
   options: [
     ...qosOptions,
-    { names: ['--csv'], help: 'Output all recursive fields separated by commas' },
+    ...showOptions,
     { names: ['--field'], value: 'FIELD', help: 'Echo a selected field of a message. Use "." to select sub-fields.' },
-    { names: ['--full-length', '-f'], help: 'Output all elements for arrays, bytes, and string' },
-    { names: ['--truncate-length', '-l'], value: 'N', number: true, help: 'The length to truncate arrays, bytes, and string to (default: 128)' },
-    { names: ['--no-arr'], help: "Don't print array fields of messages" },
-    { names: ['--no-str'], help: "Don't print string fields of messages" },
     { names: ['--once'], help: 'Print the first message received and then exit.' },
     { names: ['--timeout'], value: 'N', number: true, help: 'Set a timeout in seconds' },
     { names: ['--raw'], help: 'Echo the raw binary representation' },
   ],
   run: async (context, given) => {
     const [topic = '', typed] = given.positionals;
-    const { name, type } = chooseTopic(context, topic, typed);
-    const codec = await context.codec();
-    const parsed = codec.types.get(type);
-    if (typeof parsed === 'string') throw new CommandError(parsed);
-    const truncate = has(given, 'full-length') ? null : numberOf(given, 'truncate-length', kTruncateLength);
-    const path = given.options.get('field')?.split('.');
-    const node = context.session.node();
-    let failure: string | undefined;
-    let came = false;
-    await untilDone(context.signal, (done) => {
-      const subscription = node.subscription(name, type, fittingQos(context, name, given), (bytes) => {
-        if (failure !== undefined || (came && has(given, 'once'))) return;
-        came = true;
-        const text = has(given, 'raw') ? pythonBytes(bytes) : show(bytes);
-        if (text !== undefined) context.print(text);
-        if (failure !== undefined || has(given, 'once')) done();
-      });
-      if (subscription.problem !== undefined) {
-        failure = subscription.problem.message;
-        queueMicrotask(done);
-      }
-      const seconds = given.options.get('timeout');
-      const timer = seconds === undefined ? [] : [node.timer(Number(seconds) * 1000, () => {
-        if (!came) failure = 'No message received within the timeout.';
-        done();
-      })];
-      return [subscription, ...timer];
-    });
-    if (failure !== undefined) throw new CommandError(failure);
-    return 0;
-
-    function show(bytes: Uint8Array): string | undefined {
-      const decoded = codec.decode(type, bytes);
-      if (decoded.kind === 'failed') {
-        context.warn(decoded.reason);
-        return undefined;
-      }
-      const at = select(decoded.value, decoded.shape, path ?? []);
-      if (typeof at === 'string') {
-        failure = `Invalid field '${path?.join('.') ?? ''}': ${at}`;
-        return undefined;
-      }
-      const { value, shape, float } = at;
-      if (has(given, 'csv')) return csv(value, truncate).join(',');
-      if (!isMessage(value)) {
-        const text = isList(value) ? `[${Array.from(cut(value, truncate), (item) => isMessage(item) ? toYaml(item, shape, truncate).trimEnd() : reprScalar(item, float)).join(', ')}]`
-          : typeof value === 'string' ? value : reprScalar(value, float);
-        return `${text}\n---`;
-      }
-      return `${toYaml(without(value, has(given, 'no-arr'), has(given, 'no-str'), shape), shape, truncate)}---`;
-    }
+    return await echo(context, given, chooseTopic(context, topic, typed));
   },
 };
+
+/** As service_msgs/msg/ServiceEventInfo numbers them. */
+const eventTypes = ['REQUEST_SENT', 'REQUEST_RECEIVED', 'RESPONSE_SENT', 'RESPONSE_RECEIVED'];
+
+export const serviceEcho: Command = {
+  words: ['service', 'echo'],
+  help: 'Echo a service',
+  positionals: [{ name: 'service_name', meaning: 'service' }, { name: 'service_type', meaning: 'service_type', optional: true }],
+  options: [...qosOptions, ...showOptions],
+  run: async (context, given) => {
+    const [service = '', typed] = given.positionals;
+    const name = expandName(service, '');
+    const type = typed === undefined ? servicesOf(context.session.graph()).find((each) => each.name === name)?.types[0] : fullTypeName(typed, 'srv');
+    if (type === undefined) throw new CommandError(typed === undefined ? 'Could not determine the type for the passed service' : 'The passed service type is invalid');
+    const named = (value: Value): Value => {
+      const { info } = value;
+      if (!isMessage(info)) return value;
+      return { ...value, info: { ...info, event_type: eventTypes[Number(info['event_type'])] ?? info['event_type'] } };
+    };
+    return await echo(context, given, { name: `${name}/_service_event`, type: `${type}_Event` }, named);
+  },
+};
+
+/** `seen`: a message as it is to be shown. */
+async function echo(context: Context, given: Given, { name, type }: TopicChoice, seen: (value: Value) => Value = (value) => value): Promise<number> {
+  const codec = await context.codec();
+  const parsed = codec.types.get(type);
+  if (typeof parsed === 'string') throw new CommandError(parsed);
+  const truncate = has(given, 'full-length') ? null : numberOf(given, 'truncate-length', kTruncateLength);
+  const path = given.options.get('field')?.split('.');
+  const node = context.session.node();
+  let failure: string | undefined;
+  let came = false;
+  await untilDone(context.signal, (done) => {
+    const subscription = node.subscription(name, type, fittingQos(context, name, given), (bytes) => {
+      if (failure !== undefined || (came && has(given, 'once'))) return;
+      came = true;
+      const text = has(given, 'raw') ? pythonBytes(bytes) : show(bytes);
+      if (text !== undefined) context.print(text);
+      if (failure !== undefined || has(given, 'once')) done();
+    });
+    if (subscription.problem !== undefined) {
+      failure = subscription.problem.message;
+      queueMicrotask(done);
+    }
+    const seconds = given.options.get('timeout');
+    const timer = seconds === undefined ? [] : [node.timer(Number(seconds) * 1000, () => {
+      if (!came) failure = 'No message received within the timeout.';
+      done();
+    })];
+    return [subscription, ...timer];
+  });
+  if (failure !== undefined) throw new CommandError(failure);
+  return 0;
+
+  function show(bytes: Uint8Array): string | undefined {
+    const decoded = codec.decode(type, bytes);
+    if (decoded.kind === 'failed') {
+      context.warn(decoded.reason);
+      return undefined;
+    }
+    const at = select(seen(decoded.value as Value), decoded.shape, path ?? []);
+    if (typeof at === 'string') {
+      failure = `Invalid field '${path?.join('.') ?? ''}': ${at}`;
+      return undefined;
+    }
+    const { value, shape, float } = at;
+    if (has(given, 'csv')) return csv(value, truncate).join(',');
+    if (!isMessage(value)) {
+      const text = isList(value) ? `[${Array.from(cut(value, truncate), (item) => isMessage(item) ? toYaml(item, shape, truncate).trimEnd() : reprScalar(item, float)).join(', ')}]`
+        : typeof value === 'string' ? value : reprScalar(value, float);
+      return `${text}\n---`;
+    }
+    return `${toYaml(without(value, has(given, 'no-arr'), has(given, 'no-str'), shape), shape, truncate, has(given, 'flow-style') ? inFlow : undefined)}---`;
+  }
+}
 
 interface Selected {
   readonly value: unknown;

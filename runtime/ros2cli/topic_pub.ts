@@ -10,7 +10,7 @@ export const topicPub: Command = {
   words: ['topic', 'pub'],
   help: 'Publish a message to a topic',
   positionals: [
-    { name: 'topic_name', meaning: 'topic' }, { name: 'message_type', meaning: 'message_type' }, { name: 'values', meaning: 'text', optional: true },
+    { name: 'topic_name', meaning: 'topic' }, { name: 'message_type', meaning: 'message_type' }, { name: 'values', meaning: 'message_values', optional: true },
   ],
   options: [
     { names: ['--rate', '-r'], value: 'N', number: true, help: 'Publishing rate in Hz (default: 1)' },

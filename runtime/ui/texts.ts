@@ -8,26 +8,12 @@ export const texts = {
 
   startAll: 'Start all',
   stopAll: 'Stop all',
+  restartAll: 'Restart all',
   runningOf: (running: number, all: number): string => `${running} of ${all} running`,
   version: (version: string): string => `version ${version}`,
   by: (names: string): string => `by ${names}`,
 
-  launch: {
-    title: 'Launch arguments',
-    apply: 'Apply and restart',
-    defaults: 'Back to defaults',
-    usual: (value: string): string => (value === '' ? 'default: empty' : `default: ${value}`),
-    none: 'no default',
-    python: ({ program, tried }: { readonly program?: string; readonly tried: readonly string[] }): string =>
-      program !== undefined
-        ? 'The launch file is written in Python: what only Python decides is asked of it again, in this page.'
-        : tried.length === 0
-          ? 'The launch file is written in Python: what only Python decides stays as it was packed.'
-          : `The launch file is written in Python: what only Python decides was packed for each value of ${tried.join(', ')}; with other values it stays as it was packed.`,
-    reran: 'Python was asked again for these values.',
-    decided:
-      'Some of what runs was decided in Python when the site was packed, for other values of the arguments.',
-  },
+  seed: 'Repeatable run',
 
   time: {
     group: 'Time of the site',
@@ -173,11 +159,9 @@ export const texts = {
     emptyForGood: 'Nothing printed.',
     emptyFiltered: (count: string): string => `None of ${count} lines match the filter.`,
     copy: (label: string): string => `Copy the console of ${label}`,
+    save: (label: string): string => `Save the console of ${label}`,
     clear: (label: string): string => `Clear the console of ${label}`,
     input: (label: string): string => `Type into ${label}`,
-    inputLabel: (label: string): string => `Standard input of ${label}`,
-    inputHint: 'Type a line, then Enter',
-    send: 'Send',
     latest: 'Latest',
     toSource: (file: string, line: number): string => `Show line ${line} of ${file}`,
     newer: (count: string): string => `${count} new`,

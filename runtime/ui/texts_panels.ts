@@ -146,7 +146,9 @@ export const panelTexts = {
     allNodes: 'All nodes',
     filter: 'Filter the log',
     copy: 'Copy the log',
+    save: 'Save the log',
     clear: 'Clear the log',
+    places: 'Show where each line was logged',
     empty: 'Nothing has been logged on /rosout since this panel was opened.',
   },
 
@@ -289,7 +291,16 @@ export const panelTexts = {
     stopped: 'Command stopped',
     openQuote: 'a quotation mark is left open',
     notFound: (name: string): string => `${name}: command not found; help says what there is`,
+    nothing: 'a command is missing',
+    opened: (program: string, panel: string): string => `${program}: the panel \u201c${panel}\u201d of this page is open`,
+    needless: {
+      source: 'nothing to source: every command here knows the packages of this site',
+      folder: 'no folders here: commands find packages by their names',
+      variable: 'variables are not kept here: nodes have those that they are launched with',
+      build: 'nothing to build: the site has its packages built; \u201cRestart all\u201d runs them anew',
+      install: 'nothing to install: the site has all that its nodes need',
+    },
     choices: (count: number): string => `${count} completions`,
-    help: 'ros2          commands on the nodes of this page; ros2 --help lists them\n... > NAME    keeps the output as a file of that name, for ros2 param load\nclear         empties this terminal (Ctrl-L)\nTab completes, the arrow keys recall, Ctrl-C stops.',
+    help: 'ros2          commands on the nodes of this page; ros2 --help lists them\n... | grep X   shows the lines with X; grep takes -i -v -w -E -F\nA && B; C     one after the other\nrviz2, rqt_graph, rqt_console, rqt_plot ...   open the panels that do the same\n... > NAME    keeps the output as a file of that name, for ros2 param load\nclear         empties this terminal (Ctrl-L)\nTab completes, the arrow keys recall, Ctrl-C stops.',
   },
 } as const;

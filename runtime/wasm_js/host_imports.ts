@@ -1,7 +1,7 @@
 // Module "ros2wasm": the link, as a program calls it. protocol/SPEC.md section 3.
 
 import {
-  abiVersion, EndpointDescLayout, EndpointStatusLayout, ErrorCode, type StatusKind,
+  abiVersion, EndpointDescLayout, EndpointStatusLayout, ErrorCode, type StatusKind, type TerminalMode,
 } from '../protocol/generated/constants.ts';
 import { encodeGraph } from './graph_snapshot.ts';
 import type { Link } from './link.ts';
@@ -20,7 +20,8 @@ function milliseconds(low: number | bigint, high: number | undefined): number {
 export type HostFunction = (...args: never[]) => unknown;
 
 export function hostImports(
-  link: Link, memory: () => ProgramMemory, idle: () => void, sent?: (message: SentMessage) => void,
+  link: Link, memory: () => ProgramMemory, idle: () => void, terminal: (mode: TerminalMode) => void,
+  sent?: (message: SentMessage) => void,
 ) {
   /** Of endpoints, when somebody hears what is sent. */
   const names = new Map<number, string>();
@@ -126,6 +127,7 @@ export function hostImports(
       return version;
     },
     stop_requested: () => (link.stopRequested() ? 1 : 0),
+    terminal_mode: terminal,
     matched: (endpoint: number) => link.matched(endpoint),
     endpoint_status: status,
     status_version: () => link.statusVersion(),

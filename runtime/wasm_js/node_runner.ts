@@ -1,5 +1,6 @@
 // One node of a site: its worker and thread workers, its state, its rules (stop, respawn).
 
+import { TerminalMode } from '../protocol/generated/constants.ts';
 import type { Admission, Broker } from './broker.ts';
 import type { NodeConsole } from './console_log.ts';
 import type { SentMessage } from './message_trace.ts';
@@ -24,6 +25,8 @@ const killedCode = 137;
 const namesMs = 3000;
 /** A node that crashes at once is not started again without pause. */
 const leastRespawnMs = 100;
+/** A program that reads lines for a moment between two keys still reads keys. */
+const betweenKeysMs = 200;
 /** A thread that was about to wait when time changed is told again. */
 const retellMs = 1;
 
@@ -81,6 +84,8 @@ export class NodeRunner {
   private timer: ReturnType<typeof setTimeout> | undefined;
   /** Calls off a start that is yet to come. */
   private keepFromStart: (() => void) | undefined;
+  private terminal: TerminalMode = TerminalMode.cooked;
+  private terminalTimer: ReturnType<typeof setTimeout> | undefined;
   /** Respawns since somebody started it. */
   private retries = 0;
   /** Of the newest run: the sources that it has read, and whether they were changed. */
@@ -103,6 +108,7 @@ export class NodeRunner {
       state: this.state,
       ...(this.run === undefined ? {} : { startedAt: this.run.startedAt }),
       ...(source === undefined ? {} : { source }),
+      ...(this.terminal === TerminalMode.cooked ? {} : { terminal: this.terminal === TerminalMode.raw ? 'raw' : 'cbreak' }),
       ...(this.used.size === 0 ? {} : { usedSources: [...this.used.keys()] }),
       ...(changed.length === 0 ? {} : { changedSources: changed }),
     };
@@ -295,6 +301,9 @@ export class NodeRunner {
       case 'rest':
         this.host.broker.rests(participant, report.rest);
         return;
+      case 'terminal':
+        this.terminalSet(report.mode);
+        return;
       case 'sent':
         this.host.sent?.(this.node, report.message);
         return;
@@ -338,6 +347,17 @@ export class NodeRunner {
     }
   }
 
+  private terminalSet(mode: TerminalMode): void {
+    clearTimeout(this.terminalTimer);
+    const change = (): void => {
+      if (mode === this.terminal) return;
+      this.terminal = mode;
+      this.host.changed();
+    };
+    if (mode === TerminalMode.cooked) this.terminalTimer = setTimeout(change, betweenKeysMs);
+    else change();
+  }
+
   /** The program is over and its worker rests; a trap's report gets its names before it is told. */
   private async onEnd(end: Exclude<ProgramEnd, { kind: 'thread' }>, closed: boolean): Promise<void> {
     const { attempt } = this;
@@ -365,6 +385,8 @@ export class NodeRunner {
     const respawns = this.node.respawn && byItself && (respawnMaxRetries === undefined || this.retries < respawnMaxRetries);
     this.run = undefined;
     this.clearTimer();
+    clearTimeout(this.terminalTimer);
+    this.terminal = TerminalMode.cooked;
     // Before the others of a stepped run go on.
     if (respawns) {
       const delay = Math.max(leastRespawnMs, this.node.respawnDelay * 1000);

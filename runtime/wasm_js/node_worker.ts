@@ -1,5 +1,6 @@
 // Entry of every node worker and thread worker, in browsers and (through node_thread.ts) under Node.js.
 
+import { TerminalMode } from '../protocol/generated/constants.ts';
 import type { WorkerFile } from './carried_files.ts';
 import { ConsoleSender, type SentLine } from './console_sender.ts';
 import type { ThreadRequest } from './env_imports.ts';
@@ -39,6 +40,8 @@ export type WorkerReport =
   | { readonly t: 'running' }
   /** The program waits for the first time: it has made its nodes and spins, or sleeps. */
   | { readonly t: 'waits' }
+  /** What the program makes of its standard input. */
+  | { readonly t: 'terminal'; readonly mode: TerminalMode }
   | { readonly t: 'lines'; readonly lines: readonly SentLine[]; readonly dropped: number }
   /** What the kernel of a notebook says, as JSON. */
   | { readonly t: 'event'; readonly event: string }
@@ -111,6 +114,15 @@ export function serveWorker(
     }
     const console = new ConsoleSender(link, (lines, dropped) => post({ t: 'lines', lines, dropped }));
     let waited = start.thread !== undefined;
+    const typed = inputReader(link, start.id);
+    let mode: TerminalMode = TerminalMode.cooked;
+    let toldMode: TerminalMode = mode;
+    // Programs change it before and after each key: what it is between two looks at the input is nobody's concern.
+    const tellMode = (): void => {
+      if (mode === toldMode) return;
+      toldMode = mode;
+      post({ t: 'terminal', mode });
+    };
     if (start.thread === undefined) post({ t: 'running' });
     link.awaitTurn?.();
     const host: ProgramHost = {
@@ -119,12 +131,25 @@ export function serveWorker(
       environment: start.environment,
       line: (stream, text) => console.line(stream, text),
       idle: () => {
+        tellMode();
         console.flush();
         if (waited) return;
         waited = true;
         post({ t: 'waits' });
       },
-      input: inputReader(link, start.id),
+      input: {
+        read: (capacity) => {
+          tellMode();
+          return typed.read(capacity);
+        },
+        arrives: (milliseconds) => {
+          tellMode();
+          return typed.arrives(milliseconds);
+        },
+      },
+      terminal: (now) => {
+        mode = now;
+      },
       files: start.files,
       readNow,
       random: start.stepped === undefined ? undefined : seededRandom(start.stepped.seed, start.id),

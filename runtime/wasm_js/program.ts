@@ -1,7 +1,7 @@
 // Loads and runs one program (kind "cpp"): gives it its imports, and tells how it ended. Works in a worker that may
 // block (shared link), or suspends the program instead (port link).
 
-import { protocolVersion } from '../protocol/generated/constants.ts';
+import { protocolVersion, type TerminalMode } from '../protocol/generated/constants.ts';
 import { envImports, type ThreadRequest } from './env_imports.ts';
 import { hostImports, suspendingHost } from './host_imports.ts';
 import { LineWriter } from './line_writer.ts';
@@ -28,6 +28,8 @@ export interface ProgramHost {
   /** The program is about to wait. */
   readonly idle: () => void;
   readonly input: Input;
+  /** The program sets what it makes of its input. */
+  readonly terminal: (mode: TerminalMode) => void;
   readonly files: SiteFiles;
   readonly readNow: ReadNow;
   /** Fills bytes; undefined: with the browser's random numbers. */
@@ -216,7 +218,7 @@ export async function runProgram(
   });
   const imports: WebAssembly.Imports = {
     ros2wasm: wrap({
-      ...hostImports(host.link, getMemory, host.idle, host.sent),
+      ...hostImports(host.link, getMemory, host.idle, host.terminal, host.sent),
       ...fileImports(host.files, host.readNow, getMemory),
     }, suspendingHost),
     wasi_snapshot_preview1: wrap(wasi, suspendingWasi),

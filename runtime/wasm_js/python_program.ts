@@ -209,7 +209,7 @@ function hostModule(
   host: ProgramHost, memory: () => ProgramMemory, stop: Interrupts, died: (error: unknown) => void, showOutput: () => void,
 ): Record<string, unknown> {
   const { link } = host;
-  const imports = hostImports(link, memory, host.idle, host.sent);
+  const imports = hostImports(link, memory, host.idle, host.terminal, host.sent);
   const buffers: PyBuffer[] = [];
   let pending: Promise<unknown> | undefined;
   /** Until Python is back (`resumed`) nobody interrupts it: Pyodide runs code of its own when a promise is kept. */

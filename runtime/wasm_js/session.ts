@@ -239,6 +239,9 @@ export type NodeState =
   | { readonly kind: 'exited'; readonly code: number }
   | { readonly kind: 'crashed'; readonly message: string; readonly code: string };
 
+/** As a program sets its terminal with termios: Ctrl-C stops it, or is a key like any other. */
+export type KeyMode = 'cbreak' | 'raw';
+
 export interface NodeView {
   readonly id: string;
   readonly label: string;
@@ -248,6 +251,8 @@ export interface NodeView {
   /** ms since 1970. */
   readonly startedAt?: number;
   readonly source?: SourcePlace;
+  /** It reads each key at once, not lines; `raw`: Ctrl-C too. */
+  readonly terminal?: KeyMode;
   /** Numbers of the other tabs of the graph in which it runs. */
   readonly elsewhere?: readonly number[];
   /** Paths of the sources that it has read since it started, or had when it ended, in that order; and of those the changed ones. */
@@ -395,6 +400,10 @@ export interface Session {
   launch(asked: LaunchRequest): Promise<LaunchedNodes>;
   startAll(): void;
   stopAll(): void;
+  /** Stops all, and launches the site again when the last one has ended. */
+  restartAll(): void;
+  /** Ctrl-C in the node's terminal: its console shows `^C`, and it is stopped. */
+  interrupt(id: string): void;
   /** At most once per animation frame. */
   onNodes(listener: (nodes: readonly NodeView[]) => void): Unsubscribe;
   console(id: string): ConsoleLog;
@@ -421,7 +430,7 @@ export interface Session {
   graph(): GraphView;
   /** Called when the graph has changed, at most once per animation frame. */
   onGraph(listener: (graph: GraphView) => void): Unsubscribe;
-  /** Text for the node's standard input; end lines with \n. */
+  /** Text for the node's standard input; end lines with \n. An empty one is the end of its input. */
   sendInput(id: string, text: string): void;
   close(): void;
 }

@@ -81,6 +81,8 @@ export class SiteSession implements Session {
   private sampling: ReturnType<typeof setInterval> | undefined;
   private definitions: Promise<Map<string, string>> | undefined;
   private tabs: Tabs | undefined;
+  /** restartAll() waits for the last node to end. */
+  private again = false;
   private closed = false;
 
   constructor({ site, platform, broker, onLines, onLaunchLine, stepped, onSent }: SessionOptions) {
@@ -375,9 +377,33 @@ export class SiteSession implements Session {
   }
 
   stopAll(): void {
+    this.again = false;
     this.lookAtTopics();
     this.steps.shutdown();
     for (const runner of this.runners.values()) runner.stop();
+  }
+
+  restartAll(): void {
+    this.stopAll();
+    this.again = true;
+    this.startAgain();
+  }
+
+  /** What restartAll() began, when it is time. */
+  private startAgain(): void {
+    if (!this.again || this.running().length > 0) return;
+    this.again = false;
+    // Whoever ended last is to be done with its end first.
+    queueMicrotask(() => {
+      if (!this.closed) this.startAll();
+    });
+  }
+
+  interrupt(id: string): void {
+    const runner = this.runner(id);
+    if (!runner.active()) return;
+    runner.console.add([[1, this.now(), '^C']], 0);
+    this.stop(id);
   }
 
   onNodes(listener: (nodes: readonly NodeView[]) => void): Unsubscribe {
@@ -387,6 +413,7 @@ export class SiteSession implements Session {
 
   private nodesChanged(): void {
     this.tabs?.run(this.running());
+    this.startAgain();
     if (!this.nodesTold || this.closed) return;
     this.nodesTold = false;
     this.platform.frame(() => {

@@ -8,6 +8,7 @@ import { join } from 'node:path';
 import { chromium, type CDPSession, type Page } from 'playwright-core';
 import { chromiumOptions, kSoftwareWebGl } from '../e2e/chromium.ts';
 import { serveFolder } from '../support/static_server.ts';
+import { AIM_MS, type FrameFigures, frameFigures, gaps } from './frame_gaps.ts';
 import { machineLoad } from './machine_load.ts';
 import { packLaunch } from './packed_launch.ts';
 import { treePrivateKb } from './process_memory.ts';
@@ -18,7 +19,6 @@ const NUMBER_HZ = 118;
 const IMAGE_HZ = 15;
 const CLOUD = { hz: 10, points: 10_000 };
 const DEFAULT_MINUTES = 10;
-const AIM_MS = 20;
 const FRAME_MS = 1000 / 60;
 /** Of its mean, over the second half; shorter runs than this only warm up. */
 const MEMORY_RISE = 0.05;
@@ -41,41 +41,6 @@ const LAYOUTS: Readonly<Record<string, unknown>> = {
 };
 
 const rounded = (value: number): number => Math.round(value * 100) / 100;
-
-/** Gaps between frames in milliseconds, for so long. */
-function gaps(page: Page, ms: number): Promise<number[]> {
-  return page.evaluate((duration) => new Promise<number[]>((done) => {
-    const found: number[] = [];
-    const from = performance.now();
-    let last = from;
-    const frame = (): void => {
-      const now = performance.now();
-      found.push(now - last);
-      last = now;
-      if (now - from < duration) requestAnimationFrame(frame);
-      else done(found);
-    };
-    requestAnimationFrame(frame);
-  }), ms);
-}
-
-interface FrameFigures {
-  readonly frames: number;
-  readonly frame_p50_ms: number;
-  readonly frame_p95_ms: number;
-  readonly frame_p99_ms: number;
-  readonly frame_longest_ms: number;
-  readonly under_20_ms: number;
-}
-
-function frameFigures(found: readonly number[]): FrameFigures {
-  const sorted = found.toSorted((a, b) => a - b);
-  const at = (share: number): number => rounded(sorted[Math.floor(sorted.length * share)] ?? Number.NaN);
-  return {
-    frames: found.length, frame_p50_ms: at(0.5), frame_p95_ms: at(0.95), frame_p99_ms: at(0.99), frame_longest_ms: rounded(sorted.at(-1) ?? Number.NaN),
-    under_20_ms: rounded(found.filter((gap) => gap < AIM_MS).length / found.length),
-  };
-}
 
 /** Why an aim was missed; empty: none was. The machine's own share is what the bare page has in the same browser. */
 function missed(panels: string, found: FrameFigures, limit: FrameFigures, minutes: number, rises: readonly number[]): string {

@@ -1,5 +1,5 @@
 // What is left in a browser of the lines that a node logs, when the page has forgotten them: next to nothing. A worker that
-// is blocked all the time must not gather anything.
+// is blocked all the time must not gather anything. And how a console of 100,000 lines scrolls (scroll.ts).
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -9,6 +9,7 @@ import { machineLoad } from './machine_load.ts';
 import { packLaunch } from './packed_launch.ts';
 import { treePrivateKb } from './process_memory.ts';
 import type { BenchContext } from './run.ts';
+import { benchScroll } from './scroll.ts';
 
 const HZ = 2000;
 /** Until then caches and heaps find their size. */
@@ -34,6 +35,7 @@ async function after(page: Page, lines: number, pid: number): Promise<readonly [
 }
 
 export async function benchLines(context: BenchContext): Promise<void> {
+  await benchScroll(context);
   const folder = mkdtempSync(join(tmpdir(), 'ros2wasm-bench-'));
   try {
     const site = packLaunch(context, folder, ['soak_bench'], 'lines', [

@@ -151,6 +151,21 @@ test('what was published stays when the publisher stops, and when all nodes do',
     assert.equal(await page.getByText('No message has been published yet.').count(), 0);
   }));
 
+test('the log shows /rosout of the nodes, with the place in their sources', () =>
+  onSite({}, async (page) => {
+    const layout = encodeURIComponent(JSON.stringify({ row: ['nodes', { log: { places: 'shown', node: 'minimal_publisher' } }] }));
+    await page.goto(`${served.url}?#layout=${layout}`);
+    const log = page.getByRole('log', { name: 'Log' });
+    // One from before the panel was there, which /rosout keeps, and one from after.
+    await log.getByText(/^\[INFO\] \[\d+\.\d{9}\] \[minimal_publisher\]: Publishing: 'Hello, world! 0' {2}\[File "[^"]*\.cpp", line \d+, in \S+\]$/).waitFor();
+    const seen = await log.locator('.line').count();
+    await log.locator('.line').nth(seen + 1).waitFor();
+    await page.getByRole('combobox', { name: 'Lowest level shown' }).selectOption('WARN');
+    await page.getByText(/None of \d+ lines match the filter/).waitFor();
+    await page.getByRole('combobox', { name: 'Lowest level shown' }).selectOption('');
+    await page.screenshot({ path: join(kRoot, 'tests/output/log_site.png') });
+  }));
+
 test('stop, start, restart', () =>
   onSite({}, async (page) => {
     const talker = page.locator('.node').first();
@@ -168,7 +183,12 @@ test('stop, start, restart', () =>
       .waitFor();
     await page.getByRole('button', { name: 'Stop all' }).click();
     await page.getByText('0 of 2 running').waitFor();
-    await page.getByRole('button', { name: 'Start all' }).click();
+    await page.getByRole('button', { name: 'Start all', exact: true }).click();
+    await page.getByText('2 of 2 running').waitFor();
+    const beginnings = (): Promise<number> => listener(page).getByText(/world! 0'/).count();
+    const before = await beginnings();
+    await page.getByRole('button', { name: 'Restart all' }).click();
+    await listener(page).getByText(/world! 0'/).nth(before).waitFor();
     await page.getByText('2 of 2 running').waitFor();
   }));
 

@@ -1,7 +1,8 @@
 // The page in Chromium with a fake session: what it shows and what its controls do.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
-import { PageStage, focused } from './page_stage.ts';
+import { PageStage, expectAccessible, focused } from './page_stage.ts';
 
 let stage: PageStage;
 
@@ -59,8 +60,9 @@ test('run control asks the session, for one node and for all', () =>
     await page.getByRole('button', { name: 'Restart /listener' }).click();
     await page.getByRole('button', { name: 'Stop all' }).click();
     await page.getByText('0 of 2 running').waitFor();
-    await page.getByRole('button', { name: 'Start all' }).click();
+    await page.getByRole('button', { name: 'Start all', exact: true }).click();
     await page.getByText('2 of 2 running').waitFor();
+    await page.getByRole('button', { name: 'Restart all' }).click();
     assert.deepEqual(await page.evaluate(() => fake.asked), [
       'stop talker-1',
       'start talker-1',
@@ -69,7 +71,23 @@ test('run control asks the session, for one node and for all', () =>
       'stop listener-2',
       'start talker-1',
       'start listener-2',
+      'restart talker-1',
+      'restart listener-2',
     ]);
+  }));
+
+test('a seed opens the page anew, beside what stands in the address', () =>
+  stage.on('quiet', {}, async (page) => {
+    await page.evaluate(() => history.replaceState(null, '', `${location.search}&rate:=2.0&seed=3#layout=x`));
+    await page.getByText('Repeatable run').click();
+    const seed = page.getByRole('textbox', { name: 'Seed' });
+    await seed.fill('seven');
+    await page.getByText('A seed is a whole number').waitFor();
+    await page.keyboard.press('Enter');
+    await seed.fill('12');
+    await page.getByRole('button', { name: 'Restart with this seed' }).click();
+    await page.waitForURL((url) => url.search === '?scene=quiet&rate:=2.0&seed=12');
+    await page.waitForSelector('.page');
   }));
 
 test('states are words: starting, exited with code, crashed with code, message and place', () =>
@@ -228,9 +246,25 @@ test('copy puts the shown lines and a message\u2019s YAML on the clipboard', () 
     );
   }));
 
+test('save gives the shown lines as a file', () =>
+  stage.on('quiet', {}, async (page) => {
+    await page.evaluate(() => {
+      fake.log('talker-1', 'INFO', 'apple');
+      fake.log('talker-1', 'WARN', 'pear');
+    });
+    await page.getByRole('combobox', { name: 'Lowest level shown' }).selectOption('WARN');
+    const [saved] = await Promise.all([
+      page.waitForEvent('download'),
+      page.getByRole('button', { name: 'Save the console of /talker' }).click(),
+    ]);
+    assert.equal(saved.suggestedFilename(), 'talker-1.log');
+    assert.match(readFileSync(await saved.path(), 'utf8'), /^\[WARN\] \[\d+\.\d{9}\] \[talker\]: pear\n$/);
+  }));
+
 test('standard input', () =>
   stage.on('quiet', {}, async (page) => {
     await page.getByRole('button', { name: 'Type into /talker' }).click();
+    await page.getByRole('textbox', { name: 'Standard input of /talker' }).waitFor();
     assert.equal(await focused(page), 'Standard input of /talker');
     await page.keyboard.type('hello <b>');
     await page.keyboard.press('Enter');
@@ -239,6 +273,49 @@ test('standard input', () =>
       await page.getByRole('textbox', { name: 'Standard input of /talker' }).inputValue(),
       '',
     );
+    // What is selected is copied; else Ctrl-C is the signal. Ctrl-D sends what is typed, or the end.
+    await page.keyboard.type('part');
+    await page.keyboard.press('Control+a');
+    await page.keyboard.press('Control+c');
+    await page.keyboard.press('End');
+    await page.keyboard.press('Control+d');
+    await page.keyboard.press('Control+d');
+    await page.keyboard.press('Control+c');
+    await page.getByRole('log', { name: 'Console of /talker' }).getByText('^C', { exact: true }).waitFor();
+    assert.deepEqual(await page.evaluate(() => fake.asked.slice(1)), ['input talker-1 part', 'input talker-1 ', 'stop talker-1']);
+  }));
+
+test('a node that reads keys gets each at once; Tab leads on', () =>
+  stage.on('quiet', {}, async (page) => {
+    // Shown without being asked for, and without taking the focus.
+    await page.evaluate(() => fake.setTerminal('talker-1', 'cbreak'));
+    const field = page.getByRole('textbox', { name: 'Standard input of /talker' });
+    await page.getByPlaceholder('Keys go to the node at once').waitFor();
+    assert.notEqual(await focused(page), 'Standard input of /talker');
+    await field.focus();
+    for (const key of ['a', 'Shift+B', 'ArrowUp', 'Enter', 'Escape', 'Backspace', 'Control+d']) await page.keyboard.press(key);
+    await page.keyboard.insertText('\u00e4\u00f6');
+    assert.equal(await field.inputValue(), '');
+    await page.keyboard.press('Control+c');
+    const sent = ['a', 'B', '\u001b[A', '\n', '\u001b', '\u007f', '\u0004', '\u00e4\u00f6'].map((text) => `input talker-1 ${text}`);
+    assert.deepEqual(await page.evaluate(() => fake.asked), [...sent, 'stop talker-1']);
+    // Where Ctrl-C is a key too, the node gets it.
+    await page.evaluate(() => fake.setTerminal('talker-1', 'raw'));
+    await page.keyboard.press('Control+c');
+    assert.equal(await page.evaluate(() => fake.asked.at(-1)), 'input talker-1 \u0003');
+    await expectAccessible(page);
+    await field.focus();
+    await page.keyboard.press('Tab');
+    assert.notEqual(await focused(page), 'Standard input of /talker');
+    await field.focus();
+    await page.keyboard.press('Shift+Tab');
+    assert.equal(await focused(page), 'Console of /talker');
+    await page.evaluate(() => fake.setTerminal('talker-1', undefined));
+    await page.getByPlaceholder('Type a line').waitFor();
+    await page.getByRole('button', { name: 'Type into /talker' }).click();
+    await field.waitFor({ state: 'detached' });
+    await page.evaluate(() => fake.setTerminal('talker-1', 'raw'));
+    assert.equal(await field.count(), 0);
   }));
 
 test('messages are trees; long arrays are folded and cut', () =>

@@ -196,6 +196,8 @@ async function signals(options: Partial<FakeOptions> = {}): Promise<FakeSession>
         'rcl_interfaces/msg/Log',
         'builtin_interfaces/Time stamp\nuint8 level\nstring name\nstring msg\nstring file\nstring function\nuint32 line\n',
       ],
+      ['demo/srv/Add', 'int64 a\nint64 b\n---\nint64 sum\n'],
+      ['service_msgs/msg/ServiceEventInfo', 'uint8 event_type\nbuiltin_interfaces/Time stamp\nchar[16] client_gid\nint64 sequence_number\n'],
       ['demo/msg/Sine', 'float64 value\nfloat64 other\nfloat32[] list\nstring mode\nint64 big\n'],
     ]),
   });

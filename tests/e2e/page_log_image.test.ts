@@ -1,5 +1,6 @@
 // The log and image panels in Chromium, with messages that pass a real graph.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import type { Page } from 'playwright-core';
 import { PageStage, expectAccessible } from './page_stage.ts';
@@ -46,6 +47,17 @@ test('the log shows all nodes, by level, node and text', () =>
     await lines.getByText('wheels turn').waitFor();
     await lines.getByText(kMarkup).waitFor();
     assert.match(await lines.innerText(), /\[INFO\] \[1700000000\.000000005\] \[robot\.drive\]: wheels turn/);
+    // Where: only those that say so.
+    await page.evaluate(() => globalThis.send('/rosout', 'rcl_interfaces/msg/Log', {
+      stamp: { sec: 1700000001, nanosec: 0 }, level: 20, name: 'robot.arm', msg: 'arm up', file: 'src/arm.cpp', function: 'lift', line: 42,
+    }));
+    await lines.getByText('[robot.arm]: arm up', { exact: true }).or(lines.locator('.line', { hasText: /arm up$/ })).first().waitFor();
+    await page.getByRole('button', { name: 'Show where each line was logged' }).click();
+    await lines.getByText('arm up  [File "src/arm.cpp", line 42, in lift]').waitFor();
+    assert.match(await lines.innerText(), /wheels turn\n/);
+    const [saved] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Save the log' }).click()]);
+    assert.equal(saved.suggestedFilename(), 'rosout.log');
+    assert.match(readFileSync(await saved.path(), 'utf8'), /^\[INFO\] \[1700000000\.000000005\] \[robot\.drive\]: wheels turn\n[^]*line 42, in lift\]\n$/m);
     await page.getByRole('combobox', { name: 'Lowest level shown' }).selectOption('WARN');
     await lines.getByText('wheels turn').waitFor({ state: 'detached' });
     await page.getByRole('combobox', { name: 'Node whose lines' }).selectOption('robot.laser');

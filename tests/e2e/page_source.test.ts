@@ -38,6 +38,7 @@ from std_msgs.msg import String
 
 rclpy.init()
 node = rclpy.create_node('listener')
+node.get_logger().info('all ears')
 node.create_subscription(String, 'chatter', lambda message: print('heard', message.data), 10)
 rclpy.spin(node)
 `;
@@ -58,7 +59,11 @@ before(async () => {
     mkdirSync(dirname(join(installed, path)), { recursive: true });
     writeFileSync(join(installed, path), text);
   }
-  site = makeSite([], {}, {}, {
+  const interfaces = {
+    'builtin_interfaces/msg/Time': 'int32 sec\nuint32 nanosec\n',
+    'rcl_interfaces/msg/Log': 'builtin_interfaces/Time stamp\nuint8 level\nstring name\nstring msg\nstring file\nstring function\nuint32 line\n',
+  };
+  site = makeSite([], { 'interfaces.json': JSON.stringify(interfaces) }, {}, {
     nodes: ['talk', 'hear'].map((name) => ({ entry: `lib/lab_py/${name}.py`, executable: name })),
     packages: { [join(installed, 'lib')]: 'lib' },
     sources: files.map(([path, file, text]) => ({ path, file, sha256: createHash('sha256').update(text).digest('hex') })),
@@ -74,7 +79,7 @@ after(async () => {
 });
 
 /** A visit that fails on any complaint of the browser, its policy's too. */
-async function visit(isolated: boolean, state: object, use: (page: Page, address: string) => Promise<void>): Promise<void> {
+async function visit(isolated: boolean, state: object, use: (page: Page, address: string) => Promise<void>, below: unknown = 'console'): Promise<void> {
   assert.ok(browser);
   const host = await serveFolder(site, { isolated });
   hosts.push(host);
@@ -87,7 +92,7 @@ async function visit(isolated: boolean, state: object, use: (page: Page, address
       if (/^(error|warning)$/.test(message.type()) && !message.text().startsWith('Service Worker registration blocked')) troubles.push(message.text());
     });
     page.on('pageerror', (error) => troubles.push(error.message));
-    const layout = { row: ['nodes', { column: [{ source: state }, 'console'] }], sizes: [1, 3] };
+    const layout = { row: ['nodes', { column: [{ source: state }, below] }], sizes: [1, 3] };
     const address = `${host.url}#layout=${encodeURIComponent(JSON.stringify(layout))}`;
     await page.goto(address);
     await use(page, address);
@@ -184,6 +189,16 @@ test('an error shows as natively, its place leads to the line, and the mended fi
     await talk.getByRole('button', { name: /words\.py", line 2$/ }).click();
     await page.screenshot({ path: join(kOutput, 'source_traceback.png') });
   }));
+
+test('a line of /rosout leads to where it was logged', watchdog, () =>
+  visit(true, { file: 'talk.py' }, async (page) => {
+    const log = page.getByRole('log', { name: 'Log' });
+    await log.getByText(/^\[INFO\] \[\d+\.\d{9}\] \[listener\]: all ears {2}\[File .*\.py", line 6, in <module>\]$/).waitFor();
+    await log.getByRole('button', { name: 'File "/ros/lib/lab_py/hear.py", line 6' }).click();
+    await page.getByRole('textbox', { name: 'Source of src/lab_py/scripts/hear.py' }).waitFor();
+    await page.waitForFunction(() => document.querySelector('.source-editor')?.shadowRoot?.querySelector('.cm-activeLine')?.textContent.includes('all ears'));
+    await page.screenshot({ path: join(kOutput, 'log_places.png') });
+  }, { log: { places: 'shown' } }));
 
 test('keyboard, hostile names, links, a narrow page, axe-core in both themes', watchdog, () =>
   visit(true, { file: 'src/no/such.py' }, async (page, address) => {

@@ -1,6 +1,7 @@
 // The terminal in Chromium, over messages that really pass a graph: commands, completion, history, Ctrl-C, hostile output.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
 import type { Page } from 'playwright-core';
 import { PageStage, expectAccessible, focused, phone } from './page_stage.ts';
 
@@ -64,6 +65,44 @@ test('commands run on the graph of the page, and Ctrl-C ends them', () =>
     await output(page).getByText('Commands of ros2 run here').waitFor();
   }));
 
+test('what lab sheets write: sequences, grep, programs with windows, what needs nothing here', () =>
+  stage.on(kScene, {}, async (page) => {
+    await speak(page);
+    const whole = () => output(page).locator('.line').allInnerTexts();
+    await type(page, 'source /opt/ros/jazzy/setup.bash && ros2 topic list | grep sin && echo "a && b" # a remark');
+    await output(page).getByText('a && b', { exact: true }).waitFor();
+    assert.deepEqual((await whole()).slice(1), ['nothing to source: every command here knows the packages of this site', '/sine', 'a && b']);
+    await type(page, 'clear');
+    await type(page, 'help | grep -v -E "gr.p|ros2|rviz2?" && echo more');
+    await output(page).getByText('more', { exact: true }).waitFor();
+    const left = (await whole()).slice(1);
+    assert.ok(left.length === 4 && left.every((line) => !/grep|ros2|rviz/.test(line)), left.join('\n'));
+    await type(page, 'clear');
+    await type(page, 'ros2 topic list | grep nothing && echo found; ls || echo no ls');
+    await output(page).getByText('no ls', { exact: true }).waitFor();
+    assert.deepEqual((await whole()).slice(1), ['ls: command not found; help says what there is', 'no ls']);
+    await type(page, 'cd ~/ros2_ws; export ROS_DOMAIN_ID=3; colcon build --symlink-install; sudo apt install x');
+    await output(page).getByText('nothing to install').waitFor();
+    for (const words of ['no folders here', 'variables are not kept here', 'nothing to build']) await output(page).getByText(words).waitFor();
+    await type(page, 'ros2 topic list | sort');
+    await output(page).getByText('sort: only grep can stand behind | here').waitFor();
+    // A stream passes line by line; Ctrl-C ends all that was to follow.
+    await type(page, 'ros2 topic echo /sine | grep mode && echo never');
+    await page.waitForFunction(() => heard('/sine') > 0);
+    await speak(page);
+    await output(page).getByText('mode: idle').waitFor();
+    await command(page).press('Control+c');
+    await page.waitForFunction(() => heard('/sine') === 0);
+    await type(page, 'rqt_graph');
+    await page.locator('.panel-graph').waitFor();
+    await type(page, 'ros2 run rviz2 rviz2');
+    await output(page).getByText('rviz2: the panel \u201c3D view\u201d of this page is open').waitFor();
+    await page.locator('.panel-scene').waitFor();
+    assert.ok(!(await whole()).includes('never'));
+    assert.ok(!(await whole()).some((line) => line.includes('value: 0.5')));
+    await page.screenshot({ path: fileURLToPath(new URL('../output/terminal_shell.png', import.meta.url)) });
+  }, /GL Driver Message/));
+
 test('Tab completes and lets go, the arrow keys recall', () =>
   stage.on(kScene, {}, async (page) => {
     await speak(page);
@@ -76,6 +115,10 @@ test('Tab completes and lets go, the arrow keys recall', () =>
     await command(page).press('Tab');
     await output(page).getByText(/bw {2}delay {2}echo {2}find {2}hz/).waitFor();
     assert.equal(await focused(page), 'Command');
+    await command(page).fill('ros2 topic pub /sine demo/msg/Sine ');
+    await command(page).press('Tab');
+    const begun = `ros2 topic pub /sine demo/msg/Sine "{value: 0.0, other: 0.0, list: [], mode: '', big: 0}" `;
+    await page.waitForFunction((line) => document.querySelector<HTMLInputElement>('.terminal-input input')?.value === line, begun);
     await command(page).fill('nothing like that');
     await command(page).press('Tab');
     assert.notEqual(await focused(page), 'Command');
@@ -90,6 +133,25 @@ test('Tab completes and lets go, the arrow keys recall', () =>
     await command(page).press('ArrowDown');
     await command(page).press('ArrowDown');
     assert.equal(await command(page).inputValue(), '');
+  }));
+
+test('a service is echoed by its events, and arrays stand in one line on request', () =>
+  stage.on(kScene, {}, async (page) => {
+    const event = (): Promise<void> => page.evaluate(() => send('/add/_service_event', 'demo/srv/Add_Event', {
+      info: { event_type: 1, stamp: { sec: 3, nanosec: 4 }, client_gid: new Uint8Array(16), sequence_number: 7n }, request: [{ a: 2n, b: 3n }], response: [],
+    }));
+    await event();
+    await type(page, 'ros2 service echo --flow-style /add demo/srv/Add');
+    await page.waitForFunction(() => heard('/add/_service_event') > 0);
+    await event();
+    await output(page).getByText('response: []').waitFor();
+    assert.deepEqual((await output(page).locator('.line').allInnerTexts()).slice(1), [
+      'info:', '  event_type: REQUEST_RECEIVED', '  stamp:', '    sec: 3', '    nanosec: 4',
+      `  client_gid: [${Array(16).fill('0').join(', ')}]`, '  sequence_number: 7', 'request: [{a: 2, b: 3}]', 'response: []', '---',
+    ]);
+    await command(page).press('Control+c');
+    await type(page, 'ros2 service echo /nobody');
+    await output(page).getByText('Could not determine the type for the passed service').waitFor();
   }));
 
 test('what nodes say is text, whatever it is', () =>

@@ -128,12 +128,21 @@ for (const [link, isolated] of [['shared', true], ['port', false]] as const) {
       await page.waitForFunction(
         () => ['the last thread ends the program', 'errands are done'].every((line) => document.body?.textContent?.includes(line)),
         null, { timeout: 200_000 });
-      await page.getByRole('button', { name: 'Type into /drive' }).click();
-      for (const [line, answer] of [['ilx', "stands for 'x'"], ['', "stands for '\\r'"], ['jq', 'drives 0.0 1.0'], ['home', 'driven home']] as const) {
-        await page.keyboard.type(line);
-        await page.keyboard.press('Enter');
+      const field = page.getByRole('textbox', { name: 'Standard input of /drive' });
+      const takes = (what: string) => page.waitForFunction((hint) =>
+        document.querySelector<HTMLInputElement>('[aria-label="Standard input of /drive"]')?.placeholder.startsWith(hint), what, { timeout: 200_000 });
+      // The node reads keys: each goes at once.
+      await takes('Keys go to the node');
+      for (const [key, answer] of [['i', 'drives 1.0 0.0'], ['x', "stands for 'x'"], ['Enter', "stands for '\\r'"], ['ArrowLeft', "stands for 'D'"], ['Control+c', "stands for '\\x03'"], ['j', 'drives 0.0 1.0']] as const) {
+        await field.press(key);
         await page.waitForFunction((said) => document.body?.textContent?.includes(said), answer, { timeout: 200_000 });
       }
+      await field.press('q');
+      // And then a line.
+      await takes('Type a line');
+      await field.fill('home');
+      await field.press('Enter');
+      await page.waitForFunction(() => document.body?.textContent?.includes('driven home'), null, { timeout: 200_000 });
       // Compiled once by the page: no worker asks for it again.
       assert.equal(host.requests.filter((path) => path.endsWith('pyodide.asm.wasm')).length, 1);
     } finally {

@@ -84,6 +84,15 @@ for (const link of ['shared', 'port'] as const) {
     assert.equal(read.code, 0, read.stderr);
     assert.match(read.stdout, /key: a\nkey: b\nkey: x\n/);
 
+    // From a terminal each key comes at once, without Enter.
+    const pty = spawn('python3', ['-c', 'import pty, sys; sys.exit(pty.spawn(sys.argv[1:]) >> 8)', CLI, 'ros2', '--link', link, site, 'run', 'key_reader', 'keys'],
+      { stdio: ['pipe', 'pipe', 'pipe'] });
+    const single = finished(pty);
+    pty.stdout.once('data', () => pty.stdin.write('.kx'));
+    const keyed = await single;
+    assert.equal(keyed.code, 0, keyed.stderr);
+    assert.match(keyed.stdout, /key: k\r\nkey: x\r\n/);
+
     // Ctrl-C is the program's.
     const interrupted = spawn(CLI, ['ros2', '--link', link, site, 'run', 'key_reader', 'keys'], { stdio: ['pipe', 'pipe', 'pipe'] });
     const stopped = finished(interrupted);
@@ -129,6 +138,9 @@ for (const link of ['shared', 'port'] as const) {
       await type(page, 'ros2 param set /robot speed 1.0');
       await type(page, 'ros2 param load /robot robot.yaml');
       await shows(page, 'Set parameter speed successful');
+      await page.locator('.terminal-input input').fill('ros2 param get /robot sp');
+      await page.locator('.terminal-input input').press('Tab');
+      await page.waitForFunction(() => document.querySelector<HTMLInputElement>('.terminal-input input')?.value === 'ros2 param get /robot speed ');
       await type(page, 'ros2 param get /robot speed');
       await shows(page, 'Double value is: 1.75');
       await type(page, 'ros2 param load /robot none.yaml');
@@ -144,10 +156,17 @@ for (const link of ['shared', 'port'] as const) {
 
       await type(page, 'ros2 run key_reader keys');
       await shows(page, 'no key yet');
-      await type(page, '.k');
+      const field = page.locator('.terminal-input input');
+      await page.waitForSelector('.terminal-input input[placeholder^="Keys go to the node"]');
+      // Each at once, without Enter.
+      await field.press('.');
+      await field.press('k');
       await shows(page, 'key: k');
-      await type(page, 'x');
+      await field.press('ArrowUp');
+      await shows(page, 'key: A');
+      await field.press('x');
       await shows(page, 'key: x');
+      await page.waitForSelector('.terminal-input input[placeholder="ros2 topic list"]');
       await page.waitForFunction(() => document.querySelector<HTMLInputElement>('.terminal-input input')?.placeholder === 'ros2 topic list');
     });
   });

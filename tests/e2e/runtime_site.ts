@@ -72,6 +72,7 @@ export function makeSite(
   writeFileSync(join(folder, 'site.json'), JSON.stringify({
     schema: 1, protocol: 1, generator: 'test', name: 'test', title: 'A test', version: '1', distro: 'jazzy',
     license: 'Apache-2.0', authors: [], nodes: described, ui, files,
+    ...(more['interfaces.json'] === undefined ? {} : { interfaces: 'interfaces.json' }),
     ...(python?.sources === undefined ? {} : { sources: { archive: 'python/packages.zip', files: python.sources } }),
   }));
   return folder;

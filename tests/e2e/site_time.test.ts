@@ -163,7 +163,11 @@ test('a page with a seed goes in steps, and has then sent what a headless run se
   const browser = await chromium.launch(chromiumOptions());
   try {
     const page = await browser.newPage();
-    await page.goto(`${server.url}?seed=7`);
+    await page.goto(server.url);
+    await page.getByText('Repeatable run').click();
+    await page.getByRole('textbox', { name: 'Seed' }).fill('7');
+    await page.getByRole('button', { name: 'Restart with this seed' }).click();
+    await page.waitForURL((url) => url.search === '?seed=7');
     await page.selectOption('select[aria-label="Length of a step"]', '1000');
     const held = page.locator('.time[data-state=paused]');
     for (let second = 0; second < 5; second += 1) {

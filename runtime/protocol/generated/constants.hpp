@@ -94,6 +94,14 @@ enum class WaitResult : int32_t
   kStop = 2,
 };
 
+/// Argument of terminal_mode. cooked: lines; cbreak: each key at once, Ctrl-C is a signal; raw: all keys.
+enum class TerminalMode : int32_t
+{
+  kCooked = 0,
+  kCbreak = 1,
+  kRaw = 2,
+};
+
 /// Argument of endpoint_status; rmw_event_type_t's numbers.
 enum class StatusKind : int32_t
 {

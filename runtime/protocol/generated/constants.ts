@@ -87,6 +87,14 @@ export const WaitResult = {
 } as const;
 export type WaitResult = (typeof WaitResult)[keyof typeof WaitResult];
 
+/** Argument of terminal_mode. cooked: lines; cbreak: each key at once, Ctrl-C is a signal; raw: all keys. */
+export const TerminalMode = {
+  cooked: 0,
+  cbreak: 1,
+  raw: 2,
+} as const;
+export type TerminalMode = (typeof TerminalMode)[keyof typeof TerminalMode];
+
 /** Argument of endpoint_status; rmw_event_type_t's numbers. */
 export const StatusKind = {
   livelinessChanged: 0,

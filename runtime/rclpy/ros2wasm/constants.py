@@ -90,6 +90,14 @@ class WaitResult(IntEnum):
     STOP = 2
 
 
+class TerminalMode(IntEnum):
+    """Argument of terminal_mode. cooked: lines; cbreak: each key at once, Ctrl-C is a signal; raw: all keys."""
+
+    COOKED = 0
+    CBREAK = 1
+    RAW = 2
+
+
 class StatusKind(IntEnum):
     """Argument of endpoint_status; rmw_event_type_t's numbers."""
 

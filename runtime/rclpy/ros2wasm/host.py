@@ -19,7 +19,8 @@ from pyodide.ffi import can_run_sync, run_sync
 
 from ros2wasm.codec import CdrError
 from ros2wasm.constants import (
-    ENDPOINT_DESC_FORMAT, ENDPOINT_STATUS_FORMAT, SAMPLE_INFO_FORMAT, EndpointKind, ErrorCode, StatusKind, WaitResult,
+    ENDPOINT_DESC_FORMAT, ENDPOINT_STATUS_FORMAT, SAMPLE_INFO_FORMAT, EndpointKind, ErrorCode, StatusKind, TerminalMode,
+    WaitResult,
 )
 from ros2wasm.graph_snapshot import GraphEndpoint, GraphNode, Qos, read_graph
 
@@ -235,6 +236,11 @@ def tell(event: str) -> int:
     """Have the page know of something. Returns how much of it the page has not dealt with yet."""
     ahead: int = js.tell(event)
     return ahead
+
+
+def terminal_mode(mode: TerminalMode) -> None:
+    """What the program makes of its standard input from now on."""
+    js.terminal_mode(int(mode))
 
 
 def wake() -> None:

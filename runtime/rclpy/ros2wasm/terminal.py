@@ -1,7 +1,7 @@
 """Standard input as a terminal: its modes (`termios`, and `tty` on it), waiting for keys (`select`), reading.
 
-What is typed comes line by line, whatever the mode. A terminal without lines gives the characters before the line's
-end, one at a time; an empty line is the Enter key.
+The page is told the mode, and sends lines or keys by it. Where a line comes all the same, a terminal without lines
+gives the characters before the line's end, one at a time; an empty line is the Enter key.
 """
 from __future__ import annotations
 
@@ -13,13 +13,14 @@ from types import ModuleType
 from typing import Any
 
 from ros2wasm import host
+from ros2wasm.constants import TerminalMode
 
 STDIN, STDERR = 0, 2
 NS = 1_000_000_000
 MOST = 1 << 16
 #: Places in a list of attributes.
 IFLAG, LFLAG, CC = 0, 3, 6
-ICRNL, ICANON = 0o400, 0o2
+ICRNL, ISIG, ICANON = 0o400, 0o1, 0o2
 VMIN, VTIME = 6, 5
 CONTROL_CHARACTERS = b'\x03\x1c\x7f\x15\x04\x00\x01\x00\x11\x13\x1a\x00\x12\x0f\x17\x16'.ljust(32, b'\0')
 
@@ -32,7 +33,7 @@ CONSTANTS = {
     'OFDEL': 0o200,
     'CSIZE': 0o60, 'CS5': 0, 'CS6': 0o20, 'CS7': 0o40, 'CS8': 0o60, 'CSTOPB': 0o100, 'CREAD': 0o200, 'PARENB': 0o400,
     'PARODD': 0o1000, 'HUPCL': 0o2000, 'CLOCAL': 0o4000,
-    'ISIG': 0o1, 'ICANON': ICANON, 'XCASE': 0o4, 'ECHO': 0o10, 'ECHOE': 0o20, 'ECHOK': 0o40, 'ECHONL': 0o100,
+    'ISIG': ISIG, 'ICANON': ICANON, 'XCASE': 0o4, 'ECHO': 0o10, 'ECHOE': 0o20, 'ECHOK': 0o40, 'ECHONL': 0o100,
     'NOFLSH': 0o200, 'TOSTOP': 0o400, 'ECHOCTL': 0o1000, 'ECHOPRT': 0o2000, 'ECHOKE': 0o4000, 'IEXTEN': 0o100000,
     'VINTR': 0, 'VQUIT': 1, 'VERASE': 2, 'VKILL': 3, 'VEOF': 4, 'VTIME': VTIME, 'VMIN': VMIN, 'VSTART': 8, 'VSTOP': 9,
     'VSUSP': 10, 'VEOL': 11, 'VREPRINT': 12, 'VDISCARD': 13, 'VWERASE': 14, 'VLNEXT': 15, 'VEOL2': 16, 'NCCS': 32,
@@ -147,6 +148,8 @@ def tcsetattr(fd: Any, when: int, attributes: list[Any], /) -> None:
         raise TypeError('tcsetattr: attributes[6] must be 32 element list')
     # Who sets modes before each key with TCSAFLUSH, as tty does, gets the keys of a line all the same.
     terminal.modes = attributes[:CC] + [list(attributes[CC])]
+    signals = terminal.modes[LFLAG] & ISIG
+    host.terminal_mode(TerminalMode.COOKED if terminal.lines else TerminalMode.CBREAK if signals else TerminalMode.RAW)
 
 
 def tcflush(fd: Any, queue: int, /) -> None:

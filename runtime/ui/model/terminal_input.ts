@@ -23,26 +23,6 @@ export function completeInput(line: string, { word, start, choices }: Offered): 
   return { kind: 'choices', choices };
 }
 
-export interface Redirected {
-  readonly words: readonly string[];
-  /** Behind a `>` at the end: where the output goes. */
-  readonly target?: string;
-}
-
-export function withoutTarget(words: readonly string[]): Redirected {
-  const last = words.at(-1);
-  if (last === undefined || words.length < 2) return { words };
-  if (words.at(-2) === '>') return { words: words.slice(0, -2), target: last };
-  return last.length > 1 && last.startsWith('>') ? { words: words.slice(0, -1), target: last.slice(1) } : { words };
-}
-
-/** What a terminal sends for a key that is no text; undefined: nothing. */
-export function keySequence(key: string): string | undefined {
-  return keySequences.get(key);
-}
-
-const keySequences = new Map([['ArrowUp', '\u001b[A'], ['ArrowDown', '\u001b[B'], ['ArrowRight', '\u001b[C'], ['ArrowLeft', '\u001b[D']]);
-
 /** Spaces up to the next eighth column, so that rows can be counted. */
 export function expandTabs(text: string): string {
   if (!text.includes('\t')) return text;

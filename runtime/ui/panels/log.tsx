@@ -1,4 +1,5 @@
-// What all nodes log, from /rosout: by level, node and text, in the format of the consoles. State: {level, node, text}.
+// What all nodes log, from /rosout: by level, node and text, in the format of the consoles, with the place in the source
+// on request. State: {level, node, text, places}, the last one 'shown' or empty.
 
 import { useEffect, useMemo, useReducer, useRef } from 'preact/hooks';
 import type { ConsoleLine } from '../../wasm_js/session.ts';
@@ -9,6 +10,7 @@ import { LineList } from '../model/line_list.ts';
 import { LEVELS } from '../model/log_line.ts';
 import { formatCount } from '../model/quantities.ts';
 import { CopyButton, IconButton } from '../parts/button.tsx';
+import { download } from '../parts/download.ts';
 import { LineScroller } from '../parts/line_scroller.tsx';
 import { feed, useCodec } from '../parts/message_feed.ts';
 import { PanelFrame } from '../parts/panel.tsx';
@@ -18,6 +20,7 @@ import { panelTexts } from '../texts_panels.ts';
 import type { PanelProps } from './panel_props.ts';
 
 const kTopic = '/rosout';
+const kShown = 'shown';
 const kCapacity = 50_000;
 /** Names offered to choose from. */
 const kMostNames = 500;
@@ -34,29 +37,37 @@ const kLevels: readonly (readonly [number, string])[] = [
 interface Entry {
   readonly node: string;
   readonly line: ConsoleLine;
+  /** As a traceback names it, so that it leads there; empty where the message has none. */
+  readonly place: string;
 }
+
+const shownLine = ({ line, place }: Entry, places: boolean): ConsoleLine =>
+  places && place !== '' ? { ...line, text: `${line.text}  [${place}]` } : line;
 
 export function LogPanel({ session, state, setState, announce }: PanelProps) {
   const level = LEVELS.find((name) => name === textMember(state, 'level')) ?? null;
   const node = textMember(state, 'node');
   const text = textMember(state, 'text');
+  const places = textMember(state, 'places') === kShown;
   const codec = useCodec(session);
   const entries = useRef<Entry[]>([]);
   const names = useRef(new Set<string>());
   const [version, changed] = useReducer<number, void>((n) => n + 1, 0);
   const list = useMemo(() => new LineList(kCapacity), []);
-  const wanted = useRef(node);
-  wanted.current = node;
+  const wanted = useRef({ node, places });
+  wanted.current = { node, places };
 
   useMemo(() => list.setFilter({ text, level }), [list, text, level]);
   useEffect(() => {
     list.clear();
     list.append(
-      entries.current.filter((entry) => node === '' || entry.node === node).map(({ line }) => line),
+      entries.current
+        .filter((entry) => node === '' || entry.node === node)
+        .map((entry) => shownLine(entry, places)),
       '',
     );
     changed();
-  }, [list, node]);
+  }, [list, node, places]);
 
   useEffect(() => {
     if (codec === null || typeof codec === 'string') return undefined;
@@ -65,8 +76,9 @@ export function LogPanel({ session, state, setState, announce }: PanelProps) {
     const show = (): void => {
       frame = 0;
       entries.current = entries.current.concat(fresh).slice(-kCapacity);
-      const seen = fresh.filter((entry) => wanted.current === '' || entry.node === wanted.current);
-      list.append(seen.map(({ line }) => line), '');
+      const { node: only, places: withPlaces } = wanted.current;
+      const seen = fresh.filter((entry) => only === '' || entry.node === only);
+      list.append(seen.map((entry) => shownLine(entry, withPlaces)), '');
       fresh = [];
       changed();
     };
@@ -87,15 +99,16 @@ export function LogPanel({ session, state, setState, announce }: PanelProps) {
   }, [session, codec, list]);
 
   const change = (next: Readonly<Record<string, string>>): void =>
-    setState({ level: level ?? '', node, text, ...next });
+    setState({ level: level ?? '', node, text, places: places ? kShown : '', ...next });
   const clear = (): void => {
     entries.current = [];
     list.clear();
     changed();
   };
   const offered = [...new Set([...names.current, ...(node === '' ? [] : [node])])].toSorted();
-  const empty =
-    list.allCount > 0 ? texts.console.emptyFiltered(formatCount(list.allCount)) : panelTexts.log.empty;
+  // Of the chosen node, or of all where that one has said nothing.
+  const count = list.allCount > 0 ? list.allCount : entries.current.length;
+  const empty = count > 0 ? texts.console.emptyFiltered(formatCount(count)) : panelTexts.log.empty;
   return (
     <PanelFrame
       id="log"
@@ -126,7 +139,18 @@ export function LogPanel({ session, state, setState, announce }: PanelProps) {
             ))}
           </select>
           <SearchField value={text} label={panelTexts.log.filter} onText={(found) => change({ text: found })} />
+          <IconButton
+            icon="code"
+            label={panelTexts.log.places}
+            pressed={places}
+            onClick={() => change({ places: places ? '' : kShown })}
+          />
           <CopyButton label={panelTexts.log.copy} text={() => list.text()} announce={announce} />
+          <IconButton
+            icon="down"
+            label={panelTexts.log.save}
+            onClick={() => download('rosout.log', new Blob([list.text()], { type: 'text/plain' }))}
+          />
           <IconButton icon="clear" label={panelTexts.log.clear} onClick={clear} />
         </>
       }
@@ -139,15 +163,18 @@ export function LogPanel({ session, state, setState, announce }: PanelProps) {
 /** A line of `ros2 launch`'s console out of an rcl_interfaces/msg/Log. */
 function entryOf(value: unknown, publishedAt: number): Entry | null {
   if (!isMessage(value)) return null;
-  const { stamp, level, name, msg } = value;
+  const { stamp, level, name, msg, file, function: within, line } = value;
   const number = asNumber(level);
   const word = kLevels.find(([least]) => least === number)?.[1] ?? 'INFO';
   const { sec, nanosec } = isMessage(stamp) ? stamp : { sec: 0, nanosec: 0 };
   const nano = String(asNumber(nanosec)).padStart(9, '0');
   const node = typeof name === 'string' ? name : '';
   const text = typeof msg === 'string' ? msg : '';
+  const isPlace = typeof file === 'string' && file !== '';
+  const place = isPlace ? `File "${file}", line ${asNumber(line)}` : '';
   return {
     node,
+    place: place !== '' && typeof within === 'string' && within !== '' ? `${place}, in ${within}` : place,
     line: {
       time: publishedAt,
       stream: 'stderr',

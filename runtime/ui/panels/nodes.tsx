@@ -1,11 +1,11 @@
 // The nodes of the workspace in launch order: state, run control, where each was declared.
 
-import { useContext } from 'preact/hooks';
-import type { NodeView } from '../../wasm_js/session.ts';
+import type { ComponentType } from 'preact';
+import { useContext, useEffect, useState } from 'preact/hooks';
+import type { LaunchView, NodeView } from '../../wasm_js/session.ts';
 import { placeText } from '../model/problem.ts';
 import { formatDuration } from '../model/quantities.ts';
 import { IconButton } from '../parts/button.tsx';
-import { LaunchForm } from '../parts/launch_form.tsx';
 import { isAlive, StateBadge } from '../parts/node_state.tsx';
 import { Name } from '../parts/name.tsx';
 import { PanelFrame } from '../parts/panel.tsx';
@@ -28,8 +28,9 @@ export function NodesPanel({ session, focus, announce }: PanelProps) {
       note={texts.runningOf(running, nodes.length)}
     >
       {launch === undefined || launch.arguments.length === 0 ? null : (
-        <LaunchForm launch={launch} />
+        <LaunchBox launch={launch} />
       )}
+      {nodes.length === 0 || session.link === 'port' ? null : <SeedBox seed={session.stepped?.seed} />}
       {nodes.length === 0 ? <p class="hint">{texts.nodes.none}</p> : null}
       <ul class="nodes" role="list">
         {nodes.map((node) => (
@@ -45,6 +46,28 @@ export function NodesPanel({ session, focus, announce }: PanelProps) {
         ))}
       </ul>
     </PanelFrame>
+  );
+}
+
+/** Of few sites, so that the form is no part of the first view. */
+function LaunchBox({ launch }: { readonly launch: LaunchView }) {
+  const [Form, setForm] = useState<ComponentType<{ launch: LaunchView }> | null>(null);
+  useEffect(() => {
+    void import('../parts/launch_form.tsx').then(({ LaunchForm }) => setForm(() => LaunchForm));
+  }, []);
+  return Form === null ? null : <Form launch={launch} />;
+}
+
+/** The form comes when it is opened. */
+function SeedBox({ seed }: { readonly seed: number | undefined }) {
+  const [Form, setForm] = useState<ComponentType<{ seed: number | undefined }> | null>(null);
+  const load = (): void =>
+    void import('../parts/seed_form.tsx').then(({ SeedForm }) => setForm(() => SeedForm));
+  return (
+    <details class="launch" open={seed !== undefined} onToggle={load}>
+      <summary class="launch-title">{texts.seed}</summary>
+      {Form === null ? null : <Form seed={seed} />}
+    </details>
   );
 }
 

@@ -3,25 +3,33 @@
 
 import { useEffect, useRef, useState } from 'preact/hooks';
 import type { BagPlace } from '../../ros2cli/command.ts';
-import { complete } from '../../ros2cli/complete.ts';
+import { complete, wanted } from '../../ros2cli/complete.ts';
 import { programsOf } from '../../ros2cli/programs.ts';
-import { splitLine } from '../../ros2cli/parse.ts';
 import { runCommand } from '../../ros2cli/run.ts';
+import { tellWanted } from '../../ros2cli/told.ts';
 import { fetchOfSite } from '../../wasm_js/carried_files.ts';
-import type { ConsoleLine, Session } from '../../wasm_js/session.ts';
-import { completeInput, expandTabs, keySequence, withoutTarget } from '../model/terminal_input.ts';
+import type { ConsoleLine, KeyMode, Session } from '../../wasm_js/session.ts';
+import { desktopPanel, needless } from '../model/desktop_programs.ts';
+import { lineFilter, shellSteps } from '../model/shell_line.ts';
+import type { ShellStep } from '../model/shell_line.ts';
 import { textMember } from '../model/json.ts';
+import { completeInput, expandTabs } from '../model/terminal_input.ts';
 import { LineList } from '../model/line_list.ts';
 import { IconButton } from '../parts/button.tsx';
+import { keyFieldProps } from '../parts/key_input.ts';
 import { LineScroller } from '../parts/line_scroller.tsx';
 import { PanelFrame } from '../parts/panel.tsx';
 import { takeLines } from '../parts/terminal_line.ts';
 import { texts } from '../texts.ts';
 import { panelTexts } from '../texts_panels.ts';
+import { runTexts } from '../texts_run.ts';
 import type { PanelProps } from './panel_props.ts';
 
 const kMostLines = 20_000;
 const kMostHistory = 200;
+/** Exit codes of a shell. */
+const kWrongLine = 2;
+const kNotFound = 127;
 /** What a flood may leave undrawn; the oldest of it is left out. */
 const kMostWaiting = 5000;
 /** Of a file that is read or written. */
@@ -91,7 +99,7 @@ async function readText(session: Session, name: string): Promise<string | undefi
   return await response.text();
 }
 
-export function TerminalPanel({ session, announce, state }: PanelProps) {
+export function TerminalPanel({ session, announce, open, state }: PanelProps) {
   const [version, setVersion] = useState(0);
   const screen = useRef<Screen | null>(null);
   screen.current ??= new Screen(session, () => setVersion((before) => before + 1));
@@ -110,6 +118,8 @@ export function TerminalPanel({ session, announce, state }: PanelProps) {
   /** Of the command that runs, when it reads what is typed. */
   const taker = useRef<((text: string) => void) | undefined>(undefined);
   const [taking, setTaking] = useState(false);
+  /** The command reads each key at once. */
+  const [keys, setKeys] = useState<KeyMode | undefined>(undefined);
 
   useEffect(() => {
     session.interfaces().then(
@@ -127,31 +137,15 @@ export function TerminalPanel({ session, announce, state }: PanelProps) {
   const print = (text: string): void => screen.current?.write(text, 'stdout');
   const warn = (text: string): void => screen.current?.write(text, 'stderr');
 
-  const run = async (typed: string): Promise<void> => {
-    print(`$ ${typed}`);
-    const split = splitLine(typed);
-    if (split === undefined) {
-      warn(panelTexts.terminal.openQuote);
-      return;
+  /** Its exit code. */
+  const runStep = async ({ words, filters, target }: ShellStep, abort: AbortController): Promise<number> => {
+    const [program = '', ...rest] = words;
+    const through = filters.map(lineFilter);
+    const wrong = program === '' ? panelTexts.terminal.nothing : through.find((filter) => typeof filter === 'string');
+    if (wrong !== undefined) {
+      warn(String(wrong));
+      return kWrongLine;
     }
-    const { words, target } = withoutTarget(split);
-    const [program, ...rest] = words;
-    if (program === undefined) return;
-    if (program === 'clear') {
-      screen.current?.clear();
-      return;
-    }
-    if (program === 'help') {
-      print(panelTexts.terminal.help);
-      return;
-    }
-    if (program !== 'ros2') {
-      warn(panelTexts.terminal.notFound(program));
-      return;
-    }
-    const abort = new AbortController();
-    current.current = abort;
-    setRunning(abort);
     let text = '';
     const keep = (line: string): void => {
       if (text.length + line.length < kMostTextBytes) {
@@ -161,21 +155,81 @@ export function TerminalPanel({ session, announce, state }: PanelProps) {
         abort.abort();
       }
     };
-    await runCommand(session, rest, {
+    const out = target === undefined ? print : keep;
+    let passed = 0;
+    const filtered = (all: string): void => {
+      const lines = all.split('\n').filter((line) => through.every((filter) => typeof filter === 'string' || filter.passes(line)));
+      passed += lines.length;
+      if (lines.length > 0) out(lines.join('\n'));
+    };
+    const code = await runProgram(program, words, rest, through.length === 0 ? out : filtered, abort);
+    if (target !== undefined) written.set(target, text);
+    return through.length === 0 ? code : passed > 0 ? 0 : 1;
+  };
+
+  const runProgram = async (
+    program: string, words: readonly string[], rest: readonly string[], out: (text: string) => void, abort: AbortController,
+  ): Promise<number> => {
+    if (program === 'clear') {
+      screen.current?.clear();
+      return 0;
+    }
+    if (program === 'help' || program === 'echo') {
+      out(program === 'help' ? panelTexts.terminal.help : rest.join(' '));
+      return 0;
+    }
+    const window = desktopPanel(words, session.site.packages);
+    if (window !== undefined) {
+      const paths = window.rest.filter((word) => word.startsWith('/'));
+      const opened = window.panel === 'plot' && paths.length > 0 ? open('plot', { paths }) : open(window.panel);
+      if (!opened) return 1;
+      out(panelTexts.terminal.opened(window.program, texts.panels[window.panel as keyof typeof texts.panels]));
+      return 0;
+    }
+    const why = needless(program);
+    if (why !== undefined) {
+      out(panelTexts.terminal.needless[why]);
+      return 0;
+    }
+    if (program !== 'ros2') {
+      warn(panelTexts.terminal.notFound(program));
+      return kNotFound;
+    }
+    const code = await runCommand(session, rest, {
       signal: abort.signal,
       bags: bagsOf(session),
       readText: (name) => readText(session, name),
-      takeInput: (to) => {
+      takeInput: (to, mode) => {
         taker.current = to;
         setTaking(to !== undefined);
+        setKeys(mode);
       },
-      print: target === undefined ? print : keep,
+      print: out,
       warn,
     });
-    if (target !== undefined) written.set(target, text);
-    current.current = null;
     taker.current = undefined;
     setTaking(false);
+    setKeys(undefined);
+    return code;
+  };
+
+  const run = async (typed: string): Promise<void> => {
+    print(`$ ${typed}`);
+    const steps = shellSteps(typed);
+    if (steps === undefined) {
+      warn(panelTexts.terminal.openQuote);
+      return;
+    }
+    if (steps.length === 0) return;
+    const abort = new AbortController();
+    current.current = abort;
+    setRunning(abort);
+    let code = 0;
+    for (const step of steps) {
+      if (abort.signal.aborted) break;
+      if (step.when === 'always' || (step.when === 'succeeded') === (code === 0)) code = await runStep(step, abort);
+    }
+    current.current = null;
     setRunning(null);
   };
 
@@ -227,7 +281,11 @@ export function TerminalPanel({ session, announce, state }: PanelProps) {
     setLine(lines[to] ?? '');
   };
 
+  const field = keys === undefined ? undefined : keyFieldProps({ mode: keys, send: (text) => taker.current?.(text), interrupt: stop });
+
   const onKey = (event: KeyboardEvent): void => {
+    // The field has sent it.
+    if (field !== undefined && event.target === input.current) return;
     const control = event.ctrlKey && !event.altKey && !event.metaKey;
     const selected = input.current !== null && input.current.selectionStart !== input.current.selectionEnd;
     if (control && event.key === 'c' && !selected && document.getSelection()?.isCollapsed !== false) {
@@ -242,26 +300,40 @@ export function TerminalPanel({ session, announce, state }: PanelProps) {
       event.preventDefault();
       submit();
     } else if (taker.current !== undefined) {
-      // As in a terminal, keys that are no text go to the program at once; Ctrl-D is the end of what is typed.
-      const sequence = control && event.key === 'd' ? '' : keySequence(event.key);
-      if (sequence === undefined || line !== '') return;
+      // As in a terminal: what is typed goes without a line's end; nothing is the end of all.
+      if (!control || event.key !== 'd') return;
       event.preventDefault();
-      taker.current(sequence);
+      taker.current(line);
+      setLine('');
     } else if (event.key === 'ArrowUp' || event.key === 'ArrowDown') {
       event.preventDefault();
       recall(event.key === 'ArrowUp' ? -1 : 1);
     } else if (event.key === 'Tab' && !event.shiftKey && line !== '') {
-      const done = completeInput(line, complete(line, { graph: session.graph(), interfaces: interfaces.current, programs: programsOf(session.site), launches: session.site }));
-      // Nothing to complete: the key moves on, so that nobody is caught here.
-      if (done.kind === 'nothing') return;
-      event.preventDefault();
-      if (done.kind === 'line') {
-        setLine(done.line);
-      } else {
-        print(`$ ${line}\n${done.choices.join('  ')}`);
-        announce(panelTexts.terminal.choices(done.choices.length));
+      const ask = wanted(line);
+      if (ask !== undefined) {
+        event.preventDefault();
+        void tellWanted(session, ask).then((told) => {
+          // Unless more was typed meanwhile.
+          if (input.current?.value === line) offer(told);
+        });
+      } else if (offer([])) {
+        event.preventDefault();
       }
     }
+  };
+
+  /** Completes the line, or shows what there is. False: nothing to complete, the key moves on, so that nobody is caught here. */
+  const offer = (told: readonly string[]): boolean => {
+    const known = { graph: session.graph(), interfaces: interfaces.current, programs: programsOf(session.site), launches: session.site, told };
+    const done = completeInput(line, complete(line, known));
+    if (done.kind === 'nothing') return false;
+    if (done.kind === 'line') {
+      setLine(done.line);
+    } else {
+      print(`$ ${line}\n${done.choices.join('  ')}`);
+      announce(panelTexts.terminal.choices(done.choices.length));
+    }
+    return true;
   };
 
   const tools = (
@@ -279,16 +351,18 @@ export function TerminalPanel({ session, announce, state }: PanelProps) {
           <input
             ref={input}
             type="text"
-            value={line}
+            value={field === undefined ? line : ''}
             readOnly={running !== null && !taking}
             aria-label={panelTexts.terminal.input}
-            placeholder={running === null ? panelTexts.terminal.placeholder : taking ? panelTexts.terminal.taking : panelTexts.terminal.running}
+            placeholder={running === null ? panelTexts.terminal.placeholder : keys !== undefined ? runTexts.input.keys : taking ? panelTexts.terminal.taking : panelTexts.terminal.running}
             autocomplete="off"
             autocapitalize="off"
             autocorrect="off"
             spellcheck={false}
             enterkeyhint="go"
             onInput={(event) => setLine(event.currentTarget.value)}
+            aria-description={keys === undefined ? undefined : runTexts.input.keys}
+            {...field}
           />
         </label>
       </div>

@@ -9,6 +9,7 @@ import type { LineFilter } from '../model/line_list.ts';
 import { formatCount } from '../model/quantities.ts';
 import { texts } from '../texts.ts';
 import { CopyButton, IconButton } from './button.tsx';
+import type { InputLine, InputLineProps } from './input_line.tsx';
 import { LineScroller } from './line_scroller.tsx';
 import { isAlive, StateBadge } from './node_state.tsx';
 
@@ -42,11 +43,21 @@ export function ConsoleTile({
 }: ConsoleTileProps) {
   const ids = [...(launch ? [kLaunch] : []), ...nodes.map((node) => node.id)].join('\n');
   const { list, version, changed } = useLines(session, ids, merged);
-  const [asking, setAsking] = useState(false);
+  /** 'shown': nobody asked, but the node began to read keys, and may read lines again. */
+  const [asked, setAsking] = useState<boolean | 'shown'>(false);
+  const [met, setMet] = useState(false);
 
   useMemo(() => list.setFilter(filter), [list, filter]);
 
   const only = merged ? undefined : nodes[0];
+  const mode = only?.terminal;
+  const asking = asked !== false;
+  useEffect(() => {
+    // A node that waits for keys shows where they go, once.
+    if (mode === undefined || met) return;
+    setMet(true);
+    if (asked === false) setAsking('shown');
+  }, [mode]);
   const alone = nodes.length === 0;
   const label = only?.label ?? (alone ? texts.console.launch : texts.console.allNodes);
   const title = only === undefined && !alone ? texts.console.mergedLabel : texts.console.of(label);
@@ -56,6 +67,11 @@ export function ConsoleTile({
     if (launch) session.launchLog.clear();
     list.clear();
     changed();
+  };
+  const save = (): void => {
+    const name = only?.id ?? (alone ? kLaunch : 'all_nodes');
+    const content = new Blob([list.text()], { type: 'text/plain' });
+    void import('./download.ts').then(({ download }) => download(`${name}.log`, content));
   };
   return (
     <article class="tile" aria-label={title}>
@@ -76,6 +92,7 @@ export function ConsoleTile({
             text={() => list.text()}
             announce={announce}
           />
+          <IconButton icon="down" label={texts.console.save(label)} onClick={save} />
           <IconButton icon="clear" label={texts.console.clear(label)} onClick={clear} />
           {onClose === undefined ? null : (
             <IconButton icon="close" label={texts.console.showAll} onClick={onClose} />
@@ -89,7 +106,13 @@ export function ConsoleTile({
         empty={emptyWords(list.allCount, nodes)}
       />
       {asking && only !== undefined ? (
-        <InputLine label={label} send={(text) => session.sendInput(only.id, text)} />
+        <LazyInput
+          label={label}
+          mode={mode}
+          focused={asked === true}
+          send={(text) => session.sendInput(only.id, text)}
+          interrupt={() => session.interrupt(only.id)}
+        />
       ) : null}
     </article>
   );
@@ -138,46 +161,11 @@ function useLines(session: Session, ids: string, merged: boolean): Lines {
   return { list, version, changed: () => changed() };
 }
 
-function InputLine({
-  label,
-  send,
-}: {
-  readonly label: string;
-  readonly send: (text: string) => void;
-}) {
-  const [text, setText] = useState('');
-  return (
-    <form
-      class="input-line"
-      onSubmit={(event) => {
-        event.preventDefault();
-        send(`${text}\n`);
-        setText('');
-      }}
-    >
-      <span class="input-sign" aria-hidden="true">
-        {'>'}
-      </span>
-      <input
-        type="text"
-        class="input-text"
-        value={text}
-        onInput={(event) => setText(event.currentTarget.value)}
-        aria-label={texts.console.inputLabel(label)}
-        placeholder={texts.console.inputHint}
-        autocomplete="off"
-        autocapitalize="off"
-        spellcheck={false}
-        ref={(element) => {
-          if (element !== null && element.dataset['met'] === undefined) {
-            element.dataset['met'] = '';
-            element.focus();
-          }
-        }}
-      />
-      <button type="submit" class="button">
-        {texts.console.send}
-      </button>
-    </form>
-  );
+/** The line for standard input comes when it is asked for. */
+function LazyInput(props: InputLineProps) {
+  const [Line, setLine] = useState<typeof InputLine | null>(null);
+  useEffect(() => {
+    void import('./input_line.tsx').then((found) => setLine(() => found.InputLine));
+  }, []);
+  return Line === null ? null : <Line {...props} />;
 }

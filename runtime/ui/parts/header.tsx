@@ -63,6 +63,12 @@ export function PageHeader({ session, store, onAbout, children }: PageHeaderProp
             disabled={alive === 0}
             onClick={() => session.stopAll()}
           />
+          <RunButton
+            icon="restart"
+            words={texts.restartAll}
+            disabled={alive === 0}
+            onClick={() => session.restartAll()}
+          />
         </div>
       </div>
       <div class="head-more">
@@ -76,7 +82,7 @@ export function PageHeader({ session, store, onAbout, children }: PageHeaderProp
 }
 
 interface RunButtonProps {
-  readonly icon: 'play' | 'stop';
+  readonly icon: 'play' | 'stop' | 'restart';
   readonly words: string;
   readonly disabled: boolean;
   readonly main?: boolean;

@@ -3,7 +3,7 @@
 import { useState } from 'preact/hooks';
 import type { LaunchArgument, LaunchView } from '../../wasm_js/session.ts';
 import { isGiven, launchLink, valuesOf } from '../model/launch_link.ts';
-import { texts } from '../texts.ts';
+import { runTexts } from '../texts_run.ts';
 
 export function LaunchForm({ launch }: { readonly launch: LaunchView }) {
   const [values, setValues] = useState<ReadonlyMap<string, string>>(
@@ -16,7 +16,7 @@ export function LaunchForm({ launch }: { readonly launch: LaunchView }) {
   };
   return (
     <details class="launch" open={given}>
-      <summary class="launch-title">{texts.launch.title}</summary>
+      <summary class="launch-title">{runTexts.launch.title}</summary>
       <form class="launch-form" onSubmit={apply}>
         {launch.arguments.map((one) => (
           <Field
@@ -26,15 +26,15 @@ export function LaunchForm({ launch }: { readonly launch: LaunchView }) {
             onValue={(value) => setValues((before) => new Map(before).set(one.name, value))}
           />
         ))}
-        {launch.python === undefined ? null : <p class="hint">{texts.launch.python(launch.python)}</p>}
-        {launch.reran ? <p class="hint">{texts.launch.reran}</p> : null}
-        {launch.decided ? <p class="hint">{texts.launch.decided}</p> : null}
+        {launch.python === undefined ? null : <p class="hint">{runTexts.launch.python(launch.python)}</p>}
+        {launch.reran ? <p class="hint">{runTexts.launch.reran}</p> : null}
+        {launch.decided ? <p class="hint">{runTexts.launch.decided}</p> : null}
         {launch.notes.map((note) => (
           <p class="hint">{note}</p>
         ))}
         <p class="launch-tools">
           <button type="submit" class="button button-main">
-            {texts.launch.apply}
+            {runTexts.launch.apply}
           </button>
           {given ? (
             <button
@@ -42,7 +42,7 @@ export function LaunchForm({ launch }: { readonly launch: LaunchView }) {
               class="button"
               onClick={() => location.assign(launchLink(location.href, [], new Map()))}
             >
-              {texts.launch.defaults}
+              {runTexts.launch.defaults}
             </button>
           ) : null}
         </p>
@@ -61,7 +61,7 @@ function Field({ argument, value, onValue }: FieldProps) {
   const { name, description, default: usual } = argument;
   const choices = valuesOf(argument);
   const id = `launch-${name}`;
-  const about = [description, usual === undefined ? texts.launch.none : texts.launch.usual(usual)];
+  const about = [description, usual === undefined ? runTexts.launch.none : runTexts.launch.usual(usual)];
   return (
     <div class="launch-field">
       <label class="launch-name" for={id}>

@@ -167,6 +167,8 @@ export function LineScroller({ list, version, label, empty }: LineScrollerProps)
   );
 }
 
+const namesPlace = (text: string): boolean => text.includes('File "/ros/');
+
 /** One line. Its text never changes, so it is drawn once. */
 class Line extends Component<{ readonly line: DisplayLine }> {
   override shouldComponentUpdate(next: { readonly line: DisplayLine }): boolean {
@@ -180,14 +182,16 @@ class Line extends Component<{ readonly line: DisplayLine }> {
         {line.parts === null
           ? (line.spans ?? []).map((span) => {
               const classes = styleClasses(span.style);
-              if (classes === '' && span.text.includes('File "/ros/')) return <PlaceText text={span.text} />;
+              if (classes === '' && namesPlace(span.text)) return <PlaceText text={span.text} />;
               return classes === '' ? span.text : <span class={classes}>{span.text}</span>;
             })
           : [
               <span class="line-level">{`[${line.parts.level}]`}</span>,
               <span class="line-stamp">{` ${line.parts.stamp} `}</span>,
               <span class="line-logger">{`${line.parts.logger}: `}</span>,
-              <span class="line-message">{line.parts.message}</span>,
+              <span class="line-message">
+                {namesPlace(line.parts.message) ? <PlaceText text={line.parts.message} /> : line.parts.message}
+              </span>,
             ]}
       </div>
     );

@@ -1,14 +1,17 @@
-// Standard input as a terminal: its mode is kept here, and a read that need not wait for a line
-// asks the loader whether something was typed. What is typed comes line by line, whatever the mode.
+// Standard input as a terminal: its mode is kept here and told to the page, which sends lines or
+// keys by it. A read that need not wait for a line asks the loader whether something was typed.
 #include <errno.h>
 #include <poll.h>
 #include <sys/select.h>
 #include <termios.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
+
+#include "ros2wasm/host.h"
 
 namespace {
 
@@ -81,6 +84,12 @@ int tcsetattr(int fd, int, const termios* mode) {
     return -1;
   }
   terminal() = *mode;
+  constexpr int kCooked = 0;
+  constexpr int kCbreak = 1;
+  constexpr int kRaw = 2;
+  ros2wasm_terminal_mode((mode->c_lflag & ICANON) != 0 ? kCooked
+                         : (mode->c_lflag & ISIG) != 0 ? kCbreak
+                                                       : kRaw);
   return 0;
 }
 
@@ -175,10 +184,14 @@ int select(int limit, fd_set* reading, fd_set* writing, fd_set* failing, timeval
 
 ssize_t __real_read(int fd, void* buffer, size_t size);
 
-/// A terminal without lines and without a least number of bytes gives up after its own time.
+/// A terminal without lines and without a least number of bytes gives up after its own time. The
+/// Enter key comes as a line's end, which it is only where ICRNL says so.
 ssize_t __wrap_read(int fd, void* buffer, size_t size) {
   const termios& mode = terminal();
-  if (fd == STDIN_FILENO && (mode.c_lflag & ICANON) == 0 && mode.c_cc[VMIN] == 0) {
+  if (fd != STDIN_FILENO || (mode.c_lflag & ICANON) != 0) {
+    return __real_read(fd, buffer, size);
+  }
+  if (mode.c_cc[VMIN] == 0) {
     constexpr int kTenth = 100;
     pollfd input{STDIN_FILENO, POLLIN, 0};
     const int ready = poll(&input, 1, mode.c_cc[VTIME] * kTenth);
@@ -186,7 +199,12 @@ ssize_t __wrap_read(int fd, void* buffer, size_t size) {
       return ready;
     }
   }
-  return __real_read(fd, buffer, size);
+  const ssize_t length = __real_read(fd, buffer, size);
+  if (length > 0 && (mode.c_iflag & ICRNL) == 0) {
+    char* const begin = static_cast<char*>(buffer);
+    std::replace(begin, begin + length, '\n', '\r');
+  }
+  return length;
 }
 
 }  // extern "C"

@@ -10,6 +10,7 @@ import { MessageWriter } from '@foxglove/rosmsg2-serialization';
 import { createDecoder } from '../../../runtime/decode/decoder.ts';
 import type { Decoded } from '../../../runtime/decode/decoder.ts';
 import { gatherDefinition, qualify } from '../../../runtime/decode/definitions.ts';
+import { inFlow } from '../../../runtime/decode/flow_yaml.ts';
 import { toYaml } from '../../../runtime/decode/yaml.ts';
 
 const interfaces = new Map([
@@ -88,6 +89,9 @@ test('the event of a service, which has no definition of its own', () => {
   const text = yamlOf(createDecoder(interfaces).decode(type, bytesOf(type, value)));
   assert.match(text, /event_type: 1\n[^]*sequence_number: 7\n/);
   assert.match(text, /request:\n- a: 2\n {2}b: 3\nresponse: \[\]/);
+  // As PyYAML with default_flow_style=True, below mappings that a representer makes.
+  const shown = toYaml({ request: [{ 'a': 2n, 'text': 'a,' }], list: [1, 2, 3] }, null, 2, inFlow);
+  assert.equal(shown, "request: [{a: 2, text: 'a,'}]\nlist: [1, 2, '...']\n");
 });
 
 test('shared memory is decoded too', () => {

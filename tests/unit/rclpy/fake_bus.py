@@ -61,6 +61,8 @@ class FakeBus(types.ModuleType):
         #: What was typed, message by message.
         self.typed: deque[bytes] = deque()
         self.rest = b''
+        #: As the program has set it, the newest last.
+        self.terminal_modes: list[int] = []
 
     # ---- memory
 
@@ -219,6 +221,9 @@ class FakeBus(types.ModuleType):
 
     def show_output(self) -> None:
         pass
+
+    def terminal_mode(self, mode: int) -> None:
+        self.terminal_modes.append(mode)
 
     def read_input(self, capacity: int) -> Any:
         """As the loader's: a part of one message."""

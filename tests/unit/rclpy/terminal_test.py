@@ -52,6 +52,10 @@ class TerminalTest(BusTest):
         self.assertEqual(keys, ['w', 'ä', '\r'])
         self.termios.tcsetattr(sys.stdin, self.termios.TCSADRAIN, before)
         self.assertEqual(self.termios.tcgetattr(sys.stdin), before)
+        self.tty.setcbreak(sys.stdin.fileno())
+        # raw, cooked, cbreak: what the page sends by.
+        self.assertEqual(self.bus.terminal_modes[-3:], [2, 0, 1])
+        self.termios.tcsetattr(sys.stdin, self.termios.TCSADRAIN, before)
         self.type('line\n')
         self.assertEqual(sys.stdin.readline(), 'line\n')
 

@@ -1,7 +1,7 @@
 // The command line of ros2: words and quotes, options, what is refused, completion, and Python's way to write values.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { complete } from '../../../runtime/ros2cli/complete.ts';
+import { complete, wanted } from '../../../runtime/ros2cli/complete.ts';
 import { parametersOfFile } from '../../../runtime/ros2cli/parameter_file.ts';
 import { parseCommand, splitLine } from '../../../runtime/ros2cli/parse.ts';
 import { reprFloat, reprMessage, reprText } from '../../../runtime/ros2cli/python_text.ts';
@@ -166,6 +166,13 @@ test('completion offers what may stand there', () => {
   ] as const) {
     assert.deepEqual(complete(line, known).choices, choices, line);
   }
+  // What only a node, or the definitions, can tell.
+  assert.deepEqual(['ros2 param get talker ', 'ros2 topic pub /t std_msgs/Int8 ', 'ros2 service call /add demo/srv/Add ', 'ros2 action send_goal /c demo/action/Count ',
+    'ros2 param get ', 'ros2 topic pub /t std_msgs/msg/Int8 -', 'ls '].map(wanted), [
+    { kind: 'parameters', node: '/talker' }, { kind: 'prototype', type: 'std_msgs/msg/Int8' }, { kind: 'prototype', type: 'demo/srv/Add_Request' },
+    { kind: 'prototype', type: 'demo/action/Count_Goal' }, undefined, undefined, undefined,
+  ]);
+  assert.deepEqual(complete('ros2 param set /talker sp', { ...known, told: ['speed', 'other', 'spin'] }).choices, ['speed', 'spin']);
   assert.deepEqual(complete('ros2 topic echo /ch', known), { word: '/ch', start: 16, choices: ['/chatter'] });
 });
 

@@ -11,6 +11,7 @@ import type {
   ConsoleLog,
   GraphView,
   KernelEvent,
+  KeyMode,
   KernelOrder,
   LastMessage,
   LinkKind,
@@ -355,6 +356,15 @@ export class FakeSession implements Session {
     for (const node of this.views) this.stop(node.id);
   }
 
+  restartAll(): void {
+    for (const node of this.views) this.restart(node.id);
+  }
+
+  interrupt(id: string): void {
+    this.print(id, '^C');
+    this.stop(id);
+  }
+
   console(id: string): FakeConsole {
     const found = this.consoles.get(id);
     if (found === undefined) throw new Error(`no node ${id}`);
@@ -437,6 +447,12 @@ export class FakeSession implements Session {
     this.views = this.views.map((node) =>
       node.id === id ? { ...node, state, startedAt: Date.now() } : node,
     );
+    for (const listener of this.nodeListeners) listener(this.views);
+  }
+
+  /** The node reads keys from now on, or lines. */
+  setTerminal(id: string, terminal: KeyMode | undefined): void {
+    this.views = this.views.map(({ terminal: _, ...node }) => node.id !== id || terminal === undefined ? node : { ...node, terminal });
     for (const listener of this.nodeListeners) listener(this.views);
   }
 

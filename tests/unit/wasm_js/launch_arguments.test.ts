@@ -8,7 +8,7 @@ import type { WorkerReport } from '../../../runtime/wasm_js/node_worker.ts';
 import type { Platform, WorkerEvents, WorkerHandle } from '../../../runtime/wasm_js/platform.ts';
 import { SiteError } from '../../../runtime/wasm_js/site_error.ts';
 import { readSite } from '../../../runtime/wasm_js/site_reader.ts';
-import { texts } from '../../../runtime/ui/texts.ts';
+import { runTexts } from '../../../runtime/ui/texts_run.ts';
 import { isGiven, launchLink, valuesOf } from '../../../runtime/ui/model/launch_link.ts';
 
 const argument = (name: string, usual: string | undefined, value = usual ?? '', choices: readonly string[] = []) =>
@@ -139,7 +139,7 @@ test('R2W0733: Python that does not start, or dies', async () => {
 
 test('what site.json says of Python', () => {
   assert.deepEqual(siteOfPython.launch?.python, { tried: ['mode'], program: 'pyodide/pyodide.asm.wasm', archives: [] });
-  const said = (python: Record<string, unknown>): string => texts.launch.python({ tried: [], ...python });
+  const said = (python: Record<string, unknown>): string => runTexts.launch.python({ tried: [], ...python });
   assert.match(said({ program: 'p' }), /asked of it again, in this page/);
   assert.match(said({ tried: ['mode', 'robot'] }), /packed for each value of mode, robot; with other values/);
   assert.match(said({}), /stays as it was packed/);

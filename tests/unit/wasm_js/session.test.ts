@@ -12,7 +12,7 @@ import { test } from 'node:test';
 import { PortBroker } from '../../../runtime/wasm_js/broker.ts';
 import { mostConsoleLines } from '../../../runtime/wasm_js/console_log.ts';
 import { nodePlatform } from '../../../runtime/wasm_js/node_platform.ts';
-import type { NodeState, Session, TopicView } from '../../../runtime/wasm_js/session.ts';
+import type { NodeState, NodeView, Session, TopicView } from '../../../runtime/wasm_js/session.ts';
 import { readSite } from '../../../runtime/wasm_js/site_reader.ts';
 import { SiteSession } from '../../../runtime/wasm_js/site_session.ts';
 import { makeFolder, prints, reaches, withSession } from './site_fixture.ts';
@@ -114,6 +114,40 @@ for (const link of ['shared', 'port'] as const) {
       await prints(session, 'echo-1', /^COLOUR=red$/);
       session.sendInput('echo-1', 'quit\n');
       await reaches(session, 'echo-1', 'exited');
+    }, link));
+
+  test(`${link}: Ctrl-C stops a node and shows, an empty text ends its input; all start anew when the last has ended`, watchdog, () =>
+    withSession([{ program: 'echo.c' }, { program: 'echo.c' }], async (session) => {
+      session.startAll();
+      await prints(session, 'echo-1', /^COLOUR=red$/);
+      await prints(session, 'echo-2', /^COLOUR=red$/);
+      session.sendInput('echo-2', '');
+      await reaches(session, 'echo-2', 'exited');
+      session.interrupt('echo-2');
+      session.interrupt('echo-1');
+      await reaches(session, 'echo-1', 'exited');
+      const signs = (id: string): number => session.console(id).lines().filter(({ text }) => text === '^C').length;
+      assert.deepEqual([signs('echo-1'), signs('echo-2')], [1, 0]);
+
+      session.start('echo-1');
+      await prints(session, 'echo-1', /^COLOUR=red$/);
+      const views = (): readonly NodeView[] => session.nodes();
+      const before = views()[0]!.startedAt;
+      let early = false;
+      const off = session.onNodes(([first, second]) => {
+        early ||= first!.startedAt === before && second!.state.kind !== 'exited';
+      });
+      session.restartAll();
+      while (!views().every(({ state }) => state.kind === 'running')) await new Promise((resolve) => setTimeout(resolve, 5));
+      off();
+      // The second one, which did not run, waited for the first to end.
+      assert.ok(!early && views()[0]!.startedAt !== before);
+      session.restartAll();
+      session.stopAll();
+      await reaches(session, 'echo-1', 'exited');
+      await reaches(session, 'echo-2', 'exited');
+      await new Promise((resolve) => setTimeout(resolve, 0));
+      assert.deepEqual(session.nodes().map(({ state }) => state.kind), ['exited', 'exited']);
     }, link));
 
   test(`${link}: a program runs once more beside the nodes, with its own arguments and input, and is gone when it ends`, watchdog, () =>

@@ -77,6 +77,8 @@ ROS2WASM_IMPORT("real_timeout") int32_t ros2wasm_real_timeout(int64_t* real_ns, 
 /** 0 slept, 2 stop requested. Steady time. May suspend the program. */
 ROS2WASM_IMPORT("sleep") int32_t ros2wasm_sleep(int64_t duration_ns);
 ROS2WASM_IMPORT("stop_requested") int32_t ros2wasm_stop_requested(void);
+/** What the program makes of its standard input: 0 lines, 1 keys, 2 keys and Ctrl-C too. */
+ROS2WASM_IMPORT("terminal_mode") void ros2wasm_terminal_mode(int32_t mode);
 /** Matched peers now; of a client: servers that are ready in both directions. */
 ROS2WASM_IMPORT("matched") int32_t ros2wasm_matched(int32_t endpoint);
 ROS2WASM_IMPORT("endpoint_status")

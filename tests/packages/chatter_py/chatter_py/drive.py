@@ -1,8 +1,9 @@
 """Drives by keys, as teleop nodes do: raw mode, select, one character at a time, while another thread spins."""
-# Compatibility, works: keys for Python nodes: `termios`, `tty`, `select` and `sys.stdin.read(1)` on standard input
+# Compatibility, works: keys for Python nodes: `termios`, `tty`, `select` and `sys.stdin.read(1)` on standard input;
+# the page and `ros2 run` send each key at once
 
-# Compatibility, differs: a terminal in raw mode, for Python nodes -> the page sends what is typed when Enter is
-# pressed; the characters of the line come one by one, the line's end only when it is all there is
+# Compatibility, differs: a terminal in raw mode, for Python nodes -> what comes in lines all the same, out of a pipe,
+# is read character by character, the line's end only when it is all there is
 import select
 import sys
 import termios

@@ -1,10 +1,10 @@
 // Reads keys in the three ways that do not wait for a line, and spins between them. Ends with x.
 
 // Compatibility, works: keys without lines: terminal modes (`tcgetattr`, `tcsetattr` with VMIN and
-// VTIME), `poll` and `select` on standard input
+// VTIME), `poll` and `select` on standard input; the page and `ros2 run` send each key at once
 
-// Compatibility, differs: a terminal in raw mode -> the page sends what is typed when Enter is
-// pressed; `fcntl(O_NONBLOCK)` and `ioctl(FIONREAD)` are not there
+// Compatibility, differs: a terminal in raw mode -> Tab and the browser's own shortcuts stay the
+// page's; `fcntl(O_NONBLOCK)` and `ioctl(FIONREAD)` are not there
 
 #include <poll.h>
 #include <sys/select.h>

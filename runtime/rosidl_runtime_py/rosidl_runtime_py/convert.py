@@ -48,7 +48,7 @@ def in_place_of(value: Any, type_: Any) -> str:
     return f'<sequence type: {element}, length: {len(value)}>'
 
 
-class MessageDumper(yaml.Dumper):  # type: ignore[misc]
+class MessageDumper(yaml.Dumper):
     """Keeps the order of fields."""
 
 

@@ -8,11 +8,11 @@ from typing import Any
 import js
 from pyodide.ffi import to_js
 
-from ros2wasm import host
+from ros2wasm import graph_snapshot, host
 from ros2wasm.constants import Durability, EndpointKind, History, Liveliness, Reliability, StatusKind
 
 MS = 1_000_000
-DEFAULT_QOS = host.Qos(
+DEFAULT_QOS = graph_snapshot.Qos(
     reliability=Reliability.RELIABLE, durability=Durability.VOLATILE, history=History.KEEP_LAST, depth=10,
     liveliness=Liveliness.AUTOMATIC, deadline_ns=0, lifespan_ns=0, lease_ns=0)
 IN_NS = {'deadline': 'deadline_ns', 'lifespan': 'lifespan_ns', 'lease': 'lease_ns'}
@@ -44,7 +44,7 @@ def plain_status(status: host.Status | None) -> dict[str, int] | None:
     }
 
 
-def plain_endpoint(one: host.GraphEndpoint, nodes: list[host.GraphNode]) -> dict[str, Any]:
+def plain_endpoint(one: graph_snapshot.GraphEndpoint, nodes: list[graph_snapshot.GraphNode]) -> dict[str, Any]:
     qos = {
         'reliability': one.qos.reliability, 'durability': one.qos.durability, 'history': one.qos.history,
         'depth': one.qos.depth, 'liveliness': one.qos.liveliness, 'deadline': one.qos.deadline_ns,

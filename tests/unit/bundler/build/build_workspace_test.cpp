@@ -17,7 +17,9 @@ namespace fs = std::filesystem;
 class WorkspaceBuildTest : public ::testing::Test {
  protected:
   WorkspaceBuildTest() {
-    script("cmake", "exit 0\n");
+    script(
+        "cmake",
+        "while [ $# -gt 1 ]; do [ \"$1\" = -B ] && : >\"$2/build.ninja\"; shift; done\nexit 0\n");
     // $2 is the folder of the build, $6 the number of jobs.
     script("ninja", "name=$(basename \"$2\"); echo \"${name%-*} -j$6\" >>" +
                         (tree_ / "log").string() + "\n. " + tree_.write("tools/more", "").string() +

@@ -34,8 +34,8 @@ constexpr std::array<std::string_view, 5> kDroppedPrefixes = {
     "-Wl,-rpath", "-Wl,-z,", "-Wl,-soname", "-Wl,--disable-new-dtags", "-Wl,--enable-new-dtags"};
 
 /// Functions outside WASI and "ros2wasm" that the site's loader supplies to every program.
-constexpr std::array<std::string_view, 4> kLoaderFunctions = {"emscripten_notify_memory_growth",
-                                                              "getentropy", "system", "abort"};
+constexpr std::array<std::string_view, 5> kLoaderFunctions = {
+    "emscripten_notify_memory_growth", "getentropy", "system", "abort", "_emscripten_get_progname"};
 
 bool is_dropped(std::string_view argument) {
   return std::find(kDropped.begin(), kDropped.end(), argument) != kDropped.end() ||

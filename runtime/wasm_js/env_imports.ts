@@ -27,6 +27,8 @@ export interface EnvHost {
   readonly threaded: boolean;
   readonly clock: SiteClock;
   readonly random: (bytes: Uint8Array) => void;
+  /** As the program's first argument says it: `program_invocation_name`. */
+  readonly program: string;
   /** A line for the node's console. */
   readonly tell: (line: string) => void;
   /** The calling thread has ended and nobody will join it. */
@@ -60,6 +62,11 @@ export function envImports(host: EnvHost): Record<string, EnvFunction> {
       if (command === 0) return 0;
       absent(`system(${JSON.stringify(memory().cString(command))})`);
       return -1;
+    },
+    _emscripten_get_progname: (out: number, capacity: number): void => {
+      const text = new TextEncoder().encode(host.program).subarray(0, Math.max(0, capacity - 1));
+      memory().u8.set(text, out);
+      memory().u8[out + text.length] = 0;
     },
     abort: (): never => host.leave(new WebAssembly.RuntimeError('abort() was called (SIGABRT, exit code 134)')),
     exit: (code: number): never => host.leave(new ProgramExit(code)),

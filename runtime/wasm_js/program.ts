@@ -208,6 +208,7 @@ export async function runProgram(
     random,
     threaded,
     clock: host.link.clock,
+    program: host.arguments[0] ?? '',
     tell: (line) => {
       out.stderr.flush();
       host.line('stderr', line);

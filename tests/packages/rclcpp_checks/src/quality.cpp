@@ -19,7 +19,8 @@ namespace {
 // Counts how often an executor looks at it.
 class Onlooker : public rclcpp::Waitable {
  public:
-  bool is_ready() override {
+  void add_to_wait_set(rcl_wait_set_t&) override {}
+  bool is_ready(const rcl_wait_set_t&) override {
     ++looks;
     return false;
   }

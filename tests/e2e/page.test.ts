@@ -99,7 +99,7 @@ test('a link says whether nodes start by themselves', () =>
     await page.goto('about:blank');
     await page.goto(`${served.url}#autorun=0`);
     await page.getByText('0 of 2 running').waitFor();
-    await page.getByRole('button', { name: 'Start all' }).click();
+    await page.getByRole('button', { name: 'Start all', exact: true }).click();
     await listener(page).getByText(/I heard/).first().waitFor();
   }));
 

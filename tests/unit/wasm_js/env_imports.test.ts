@@ -22,6 +22,7 @@ test('a call that is not there fails with ENOSYS and is told once, system() with
     threaded: false,
     clock: new SiteClock(),
     random: unused,
+    program: 'lab',
     detach: unused,
     tell: (line) => lines.push(line),
   }) as Record<string, (...args: number[]) => number>;

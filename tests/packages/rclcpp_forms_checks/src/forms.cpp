@@ -76,7 +76,7 @@ void check_nodes(Checks& checks) {
   CHECK_THROWS(rclcpp::exceptions::NameValidationError, node->create_sub_node("/absolute"));
 
   const auto values = node->declare_parameters<int64_t>("arm", {{"length", 3}, {"joints", 6}});
-  CHECK((values == std::vector<int64_t>{3, 6}));
+  CHECK((values == std::vector<int64_t>{6, 3}));  // in the order of their names
   CHECK(node->get_parameter("arm.joints").as_int() == 6);
   std::map<std::string, int64_t> arm;
   CHECK(node->get_parameters("arm", arm));

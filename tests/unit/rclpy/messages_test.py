@@ -101,7 +101,11 @@ class MessagesTest(unittest.TestCase):
                 if whole or name.endswith(('_SendGoal', '_GetResult')):
                     continue
                 cls = self.types.find_message(name)
-                self.assertEqual(self.decode(cls, self.encode(cls())), cls(), name)
+                came = self.decode(cls, self.encode(cls()))
+                # A default that float32 does not have comes back as the nearest that it has.
+                self.assertEqual(self.encode(came), self.encode(cls()), name)
+                if not name.startswith('irobot_create_msgs/'):
+                    self.assertEqual(came, cls(), name)
                 count += 1
         self.assertGreater(count, 300)
 

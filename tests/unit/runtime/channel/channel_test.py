@@ -134,8 +134,9 @@ def version_of(folder: Path) -> str:
         if lock.exists():  # it has a Python of its own
             version += f" (Python {json.loads(lock.read_text(encoding='utf-8'))['info']['python']})"
         return version
-    changelog = folder / "debian" / "changelog"
-    if changelog.exists():
+    # A part of a source package lies below it.
+    changelog = next((one for top in (folder.parent, folder) if (one := top / "debian" / "changelog").exists()), None)
+    if changelog is not None:
         return changelog.read_text(encoding="utf-8").partition("(")[2].partition(")")[0]
     owner = subprocess.check_output(["dpkg-query", "-S", str(folder)], text=True).split(":")[0]
     return subprocess.check_output(["dpkg-query", "-W", "-f=${Version}", owner], text=True)

@@ -101,9 +101,10 @@ for (const [link, isolated] of [['shared', true], ['port', false]] as const) {
       await page.goto(host.url);
       const running = (label: string) => page.getByRole('button', { name: `Stop /${label}`, exact: true });
       const said = (text: string): Promise<unknown> =>
-        page.waitForFunction((wanted) => document.body.textContent.includes(wanted), text, { timeout: 200_000 });
+        page.waitForFunction((wanted) => document.body.textContent.includes(wanted), text, { timeout: 120_000 });
       await said('a line? ');
       await page.getByRole('button', { name: 'Type into /ask' }).click();
+      await page.getByRole('textbox', { name: 'Standard input of /ask' }).waitFor();
       await page.keyboard.type('an answer');
       await page.keyboard.press('Enter');
       await said('asked and told: an answer');
@@ -111,7 +112,7 @@ for (const [link, isolated] of [['shared', true], ['port', false]] as const) {
       assert.equal(await page.evaluate(() => crossOriginIsolated), isolated);
       // All wait, but for the one whose wait is no begin of a line: that one has said its last when nothing more comes.
       await page.waitForFunction(
-        (count) => document.body.textContent.split('waits for ever').length - 1 >= count, ways.length, { timeout: 200_000 });
+        (count) => document.body.textContent.split('waits for ever').length - 1 >= count, ways.length, { timeout: 120_000 });
       await said('sent ');
       for (let seen = ''; ;) {
         // The last that was sent.

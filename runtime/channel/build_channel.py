@@ -115,6 +115,10 @@ def run(options: argparse.Namespace) -> int:
     work: Path = options.work or options.out.parent / "channel-work"
     workshop = Workshop(work / f"{compiler.tag}-{compiler.digest[:8]}", compiler,
                         toolchain / "ros2wasm-toolchain.cmake", options.cli)
+    # Built by the same version with other parts: a site with packages of both would not link.
+    outdated = [one for one in work.glob(f"{compiler.tag}-*") if one != workshop.folder]
+    for one in outdated:
+        shutil.rmtree(one)
     state_file = workshop.folder / "state.json"
     state = read_state(state_file)
     channel = Channel(options.cli, options.out)
@@ -136,7 +140,8 @@ def run(options: argparse.Namespace) -> int:
     musl = compiler.cxx.resolve().parent / "system" / "lib" / "libc" / "musl" / "COPYRIGHT"
     abi["license_files"] = [str(musl)] if musl.exists() else []
     index_there = (options.out / "noarch" / "repodata.json").exists()
-    if not changed and not unpacked and not gone and index_there and archive_of(options.out, abi).exists():
+    is_current = index_there and archive_of(options.out, abi).exists()
+    if is_current and not (changed or unpacked or gone or outdated):
         return 0
 
     count = 0

@@ -51,7 +51,7 @@ test('in Chromium: files of a package and of a program, standard input, and a la
     ['countdown/launch/countdown.launch.xml', 'file_checks/own_files', 'file_checks/plain', 'file_checks/share', 'file_checks/threads_write', 'key_reader/keys']);
 });
 
-// Compatibility, works: fifteen packages written from ROS 2's documentation alone, five of C++ and ten of Python: topics
+// Compatibility, works: fifteen packages written after ROS 2's documentation, five of C++ (from it alone) and ten of Python: topics
 // (callbacks of every form), services, actions, parameters, tf2, managed nodes, own interfaces, threads, asyncio
 test('packages written from the documentation alone', { timeout: 1_200_000 }, async () => {
   const cpp = ['topics', 'services', 'actions', 'parameters', 'frames'].map((name) => `learn_${name}_cpp`);

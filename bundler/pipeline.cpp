@@ -11,7 +11,7 @@
 #include "bundler/build/exception_encoding.hpp"
 #include "bundler/build/kept_header.hpp"
 #include "bundler/build/plugin_link.hpp"
-#include "bundler/build/quick_link.hpp"
+#include "bundler/build/direct_link.hpp"
 #include "bundler/build/wasm_module.hpp"
 #include "bundler/carried_programs.hpp"
 #include "bundler/carried_sources.hpp"
@@ -481,7 +481,8 @@ Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& ca
       .toolchain = fs::canonical(*toolchain),
       .cli = request.executable,
       .jobs = request.jobs != 0 ? request.jobs : std::max(1U, std::thread::hardware_concurrency()),
-      .quick_links = request.quick ? quick_links_folder(workspace->cache, compiler) : fs::path(),
+      .tool_calls = tool_calls_folder(workspace->cache, compiler),
+      .quick = request.quick,
       .kept_headers = user_launcher ? fs::path() : kept_headers_folder(workspace->cache, compiler),
       .node_js = {},
       .python_templates = {}};

@@ -45,18 +45,20 @@ int link(Context& context, const Options& options) {
       find_own_data(context.executable, "templates/toolchain/src/thread_support.cpp",
                     "what programs with threads need");
   if (!support) return context.console.fail(support.errors());
-  const auto kits = context.environment.find(kLinkKitsVariable);
-  const auto quick = context.environment.find(kQuickLinkVariable);
-  const auto channels = context.environment.find(kChannelPrefixVariable);
-  const auto linked = link_program(
-      {.package = options.package,
-       .command = options.command,
-       .environment = link_environment(context.environment, options.command.front()),
-       .thread_support = support->string(),
-       .kits = kits == context.environment.end() ? "" : kits->second,
-       .quick_folder = quick == context.environment.end() ? "" : quick->second,
-       .channel_prefix = channels == context.environment.end() ? "" : channels->second},
-      context.cancellation);
+  const auto value = [&](const char* name) {
+    const auto found = context.environment.find(name);
+    return found == context.environment.end() ? std::string() : found->second;
+  };
+  const auto linked =
+      link_program({.package = options.package,
+                    .command = options.command,
+                    .environment = link_environment(context.environment, options.command.front()),
+                    .thread_support = support->string(),
+                    .kits = value(kLinkKitsVariable),
+                    .tool_calls = value(kToolCallsVariable),
+                    .quick = !value(kQuickLinkVariable).empty(),
+                    .channel_prefix = value(kChannelPrefixVariable)},
+                   context.cancellation);
   hand_up(context, parse_link_line(options.command).output,
           linked ? linked->warnings : linked.errors());
   if (linked) return 0;

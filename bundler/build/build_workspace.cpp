@@ -44,7 +44,7 @@ Outcome<std::string> hash_of(const LocalPackage& package,
   HashBuilder hash;
   hash.add("format", kBuildFormat).add("ros2wasm", ROS2WASM_VERSION);
   hash.add("toolchain", toolchain_hash).add("compiler", tools.compiler.identity);
-  if (!tools.quick_links.empty()) hash.add("link", "quick");
+  if (tools.quick) hash.add("link", "quick");
   if (is_python) hash.add("setup", setup_reader_hash);
   hash.add("environment", settings.environment_key);
   for (const BuiltPackage* need : needs) hash.add(need->name, need->hash);
@@ -212,8 +212,7 @@ class WorkspaceBuilder {
     const std::string& name = result.name;
     const fs::path& prefix = result.prefix;
     // Ninja does not see that programs are linked differently: such builds share no folder.
-    const std::string key =
-        package.directory.string() + (tools_.quick_links.empty() ? "" : "\nquick");
+    const std::string key = package.directory.string() + (tools_.quick ? "\nquick" : "");
     const fs::path work = settings_.cache / "work" / (name + "-" + sha256_hex(key).substr(0, 16));
     if (auto made = make_directories(work); !made) return made;
     const auto lock = FileLock::take(work.string() + ".lock", cancellation_);

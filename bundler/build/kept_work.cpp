@@ -68,4 +68,17 @@ Outcome<Done> forget_what_times_hide(const fs::path& work, const fs::path& sourc
   return write_file(work / kList, list);
 }
 
+Outcome<std::vector<SeenSource>> seen_sources(const fs::path& work) {
+  const auto list = read_file(work / kList);
+  if (!list) return list.errors();
+  std::vector<SeenSource> result;
+  std::istringstream lines(*list);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t space = line.find(' ');
+    if (space != std::string::npos)
+      result.push_back({.sha256 = line.substr(0, space), .path = line.substr(space + 1)});
+  }
+  return result;
+}
+
 }  // namespace ros2wasm

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "workspace_schema/outcome.hpp"
 
@@ -13,5 +15,14 @@ namespace ros2wasm {
 [[nodiscard]] Outcome<Done> forget_what_times_hide(const std::filesystem::path& work,
                                                    const std::filesystem::path& sources,
                                                    const std::filesystem::path& workspace);
+
+/// A file of a package as the last call of forget_what_times_hide() found it.
+struct SeenSource {
+  std::string sha256;
+  std::string path;  ///< below the package's folder
+};
+
+/// In the order of their paths. R2W0210.
+[[nodiscard]] Outcome<std::vector<SeenSource>> seen_sources(const std::filesystem::path& work);
 
 }  // namespace ros2wasm

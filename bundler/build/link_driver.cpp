@@ -7,9 +7,9 @@
 
 #include "bundler/build/browser_limits.hpp"
 #include "bundler/build/compile_errors.hpp"
+#include "bundler/build/direct_link.hpp"
 #include "bundler/build/link_kit.hpp"
 #include "bundler/build/link_trace.hpp"
-#include "bundler/build/quick_link.hpp"
 #include "bundler/build/single_link_object.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/process.hpp"
@@ -140,13 +140,14 @@ Outcome<LinkReport> link_program(const LinkRequest& request, const Cancellation&
     traced.arguments.push_back(std::move(option));
   const auto link = [&](LinkKind kind) -> Outcome<ProcessResult> {
     const LinkLine& linked = kind == LinkKind::kSingle ? traced : line;
-    if (!request.quick_folder.empty()) {
-      const auto printed = link_quickly({.line = linked,
-                                         .kind = kind,
-                                         .stem = stem,
-                                         .kept = request.quick_folder,
-                                         .environment = request.environment},
-                                        cancellation);
+    if (!request.tool_calls.empty()) {
+      const auto printed = link_directly({.line = linked,
+                                          .kind = kind,
+                                          .optimized = !request.quick,
+                                          .stem = stem,
+                                          .kept = request.tool_calls,
+                                          .environment = request.environment},
+                                         cancellation);
       if (printed) return ProcessResult{.exit_code = 0, .output = *printed};
     }
     return run_process(

@@ -18,9 +18,10 @@ struct LinkRequest {
   std::map<std::string, std::string> environment;  ///< for the compiler, see link_environment()
   std::string thread_support;                      ///< source that programs with threads get:
                                                    ///< templates/toolchain/src/thread_support.cpp
-  std::string kits;            ///< folder for what a second link needs (link_kit.hpp); may be empty
-  std::string quick_folder;    ///< links as quick_link.hpp says, which keeps its findings here; may
-                               ///< be empty
+  std::string kits;        ///< folder for what a second link needs (link_kit.hpp); may be empty
+  std::string tool_calls;  ///< links as direct_link.hpp says, which keeps its findings here; may
+                           ///< be empty
+  bool quick = false;      ///< leaves out the optimizer of whole programs
   std::string channel_prefix;  ///< of the channels' libraries: what they refer to and never call
                                ///< fails nobody; may be empty
 };
@@ -28,7 +29,10 @@ struct LinkRequest {
 /// The variable with the channel_prefix of `ros2wasm link-program`.
 inline constexpr const char* kChannelPrefixVariable = "ROS2WASM_CHANNEL_PREFIX";
 
-/// The variable with the quick_folder of `ros2wasm link-program`.
+/// The variable with the tool_calls of `ros2wasm link-program`.
+inline constexpr const char* kToolCallsVariable = "ROS2WASM_TOOL_CALLS";
+
+/// The variable that asks `ros2wasm link-program` for quick links: "1", or empty.
 inline constexpr const char* kQuickLinkVariable = "ROS2WASM_QUICK_LINK";
 
 struct LinkReport {

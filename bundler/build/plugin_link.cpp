@@ -53,7 +53,7 @@ std::string hash_of(const BuiltPackage& package, const LinkKit& program,
                     const std::vector<const PluginLibrary*>& plugins, const BuildTools& tools) {
   HashBuilder hash;
   hash.add("package", package.hash).add("program", program.name);
-  hash.add("link", tools.quick_links.empty() ? "small" : "quick");
+  hash.add("link", tools.quick ? "quick" : "small");
   for (const PluginLibrary* one : plugins)
     hash.add(one->package->name, one->package->hash).add(one->kit.base, one->kit.name);
   return hash.finish();
@@ -85,7 +85,8 @@ Outcome<fs::path> linked(const BuiltPackage& package, const LinkKit& program,
        .command = std::move(command),
        .environment = tools.link_environment,
        .thread_support = (tools.toolchain.parent_path() / "src/thread_support.cpp").string(),
-       .quick_folder = tools.quick_links.string()},
+       .tool_calls = tools.tool_calls.string(),
+       .quick = tools.quick},
       cancellation);
   if (!done) return done.errors();
   if (auto split = split_programs(staging->path(), package.name); !split)

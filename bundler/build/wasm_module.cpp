@@ -186,4 +186,16 @@ std::optional<SplitProgram> split_names(std::string_view bytes) {
   return result;
 }
 
+std::optional<std::string> without_debug_data(std::string_view bytes) {
+  const auto module = read_wasm_module(bytes);
+  if (!module) return std::nullopt;
+  std::string result(kHeader);
+  result.reserve(bytes.size());
+  for (const WasmSection& section : module->sections) {
+    if (section.id == kCustomSection && section.name.starts_with(".debug_")) continue;
+    result.append(bytes.substr(section.begin, section.end - section.begin));
+  }
+  return result;
+}
+
 }  // namespace ros2wasm

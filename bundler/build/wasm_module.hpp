@@ -51,4 +51,8 @@ struct SplitProgram {
 /// Nothing when `bytes` is not a module.
 [[nodiscard]] std::optional<SplitProgram> split_names(std::string_view bytes);
 
+/// The module without what debuggers want (DWARF), which libraries of the compiler bring and the
+/// optimizer would carry along. Nothing when `bytes` is not a module.
+[[nodiscard]] std::optional<std::string> without_debug_data(std::string_view bytes);
+
 }  // namespace ros2wasm

@@ -8,6 +8,7 @@
 
 #include "bundler/build/compiler_warnings.hpp"
 #include "bundler/build/diagnostic_json.hpp"
+#include "bundler/build/kept_configure.hpp"
 #include "bundler/build/kept_header.hpp"
 #include "bundler/build/link_driver.hpp"
 #include "bundler/build/link_kit.hpp"
@@ -45,7 +46,8 @@ EnvironmentVariables child_environment(const PackageBuild& request, const BuildT
   result["ROS2WASM_LINK_DIAGNOSTICS"] = (request.work / kLinkDiagnostics).string();
   result[kChannelPrefixVariable] = request.channel_prefix.string();
   result[kLinkKitsVariable] = (request.work / kLinkKits).string();
-  result[kQuickLinkVariable] = tools.quick_links.string();
+  result[kToolCallsVariable] = tools.tool_calls.string();
+  result[kQuickLinkVariable] = tools.quick ? "1" : "";
   result[kKeptHeadersVariable] = tools.kept_headers.string();
   // A native ROS installation that was sourced must not leak its packages in, nor what other
   // builds want of their compilers: the site has to be the same for everybody.
@@ -125,18 +127,15 @@ std::string told(const ProcessResult& result, const PackageBuild& request) {
          (name == nullptr ? "unknown" : name) + ")\n";
 }
 
-/// `more`: arguments besides.
+/// Unless the last one would be the same. `more`: arguments besides.
 Outcome<Done> configure(const PackageBuild& request, const BuildTools& tools,
                         const Cancellation& cancellation,
                         const std::vector<std::string>& more = {}) {
-  std::error_code ignored;
-  fs::remove(request.work / "CMakeCache.txt", ignored);  // what it found may have moved
   std::vector<std::string> arguments = {
       "cmake", "-S", request.place.source.string(), "-B", request.work.string(), "-G", "Ninja",
       "-Wno-dev", "--no-warn-unused-cli",
-      // It is configured each time; times of files may lie.
+      // kept_configure.hpp says when; times of files may lie.
       "-DCMAKE_SUPPRESS_REGENERATION=ON", "-DCMAKE_TOOLCHAIN_FILE=" + tools.toolchain.string(),
-      "-DCMAKE_INSTALL_PREFIX=" + request.final_prefix.string(),
       "-DCMAKE_PREFIX_PATH=" + joined(request.prefixes), "-DROS2WASM_CLI=" + tools.cli.string(),
       "-DROS2WASM_EMCXX=" + tools.compiler.cxx.string(),
       "-DROS2WASM_EMCC=" + tools.compiler.c.string()};
@@ -145,13 +144,19 @@ Outcome<Done> configure(const PackageBuild& request, const BuildTools& tools,
                         ";compile-source;--");
   }
   arguments.insert(arguments.end(), more.begin(), more.end());
+  const auto key = configure_key(request.work, request.place.source, arguments);
+  if (!key) return key.errors();
+  if (reuse_configure(request.work, *key, request.final_prefix)) return Done{};
+  arguments.push_back("-DCMAKE_INSTALL_PREFIX=" + request.final_prefix.string());
+  std::error_code ignored;
+  fs::remove(request.work / "CMakeCache.txt", ignored);  // what it found may have moved
   const auto result = run_process({.arguments = std::move(arguments),
                                    .environment = child_environment(request, tools),
                                    .directory = request.work},
                                   cancellation);
   if (!result) return result.errors();
   if (result->exit_code != 0) return configure_errors(told(*result, request), request.place);
-  return Done{};
+  return keep_configure(request.work, *key, request.final_prefix);
 }
 
 /// What the link driver left, in the order of the files' names.

@@ -25,8 +25,8 @@ struct BuildTools {
   std::filesystem::path toolchain;     ///< ros2wasm-toolchain.cmake
   std::filesystem::path cli;           ///< this program, for compile-source and link-program
   unsigned jobs = 1;                   ///< compilers at once, of all packages
-  std::filesystem::path quick_links;   ///< programs are linked quickly, with the help of what lies
-                                       ///< in this folder; may be empty
+  std::filesystem::path tool_calls;    ///< programs are linked as direct_link.hpp says
+  bool quick = false;                  ///< without the optimizer of whole programs
   std::filesystem::path kept_headers;  ///< for compile-source; empty: the compiler is called itself
   std::filesystem::path node_js;       ///< reads setup.py files; empty when no package has one
   std::filesystem::path python_templates;  ///< templates/python, likewise

@@ -7,10 +7,10 @@
 #include <chrono>
 #include <functional>
 #include <future>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <unordered_map>
 #include <vector>
 
 #include "rclcpp/any_executable.hpp"
@@ -144,7 +144,7 @@ class Executor {
   uint32_t seen_version_ = 0;
   int32_t seen_status_ = 0;
   std::vector<Entry> entries_;
-  std::unordered_map<int32_t, size_t> entry_of_endpoint_;
+  std::map<int32_t, size_t> entry_of_endpoint_;
   std::vector<char> ready_marks_;
   std::vector<size_t> ready_;
   size_t next_ready_ = 0;

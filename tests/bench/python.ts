@@ -18,6 +18,7 @@ import { packLaunch } from './packed_launch.ts';
 import { treePrivateKb } from './process_memory.ts';
 import { benchCdr } from './python_cdr.ts';
 import type { BenchContext } from './run.ts';
+import { packedExample } from './site_bytes.ts';
 import { summary } from './statistics.ts';
 
 const WAITING = 5;
@@ -258,7 +259,7 @@ async function benchPairs(context: BenchContext, folder: string): Promise<void> 
   }
 }
 
-/** What a visit loads of a site with a Python node, without numpy. */
+/** All files of a packed site with two Python nodes, without numpy: more than a visit loads. */
 function benchBytes(context: BenchContext, site: string): void {
   const total = { files: 0, raw: 0, brotli: 0 };
   for (const entry of readdirSync(site, { recursive: true, withFileTypes: true })) {
@@ -280,7 +281,7 @@ export async function benchPython(context: BenchContext): Promise<void> {
   const sites = [waits, [script('rates')], [script('talks'), script('hears')]].map((nodes) => makeSite([], {}, {}, { nodes, packages }));
   try {
     const [start = '', messages = '', chatter = ''] = sites;
-    benchBytes(context, start);
+    benchBytes(context, packedExample(context, folder, '07_python'));
     await benchStart(context, start);
     await benchFirstMessage(context, chatter);
     await benchMemory(context, start);

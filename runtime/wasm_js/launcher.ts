@@ -25,6 +25,8 @@ export interface LaunchOptions {
 }
 
 const longestWaitMs = 250;
+/** Of nodes, before the site is kept for visits without a network all the same. */
+const longestBootMs = 10_000;
 
 const ceilings = [1 << 30, 512 << 20, 256 << 20, 128 << 20];
 
@@ -75,9 +77,9 @@ function chooseBroker(wanted: LinkKind | undefined): Broker {
  * workers and takes a core from them, so it comes after them, but not long after: a slow network or a node that
  * computes does not keep the page away.
  */
-function underWay(session: SiteSession): Promise<void> {
+function underWay(session: SiteSession, longestMs: number): Promise<void> {
   return new Promise((resolve) => {
-    const timer = setTimeout(resolve, longestWaitMs);
+    const timer = setTimeout(resolve, longestMs);
     void session.settled.then(() => {
       clearTimeout(timer);
       resolve();
@@ -129,18 +131,21 @@ export async function startSession(options: LaunchOptions = {}): Promise<Session
   // Before the first node starts, so that all that it says is seen. Fetched only for a site that has some.
   if (site.checks.length > 0) session.useChecks(await (await import('./check_run.ts')).runChecks(session));
   performance.mark('ros2wasm: nodes are told to start');
+  let booted = Promise.resolve();
   if (named !== undefined) {
     for (const id of named) session.start(id);
   } else if (startsByItself(site)) {
     await session.startUnclaimed();
-    await underWay(session);
+    booted = underWay(session, longestBootMs);
+    await underWay(session, longestWaitMs);
   }
   // Styles and tests can tell by <html data-offline> whether the site is kept.
   const later = (): void => void (alone ? Promise.resolve(true) : keepOffline(serviceWorker)).then((kept) => {
     document.documentElement.dataset['offline'] = kept ? 'kept' : 'not_kept';
     options.onOffline?.(kept);
   });
-  whenIdle(later);
+  // Nodes that boot an interpreter need the cores more; one that computes for ever does not keep the site from being kept.
+  void booted.then(() => whenIdle(later));
   window.addEventListener('pagehide', (event) => {
     if (!event.persisted) session.close();
   });

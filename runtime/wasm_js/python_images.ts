@@ -162,27 +162,32 @@ export class PythonImages {
 
   private async make(program: string): Promise<Made | undefined> {
     const { archives, share, platform } = this;
-    const [module, parts] = await Promise.all([platform.compile(program), this.files.parts(program, archives)]);
-    if (this.closed) return undefined;
-    const start: ImageStart = { base: folderOf(platform.place), home: homeOf(program), archives, share, parts };
-    const bytes = await new Promise<Blob | undefined>((resolve) => {
-      const worker = this.platform.startWorker('python image', {
-        report: (report) => {
-          if (report.t === 'image') over(report.image);
-        },
-        failed: () => over(undefined),
-      });
-      // A worker that ends without a word must not keep the nodes waiting: they boot then.
-      const watchdog = setTimeout(() => over(undefined), longestMakingMs);
-      const over = (image: Blob | undefined): void => {
-        clearTimeout(watchdog);
-        this.end = undefined;
-        void worker.terminate();
-        resolve(image);
-      };
-      this.end = () => over(undefined);
-      worker.post({ t: 'image', module, start }, []);
+    const { promise, resolve } = Promise.withResolvers<Blob | undefined>();
+    // At once: it loads its script while the rest comes.
+    const worker = platform.startWorker('python image', {
+      report: (report) => {
+        if (report.t === 'image') over(report.image);
+      },
+      failed: () => over(undefined),
     });
+    // A worker that ends without a word must not keep the nodes waiting: they boot then.
+    const watchdog = setTimeout(() => over(undefined), longestMakingMs);
+    const over = (image: Blob | undefined): void => {
+      clearTimeout(watchdog);
+      this.end = undefined;
+      void worker.terminate();
+      resolve(image);
+    };
+    this.end = () => over(undefined);
+    try {
+      const [module, parts] = await Promise.all([platform.compile(program), this.files.parts(program, archives)]);
+      const start: ImageStart = { base: folderOf(platform.place), home: homeOf(program), archives, share, parts };
+      if (this.closed) over(undefined);
+      else worker.post({ t: 'image', module, start }, []);
+    } catch {
+      over(undefined);
+    }
+    const bytes = await promise;
     return bytes === undefined ? undefined : { bytes, kept: false };
   }
 }

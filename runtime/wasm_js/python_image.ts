@@ -171,15 +171,19 @@ function pack(
   return new Blob([prologue, text, snapshot.subarray(0, description), ...filled, ...files.map(([, bytes]) => bytes)]);
 }
 
-/** Where a memory is not 0, in whole pages. */
+/** Where a memory, of whole pages, is not 0. */
 export function filledRuns(memory: Uint8Array): [begin: number, length: number][] {
   const runs: [number, number][] = [];
+  const whole = memory.byteOffset % 4 === 0 ? memory : memory.slice();
+  const words = new Int32Array(whole.buffer, whole.byteOffset, whole.length >> 2);
   for (let page = 0; page < memory.length; page += pageBytes) {
-    const bytes = memory.subarray(page, page + pageBytes);
-    if (bytes.every((byte) => byte === 0)) continue;
+    const end = Math.min(page + pageBytes, memory.length);
+    let word = page >> 2;
+    while (word < end >> 2 && words[word] === 0) word += 1;
+    if (word === end >> 2) continue;
     const last = runs.at(-1);
-    if (last !== undefined && last[0] + last[1] === page) last[1] += bytes.length;
-    else runs.push([page, bytes.length]);
+    if (last !== undefined && last[0] + last[1] === page) last[1] += end - page;
+    else runs.push([page, end - page]);
   }
   return runs;
 }

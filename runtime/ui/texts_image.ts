@@ -1,0 +1,26 @@
+// The words of images.
+
+export const imageTexts = {
+  topic: 'Topic of the image',
+  none: 'No topic',
+  noTopic: 'No topic has images: sensor_msgs/msg/Image or CompressedImage.',
+  noImage: 'Cannot be shown: this message has no image.',
+  notRead: (format: string): string => `Cannot be shown: this browser cannot read its format, ${format}.`,
+  facts: (width: number, height: number, encoding: string): string => `${width} \u00d7 ${height}, ${encoding}`,
+  of: (topic: string, facts: string): string => (facts === '' ? 'No image yet' : `Image of ${topic}, ${facts}`),
+  view: 'Picture. Arrow keys go from pixel to pixel, with Shift they move the picture; plus and minus zoom, 0 shows all, 1 shows each pixel as one',
+  point: (x: number, y: number, value: string): string => `(${x}, ${y}): ${value}`,
+  zoomIn: 'Zoom in',
+  zoomOut: 'Zoom out',
+  fit: 'Show the whole picture',
+  oneToOne: '1:1, each pixel as one',
+  oneToOneShort: '1:1',
+  scale: (scale: number): string => `${scale < 0.1 ? (scale * 100).toFixed(1) : Math.round(scale * 100)}\u00a0%`,
+  save: 'Save the picture (PNG)',
+  saved: 'Picture saved',
+  range: 'Range of the numbers',
+  least: 'Black at',
+  most: 'White at',
+  automatic: 'Automatic',
+  automaticLong: 'Take the range of each image: from its least to its most number',
+} as const;

@@ -100,12 +100,13 @@ export function PlotPanel({ session, state, setState, instance, announce }: Pane
     Math.max(
       ...named.map(({ samples }) => (samples.length > 0 ? samples.time(samples.length - 1) : -Infinity)),
     );
+  const zero = (): number => (Number.isNaN(origin.current) ? 0 : origin.current);
   const following = (): TimeRange => {
     const end = newest();
-    const most = Number.isFinite(end) ? end : 0;
-    return { least: most - seconds, most };
+    // There is nothing before the beginning: the room that is left is for what comes.
+    const least = Math.max(zero(), (Number.isFinite(end) ? end : 0) - seconds);
+    return { least, most: least + seconds };
   };
-  const zero = (): number => (Number.isNaN(origin.current) ? 0 : origin.current);
   const view = usePlotView({
     mode,
     series: () => named,

@@ -3,6 +3,7 @@
 
 import { encodingOf, numberReader, rowBytes, yuvAt } from './image_encodings.ts';
 import type { BayerEncoding, ColorEncoding, MeasureEncoding, RawImage, YuvEncoding } from './image_encodings.ts';
+import { imageTexts } from '../texts_image.ts';
 import { numberMember } from './json.ts';
 
 /** What is black, and what is white. */
@@ -42,13 +43,13 @@ export function readRange(state: unknown): WantedRange {
 /** The pixels, or why there are none. */
 export function pixelsOf(image: RawImage, wanted: WantedRange = kAutomatic): Pixels | string {
   const { width, height, step, data, encoding: name } = image;
-  if (!(width > 0 && height > 0)) return 'the image is empty';
-  if (width * height > kMostPixels) return `${width} \u00d7 ${height} pixels are too many`;
+  if (!(width > 0 && height > 0)) return imageTexts.empty;
+  if (width * height > kMostPixels) return imageTexts.tooMany(width, height);
   const encoding = encodingOf(name);
-  if (encoding === undefined) return `the encoding \u201c${name.slice(0, 40)}\u201d is not known here`;
+  if (encoding === undefined) return imageTexts.unknown(name.slice(0, 40));
   const row = rowBytes(encoding, width);
-  if (step < row) return `a row of ${step} bytes is too short for ${width} pixels`;
-  if (data.length < step * (height - 1) + row) return `${data.length} bytes are too few for ${height} rows of ${step}`;
+  if (step < row) return imageTexts.shortRow(step, width);
+  if (data.length < step * (height - 1) + row) return imageTexts.tooFew(data.length, height, step);
   const rgba = new Uint8ClampedArray(4 * width * height);
   let range: ImageRange | null = null;
   switch (encoding.kind) {

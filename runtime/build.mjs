@@ -1,5 +1,6 @@
 // Builds the files that go into every site, and runtime_assets.json that lists them with size and sha256.
-// usage: node runtime/build.mjs --out FOLDER. Same sources give the same bytes.
+// usage: node runtime/build.mjs --out FOLDER [--texts FOLDER]. Same sources give the same bytes. --texts: the page's texts
+// in another language (other_texts.ts).
 
 import { execFileSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
@@ -9,8 +10,15 @@ import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
 import { build } from 'esbuild';
 import { components, takeInputs } from './components.mjs';
+import { languageOf, otherTexts } from './other_texts.ts';
 
 const root = fileURLToPath(new URL('..', import.meta.url));
+const { values } = parseArgs({ options: { out: { type: 'string' }, texts: { type: 'string' } } });
+const translated = values.texts === undefined ? [] : [otherTexts(values.texts)];
+
+function inLanguage(html) {
+  return values.texts === undefined ? html : html.replace('<html lang="en">', `<html lang="${languageOf(values.texts)}">`);
+}
 
 /**
  * One row per file of the site.
@@ -102,7 +110,7 @@ async function buildShared({ file, from }, out) {
     ...options.modules,
     entryPoints: { [file.replace(/\.[^.]+$/, '')]: from },
     outdir: out,
-    plugins: [leanRosmsg],
+    plugins: [leanRosmsg, ...translated],
     splitting: true,
     chunkNames: '[name]-[hash]',
     metafile: true,
@@ -128,6 +136,7 @@ async function buildShared({ file, from }, out) {
 async function buildCarried({ file, from }, out) {
   const { outputFiles, metafile } = await build({
     ...shared, ...options.classic, entryPoints: [from], outdir: out, write: false, metafile: true,
+    plugins: translated,
   });
   takeInputs(metafile);
   const program = outputFiles[0].text.replaceAll('</', '<\\/');
@@ -140,7 +149,7 @@ async function buildCarried({ file, from }, out) {
     return [name, ...(name === 'script-src' ? [hash] : []), ...new Set(own)].join(' ');
   });
   const html = ui(file).replace('POLICY', () => carried.join('; ')).replace('PROGRAM', () => program);
-  writeFileSync(join(out, file), html);
+  writeFileSync(join(out, file), inLanguage(html));
 }
 
 async function buildRow(row, out) {
@@ -149,7 +158,8 @@ async function buildRow(row, out) {
     return;
   }
   if (row.kind === 'copy') {
-    writeFileSync(join(out, row.file), readFileSync(join(root, row.from)));
+    const bytes = readFileSync(join(root, row.from));
+    writeFileSync(join(out, row.file), row.role === 'page' ? inLanguage(bytes.toString()) : bytes);
     return;
   }
   if (row.kind === 'wasm') {
@@ -166,7 +176,7 @@ async function buildRow(row, out) {
     ...options[row.kind],
     entryPoints: { [name]: row.from },
     outdir: out,
-    plugins: row.kind === 'modules' ? [leanRosmsg, separateImports(later)] : [leanRosmsg],
+    plugins: row.kind === 'modules' ? [leanRosmsg, ...translated, separateImports(later)] : [leanRosmsg],
     metafile: true,
   });
   if (row.kind !== 'node') takeInputs(metafile); // headless programs are in no site
@@ -176,9 +186,8 @@ async function buildRow(row, out) {
   }
 }
 
-const { values } = parseArgs({ options: { out: { type: 'string' } } });
 if (values.out === undefined) {
-  console.error('usage: build.mjs --out FOLDER');
+  console.error('usage: build.mjs --out FOLDER [--texts FOLDER]');
   process.exit(2);
 }
 const out = resolve(values.out);

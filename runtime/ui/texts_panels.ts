@@ -125,7 +125,11 @@ export const panelTexts = {
     none: 'Add a field of a topic to plot it.',
     needsTwo: 'The first field is the x axis. Add another one for the y axis.',
     of: (paths: readonly string[]): string =>
-      paths.length === 0 ? 'Empty plot' : `Plot of ${paths.join(', ')}`,
+      `${paths.length === 0 ? 'Empty plot' : `Plot of ${paths.join(', ')}`}. Left and right go from value to value, up and down zoom the values, plus and minus zoom, with Shift the arrow keys move the drawing, 0 shows all`,
+    whole: 'Show all values and follow',
+    at: (seconds: number): string => `At ${seconds.toFixed(3)}\u00a0s`,
+    values: (seconds: number, values: readonly (readonly [name: string, value: string])[]): string =>
+      `${seconds.toFixed(3)}\u00a0s: ${values.map(([name, value]) => `${name} ${value}`).join(', ')}`,
     pause: 'Hold the drawing',
     follow: 'Follow what comes',
     range: 'Time shown',
@@ -152,18 +156,6 @@ export const panelTexts = {
     empty: 'Nothing has been logged on /rosout since this panel was opened.',
   },
 
-  image: {
-    topic: 'Topic of the image',
-    none: 'No topic',
-    noTopic: 'No topic has images: sensor_msgs/msg/Image or CompressedImage.',
-    noImage: 'Cannot be shown: this message has no image.',
-    notRead: (format: string): string => `Cannot be shown: this browser cannot read its format, ${format}.`,
-    facts: (width: number, height: number, encoding: string): string =>
-      `${width} \u00d7 ${height}, ${encoding}`,
-    point: (x: number, y: number, value: string): string => `(${x}, ${y}): ${value}`,
-    of: (topic: string, facts: string): string =>
-      facts === '' ? 'No image yet' : `Image of ${topic}, ${facts}`,
-  },
 
   scene: {
     frame: 'Fixed frame',

@@ -90,7 +90,7 @@ async function picture(page: Page): Promise<void> {
 test('raw images are drawn as they are, with what was measured under the pointer', () =>
   stage.on(withPanels({ image: { topic: '/camera' } }), {}, async (page) => {
     await picture(page);
-    const canvas = page.locator('.image-canvas');
+    const canvas = page.locator('.picture-canvas');
     const data = await canvas.evaluate((element) => {
       const context = new OffscreenCanvas(2, 2).getContext('2d', { willReadFrequently: true });
       if (element instanceof HTMLCanvasElement) context?.drawImage(element, 0, 0);
@@ -99,13 +99,163 @@ test('raw images are drawn as they are, with what was measured under the pointer
     assert.deepEqual(data, [255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 9, 8, 7, 255]);
     const box = (await canvas.boundingBox()) ?? assert.fail();
     await page.mouse.move(box.x + box.width / 2 + 20, box.y + box.height / 2 + 20);
-    await page.getByText('(1, 1): 9 8 7').waitFor();
+    await page.getByText('(1, 1): R 9 G 8 B 7').waitFor();
     await page.evaluate(() =>
       globalThis.send('/camera', 'sensor_msgs/msg/Image', {
         header: { stamp: { sec: 0, nanosec: 0 }, frame_id: '' }, height: 4000000, width: 4000000, encoding: 'rgb8', is_bigendian: 0, step: 6, data: [1],
       }),
     );
     await page.getByText('Cannot be shown: 4000000 \u00d7 4000000 pixels are too many.').waitFor();
+  }));
+
+interface Frame {
+  readonly encoding: string;
+  readonly width: number;
+  readonly data: readonly number[];
+}
+
+/** Sends it until the panel has it: who subscribes later gets the next one. */
+async function show(page: Page, topic: string, frame: Frame, shown: string): Promise<void> {
+  const send = (): Promise<void> =>
+    page.evaluate(([name, { encoding, width, data }]) => {
+      const height = Math.floor(data.length / width / (encoding === '16UC1' ? 2 : 1));
+      globalThis.send(name, 'sensor_msgs/msg/Image', {
+        header: { stamp: { sec: 0, nanosec: 0 }, frame_id: '' }, height, width, encoding, is_bigendian: 0, step: data.length / height, data: [...data],
+      });
+    }, [topic, frame] as const);
+  await send();
+  await page.waitForFunction((name) => heard(name) > 0, topic);
+  await send();
+  await page.getByRole('img', { name: shown }).waitFor();
+}
+
+/** The picture's own pixels. */
+function pixels(page: Page): Promise<readonly number[]> {
+  return page.locator('.picture-canvas').evaluate((element) => {
+    if (!(element instanceof HTMLCanvasElement)) return [];
+    const context = new OffscreenCanvas(element.width, element.height).getContext('2d', { willReadFrequently: true });
+    context?.drawImage(element, 0, 0);
+    return [...(context?.getImageData(0, 0, element.width, element.height).data ?? [])];
+  });
+}
+
+/** How large a pixel of the picture is, and where its corner stands in the view. */
+function camera(page: Page): Promise<{ scale: number; x: number; y: number }> {
+  return page.locator('.picture-canvas').evaluate((element) => {
+    const matrix = new DOMMatrix(getComputedStyle(element).transform);
+    return { scale: matrix.a, x: matrix.e, y: matrix.f };
+  });
+}
+
+test('a picture is zoomed and moved by keys, buttons, wheel and pointer, and keys tell its pixels', () =>
+  stage.on(withPanels({ image: { topic: '/camera' } }), {}, async (page) => {
+    const data = Array.from({ length: 64 * 32 }, (_, i) => (i * 7) % 256);
+    await show(page, '/camera', { encoding: 'mono8', width: 64, data }, 'Image of /camera, 64 \u00d7 32, mono8');
+    const view = page.getByRole('application', { name: /^Picture\. Arrow keys/ });
+    const box = (await view.boundingBox()) ?? assert.fail();
+    const whole = await camera(page);
+    assert.ok(Math.abs(whole.scale - Math.min(box.width / 64, box.height / 32)) < 0.1, JSON.stringify(whole));
+    const words = page.locator('.picture-words');
+    const expected = (x: number, y: number): string => `(${x}, ${y}): ${((y * 64 + x) * 7) % 256}`;
+
+    await view.focus();
+    await page.keyboard.press('ArrowRight');
+    assert.equal(await words.innerText(), expected(32, 16));
+    await page.keyboard.press('ArrowUp');
+    await page.keyboard.press('ArrowLeft');
+    assert.equal(await words.innerText(), expected(31, 15));
+    // Told to those who hear the page, too.
+    await page.locator('[role=status]', { hasText: expected(31, 15) }).first().waitFor({ state: 'attached' });
+    await page.keyboard.press('1');
+    assert.ok(Math.abs((await camera(page)).scale - 1) < 1e-6);
+    await page.keyboard.press('+');
+    await page.keyboard.press('+');
+    assert.ok(Math.abs((await camera(page)).scale - 2.25) < 1e-6);
+    await page.keyboard.press('-');
+    const before = await camera(page);
+    await page.keyboard.press('Shift+ArrowRight');
+    await page.keyboard.press('Shift+ArrowDown');
+    const after = await camera(page);
+    assert.deepEqual([Math.round(after.x - before.x), Math.round(after.y - before.y)], [-40, -40]);
+    await page.keyboard.press('0');
+    assert.deepEqual(await camera(page), whole);
+    await page.keyboard.press('Escape');
+    await words.waitFor({ state: 'detached' });
+
+    await page.getByRole('button', { name: '1:1, each pixel as one' }).click();
+    assert.ok(Math.abs((await camera(page)).scale - 1) < 1e-6);
+    await page.getByText('100\u00a0%', { exact: true }).waitFor();
+    await page.getByRole('button', { name: 'Zoom in' }).click();
+    await page.getByRole('button', { name: 'Zoom in' }).click();
+    await page.getByRole('button', { name: 'Zoom out' }).click();
+    assert.ok(Math.abs((await camera(page)).scale - 1.5) < 1e-6);
+    await page.getByRole('button', { name: 'Show the whole picture' }).click();
+    assert.deepEqual(await camera(page), whole);
+
+    // The pixel under the pointer stays there.
+    const at = { x: box.x + whole.x + 10.5 * whole.scale, y: box.y + whole.y + 20.5 * whole.scale };
+    await page.mouse.move(at.x, at.y);
+    await words.getByText(expected(10, 20)).waitFor();
+    await page.mouse.wheel(0, -200);
+    await page.waitForFunction((scale) => {
+      const canvas = document.querySelector('.picture-canvas');
+      return canvas !== null && new DOMMatrix(getComputedStyle(canvas).transform).a > 1.3 * scale;
+    }, whole.scale);
+    await page.mouse.move(at.x + 1, at.y);
+    await words.getByText(expected(10, 20)).waitFor();
+    await page.mouse.down();
+    await page.mouse.move(at.x + 61, at.y + 30, { steps: 4 });
+    await page.mouse.up();
+    await words.getByText(expected(10, 20)).waitFor();
+    // A click chooses a pixel, which stays while the pointer goes elsewhere; a drag chooses none.
+    await page.mouse.move(0, 0);
+    await words.waitFor({ state: 'detached' });
+    await page.mouse.click(at.x + 61, at.y + 30);
+    await page.mouse.move(0, 0);
+    await words.getByText(expected(10, 20)).waitFor();
+    await page.locator('.picture-mark').waitFor();
+
+    const [file] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Save the picture (PNG)' }).click()]);
+    assert.equal(file.suggestedFilename(), 'camera.png');
+    const png = readFileSync(await file.path());
+    assert.equal(png.subarray(1, 4).toString('latin1'), 'PNG');
+    // The whole picture, however it is zoomed: width and height stand at 16 and 20 of a PNG.
+    assert.deepEqual([png.readUInt32BE(16), png.readUInt32BE(20)], [64, 32]);
+  }));
+
+test('depth has a range, automatic or as it is set, which links carry', () =>
+  stage.on(withPanels({ image: { topic: '/camera' } }), {}, async (page) => {
+    // 1000, 2000, 3000 and 4000 mm.
+    const data = [1000, 2000, 3000, 4000].flatMap((mm) => [mm & 255, mm >> 8]);
+    await show(page, '/camera', { encoding: '16UC1', width: 2, data }, 'Image of /camera, 2 \u00d7 2, 16UC1');
+    const greys = async (): Promise<readonly number[]> => (await pixels(page)).filter((_, i) => i % 4 === 0);
+    assert.deepEqual(await greys(), [0, 85, 170, 255]);
+    const least = page.getByRole('spinbutton', { name: 'Black at' });
+    const most = page.getByRole('spinbutton', { name: 'White at' });
+    const automatic = page.getByRole('checkbox', { name: 'Automatic' });
+    assert.equal(await automatic.isChecked(), true);
+    assert.deepEqual([await least.getAttribute('placeholder'), await most.getAttribute('placeholder')], ['1000', '4000']);
+    const drawn = async (wanted: readonly number[]): Promise<void> => {
+      while ((await greys()).join() !== wanted.join()) await page.waitForTimeout(20);
+    };
+    // The image that stands there is drawn anew: no further one comes.
+    await most.fill('6000');
+    await most.press('Enter');
+    await drawn([0, 51, 102, 153]);
+    await least.fill('2000');
+    await least.press('Enter');
+    await drawn([0, 0, 64, 128]);
+    assert.equal(await automatic.isChecked(), false);
+    await page.reload();
+    await page.waitForSelector('.panel-image');
+    await show(page, '/camera', { encoding: '16UC1', width: 2, data }, 'Image of /camera, 2 \u00d7 2, 16UC1');
+    assert.deepEqual([await least.inputValue(), await most.inputValue()], ['2000', '6000']);
+    await drawn([0, 0, 64, 128]);
+    await automatic.check();
+    await drawn([0, 85, 170, 255]);
+    await page.getByRole('application', { name: /^Picture/ }).focus();
+    await page.keyboard.press('ArrowRight');
+    await page.locator('.picture-words').getByText('(1, 1): 4000').waitFor();
   }));
 
 test('compressed images are read by the browser, and what is none is told', () =>
@@ -126,6 +276,9 @@ test('compressed images are read by the browser, and what is none is told', () =
     await send(true);
     await page.getByRole('img', { name: 'Image of /camera/compressed, 8 \u00d7 4, png' }).waitFor();
     await page.getByText('cannot read its format').waitFor({ state: 'detached' });
+    await page.getByRole('application', { name: /^Picture/ }).focus();
+    await page.keyboard.press('ArrowRight');
+    await page.locator('.picture-words').getByText('(4, 2): R 0 G 0 B 0').waitFor();
   }));
 
 for (const colorScheme of ['light', 'dark'] as const) {
@@ -139,7 +292,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
         await expectAccessible(page);
         await page.setViewportSize({ width: 320, height: 568 });
         await page.getByRole('tab', { name: 'Image' }).click();
-        await page.locator('.image-canvas').waitFor();
+        await picture(page);
         await expectAccessible(page);
         assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 320);
         await page.getByRole('tab', { name: 'Log' }).click();

@@ -75,6 +75,7 @@ def checks() -> dict[str, object]:
         "layers": lambda: run(sys.executable, "tests/tools/layers.py"),
         "house": house_rules,
         "types": lambda: run("node_modules/.bin/tsc", "--noEmit", "-p", "tsconfig.json"),
+        "words": lambda: run("node", "tests/tools/page_texts.ts"),
         "constants": lambda: run("node", "runtime/protocol/generate.mjs", "--check"),
         "tables": lambda: run(sys.executable, "tests/tools/claims.py", "--check"),
         "python": lambda: run(PYTHON, "-m", "flake8", "--max-line-length=120", *python),

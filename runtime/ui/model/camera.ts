@@ -7,21 +7,30 @@ export interface Camera extends Point {
   readonly scale: number;
 }
 
-const kLeast = 0.05;
-const kMost = 4;
-/** Small drawings are not blown up. */
-const kMostFitted = 1.1;
-const kMargin = 16;
+/** How far a kind of drawing is scaled. */
+export interface CameraLimits {
+  readonly least: number;
+  readonly most: number;
+  /** When it is fitted to its room. */
+  readonly mostFitted: number;
+  /** Pixels around what is fitted or shown. */
+  readonly margin: number;
+}
 
-export function fitted(bounds: Place, view: Size): Camera {
-  const room = (whole: number, needed: number): number => Math.max(1, whole - 2 * kMargin) / Math.max(1, needed);
-  const scale = clamp(Math.min(room(view.width, bounds.width), room(view.height, bounds.height), kMostFitted));
+/** Small drawings are not blown up. */
+export const kDrawingLimits: CameraLimits = { least: 0.05, most: 4, mostFitted: 1.1, margin: 16 };
+/** A picture fills its room, however small it is. */
+export const kPictureLimits: CameraLimits = { least: 0.01, most: 512, mostFitted: 512, margin: 0 };
+
+export function fitted(bounds: Place, view: Size, limits = kDrawingLimits): Camera {
+  const room = (whole: number, needed: number): number => Math.max(1, whole - 2 * limits.margin) / Math.max(1, needed);
+  const scale = clamp(Math.min(room(view.width, bounds.width), room(view.height, bounds.height), limits.mostFitted), limits);
   return { scale, x: view.width / 2 - scale * bounds.x, y: view.height / 2 - scale * bounds.y };
 }
 
 /** `at`, a point of the view, stays where it is. */
-export function zoomed(camera: Camera, factor: number, at: Point): Camera {
-  const scale = clamp(camera.scale * factor);
+export function zoomed(camera: Camera, factor: number, at: Point, limits = kDrawingLimits): Camera {
+  const scale = clamp(camera.scale * factor, limits);
   const by = scale / camera.scale;
   return { scale, x: at.x - by * (at.x - camera.x), y: at.y - by * (at.y - camera.y) };
 }
@@ -31,11 +40,11 @@ export function moved(camera: Camera, by: Point): Camera {
 }
 
 /** Moved no more than needed to see that place. */
-export function showing(camera: Camera, place: Place, view: Size): Camera {
+export function showing(camera: Camera, place: Place, view: Size, { margin } = kDrawingLimits): Camera {
   const shift = (at: number, half: number, whole: number): number => {
     const [first, last] = [at - half, at + half];
-    if (2 * half > whole - 2 * kMargin) return whole / 2 - at;
-    return first < kMargin ? kMargin - first : last > whole - kMargin ? whole - kMargin - last : 0;
+    if (2 * half > whole - 2 * margin) return whole / 2 - at;
+    return first < margin ? margin - first : last > whole - margin ? whole - margin - last : 0;
   };
   const { scale } = camera;
   return moved(camera, {
@@ -44,6 +53,6 @@ export function showing(camera: Camera, place: Place, view: Size): Camera {
   });
 }
 
-function clamp(scale: number): number {
-  return Math.min(kMost, Math.max(kLeast, scale));
+function clamp(scale: number, { least, most }: CameraLimits): number {
+  return Math.min(most, Math.max(least, scale));
 }

@@ -1,5 +1,6 @@
 // A Jupyter notebook (nbformat 4) as cells, and back to the same file: what is not understood here stays as it was.
 
+import { viewTexts } from '../texts_views.ts';
 import { isRecord, member, textMember } from './json.ts';
 
 export type CellKind = 'code' | 'markdown' | 'raw';
@@ -29,6 +30,7 @@ export type ReadNotebook =
   | { readonly kind: 'read'; readonly notebook: Notebook }
   | { readonly kind: 'failed'; readonly reason: string };
 
+const words = viewTexts.notebook.unread;
 export const kMostNotebook = 8 << 20;
 export const kMostCells = 1000;
 const kMostOutputs = 1000;
@@ -39,20 +41,20 @@ const kId = /^[a-zA-Z0-9_-]{1,64}$/;
 
 export function readNotebook(text: string): ReadNotebook {
   const failed = (reason: string): ReadNotebook => ({ kind: 'failed', reason });
-  if (text.length > kMostNotebook) return failed('it is larger than 8 MiB');
+  if (text.length > kMostNotebook) return failed(words.tooLarge);
   let file: unknown;
   try {
     file = JSON.parse(text);
   } catch {
-    return failed('it is not JSON');
+    return failed(words.notJson);
   }
-  if (!isRecord(file)) return failed('it is no notebook');
+  if (!isRecord(file)) return failed(words.noNotebook);
   const { cells, ...kept } = file;
-  if (member(file, 'nbformat') !== 4) return failed('it is not of nbformat 4');
-  if (!Array.isArray(cells)) return failed('it has no cells');
-  if (cells.length > kMostCells) return failed(`it has more than ${kMostCells} cells`);
+  if (member(file, 'nbformat') !== 4) return failed(words.otherFormat);
+  if (!Array.isArray(cells)) return failed(words.noCells);
+  if (cells.length > kMostCells) return failed(words.tooMany(kMostCells));
   const minor = member(file, 'nbformat_minor');
-  if (typeof minor !== 'number' || !Number.isInteger(minor) || minor < 0) return failed('it has no number nbformat_minor');
+  if (typeof minor !== 'number' || !Number.isInteger(minor) || minor < 0) return failed(words.noMinor);
   const notebook = {
     cells: cells.filter(isRecord).map(readCell),
     minor: Math.min(minor, kNewestMinor),

@@ -17,9 +17,15 @@ const kHeight = 405;
 const kBox = { left: 70, right: 16, top: 16, bottom: 46 };
 const kLegendRow = 18;
 
-export function plotSvg(lines: readonly Line[], xTitle: string): string {
-  const x = extentOf(lines.flatMap((line) => line.points.map(([value]) => value)));
-  const y = padded(extentOf(lines.flatMap((line) => line.points.map(([, value]) => value))));
+/** What part is seen; null: all of the points. */
+export interface SeenPart {
+  readonly x: Extent | null;
+  readonly y: Extent | null;
+}
+
+export function plotSvg(lines: readonly Line[], xTitle: string, seen: SeenPart = { x: null, y: null }): string {
+  const x = seen.x ?? extentOf(lines.flatMap((line) => line.points.map(([value]) => value)));
+  const y = seen.y ?? padded(extentOf(lines.flatMap((line) => line.points.map(([, value]) => value))));
   const height = kHeight + kLegendRow * lines.length;
   const right = kWidth - kBox.right;
   const bottom = kHeight - kBox.bottom;
@@ -30,6 +36,7 @@ export function plotSvg(lines: readonly Line[], xTitle: string): string {
   const parts = [
     `<svg xmlns="http://www.w3.org/2000/svg" width="${kWidth}" height="${height}" viewBox="0 0 ${kWidth} ${height}" font-family="sans-serif" font-size="12">`,
     `<rect width="${kWidth}" height="${height}" fill="#ffffff"/>`,
+    `<clipPath id="seen"><rect x="${kBox.left}" y="${kBox.top}" width="${right - kBox.left}" height="${bottom - kBox.top}"/></clipPath>`,
   ];
   for (const tick of ticks(x, 8)) {
     const at = fixed(atX(tick));
@@ -47,7 +54,7 @@ export function plotSvg(lines: readonly Line[], xTitle: string): string {
   );
   lines.forEach((line, index) => {
     const path = pathOf(line.points, atX, atY);
-    parts.push(`<path d="${path}" fill="none" stroke="${escaped(line.color)}" stroke-width="1.5" stroke-linejoin="round"/>`);
+    parts.push(`<path d="${path}" fill="none" stroke="${escaped(line.color)}" stroke-width="1.5" stroke-linejoin="round" clip-path="url(#seen)"/>`);
     const row = kHeight + kLegendRow * index;
     parts.push(
       `<rect x="${kBox.left}" y="${row}" width="14" height="4" fill="${escaped(line.color)}"/>`,

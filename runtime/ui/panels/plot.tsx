@@ -1,7 +1,7 @@
-// Numbers of messages over time, or against each other: every message counts, not every frame. Pause, zoom, CSV, SVG
-// and PNG. State: {paths, mode, seconds}.
+// Numbers of messages over time, or against each other: every message counts, not every frame. Pause, zoom, the values
+// at a moment, CSV, SVG and PNG. State: {paths, mode, seconds}.
 
-import { useEffect, useMemo, useReducer, useRef, useState } from 'preact/hooks';
+import { useEffect, useMemo, useReducer, useRef } from 'preact/hooks';
 import { asNumber } from '../model/field_path.ts';
 import { numberMember, textMember, textsMember } from '../model/json.ts';
 import type { Json } from '../model/json.ts';
@@ -16,6 +16,7 @@ import { PanelFrame } from '../parts/panel.tsx';
 import { PathList } from '../parts/path_list.tsx';
 import { PlotCanvas, pairsOf } from '../parts/plot_canvas.tsx';
 import type { PlotMode, PlotSource, TimeRange } from '../parts/plot_canvas.tsx';
+import { usePlotView } from '../parts/use_plot_view.ts';
 import { useTheme } from '../parts/watch.ts';
 import { texts } from '../texts.ts';
 import { panelTexts } from '../texts_panels.ts';
@@ -45,13 +46,12 @@ interface Track {
   problem: string;
 }
 
-export function PlotPanel({ session, state, setState, instance }: PanelProps) {
+export function PlotPanel({ session, state, setState, instance, announce }: PanelProps) {
   const options = useMemo(() => readOptions(state), [state]);
   const { paths, mode, seconds } = options;
   const codec = useCodec(session);
   const theme = useTheme();
   const [, redraw] = useReducer<number, void>((n) => n + 1, 0);
-  const [held, setHeld] = useState<TimeRange | null>(null);
   const tracks = useRef(new Map<string, Track>());
   const version = useRef(0);
   const origin = useRef(Number.NaN);
@@ -100,20 +100,33 @@ export function PlotPanel({ session, state, setState, instance }: PanelProps) {
     Math.max(
       ...named.map(({ samples }) => (samples.length > 0 ? samples.time(samples.length - 1) : -Infinity)),
     );
-  const source = (): PlotSource => {
+  const zero = (): number => (Number.isNaN(origin.current) ? 0 : origin.current);
+  const following = (): TimeRange => {
     const end = newest();
-    const most = Number.isFinite(end) ? end : 0;
-    return {
-      version: held === null ? version.current : -version.current,
-      series: named,
-      range: held ?? { least: most - seconds, most },
-      origin: Number.isNaN(origin.current) ? 0 : origin.current,
-    };
+    // There is nothing before the beginning: the room that is left is for what comes.
+    const least = Math.max(zero(), (Number.isFinite(end) ? end : 0) - seconds);
+    return { least, most: least + seconds };
   };
-  const hold = (range: TimeRange | null): void => {
-    setHeld(range);
-    version.current += 1;
-  };
+  const view = usePlotView({
+    mode,
+    series: () => named,
+    following,
+    changed: () => {
+      version.current += 1;
+    },
+    told: (moment) =>
+      announce(panelTexts.plot.values(moment - zero(), named.map(({ name, samples }) => [name, numberWords(samples.valueAt(moment))]))),
+  });
+  const { held, hold, moment } = view;
+  const source = (): PlotSource => ({
+    version: version.current,
+    series: named,
+    range: held ?? following(),
+    x: mode === 'xy' ? view.x : null,
+    y: view.y,
+    origin: zero(),
+    moment,
+  });
   const save = {
     csv: (): void => download('plot.csv', new Blob([toCsv(named)], { type: 'text/csv' })),
     svg: (): void => download('plot.svg', new Blob([svgOf(source(), mode)], { type: 'image/svg+xml' })),
@@ -134,6 +147,12 @@ export function PlotPanel({ session, state, setState, instance }: PanelProps) {
             icon={held === null ? 'pause' : 'play'}
             label={held === null ? panelTexts.plot.pause : panelTexts.plot.follow}
             onClick={() => hold(held === null ? source().range : null)}
+          />
+          <IconButton
+            icon="fit"
+            label={panelTexts.plot.whole}
+            disabled={held === null && view.x === null && view.y === null}
+            onClick={view.whole}
           />
           <select
             class="select"
@@ -176,7 +195,7 @@ export function PlotPanel({ session, state, setState, instance }: PanelProps) {
         instance={instance}
         entries={paths.map((path, index) => ({
           path,
-          words: wordsOf(tracks.current.get(path)),
+          words: wordsOf(tracks.current.get(path), moment),
           color: (index % 8) + 1,
         }))}
         onChange={(next) => change({ paths: next })}
@@ -184,24 +203,33 @@ export function PlotPanel({ session, state, setState, instance }: PanelProps) {
       {typeof codec === 'string' ? <p class="hint">{texts.topics.undecodable(codec)}</p> : null}
       {paths.length === 0 ? <p class="hint">{panelTexts.plot.none}</p> : null}
       {mode === 'xy' && paths.length === 1 ? <p class="hint">{panelTexts.plot.needsTwo}</p> : null}
-      <PlotCanvas
-        mode={mode}
-        count={paths.length}
-        theme={theme}
-        label={panelTexts.plot.of(paths)}
-        source={source}
-        onZoom={hold}
-        canvas={canvas}
-      />
+      <div class="plot">
+        <PlotCanvas
+          mode={mode}
+          count={paths.length}
+          theme={theme}
+          label={panelTexts.plot.of(paths)}
+          source={source}
+          view={view}
+          canvas={canvas}
+        />
+        {moment === null ? null : <p class="plot-moment">{panelTexts.plot.at(moment - zero())}</p>}
+      </div>
     </PanelFrame>
   );
 }
 
-function wordsOf(track: Track | undefined): string {
+/** Of the newest sample, or of the one that holds at that moment. */
+function wordsOf(track: Track | undefined, moment: number | null): string {
   if (track === undefined) return '';
   if (track.problem !== '') return track.problem;
   const { length } = track.samples;
-  return length === 0 ? panelTexts.paths.waiting : String(Number(track.samples.value(length - 1).toPrecision(6)));
+  if (length === 0) return panelTexts.paths.waiting;
+  return numberWords(moment === null ? track.samples.value(length - 1) : track.samples.valueAt(moment));
+}
+
+function numberWords(value: number): string {
+  return Number.isNaN(value) ? '-' : String(Number(value.toPrecision(6)));
 }
 
 /** Colours that stay apart in print and for colour-blind people; those of the light theme. */
@@ -217,7 +245,7 @@ function svgOf(source: PlotSource, mode: PlotMode): string {
       color: color(index + 1),
       points: pairs[index] ?? [],
     }));
-    return plotSvg(lines, first?.name ?? '');
+    return plotSvg(lines, first?.name ?? '', source);
   }
   const lines = source.series.map(({ name, samples }, index) => {
     const points: [number, number][] = [];
@@ -227,7 +255,7 @@ function svgOf(source: PlotSource, mode: PlotMode): string {
     }
     return { name, color: color(index), points };
   });
-  return plotSvg(lines, panelTexts.plot.seconds);
+  return plotSvg(lines, panelTexts.plot.seconds, source);
 }
 
 /** The drawing on the page's ground: by itself it is transparent. */

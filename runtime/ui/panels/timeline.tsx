@@ -29,6 +29,8 @@ export function TimelinePanel({ session, state, setState, instance }: PanelProps
   const rows = useRef(new Map<string, Row>());
   const [, redraw] = useReducer<number, void>((n) => n + 1, 0);
   const [held, setHeld] = useState<number | null>(null);
+  /** When the first state was told. */
+  const begin = useRef(Number.NaN);
   const rowOf = (path: string): Row => {
     const known = rows.current.get(path) ?? { track: new StateTrack(), problem: '' };
     rows.current.set(path, known);
@@ -42,7 +44,9 @@ export function TimelinePanel({ session, state, setState, instance }: PanelProps
         const row = rowOf(path);
         const text = asState(value);
         row.problem = text === undefined ? panelTexts.timeline.noState : '';
-        if (text !== undefined) row.track.add(time, text);
+        if (text === undefined) return;
+        if (!(time >= begin.current)) begin.current = time;
+        row.track.add(time, text);
       },
       onProblem(path, problem) {
         rowOf(path).problem = problem;
@@ -55,7 +59,8 @@ export function TimelinePanel({ session, state, setState, instance }: PanelProps
   }, []);
 
   const end = held ?? session.time.view().now / 1000;
-  const range = { least: end - seconds, most: end };
+  const least = Number.isNaN(begin.current) ? end - seconds : Math.max(begin.current, end - seconds);
+  
   return (
     <PanelFrame
       id="timeline"
@@ -105,14 +110,14 @@ export function TimelinePanel({ session, state, setState, instance }: PanelProps
           aria-label={panelTexts.timeline.of(path, rowOf(path).track.last)}
         >
           {rowOf(path)
-            .track.spans(range.least, range.most)
+            .track.spans(least, end)
             .map((span) => (
               <span
                 key={span.from}
                 class={`state-span plot-ground-${span.color}`}
                 title={span.text}
                 style={{
-                  left: `${((span.from - range.least) / seconds) * 100}%`,
+                  left: `${((span.from - least) / seconds) * 100}%`,
                   width: `${((span.to - span.from) / seconds) * 100}%`,
                 }}
               >

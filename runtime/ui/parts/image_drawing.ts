@@ -4,10 +4,11 @@ import { isMessage } from '../../decode/yaml.ts';
 import type { Codec } from '../../decode/codec.ts';
 import type { Session, Unsubscribe } from '../../wasm_js/session.ts';
 import { asNumber } from '../model/field_path.ts';
-import { pixelsOf } from '../model/image_pixels.ts';
-import type { RawImage } from '../model/image_pixels.ts';
+import type { RawImage } from '../model/image_encodings.ts';
+import { kAutomatic, pixelsOf } from '../model/image_pixels.ts';
+import type { ImageRange, WantedRange } from '../model/image_pixels.ts';
 import { texts } from '../texts.ts';
-import { panelTexts } from '../texts_panels.ts';
+import { imageTexts } from '../texts_image.ts';
 import { feed } from './message_feed.ts';
 
 const kRaw = 'sensor_msgs/msg/Image';
@@ -25,6 +26,19 @@ export interface ImageTold {
   readonly problem: string;
   /** null when it came compressed, or not at all. */
   readonly raw: RawImage | null;
+  /** Over what its numbers are spread; null where they are colours. */
+  readonly range: ImageRange | null;
+}
+
+export interface ImageDrawing {
+  readonly stop: Unsubscribe;
+  /** Draws the last image once more: the range that is wanted is another one. */
+  readonly again: () => void;
+}
+
+interface ImageMessage {
+  readonly type: string;
+  readonly value: Readonly<Record<string, unknown>>;
 }
 
 export function drawImages(
@@ -33,9 +47,11 @@ export function drawImages(
   topic: string,
   canvas: () => HTMLCanvasElement | null,
   tell: (told: ImageTold) => void,
-): Unsubscribe {
+  range: () => WantedRange = () => kAutomatic,
+): ImageDrawing {
   let current = true;
-  let newest: { readonly type: string; readonly value: Readonly<Record<string, unknown>> } | null = null;
+  let newest: ImageMessage | null = null;
+  let last: ImageMessage | null = null;
   let frame = 0;
   let busy = false;
   const draw = async (): Promise<void> => {
@@ -44,12 +60,16 @@ export function drawImages(
     const element = canvas();
     if (next === null || element === null || busy) return;
     newest = null;
+    last = next;
     busy = true;
-    const told = next.type === kRaw ? drawRaw(element, next.value) : await drawCompressed(element, next.value);
+    const told = next.type === kRaw ? drawRaw(element, next.value, range()) : await drawCompressed(element, next.value);
     busy = false;
     if (!current) return;
     tell(told);
-    if (newest !== null && frame === 0) frame = requestAnimationFrame(() => void draw());
+    if (newest !== null) soon();
+  };
+  const soon = (): void => {
+    if (frame === 0) frame = requestAnimationFrame(() => void draw());
   };
   const stop = feed(session, codec, topic, ({ decoded, type }) => {
     if (decoded.kind === 'failed') {
@@ -59,22 +79,28 @@ export function drawImages(
     if (!isMessage(decoded.value)) return;
     // Only the newest one that there is time for is drawn.
     newest = { type, value: decoded.value };
-    if (frame === 0) frame = requestAnimationFrame(() => void draw());
+    soon();
   });
-  return () => {
-    current = false;
-    cancelAnimationFrame(frame);
-    stop();
+  return {
+    stop: () => {
+      current = false;
+      cancelAnimationFrame(frame);
+      stop();
+    },
+    again: () => {
+      newest ??= last;
+      if (newest !== null) soon();
+    },
   };
 }
 
 function fault(problem: string): ImageTold {
-  return { facts: '', problem, raw: null };
+  return { facts: '', problem, raw: null, range: null };
 }
 
-function drawRaw(canvas: HTMLCanvasElement, value: Readonly<Record<string, unknown>>): ImageTold {
+function drawRaw(canvas: HTMLCanvasElement, value: Readonly<Record<string, unknown>>, range: WantedRange): ImageTold {
   const { data, encoding } = value;
-  if (!(data instanceof Uint8Array) || typeof encoding !== 'string') return fault(panelTexts.image.noImage);
+  if (!(data instanceof Uint8Array) || typeof encoding !== 'string') return fault(imageTexts.noImage);
   const raw: RawImage = {
     width: asNumber(value['width']),
     height: asNumber(value['height']),
@@ -83,26 +109,26 @@ function drawRaw(canvas: HTMLCanvasElement, value: Readonly<Record<string, unkno
     encoding,
     data,
   };
-  const pixels = pixelsOf(raw);
+  const pixels = pixelsOf(raw, range);
   if (typeof pixels === 'string') return fault(texts.topics.undecodable(pixels));
   resize(canvas, pixels.width, pixels.height);
   canvas.getContext('2d')?.putImageData(new ImageData(pixels.rgba, pixels.width, pixels.height), 0, 0);
-  return { facts: panelTexts.image.facts(pixels.width, pixels.height, encoding), problem: '', raw };
+  return { facts: imageTexts.facts(pixels.width, pixels.height, encoding), problem: '', raw, range: pixels.range };
 }
 
 async function drawCompressed(canvas: HTMLCanvasElement, value: Readonly<Record<string, unknown>>): Promise<ImageTold> {
   const { data, format } = value;
-  if (!(data instanceof Uint8Array) || data.length > kMostCompressed) return fault(panelTexts.image.noImage);
+  if (!(data instanceof Uint8Array) || data.length > kMostCompressed) return fault(imageTexts.noImage);
   const name = typeof format === 'string' ? format : '';
   try {
     const picture = await createImageBitmap(new Blob([Uint8Array.from(data)]));
     resize(canvas, picture.width, picture.height);
     canvas.getContext('2d')?.drawImage(picture, 0, 0);
-    const facts = panelTexts.image.facts(picture.width, picture.height, name.slice(0, 40));
+    const facts = imageTexts.facts(picture.width, picture.height, name.slice(0, 40));
     picture.close();
-    return { facts, problem: '', raw: null };
+    return { facts, problem: '', raw: null, range: null };
   } catch {
-    return fault(panelTexts.image.notRead(name.slice(0, 40)));
+    return fault(imageTexts.notRead(name.slice(0, 40)));
   }
 }
 

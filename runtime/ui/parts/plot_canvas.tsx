@@ -4,8 +4,11 @@
 import uPlot from 'uplot';
 import { useEffect, useRef } from 'preact/hooks';
 import { extentOf, padded } from '../model/plot_svg.ts';
+import type { Extent } from '../model/plot_svg.ts';
 import { aligned } from '../model/samples.ts';
+import { pairsWith } from '../model/plot_view.ts';
 import type { NamedSamples } from '../model/samples.ts';
+import type { PlotView, PlotWindow } from './use_plot_view.ts';
 
 export type PlotMode = 'time' | 'xy';
 
@@ -20,8 +23,13 @@ export interface PlotSource {
   readonly version: number;
   readonly series: readonly NamedSamples[];
   readonly range: TimeRange;
+  /** Of the values, where it was chosen; null: all of them are seen. */
+  readonly x: Extent | null;
+  readonly y: Extent | null;
   /** Second zero of the time axis. */
   readonly origin: number;
+  /** The values of that time are marked. */
+  readonly moment: number | null;
 }
 
 export interface PlotCanvasProps {
@@ -31,30 +39,36 @@ export interface PlotCanvasProps {
   /** Changes with the colours of the page. */
   readonly theme: string;
   readonly source: () => PlotSource;
-  readonly onZoom: (range: TimeRange) => void;
+  /** What pointer and keys do to it. */
+  readonly view: PlotView;
   /** Receives a function that gives the drawing's canvas. */
   readonly canvas: { current: HTMLCanvasElement | null };
 }
 
 const kLeastPauseMs = 50;
+/** Pixels. A drag that goes less far up and down chooses time alone, and the other way round. */
+const kAcross = 40;
+/** Pixels from the pointer to a point of an x-y plot that is meant. */
+const kNear = 40;
+const kDot = 3.5;
 
-export function PlotCanvas({ mode, count, label, theme, source, onZoom, canvas }: PlotCanvasProps) {
+export function PlotCanvas({ mode, count, label, theme, source, view, canvas }: PlotCanvasProps) {
   const host = useRef<HTMLDivElement>(null);
-  const latest = useRef({ source, onZoom });
-  latest.current = { source, onZoom };
+  const latest = useRef({ source, view });
+  latest.current = { source, view };
 
   useEffect(() => {
     const box = host.current;
     if (box === null || count === 0) return undefined;
     const colors = colorsOf(box);
     let shown: PlotSource = latest.current.source();
-    let extents = { x: { least: 0, most: 1 }, y: { least: 0, most: 1 } };
+    let extents: PlotWindow = { x: { least: 0, most: 1 }, y: { least: 0, most: 1 } };
     const plot = new uPlot(
       {
         width: Math.max(80, box.clientWidth),
         height: Math.max(60, box.clientHeight),
         legend: { show: false },
-        cursor: { drag: { x: mode === 'time', y: false, setScale: false }, y: mode === 'xy' },
+        cursor: { drag: { x: true, y: true, uni: kAcross, setScale: false }, y: mode === 'xy', points: { show: false } },
         scales: {
           x: { time: false, range: () => [extents.x.least, extents.x.most] },
           y: { range: () => [extents.y.least, extents.y.most] },
@@ -79,15 +93,33 @@ export function PlotCanvas({ mode, count, label, theme, source, onZoom, canvas }
         hooks: {
           setSelect: [
             (self) => {
-              const { left, width } = self.select;
-              if (width < 4) return;
-              const least = self.posToVal(left, 'x') + shown.origin;
-              const most = self.posToVal(left + width, 'x') + shown.origin;
+              const { left, top, width, height } = self.select;
+              const whole = { width: self.over.clientWidth, height: self.over.clientHeight };
+              const shift = mode === 'time' ? shown.origin : 0;
+              // A selection along one axis has the whole of the other.
+              const x = width < 4 || width >= whole.width ? null : span(self.posToVal(left, 'x') + shift, self.posToVal(left + width, 'x') + shift);
+              const y = height < 4 || height >= whole.height ? null : span(self.posToVal(top + height, 'y'), self.posToVal(top, 'y'));
               self.setSelect({ left: 0, top: 0, width: 0, height: 0 }, false);
-              latest.current.onZoom({ least, most });
+              if (x !== null || y !== null) latest.current.view.select({ x, y });
             },
           ],
-          draw: mode === 'xy' ? [(self) => drawPairs(self, shown, colors.lines)] : [],
+          setCursor: [
+            (self) => {
+              const { left = -1, top = -1, idx } = self.cursor;
+              const time = left < 0 || idx === null || idx === undefined ? undefined : self.data[0][idx];
+              latest.current.view.point(
+                left < 0 ? null
+                : mode === 'xy' ? nearestMoment(self, shown, left, top)
+                : time === undefined ? null : time + shown.origin,
+              );
+            },
+          ],
+          draw: [
+            (self) => {
+              if (mode === 'xy') drawPairs(self, shown, colors.lines);
+              drawMoment(self, shown, mode, colors);
+            },
+          ],
         },
       },
       [[0], ...Array.from({ length: mode === 'time' ? count : 1 }, () => [null])],
@@ -101,15 +133,17 @@ export function PlotCanvas({ mode, count, label, theme, source, onZoom, canvas }
         const { times, columns } = aligned(shown.series, shown.range.least);
         extents = {
           x: { least: shown.range.least - shown.origin, most: shown.range.most - shown.origin },
-          y: padded(extentOf(seen(times, columns, shown.range.most))),
+          y: shown.y ?? padded(extentOf(seen(times, columns, shown.range.most))),
         };
+        latest.current.view.seen.current = { x: shown.range, y: extents.y };
         plot.setData([times.map((time) => time - shown.origin), ...columns.map((column) => [...column])]);
       } else {
         const pairs = pairsOf(shown).flat();
         extents = {
-          x: padded(extentOf(pairs.map(([x]) => x))),
-          y: padded(extentOf(pairs.map(([, y]) => y))),
+          x: shown.x ?? padded(extentOf(pairs.map(([x]) => x))),
+          y: shown.y ?? padded(extentOf(pairs.map(([, y]) => y))),
         };
+        latest.current.view.seen.current = extents;
         plot.setData([[extents.x.least, extents.x.most], [null, null]]);
       }
     };
@@ -139,22 +173,23 @@ export function PlotCanvas({ mode, count, label, theme, source, onZoom, canvas }
     };
   }, [mode, count, theme]);
 
-  return <div class="plot-canvas" role="img" aria-label={label} ref={host} />;
+  return (
+    <div
+      class="plot-canvas"
+      role="application"
+      aria-label={label}
+      tabIndex={0}
+      ref={host}
+      onKeyDown={(event) => latest.current.view.onKeyDown(event)}
+    />
+  );
 }
 
 /** Points of each series against the first one, whose value holds until its next. */
 export function pairsOf({ series, range }: PlotSource): readonly (readonly [number, number])[][] {
   const [first, ...others] = series;
   if (first === undefined) return [];
-  return others.map(({ samples }) => {
-    const points: [number, number][] = [];
-    for (let i = samples.from(range.least); i < samples.length; i += 1) {
-      const time = samples.time(i);
-      if (time > range.most) break;
-      points.push([first.samples.valueAt(time), samples.value(i)]);
-    }
-    return points;
-  });
+  return others.map(({ samples }) => pairsWith(first.samples, samples, range));
 }
 
 function drawPairs(plot: uPlot, shown: PlotSource, colors: readonly string[]): void {
@@ -181,6 +216,62 @@ function drawPairs(plot: uPlot, shown: PlotSource, colors: readonly string[]): v
     ctx.stroke();
   });
   ctx.restore();
+}
+
+function span(least: number, most: number): Extent | null {
+  return most > least ? { least, most } : null;
+}
+
+/** Where the values of a moment stand, with the number of their series. */
+function marksOf(shown: PlotSource, mode: PlotMode, moment: number): readonly { readonly x: number; readonly y: number; readonly series: number }[] {
+  const [first] = shown.series;
+  return shown.series.flatMap(({ samples }, series) => {
+    if (mode === 'time') return [{ x: moment - shown.origin, y: samples.valueAt(moment), series }];
+    return series === 0 || first === undefined ? [] : [{ x: first.samples.valueAt(moment), y: samples.valueAt(moment), series }];
+  });
+}
+
+function drawMoment(plot: uPlot, shown: PlotSource, mode: PlotMode, colors: { readonly text: string; readonly lines: readonly string[] }): void {
+  const { moment } = shown;
+  if (moment === null) return;
+  const { ctx, bbox } = plot;
+  ctx.save();
+  ctx.beginPath();
+  ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
+  ctx.clip();
+  if (mode === 'time') {
+    const at = plot.valToPos(moment - shown.origin, 'x', true);
+    ctx.strokeStyle = colors.text;
+    ctx.lineWidth = devicePixelRatio;
+    ctx.beginPath();
+    ctx.moveTo(at, bbox.top);
+    ctx.lineTo(at, bbox.top + bbox.height);
+    ctx.stroke();
+  }
+  for (const { x, y, series } of marksOf(shown, mode, moment)) {
+    if (!Number.isFinite(x) || !Number.isFinite(y)) continue;
+    ctx.fillStyle = colors.lines[series % colors.lines.length] ?? colors.text;
+    ctx.beginPath();
+    ctx.arc(plot.valToPos(x, 'x', true), plot.valToPos(y, 'y', true), kDot * devicePixelRatio, 0, 2 * Math.PI);
+    ctx.fill();
+  }
+  ctx.restore();
+}
+
+/** Of the points of an x-y plot the one nearest to the pointer; null: none is near. */
+function nearestMoment(plot: uPlot, shown: PlotSource, left: number, top: number): number | null {
+  const [first, ...others] = shown.series;
+  if (first === undefined) return null;
+  let [found, best] = [null as number | null, kNear];
+  for (const { samples } of others) {
+    for (let i = samples.from(shown.range.least); i < samples.length; i += 1) {
+      const time = samples.time(i);
+      if (time > shown.range.most) break;
+      const away = Math.hypot(plot.valToPos(first.samples.valueAt(time), 'x') - left, plot.valToPos(samples.value(i), 'y') - top);
+      if (away < best) [found, best] = [time, away];
+    }
+  }
+  return found;
 }
 
 function seen(

@@ -47,7 +47,7 @@ function Overlay({ session, codec, image: { topic, size }, resize, close }: Over
   const [told, setTold] = useState({ facts: '', problem: '' });
   useEffect(
     () => drawImages(session, codec, topic, () => canvas.current, ({ facts, problem }) => setTold((before) =>
-      before.facts === facts && before.problem === problem ? before : { facts, problem })),
+      before.facts === facts && before.problem === problem ? before : { facts, problem })).stop,
     [session, codec, topic],
   );
   const next = kImageSizes[(kImageSizes.indexOf(size) + 1) % kImageSizes.length] ?? 'small';

@@ -18,6 +18,8 @@ export function SearchField({ value, label, onText }: SearchFieldProps) {
         value={value}
         placeholder={label}
         aria-label={label}
+        // Wide enough for its words; a narrow panel makes it narrower.
+        style={{ width: `${Math.max(13, label.length * 0.9)}ch` }}
         onInput={(event) => onText(event.currentTarget.value)}
       />
     </label>

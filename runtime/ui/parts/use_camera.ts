@@ -2,15 +2,17 @@
 
 import { useCallback, useLayoutEffect, useRef, useState } from 'preact/hooks';
 import type { RefObject } from 'preact';
-import { fitted, moved, showing, zoomed } from '../model/camera.ts';
-import type { Camera } from '../model/camera.ts';
+import { fitted, kDrawingLimits, moved, showing, zoomed } from '../model/camera.ts';
+import type { Camera, CameraLimits } from '../model/camera.ts';
 import type { Place, Point, Size } from '../model/graph_layout.ts';
 
 export interface CameraControl {
   readonly camera: Camera;
   readonly view: Size;
   readonly fit: () => void;
-  readonly zoom: (factor: number) => void;
+  /** Around the middle of the view, or a point of it. */
+  readonly zoom: (factor: number, at?: Point) => void;
+  readonly move: (by: Point) => void;
   readonly show: (place: Place) => void;
   readonly onPointerDown: (event: PointerEvent) => void;
   readonly onPointerMove: (event: PointerEvent) => void;
@@ -21,10 +23,11 @@ export interface CameraControl {
 
 const kDragFrom = 4;
 
-export function useCamera(host: RefObject<SVGSVGElement | null>, bounds: Place): CameraControl {
+/** `limits` stay the same from one drawing to the next. */
+export function useCamera(host: RefObject<HTMLElement | SVGSVGElement | null>, bounds: Place, limits: CameraLimits = kDrawingLimits): CameraControl {
   const [view, setView] = useState<Size>({ width: 0, height: 0 });
   const [chosen, setChosen] = useState<Camera | null>(null);
-  const camera = chosen ?? fitted(bounds, view);
+  const camera = chosen ?? fitted(bounds, view, limits);
   const latest = useRef({ camera, view });
   latest.current = { camera, view };
   const pointers = useRef(new Map<number, Point>());
@@ -46,10 +49,11 @@ export function useCamera(host: RefObject<SVGSVGElement | null>, bounds: Place):
     measure();
     const resized = new ResizeObserver(measure);
     resized.observe(element);
-    const wheel = (event: WheelEvent): void => {
+    const wheel = (event: Event): void => {
+      if (!(event instanceof WheelEvent)) return;
       event.preventDefault();
       const lines = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 16 : 1;
-      change((now) => zoomed(now, Math.exp(-Math.max(-200, Math.min(200, event.deltaY * lines)) / 400), pointOf(event, element)));
+      change((now) => zoomed(now, Math.exp(-Math.max(-200, Math.min(200, event.deltaY * lines)) / 400), pointOf(event, element), limits));
     };
     // A listener of Preact's would be passive, and the page would scroll.
     element.addEventListener('wheel', wheel, { passive: false });
@@ -63,10 +67,12 @@ export function useCamera(host: RefObject<SVGSVGElement | null>, bounds: Place):
     camera,
     view,
     fit: () => setChosen(null),
-    zoom: (factor) => change((now) => zoomed(now, factor, { x: latest.current.view.width / 2, y: latest.current.view.height / 2 })),
+    zoom: (factor, at) =>
+      change((now) => zoomed(now, factor, at ?? { x: latest.current.view.width / 2, y: latest.current.view.height / 2 }, limits)),
+    move: (by) => change((now) => moved(now, by)),
     show: (place) => {
       const { camera: now, view: room } = latest.current;
-      const next = showing(now, place, room);
+      const next = showing(now, place, room, limits);
       if (next.x !== now.x || next.y !== now.y) change(() => next);
     },
     onPointerDown(event) {
@@ -100,7 +106,7 @@ export function useCamera(host: RefObject<SVGSVGElement | null>, bounds: Place):
       } else {
         const middle = { x: (at.x + other.x) / 2, y: (at.y + other.y) / 2 };
         const shift = { x: (at.x - before.x) / 2, y: (at.y - before.y) / 2 };
-        change((now) => zoomed(moved(now, shift), distance(at, other) / Math.max(1, distance(before, other)), middle));
+        change((now) => zoomed(moved(now, shift), distance(at, other) / Math.max(1, distance(before, other)), middle, limits));
       }
     },
     onPointerEnd(event) {

@@ -1,0 +1,73 @@
+// Words that visitors of a page read stand in runtime/ui/texts*.ts alone: finds them in its components, as text content
+// and in attributes that are read. Symbols and names of ROS and of files are the same in every
+// language: only text with two letters in a row that is no such name counts.
+
+import { readFileSync, readdirSync } from 'node:fs';
+import { join } from 'node:path';
+import { parse } from 'acorn';
+import { transformSync } from 'esbuild';
+
+const kRoot = 'runtime/ui';
+/** Attributes that are seen or heard, and props of our own parts that become such. */
+const kRead = new Set(['children', 'aria-label', 'aria-description', 'aria-roledescription', 'aria-valuetext', 'title', 'placeholder', 'alt', 'label', 'words', 'note']);
+/** `/cmd_vel`, `geometry_msgs/msg/Twist`, `CITATION.cff`, and what stands before a code in a terminal: `error[`. */
+const kName = /^\/?[a-z]\w*(\/\w+)+$|^\/\w+$|^\w+\.\w+$|^error\[$/;
+
+function isWords(text: string): boolean {
+  return /\p{L}{2}/u.test(text) && !kName.test(text.trim());
+}
+
+type Tree = Readonly<Record<string, unknown>>;
+
+function isTree(value: unknown): value is Tree {
+  return typeof value === 'object' && value !== null;
+}
+
+function trees(value: unknown): readonly Tree[] {
+  return (Array.isArray(value) ? value : [value]).filter(isTree);
+}
+
+/** The literal texts that an expression can give: in both arms of conditions, in templates and lists. */
+function literals(node: unknown): readonly string[] {
+  if (!isTree(node)) return [];
+  switch (node['type']) {
+    case 'Literal':
+      return typeof node['value'] === 'string' ? [node['value']] : [];
+    case 'TemplateLiteral':
+      return trees(node['quasis']).flatMap(({ value }) => trees(value).map(({ cooked }) => String(cooked)));
+    case 'ConditionalExpression':
+      return [...literals(node['consequent']), ...literals(node['alternate'])];
+    case 'BinaryExpression':
+      return node['operator'] === '+' ? [...literals(node['left']), ...literals(node['right'])] : [];
+    case 'LogicalExpression':
+      return [...literals(node['left']), ...literals(node['right'])];
+    case 'ArrayExpression':
+      return trees(node['elements']).flatMap(literals);
+    default:
+      return [];
+  }
+}
+
+/** The words that stand in a component's text. */
+export function wordsIn(text: string): readonly string[] {
+  const { code } = transformSync(text, { loader: 'tsx', format: 'esm', jsx: 'automatic', jsxImportSource: 'preact' });
+  const found: string[] = [];
+  const visit = (node: Tree): void => {
+    // What JSX has become.
+    if (node['type'] === 'CallExpression' && trees(node['callee']).some(({ name }) => name === 'jsx' || name === 'jsxs'))
+      for (const { key, value } of trees(trees(node['arguments'])[1]?.['properties']))
+        if (trees(key).some(({ name, value: quoted }) => kRead.has(String(name ?? quoted)))) found.push(...literals(value).filter(isWords));
+    for (const part of Object.values(node)) trees(part).forEach(visit);
+  };
+  trees(parse(code, { ecmaVersion: 'latest', sourceType: 'module' })).forEach(visit);
+  return found;
+}
+
+if (process.argv[1]?.endsWith('page_texts.ts') === true) {
+  for (const name of readdirSync(kRoot, { recursive: true, encoding: 'utf8' }).filter((one) => one.endsWith('.tsx'))) {
+    for (const words of wordsIn(readFileSync(join(kRoot, name), 'utf8'))) {
+      console.log(`${join(kRoot, name)}: \u201c${words.trim()}\u201d belongs into runtime/ui/texts*.ts`);
+      process.exitCode = 1;
+    }
+  }
+}

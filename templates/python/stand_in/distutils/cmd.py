@@ -1,0 +1,4 @@
+"""`from distutils.cmd import Command`."""
+from setuptools import Command
+
+__all__ = ['Command']

@@ -144,7 +144,9 @@ bool LaunchEvaluator::event(const EventHandler& handler) {
   const bool changes = kind == "transition";
   if (kind == "shutdown") {
     trigger_ = LaunchTrigger{.process = 0, .event = LaunchEvent::kShutdown};
+    scope_.event = {{"event.reason", std::string(kShutdownReason)}};
     follow(handler);
+    scope_.event.clear();
     return true;
   }
   const bool prints = kind == "output";

@@ -99,6 +99,16 @@ Result loop_value(const Call& call) {
   return looked_up(call, call.scope.loop, "value of the loop");
 }
 
+/// Of an event, what a text can be written with before it happens.
+Result event_value(const Call& call) {
+  const std::string& name = call.arguments[0];
+  if (const auto found = call.scope.event.find(name); found != call.scope.event.end())
+    return found->second;
+  return fault(call, "R2W0411",
+               "`" + name + "` is known while a launch runs, not when a site is packed",
+               {"`event.reason` can stand in what an OnShutdown handler says"});
+}
+
 Result parameter(const Call& call) {
   std::map<std::string, std::string> values;
   for (const LaunchParameter& one : call.scope.parameters) {
@@ -331,6 +341,7 @@ constexpr Row kRows[] = {
     {"if", 2, 3, chosen},
     {"index", 1, 2, loop_value},
     {"launch_log_dir", 0, 0, log_directory},
+    {"local", 1, 1, event_value, true},
     {"log_dir", 0, 0, log_directory},
     {"not", 1, 1, negation},
     {"not-equals", 2, 2, differs},

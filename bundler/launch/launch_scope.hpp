@@ -57,7 +57,8 @@ struct LaunchScope {
   std::string ros_namespace;                       ///< pushed ones together; may be empty
   std::vector<LaunchParameter> parameters;
   std::vector<std::pair<std::string, std::string>> remappings;
-  std::map<std::string, std::string> loop;  ///< of for_each and for
+  std::map<std::string, std::string> loop;   ///< of for_each and for
+  std::map<std::string, std::string> event;  ///< of what a handler follows: `event.reason`
 };
 
 struct LaunchFilePlace {

@@ -32,6 +32,10 @@ struct LaunchOutput {
 /// In what is said of a line: where it will stand. printed_text.py and launch_steps.ts know it too.
 constexpr std::string_view kPrintedLine = "\u2039what it prints\u203a";
 
+/// In what is said at the end of all: where its reason will stand. events/__init__.py and
+/// launch_steps.ts know it too.
+constexpr std::string_view kShutdownReason = "\u2039why all ends\u203a";
+
 /// A change of a managed node's state, by the labels of its transition_event; empty: any.
 struct LaunchStateChange {
   std::string transition;

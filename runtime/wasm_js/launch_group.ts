@@ -1,6 +1,6 @@
 // The launch file's nodes once more, as `ros2 launch` starts them: with names of their own, and with the launch file's steps.
 
-import { LaunchSteps } from './launch_steps.ts';
+import { interruptedReason, LaunchSteps, noReason } from './launch_steps.ts';
 import type { NodeRunner } from './node_runner.ts';
 import type { PageNode } from './page_node.ts';
 import type { LaunchedNodes, LaunchMoment, LaunchRequest, LaunchStep, SiteNode } from './session.ts';
@@ -63,7 +63,7 @@ export class LaunchGroup implements LaunchedNodes {
       state: (id) => this.runner(id).view().state,
       start: (id, afterSeconds) => this.runner(id).start(afterSeconds * 1000),
       stop: (id) => this.runner(id).stop(),
-      stopAll: () => this.stop(),
+      stopAll: (reason) => this.end(reason),
       say: (level, logger, text) => asked.onSaid(`[${level}] [${logger}]: ${text}`),
       pageNode: host.pageNode,
     });
@@ -78,8 +78,12 @@ export class LaunchGroup implements LaunchedNodes {
   }
 
   stop(): void {
+    this.end(interruptedReason);
+  }
+
+  private end(reason: string): void {
     if (this.over) return;
-    this.steps.shutdown();
+    this.steps.shutdown(reason);
     for (const runner of this.runners.values()) runner.stop();
     this.look();
   }
@@ -94,7 +98,7 @@ export class LaunchGroup implements LaunchedNodes {
         this.look();
       },
       happened: (event) => this.steps.happened(node.id, event),
-      shutdown: () => this.stop(),
+      shutdown: () => this.end(noReason),
       lines: (lines) => {
         this.asked.onLines(node, lines.map(([stream, , text]) => ({ stream: stream === 1 ? 'stdout' : 'stderr', text })));
         this.steps.printed(node.id, lines);

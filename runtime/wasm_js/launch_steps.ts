@@ -23,6 +23,13 @@ const logLevels: Readonly<Record<string, LogLevel>> = {
 /** In a text that is said of a line: where the line stands. printed_text.py and launch_step.hpp know it too. */
 const printedLine = '\u2039what it prints\u203a';
 
+/** In a text that is said at the end of all: where its reason stands. events/__init__.py and launch_step.hpp know it too. */
+const shutdownReason = '\u2039why all ends\u203a';
+/** Of a shutdown that gives none, as launch says. */
+export const noReason = 'reason not given';
+/** Of a launch that is told to end from outside. */
+export const interruptedReason = 'ctrl-c (SIGINT)';
+
 function fits(line: string, { how, text, anyCase, holds }: LineTest): boolean {
   const [whole, part] = anyCase ? [line.toLowerCase(), text.toLowerCase()] : [line, text];
   switch (how) {
@@ -53,7 +60,7 @@ export interface LaunchStepsHost {
   readonly state: (id: string) => NodeState;
   readonly start: (id: string, afterSeconds: number) => void;
   readonly stop: (id: string) => void;
-  readonly stopAll: () => void;
+  readonly stopAll: (reason: string) => void;
   /** A line of the launch's own, by the logger of that name. */
   readonly say: (level: LogLevel, logger: string, text: string) => void;
   /** The page's node; made when the first managed node is spoken to. */
@@ -127,7 +134,7 @@ export class LaunchSteps {
     if (event === 'stop' && !isTold) return;
     const happens = event === 'start' ? event : 'exit';
     this.follow((on) => on.node === node && on.event === happens);
-    if (isTold && this.host.nodes.some(({ id, shutdownOnExit }) => id === node && shutdownOnExit)) this.host.stopAll();
+    if (isTold && this.host.nodes.some(({ id, shutdownOnExit }) => id === node && shutdownOnExit)) this.host.stopAll(noReason);
     if (event !== 'start') return;
     for (const [step, of] of [...this.waiting]) {
       if (of !== node) continue;
@@ -153,9 +160,12 @@ export class LaunchSteps {
   }
 
   /** All nodes are about to be stopped. */
-  shutdown(): void {
+  shutdown(reason: string): void {
     if (this.ended) return;
-    for (const step of this.host.steps) if (step.on?.event === 'shutdown' && step.do !== 'shutdown') this.run(step);
+    for (const step of this.host.steps) {
+      if (step.on?.event !== 'shutdown' || step.do === 'shutdown') continue;
+      this.run(step.do === 'log' ? { ...step, text: step.text.replaceAll(shutdownReason, () => reason) } : step);
+    }
     this.ended = true;
     this.cancel();
   }
@@ -209,7 +219,7 @@ export class LaunchSteps {
         return;
       case 'shutdown':
         this.host.say('INFO', 'launch', `all nodes are stopped: ${step.reason}`);
-        this.host.stopAll();
+        this.host.stopAll(step.reason);
         return;
       case 'end': {
         const { kind } = this.host.state(step.node);

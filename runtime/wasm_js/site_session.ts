@@ -4,7 +4,7 @@ import type { Broker } from './broker.ts';
 import { NodeConsole } from './console_log.ts';
 import type { SentLine } from './console_sender.ts';
 import { graphView } from './graph_view.ts';
-import { LaunchSteps } from './launch_steps.ts';
+import { interruptedReason, LaunchSteps, noReason } from './launch_steps.ts';
 import { MessageTrace, type SentMessage } from './message_trace.ts';
 import { NodeRunner, type RunnerHost } from './node_runner.ts';
 import { kernelId, kernelNode, readEvent, SiteKernel, type SiteNotebook } from './notebook_kernel.ts';
@@ -148,7 +148,7 @@ export class SiteSession implements Session {
           unsettled.delete(of);
           if (unsettled.size === 0) allSettled();
         },
-        shutdown: () => this.stopAll(),
+        shutdown: () => this.endAll(noReason),
         happened: (of, event) => this.steps.happened(of.id, event),
         lines: (of, { lines, dropped }) => {
           console.add(lines, dropped);
@@ -191,7 +191,7 @@ export class SiteSession implements Session {
       state: (id) => this.runner(id).view().state,
       start: (id, afterSeconds) => this.start(id, afterSeconds),
       stop: (id) => this.stop(id),
-      stopAll: () => this.stopAll(),
+      stopAll: (reason) => this.endAll(reason),
       say: (level, logger, text) => {
         const time = this.now();
         const line = `[${level}] [${logger}]: ${text}`;
@@ -377,9 +377,13 @@ export class SiteSession implements Session {
   }
 
   stopAll(): void {
+    this.endAll(interruptedReason);
+  }
+
+  private endAll(reason: string): void {
     this.again = false;
     this.lookAtTopics();
-    this.steps.shutdown();
+    this.steps.shutdown(reason);
     for (const runner of this.runners.values()) runner.stop();
   }
 

@@ -16,6 +16,7 @@ from launch import LaunchDescription
 from launch.actions import EmitEvent, LogInfo, LogWarning, RegisterEventHandler, Shutdown
 from launch.event_handlers import OnProcessStart, OnShutdown
 from launch.events import matches_action
+from launch.substitutions import LocalSubstitution
 from launch_ros.actions import LifecycleNode, LifecycleTransition
 from launch_ros.event_handlers import OnStateTransition
 from launch_ros.events.lifecycle import ChangeState
@@ -46,12 +47,12 @@ def generate_launch_description():
         RegisterEventHandler(OnStateTransition(
             target_lifecycle_node=first, goal_state='finalized',
             entities=[LogWarning(msg='first is over'), Shutdown(reason='all was seen')])),
-        RegisterEventHandler(OnShutdown(on_shutdown=[LogInfo(msg='good bye')])),
+        RegisterEventHandler(OnShutdown(on_shutdown=[LogInfo(msg=['good bye, ', LocalSubstitution('event.reason')])])),
         first,
     ])
 `;
 const expected = [
-  /INFO\] \[launch\.user\]: first is inactive[^]*WARN\] \[launch\.user\]: first is over[^]*INFO\] \[launch\]: all nodes are stopped: all was seen[^]*INFO\] \[launch\.user\]: good bye/,
+  /INFO\] \[launch\.user\]: first is inactive[^]*WARN\] \[launch\.user\]: first is over[^]*INFO\] \[launch\]: all nodes are stopped: all was seen[^]*INFO\] \[launch\.user\]: good bye, all was seen/,
   /robot\.first\]: goes off, was inactive/,
 ];
 

@@ -108,6 +108,48 @@ setup(name='demo', packages=['demo'], package_dir={'demo': os.path.join(here, 'd
         self.write('setup.py', SETUP + 'raise SystemExit(0)\n')
         self.assertEqual(self.read()['version'], '0.0.0')
 
+    def test_commands_that_a_package_wraps_and_what_is_left_of_distutils(self) -> None:
+        self.write('demo/__init__.py')
+        self.write('setup.py', """import distutils.cmd
+from distutils import log
+from distutils.command.build_py import build_py
+from distutils.core import setup
+from distutils.util import convert_path, strtobool
+from setuptools.command.develop import develop
+from setuptools.command.install import install
+
+
+def told(command):
+    before = command.run
+
+    def run(self):
+        log.info('installs %s', self)
+        before(self)
+
+    command.run = run
+    return command
+
+
+@told
+class Install(install):
+    user_options = install.user_options + [('fast', None, 'at once')]
+
+
+class Build(build_py):
+    def finalize_options(self):
+        build_py.finalize_options(self)
+
+
+class Clean(distutils.cmd.Command):
+    pass
+
+
+if strtobool('yes'):
+    setup(name='demo', packages=[convert_path('demo')],
+          cmdclass={'install': Install, 'develop': told(develop), 'build_py': Build, 'clean': Clean})
+""")
+        self.assertEqual(self.read().get('modules'), [['demo/__init__.py', 'demo/__init__.py']])
+
     def test_folders_are_followed_by_links_and_end(self) -> None:
         self.write('real/demo/__init__.py')
         (self.package / 'demo').symlink_to('real/demo')

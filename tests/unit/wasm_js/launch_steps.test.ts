@@ -66,9 +66,9 @@ class Host {
         this.done.push(`stop ${id}`);
         this.steps.happened(id, 'stop');
       },
-      stopAll: () => {
+      stopAll: (reason) => {
         this.done.push('stop');
-        this.steps.shutdown();
+        this.steps.shutdown(reason);
       },
       say: (level, logger, text) => void this.said.push(`${level} ${logger} ${text}`),
       pageNode: () => node,
@@ -105,14 +105,14 @@ test('lines come with the launch, late, and after starts and ends', () => {
 test('a shutdown tells its reason once, calls off what was to come, and nothing is followed after it', () => {
   const host = new Host([
     { do: 'shutdown', reason: 'done', after: 0, on: { event: 'exit', node: 'a-1' } }, log('never', { after: 1 }),
-    log('bye', { level: 'error', on: { event: 'shutdown' } }), log('not any more', { on: { event: 'exit', node: 'b-1' } }),
+    log('bye, \u2039why all ends\u203a', { level: 'error', on: { event: 'shutdown' } }), log('not any more', { on: { event: 'exit', node: 'b-1' } }),
   ] as LaunchStep[]);
   host.steps.launched();
   host.steps.happened('a-1', 'exit');
   host.steps.happened('b-1', 'exit');
-  host.steps.shutdown();
+  host.steps.shutdown('once more');
   host.ring();
-  assert.deepEqual(host.said, ['INFO launch all nodes are stopped: done', 'ERROR launch.user bye']);
+  assert.deepEqual(host.said, ['INFO launch all nodes are stopped: done', 'ERROR launch.user bye, done']);
   assert.deepEqual(host.done, ['stop']);
 });
 
@@ -197,7 +197,7 @@ test('while the launch goes on, only the transitions of nodes that are added are
   await turn();
   assert.deepEqual([host.said.slice(2), host.calls.length], [['INFO launch.user late'], 6]);
   // After the end of all it is a launch again.
-  host.steps.shutdown();
+  host.steps.shutdown('over');
   host.steps.launched(new Set(['a-1']));
   assert.equal(host.said.at(-1), 'INFO launch.user at once');
 });

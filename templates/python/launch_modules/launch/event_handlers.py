@@ -8,7 +8,7 @@ from typing import Any
 from ros2wasm_launch import host
 from ros2wasm_launch.printed_text import when_printed
 
-from .events import Shutdown
+from .events import Shutdown, to_come
 from .events.process import ProcessExited, ProcessStarted
 
 #: That were registered, for events of the launch file's own.
@@ -74,8 +74,8 @@ class EventHandler:
                 event = _event_of(event_type, process)
                 if self._hears(event):
                     yield self._on(kind, event, process=host.OBJECTS.number(process))
-        if self._hears(Shutdown()):
-            yield self._on('shutdown', Shutdown())
+        if self._hears(to_come()):
+            yield self._on('shutdown', to_come())
 
 
 BaseEventHandler = EventHandler
@@ -154,7 +154,7 @@ class OnShutdown(EventHandler):
         super().__init__(matcher=lambda event: isinstance(event, Shutdown), entities=on_shutdown)
 
     def _followed(self) -> Iterator[Followed]:
-        yield self._on('shutdown', Shutdown())
+        yield self._on('shutdown', to_come())
 
 
 class OnIncludeLaunchDescription(EventHandler):

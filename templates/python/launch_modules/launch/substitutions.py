@@ -161,15 +161,13 @@ class ForLoopIndex(Called):
         super().__init__('index', name)
 
 
-class LocalSubstitution(Substitution):
-    """Of an event, which only a running launch has."""
+class LocalSubstitution(Called):
+    """Of an event, which only a running launch has: the evaluator knows where it may stand."""
 
     def __init__(self, expression: str, description: str | None = None) -> None:
+        super().__init__('local', expression)
         self.expression = expression
         self.description = description
-
-    def perform(self, context: Any) -> str:
-        raise SubstitutionFailure(f'`{self.expression}` is known while a launch runs, not when a site is packed')
 
 
 def _condition(value: Any) -> Any:

@@ -12,7 +12,20 @@ CALLS: list[tuple[dict[str, Any], int]] = []
 
 
 class Command:
-    """What packages derive commands of their own from; they are not run."""
+    """What packages derive commands of their own from, or wrap; they are not run."""
+
+    description = ''
+    user_options: list[tuple[str, str | None, str]] = []
+    boolean_options: list[str] = []
+
+    def initialize_options(self) -> None:
+        pass
+
+    def finalize_options(self) -> None:
+        pass
+
+    def run(self) -> None:
+        pass
 
 
 class Extension:

@@ -9,6 +9,9 @@ from . import process
 __all__ = ['Event', 'ExecutionComplete', 'IncludeLaunchDescription', 'Shutdown', 'TimerEvent', 'matches_action',
            'process']
 
+#: In texts, where the reason of a shutdown will stand; launch_steps.ts and bundler/launch/launch_step.hpp know it too.
+_REASON = '\u2039why all ends\u203a'
+
 
 class Event:
     name = 'launch.Event'
@@ -20,6 +23,11 @@ class Shutdown(Event):
     def __init__(self, *, reason: str = 'reason not given', due_to_sigint: bool = False) -> None:
         self.reason = reason
         self.due_to_sigint = due_to_sigint
+
+
+def to_come() -> Shutdown:
+    """The one that a handler will hear of when the site runs."""
+    return Shutdown(reason=_REASON)
 
 
 class ExecutionComplete(Event):

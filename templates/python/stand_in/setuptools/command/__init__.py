@@ -7,12 +7,18 @@ from types import ModuleType
 from setuptools import Command
 
 COMMANDS = (
-    'build', 'build_ext', 'build_py', 'develop', 'egg_info', 'install', 'install_lib',
-    'install_scripts', 'sdist', 'test',
+    'build', 'build_clib', 'build_ext', 'build_py', 'build_scripts', 'clean', 'develop', 'easy_install', 'egg_info',
+    'install', 'install_data', 'install_lib', 'install_scripts', 'sdist', 'test',
 )
 
-for _name in COMMANDS:
-    _module = ModuleType(f'{__name__}.{_name}')
-    setattr(_module, _name, type(_name, (Command,), {}))
-    sys.modules[_module.__name__] = _module
-    globals()[_name] = _module
+
+def make_commands(package: ModuleType) -> None:
+    """A module of each command below `package`, with a class of its name."""
+    for name in COMMANDS:
+        module = ModuleType(f'{package.__name__}.{name}')
+        setattr(module, name, type(name, (Command,), {}))
+        sys.modules[module.__name__] = module
+        setattr(package, name, module)
+
+
+make_commands(sys.modules[__name__])

@@ -8,10 +8,10 @@
 #include <thread>
 
 #include "bundler/build/compiler_parts.hpp"
+#include "bundler/build/direct_link.hpp"
 #include "bundler/build/exception_encoding.hpp"
 #include "bundler/build/kept_header.hpp"
 #include "bundler/build/plugin_link.hpp"
-#include "bundler/build/direct_link.hpp"
 #include "bundler/build/wasm_module.hpp"
 #include "bundler/carried_programs.hpp"
 #include "bundler/carried_sources.hpp"

@@ -43,6 +43,7 @@ before(async () => {
   workspace.write('package.json', '{"type": "module"}\n');
   const packed = await workspace.run(['pack']);
   assert.equal(packed.code, 0, packed.stderr);
+  rmSync(join(workspace.root, 'package.json'));
   // numpy, which package.xml forgets
   assert.match(packed.stderr, /warning\[R2W0515\]: package `mixed_nodes` uses a package .*\n --> src\/mixed_nodes\/scripts\/judge.py:3:8/);
 });

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kCourseName = "course.yaml";
-constexpr const char* kManifestName = "workspace.yaml";
+constexpr const char* kLabManifest = "workspace.yaml";
 constexpr const char* kObjects = "objects";
 
 std::optional<Diagnostic> refuse_course(const fs::path& folder) {
@@ -213,7 +213,7 @@ bool is_course(const std::string& input) {
   const fs::path path = input.empty() ? fs::path(".") : fs::path(input);
   if (fs::is_directory(path, error))
     return fs::is_regular_file(path / kCourseName, error) &&
-           !fs::exists(path / kManifestName, error);
+           !fs::exists(path / kLabManifest, error);
   return path.filename() == kCourseName;
 }
 

@@ -33,6 +33,7 @@
 #include "bundler/site_budget.hpp"
 #include "bundler/site_components.hpp"
 #include "bundler/store/build_place.hpp"
+#include "bundler/store/cache_care.hpp"
 #include "bundler/store/environment.hpp"
 #include "bundler/store/link_scripts.hpp"
 #include "bundler/workspace/build_order.hpp"
@@ -446,9 +447,7 @@ Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& ca
   const ChannelRoots& roots = question->roots;
   const Compiler& compiler = question->compiler;
   BuiltWorkspace* workspace = &question->workspace;
-  // A cache may lie inside a workspace; its packages are none of the workspace's.
-  if (auto marked = write_file(roots.cache / "COLCON_IGNORE", ""); !marked)
-    return std::move(marked).errors();
+  if (auto marked = mark_cache(roots.cache); !marked) return std::move(marked).errors();
   const Store store(roots, question->limits);
   const auto environment = make_environment(store, *records, cancellation, progress);
   if (!environment) return environment.errors();

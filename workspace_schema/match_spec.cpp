@@ -12,7 +12,7 @@
 namespace ros2wasm {
 namespace {
 
-constexpr std::size_t kLongest = 8192;
+constexpr std::size_t kLongestSpec = 8192;
 
 constexpr auto kBracketKeys = std::to_array<std::string_view>(
     {"channel", "subdir", "name", "version", "build", "build_number", "track_features", "features",
@@ -30,7 +30,7 @@ class MatchSpecReader {
 
   Outcome<MatchSpec> read() {
     if (spec_.text_.empty()) return bad("it is empty");
-    if (given_.size() > kLongest) return bad("it is too long");
+    if (given_.size() > kLongestSpec) return bad("it is too long");
     if (first_control_character()) return bad("it has a control character");
     std::string text = without_comment();
     if (const std::size_t condition = text.find(" if "); condition != std::string::npos)

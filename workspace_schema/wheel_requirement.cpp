@@ -11,10 +11,10 @@
 namespace ros2wasm {
 namespace {
 
-constexpr int kDeepest = 32;
+constexpr int kDeepestMarker = 32;
 constexpr std::string_view kNameLetters =
     "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-";
-constexpr std::string_view kSpace = " \t";
+constexpr std::string_view kBlanks = " \t";
 
 struct MarkerVariable {
   std::string_view name;
@@ -36,9 +36,9 @@ constexpr auto kVariables = std::to_array<MarkerVariable>({
 });
 
 std::string_view trimmed(std::string_view text) {
-  const std::size_t start = text.find_first_not_of(kSpace);
+  const std::size_t start = text.find_first_not_of(kBlanks);
   if (start == std::string_view::npos) return {};
-  return text.substr(start, text.find_last_not_of(kSpace) - start + 1);
+  return text.substr(start, text.find_last_not_of(kBlanks) - start + 1);
 }
 
 /// An expression over the variables, read from left to right.
@@ -58,7 +58,7 @@ class Marker {
     bool is_version = false;
   };
 
-  void skip() { at_ = std::min(text_.find_first_not_of(kSpace, at_), text_.size()); }
+  void skip() { at_ = std::min(text_.find_first_not_of(kBlanks, at_), text_.size()); }
 
   bool take(std::string_view token) {
     skip();
@@ -80,7 +80,7 @@ class Marker {
   }
 
   bool one() {
-    if (depth_ >= kDeepest) return fail();
+    if (depth_ >= kDeepestMarker) return fail();
     if (take("(")) {
       ++depth_;
       const bool result = any();
@@ -158,7 +158,7 @@ std::optional<WheelRequirement> wheel_requirement(std::string_view text) {
   if (rest.starts_with('@')) return result;  // an address says nothing of versions
   if (rest.starts_with('(') && rest.ends_with(')')) rest = rest.substr(1, rest.size() - 2);
   for (const char c : rest) {
-    if (kSpace.find(c) == std::string_view::npos) result.versions += c;
+    if (kBlanks.find(c) == std::string_view::npos) result.versions += c;
   }
   return result;
 }

@@ -11,7 +11,7 @@
 namespace ros2wasm {
 namespace {
 
-constexpr std::size_t kPiece = std::size_t{1} << 16U;
+constexpr std::size_t kBrotliPiece = std::size_t{1} << 16U;
 
 const std::uint8_t* bytes_of(std::string_view text) {
   return reinterpret_cast<const std::uint8_t*>(text.data());  // NOLINT: bytes are bytes
@@ -39,7 +39,7 @@ Outcome<std::string> brotli_unpacked(std::string_view bytes, std::uint64_t limit
       BrotliDecoderCreateInstance(nullptr, nullptr, nullptr), &BrotliDecoderDestroyInstance);
   if (!state) throw std::bad_alloc();
   std::string out;
-  std::string piece(kPiece, '\0');
+  std::string piece(kBrotliPiece, '\0');
   std::size_t left = bytes.size();
   const std::uint8_t* next = bytes_of(bytes);
   BrotliDecoderResult result = BROTLI_DECODER_RESULT_NEEDS_MORE_OUTPUT;

@@ -21,8 +21,7 @@ std::string_view kind_name(ProgramKind kind) {
   return "none";
 }
 
-void write_texts(JsonWriter& json, const char* key,
-                 const std::map<std::string, std::string>& texts) {
+void write_map(JsonWriter& json, const char* key, const std::map<std::string, std::string>& texts) {
   json.key(key).begin_object();
   for (const auto& [name, text] : texts) json.field(name, text);
   json.end_object();
@@ -61,8 +60,8 @@ std::string packed_launch_json(const PackedLaunch& launch,
   json.key("from").begin_object().field("file", launch.from.file);
   json.field_integer("line", launch.from.line).field_integer("column", launch.from.column);
   json.end_object().field("distro", launch.distro);
-  write_texts(json, "given", launch.given);
-  write_texts(json, "texts", launch.texts);
+  write_map(json, "given", launch.given);
+  write_map(json, "texts", launch.texts);
   json.key("packages").begin_array();
   for (const InstalledPackage& package : launch.installed) {
     json.begin_object().field("name", package.name).field("version", package.version);

@@ -190,6 +190,11 @@ class Pruner {
 
 }  // namespace
 
+Outcome<Done> mark_cache(const fs::path& cache) {
+  if (auto written = write_file(cache / "COLCON_IGNORE", ""); !written) return written;
+  return write_file(cache / "package.json", "{\"type\": \"commonjs\"}\n");
+}
+
 Outcome<std::vector<CacheArea>> measure_cache(const fs::path& cache) {
   std::vector<CacheArea> areas;
   for (const fs::path& folder : entries_of(cache)) {

@@ -38,6 +38,11 @@ struct Pruned {
   std::uint64_t bytes = 0;
 };
 
+/// Keeps what lies in the cache apart from what the cache may lie in: a workspace, whose packages
+/// its packages are not, and a project of npm, whose package.json may call all scripts modules,
+/// which Pyodide's are not. R2W0211.
+[[nodiscard]] Outcome<Done> mark_cache(const std::filesystem::path& cache);
+
 /// Sorted by name. R2W0210.
 [[nodiscard]] Outcome<std::vector<CacheArea>> measure_cache(const std::filesystem::path& cache);
 

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Runs every test suite of the project and ends with the counts.
 
-A suite is one row: a name, a command and how its result is counted. A suite that runs no test counts
-as a failure, and so does a skipped test: neither may pass for tested. Tests that wait for browsers and
+A suite is one row: a name, a command and how its result is counted. Suites that leave a core
+idle run two at a time, then the others one by one. A suite that runs no test counts as a failure, and so does a
+skipped test: neither may pass for tested. Tests that wait for browsers and
 clocks share a machine with others, so the few that fail are run once more by themselves, and named: a test
 that fails twice has failed.
 """
@@ -17,6 +18,7 @@ import sys
 import time
 import xml.etree.ElementTree as ElementTree
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -31,6 +33,7 @@ class Suite:
     name: str
     command: list[str]
     counting: str  # "ctest", "node", "gtest" (these write JUnit XML) or "lines" ("N passed, N failed")
+    alone: bool = False  # uses both cores by itself, or is about time
     not_run: str = ""  # why it cannot run on this machine: said in a line; a failure when it was asked for
 
 
@@ -101,13 +104,33 @@ def conda_data() -> Path:
     return Path(os.environ.get("ROS2WASM_CONDA_DATA", ROOT.parent / "shared" / "data" / "conda")).resolve()
 
 
+def opens_browser(test: Path) -> bool:
+    """Whether a test, or what it imports of the repository's tests, starts one."""
+    waiting, seen = [test], {test}
+    while waiting:
+        file = waiting.pop()
+        text = file.read_text(encoding="utf-8")
+        if "from 'playwright-core'" in text or "'--chromium'" in text or file.name == "firefox.ts":
+            return True
+        near = {(file.parent / name).resolve() for name in re.findall(r"from '(\.[^']+\.tsx?)'", text)}
+        fresh = {one for one in near if ROOT / "tests" in one.parents} - seen
+        seen |= fresh
+        waiting += fresh
+    return False
+
+
 def suites(build: Path, bless: bool) -> list[Suite]:
     cli = str(build / "ros2wasm")
     data = conda_data()
 
-    def node(folder: str) -> list[str]:
-        return sorted(str(p) for p in (ROOT / "tests" / folder).rglob("*.test.ts"))
+    def tests_of(folder: str) -> list[Path]:
+        return sorted((ROOT / "tests" / folder).rglob("*.test.ts"))
 
+    def node(files: list[Path], at_once: int = 2) -> list[str]:
+        return ["node", "--test", f"--test-concurrency={at_once}", *map(str, files)]
+
+    ends = tests_of("e2e")
+    browser = [file for file in ends if opens_browser(file)]
     rows = [
         Suite("lint", [sys.executable, "tests/tools/lint.py", "--build", str(build)], "lines"),
         Suite("native", ["ctest", "--test-dir", str(build), "--output-on-failure"], "ctest"),
@@ -122,15 +145,16 @@ def suites(build: Path, bless: bool) -> list[Suite]:
             "lines",
         ),
         Suite("fuzz", [sys.executable, "tests/fuzz/run.py", "--seconds", "20"], "lines"),
-        Suite("unit-js", ["node", "--test", *node("unit")], "node"),
+        Suite("unit-js", node(tests_of("unit")), "node"),
         Suite(
             "unit-python",
             [sys.executable, "-m", "unittest", "discover", "-s", "tests", "-t", ".", "-p", "*_test.py"],
             "lines",
         ),
-        Suite("conformance", ["node", "--test", *node("conformance")], "node"),
+        Suite("conformance", node(tests_of("conformance")), "node", alone=True),
+        Suite("e2e", node([file for file in ends if file not in browser]), "node", alone=True),
         # One browser at a time: two cores, and figures that mean something.
-        Suite("e2e", ["node", "--test", "--test-concurrency=1", *node("e2e")], "node"),
+        Suite("browser", node(browser, at_once=1), "node", alone=True),
     ]
     return rows
 
@@ -235,13 +259,16 @@ def main() -> int:
     if unknown:
         parser.error(f"no such suite: {', '.join(sorted(unknown))}; there are {', '.join(s.name for s in rows)}")
     chosen = [suite for suite in rows if not options.filter or suite.name in options.filter]
-    results = []
-    for suite in chosen:
+
+    def result(suite: Suite) -> Counts:
         if suite.not_run:
             print(f"{suite.name:12} not run: {suite.not_run}", flush=True)
-            results.append(Counts(0, 1 if options.filter else 0))
-        else:
-            results.append(run(suite, build, environment))
+            return Counts(0, 1 if options.filter else 0)
+        return run(suite, build, environment)
+
+    with ThreadPoolExecutor(max_workers=2) as pool:
+        results = list(pool.map(result, [suite for suite in chosen if not suite.alone]))
+    results += [result(suite) for suite in chosen if suite.alone]
     passed = sum(r.passed for r in results)
     failed = sum(r.failed + r.skipped for r in results)
     for name in [name for result in results for name in result.again]:

@@ -42,7 +42,13 @@ struct MemberRow {
   size_t string_bound;
 };
 
-/// Generated for each message: `static const std::vector<MemberRow>& rows();`
+/// All members of a message, in a table that lives for ever.
+struct MemberRows {
+  const MemberRow* first;
+  size_t count;
+};
+
+/// Generated for each message: `static MemberRows rows();`
 template <class T>
 struct Members;
 
@@ -53,11 +59,11 @@ void fill_bool(bool& value, Random& random);
 void fill_string(std::string& value, Random& random, size_t bound);
 void fill_string(std::u16string& value, Random& random, size_t bound);
 int32_t fill_sixty_fourths(Random& random);
-void fill_members(const std::vector<MemberRow>& rows, void* message, Random& random);
+void fill_members(MemberRows rows, void* message, Random& random);
 void print_double(double value, std::string& json);
 void print_string(const std::string& value, std::string& json);
 void print_string(const std::u16string& value, std::string& json);
-void print_members(const std::vector<MemberRow>& rows, const void* message, std::string& json);
+void print_members(MemberRows rows, const void* message, std::string& json);
 
 template <class T>
 inline constexpr size_t kSequenceBound = 0;
@@ -76,8 +82,9 @@ inline constexpr bool kIsSequence<std::vector<T, A>> = true;
 template <class T, size_t N, class A>
 inline constexpr bool kIsSequence<rosidl_runtime_cpp::BoundedVector<T, N, A>> = true;
 
+/// The elements of vector<bool> are bits, of which there are copies only.
 template <class T>
-const Operations* operations();
+inline constexpr bool kHasBits = std::is_same_v<typename T::value_type, bool>&& kIsSequence<T>;
 
 template <class T>
 void fill(void* place, Random& random, size_t bound) {
@@ -97,9 +104,13 @@ void fill(void* place, Random& random, size_t bound) {
           random.below((kBound != 0 && kBound < kLongestSequence ? kBound : kLongestSequence) + 1));
     }
     for (size_t i = 0; i < value.size(); ++i) {
-      typename T::value_type element{};
-      operations<typename T::value_type>()->fill(&element, random, bound);
-      value[i] = element;
+      if constexpr (kHasBits<T>) {
+        bool bit = false;
+        fill_bool(bit, random);
+        value[i] = bit;
+      } else {
+        fill<typename T::value_type>(&value[i], random, bound);
+      }
     }
   } else {
     fill_members(Members<T>::rows(), place, random);
@@ -121,8 +132,12 @@ void print(const void* place, std::string& json) {
     json += '[';
     for (size_t i = 0; i < value.size(); ++i) {
       if (i != 0) json += ',';
-      const typename T::value_type element = value[i];
-      operations<typename T::value_type>()->print(&element, json);
+      if constexpr (kHasBits<T>) {
+        const bool bit = value[i];
+        print<bool>(&bit, json);
+      } else {
+        print<typename T::value_type>(&value[i], json);
+      }
     }
     json += ']';
   } else {
@@ -131,16 +146,16 @@ void print(const void* place, std::string& json) {
 }
 
 template <class T>
-const Operations* operations() {
-  static constexpr Operations kOperations{&fill<T>, &print<T>};
-  return &kOperations;
-}
+inline constexpr Operations kOperations{&fill<T>, &print<T>};
 
 /// One message type: what the driver can do with it, without knowing it.
 struct TypeRow {
   const rosidl_message_type_support_t* (*handle)();
-  std::shared_ptr<void> (*create)();
+  void* (*allocate)();
+  void (*free)(void* message);
   const Operations* operations;
+
+  std::shared_ptr<void> create() const { return {allocate(), free}; }
 
   const ros2wasm_typesupport::MessageCallbacks* callbacks() const {
     return static_cast<const ros2wasm_typesupport::MessageCallbacks*>(handle()->data);
@@ -148,13 +163,19 @@ struct TypeRow {
 };
 
 template <class T>
-std::shared_ptr<void> create() {
-  return std::shared_ptr<void>(new T(), [](void* message) { delete static_cast<T*>(message); });
+void* allocate() {
+  return new T();
+}
+
+template <class T>
+void free_message(void* message) {
+  delete static_cast<T*>(message);
 }
 
 template <class T>
 TypeRow row() {
-  return {&rosidl_typesupport_cpp::get_message_type_support_handle<T>, &create<T>, operations<T>()};
+  return {&rosidl_typesupport_cpp::get_message_type_support_handle<T>, &allocate<T>,
+          &free_message<T>, &kOperations<T>};
 }
 
 /// Generated: all types, sorted by name.

@@ -31,8 +31,9 @@ void fill_string(std::u16string& value, Random& random, size_t bound) {
   for (char16_t& c : value) c = static_cast<char16_t>('a' + random.below(500));
 }
 
-void fill_members(const std::vector<MemberRow>& rows, void* message, Random& random) {
-  for (const MemberRow& row : rows) {
+void fill_members(MemberRows rows, void* message, Random& random) {
+  for (size_t i = 0; i < rows.count; ++i) {
+    const MemberRow& row = rows.first[i];
     row.operations->fill(static_cast<char*>(message) + row.offset, random, row.string_bound);
   }
 }
@@ -75,9 +76,10 @@ void print_string(const std::u16string& value, std::string& json) {
   json += '"';
 }
 
-void print_members(const std::vector<MemberRow>& rows, const void* message, std::string& json) {
+void print_members(MemberRows rows, const void* message, std::string& json) {
   json += '{';
-  for (const MemberRow& row : rows) {
+  for (size_t i = 0; i < rows.count; ++i) {
+    const MemberRow& row = rows.first[i];
     if (json.back() != '{') json += ',';
     json += '"' + std::string(row.name) + "\":";
     row.operations->print(static_cast<const char*>(message) + row.offset, json);

@@ -22,6 +22,7 @@ add_executable(bundler_channel_test
   store/store_test.cpp
   workspace/foreign_environment_test.cpp
 )
+compile_in_groups(bundler_channel_test 5)
 target_include_directories(bundler_channel_test PRIVATE ${PROJECT_SOURCE_DIR}/tests)
 target_compile_definitions(bundler_channel_test PRIVATE ROS2WASM_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 target_link_libraries(bundler_channel_test PRIVATE bundler GTest::gtest_main)

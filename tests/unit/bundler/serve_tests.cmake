@@ -9,5 +9,6 @@ add_executable(bundler_serve_test
   serve/workspace_watch_test.cpp
   workspace/manifest_draft_test.cpp
 )
+compile_in_groups(bundler_serve_test 2)
 target_link_libraries(bundler_serve_test PRIVATE bundler GTest::gtest_main)
 gtest_discover_tests(bundler_serve_test TEST_PREFIX bundler. DISCOVERY_TIMEOUT 60)

@@ -30,10 +30,10 @@ const std::string kRobot = R"(<?xml version="1.0"?>
 
 /// The first line that a description which is refused says.
 std::string refusal(const std::string& text) {
-  testing::internal::CaptureStderr();
+  ::testing::internal::CaptureStderr();
   urdf::Model model;
   const bool was_read = model.initString(text);
-  const std::string said = testing::internal::GetCapturedStderr();
+  const std::string said = ::testing::internal::GetCapturedStderr();
   EXPECT_EQ(was_read, said.empty());
   EXPECT_EQ(was_read, !model.links_.empty());
   return said.empty() ? said : said.substr(9, said.find('\n') - 9);

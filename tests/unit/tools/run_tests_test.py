@@ -8,7 +8,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from tests.tools.run_tests import SECOND_TRIES, Counts, Suite, run
+from tests.tools.run_tests import ROOT, SECOND_TRIES, Counts, Suite, opens_browser, run, suites
 
 # Fails as long as there are fewer than `needed` lines in the file beside it, and adds one.
 FAILS_AT_FIRST = """
@@ -58,6 +58,18 @@ class SecondTryTest(unittest.TestCase):
         counts, printed = self.outcome({f"shaky_{n}": 1 for n in range(many)})
         self.assertEqual((counts.passed, counts.failed), (many, many))
         self.assertNotIn("once more", printed)
+
+
+class SuitesTest(unittest.TestCase):
+    def test_a_test_that_opens_a_browser_is_known_by_what_it_imports(self) -> None:
+        for name, expected in {"page": True, "firefox": True, "scoreboard": True, "page_turtlesim": True,
+                               "pack": False, "rclcpp": False}.items():
+            self.assertEqual(opens_browser(ROOT / "tests" / "e2e" / f"{name}.test.ts"), expected, name)
+
+    def test_every_test_file_is_in_one_suite(self) -> None:
+        words = [word for suite in suites(ROOT / "build", bless=False) for word in suite.command]
+        named = [word for word in words if word.endswith(".test.ts")]
+        self.assertEqual(sorted(named), sorted(str(file) for file in (ROOT / "tests").rglob("*.test.ts")))
 
 
 def environment() -> dict[str, str]:

@@ -2,7 +2,7 @@
 
 import { execFileSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
-import { existsSync, mkdirSync, readFileSync, renameSync } from 'node:fs';
+import { existsSync, mkdirSync, readFileSync, renameSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -51,7 +51,12 @@ export function buildProgram(name: string, { threads = false }: ProgramKind = {}
   const kind = threads ? ['-pthread', '-sMAXIMUM_MEMORY=1GB', '-o', join(work, 'program.js')]
     : ['-sSTANDALONE_WASM', '-o', join(work, 'program.wasm')];
   run('em++', [...link, ...(name.endsWith('.cpp') ? ['-Wl,--wrap=abort,--wrap=_Unwind_RaiseException'] : []), ...objects, ...kind]);
-  if (existsSync(folder)) return wasm;
-  renameSync(work, folder);
+  try {
+    renameSync(work, folder);
+  } catch (error) {
+    // Another test has built the same meanwhile.
+    if (!existsSync(wasm)) throw error;
+    rmSync(work, { recursive: true });
+  }
   return wasm;
 }

@@ -12,7 +12,7 @@ namespace {
 const std::string kHead = "schema: 1\nname: lab\nlaunch: [{package: p, executable: e}]\nchecks:\n";
 
 /// The check as site.json has it, or the code and label of what is wrong.
-std::string read(const std::string& check) {
+std::string check_of(const std::string& check) {
   const auto manifest = read_manifest(kHead + "  - " + check + "\n", "workspace.yaml");
   if (!manifest) {
     std::string all;
@@ -27,49 +27,49 @@ std::string read(const std::string& check) {
 }
 
 TEST(ManifestChecks, ReadsEachKind) {
-  EXPECT_EQ(read("{topic: odom, above: 10 Hz, below: 20.5Hz, within: 5 s}"),
+  EXPECT_EQ(check_of("{topic: odom, above: 10 Hz, below: 20.5Hz, within: 5 s}"),
             R"({"kind":"rate","topic":"/odom","above":10,"below":20.5,"within_ms":5000})");
-  EXPECT_EQ(read("topic: /chatter"), R"({"kind":"rate","topic":"/chatter","within_ms":10000})");
-  EXPECT_EQ(read("{title: moved, topic: /pose, field: 'a.b[3]', above: -1, equals: 2.0}"),
+  EXPECT_EQ(check_of("topic: /chatter"), R"({"kind":"rate","topic":"/chatter","within_ms":10000})");
+  EXPECT_EQ(check_of("{title: moved, topic: /pose, field: 'a.b[3]', above: -1, equals: 2.0}"),
             R"({"title":"moved","kind":"message","topic":"/pose","field":"a.b[3]","above":-1,)"
             R"("equals":2.0,"within_ms":10000})");
-  EXPECT_EQ(read(R"({node: talker, log: 'Hello \d+', within: 500ms})"),
+  EXPECT_EQ(check_of(R"({node: talker, log: 'Hello \d+', within: 500ms})"),
             R"({"kind":"log","node":"talker","log":"Hello \\d+","within_ms":500})");
-  EXPECT_EQ(read("{node: robot1/talker, parameter: a.b, equals: 'yes'}"),
+  EXPECT_EQ(check_of("{node: robot1/talker, parameter: a.b, equals: 'yes'}"),
             R"({"kind":"parameter","node":"/robot1/talker","parameter":"a.b","equals":"yes",)"
             R"("within_ms":10000})");
-  EXPECT_EQ(read("{node: talker-1, state: running, within: 2 m}"),
+  EXPECT_EQ(check_of("{node: talker-1, state: running, within: 2 m}"),
             R"({"kind":"state","node":"talker-1","state":"running","within_ms":120000})");
-  EXPECT_EQ(read("{node: talker, exit_code: 3}"),
+  EXPECT_EQ(check_of("{node: talker, exit_code: 3}"),
             R"({"kind":"exit_code","node":"talker","exit_code":3,"within_ms":10000})");
 }
 
 TEST(ManifestChecks, RefusesWhatSaysNothingOrTooMuch) {
-  EXPECT_EQ(read("{within: 5 s}"), "R2W0117 this check says nothing of what must be seen;");
-  EXPECT_EQ(read("{topic: /a, log: b}"),
+  EXPECT_EQ(check_of("{within: 5 s}"), "R2W0117 this check says nothing of what must be seen;");
+  EXPECT_EQ(check_of("{topic: /a, log: b}"),
             "R2W0117 `log` does not belong to a check of a topic's rate;");
-  EXPECT_EQ(read("{topic: /a, equals: 3}"),
+  EXPECT_EQ(check_of("{topic: /a, equals: 3}"),
             "R2W0117 `equals` does not belong to a check of a topic's rate;");
-  EXPECT_EQ(read("{topic: /a, field: x}"),
+  EXPECT_EQ(check_of("{topic: /a, field: x}"),
             "R2W0117 this check does not say what the value must be;");
-  EXPECT_EQ(read("{topic: /a, above: 5 Hz, below: 5 Hz}"),
+  EXPECT_EQ(check_of("{topic: /a, above: 5 Hz, below: 5 Hz}"),
             "R2W0117 nothing is above and below these at once;");
-  EXPECT_EQ(read("{parameter: a, equals: 1}"), "R2W0106 a check of a parameter has no `node`;");
+  EXPECT_EQ(check_of("{parameter: a, equals: 1}"), "R2W0106 a check of a parameter has no `node`;");
 }
 
 TEST(ManifestChecks, RefusesWrongValues) {
-  EXPECT_EQ(read("{topic: /a, above: 10}"), "R2W0103 `above` of a topic is a rate in Hz;");
-  EXPECT_EQ(read("{topic: ~/a}"), "R2W0104 `~/a` is a topic of a node that is not named here;");
-  EXPECT_TRUE(read("{topic: a b}").starts_with("R2W0104"));
-  EXPECT_TRUE(read("{topic: /a, field: 'x[', equals: 1}").starts_with("R2W0104"));
-  EXPECT_TRUE(read("{topic: /a, field: 'x.', equals: 1}").starts_with("R2W0104"));
-  EXPECT_TRUE(read("{topic: /a, field: x, equals: [1]}").starts_with("R2W0103"));
-  EXPECT_TRUE(read("{topic: /a, field: x, above: high}").starts_with("R2W0103"));
-  EXPECT_EQ(read("{log: '(a+)+'}"), "R2W0116 `(a+)+` cannot be used as a regular expression;");
-  EXPECT_EQ(read("{log: a, within: soon}"), "R2W0103 `within` cannot be `soon`;");
-  EXPECT_EQ(read("{node: a, state: dead}"), "R2W0103 `state` cannot be `dead`;");
-  EXPECT_TRUE(read("{node: a, exit_code: 256}").starts_with("R2W0103"));
-  EXPECT_TRUE(read("talker runs").starts_with("R2W0103"));
+  EXPECT_EQ(check_of("{topic: /a, above: 10}"), "R2W0103 `above` of a topic is a rate in Hz;");
+  EXPECT_EQ(check_of("{topic: ~/a}"), "R2W0104 `~/a` is a topic of a node that is not named here;");
+  EXPECT_TRUE(check_of("{topic: a b}").starts_with("R2W0104"));
+  EXPECT_TRUE(check_of("{topic: /a, field: 'x[', equals: 1}").starts_with("R2W0104"));
+  EXPECT_TRUE(check_of("{topic: /a, field: 'x.', equals: 1}").starts_with("R2W0104"));
+  EXPECT_TRUE(check_of("{topic: /a, field: x, equals: [1]}").starts_with("R2W0103"));
+  EXPECT_TRUE(check_of("{topic: /a, field: x, above: high}").starts_with("R2W0103"));
+  EXPECT_EQ(check_of("{log: '(a+)+'}"), "R2W0116 `(a+)+` cannot be used as a regular expression;");
+  EXPECT_EQ(check_of("{log: a, within: soon}"), "R2W0103 `within` cannot be `soon`;");
+  EXPECT_EQ(check_of("{node: a, state: dead}"), "R2W0103 `state` cannot be `dead`;");
+  EXPECT_TRUE(check_of("{node: a, exit_code: 256}").starts_with("R2W0103"));
+  EXPECT_TRUE(check_of("talker runs").starts_with("R2W0103"));
 }
 
 TEST(ManifestChecks, NamesThePlaceInAnExpression) {

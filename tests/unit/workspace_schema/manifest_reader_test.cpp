@@ -12,7 +12,7 @@
 namespace ros2wasm {
 namespace {
 
-Manifest read(const std::string& text) {
+Manifest manifest_of(const std::string& text) {
   auto manifest = read_manifest(text, "workspace.yaml");
   if (!manifest) {
     ADD_FAILURE() << manifest.errors()[0].message;
@@ -30,7 +30,7 @@ std::string example(const std::string& name) {
 }
 
 TEST(ManifestReader, Version1StaysReadable) {
-  const Manifest manifest = read(example("valid/version_1.yaml"));
+  const Manifest manifest = manifest_of(example("valid/version_1.yaml"));
   EXPECT_EQ(manifest.schema, 1);
   EXPECT_EQ(manifest.name.value, "turtle_lab-2.1");
   EXPECT_EQ(manifest.title, "Lab 2: a turtle that listens");
@@ -70,7 +70,7 @@ TEST(ManifestReader, Version1StaysReadable) {
 }
 
 TEST(ManifestReader, ParametersKeepTypesAndOrder) {
-  const Manifest manifest = read(example("valid/version_1.yaml"));
+  const Manifest manifest = manifest_of(example("valid/version_1.yaml"));
   const NodeEntry& node = manifest.nodes[0];
   ASSERT_EQ(node.parameter_files.size(), 2U);
   ASSERT_EQ(node.parameters.size(), 7U);
@@ -89,7 +89,7 @@ TEST(ManifestReader, ParametersKeepTypesAndOrder) {
 }
 
 TEST(ManifestReader, DefaultsOfTheSmallest) {
-  const Manifest manifest = read(example("valid/smallest.yaml"));
+  const Manifest manifest = manifest_of(example("valid/smallest.yaml"));
   EXPECT_EQ(manifest.distro, "jazzy");
   EXPECT_EQ(manifest.launch_file->value, "launch/demo.launch.py");
   EXPECT_TRUE(manifest.nodes.empty());
@@ -97,7 +97,7 @@ TEST(ManifestReader, DefaultsOfTheSmallest) {
 }
 
 TEST(ManifestReader, LaunchArgumentsAreTextsAsWritten) {
-  const Manifest manifest = read(example("valid/launch_arguments.yaml"));
+  const Manifest manifest = manifest_of(example("valid/launch_arguments.yaml"));
   EXPECT_EQ(manifest.launch_file->value, "src/demo/launch/bringup.launch.py");
   std::vector<std::pair<std::string, std::string>> given;
   for (const GivenArgument& one : manifest.launch_arguments)
@@ -111,7 +111,7 @@ TEST(ManifestReader, LaunchArgumentsAreTextsAsWritten) {
 }
 
 TEST(ManifestReader, AllStylesOfText) {
-  const Manifest manifest = read(example("valid/texts_in_all_styles.yaml"));
+  const Manifest manifest = manifest_of(example("valid/texts_in_all_styles.yaml"));
   EXPECT_EQ(manifest.name.value, "2024");
   EXPECT_EQ(manifest.title, "A folded text");
   const auto& parameters = manifest.nodes[0].parameters;
@@ -122,15 +122,15 @@ TEST(ManifestReader, AllStylesOfText) {
 }
 
 TEST(ManifestReader, AnchorsUnfold) {
-  const Manifest manifest = read(example("valid/anchors.yaml"));
+  const Manifest manifest = manifest_of(example("valid/anchors.yaml"));
   ASSERT_EQ(manifest.nodes.size(), 2U);
   ASSERT_EQ(manifest.nodes[1].parameters.size(), 2U);
   EXPECT_EQ(manifest.nodes[0].parameters[1].value, manifest.nodes[1].parameters[1].value);
 }
 
 TEST(ManifestReader, VersionsAreTakenAsWritten) {
-  EXPECT_EQ(read("schema: 1\nname: a\nversion: 1.10\nlaunch: l.xml").version, "1.10");
-  EXPECT_EQ(read("schema: 1\nname: a\nversion: 2\nlaunch: l.xml").version, "2");
+  EXPECT_EQ(manifest_of("schema: 1\nname: a\nversion: 1.10\nlaunch: l.xml").version, "1.10");
+  EXPECT_EQ(manifest_of("schema: 1\nname: a\nversion: 2\nlaunch: l.xml").version, "2");
 }
 
 TEST(ManifestReader, NeverMoreThanAHundredErrors) {
@@ -142,14 +142,14 @@ TEST(ManifestReader, NeverMoreThanAHundredErrors) {
 }
 
 TEST(ManifestJson, IsCompleteAndKeepsOrder) {
-  const std::string json = manifest_json(read(example("valid/version_1.yaml")));
+  const std::string json = manifest_json(manifest_of(example("valid/version_1.yaml")));
   EXPECT_NE(json.find(R"("parameters":["config/defaults.yaml",{"rate":10,)"), std::string::npos)
       << json;
   EXPECT_NE(json.find(R"("gains":[1.0,0.5]},"config/robot1.yaml"])"), std::string::npos) << json;
 }
 
 TEST(ManifestJson, HasTheLaunchFileWithItsArguments) {
-  const std::string json = manifest_json(read(example("valid/launch_arguments.yaml")));
+  const std::string json = manifest_json(manifest_of(example("valid/launch_arguments.yaml")));
   EXPECT_NE(
       json.find(
           R"("launch":{"file":"src/demo/launch/bringup.launch.py","arguments":{"robot":"r2","speed":"2.50")"),

@@ -37,7 +37,7 @@ std::string shown(const SourceText& source, const YamlNode& node) {
   return "?";
 }
 
-std::string read(std::string_view text) {
+std::string read_yaml(std::string_view text) {
   const SourceText source(text, "a.yaml");
   const auto document = parse_yaml(source);
   if (!document) return document.errors()[0].code + ": " + document.errors()[0].message;
@@ -47,55 +47,55 @@ std::string read(std::string_view text) {
 }
 
 TEST(YamlReader, PlacesOfValues) {
-  EXPECT_EQ(read("a: b"), "{a: b@1:4+1}");
-  EXPECT_EQ(read("a:  'b c'\n"), "{a: 'b c'@1:5+5}");
-  EXPECT_EQ(read("a: \"x\\\"y\""), "{a: 'x\"y'@1:4+6}");
-  EXPECT_EQ(read("a: 'it''s'"), "{a: 'it's'@1:4+7}");
-  EXPECT_EQ(read("a: [b, {c: d}]"), "{a: [b@1:5+1, {c: d@1:12+1}]}");
-  EXPECT_EQ(read("- x\n-   y\n"), "[x@1:3+1, y@2:5+1]");
-  EXPECT_EQ(read("\xEF\xBB\xBF"
-                 "a: b"),
+  EXPECT_EQ(read_yaml("a: b"), "{a: b@1:4+1}");
+  EXPECT_EQ(read_yaml("a:  'b c'\n"), "{a: 'b c'@1:5+5}");
+  EXPECT_EQ(read_yaml("a: \"x\\\"y\""), "{a: 'x\"y'@1:4+6}");
+  EXPECT_EQ(read_yaml("a: 'it''s'"), "{a: 'it's'@1:4+7}");
+  EXPECT_EQ(read_yaml("a: [b, {c: d}]"), "{a: [b@1:5+1, {c: d@1:12+1}]}");
+  EXPECT_EQ(read_yaml("- x\n-   y\n"), "[x@1:3+1, y@2:5+1]");
+  EXPECT_EQ(read_yaml("\xEF\xBB\xBF"
+                      "a: b"),
             "{a: b@1:7+1}");
-  EXPECT_EQ(read("a: b\r\nc: d\r\n"), "{a: b@1:4+1, c: d@2:4+1}");
-  EXPECT_EQ(read("\xC3\xA9: \xC3\xBC"), "{\xC3\xA9: \xC3\xBC@1:5+2}");
+  EXPECT_EQ(read_yaml("a: b\r\nc: d\r\n"), "{a: b@1:4+1, c: d@2:4+1}");
+  EXPECT_EQ(read_yaml("\xC3\xA9: \xC3\xBC"), "{\xC3\xA9: \xC3\xBC@1:5+2}");
 }
 
 TEST(YamlReader, SeveralLines) {
-  EXPECT_EQ(read("a: |\n  x\n  y\nb: c"), "{a: 'x\ny\n'@1:4+1, b: c@4:4+1}");
-  EXPECT_EQ(read("a: >-\n  x\n  y\n"), "{a: 'x y'@1:4+1}");
-  EXPECT_EQ(read("a: x\n  y\n"), "{a: x y@1:4+1}");
+  EXPECT_EQ(read_yaml("a: |\n  x\n  y\nb: c"), "{a: 'x\ny\n'@1:4+1, b: c@4:4+1}");
+  EXPECT_EQ(read_yaml("a: >-\n  x\n  y\n"), "{a: 'x y'@1:4+1}");
+  EXPECT_EQ(read_yaml("a: x\n  y\n"), "{a: x y@1:4+1}");
 }
 
 TEST(YamlReader, EmptyValuesDoNotBearTheNextTokensPlace) {
-  EXPECT_EQ(read("a:\nb: c"), "{a: nothing@1:3+0, b: c@2:4+1}");
-  EXPECT_EQ(read("a:   # remark\nb: c"), "{a: nothing@1:3+1, b: c@2:4+1}");
-  EXPECT_EQ(read("a:"), "{a: nothing@1:3+0}");
-  EXPECT_EQ(read("a:\n  b:\nc: d"), "{a: {b: nothing@2:5+0}, c: d@3:4+1}");
-  EXPECT_EQ(read("-\n- a\n-\n"), "[nothing@1:1+1, a@2:3+1, nothing@3:1+1]");
-  EXPECT_EQ(read("- # remark - here\n- a"), "[nothing@1:1+1, a@2:3+1]");
-  EXPECT_EQ(read("{a: , b: c}"), "{a: nothing@1:4+1, b: c@1:10+1}");
-  EXPECT_EQ(read("{a, b: c}"), "{a: nothing@1:3+1, b: c@1:8+1}");
+  EXPECT_EQ(read_yaml("a:\nb: c"), "{a: nothing@1:3+0, b: c@2:4+1}");
+  EXPECT_EQ(read_yaml("a:   # remark\nb: c"), "{a: nothing@1:3+1, b: c@2:4+1}");
+  EXPECT_EQ(read_yaml("a:"), "{a: nothing@1:3+0}");
+  EXPECT_EQ(read_yaml("a:\n  b:\nc: d"), "{a: {b: nothing@2:5+0}, c: d@3:4+1}");
+  EXPECT_EQ(read_yaml("-\n- a\n-\n"), "[nothing@1:1+1, a@2:3+1, nothing@3:1+1]");
+  EXPECT_EQ(read_yaml("- # remark - here\n- a"), "[nothing@1:1+1, a@2:3+1]");
+  EXPECT_EQ(read_yaml("{a: , b: c}"), "{a: nothing@1:4+1, b: c@1:10+1}");
+  EXPECT_EQ(read_yaml("{a, b: c}"), "{a: nothing@1:3+1, b: c@1:8+1}");
 }
 
 TEST(YamlReader, WrittenNulls) {
-  EXPECT_EQ(read("a: null"), "{a: null@1:4+4}");
-  EXPECT_EQ(read("a: ~\nb: NULL"), "{a: null@1:4+1, b: null@2:4+4}");
-  EXPECT_EQ(read("[~, null]"), "[null@1:2+1, null@1:5+4]");
+  EXPECT_EQ(read_yaml("a: null"), "{a: null@1:4+4}");
+  EXPECT_EQ(read_yaml("a: ~\nb: NULL"), "{a: null@1:4+1, b: null@2:4+4}");
+  EXPECT_EQ(read_yaml("[~, null]"), "[null@1:2+1, null@1:5+4]");
   // The key of the next line is the word null: the value before it is empty all the same.
-  EXPECT_EQ(read("a:\nnullable: x"), "{a: nothing@1:3+0, nullable: x@2:11+1}");
+  EXPECT_EQ(read_yaml("a:\nnullable: x"), "{a: nothing@1:3+0, nullable: x@2:11+1}");
 }
 
 TEST(YamlReader, TagsAndAnchors) {
-  EXPECT_EQ(read("a: !!str 5"), "{a: 5@1:10+1}");
-  EXPECT_EQ(read("a: &x b\nc: *x"), "{a: b@1:7+1, c: b@1:7+1}");
-  EXPECT_EQ(read("a: &x [1]\nc: *x"), "{a: [1@1:8+1], c: [1@1:8+1]}");
-  EXPECT_EQ(read("a: &x [*x]"), "R2W0101: an alias stands inside the value that it names");
+  EXPECT_EQ(read_yaml("a: !!str 5"), "{a: 5@1:10+1}");
+  EXPECT_EQ(read_yaml("a: &x b\nc: *x"), "{a: b@1:7+1, c: b@1:7+1}");
+  EXPECT_EQ(read_yaml("a: &x [1]\nc: *x"), "{a: [1@1:8+1], c: [1@1:8+1]}");
+  EXPECT_EQ(read_yaml("a: &x [*x]"), "R2W0101: an alias stands inside the value that it names");
 }
 
 TEST(YamlReader, DuplicateKeysAreReportedAndTheFirstCounts) {
-  EXPECT_EQ(read("a: 1\nb: 2\na: 3"), "{a: 1@1:4+1, b: 2@2:4+1} !R2W0105");
-  EXPECT_EQ(read("{a: {b: 1, b: 2}, a: 3}"), "{a: {b: 1@1:9+1}} !R2W0105 !R2W0105");
-  EXPECT_EQ(read("a: 1\n'a': 3"), "{a: 1@1:4+1} !R2W0105");
+  EXPECT_EQ(read_yaml("a: 1\nb: 2\na: 3"), "{a: 1@1:4+1, b: 2@2:4+1} !R2W0105");
+  EXPECT_EQ(read_yaml("{a: {b: 1, b: 2}, a: 3}"), "{a: {b: 1@1:9+1}} !R2W0105 !R2W0105");
+  EXPECT_EQ(read_yaml("a: 1\n'a': 3"), "{a: 1@1:4+1} !R2W0105");
 }
 
 TEST(YamlReader, TheLastOfTwoKeysMayCount) {
@@ -110,7 +110,7 @@ TEST(YamlReader, Refuses) {
   for (const std::string_view text :
        {"a: b: c", "a: [", "a: 'b", "a: \"b", "\ta: b\n- c", "a: }", "? [a]\n: b", "a: @b", "a: *b",
         "~: a", ": a", "a: 1\nb\n", "a: 1\n b: 2", "a: b\n---\nc: d", "- a\nb: c", "a: \"\\q\""}) {
-    EXPECT_EQ(read(text).substr(0, 8), "R2W0101:") << text;
+    EXPECT_EQ(read_yaml(text).substr(0, 8), "R2W0101:") << text;
   }
 }
 
@@ -121,7 +121,7 @@ TEST(YamlReader, RefusesWhatIsNoText) {
         "\xFF\xFE"
         "a"s,
         "a: \xC0\x80"s, "a: b\rc"s, "a: \xED\xA0\x80"s, std::string((1U << 20U) + 1, ' ')}) {
-    EXPECT_EQ(read(text).substr(0, 8), "R2W0111:") << text.substr(0, 20);
+    EXPECT_EQ(read_yaml(text).substr(0, 8), "R2W0111:") << text.substr(0, 20);
   }
 }
 
@@ -130,25 +130,25 @@ TEST(YamlReader, Limits) {
   const auto nested = [](std::size_t depth) {
     return std::string(depth, '[') + std::string(depth, ']');
   };
-  EXPECT_EQ(read(nested(40)).substr(0, 3), "[[[");
-  EXPECT_EQ(read(nested(60)).substr(0, 8), "R2W0111:");
-  EXPECT_EQ(read(nested(100'000)).substr(0, 4), "R2W0");
+  EXPECT_EQ(read_yaml(nested(40)).substr(0, 3), "[[[");
+  EXPECT_EQ(read_yaml(nested(60)).substr(0, 8), "R2W0111:");
+  EXPECT_EQ(read_yaml(nested(100'000)).substr(0, 4), "R2W0");
   std::string many = "[";
   for (int i = 0; i < 60'000; ++i) many += "a,";
-  EXPECT_EQ(read(many + "]").substr(0, 8), "R2W0111:");
+  EXPECT_EQ(read_yaml(many + "]").substr(0, 8), "R2W0111:");
   std::string bomb = "a0: &a0 [x, x]\n";
   for (int i = 1; i < 40; ++i) {
     const std::string before = "*a" + std::to_string(i - 1);
     bomb += "a" + std::to_string(i) + ": &a" + std::to_string(i) + " [" + before + ", " + before +
             "]\n";
   }
-  EXPECT_EQ(read(bomb).substr(0, 8), "R2W0111:");
+  EXPECT_EQ(read_yaml(bomb).substr(0, 8), "R2W0111:");
 }
 
 TEST(YamlReader, NothingToRead) {
-  EXPECT_EQ(read(""), "nothing@1:1+0");
-  EXPECT_EQ(read("# only a remark\n"), "nothing@1:1+0");
-  EXPECT_EQ(read("---\n"), "nothing@1:1+0");
+  EXPECT_EQ(read_yaml(""), "nothing@1:1+0");
+  EXPECT_EQ(read_yaml("# only a remark\n"), "nothing@1:1+0");
+  EXPECT_EQ(read_yaml("---\n"), "nothing@1:1+0");
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ std::string archive_of(std::string_view name, std::string_view text) {
 }
 
 TEST(SourceTree, HasNoSitesOfOurs) {
-  const auto scratch = TemporaryDirectory::make(testing::TempDir(), "sources-");
+  const auto scratch = TemporaryDirectory::make(::testing::TempDir(), "sources-");
   ASSERT_TRUE(scratch);
   const auto& folder = scratch->path();
   const std::string ours = "{\"generator\": \"" + std::string(kSiteGenerator) + " 9.9.9\"}";

@@ -7,7 +7,7 @@ namespace {
 
 constexpr const char* kScript = "lib/demo/run";
 
-class ImportCheckTest : public testing::Test {
+class ImportCheckTest : public ::testing::Test {
  protected:
   void module(const std::string& path, const std::string& text) {
     workspace_[std::string(kPythonModules) + "/" + path] = text;

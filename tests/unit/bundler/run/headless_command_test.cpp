@@ -32,7 +32,7 @@ TEST(HeadlessCommand, PassesAllOptions) {
                    "--checks", "--junit", "checks.xml", "--json"}));
 }
 
-class FindHeadlessTest : public testing::Test {
+class FindHeadlessTest : public ::testing::Test {
  protected:
   fs::path root() const { return folder_.value().path(); }
   Outcome<fs::path> find_with(const std::string& list) {

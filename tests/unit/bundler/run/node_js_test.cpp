@@ -17,7 +17,7 @@ TEST(NodeJsVersionTest, ReadsVersions) {
 }
 
 /// A folder with programs that only print a version.
-class FindNodeJsTest : public testing::Test {
+class FindNodeJsTest : public ::testing::Test {
  protected:
   fs::path root() const { return folder_.value().path(); }
   fs::path put(const std::string& path, const std::string& version) {

@@ -9,7 +9,7 @@ namespace ros2wasm {
 namespace {
 namespace fs = std::filesystem;
 
-class WorkspaceMarksTest : public testing::Test {
+class WorkspaceMarksTest : public ::testing::Test {
  protected:
   void write(const std::string& path, const std::string& text) {
     ASSERT_TRUE(write_file(root() / path, text).ok());

@@ -12,7 +12,7 @@ from pathlib import Path
 from . import ROOT
 from fingerprint import Compiler, package_keys, tree_digest
 from metadata import conda_name, record
-from package_source import PackageSource, find_packages
+from package_source import PackageSource, find_packages, longest_first
 from write_versions import page
 
 COMPILER = Compiler(Path("/opt/em++"), "3.1.6", "0" * 64, "clang14.0.6_h0123456789ab_0")
@@ -55,6 +55,13 @@ class FindPackages(Scratch):
         self.assertEqual(list(found), ["c", "b", "a"])
         self.assertEqual(found["a"].use_needs, ("b",))
         self.assertEqual(found["b"].description, "Two words")
+
+    def test_what_most_waits_for_is_built_first(self) -> None:
+        self.add("a", package_xml("a"))
+        self.add("z", package_xml("z"))
+        (self.add("m", package_xml("m", "z")) / "large.cpp").write_text("//" * 5000)
+        (self.add("n", package_xml("n")) / "middle.cpp").write_text("//" * 2000)
+        self.assertEqual(longest_first(find_packages(self.root / "runtime")), ["z", "m", "n", "a"])
 
     def test_a_circle_is_named(self) -> None:
         self.add("a", package_xml("a", "b"))

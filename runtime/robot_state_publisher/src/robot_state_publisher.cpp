@@ -2,7 +2,11 @@
 #include "robot_state_publisher/robot_state_publisher.hpp"
 
 #include <algorithm>
+#include <cerrno>
+#include <fstream>
+#include <iterator>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include "rclcpp_components/register_node_macro.hpp"
@@ -14,13 +18,27 @@ bool is_frequency(double hertz) {
   return hertz > 0 && hertz <= 1000;
 }
 
+std::string text_of_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) {
+    throw std::system_error(errno, std::system_category(), "Failed to open URDF file: " + path);
+  }
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
 }  // namespace
 
 RobotStatePublisher::RobotStatePublisher(const rclcpp::NodeOptions& options)
     : rclcpp::Node("robot_state_publisher", options) {
-  const auto description = declare_parameter<std::string>("robot_description", "");
+  auto description = declare_parameter<std::string>("robot_description", "");
   if (description.empty()) {
-    throw std::runtime_error("robot_description parameter must not be empty");
+    try {
+      description = described_by(options.arguments());
+      set_parameter(rclcpp::Parameter("robot_description", description));
+    } catch (const std::runtime_error& error) {
+      RCLCPP_FATAL(get_logger(), "%s", error.what());
+      throw;
+    }
   }
   publish_frequency_ = declare_parameter("publish_frequency", 20.0);
   if (!is_frequency(publish_frequency_)) {
@@ -49,6 +67,18 @@ RobotStatePublisher::RobotStatePublisher(const rclcpp::NodeOptions& options)
       [this](const std::vector<rclcpp::Parameter>& changed) { return parameterUpdate(changed); });
   param_taken_cb_ = add_post_set_parameters_callback(
       [this](const std::vector<rclcpp::Parameter>& changed) { takeParameters(changed); });
+}
+
+/// What older launch files give: the path of the description, after the program's name.
+std::string RobotStatePublisher::described_by(const std::vector<std::string>& arguments) const {
+  if (arguments.size() < 2) {
+    throw std::runtime_error("robot_description parameter must not be empty");
+  }
+  RCLCPP_WARN(get_logger(),
+              "No robot_description parameter, but command-line argument available.  Assuming "
+              "argument is name of URDF file.  This backwards compatibility fallback will be "
+              "removed in the future.");
+  return text_of_file(arguments[1]);
 }
 
 void RobotStatePublisher::setupURDF(const std::string& urdf_xml) {

@@ -32,6 +32,7 @@ class RobotStatePublisher : public rclcpp::Node {
   void takeParameters(const std::vector<rclcpp::Parameter>& parameters);
 
  private:
+  std::string described_by(const std::vector<std::string>& arguments) const;
   geometry_msgs::msg::TransformStamped transform_of(const Segment& segment, double position,
                                                     const rclcpp::Time& stamp) const;
 

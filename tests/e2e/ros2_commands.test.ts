@@ -169,6 +169,16 @@ for (const link of ['shared', 'port'] as const) {
         const none = await shell.run(['topic', 'echo', '/none']);
         assert.deepEqual(none, { code: 1, out: '', warned: 'WARNING: topic [/none] does not appear to be published yet\nCould not determine the type for the passed topic\n' });
         assert.match((await shell.run(['topic', 'echo', '--once', '--field', 'dta', '/chatter'])).warned, /^Invalid field 'dta'/);
+        // Only each fifth one, and of a field only what fits it.
+        assert.match(await shell.prints(['topic', 'echo', '--once', '--filter', "int(m.data[-1]) % 5 == 0 and m.data.startswith('Hello')", '/chatter']), /^data: 'Hello World: \d*[05]'\n---\n$/);
+        assert.equal(await shell.prints(['topic', 'echo', '--once', '--field', 'point', '--filter', 'm.x < 1 < m.y', '/place']), 'x: 0.5\ny: 2.0\nz: 0.0\n---\n');
+        assert.deepEqual(await shell.run(['topic', 'echo', '--filter', 'm.dta', '/chatter']), { code: 1, out: '', warned: "AttributeError: the message has no attribute 'dta'\n" });
+        assert.match((await shell.run(['topic', 'echo', '--filter', 'import os', '/chatter'])).warned, /^NameError: name 'import' is not defined/);
+        assert.match((await shell.run(['topic', 'hz', '--filter', 'm.data / 2', '/chatter'])).warned, /^TypeError: a str is no number/);
+        // About a fifth as many as all.
+        const [some, all] = [await shell.run(['topic', 'hz', '--filter', 'm.data[-1] in "05"', '/chatter'], /window: \d+\n/), await shell.run(['topic', 'hz', '/chatter'], /window: \d+\n/)];
+        const rate = (out: string): number => Number(/^average rate: (.*)$/m.exec(out)?.[1]);
+        assert.ok(rate(some.out) < 0.5 * rate(all.out), `${some.out}${all.out}`);
         const hz = await shell.run(['topic', 'hz', '/chatter'], /window: \d+\n/);
         assert.match(hz.out, /^average rate: \d+\.\d{3}\n\tmin: \d+\.\d{3}s max: \d+\.\d{3}s std dev: \d+\.\d{5}s window: \d+\n/);
         const bw = await shell.run(['topic', 'bw', '/chatter'], /from \d+ messages\n.*\n/);

@@ -154,6 +154,12 @@ for (const link of ['shared', 'port'] as const) {
           'Node name: robot', 'Node namespace: /', 'Topic type: geometry_msgs/msg/PointStamped', 'Topic type hash: RIHS01_[0-9a-f]{64}', 'Endpoint type: PUBLISHER',
           'GID: [0-9a-f]{2}(?:\\.[0-9a-f]{2}){15}', 'QoS profile:', '  Reliability: BEST_EFFORT', '  History \\(Depth\\): KEEP_LAST \\(5\\)', '  Durability: VOLATILE',
           '  Lifespan: Infinite', '  Deadline: Infinite', '  Liveliness: AUTOMATIC', '  Liveliness lease duration: Infinite', '', 'Subscription count: 0', '', '$'].join('\n')));
+        // Whom its messages do not reach is said beside what upstream prints.
+        const strict = session.node().subscription('/place', 'geometry_msgs/msg/PointStamped', { reliability: 'reliable' }, () => undefined);
+        const misfit = await shell.run(['topic', 'info', '-v', '/place']);
+        assert.match(misfit.out, /\nSubscription count: 1\n/);
+        assert.equal(misfit.warned, 'WARNING: messages of /robot on /place do not reach /_ros2wasm_page: their QoS policies do not fit, RELIABILITY\n');
+        strict.close();
         assert.deepEqual(await shell.run(['topic', 'info', '/none']), { code: 1, out: '', warned: "Unknown topic '/none'\n" });
       });
 
@@ -185,6 +191,14 @@ for (const link of ['shared', 'port'] as const) {
         assert.match(bw.out, /^Subscribed to \[\/chatter\]\n\d+(?:\.\d+)? K?B\/s from \d+ messages\n\tMessage size mean: \S+ K?B min: \S+ K?B max: \S+ K?B\n/);
         const delay = await shell.run(['topic', 'delay', '/place'], /window: \d+\n/);
         assert.match(delay.out, /^average delay: -?\d+\.\d{3}\n\tmin: -?\d+\.\d{3}s max: -?\d+\.\d{3}s std dev: \d+\.\d{5}s window: \d+\n/);
+      });
+
+      await t.test('pkg xml', async () => {
+        const [name = ''] = session.site.packages;
+        const xml = await shell.run(['pkg', 'xml', name]);
+        assert.deepEqual([xml.code, xml.out], [1, '']);
+        assert.match(xml.warned, /^The package\.xml of '\w+' is not in this site: .* The workspace and the channel have it\.\n$/);
+        assert.equal((await shell.run(['pkg', 'xml', 'no_such_package'])).warned, 'Package not found\n');
       });
 
       await t.test('topic pub', async () => {

@@ -1,4 +1,4 @@
-// ros2 pkg list, executables, prefix.
+// ros2 pkg list, executables, prefix, xml.
 
 import { type Command, CommandError, type Context, has } from './command.ts';
 import { programsOf } from './programs.ts';
@@ -44,6 +44,16 @@ export const pkgCommands: readonly Command[] = [
       const name = known(context, given.positionals[0]!);
       context.print(`${context.session.prefix}${has(given, 'share') ? `/share/${name}` : ''}`);
       return Promise.resolve(0);
+    },
+  },
+  {
+    words: ['pkg', 'xml'],
+    help: 'Output the XML of the package manifest or a specific tag',
+    positionals: [{ name: 'package_name', meaning: 'package' }],
+    options: [{ names: ['--tag', '-t'], value: 'TAG', help: 'The XML tag to output, e.g. version' }],
+    run: (context, given) => {
+      const name = known(context, given.positionals[0]!);
+      throw new CommandError(`The package.xml of '${name}' is not in this site: of a package a site has what its nodes read. The workspace and the channel have it.`);
     },
   },
 ];

@@ -2,6 +2,7 @@
 
 import { splitNodeName } from '../decode/ros_names.ts';
 import type { EndpointQosView } from '../wasm_js/session.ts';
+import { misfitPolicy } from '../wasm_js/qos_view.ts';
 import { type Command, CommandError, has } from './command.ts';
 import { endpointsOf, type OfNode, shown, topicsOf } from './graph_lists.ts';
 
@@ -55,6 +56,7 @@ export const topicCommands: readonly Command[] = [
         context.print(`${what} count: ${list.length}${end}`);
         if (verbose) for (const each of list) context.print(`${endpointText(what.toUpperCase(), each)}${end}`);
       }
+      if (verbose) for (const hint of misfitHints(name, lists[0][1], lists[1][1])) context.warn(hint);
       return Promise.resolve(0);
     },
   },
@@ -112,4 +114,14 @@ function qosLines(qos: EndpointQosView): string[] {
 
 function duration(ns: number): string {
   return ns === 0 ? 'Infinite' : `${ns} nanoseconds`;
+}
+
+/** Beside upstream's output, not in it: whose messages do not reach whom, for their QoS. */
+function misfitHints(topic: string, publishers: readonly OfNode[], subscriptions: readonly OfNode[]): readonly string[] {
+  return publishers.flatMap((from) =>
+    subscriptions.flatMap((to) => {
+      const policy = misfitPolicy(from.endpoint.qos, to.endpoint.qos);
+      return policy === undefined ? [] : [`WARNING: messages of ${from.node.name} on ${topic} do not reach ${to.node.name}: their QoS policies do not fit, ${policy.toUpperCase()}`];
+    }),
+  );
 }

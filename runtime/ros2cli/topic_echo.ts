@@ -7,6 +7,7 @@ import { fieldOf, isList, isMessage, kTruncateLength, toYaml } from '../decode/y
 import { expandName, fullTypeName } from '../decode/ros_names.ts';
 import { type Command, CommandError, type Context, type Given, has, numberOf, type Option, untilDone } from './command.ts';
 import { reprFloat, reprScalar } from './python_text.ts';
+import { filterOf } from './filter_expression.ts';
 import { servicesOf } from './graph_lists.ts';
 import { chooseTopic, fittingQos, qosOptions, type TopicChoice } from './subscribing.ts';
 
@@ -30,6 +31,7 @@ export const topicEcho: Command = {
     ...qosOptions,
     ...showOptions,
     { names: ['--field'], value: 'FIELD', help: 'Echo a selected field of a message. Use "." to select sub-fields.' },
+    { names: ['--filter'], value: 'FILTER_EXPR', help: 'Python expression over the message m: only messages for which it is true are printed' },
     { names: ['--once'], help: 'Print the first message received and then exit.' },
     { names: ['--timeout'], value: 'N', number: true, help: 'Set a timeout in seconds' },
     { names: ['--raw'], help: 'Echo the raw binary representation' },
@@ -69,15 +71,21 @@ async function echo(context: Context, given: Given, { name, type }: TopicChoice,
   if (typeof parsed === 'string') throw new CommandError(parsed);
   const truncate = has(given, 'full-length') ? null : numberOf(given, 'truncate-length', kTruncateLength);
   const path = given.options.get('field')?.split('.');
+  const filter = given.options.get('filter');
+  const passes = filter === undefined ? undefined : filterOf(filter);
   const node = context.session.node();
   let failure: string | undefined;
   let came = false;
   await untilDone(context.signal, (done) => {
     const subscription = node.subscription(name, type, fittingQos(context, name, given), (bytes) => {
       if (failure !== undefined || (came && has(given, 'once'))) return;
+      const at = has(given, 'raw') && passes === undefined ? undefined : pick(bytes);
+      if (at !== undefined && !isWanted(at)) return;
       came = true;
-      const text = has(given, 'raw') ? pythonBytes(bytes) : show(bytes);
-      if (text !== undefined) context.print(text);
+      if (failure === undefined) {
+        if (has(given, 'raw')) context.print(pythonBytes(bytes));
+        else if (at !== undefined) context.print(show(at));
+      }
       if (failure !== undefined || has(given, 'once')) done();
     });
     if (subscription.problem !== undefined) {
@@ -94,7 +102,19 @@ async function echo(context: Context, given: Given, { name, type }: TopicChoice,
   if (failure !== undefined) throw new CommandError(failure);
   return 0;
 
-  function show(bytes: Uint8Array): string | undefined {
+  /** By `--filter`; an expression that fails ends the command. */
+  function isWanted({ value }: Selected): boolean {
+    if (passes === undefined) return true;
+    try {
+      return passes(value);
+    } catch (error) {
+      if (!(error instanceof CommandError)) throw error;
+      failure = error.message;
+      return true;
+    }
+  }
+
+  function pick(bytes: Uint8Array): Selected | undefined {
     const decoded = codec.decode(type, bytes);
     if (decoded.kind === 'failed') {
       context.warn(decoded.reason);
@@ -105,7 +125,10 @@ async function echo(context: Context, given: Given, { name, type }: TopicChoice,
       failure = `Invalid field '${path?.join('.') ?? ''}': ${at}`;
       return undefined;
     }
-    const { value, shape, float } = at;
+    return at;
+  }
+
+  function show({ value, shape, float }: Selected): string {
     if (has(given, 'csv')) return csv(value, truncate).join(',');
     if (!isMessage(value)) {
       const text = isList(value) ? `[${Array.from(cut(value, truncate), (item) => isMessage(item) ? toYaml(item, shape, truncate).trimEnd() : reprScalar(item, float)).join(', ')}]`

@@ -2,6 +2,7 @@
 
 import type { MessageInfo } from '../wasm_js/session.ts';
 import { type Command, CommandError, type Context, type Given, numberOf, untilDone } from './command.ts';
+import { filterOf } from './filter_expression.ts';
 import { chooseTopic, fittingQos, type TopicChoice } from './subscribing.ts';
 
 const window = { names: ['--window', '-w'], value: 'WINDOW', number: true, help: 'Window size, in number of messages' } as const;
@@ -29,6 +30,17 @@ function summary(values: readonly number[]): Summary {
   return { count: values.length, mean, least, most, deviation: Math.sqrt(squares) };
 }
 
+/** Whether a message counts, by the expression of `--filter`. */
+async function wantedBy(context: Context, { type }: TopicChoice, filter: string | undefined): Promise<(bytes: Uint8Array) => boolean> {
+  if (filter === undefined) return () => true;
+  const passes = filterOf(filter);
+  const codec = await context.codec();
+  return (bytes) => {
+    const decoded = codec.decode(type, bytes);
+    return decoded.kind !== 'failed' && passes(decoded.value);
+  };
+}
+
 /** Reads a topic until Ctrl-C, and tells each second of the site's time. */
 async function measure(
   context: Context, given: Given, topic: TopicChoice, read: Reading, tell: (values: readonly number[], news: number) => string | undefined, size: number,
@@ -39,7 +51,15 @@ async function measure(
   let problem: string | undefined;
   await untilDone(context.signal, (done) => {
     const subscription = node.subscription(topic.name, topic.type, fittingQos(context, topic.name, given), (bytes, info) => {
-      const value = read(bytes, info);
+      if (problem !== undefined) return;
+      let value: number | undefined;
+      try {
+        value = read(bytes, info);
+      } catch (error) {
+        if (!(error instanceof CommandError)) throw error;
+        problem = error.message;
+        done();
+      }
       if (value === undefined) return;
       news += 1;
       values.push(value);
@@ -65,11 +85,13 @@ export const topicMeasures: readonly Command[] = [
     words: ['topic', 'hz'],
     help: 'Print the average receiving rate to screen',
     positionals: [{ name: 'topic_name', meaning: 'topic' }],
-    options: [window],
+    options: [window, { names: ['--filter'], value: 'EXPR', help: 'Python expression over the message m: only messages for which it is true are measured' }],
     run: async (context, given) => {
       const topic = chooseTopic(context, given.positionals[0]!, undefined);
+      const isWanted = await wantedBy(context, topic, given.options.get('filter'));
       let last: number | undefined;
-      return await measure(context, given, topic, (_bytes, { receivedAt }) => {
+      return await measure(context, given, topic, (bytes, { receivedAt }) => {
+        if (!isWanted(bytes)) return undefined;
         const gap = last === undefined ? undefined : (receivedAt - last) / 1000;
         last = receivedAt;
         return gap;

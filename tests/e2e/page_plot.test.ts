@@ -24,7 +24,7 @@ const withPanel = (panel: unknown): string =>
 
 /** Publishes so many points of /sine once the panel listens. */
 async function play(page: Page, count: number, apartMs = 0): Promise<void> {
-  await page.evaluate(() => send('/sine', 'demo/msg/Sine', { value: 0, other: 0, list: [0], mode: 'idle', big: 0 }));
+  await page.evaluate(() => send('/sine', 'demo/msg/Sine', { value: 0, other: 1, list: [0], mode: 'idle', big: 0 }));
   await page.waitForFunction(() => heard('/sine') > 0);
   await page.evaluate(async ([points, pause]) => {
     for (let i = 0; i < points; i += 1) {
@@ -216,9 +216,9 @@ test('by pointer: values under it, and a drag up and down chooses values', () =>
   }));
 
 test('one field against another is a circle where it is one, with its values at each point', () =>
-  stage.on(withPanel({ plot: { paths: ['/sine.value', '/sine.other'], mode: 'xy', seconds: 3600 } }), { colorScheme: 'light' }, async (page) => {
-    // 126 steps of 1/20 are once round.
-    await play(page, 127);
+  stage.on(withPanel({ plot: { paths: ['/sine.value', '/sine.other'], mode: 'xy', seconds: 3600 } }), { colorScheme: 'light', reducedMotion: 'reduce' }, async (page) => {
+    // 126 steps of 1/20 are once round. Apart, so that each is a moment of its own.
+    await play(page, 127, 5);
     await page.locator('.path-value').first().getByText(String(Number(Math.sin(126 / 20).toPrecision(6))), { exact: true }).waitFor();
     const ring = await drawn(page);
     assert.ok(ring.width > 0.6 * ring.all.width && ring.height > 0.6 * ring.all.height, JSON.stringify(ring));

@@ -133,6 +133,12 @@ test('Tab completes and lets go, the arrow keys recall', () =>
     await command(page).press('ArrowDown');
     await command(page).press('ArrowDown');
     assert.equal(await command(page).inputValue(), '');
+    // What was typed is there when the page is opened again.
+    await page.reload();
+    await command(page).press('ArrowUp');
+    assert.equal(await command(page).inputValue(), 'ros2 node list -a');
+    await command(page).press('ArrowUp');
+    assert.equal(await command(page).inputValue(), 'help');
   }));
 
 test('a service is echoed by its events, and arrays stand in one line on request', () =>

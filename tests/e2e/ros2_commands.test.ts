@@ -154,6 +154,12 @@ for (const link of ['shared', 'port'] as const) {
           'Node name: robot', 'Node namespace: /', 'Topic type: geometry_msgs/msg/PointStamped', 'Topic type hash: RIHS01_[0-9a-f]{64}', 'Endpoint type: PUBLISHER',
           'GID: [0-9a-f]{2}(?:\\.[0-9a-f]{2}){15}', 'QoS profile:', '  Reliability: BEST_EFFORT', '  History \\(Depth\\): KEEP_LAST \\(5\\)', '  Durability: VOLATILE',
           '  Lifespan: Infinite', '  Deadline: Infinite', '  Liveliness: AUTOMATIC', '  Liveliness lease duration: Infinite', '', 'Subscription count: 0', '', '$'].join('\n')));
+        // Whom its messages do not reach is said beside what upstream prints.
+        const strict = session.node().subscription('/place', 'geometry_msgs/msg/PointStamped', { reliability: 'reliable' }, () => undefined);
+        const misfit = await shell.run(['topic', 'info', '-v', '/place']);
+        assert.match(misfit.out, /\nSubscription count: 1\n/);
+        assert.equal(misfit.warned, 'WARNING: messages of /robot on /place do not reach /_ros2wasm_page: their QoS policies do not fit, RELIABILITY\n');
+        strict.close();
         assert.deepEqual(await shell.run(['topic', 'info', '/none']), { code: 1, out: '', warned: "Unknown topic '/none'\n" });
       });
 
@@ -169,12 +175,30 @@ for (const link of ['shared', 'port'] as const) {
         const none = await shell.run(['topic', 'echo', '/none']);
         assert.deepEqual(none, { code: 1, out: '', warned: 'WARNING: topic [/none] does not appear to be published yet\nCould not determine the type for the passed topic\n' });
         assert.match((await shell.run(['topic', 'echo', '--once', '--field', 'dta', '/chatter'])).warned, /^Invalid field 'dta'/);
+        // Only each fifth one, and of a field only what fits it.
+        assert.match(await shell.prints(['topic', 'echo', '--once', '--filter', "int(m.data[-1]) % 5 == 0 and m.data.startswith('Hello')", '/chatter']), /^data: 'Hello World: \d*[05]'\n---\n$/);
+        assert.equal(await shell.prints(['topic', 'echo', '--once', '--field', 'point', '--filter', 'm.x < 1 < m.y', '/place']), 'x: 0.5\ny: 2.0\nz: 0.0\n---\n');
+        assert.deepEqual(await shell.run(['topic', 'echo', '--filter', 'm.dta', '/chatter']), { code: 1, out: '', warned: "AttributeError: the message has no attribute 'dta'\n" });
+        assert.match((await shell.run(['topic', 'echo', '--filter', 'import os', '/chatter'])).warned, /^NameError: name 'import' is not defined/);
+        assert.match((await shell.run(['topic', 'hz', '--filter', 'm.data / 2', '/chatter'])).warned, /^TypeError: a str is no number/);
+        // About a fifth as many as all.
+        const [some, all] = [await shell.run(['topic', 'hz', '--filter', 'm.data[-1] in "05"', '/chatter'], /window: \d+\n/), await shell.run(['topic', 'hz', '/chatter'], /window: \d+\n/)];
+        const rate = (out: string): number => Number(/^average rate: (.*)$/m.exec(out)?.[1]);
+        assert.ok(rate(some.out) < 0.5 * rate(all.out), `${some.out}${all.out}`);
         const hz = await shell.run(['topic', 'hz', '/chatter'], /window: \d+\n/);
         assert.match(hz.out, /^average rate: \d+\.\d{3}\n\tmin: \d+\.\d{3}s max: \d+\.\d{3}s std dev: \d+\.\d{5}s window: \d+\n/);
         const bw = await shell.run(['topic', 'bw', '/chatter'], /from \d+ messages\n.*\n/);
         assert.match(bw.out, /^Subscribed to \[\/chatter\]\n\d+(?:\.\d+)? K?B\/s from \d+ messages\n\tMessage size mean: \S+ K?B min: \S+ K?B max: \S+ K?B\n/);
         const delay = await shell.run(['topic', 'delay', '/place'], /window: \d+\n/);
         assert.match(delay.out, /^average delay: -?\d+\.\d{3}\n\tmin: -?\d+\.\d{3}s max: -?\d+\.\d{3}s std dev: \d+\.\d{5}s window: \d+\n/);
+      });
+
+      await t.test('pkg xml', async () => {
+        const [name = ''] = session.site.packages;
+        const xml = await shell.run(['pkg', 'xml', name]);
+        assert.deepEqual([xml.code, xml.out], [1, '']);
+        assert.match(xml.warned, /^The package\.xml of '\w+' is not in this site: .* The workspace and the channel have it\.\n$/);
+        assert.equal((await shell.run(['pkg', 'xml', 'no_such_package'])).warned, 'Package not found\n');
       });
 
       await t.test('topic pub', async () => {

@@ -24,7 +24,7 @@ ALLOWED: dict[str, set[str]] = {
 # The page sees the runtime through these files only.
 UI_DOORS = {"session.ts", "launcher.ts", "carried_files.ts", "page_files.ts", "qos_view.ts"}
 # Commands and bags know no more than panels do; the program for Node.js opens the site itself.
-COMMAND_DOORS = {"session.ts", "site_error.ts", "launch_arguments.ts"}
+COMMAND_DOORS = {"session.ts", "site_error.ts", "launch_arguments.ts", "qos_view.ts"}
 HEADLESS_MAIN = "runtime/ros2cli/headless_main.ts"
 # The bus looks into no message: of the layer that does it uses the rules of names only.
 DECODE_DOORS = {"ros_names.ts"}

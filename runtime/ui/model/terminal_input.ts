@@ -1,4 +1,6 @@
-// What the Tab key makes of a line in the terminal. Pure.
+// What the Tab key makes of a line in the terminal, and the lines that were typed before. Pure.
+
+import { textsMember } from './json.ts';
 
 export interface Offered {
   readonly word: string;
@@ -12,6 +14,7 @@ export type Completed =
   | { readonly kind: 'nothing' };
 
 const kTab = 8;
+const kLongestLine = 4096;
 
 export function completeInput(line: string, { word, start, choices }: Offered): Completed {
   const [first] = choices;
@@ -29,4 +32,16 @@ export function expandTabs(text: string): string {
   let out = '';
   for (const c of text) out += c === '\t' ? ' '.repeat(kTab - (out.length % kTab)) : c;
   return out;
+}
+
+/** What was typed before, as the browser kept it: the newest lines, and nothing else whatever is in there. */
+export function readHistory(kept: string | null, most: number): string[] {
+  if (kept === null) return [];
+  try {
+    return textsMember({ lines: JSON.parse(kept) as unknown }, 'lines', Number.MAX_SAFE_INTEGER)
+      .slice(-most)
+      .map((line) => line.slice(0, kLongestLine).replace(/\p{Cc}/gu, ' '));
+  } catch {
+    return [];
+  }
 }

@@ -13,7 +13,8 @@ import { desktopPanel, needless } from '../model/desktop_programs.ts';
 import { lineFilter, shellSteps } from '../model/shell_line.ts';
 import type { ShellStep } from '../model/shell_line.ts';
 import { textMember } from '../model/json.ts';
-import { completeInput, expandTabs } from '../model/terminal_input.ts';
+import { readText as keptText, writePreference } from '../model/preferences.ts';
+import { completeInput, expandTabs, readHistory } from '../model/terminal_input.ts';
 import { LineList } from '../model/line_list.ts';
 import { IconButton } from '../parts/button.tsx';
 import { keyFieldProps } from '../parts/key_input.ts';
@@ -99,7 +100,7 @@ async function readText(session: Session, name: string): Promise<string | undefi
   return await response.text();
 }
 
-export function TerminalPanel({ session, announce, open, state }: PanelProps) {
+export function TerminalPanel({ session, announce, open, state, store }: PanelProps) {
   const [version, setVersion] = useState(0);
   const screen = useRef<Screen | null>(null);
   screen.current ??= new Screen(session, () => setVersion((before) => before + 1));
@@ -112,7 +113,13 @@ export function TerminalPanel({ session, announce, open, state }: PanelProps) {
   }, [brought]);
   const [running, setRunning] = useState<AbortController | null>(null);
   const current = useRef<AbortController | null>(null);
-  const history = useRef<{ readonly lines: string[]; at: number }>({ lines: [], at: 0 });
+  // Of this site: others may be at the same host.
+  const historyName = `terminal.${new URL('.', document.baseURI).pathname}`;
+  const history = useRef<{ readonly lines: string[]; at: number } | null>(null);
+  if (history.current === null) {
+    const lines = readHistory(keptText(store, historyName), kMostHistory);
+    history.current = { lines, at: lines.length };
+  }
   const interfaces = useRef<readonly string[]>([]);
   const input = useRef<HTMLInputElement>(null);
   /** Of the command that runs, when it reads what is typed. */
@@ -244,10 +251,13 @@ export function TerminalPanel({ session, announce, open, state }: PanelProps) {
     if (running !== null) return;
     setLine('');
     if (typed === '') return;
-    const { lines } = history.current;
-    if (lines.at(-1) !== typed) lines.push(typed);
-    if (lines.length > kMostHistory) lines.shift();
-    history.current.at = lines.length;
+    if (history.current !== null) {
+      const { lines } = history.current;
+      if (lines.at(-1) !== typed) lines.push(typed);
+      if (lines.length > kMostHistory) lines.shift();
+      history.current.at = lines.length;
+      writePreference(store, historyName, JSON.stringify(lines));
+    }
     void run(typed);
   };
 
@@ -275,6 +285,7 @@ export function TerminalPanel({ session, announce, open, state }: PanelProps) {
   };
 
   const recall = (step: -1 | 1): void => {
+    if (history.current === null) return;
     const { lines, at } = history.current;
     const to = Math.max(0, Math.min(lines.length, at + step));
     history.current.at = to;

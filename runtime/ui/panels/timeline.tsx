@@ -60,7 +60,6 @@ export function TimelinePanel({ session, state, setState, instance }: PanelProps
 
   const end = held ?? session.time.view().now / 1000;
   const least = Number.isNaN(begin.current) ? end - seconds : Math.max(begin.current, end - seconds);
-  
   return (
     <PanelFrame
       id="timeline"

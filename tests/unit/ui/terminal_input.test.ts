@@ -1,7 +1,7 @@
 // The Tab key in the terminal.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { completeInput, expandTabs } from '../../../runtime/ui/model/terminal_input.ts';
+import { completeInput, expandTabs, readHistory } from '../../../runtime/ui/model/terminal_input.ts';
 
 test('one choice is taken, several as far as they agree, then they are shown', () => {
   assert.deepEqual(completeInput('ros2 to', { word: 'to', start: 5, choices: ['topic'] }), { kind: 'line', line: 'ros2 topic ' });
@@ -13,4 +13,11 @@ test('one choice is taken, several as far as they agree, then they are shown', (
 test('tabs reach the next eighth column', () => {
   assert.equal(expandTabs('\tmin: 1\tmax'), '        min: 1  max');
   assert.equal(expandTabs('plain'), 'plain');
+});
+
+test('what was typed before is read with care', () => {
+  assert.deepEqual(readHistory('["a","b","c"]', 2), ['b', 'c']);
+  assert.deepEqual(readHistory('["ros2 \\u001b[31m topic", 5, {"x": 1}]', 9), ['ros2  [31m topic']);
+  assert.equal(readHistory(JSON.stringify(['x'.repeat(9000)]), 9)[0]?.length, 4096);
+  for (const kept of [null, '', '{', '5', 'null', '{"lines": 1}']) assert.deepEqual(readHistory(kept, 9), [], String(kept));
 });

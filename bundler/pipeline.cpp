@@ -98,7 +98,8 @@ struct Question {
   std::vector<LocalPackage> packages;
   BuildOrder order;
   LeftOutPackages left_out;
-  std::vector<std::string> absent;  ///< what these lack
+  Lacks lacks;                      ///< of packages that are built all the same
+  std::vector<std::string> absent;  ///< what was looked for in vain
   Compiler compiler;
   ChannelRoots roots;
   ExtractLimits limits;                   ///< of archives
@@ -223,6 +224,7 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
   compiler = fitting_compiler(std::move(compiler), packaged, request.variables, roots.cache);
   if (!compiler) return std::move(compiler).errors();
   auto left_out = left_out_packages(*packages, *order, known, manifest.distro, known_build_types());
+  Lacks lacks = packages_with_lacks(*packages, left_out, known, manifest.distro);
   auto wanted =
       channel_request(manifest, *packages, left_out, known, compiler->version, *notebook_needs);
   if (!wanted) return std::move(wanted).errors();
@@ -244,6 +246,7 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
                   .packages = std::move(*packages),
                   .order = std::move(*order),
                   .left_out = std::move(left_out),
+                  .lacks = std::move(lacks),
                   .absent = std::move(wanted->absent),
                   .compiler = std::move(*compiler),
                   .roots = std::move(roots),
@@ -495,7 +498,8 @@ Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& ca
                                .environment_key = environment->key,
                                .base = workspace->folder,
                                .shown_base = workspace->shown_folder,
-                               .channel_packages = question->all_packages};
+                               .channel_packages = question->all_packages,
+                               .lacks = question->lacks};
   auto built = build_workspace(question->packages, question->order, question->left_out, tools,
                                settings, cancellation, progress);
   if (!built) return std::move(built).errors();

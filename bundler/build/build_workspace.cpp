@@ -254,7 +254,8 @@ class WorkspaceBuilder {
   [[nodiscard]] std::optional<LeftOutReason> reason_of(std::size_t index,
                                                        const Diagnostics& errors) const {
     const auto lack = settings_.lacks.find(index);
-    if (lack != settings_.lacks.end() && std::all_of(errors.begin(), errors.end(), misses_package)) {
+    if (lack != settings_.lacks.end() &&
+        std::all_of(errors.begin(), errors.end(), misses_package)) {
       LeftOutReason reason = lack->second.reason;
       reason.warning.why.insert(reason.warning.why.begin(), errors.front().message);
       return reason;

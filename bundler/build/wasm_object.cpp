@@ -121,7 +121,8 @@ std::optional<std::vector<ObjectSymbol>> archive_definitions(std::string_view ar
 
 void make_weak(std::string& bytes, const ObjectSymbol& symbol) {
   // The lowest bits of a LEB128 number stand in its first byte: its length stays.
-  bytes.at(symbol.flags) = static_cast<char>(static_cast<unsigned char>(bytes[symbol.flags]) | kWeak);
+  bytes.at(symbol.flags) =
+      static_cast<char>(static_cast<unsigned char>(bytes[symbol.flags]) | kWeak);
 }
 
 bool is_natively_shared(std::string_view archive) {

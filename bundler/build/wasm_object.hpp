@@ -28,8 +28,8 @@ struct ObjectSymbol {
 /// `bytes` is an object or an archive, `symbol` one of its strong definitions.
 void make_weak(std::string& bytes, const ObjectSymbol& symbol);
 
-/// The archive has the member that stands for "natively a shared library" (modules/add_library.cmake
-/// of the toolchain): an object with nothing in it.
+/// The archive has the member that stands for "natively a shared library"
+/// (modules/add_library.cmake of the toolchain): an object with nothing in it.
 [[nodiscard]] bool is_natively_shared(std::string_view archive);
 
 }  // namespace ros2wasm

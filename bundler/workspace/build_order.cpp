@@ -286,9 +286,10 @@ Diagnostics missing_dependencies(const std::vector<ExternalDependency>& external
       diagnostic.why.push_back("a channel has `" + *similar + "`");
     }
     if (dependency.can_be_missing)
-      diagnostic.why.emplace_back(dependency.needed_to_build
-                                      ? "what names it is built without it: nothing there asks for it"
-                                      : "a node may need it when it runs");
+      diagnostic.why.emplace_back(
+          dependency.needed_to_build
+              ? "what names it is built without it: nothing there asks for it"
+              : "a node may need it when it runs");
     result.push_back(std::move(diagnostic));
   }
   return result;

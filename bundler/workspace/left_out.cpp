@@ -62,8 +62,9 @@ Dependencies lacking_dependencies(const LocalPackage& package,
   std::set<std::string> names;
   for (const PackageDependency& one : package.xml.dependencies) {
     const std::string& name = one.name.value;
-    const bool there = is_python || !matters_for_building(one.kind) || !is_absent(name, known, distro) ||
-                       is_local(name) || !host_package_reason(name).empty();
+    const bool there = is_python || !matters_for_building(one.kind) ||
+                       !is_absent(name, known, distro) || is_local(name) ||
+                       !host_package_reason(name).empty();
     if (!there && names.insert(name).second) result.push_back(&one);
   }
   return result;
@@ -105,9 +106,9 @@ LeftOutPackages left_out_packages(const std::vector<LocalPackage>& packages,
       }
       const auto lacks =
           for_lacking ? lacking_dependencies(package, packages, known, distro) : Dependencies();
-      const bool cannot_be_built =
-          std::any_of(lacks.begin(), lacks.end(),
-                      [&](const auto* one) { return cannot_be_missing(package, *one); });
+      const bool cannot_be_built = std::any_of(lacks.begin(), lacks.end(), [&](const auto* one) {
+        return cannot_be_missing(package, *one);
+      });
       if (cannot_be_built) {
         result.emplace(index, left_out_for(package, lacks, known, distro));
       } else if (const auto needed = nearest_left_out(order.needs[index], result)) {

@@ -29,8 +29,7 @@ const std::string kMark("\0asm\1\0\0\0\0\x09\x07linking\x02"sv);
 
 /// Symbols: f (strong), g (hidden), h (weak), i (undefined), j (data), of one letter each.
 std::string object() {
-  const std::string symbols(
-      "\x05\0\0\0\1f\0\4\1\1g\0\1\2\1h\0\x50\3\1i\1\0\1j\0\0\4"sv);
+  const std::string symbols("\x05\0\0\0\1f\0\4\1\1g\0\1\2\1h\0\x50\3\1i\1\0\1j\0\0\4"sv);
   const std::string table = std::string(1, '\x08') + static_cast<char>(symbols.size()) + symbols;
   const std::string contents = "\x07linking\x02" + table;
   return std::string("\0asm\1\0\0\0"sv) + '\0' + static_cast<char>(contents.size()) + contents;

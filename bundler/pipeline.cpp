@@ -8,15 +8,14 @@
 #include <thread>
 
 #include "bundler/build/compiler_parts.hpp"
-#include "bundler/build/exception_encoding.hpp"
 #include "bundler/build/kept_header.hpp"
 #include "bundler/build/plugin_link.hpp"
 #include "bundler/build/quick_link.hpp"
-#include "bundler/build/wasm_module.hpp"
 #include "bundler/carried_programs.hpp"
 #include "bundler/carried_sources.hpp"
 #include "bundler/channel/channel_index.hpp"
 #include "bundler/channel/transport.hpp"
+#include "bundler/container_programs.hpp"
 #include "bundler/emit/site_output.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/installation.hpp"
@@ -28,6 +27,7 @@
 #include "bundler/notebook_files.hpp"
 #include "bundler/plan/runtime_assets.hpp"
 #include "bundler/plan/shipped_channel.hpp"
+#include "bundler/program_files.hpp"
 #include "bundler/python_nodes.hpp"
 #include "bundler/resolve/locked_solve.hpp"
 #include "bundler/site_budget.hpp"
@@ -356,35 +356,6 @@ Outcome<LaunchedFile> launch(const PackRequest& request, BuiltWorkspace& workspa
       .nodes = std::move(*nodes), .steps = {}, .more_nodes = {}, .launch = std::nullopt};
 }
 
-/// The bytes of compiled programs, and the names of their functions.
-Outcome<Done> read_programs(const PackRequest& request, const BuiltWorkspace& workspace,
-                            const std::vector<LaunchNode>& nodes, PlanInput& input,
-                            const Cancellation& cancellation) {
-  const auto exceptions = workspace.manifest.site.find("exceptions");
-  const bool standard =
-      exceptions != workspace.manifest.site.end() && exceptions->second == "standard";
-  for (const LaunchNode& node : nodes) {
-    if (node.kind == ProgramKind::kPython || input.programs.contains(node.program)) continue;
-    auto bytes = read_file(node.program);
-    const fs::path names = fs::path(node.program).replace_extension(".names");
-    std::error_code error;
-    if (fs::is_regular_file(names, error)) {
-      auto text = read_file(names);
-      if (!text) return std::move(text).errors();
-      input.names[node.program] = std::move(text).value();
-    } else if (auto split = bytes ? split_names(*bytes) : std::nullopt) {  // a channel's program
-      bytes = std::move(split->program);
-      if (!split->names.empty()) input.names[node.program] = std::move(split->names);
-    }
-    if (bytes && standard) {
-      bytes = with_standard_exceptions(*bytes, request.executable, workspace.cache, cancellation);
-    }
-    if (!bytes) return std::move(bytes).errors();
-    input.programs[node.program] = std::move(bytes).value();
-  }
-  return Done{};
-}
-
 /// Step 8: read what the plan is made of.
 Outcome<SitePlan> plan(const PackRequest& request, BuiltWorkspace& workspace, LaunchedFile launched,
                        std::string store, const Cancellation& cancellation) {
@@ -525,6 +496,9 @@ Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& ca
   }
   workspace->components = site_components(*records, store, workspace->wheels, question->packages,
                                           workspace->left_out, workspace->folder);
+  workspace->sources = std::move(question->packages);
+  workspace->tools = std::move(tools);
+  workspace->settings = settings;
   return std::move(*workspace);
 }
 
@@ -573,6 +547,8 @@ Outcome<PackReport> pack(const PackRequest& request, const Cancellation& cancell
     return errors;
   }
 
+  if (auto linked = link_containers(*workspace, *nodes, cancellation, progress); !linked)
+    return std::move(linked).errors();
   if (auto carried = add_programs(*workspace, *nodes); !carried) return std::move(carried).errors();
 
   // 8. every file of the site

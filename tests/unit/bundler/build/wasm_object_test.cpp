@@ -76,12 +76,12 @@ TEST(WasmObject, DamagedOnesDefineNothing) {
   const std::string whole = object();
   for (std::size_t length = 0; length < whole.size(); ++length) {
     const auto symbols = strong_definitions(whole.substr(0, length));
-    if (symbols) EXPECT_TRUE(symbols->empty()) << length;
+    EXPECT_TRUE(!symbols || symbols->empty()) << length;
   }
   const std::string archive = archive_of({whole});
   for (std::size_t length = 9; length < 68 + whole.size(); ++length) {
     const auto symbols = archive_definitions(archive.substr(0, length));
-    if (symbols) EXPECT_TRUE(symbols->empty()) << length;
+    EXPECT_TRUE(!symbols || symbols->empty()) << length;
   }
   for (std::size_t i = 0; i < archive.size(); ++i) {
     std::string damaged = archive;

@@ -32,12 +32,6 @@ constexpr std::string_view kEndings[] = {".json", ".launch", ".sdf", ".srdf", ".
                                          ".urdf", ".xacro",  ".xml", ".yaml", ".yml"};
 
 using Texts = std::map<std::string, std::string>;
-using Program = std::pair<std::string, std::string>;
-
-Program program_of(const LaunchNode& node) {
-  return {node.package, node.executable};
-}
-
 std::string written(const Texts& given) {
   std::vector<std::string> words;
   for (const auto& [name, value] : given) words.push_back(name + ":=" + value);
@@ -191,8 +185,8 @@ Outcome<LaunchedFile> launch_from_file(const PackRequest& request, BuiltWorkspac
   for (std::string& remark : launched->remarks) workspace.remarks.push_back(std::move(remark));
   LaunchedFile step;
   step.package = package_around(workspace, file.value);
-  std::set<Program> programs;
-  for (const LaunchNode& node : launched->nodes) programs.insert(program_of(node));
+  std::set<fs::path> programs;
+  for (const LaunchNode& node : launched->nodes) programs.insert(node.program);
   if (!launched->arguments.empty()) {
     const ArgumentTrials tried = argument_trials(launched->arguments, kMostTrials);
     std::set<std::string> told;  // one wrong value makes every combination with it fail
@@ -206,7 +200,7 @@ Outcome<LaunchedFile> launch_from_file(const PackRequest& request, BuiltWorkspac
       }
       watch(other->files);
       for (LaunchNode& node : other->nodes)
-        if (programs.insert(program_of(node)).second) step.more_nodes.push_back(std::move(node));
+        if (programs.insert(node.program).second) step.more_nodes.push_back(std::move(node));
     }
     if (!tried.is_complete)
       workspace.remarks.push_back(

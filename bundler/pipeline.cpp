@@ -9,14 +9,13 @@
 
 #include "bundler/build/compiler_parts.hpp"
 #include "bundler/build/direct_link.hpp"
-#include "bundler/build/exception_encoding.hpp"
 #include "bundler/build/kept_header.hpp"
 #include "bundler/build/plugin_link.hpp"
-#include "bundler/build/wasm_module.hpp"
 #include "bundler/carried_programs.hpp"
 #include "bundler/carried_sources.hpp"
 #include "bundler/channel/channel_index.hpp"
 #include "bundler/channel/transport.hpp"
+#include "bundler/container_programs.hpp"
 #include "bundler/emit/site_output.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/installation.hpp"
@@ -28,6 +27,7 @@
 #include "bundler/notebook_files.hpp"
 #include "bundler/plan/runtime_assets.hpp"
 #include "bundler/plan/shipped_channel.hpp"
+#include "bundler/program_files.hpp"
 #include "bundler/python_nodes.hpp"
 #include "bundler/resolve/locked_solve.hpp"
 #include "bundler/site_budget.hpp"
@@ -99,7 +99,8 @@ struct Question {
   std::vector<LocalPackage> packages;
   BuildOrder order;
   LeftOutPackages left_out;
-  std::vector<std::string> absent;  ///< what these lack
+  Lacks lacks;                      ///< of packages that are built all the same
+  std::vector<std::string> absent;  ///< what was looked for in vain
   Compiler compiler;
   ChannelRoots roots;
   ExtractLimits limits;                   ///< of archives
@@ -224,6 +225,7 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
   compiler = fitting_compiler(std::move(compiler), packaged, request.variables, roots.cache);
   if (!compiler) return std::move(compiler).errors();
   auto left_out = left_out_packages(*packages, *order, known, manifest.distro, known_build_types());
+  Lacks lacks = packages_with_lacks(*packages, left_out, known, manifest.distro);
   auto wanted =
       channel_request(manifest, *packages, left_out, known, compiler->version, *notebook_needs);
   if (!wanted) return std::move(wanted).errors();
@@ -245,6 +247,7 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
                   .packages = std::move(*packages),
                   .order = std::move(*order),
                   .left_out = std::move(left_out),
+                  .lacks = std::move(lacks),
                   .absent = std::move(wanted->absent),
                   .compiler = std::move(*compiler),
                   .roots = std::move(roots),
@@ -352,35 +355,6 @@ Outcome<LaunchedFile> launch(const PackRequest& request, BuiltWorkspace& workspa
   for (LaunchNode& node : *nodes) node.source.file = fs::path(node.source.file).filename().string();
   return LaunchedFile{
       .nodes = std::move(*nodes), .steps = {}, .more_nodes = {}, .launch = std::nullopt};
-}
-
-/// The bytes of compiled programs, and the names of their functions.
-Outcome<Done> read_programs(const PackRequest& request, const BuiltWorkspace& workspace,
-                            const std::vector<LaunchNode>& nodes, PlanInput& input,
-                            const Cancellation& cancellation) {
-  const auto exceptions = workspace.manifest.site.find("exceptions");
-  const bool standard =
-      exceptions != workspace.manifest.site.end() && exceptions->second == "standard";
-  for (const LaunchNode& node : nodes) {
-    if (node.kind == ProgramKind::kPython || input.programs.contains(node.program)) continue;
-    auto bytes = read_file(node.program);
-    const fs::path names = fs::path(node.program).replace_extension(".names");
-    std::error_code error;
-    if (fs::is_regular_file(names, error)) {
-      auto text = read_file(names);
-      if (!text) return std::move(text).errors();
-      input.names[node.program] = std::move(text).value();
-    } else if (auto split = bytes ? split_names(*bytes) : std::nullopt) {  // a channel's program
-      bytes = std::move(split->program);
-      if (!split->names.empty()) input.names[node.program] = std::move(split->names);
-    }
-    if (bytes && standard) {
-      bytes = with_standard_exceptions(*bytes, request.executable, workspace.cache, cancellation);
-    }
-    if (!bytes) return std::move(bytes).errors();
-    input.programs[node.program] = std::move(bytes).value();
-  }
-  return Done{};
 }
 
 /// Step 8: read what the plan is made of.
@@ -495,7 +469,8 @@ Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& ca
                                .environment_key = environment->key,
                                .base = workspace->folder,
                                .shown_base = workspace->shown_folder,
-                               .channel_packages = question->all_packages};
+                               .channel_packages = question->all_packages,
+                               .lacks = question->lacks};
   auto built = build_workspace(question->packages, question->order, question->left_out, tools,
                                settings, cancellation, progress);
   if (!built) return std::move(built).errors();
@@ -521,6 +496,9 @@ Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& ca
   }
   workspace->components = site_components(*records, store, workspace->wheels, question->packages,
                                           workspace->left_out, workspace->folder);
+  workspace->sources = std::move(question->packages);
+  workspace->tools = std::move(tools);
+  workspace->settings = settings;
   return std::move(*workspace);
 }
 
@@ -569,6 +547,8 @@ Outcome<PackReport> pack(const PackRequest& request, const Cancellation& cancell
     return errors;
   }
 
+  if (auto linked = link_containers(*workspace, *nodes, cancellation, progress); !linked)
+    return std::move(linked).errors();
   if (auto carried = add_programs(*workspace, *nodes); !carried) return std::move(carried).errors();
 
   // 8. every file of the site

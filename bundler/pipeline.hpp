@@ -54,6 +54,9 @@ struct BuiltWorkspace {
   LeftOutChains left_out;                  ///< packages of the workspace that were not built
   std::filesystem::path folder;            ///< of the manifest, absolute
   std::filesystem::path shown_folder;      ///< the same as the person named it
+  std::vector<LocalPackage> sources;       ///< its packages, also those that were left out
+  BuildTools tools;                        ///< that built them,
+  BuildSettings settings;                  ///< and how
   std::vector<BuiltPackage> packages;      ///< of the workspace, in build order
   std::vector<InstalledPackage>
       installed;                          ///< of workspace and channels; the workspace comes first

@@ -66,6 +66,12 @@ std::size_t source_count(const fs::path& folder) {
   return count;
 }
 
+/// CMake or a source asks for what is not there.
+bool misses_package(const Diagnostic& error) {
+  return error.code == "R2W0507" ||
+         (error.code == "R2W0502" && error.message.find("' file not found") != std::string::npos);
+}
+
 /// All that the packages' builds share; packages that do not need each other are built at the same
 /// time.
 class WorkspaceBuilder {
@@ -243,18 +249,41 @@ class WorkspaceBuilder {
     return keep_folder(staging->path(), prefix, result.hash);
   }
 
-  /// What asks CMake for things that neither channels nor workspace have, and what needs it; unless
-  /// nothing would remain.
-  void leave_out_what_nobody_can_build() {
+  /// The reason for which a package that failed is left out, if there is one.
+  [[nodiscard]] std::optional<LeftOutReason> reason_of(std::size_t index,
+                                                       const Diagnostics& errors) const {
+    const auto lack = settings_.lacks.find(index);
+    if (lack != settings_.lacks.end() &&
+        std::all_of(errors.begin(), errors.end(), misses_package)) {
+      LeftOutReason reason = lack->second.reason;
+      reason.warning.why.insert(reason.warning.why.begin(), errors.front().message);
+      return reason;
+    }
     const auto nobody_has_it = [](const Diagnostic& one) {
       return one.code == "R2W0507" && one.fix.empty();
     };
-    if (std::none_of(built_.begin(), built_.end(), [](const auto& one) { return one.has_value(); }))
+    if (!std::all_of(errors.begin(), errors.end(), nobody_has_it)) return std::nullopt;
+    return left_out_by_cmake(packages_[index], errors.front());
+  }
+
+  /// What asks for things that neither channels nor workspace have, and what needs it. When nothing
+  /// would remain, it is told what these are.
+  void leave_out_what_nobody_can_build() {
+    if (std::none_of(built_.begin(), built_.end(),
+                     [](const auto& one) { return one.has_value(); })) {
+      for (auto& [index, errors] : errors_) {
+        const auto lack = settings_.lacks.find(index);
+        if (lack == settings_.lacks.end() ||
+            !std::all_of(errors.begin(), errors.end(), misses_package))
+          continue;
+        errors.insert(errors.begin(), lack->second.missing.begin(), lack->second.missing.end());
+      }
       return;
+    }
     std::erase_if(errors_, [&](const auto& failed) {
-      const auto& [index, errors] = failed;
-      if (!std::all_of(errors.begin(), errors.end(), nobody_has_it)) return false;
-      left_out_.emplace(index, left_out_by_cmake(packages_[index], errors.front()));
+      auto reason = reason_of(failed.first, failed.second);
+      if (!reason) return false;
+      left_out_.emplace(failed.first, std::move(*reason));
       return true;
     });
     for (const std::size_t index : order_.order) {

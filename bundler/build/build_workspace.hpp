@@ -24,6 +24,7 @@ struct BuildSettings {
   std::filesystem::path shown_base;          ///< the same as the person named it, for messages
   std::vector<std::string>
       channel_packages;  ///< ROS names that the channels have, sorted: for advice
+  Lacks lacks = {};      ///< of packages that are built all the same
 };
 
 struct BuiltPackage {
@@ -49,9 +50,10 @@ struct WorkspaceBuild {
 /// Tools are asked for only when something must be built, so a warm pack works without a compiler's
 /// start. R2W0501 to R2W0508 as the steps say. `left_out` is not built (R2W0514, R2W0519:
 /// warnings); nor is a package, nor those that need it, whose CMakeLists.txt asks for what nobody
-/// has, when others are built (R2W0519); nor are programs that include a header that nobody has
-/// (R2W0522), or ask for what no browser has (R2W0523). R2W0640 before the others when the disk is
-/// full. A package that fails does not stop those that do not need it: all mistakes come at once.
+/// has, when others are built (R2W0519, else what it lacks: R2W0513); nor are programs that include
+/// a header that nobody has (R2W0522), or ask for what no browser has (R2W0523). R2W0640 before the
+/// others when the disk is full. A package that fails does not stop those that do not need it: all
+/// mistakes come at once.
 [[nodiscard]] Outcome<WorkspaceBuild> build_workspace(
     const std::vector<LocalPackage>& packages, const BuildOrder& order,
     const LeftOutPackages& left_out, const BuildTools& tools, const BuildSettings& settings,

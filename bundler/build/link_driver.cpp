@@ -8,12 +8,14 @@
 #include "bundler/build/browser_limits.hpp"
 #include "bundler/build/compile_errors.hpp"
 #include "bundler/build/direct_link.hpp"
+#include "bundler/build/interposition.hpp"
 #include "bundler/build/link_kit.hpp"
 #include "bundler/build/link_trace.hpp"
 #include "bundler/build/single_link_object.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/process.hpp"
 #include "workspace_schema/diagnostic_list.hpp"
+#include "workspace_schema/replaced_text.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
@@ -76,6 +78,14 @@ LinkTrace trace_of(const LinkRequest& request, const LinkLine& line,
   return read_link_trace(result ? result->output : std::string());
 }
 
+/// The linker says who refers to what no browser has.
+LinkLine traced_line(LinkLine line) {
+  const std::vector<std::string_view> limited = limited_symbols();
+  for (std::string& option : trace_options({limited.begin(), limited.end()}))
+    line.arguments.push_back(std::move(option));
+  return line;
+}
+
 /// `is_limited`: what only the compiler's own libraries need of these is told already, as what no
 /// browser has.
 Diagnostics undefined_symbols(const LinkRequest& request, const LinkLine& line,
@@ -134,12 +144,14 @@ Outcome<LinkReport> link_program(const LinkRequest& request, const Cancellation&
       TemporaryDirectory::make(output.parent_path(), output.stem().string() + ".link-");
   if (!folder) return folder.errors();
   const std::string stem = (folder->path() / "program").string();
-  const std::vector<std::string_view> limited = limited_symbols();
-  LinkLine traced = line;
-  for (std::string& option : trace_options({limited.begin(), limited.end()}))
-    traced.arguments.push_back(std::move(option));
+  const LinkLine asked = line;
+  std::map<std::string, std::string> copies;  // of libraries, by interposition.hpp
+  const auto named = [&](std::string text) {
+    for (const auto& [copy, original] : copies) text = with_replaced(text, copy, original);
+    return text;
+  };
   const auto link = [&](LinkKind kind) -> Outcome<ProcessResult> {
-    const LinkLine& linked = kind == LinkKind::kSingle ? traced : line;
+    const LinkLine linked = kind == LinkKind::kSingle ? traced_line(line) : line;
     if (!request.tool_calls.empty()) {
       const auto printed = link_directly({.line = linked,
                                           .kind = kind,
@@ -148,17 +160,25 @@ Outcome<LinkReport> link_program(const LinkRequest& request, const Cancellation&
                                           .kept = request.tool_calls,
                                           .environment = request.environment},
                                          cancellation);
-      if (printed) return ProcessResult{.exit_code = 0, .output = *printed};
+      if (printed) return ProcessResult{.exit_code = 0, .output = named(*printed)};
     }
-    return run_process(
+    auto result = run_process(
         {.arguments = link_command(linked, kind, stem), .environment = request.environment},
         cancellation);
+    if (result) result->output = named(result->output);
+    return result;
   };
 
   const auto object =
       write_file(stem + kSingleLinkObjectSuffix, single_link_object(tls_base_of(line)));
   if (!object) return object.errors();
   auto linked = link(LinkKind::kSingle);
+  if (linked && linked->exit_code != 0 && has_duplicates(linked->output)) {
+    auto interposed = with_interposition(line, folder->path() / "libraries", copies);
+    if (!interposed) return std::move(interposed).errors();
+    line = std::move(*interposed);
+    if (!copies.empty()) linked = link(LinkKind::kSingle);
+  }
   if (!linked) return std::move(linked).errors();
   if (linked->exit_code != 0) return link_failed(request, line, without_trace(linked->output));
   const std::string printed = linked->output;
@@ -188,7 +208,7 @@ Outcome<LinkReport> link_program(const LinkRequest& request, const Cancellation&
   fs::rename(stem + ".wasm", output, error);
   if (error) return link_failed(request, line, error.message());
   if (!request.kits.empty())
-    if (auto kept = keep_link_kit(request.kits, line); !kept) return std::move(kept).errors();
+    if (auto kept = keep_link_kit(request.kits, asked); !kept) return std::move(kept).errors();
   return report;
 }
 

@@ -84,10 +84,11 @@ Outcome<Done> install_kit(const fs::path& from, const fs::path& to) {
   return Done{};
 }
 
-bool loads_plugins(const LinkLine& line) {
-  return std::any_of(line.arguments.begin(), line.arguments.end(), [](const std::string& one) {
-    return fs::path(one).filename() == kPluginLibrary;
-  });
+/// As rclcpp_components makes them for each package (its package hook).
+bool is_container(const LinkLine& line) {
+  const std::string name = fs::path(line.output).stem().string();
+  return name == "component_container" || name == "component_container_mt" ||
+         name == "component_container_isolated";
 }
 
 /// A kit may be left from a time when the sources said otherwise: only what is named counts.
@@ -108,12 +109,18 @@ std::optional<std::string> plugins_of(const LinkLine& line) {
   return std::nullopt;
 }
 
+bool loads_plugins(const std::vector<std::string>& arguments) {
+  return std::any_of(arguments.begin(), arguments.end(), [](const std::string& one) {
+    return fs::path(one).filename() == kPluginLibrary;
+  });
+}
+
 Outcome<Done> keep_link_kit(const fs::path& kits, const LinkLine& line) {
   const auto base = plugins_of(line);
   const fs::path kit =
       (base ? kits / kPlugins / *base : kits / kPrograms) / fs::path(line.output).stem();
   if (auto cleared = remove_tree(kit); !cleared) return cleared;
-  if (!base && !loads_plugins(line)) return Done{};
+  if (!base && !loads_plugins(line.arguments) && !is_container(line)) return Done{};
   std::string text;
   for (std::size_t i = 0; i < line.arguments.size(); ++i) {
     if (line.arguments[i].starts_with(kPluginsOf)) continue;

@@ -20,8 +20,11 @@ inline constexpr const char* kLinkKitsVariable = "ROS2WASM_LINK_KITS";
 /// down and not linked.
 [[nodiscard]] std::optional<std::string> plugins_of(const LinkLine& line);
 
-/// Writes the kit of a library of plugins, or of a program that loads plugins, below `kits`. A
-/// program that loads none has no kit afterwards. R2W0210, R2W0211.
+/// Whether a program of these arguments loads plugins.
+[[nodiscard]] bool loads_plugins(const std::vector<std::string>& arguments);
+
+/// Writes the kit of a library of plugins, of a program that loads plugins, or of a container of
+/// components, below `kits`. Another program has no kit afterwards. R2W0210, R2W0211.
 [[nodiscard]] Outcome<Done> keep_link_kit(const std::filesystem::path& kits, const LinkLine& line);
 
 /// The kits that a build left for what is installed in `prefix`, into that prefix: of plugins those

@@ -4,12 +4,9 @@
 #include <algorithm>
 #include <set>
 
-#include "bundler/build/link_driver.hpp"
 #include "bundler/build/link_kit.hpp"
+#include "bundler/build/second_link.hpp"
 #include "bundler/build/source_hash.hpp"
-#include "bundler/build/split_programs.hpp"
-#include "bundler/io/files.hpp"
-#include "bundler/io/kept_folder.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
@@ -18,10 +15,10 @@ namespace {
 constexpr const char* kWhole = "-Wl,--whole-archive";
 constexpr const char* kNotWhole = "-Wl,--no-whole-archive";
 
-/// The package and all that it needs, by name.
-std::set<std::string> needs_of(const std::string& name, const std::vector<LocalPackage>& packages) {
+/// The packages and all that they need, by name.
+std::set<std::string> needs_of(std::vector<std::string> open,
+                               const std::vector<LocalPackage>& packages) {
   std::set<std::string> result;
-  std::vector<std::string> open = {name};
   while (!open.empty()) {
     const std::string one = std::move(open.back());
     open.pop_back();
@@ -59,43 +56,6 @@ std::string hash_of(const BuiltPackage& package, const LinkKit& program,
   return hash.finish();
 }
 
-Outcome<fs::path> linked(const BuiltPackage& package, const LinkKit& program,
-                         const std::vector<const PluginLibrary*>& plugins,
-                         const std::vector<BuiltPackage>& built, const BuildTools& tools,
-                         const fs::path& cache, const Cancellation& cancellation,
-                         const ProgressSink& progress) {
-  const std::string hash = hash_of(package, program, plugins, tools);
-  const fs::path prefix =
-      cache / "built" / (package.name + "-" + program.name + "-" + hash.substr(0, 20));
-  const fs::path file = fs::path("lib") / package.name / (program.name + ".wasm");
-  if (is_kept(prefix, hash)) return prefix / file;
-  if (progress)
-    progress({.step = "build", .item = package.name, .done = 0, .total = 0, .unit = {}});
-  const auto staging =
-      TemporaryDirectory::make(cache / "built", "." + package.name + "-" + program.name + "-");
-  if (!staging) return staging.errors();
-  if (auto made = make_directories((staging->path() / file).parent_path()); !made)
-    return std::move(made).errors();
-  std::vector<std::string> command = {tools.compiler.cxx.string()};
-  for (std::string& argument : arguments_with_plugins(program, plugins, built))
-    command.push_back(std::move(argument));
-  command.insert(command.end(), {"-o", (staging->path() / file).string()});
-  const auto done = link_program(
-      {.package = package.name,
-       .command = std::move(command),
-       .environment = tools.link_environment,
-       .thread_support = (tools.toolchain.parent_path() / "src/thread_support.cpp").string(),
-       .tool_calls = tools.tool_calls.string(),
-       .quick = tools.quick},
-      cancellation);
-  if (!done) return done.errors();
-  if (auto split = split_programs(staging->path(), package.name); !split)
-    return std::move(split).errors();
-  if (auto kept = keep_folder(staging->path(), prefix, hash); !kept)
-    return std::move(kept).errors();
-  return prefix / file;
-}
-
 }  // namespace
 
 std::vector<std::string> arguments_with_plugins(const LinkKit& program,
@@ -120,33 +80,50 @@ std::vector<std::string> arguments_with_plugins(const LinkKit& program,
   return whole;
 }
 
+Outcome<std::vector<PluginLibrary>> plugin_libraries(const std::vector<BuiltPackage>& built) {
+  std::vector<PluginLibrary> result;
+  for (const BuiltPackage& package : built) {
+    auto kits = plugin_kits(package.prefix);
+    if (!kits) return std::move(kits).errors();
+    for (LinkKit& kit : *kits) result.push_back({.kit = std::move(kit), .package = &package});
+  }
+  return result;
+}
+
+std::vector<const PluginLibrary*> plugins_for(const std::vector<std::string>& names,
+                                              const std::vector<LocalPackage>& packages,
+                                              const std::vector<PluginLibrary>& libraries) {
+  const std::set<std::string> needs = needs_of(names, packages);
+  std::vector<const PluginLibrary*> result;
+  for (const PluginLibrary& one : libraries)
+    if (needs.contains(one.kit.base)) result.push_back(&one);
+  return result;
+}
+
 Outcome<std::map<fs::path, fs::path>> link_plugins(const std::vector<LocalPackage>& packages,
                                                    const std::vector<BuiltPackage>& built,
                                                    const BuildTools& tools,
                                                    const BuildSettings& settings,
                                                    const Cancellation& cancellation,
                                                    const ProgressSink& progress) {
-  std::vector<PluginLibrary> all;
-  for (const BuiltPackage& package : built) {
-    auto kits = plugin_kits(package.prefix);
-    if (!kits) return std::move(kits).errors();
-    for (LinkKit& kit : *kits) all.push_back({.kit = std::move(kit), .package = &package});
-  }
+  const auto all = plugin_libraries(built);
+  if (!all) return all.errors();
   std::map<fs::path, fs::path> result;
-  if (all.empty()) return result;
+  if (all->empty()) return result;
   Diagnostics errors;
   for (const BuiltPackage& package : built) {
     const auto programs = program_kits(package.prefix);
     if (!programs) return programs.errors();
     if (programs->empty()) continue;
-    const std::set<std::string> needs = needs_of(package.name, packages);
-    std::vector<const PluginLibrary*> wanted;
-    for (const PluginLibrary& one : all)
-      if (needs.contains(one.kit.base)) wanted.push_back(&one);
+    const auto wanted = plugins_for({package.name}, packages, *all);
     if (wanted.empty()) continue;
     for (const LinkKit& program : *programs) {
-      auto file =
-          linked(package, program, wanted, built, tools, settings.cache, cancellation, progress);
+      if (!loads_plugins(program.arguments)) continue;  // a container of components
+      auto file = link_again({.package = package,
+                              .program = program.name,
+                              .hash = hash_of(package, program, wanted, tools),
+                              .arguments = arguments_with_plugins(program, wanted, built)},
+                             tools, settings.cache, cancellation, progress);
       if (!file) {
         for (Diagnostic& one : std::move(file).errors()) errors.push_back(std::move(one));
         continue;

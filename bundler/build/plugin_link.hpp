@@ -25,6 +25,15 @@ struct PluginLibrary {
     const LinkKit& program, const std::vector<const PluginLibrary*>& plugins,
     const std::vector<BuiltPackage>& built);
 
+/// All libraries of plugins in the packages; these must outlive the result.
+[[nodiscard]] Outcome<std::vector<PluginLibrary>> plugin_libraries(
+    const std::vector<BuiltPackage>& built);
+
+/// Those whose base class is of one of the packages named, or of one that these need.
+[[nodiscard]] std::vector<const PluginLibrary*> plugins_for(
+    const std::vector<std::string>& names, const std::vector<LocalPackage>& packages,
+    const std::vector<PluginLibrary>& libraries);
+
 /// The program with its plugins, by the one without. Each is kept in the cache under the hash of
 /// what it is linked from. R2W0504 and R2W0505 as for any program.
 [[nodiscard]] Outcome<std::map<std::filesystem::path, std::filesystem::path>> link_plugins(

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "bundler/build/wasm_cursor.hpp"
+
 namespace ros2wasm {
 namespace {
 
@@ -10,63 +12,15 @@ constexpr std::string_view kHeader("\0asm\1\0\0\0", 8);
 constexpr std::uint8_t kCustomSection = 0;
 constexpr std::uint8_t kImportSection = 2;
 
-/// Walks over bytes; any step beyond the end makes it fail for good.
-class Cursor {
- public:
-  Cursor(std::string_view bytes, std::size_t position, std::size_t end)
-      : bytes_(bytes), position_(position), end_(end) {}
-
-  [[nodiscard]] bool ok() const { return ok_; }
-  [[nodiscard]] bool at_end() const { return !ok_ || position_ == end_; }
-  [[nodiscard]] std::size_t position() const { return position_; }
-
-  std::uint8_t byte() {
-    if (!ok_ || position_ >= end_) {
-      ok_ = false;
-      return 0;
-    }
-    return static_cast<std::uint8_t>(bytes_[position_++]);
-  }
-
-  std::uint64_t leb() {
-    std::uint64_t value = 0;
-    for (unsigned shift = 0; shift < 64; shift += 7) {
-      const std::uint8_t next = byte();
-      value |= static_cast<std::uint64_t>(next & 0x7FU) << shift;
-      if ((next & 0x80U) == 0) return value;
-    }
-    ok_ = false;
-    return 0;
-  }
-
-  std::string_view take(std::uint64_t count) {
-    if (!ok_ || count > end_ - position_) {
-      ok_ = false;
-      return {};
-    }
-    const auto result = bytes_.substr(position_, static_cast<std::size_t>(count));
-    position_ += static_cast<std::size_t>(count);
-    return result;
-  }
-
-  std::string text() { return std::string(take(leb())); }
-
- private:
-  std::string_view bytes_;
-  std::size_t position_;
-  std::size_t end_;
-  bool ok_ = true;
-};
-
 /// Limits of a table or memory; true when they carry the shared flag.
-bool skip_limits(Cursor& cursor) {
+bool skip_limits(WasmCursor& cursor) {
   const std::uint8_t flags = cursor.byte();
   cursor.leb();
   if ((flags & 1U) != 0) cursor.leb();
   return (flags & 2U) != 0;
 }
 
-WasmImport read_import(Cursor& cursor) {
+WasmImport read_import(WasmCursor& cursor) {
   WasmImport result;
   result.module = cursor.text();
   result.name = cursor.text();
@@ -114,7 +68,7 @@ void append_leb(std::string& to, std::uint64_t value) {
 std::optional<WasmModule> read_wasm_module(std::string_view bytes) {
   if (!bytes.starts_with(kHeader)) return std::nullopt;
   WasmModule result;
-  Cursor cursor(bytes, kHeader.size(), bytes.size());
+  WasmCursor cursor(bytes, kHeader.size(), bytes.size());
   while (!cursor.at_end()) {
     WasmSection section{.begin = cursor.position()};
     section.id = cursor.byte();
@@ -123,7 +77,7 @@ std::optional<WasmModule> read_wasm_module(std::string_view bytes) {
     cursor.take(size);
     if (!cursor.ok()) return std::nullopt;
     section.end = cursor.position();
-    Cursor inside(bytes, section.contents, section.end);
+    WasmCursor inside(bytes, section.contents, section.end);
     if (section.id == kCustomSection) {
       section.name = inside.text();
       section.contents = inside.position();
@@ -149,7 +103,7 @@ std::string producer_version(std::string_view bytes, std::string_view tool) {
   if (!module) return {};
   for (const WasmSection& section : module->sections) {
     if (section.id != kCustomSection || section.name != "producers") continue;
-    Cursor cursor(bytes, section.contents, section.end);
+    WasmCursor cursor(bytes, section.contents, section.end);
     for (std::uint64_t fields = cursor.leb(); fields > 0 && cursor.ok(); --fields) {
       cursor.text();  // "language", "processed-by" or "sdk"
       for (std::uint64_t values = cursor.leb(); values > 0 && cursor.ok(); --values) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -34,10 +35,10 @@ bool is_container(const LaunchProcess& process) {
   return !process.components.empty() || process.node.package.value == kContainerPackage;
 }
 
-Outcome<ContainerProcesses> container_processes(const LaunchProcess& container,
-                                                const ParameterFiles& parameter_files) {
+Outcome<ContainerProcess> container_process(const LaunchProcess& container,
+                                            const ParameterFiles& parameter_files) {
   const NodeEntry& node = container.node;
-  ContainerProcesses result;
+  ContainerProcess result;
   const std::string name = node.package.value + "/" + node.executable.value;
   const auto warn = [&](std::string message, std::string why) {
     result.warnings.push_back({.code = kCode,
@@ -59,30 +60,24 @@ Outcome<ContainerProcesses> container_processes(const LaunchProcess& container,
   if (!is_known)
     warn("`" + node.executable.value + "` runs as `component_container`",
          "rclcpp_components has no container of this name");
-  std::vector<std::vector<std::string>> words;  // of each process
+  if (container.components.empty()) return result;
+  LaunchProcess process = container;
+  process.components.clear();
+  process.node.package = container.components.front().node.package;
+  if (!is_known) process.node.executable.value = kContainers[0];
+  std::map<std::string, Spanned<std::string>> others;
+  std::vector<std::string> words;
   for (const LaunchComponent& component : container.components) {
-    const std::string& package = component.node.package.value;
-    auto process = std::find_if(result.processes.begin(), result.processes.end(),
-                                [&](const auto& one) { return one.node.package.value == package; });
-    if (process == result.processes.end()) {
-      LaunchProcess own = container;
-      own.components.clear();
-      own.node.package = component.node.package;
-      if (!is_known) own.node.executable.value = kContainers[0];
-      if (!result.processes.empty() && own.node.name) own.node.name->value += "_" + package;
-      process = result.processes.insert(result.processes.end(), std::move(own));
-      words.emplace_back();
-    }
+    const Spanned<std::string>& package = component.node.package;
+    if (package.value != process.node.package.value) others.emplace(package.value, package);
     const auto files = file_rules(component.node, parameter_files);
     if (!files) return files.errors();
-    add_words(component, *files,
-              words[static_cast<std::size_t>(process - result.processes.begin())]);
+    add_words(component, *files, words);
   }
+  for (auto& [name, package] : others) process.node.linked_with.push_back(std::move(package));
   // Before the container's own, which may end with `--ros-args`.
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    std::vector<std::string>& all = result.processes[i].node.arguments;
-    all.insert(all.begin(), words[i].begin(), words[i].end());
-  }
+  process.node.arguments.insert(process.node.arguments.begin(), words.begin(), words.end());
+  result.process = std::move(process);
   return result;
 }
 

@@ -1,16 +1,16 @@
-// Containers of launch files, as a site has them: each package of components has a container of its
-// own, which is given its components at the start. Pure.
+// Containers of launch files, as a site has them: a program that is linked with the components of
+// the packages, which are given to it at the start. Pure.
 #pragma once
 
-#include <vector>
+#include <optional>
 
 #include "bundler/launch/launch_description.hpp"
 #include "workspace_schema/outcome.hpp"
 
 namespace ros2wasm {
 
-struct ContainerProcesses {
-  std::vector<LaunchProcess> processes;  ///< one for each package, in the order of the components
+struct ContainerProcess {
+  std::optional<LaunchProcess> process;  ///< none when no component is loaded into it
   Diagnostics warnings;                  ///< R2W0417
 };
 
@@ -18,9 +18,9 @@ struct ContainerProcesses {
 /// rclcpp_components.
 [[nodiscard]] bool is_container(const LaunchProcess& process);
 
-/// The first process has the container's name, the others have their package's behind it. R2W0417
+/// Its program is that of the first component's package, linked with those of the others. R2W0417
 /// when a program of the workspace's own is the container; errors of parameter files.
-[[nodiscard]] Outcome<ContainerProcesses> container_processes(
-    const LaunchProcess& container, const ParameterFiles& parameter_files);
+[[nodiscard]] Outcome<ContainerProcess> container_process(const LaunchProcess& container,
+                                                          const ParameterFiles& parameter_files);
 
 }  // namespace ros2wasm

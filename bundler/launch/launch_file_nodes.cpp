@@ -139,9 +139,9 @@ Outcome<LaunchFileNodes> launch_file_nodes(const std::string& path,
     };
     if (!is_container(process)) {
       keep(process);
-    } else if (const auto made = container_processes(process, description->parameter_files)) {
+    } else if (const auto made = container_process(process, description->parameter_files)) {
       append(result.warnings, made->warnings);
-      for (const LaunchProcess& one : made->processes) keep(one);
+      if (made->process) keep(*made->process);
     } else {
       append(errors, made.errors());
     }

@@ -5,6 +5,7 @@
 
 #include "bundler/launch/node_arguments.hpp"
 #include "bundler/launch/parameter_file.hpp"
+#include "workspace_schema/diagnostic_list.hpp"
 #include "workspace_schema/suggestion.hpp"
 
 namespace ros2wasm {
@@ -80,7 +81,27 @@ Diagnostic not_a_program(const NodeEntry& entry, const InstalledProgram& program
                     .why = {why}};
 }
 
+/// What the packages lack whose components are to be in a container too: they have one themselves.
+Diagnostics other_containers(const NodeEntry& entry, const std::vector<InstalledPackage>& installed,
+                             const ParameterFiles& parameter_files, const LeftOutChains& left_out) {
+  std::vector<NodeEntry> others;
+  for (const auto& package : entry.linked_with) {
+    NodeEntry other = entry;
+    other.package = package;
+    other.linked_with.clear();
+    others.push_back(std::move(other));
+  }
+  auto nodes = launch_nodes(others, installed, parameter_files, left_out);
+  return nodes ? Diagnostics() : std::move(nodes).errors();
+}
+
 }  // namespace
+
+std::string program_name(const NodeEntry& entry) {
+  std::string name = entry.executable.value;
+  for (const auto& package : entry.linked_with) name += "-" + package.value;
+  return name;
+}
 
 std::string python_script(const LaunchNode& node) {
   return "lib/" + node.package + "/" + node.program.filename().string();
@@ -146,6 +167,13 @@ Outcome<std::vector<LaunchNode>> launch_nodes(const std::vector<NodeEntry>& entr
       errors.push_back(not_a_program(entry, *program));
       continue;
     }
+    if (Diagnostics more = other_containers(entry, installed, parameter_files, left_out);
+        !more.empty()) {
+      append(errors, more);
+      continue;
+    }
+    std::vector<std::string> linked_with;
+    for (const auto& other : entry.linked_with) linked_with.push_back(other.value);
     const auto files = file_rules(entry, parameter_files);
     if (!files) {
       errors.insert(errors.end(), files.errors().begin(), files.errors().end());
@@ -154,8 +182,11 @@ Outcome<std::vector<LaunchNode>> launch_nodes(const std::vector<NodeEntry>& entr
     nodes.push_back({.id = entry.executable.value + "-" + std::to_string(nodes.size() + 1),
                      .package = entry.package.value,
                      .executable = entry.executable.value,
+                     .linked_with = std::move(linked_with),
                      .label = node_label(entry),
-                     .program = program->file,
+                     .program = entry.linked_with.empty()
+                                    ? program->file
+                                    : program->file.parent_path() / (program_name(entry) + ".wasm"),
                      .kind = program->kind,
                      .compiled_modules = {},
                      .arguments = node_arguments(entry, *files),

@@ -43,8 +43,9 @@ struct LaunchNode {
   std::string id;  ///< `<executable>-<n>`, as ros2 launch names processes
   std::string package;
   std::string executable;
+  std::vector<std::string> linked_with = {};  ///< as NodeEntry has it, sorted
   std::string label;  ///< for people: the node's full name when it is known, else the executable
-  std::filesystem::path program;  ///< the installed file
+  std::filesystem::path program;  ///< the installed file; with `linked_with`, where it will be
   ProgramKind kind = ProgramKind::kWasm;
   std::vector<std::string> compiled_modules;  ///< that a Python program imports: "numpy"
   std::vector<std::string> arguments;         ///< after argv[0], as ros2 launch would pass them
@@ -58,6 +59,9 @@ struct LaunchNode {
   bool shutdown_on_exit = false;                    ///< when it ends, all ends
   SourceSpan source;
 };
+
+/// The name of a container's program; of another program that of the executable.
+[[nodiscard]] std::string program_name(const NodeEntry& entry);
 
 /// Where a Python node's script lies, below the prefix.
 [[nodiscard]] std::string python_script(const LaunchNode& node);

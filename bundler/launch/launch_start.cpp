@@ -234,7 +234,8 @@ Outcome<std::vector<PlannedNode>> planned(std::vector<LaunchNode> nodes, const S
   std::vector<PlannedNode> result;
   Diagnostics errors;
   for (LaunchNode& node : nodes) {
-    PlannedNode one = start.programs.at(node.program);
+    const auto known = start.programs.find(node.program);
+    PlannedNode one = known == start.programs.end() ? PlannedNode() : known->second;
     if (one.program.empty()) {
       errors.push_back(
           {.code = "R2W0731",

@@ -43,7 +43,7 @@ bool is_python(const LaunchNode& node) {
 
 std::string program_path(const LaunchNode& node) {
   if (is_python(node)) return kPythonProgram;
-  return "programs/" + node.package + "/" + node.executable + ".wasm";
+  return "programs/" + node.package + "/" + node.program.stem().string() + ".wasm";
 }
 
 PlannedFile& add(SitePlan& plan, std::string path, std::string reason, std::string bytes) {
@@ -56,13 +56,13 @@ PlannedFile& add(SitePlan& plan, std::string path, std::string reason, std::stri
 }
 
 std::string names_path(const LaunchNode& node) {
-  return "programs/" + node.package + "/" + node.executable + ".names";
+  return "programs/" + node.package + "/" + node.program.stem().string() + ".names";
 }
 
 std::string reason_of_program(const std::vector<LaunchNode>& nodes, const LaunchNode& first) {
   std::string users;
   for (const LaunchNode& node : nodes) {
-    if (node.package != first.package || node.executable != first.executable) continue;
+    if (node.program != first.program) continue;
     users += (users.empty() ? "" : ", ") + node.id;
   }
   return "program of " + users;

@@ -30,7 +30,8 @@ void write_map(JsonWriter& json, const char* key, const std::map<std::string, st
 const PlannedNode* planned_for(const InstalledProgram& program,
                                const std::vector<PlannedNode>& programs) {
   for (const PlannedNode& one : programs)
-    if (one.node.package == program.package && one.node.executable == program.executable)
+    if (one.node.package == program.package &&
+        one.node.program.filename() == program.file.filename())
       return &one;
   return nullptr;
 }

@@ -161,7 +161,7 @@ bool cannot_be_missing(const LocalPackage& package, const PackageDependency& dep
   if (!matters_for_building(dependency.kind)) return false;
   if (package.xml.build_type == "ament_python") return false;
   const auto& asked = package.cmake_packages;
-  return !package.only_installs || std::any_of(asked.begin(), asked.end(), [&](const auto& one) {
+  return !package.has_cmake_lists || std::any_of(asked.begin(), asked.end(), [&](const auto& one) {
     return one.value == dependency.name.value;
   });
 }
@@ -285,6 +285,11 @@ Diagnostics missing_dependencies(const std::vector<ExternalDependency>& external
     } else if (const auto similar = similar_name(dependency.name, known, distro)) {
       diagnostic.why.push_back("a channel has `" + *similar + "`");
     }
+    if (dependency.can_be_missing)
+      diagnostic.why.emplace_back(
+          dependency.needed_to_build
+              ? "what names it is built without it: nothing there asks for it"
+              : "a node may need it when it runs");
     result.push_back(std::move(diagnostic));
   }
   return result;

@@ -50,8 +50,8 @@ struct BuildOrder {
 [[nodiscard]] bool matters_for_building(DependencyKind kind);
 
 /// Does a package stay out of the site when nobody has a dependency? Not one in Python, whose
-/// imports tell what it needs (R2W0518), nor one that compiles nothing and asks CMake for no such
-/// package.
+/// imports tell what it needs (R2W0518), nor one whose CMakeLists.txt does not ask for it, as far
+/// as its text tells.
 [[nodiscard]] bool cannot_be_missing(const LocalPackage& package,
                                      const PackageDependency& dependency);
 

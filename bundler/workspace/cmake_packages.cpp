@@ -130,28 +130,6 @@ class Variables {
 
 }  // namespace
 
-bool only_installs(std::string_view text) {
-  const std::string code = without_comments(std::string(text));
-  bool has_commands = false;
-  for (std::size_t at = 0; at < code.size();) {
-    if (!is_name_character(code[at])) {
-      ++at;
-      continue;
-    }
-    const auto command = read_command(code, at);
-    if (!command) continue;
-    has_commands = true;
-    // Those of ament_cmake_auto and of others have these names at their end. What a file of the
-    // package's own brings, nobody has looked at.
-    for (const std::string_view maker :
-         {"add_executable", "add_library", "add_module", "generate_interfaces", "include",
-          "add_subdirectory", "add_custom_command", "add_custom_target"}) {
-      if (command->name.ends_with(maker)) return false;
-    }
-  }
-  return has_commands;
-}
-
 std::vector<Spanned<std::string>> cmake_packages(std::string_view text, const std::string& file) {
   const std::string code = without_comments(std::string(text));
   std::vector<Spanned<std::string>> found;

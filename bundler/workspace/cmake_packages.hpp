@@ -1,5 +1,4 @@
-// What a CMakeLists.txt asks find_package() for and whether it compiles, as far as its text tells.
-// Pure.
+// What a CMakeLists.txt asks find_package() for, as far as its text tells. Pure.
 #pragma once
 
 #include <string>
@@ -15,9 +14,5 @@ namespace ros2wasm {
 /// foreach() goes through; what stands inside if() is not told. `file` is only for messages.
 [[nodiscard]] std::vector<Spanned<std::string>> cmake_packages(std::string_view text,
                                                                const std::string& file);
-
-/// Is there nothing in it that makes programs, libraries or interfaces? Then it only installs
-/// files. Not so of an empty text.
-[[nodiscard]] bool only_installs(std::string_view text);
 
 }  // namespace ros2wasm

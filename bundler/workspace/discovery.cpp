@@ -235,7 +235,7 @@ Outcome<std::vector<LocalPackage>> discover_packages(
                           .directory = folder,
                           .cmake_packages = cmake_packages(cmake ? *cmake : "",
                                                            shown_path(lists, base, shown_base)),
-                          .only_installs = only_installs(cmake ? *cmake : ""),
+                          .has_cmake_lists = cmake && !cmake->empty(),
                           .python_modules = python_modules(folder, base, shown_base),
                           .launch_packages = packages_of_launch_files(folder, base, shown_base)});
     } else {

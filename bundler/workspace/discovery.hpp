@@ -16,8 +16,8 @@ struct LocalPackage {
   std::filesystem::path directory;  ///< absolute
   /// What its CMakeLists.txt asks for, whether package.xml names it or not.
   std::vector<Spanned<std::string>> cmake_packages;
-  /// Its CMakeLists.txt compiles nothing.
-  bool only_installs = false;
+  /// Else nothing tells what it asks CMake for.
+  bool has_cmake_lists = false;
   /// What its Python files need that neither Python nor its own folder has: top-level modules.
   std::vector<Spanned<std::string>> python_modules;
   /// What its launch files start or look up.

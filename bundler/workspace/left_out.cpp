@@ -57,13 +57,36 @@ Dependencies lacking_dependencies(const LocalPackage& package,
     return std::any_of(packages.begin(), packages.end(),
                        [&](const LocalPackage& one) { return one.xml.name.value == name; });
   };
+  const bool is_python = package.xml.build_type == "ament_python";
   Dependencies result;
   std::set<std::string> names;
   for (const PackageDependency& one : package.xml.dependencies) {
     const std::string& name = one.name.value;
-    const bool there = !cannot_be_missing(package, one) || !is_absent(name, known, distro) ||
-                       is_local(name) || !host_package_reason(name).empty();
+    const bool there = is_python || !matters_for_building(one.kind) ||
+                       !is_absent(name, known, distro) || is_local(name) ||
+                       !host_package_reason(name).empty();
     if (!there && names.insert(name).second) result.push_back(&one);
+  }
+  return result;
+}
+
+Lacks packages_with_lacks(const std::vector<LocalPackage>& packages,
+                          const LeftOutPackages& left_out, const KnownNames& known,
+                          std::string_view distro) {
+  Lacks result;
+  for (std::size_t i = 0; i < packages.size(); ++i) {
+    if (left_out.contains(i) || !packages[i].has_cmake_lists) continue;
+    const auto lacks = lacking_dependencies(packages[i], packages, known, distro);
+    if (lacks.empty()) continue;
+    Lack lack{.reason = left_out_for(packages[i], lacks, known, distro), .missing = {}};
+    auto external = external_dependencies({packages[i]}, {}, distro);
+    std::erase_if(external, [&](const ExternalDependency& one) {
+      return std::none_of(lacks.begin(), lacks.end(),
+                          [&](const auto* lacked) { return lacked->name.value == one.name; });
+    });
+    for (ExternalDependency& one : external) one.can_be_missing = false;
+    lack.missing = missing_dependencies(external, known, distro);
+    result.emplace(i, std::move(lack));
   }
   return result;
 }
@@ -83,7 +106,10 @@ LeftOutPackages left_out_packages(const std::vector<LocalPackage>& packages,
       }
       const auto lacks =
           for_lacking ? lacking_dependencies(package, packages, known, distro) : Dependencies();
-      if (!lacks.empty()) {
+      const bool cannot_be_built = std::any_of(lacks.begin(), lacks.end(), [&](const auto* one) {
+        return cannot_be_missing(package, *one);
+      });
+      if (cannot_be_built) {
         result.emplace(index, left_out_for(package, lacks, known, distro));
       } else if (const auto needed = nearest_left_out(order.needs[index], result)) {
         result.emplace(index, left_out_with(package, packages[*needed], result.at(*needed)));

@@ -28,10 +28,22 @@ using LeftOutPackages = std::map<std::size_t, LeftOutReason>;
                                                 std::string_view distro,
                                                 const std::vector<std::string>& build_types);
 
-/// What a package cannot be built without and nobody has, each name once.
+/// What a package names to be built with and nobody has, each name once; nothing of one in Python.
 [[nodiscard]] std::vector<const PackageDependency*> lacking_dependencies(
     const LocalPackage& package, const std::vector<LocalPackage>& packages, const KnownNames& known,
     std::string_view distro);
+
+/// What is said of a package that is built although it names what nobody has, when that fails for
+/// it after all.
+struct Lack {
+  LeftOutReason reason;  ///< when others are built: R2W0519
+  Diagnostics missing;   ///< when none is: R2W0513, errors
+};
+using Lacks = std::map<std::size_t, Lack>;  ///< by the index of the package
+
+[[nodiscard]] Lacks packages_with_lacks(const std::vector<LocalPackage>& packages,
+                                        const LeftOutPackages& left_out, const KnownNames& known,
+                                        std::string_view distro);
 
 /// The reasons by the names of the packages, the nearest cause first.
 using LeftOutChains = std::map<std::string, std::vector<std::string>>;

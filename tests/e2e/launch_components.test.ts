@@ -1,9 +1,5 @@
 // Components that a launch file loads into a container: they run in the container of their package, with their names,
 // remappings, parameters and extra arguments; callbacks take turns there, or do not, as the container's name says.
-//
-// Compatibility, differs: a container of a launch file with components of several packages -> becomes one container for
-// each of these packages, each a worker of its own; they hear each other by topics, intra-process
-// communication ends at the package
 
 import assert from 'node:assert/strict';
 import { cpSync, readFileSync, readdirSync } from 'node:fs';
@@ -152,7 +148,7 @@ launch:
   }
 });
 
-test('components of two packages are two containers, which hear each other', async () => {
+test('components of two packages are in one container, where their libraries define the same', async () => {
   const from = join(workspace.root, 'src/composed_talkers');
   for (const entry of readdirSync(from, { recursive: true, withFileTypes: true })) {
     if (!entry.isFile()) continue;
@@ -176,8 +172,9 @@ def generate_launch_description():
   workspace.write('two.yaml', 'schema: 1\nname: two\npackages: [src/*]\nlaunch: two.launch.py\n');
   const packed = await workspace.run(['pack', 'two.yaml', '--output', 'two'], kept());
   assert.equal(packed.code, 0, packed.stderr);
-  const { nodes } = JSON.parse(workspace.read('two/site.json').toString()) as { nodes: { package: string; label: string }[] };
-  assert.deepEqual(nodes.map((node) => [node.package, node.label]), [['composed_talkers', '/box'], ['other_talkers', '/box_other_talkers']]);
+  const { nodes } = JSON.parse(workspace.read('two/site.json').toString()) as { nodes: { package: string; label: string; program: string }[] };
+  assert.deepEqual(nodes.map((node) => [node.package, node.label, node.program]),
+    [['composed_talkers', '/box', 'programs/composed_talkers/component_container-other_talkers.wasm']]);
   const run = await workspace.run(['run', 'two', '--until', '\\[ear\\]: heard 5', '--for', '60s']);
   assert.equal(run.code, 0, run.stderr);
 });

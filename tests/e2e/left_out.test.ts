@@ -12,7 +12,7 @@ let ws: PackWorkspace;
 before(() => {
   ws = new PackWorkspace();
   ws.addPackage('good', HELLO);
-  ws.addPackage('sim', HELLO, { depends: ['gazebo_ros'] });
+  ws.addPackage('sim', HELLO, { depends: ['gazebo_ros'], cmake: 'find_package(gazebo_ros REQUIRED)\n' });
   ws.addPackage('lab', HELLO, { depends: ['sim'] });
   ws.addPackage('mapper', HELLO, { cmake: 'find_package(slam_of_nobody REQUIRED)\n' });
 });
@@ -52,4 +52,57 @@ test('a node of what is left out is an error at its line', async () => {
   assert.equal(refused.code, 1);
   assert.match(refused.stderr, /error\[R2W0401\]: package `mapper` is left out of the site\n --> workspace\.yaml:6:15\n/);
   assert.match(refused.stderr, /= why: it asks CMake for `slam_of_nobody`, which is not there\n/);
+});
+
+/** A workspace of its own, with one package that names two things that nobody has. */
+async function packedWith(programs: Readonly<Record<string, string>>, cmake: string, more: readonly string[] = []): Promise<{ code: number | null; stderr: string; said: string }> {
+  const lacking = new PackWorkspace();
+  try {
+    lacking.addPackage('typo', programs, { depends: ['std_mgs', 'liblidar0-dev'], cmake });
+    lacking.write('src/typo/parts/CMakeLists.txt', 'find_package(lidar REQUIRED)\n');
+    for (const name of more) lacking.addPackage(name, HELLO);
+    const { code, stderr } = await lacking.run(['pack', '-o', 'site']);
+    const ran = code === 0 ? await lacking.run(['run', 'site', '--for', '60s']) : undefined;
+    return { code, stderr, said: ran?.stdout ?? '' };
+  } finally {
+    lacking.close();
+  }
+}
+const MISSING = [
+  / no channel has `std_mgs`, and the workspace has not either\n +--> src\/typo\/package\.xml:9:11\n/,
+  / no channel has `liblidar0-dev`, and the workspace has not either\n +--> src\/typo\/package\.xml:10:11\n/,
+];
+
+test('a name that CMake is never asked for is a warning, and the package is built and runs', async () => {
+  const { code, stderr, said } = await packedWith(HELLO, '');
+  assert.equal(code, 0, stderr);
+  for (const missing of MISSING) assert.match(stderr, new RegExp(`warning\\[R2W0513\\]:${missing.source}`));
+  assert.match(stderr, /= why: what names it is built without it: nothing there asks for it\n/);
+  assert.match(said, /^\[hello-1\] hello$/m);
+});
+
+test('all names are told when CMake asks for one after all', async () => {
+  const parts = 'add_subdirectory(parts)\n';
+  const alone = await packedWith(HELLO, parts);
+  assert.equal(alone.code, 1);
+  for (const missing of MISSING) assert.match(alone.stderr, new RegExp(`error\\[R2W0513\\]:${missing.source}`));
+  assert.match(alone.stderr, /error\[R2W0507\]: package `typo` asks CMake for `lidar`, which is not there\n/);
+  const beside = await packedWith(HELLO, parts, ['good']);
+  assert.equal(beside.code, 0, beside.stderr);
+  assert.match(beside.stderr, /warning\[R2W0519\]: package `typo` is left out: no channel has `std_mgs`, `liblidar0-dev`, which it needs\n --> src\/typo\/package\.xml:9:11\n/);
+  assert.match(beside.stderr, /= why: package `typo` asks CMake for `lidar`, which is not there\n/);
+  assert.match(beside.said, /^\[hello-1\] hello$/m);
+});
+
+test('and when a source includes what it would bring', async () => {
+  const scan = { scan: '#include <lidar.h>\nint main() {}\n' };
+  const alone = await packedWith(scan, '');
+  assert.equal(alone.code, 1);
+  for (const missing of MISSING) assert.match(alone.stderr, new RegExp(`error\\[R2W0513\\]:${missing.source}`));
+  assert.match(alone.stderr, /error\[R2W0502\]: package `typo` does not compile: 'lidar\.h' file not found\n/);
+  // A package of which something remains is packed without the program.
+  const rest = await packedWith({ ...scan, ...HELLO }, '');
+  assert.equal(rest.code, 0, rest.stderr);
+  assert.match(rest.stderr, /warning\[R2W0522\]: [^\n]*`scan`/);
+  for (const missing of MISSING) assert.match(rest.stderr, new RegExp(`warning\\[R2W0513\\]:${missing.source}`));
 });

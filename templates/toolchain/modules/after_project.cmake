@@ -5,6 +5,8 @@ if(Python3_EXECUTABLE AND NOT TARGET Python3::Interpreter)
   set_target_properties(Python3::Interpreter PROPERTIES IMPORTED_LOCATION "${Python3_EXECUTABLE}")
 endif()
 
+include("${ROS2WASM_TOOLCHAIN_DIR}/modules/add_library.cmake")
+
 # Programs that include what nothing gives: a first build found that out.
 if(ROS2WASM_MISSING_HEADERS)
   include("${ROS2WASM_TOOLCHAIN_DIR}/modules/left_out.cmake")

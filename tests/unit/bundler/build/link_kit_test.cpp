@@ -64,6 +64,17 @@ TEST_F(LinkKitTest, AProgramThatLoadsPluginsNoMoreHasNoKit) {
   EXPECT_TRUE(program_kits(installed("one", {}))->empty());
 }
 
+TEST_F(LinkKitTest, AContainerOfComponentsHasAKitAndLoadsNoPlugins) {
+  tree_.write("part.a", "components");
+  tree_.write("whole/lib/demo/component_container_mt.wasm", "");
+  ASSERT_TRUE(keep("component_container_mt.wasm", {"part.a"}).ok());
+  const auto kits = program_kits(installed("whole", {}));
+  ASSERT_TRUE(kits);
+  ASSERT_EQ(kits->size(), 1U);
+  EXPECT_EQ(kits->front().name, "component_container_mt");
+  EXPECT_FALSE(loads_plugins(kits->front().arguments));
+}
+
 TEST_F(LinkKitTest, OnlyPluginsThatTheLastConfigureNamedAreInstalled) {
   tree_.write("a.a", "plugins");
   for (const char* name : {"shapes__a__plugins", "shapes__b__plugins"})

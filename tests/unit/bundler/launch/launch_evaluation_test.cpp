@@ -333,7 +333,7 @@ TEST(Launch, WhatASiteCannotStartIsLeftOutOrRefused) {
   EXPECT_EQ(codes, (std::vector<std::string>{"R2W0417", "R2W0401", "R2W0402"}));
 }
 
-TEST(Launch, AContainerBecomesOneOfEachPackage) {
+TEST(Launch, AContainerHasTheComponentsOfItsPackages) {
   std::vector<InstalledPackage> installed;
   for (const char* name : {"a", "b"})
     for (const std::string container :
@@ -361,20 +361,22 @@ TEST(Launch, AContainerBecomesOneOfEachPackage) {
   const LaunchWorld world = world_with("a.launch.xml", text);
   const auto made = launch_file_nodes("/f/a.launch.xml", {}, world, installed, {});
   ASSERT_TRUE(made.ok());
-  ASSERT_EQ(made->nodes.size(), 4U);
+  ASSERT_EQ(made->nodes.size(), 3U);
   EXPECT_EQ(made->nodes[0].label, "/n/box");
+  EXPECT_EQ(made->nodes[0].package, "a");
   EXPECT_EQ(made->nodes[0].executable, "component_container_isolated");
-  EXPECT_EQ(made->nodes[2].executable, "component_container_mt");
-  EXPECT_EQ(made->nodes[3].executable, "component_container");
+  EXPECT_EQ(made->nodes[0].linked_with, std::vector<std::string>{"b"});
+  EXPECT_EQ(made->nodes[0].program, "/p/component_container_isolated-b.wasm");
+  EXPECT_EQ(made->nodes[1].executable, "component_container_mt");
+  EXPECT_EQ(made->nodes[1].program, "/p/component_container_mt.wasm");
+  EXPECT_EQ(made->nodes[2].executable, "component_container");
   EXPECT_EQ(
       made->nodes[0].arguments,
       (std::vector<std::string>{
           "--component=a::One", "--component-arg=--ros-args", "--component-arg=-r",
           "--component-arg=__node:=one", "--component-arg=-p", "--component-arg=p:=1",
-          "--component-flag=use_intra_process_comms", "--component=a::Three",
+          "--component-flag=use_intra_process_comms", "--component=b::Two", "--component=a::Three",
           "--use_multi_threaded_executor", "--ros-args", "-r", "__node:=box", "-r", "__ns:=/n"}));
-  EXPECT_EQ(made->nodes[1].label, "/n/box_b");
-  EXPECT_EQ(made->nodes[1].package, "b");
   ASSERT_EQ(made->warnings.size(), 2U);
   for (const Diagnostic& warning : made->warnings) EXPECT_EQ(warning.code, "R2W0417");
 }

@@ -17,18 +17,6 @@ TEST(CmakePackages, TellsNamesOnceInTheirOrder) {
             (std::vector<std::string>{"rclcpp", "std_msgs", "tf2"}));
 }
 
-TEST(CmakePackages, TellsWhatOnlyInstallsFiles) {
-  EXPECT_TRUE(
-      only_installs("project(robot)\n# add_executable(a a.cpp)\n"
-                    "install(DIRECTORY urdf DESTINATION share)\nament_package()"));
-  for (const std::string makes :
-       {"add_executable(a a.cpp)", "Add_Library (a a.cpp)", "ament_auto_add_library(a a.cpp)",
-        "rosidl_generate_interfaces(a m.msg)", "include(parts.cmake)", "add_subdirectory(src)"})
-    EXPECT_FALSE(only_installs("project(robot)\n" + makes + "\nament_package()")) << makes;
-  EXPECT_FALSE(only_installs(""));
-  EXPECT_FALSE(only_installs("no commands"));
-}
-
 TEST(CmakePackages, LeavesOutWhatMayBeAbsent) {
   EXPECT_EQ(
       names("find_package(a)\nfind_package(b QUIET)\nif(BUILD_TESTING)\n"

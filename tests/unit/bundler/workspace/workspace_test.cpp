@@ -278,12 +278,14 @@ TEST(LeftOut, NotWhatCanBePackedWithoutANameOfItsPackageXml) {
   tree.write("src/model/package.xml", package_xml("model", wants));
   tree.write("src/model/CMakeLists.txt",
              "find_package(ament_cmake REQUIRED)\ninstall(DIRECTORY urdf DESTINATION share)\n");
-  // These ask CMake for it, or compile something that may need it.
+  // This one compiles something, and does not ask for it.
+  tree.write("src/arm_driver/package.xml", package_xml("arm_driver", wants));
+  tree.write("src/arm_driver/CMakeLists.txt", "add_executable(driver driver.cpp)\n");
+  // These ask CMake for it, or nothing tells what they ask for.
   tree.write("src/plugin/package.xml", package_xml("plugin", wants));
   tree.write("src/plugin/CMakeLists.txt",
              "find_package(gazebo_ros REQUIRED)\ninstall(DIRECTORY urdf DESTINATION share)\n");
   tree.write("src/sim/package.xml", package_xml("sim", wants));
-  tree.write("src/sim/CMakeLists.txt", "add_executable(sim sim.cpp)\n");
   const auto packages = discovered(tree, "src");
   const auto order = order_packages(packages, "jazzy");
   ASSERT_TRUE(order);
@@ -293,6 +295,16 @@ TEST(LeftOut, NotWhatCanBePackedWithoutANameOfItsPackageXml) {
   std::vector<std::string> out;
   for (const auto& [index, reason] : left_out) out.push_back(packages[index].xml.name.value);
   EXPECT_EQ(out, (std::vector<std::string>{"plugin", "sim"}));
+
+  const Lacks lacks = packages_with_lacks(packages, left_out, known, "jazzy");
+  ASSERT_EQ(lacks.size(), 2U);  // arm_driver and model
+  for (const auto& [index, lack] : lacks) {
+    EXPECT_EQ(lack.reason.chain,
+              std::vector<std::string>{"no channel has `gazebo_ros`, which it needs"});
+    ASSERT_EQ(lack.missing.size(), 1U);
+    EXPECT_EQ(lack.missing[0].code, "R2W0513");
+    EXPECT_EQ(lack.missing[0].severity, Severity::kError);
+  }
 
   const auto request = channel_request(Manifest{}, packages, left_out, known, "");
   ASSERT_TRUE(request);

@@ -1,0 +1,39 @@
+// See program_files.hpp.
+#include "bundler/program_files.hpp"
+
+#include "bundler/build/exception_encoding.hpp"
+#include "bundler/build/wasm_module.hpp"
+#include "bundler/io/files.hpp"
+
+namespace ros2wasm {
+namespace fs = std::filesystem;
+
+Outcome<Done> read_programs(const PackRequest& request, const BuiltWorkspace& workspace,
+                            const std::vector<LaunchNode>& nodes, PlanInput& input,
+                            const Cancellation& cancellation) {
+  const auto exceptions = workspace.manifest.site.find("exceptions");
+  const bool standard =
+      exceptions != workspace.manifest.site.end() && exceptions->second == "standard";
+  for (const LaunchNode& node : nodes) {
+    if (node.kind == ProgramKind::kPython || input.programs.contains(node.program)) continue;
+    auto bytes = read_file(node.program);
+    const fs::path names = fs::path(node.program).replace_extension(".names");
+    std::error_code error;
+    if (fs::is_regular_file(names, error)) {
+      auto text = read_file(names);
+      if (!text) return std::move(text).errors();
+      input.names[node.program] = std::move(text).value();
+    } else if (auto split = bytes ? split_names(*bytes) : std::nullopt) {  // a channel's program
+      bytes = std::move(split->program);
+      if (!split->names.empty()) input.names[node.program] = std::move(split->names);
+    }
+    if (bytes && standard) {
+      bytes = with_standard_exceptions(*bytes, request.executable, workspace.cache, cancellation);
+    }
+    if (!bytes) return std::move(bytes).errors();
+    input.programs[node.program] = std::move(bytes).value();
+  }
+  return Done{};
+}
+
+}  // namespace ros2wasm

@@ -3,18 +3,14 @@
 #include "bundler/pipeline.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <set>
 #include <thread>
 
-#include "bundler/build/compiler_parts.hpp"
 #include "bundler/build/direct_link.hpp"
 #include "bundler/build/kept_header.hpp"
 #include "bundler/build/plugin_link.hpp"
 #include "bundler/carried_programs.hpp"
 #include "bundler/carried_sources.hpp"
-#include "bundler/channel/channel_index.hpp"
-#include "bundler/channel/transport.hpp"
 #include "bundler/container_programs.hpp"
 #include "bundler/emit/site_output.hpp"
 #include "bundler/io/files.hpp"
@@ -22,13 +18,13 @@
 #include "bundler/launch/installed_tree.hpp"
 #include "bundler/launch/launch_graph.hpp"
 #include "bundler/launch/parameter_sources.hpp"
-#include "bundler/launch/python_tree.hpp"
 #include "bundler/launch_from_file.hpp"
 #include "bundler/notebook_files.hpp"
 #include "bundler/plan/runtime_assets.hpp"
 #include "bundler/plan/shipped_channel.hpp"
 #include "bundler/program_files.hpp"
 #include "bundler/python_nodes.hpp"
+#include "bundler/question.hpp"
 #include "bundler/resolve/locked_solve.hpp"
 #include "bundler/site_budget.hpp"
 #include "bundler/site_components.hpp"
@@ -36,256 +32,15 @@
 #include "bundler/store/cache_care.hpp"
 #include "bundler/store/environment.hpp"
 #include "bundler/store/link_scripts.hpp"
-#include "bundler/workspace/build_order.hpp"
-#include "bundler/workspace/channel_request.hpp"
 #include "bundler/workspace/default_manifest.hpp"
-#include "bundler/workspace/discovery.hpp"
 #include "bundler/workspace/page_bags.hpp"
 #include "bundler/workspace/wheel_request.hpp"
-#include "bundler/workspace/workspace_channels.hpp"
 #include "workspace_schema/diagnostic_list.hpp"
-#include "workspace_schema/manifest_reader.hpp"
 #include "workspace_schema/suggestion.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
 namespace {
-
-constexpr const char* kManifestName = "workspace.yaml";
-
-void begin_step(const ProgressSink& progress, const char* step) {
-  if (progress) progress({.step = step, .item = {}, .done = 0, .total = 0, .unit = {}});
-}
-
-/// Step 1: read the manifest, or make one up for a folder that has none.
-Outcome<BuiltWorkspace> read_workspace(const PackRequest& request) {
-  const fs::path input = request.input.empty() ? fs::path(".") : fs::path(request.input);
-  std::error_code error;
-  fs::path file = input;
-  if (fs::is_directory(input, error)) {
-    file = input / kManifestName;
-    if (!fs::exists(file, error)) {
-      BuiltWorkspace made;
-      made.folder = fs::canonical(input, error);
-      made.shown_folder = input;
-      made.manifest = default_manifest(made.folder);
-      made.has_manifest = false;
-      made.remarks.push_back("there is no " + std::string(kManifestName) + " in " + input.string() +
-                             ", so all packages below it are taken");
-      return made;
-    }
-    file = file.lexically_normal();
-  }
-  const auto text = read_file(file);
-  if (!text) return text.errors();
-  auto manifest = read_manifest(*text, file.string());
-  if (!manifest) return std::move(manifest).errors();
-  BuiltWorkspace workspace;
-  workspace.manifest = std::move(manifest).value();
-  workspace.folder = fs::canonical(file, error).parent_path();
-  workspace.shown_folder = file.parent_path();
-  workspace.warnings = workspace.manifest.warnings;
-  workspace.watched.push_back(fs::canonical(file, error));
-  return workspace;
-}
-
-bool reads_setup_py(const LocalPackage& package) {
-  return package.xml.build_type == kPythonBuildType;
-}
-
-/// What is known before anything is solved.
-struct Question {
-  BuiltWorkspace workspace;
-  std::vector<LocalPackage> packages;
-  BuildOrder order;
-  LeftOutPackages left_out;
-  Lacks lacks;                      ///< of packages that are built all the same
-  std::vector<std::string> absent;  ///< what was looked for in vain
-  Compiler compiler;
-  ChannelRoots roots;
-  ExtractLimits limits;                   ///< of archives
-  RepoIndex index;                        ///< what the channels have
-  std::vector<std::string> all_packages;  ///< ROS names of all of it, sorted
-  std::vector<RequestedSpec> specs;       ///< what is asked of them
-};
-
-/// A new site takes the place of the old one, with all that lies in it. `channels`, or archives of
-/// theirs.
-std::optional<Diagnostic> refuse_own_channel(const PackRequest& request,
-                                             const std::vector<ChannelSource>& channels,
-                                             const fs::path& working_directory) {
-  if (request.output.empty() || request.with_channel || request.plan_only) return std::nullopt;
-  std::error_code error;
-  const fs::path site = fs::weakly_canonical(fs::absolute(request.output, error), error);
-  for (const ChannelSource& channel : channels) {
-    const auto folder = local_channel_folder(channel.name, working_directory);
-    if (!folder) continue;
-    const fs::path from_site = fs::weakly_canonical(*folder, error).lexically_relative(site);
-    if (from_site.empty() || *from_site.begin() == "..") continue;
-    return Diagnostic{
-        .code = "R2W0603",
-        .message = "the site at `" + request.output.string() +
-                   "` holds the channel that the workspace is packed from",
-        .span = channel.span,
-        .label = "inside the site",
-        .why = {"the new site takes the place of the old one, so the channel would be gone"},
-        .fix = {"add --with-channel, which puts the packages into the new site too",
-                "choose another place with -o"}};
-  }
-  return std::nullopt;
-}
-
-/// The packages of a lock in place of those of the channels, so that no channel is asked. `rest`
-/// becomes what else it says.
-Outcome<RepoIndex> locked_index(const fs::path& lock_file, LockRest& rest) {
-  auto lock = read_lock_file(lock_file);
-  if (!lock) return std::move(lock).errors();
-  rest = {.absent = std::move(lock->absent), .wheels = std::move(lock->wheels)};
-  std::vector<std::string> names;
-  for (const PackageRecord& record : lock->packages) names.push_back(record.name);
-  std::sort(names.begin(), names.end());
-  return RepoIndex{.channels = std::move(lock->channels),
-                   .records = std::move(lock->packages),
-                   .left_out = {},
-                   .names = [names = std::move(names)] { return names; },
-                   .elsewhere = {}};
-}
-
-/// Steps 1 to 3, up to the request to the channels, which a frozen lock fulfils (R2W0311).
-Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellation,
-                      const ProgressSink& progress) {
-  const auto limits = extract_limits_of(request.archive_limits, request.variables);
-  if (!limits) return limits.errors();
-
-  // 1. the manifest
-  auto read = read_workspace(request);
-  if (!read) return std::move(read).errors();
-  BuiltWorkspace workspace = std::move(read).value();
-  const Manifest& manifest = workspace.manifest;
-
-  if (const auto page = read_page_files(workspace.folder, manifest); !page)
-    return page.errors();  // told before anything is built
-
-  // 2. the packages of the workspace, and the order of building them
-  auto packages = discover_packages(workspace.folder, workspace.shown_folder, manifest.packages,
-                                    ros_condition_variables(manifest.distro));
-  const auto notebook_needs = read_notebook(workspace);
-  if (!notebook_needs) return notebook_needs.errors();
-  if (!packages) return std::move(packages).errors();
-  for (const LocalPackage& package : *packages) workspace.watched.push_back(package.directory);
-  auto compiler = find_compiler(request.variables);
-  if (!compiler && !std::all_of(packages->begin(), packages->end(), reads_setup_py))
-    return std::move(compiler).errors();
-
-  // 3. what the channels have, and what is asked of them
-  begin_step(progress, "solve");
-  auto channels = workspace_channels(workspace.manifest, workspace.folder, request.executable,
-                                     request.variables);
-  if (!channels) return std::move(channels).errors();
-  auto& [roots, addresses] = *channels;
-  roots.network.offline = request.offline;
-  if (roots.embedded.empty() && manifest.channels.empty())
-    return embedded_channel(request.executable).errors();
-  if (auto refusal = refuse_own_channel(request, addresses, workspace.folder)) return *refusal;
-  auto wheels = read_wheels(manifest, roots, *limits, true, cancellation);
-  if (!wheels) return std::move(wheels).errors();
-  drop_met_by_wheels(*wheels, manifest.distro, *packages);
-  for (const WheelEntry& wheel : manifest.wheels) {
-    if (!wheel.is_url) workspace.watched.push_back(workspace.folder / wheel.place.value);
-  }
-  auto order = order_packages(*packages, manifest.distro);
-  if (!order) return std::move(order).errors();
-  KnownNames known{.names = {}, .of_lock = request.frozen, .absent = {}};
-  std::vector<PackageRecord> packaged;  // for versions of the compiler
-  std::optional<OpenChannels> open;
-  Outcome<RepoIndex> index = RepoIndex();
-  if (request.frozen) {
-    LockRest rest;
-    index = locked_index((workspace.shown_folder / kLockFileName).lexically_normal(), rest);
-    if (!index) return std::move(index).errors();
-    known.absent = std::move(rest.absent);
-    if (auto faults = other_wheels(rest.wheels, locked_wheels(*wheels)); !faults.empty()) {
-      faults.back().fix.emplace_back("ros2wasm lock");
-      return faults;
-    }
-    known.names = index->names();
-    for (const PackageRecord& record : index->records)
-      if (record.name == kCompilerPackage) packaged.push_back(record);
-  } else {
-    auto opened = open_channels(addresses, roots, cancellation, progress);
-    if (!opened) return std::move(opened).errors();
-    open = std::move(*opened);
-    known.names = open->names();
-    const std::string compiler_package(kCompilerPackage);
-    const auto compilers =
-        open->reachable({&compiler_package, 1}, manifest.channel_priority, cancellation);
-    if (!compilers) return compilers.errors();
-    packaged = compilers->records;
-  }
-  compiler = fitting_compiler(std::move(compiler), packaged, request.variables, roots.cache);
-  if (!compiler) return std::move(compiler).errors();
-  auto left_out = left_out_packages(*packages, *order, known, manifest.distro, known_build_types());
-  Lacks lacks = packages_with_lacks(*packages, left_out, known, manifest.distro);
-  auto wanted =
-      channel_request(manifest, *packages, left_out, known, compiler->version, *notebook_needs);
-  if (!wanted) return std::move(wanted).errors();
-  add_wheel_request(*wheels, known, manifest.distro, *wanted);
-  if (open) {
-    std::vector<std::string> texts;
-    for (const RequestedSpec& spec : wanted->specs) texts.push_back(spec.text);
-    index = open->reachable(texts, manifest.channel_priority, cancellation);
-    if (!index) return std::move(index).errors();
-  } else if (auto faults = check_solution(wanted->specs, index->records); !faults.empty()) {
-    faults.back().fix.emplace_back("ros2wasm lock");
-    return faults;
-  }
-  append(workspace.warnings, wanted->warnings);
-  workspace.channel_names = known.names;
-  workspace.wheels = std::move(*wheels);
-  std::vector<std::string> all_packages = ros_names(known.names, manifest.distro);
-  return Question{.workspace = std::move(workspace),
-                  .packages = std::move(*packages),
-                  .order = std::move(*order),
-                  .left_out = std::move(left_out),
-                  .lacks = std::move(lacks),
-                  .absent = std::move(wanted->absent),
-                  .compiler = std::move(*compiler),
-                  .roots = std::move(roots),
-                  .limits = *limits,
-                  .index = std::move(*index),
-                  .all_packages = std::move(all_packages),
-                  .specs = std::move(wanted->specs)};
-}
-
-/// A lock may lead where the manifest's channels do not.
-std::vector<ChannelSource> places_of(const std::vector<PackageRecord>& records) {
-  std::vector<ChannelSource> places;
-  for (const PackageRecord& record : records) places.push_back({record.url, std::nullopt});
-  return places;
-}
-
-/// The rest of step 3: the records that the workspace needs, as the lock has them or chosen anew.
-Outcome<std::vector<PackageRecord>> resolve(const PackRequest& request, Question& question,
-                                            const Cancellation& cancellation) {
-  const fs::path lock_file = question.workspace.folder / kLockFileName;
-  const LockRest rest{.absent = question.absent,
-                      .wheels = locked_wheels(question.workspace.wheels)};
-  auto solved = solve_with_lock(question.specs, rest, question.index, lock_file,
-                                question.workspace.manifest.channel_priority, request.locked, {},
-                                cancellation);
-  if (!solved) return std::move(solved).errors();
-  if (auto refusal =
-          refuse_own_channel(request, places_of(solved->packages), question.workspace.folder))
-    return *refusal;
-  if (!request.locked && !request.frozen && !request.plan_only && solved->lock_changed) {
-    if (auto written = write_file(lock_file, solved->lock_text); !written)
-      return std::move(written).errors();
-    question.workspace.remarks.push_back("wrote " + std::string(kLockFileName) + " (" +
-                                         std::to_string(solved->packages.size()) + " packages)");
-  }
-  question.workspace.lock_text = std::move(solved->lock_text);
-  return std::move(solved->packages);
-}
 
 /// No script of a package is run. Whose must not be missed is refused, the others are named.
 Diagnostics leave_link_scripts(BuiltWorkspace& workspace, const fs::path& environment,

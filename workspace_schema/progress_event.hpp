@@ -23,4 +23,8 @@ struct ProgressEvent {
 /// May be empty: test before calling. Called on the thread that runs the step.
 using ProgressSink = std::function<void(const ProgressEvent&)>;
 
+inline void begin_step(const ProgressSink& progress, const char* step) {
+  if (progress) progress({.step = step, .item = {}, .done = 0, .total = 0, .unit = {}});
+}
+
 }  // namespace ros2wasm

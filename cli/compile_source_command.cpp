@@ -2,6 +2,7 @@
 // for people.
 #include <memory>
 
+#include "bundler/build/compiler.hpp"
 #include "bundler/build/kept_header.hpp"
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
@@ -17,9 +18,11 @@ int compile(Context& context, const std::vector<std::string>& command) {
                                            .fix = {"ros2wasm compile-source -- em++ -c main.cpp"}});
   }
   const auto kept = context.environment.find(kKeptHeadersVariable);
-  const auto compiled = compile_source(
-      {.command = command, .kept = kept == context.environment.end() ? "" : kept->second},
-      context.cancellation);
+  const auto compiled =
+      compile_source({.command = command,
+                      .kept = kept == context.environment.end() ? "" : kept->second,
+                      .environment = link_environment(context.environment, command.front())},
+                     context.cancellation);
   if (!compiled) return context.console.fail(compiled.errors());
   context.console.result_text(compiled->output);
   return compiled->exit_code;

@@ -40,9 +40,10 @@ struct Compiler {
 /// libraries through NODE_PATH, whichever Node.js runs it.
 [[nodiscard]] EnvironmentVariables compiler_environment(const EnvironmentVariables& variables);
 
-/// As compiler_environment(), for a link. Debian's emcc runs the first wasm-opt on PATH: the one
-/// beside it comes first, so that programs are the same whatever else is installed (npm's binaryen
-/// runs in Node.js and takes several times as long).
+/// As compiler_environment(), for calls of the compiler and its tools. Debian's emcc runs the first
+/// python3 and the first wasm-opt on PATH: those beside it come first, so that programs are the
+/// same whatever else is installed (npm's binaryen runs in Node.js and takes several times as
+/// long).
 [[nodiscard]] EnvironmentVariables link_environment(const EnvironmentVariables& variables,
                                                     const std::filesystem::path& compiler);
 

@@ -139,6 +139,13 @@ bool says_features(const std::string& argument) {
 /// Of the linker, or of the optimizer after it. What it printed, when it succeeded.
 std::optional<std::string> printed_by(std::vector<std::string> command, const DirectLink& link,
                                       const Cancellation& cancellation) {
+  // A name without a folder is looked for where the driver looks: other programs may have it too.
+  const auto path = link.environment.find("PATH");
+  if (path != link.environment.end()) {
+    const auto tool = find_program(command.front(), path->second);
+    if (!tool) return std::nullopt;
+    command.front() = tool->string();
+  }
   auto done =
       run_process({.arguments = std::move(command), .environment = link.environment}, cancellation);
   if (!done || done->exit_code != 0) return std::nullopt;
@@ -212,15 +219,20 @@ std::optional<std::string> link_directly(const DirectLink& link, const Cancellat
   command.insert(command.end(), {"-o", program, *marker});
   command.insert(command.end(), own->begin(), own->end());
   command.insert(command.end(), calls->after.begin(), calls->after.end());
-  auto printed = printed_by(std::move(command), link, cancellation);
-  if (!printed || !link.optimized) return printed;
+  return printed_by(std::move(command), link, cancellation);
+}
+
+bool optimize_directly(const DirectLink& link, const Cancellation& cancellation) {
+  const auto marker = marker_of(link, cancellation);
+  const auto calls = marker ? tool_calls(link, *marker, cancellation) : std::nullopt;
+  if (!calls) return false;
+  const std::string program = link.stem + ".wasm";
   const auto bytes = read_file(program);
   const auto stripped = bytes ? without_debug_data(*bytes) : std::nullopt;
-  if (!stripped || !write_file(program, *stripped)) return std::nullopt;
-  std::vector<std::string> optimize = calls->optimizer;
-  optimize.insert(optimize.end(), {program, "-o", program});
-  if (!printed_by(std::move(optimize), link, cancellation)) return std::nullopt;
-  return printed;
+  if (!stripped || !write_file(program, *stripped)) return false;
+  std::vector<std::string> command = calls->optimizer;
+  command.insert(command.end(), {program, "-o", program});
+  return printed_by(std::move(command), link, cancellation).has_value();
 }
 
 }  // namespace ros2wasm

@@ -41,15 +41,18 @@ struct ToolCalls {
 struct DirectLink {
   const LinkLine& line;
   LinkKind kind;
-  bool optimized = true;
   std::string stem;            ///< as in link_command()
   std::filesystem::path kept;  ///< folder for what the driver said, one per compiler
   std::map<std::string, std::string> environment;  ///< for the compiler
 };
 
-/// Writes `<stem>.wasm`, as link_command() would, and gives what the linker printed; nothing when
-/// it must be linked the long way, which also knows the errors.
+/// Writes `<stem>.wasm`, as link_command() would but for the optimizer, and gives what the linker
+/// printed; nothing when it must be linked the long way, which also knows the errors.
 [[nodiscard]] std::optional<std::string> link_directly(const DirectLink& link,
                                                        const Cancellation& cancellation);
+
+/// `<stem>.wasm` becomes what link_command() would have made of it. False: it must be linked the
+/// long way.
+[[nodiscard]] bool optimize_directly(const DirectLink& link, const Cancellation& cancellation);
 
 }  // namespace ros2wasm

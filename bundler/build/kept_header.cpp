@@ -162,11 +162,13 @@ std::optional<std::vector<fs::path>> package_folders(const HeaderUse& use) {
   return folders;
 }
 
-Outcome<ProcessResult> run_compiler(std::vector<std::string> command,
+Outcome<ProcessResult> run_compiler(const SourceCompilation& compilation,
+                                    std::vector<std::string> command,
                                     const std::vector<std::string>& more,
                                     const Cancellation& cancellation) {
   command.insert(command.begin() + 1, more.begin(), more.end());
-  return run_process({.arguments = std::move(command), .environment = {}}, cancellation);
+  return run_process({.arguments = std::move(command), .environment = compilation.environment},
+                     cancellation);
 }
 
 /// The compiled header, made when it is not there yet. Nothing when it cannot be made, or when
@@ -199,7 +201,7 @@ std::optional<fs::path> compiled_header(const HeaderUse& use, const SourceCompil
   // Templates of the header, too: without them it saves half as much.
   flags.insert(flags.end(), {"-Xclang", "-fpch-instantiate-templates", "-x", "c++-header",
                              source.string(), "-o", part.string()});
-  const auto made = run_compiler({compilation.command.front()}, flags, cancellation);
+  const auto made = run_compiler(compilation, {compilation.command.front()}, flags, cancellation);
   if (made && made->exit_code == 0) {
     fs::rename(part, compiled, error);
     return error ? std::nullopt : std::optional(compiled);
@@ -270,12 +272,12 @@ Outcome<ProcessResult> compile_source(const SourceCompilation& compilation,
                           ? compiled_header(*use, compilation, cancellation)
                           : std::nullopt;
   if (header) {
-    auto quick =
-        run_compiler(compilation.command, {"-include-pch", header->string()}, cancellation);
+    auto quick = run_compiler(compilation, compilation.command, {"-include-pch", header->string()},
+                              cancellation);
     if (!quick || quick->exit_code == 0) return quick;
   }
   // What is wrong with a source is said as if there were no kept header.
-  auto plain = run_compiler(compilation.command, {}, cancellation);
+  auto plain = run_compiler(compilation, compilation.command, {}, cancellation);
   if (header && plain && plain->exit_code == 0) {
     std::error_code ignored;
     fs::remove(*header, ignored);

@@ -72,7 +72,10 @@ LinkTrace trace_of(const LinkRequest& request, const LinkLine& line,
   LinkLine traced = line;
   for (std::string& option : trace_options(symbols)) traced.arguments.push_back(std::move(option));
   traced.arguments.emplace_back("-O0");
-  const auto result = run_process({.arguments = link_command(traced, LinkKind::kSingle, stem),
+  const std::string aside = stem + ".trace";  // the program itself may be good
+  std::error_code ignored;
+  fs::copy_file(stem + kSingleLinkObjectSuffix, aside + kSingleLinkObjectSuffix, ignored);
+  const auto result = run_process({.arguments = link_command(traced, LinkKind::kSingle, aside),
                                    .environment = request.environment},
                                   cancellation);
   return read_link_trace(result ? result->output : std::string());
@@ -150,23 +153,31 @@ Outcome<LinkReport> link_program(const LinkRequest& request, const Cancellation&
     for (const auto& [copy, original] : copies) text = with_replaced(text, copy, original);
     return text;
   };
-  const auto link = [&](LinkKind kind) -> Outcome<ProcessResult> {
+  const auto the_long_way = [&](LinkKind kind) -> Outcome<ProcessResult> {
     const LinkLine linked = kind == LinkKind::kSingle ? traced_line(line) : line;
-    if (!request.tool_calls.empty()) {
-      const auto printed = link_directly({.line = linked,
-                                          .kind = kind,
-                                          .optimized = !request.quick,
-                                          .stem = stem,
-                                          .kept = request.tool_calls,
-                                          .environment = request.environment},
-                                         cancellation);
-      if (printed) return ProcessResult{.exit_code = 0, .output = named(*printed)};
-    }
     auto result = run_process(
         {.arguments = link_command(linked, kind, stem), .environment = request.environment},
         cancellation);
     if (result) result->output = named(result->output);
     return result;
+  };
+  const auto directly = [&](const LinkLine& linked, LinkKind kind) {
+    return DirectLink{.line = linked,
+                      .kind = kind,
+                      .stem = stem,
+                      .kept = request.tool_calls,
+                      .environment = request.environment};
+  };
+  bool is_optimized = false;
+  const auto link = [&](LinkKind kind) -> Outcome<ProcessResult> {
+    const LinkLine linked = kind == LinkKind::kSingle ? traced_line(line) : line;
+    is_optimized = request.tool_calls.empty();
+    if (!is_optimized) {
+      const auto printed = link_directly(directly(linked, kind), cancellation);
+      if (printed) return ProcessResult{.exit_code = 0, .output = named(*printed)};
+      is_optimized = true;
+    }
+    return the_long_way(kind);
   };
 
   const auto object =
@@ -204,6 +215,13 @@ Outcome<LinkReport> link_program(const LinkRequest& request, const Cancellation&
   }
   report.warnings = findings_of(request, line, findings.undefined, printed, stem, cancellation);
   if (has_error(report.warnings)) return std::move(report.warnings);
+  // At the end, since what is linked again or refused needs it not.
+  if (!is_optimized && !request.quick &&
+      !optimize_directly(directly(line, report.kind), cancellation)) {
+    linked = the_long_way(report.kind);
+    if (!linked) return std::move(linked).errors();
+    if (linked->exit_code != 0) return link_failed(request, line, without_trace(linked->output));
+  }
   std::error_code error;
   fs::rename(stem + ".wasm", output, error);
   if (error) return link_failed(request, line, error.message());

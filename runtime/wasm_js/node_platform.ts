@@ -2,6 +2,7 @@
 
 import { readFileSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
+import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { Worker } from 'node:worker_threads';
@@ -39,8 +40,15 @@ export const readFileNow: ReadNow = (place, path) => {
 /** For the worker threads. */
 export const nodeFiles: WorkerFiles = {
   pyodide: async (home) => {
-    const { default: module } = await import(pathToFileURL(`${home}pyodide.js`).href) as { default: { loadPyodide: typeof loadPyodide } };
-    return module.loadPyodide;
+    interface Door {
+      readonly loadPyodide: typeof loadPyodide;
+    }
+    const script = pathToFileURL(`${home}pyodide.js`).href;
+    const { default: module } = await import(script) as { default?: Door };
+    if (module !== undefined) return module.loadPyodide;
+    // Within a project of npm whose scripts are modules it has no exports, and its other script no way to ask for modules.
+    Object.assign(globalThis, { require: createRequire(script), __dirname: home });
+    return (globalThis as unknown as Door).loadPyodide;
   },
   bytes: async (place) => {
     const { buffer, byteOffset, byteLength } = await readFile(place);

@@ -39,11 +39,10 @@ before(async () => {
   workspace = new PackWorkspace();
   for (const name of ['chatter_py', 'mixed_nodes']) cpSync(join(PACKAGES, name), join(workspace.root, 'src', name), { recursive: true });
   workspace.write('workspace.yaml', MANIFEST);
-  // The cache lies in a project of npm whose scripts are modules, which Pyodide's are not.
+  // Cache and site lie in a project of npm whose scripts are modules, which Pyodide's are not.
   workspace.write('package.json', '{"type": "module"}\n');
   const packed = await workspace.run(['pack']);
   assert.equal(packed.code, 0, packed.stderr);
-  rmSync(join(workspace.root, 'package.json'));
   // numpy, which package.xml forgets
   assert.match(packed.stderr, /warning\[R2W0515\]: package `mixed_nodes` uses a package .*\n --> src\/mixed_nodes\/scripts\/judge.py:3:8/);
 });

@@ -205,7 +205,7 @@ Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& ca
   BuildTools tools{
       .compiler = compiler,
       .compiler_environment = compiler_environment(request.variables),
-      .link_environment = link_environment(request.variables, compiler.cxx),
+      .tool_environment = tool_environment(request.variables, compiler.cxx),
       .toolchain = fs::canonical(*toolchain),
       .cli = request.executable,
       .jobs = request.jobs != 0 ? request.jobs : std::max(1U, std::thread::hardware_concurrency()),

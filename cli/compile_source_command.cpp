@@ -21,7 +21,7 @@ int compile(Context& context, const std::vector<std::string>& command) {
   const auto compiled =
       compile_source({.command = command,
                       .kept = kept == context.environment.end() ? "" : kept->second,
-                      .environment = link_environment(context.environment, command.front())},
+                      .environment = tool_environment(context.environment, command.front())},
                      context.cancellation);
   if (!compiled) return context.console.fail(compiled.errors());
   context.console.result_text(compiled->output);

@@ -52,7 +52,7 @@ int link(Context& context, const Options& options) {
   const auto linked =
       link_program({.package = options.package,
                     .command = options.command,
-                    .environment = link_environment(context.environment, options.command.front()),
+                    .environment = tool_environment(context.environment, options.command.front()),
                     .thread_support = support->string(),
                     .kits = value(kLinkKitsVariable),
                     .tool_calls = value(kToolCallsVariable),

@@ -217,8 +217,10 @@ class WorkspaceBuilder {
                                          const BuiltPackage& result, unsigned jobs) {
     const std::string& name = result.name;
     const fs::path& prefix = result.prefix;
-    // Ninja does not see that programs are linked differently: such builds share no folder.
-    const std::string key = package.directory.string() + (tools_.quick ? "\nquick" : "");
+    // Ninja does not see another compiler, nor that programs are linked differently: such builds
+    // share no folder.
+    const std::string key = package.directory.string() + "\n" + tools_.compiler.identity + "\n" +
+                            toolchain_hash_ + (tools_.quick ? "\nquick" : "");
     const fs::path work = settings_.cache / "work" / (name + "-" + sha256_hex(key).substr(0, 16));
     if (auto made = make_directories(work); !made) return made;
     const auto lock = FileLock::take(work.string() + ".lock", cancellation_);

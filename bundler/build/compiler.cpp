@@ -99,7 +99,7 @@ EnvironmentVariables compiler_environment(const EnvironmentVariables& variables)
   return result;
 }
 
-EnvironmentVariables link_environment(const EnvironmentVariables& variables,
+EnvironmentVariables tool_environment(const EnvironmentVariables& variables,
                                       const fs::path& compiler) {
   EnvironmentVariables result = compiler_environment(variables);
   const auto path = variables.find("PATH");

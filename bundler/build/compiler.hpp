@@ -44,7 +44,7 @@ struct Compiler {
 /// python3 and the first wasm-opt on PATH: those beside it come first, so that programs are the
 /// same whatever else is installed (npm's binaryen runs in Node.js and takes several times as
 /// long).
-[[nodiscard]] EnvironmentVariables link_environment(const EnvironmentVariables& variables,
+[[nodiscard]] EnvironmentVariables tool_environment(const EnvironmentVariables& variables,
                                                     const std::filesystem::path& compiler);
 
 }  // namespace ros2wasm

@@ -21,10 +21,12 @@ constexpr const char* kKept = "ros2wasm-configured";
 constexpr std::array<std::string_view, 12> kCompiledSuffixes = {
     ".c", ".cc", ".cpp", ".cxx", ".h", ".hh", ".hpp", ".hxx", ".inl", ".ipp", ".tpp", ".txx"};
 
-/// Commands with which CMake code can come to the contents of a C++ file, in lower case.
-constexpr std::array<std::string_view, 8> kReaders = {
-    "file(read",       "file(strings",   "file(md5",    "file(sha",
-    "execute_process", "configure_file", "try_compile", "try_run"};
+/// Commands with which CMake code can come to the contents of a C++ file, in lower case; those of
+/// `file(` but for the one that lists names.
+constexpr std::array<std::string_view, 4> kReaders = {"execute_process", "configure_file",
+                                                      "try_compile", "try_run"};
+constexpr std::string_view kFileCommand = "file(";
+constexpr std::string_view kListing = "file(glob";
 
 bool is_compiled(const fs::path& file) {
   const std::string suffix = file.extension().string();
@@ -46,6 +48,8 @@ bool may_read_files(std::string text) {
   std::erase_if(text, [](unsigned char c) { return std::isspace(c) != 0; });
   std::transform(text.begin(), text.end(), text.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  for (std::size_t at = 0; (at = text.find(kFileCommand, at)) != std::string::npos; ++at)
+    if (text.compare(at, kListing.size(), kListing) != 0) return true;
   return std::any_of(kReaders.begin(), kReaders.end(), [&](std::string_view reader) {
     return text.find(reader) != std::string::npos;
   });
@@ -73,11 +77,15 @@ Outcome<std::string> configure_key(const fs::path& work, const fs::path& sources
   return sha256_hex(text);
 }
 
+void forget_configure(const fs::path& work) {
+  std::error_code ignored;
+  fs::remove(work / kKept, ignored);
+}
+
 bool reuse_configure(const fs::path& work, const std::string& key, const fs::path& prefix) {
   const fs::path kept = work / kKept;
   const auto text = read_file(kept);
-  std::error_code ignored;
-  fs::remove(kept, ignored);
+  forget_configure(work);
   if (!text) return false;
   std::istringstream lines(*text);
   std::string known;

@@ -27,4 +27,7 @@ namespace ros2wasm {
                                            const std::string& key,
                                            const std::filesystem::path& prefix);
 
+/// What CMake found may be gone: the next build asks it again.
+void forget_configure(const std::filesystem::path& work);
+
 }  // namespace ros2wasm

@@ -39,7 +39,7 @@ struct HeaderUse {
 struct SourceCompilation {
   std::vector<std::string> command;  ///< the compiler and its arguments
   std::filesystem::path kept;        ///< empty: compile as the command says
-  EnvironmentVariables environment;  ///< for the compiler, see link_environment()
+  EnvironmentVariables environment;  ///< for the compiler, see tool_environment()
 };
 
 /// Runs the command, with the kept header where that is possible; R2W0910 when there is no such

@@ -15,7 +15,7 @@ namespace ros2wasm {
 struct LinkRequest {
   std::string package;                             ///< for messages; may be empty
   std::vector<std::string> command;                ///< compiler and arguments, with -o
-  std::map<std::string, std::string> environment;  ///< for the compiler, see link_environment()
+  std::map<std::string, std::string> environment;  ///< for the compiler, see tool_environment()
   std::string thread_support;                      ///< source that programs with threads get:
                                                    ///< templates/toolchain/src/thread_support.cpp
   std::string kits;        ///< folder for what a second link needs (link_kit.hpp); may be empty

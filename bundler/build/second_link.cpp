@@ -27,7 +27,7 @@ Outcome<fs::path> link_again(SecondLink link, const BuildTools& tools, const fs:
   const auto done = link_program(
       {.package = name,
        .command = std::move(command),
-       .environment = tools.link_environment,
+       .environment = tools.tool_environment,
        .thread_support = (tools.toolchain.parent_path() / "src/thread_support.cpp").string(),
        .tool_calls = tools.tool_calls.string(),
        .quick = tools.quick},

@@ -144,7 +144,11 @@ Outcome<Done> configure(const PackageBuild& request, const BuildTools& tools,
                         ";compile-source;--");
   }
   arguments.insert(arguments.end(), more.begin(), more.end());
-  const auto key = configure_key(request.work, request.place.source, arguments);
+  std::vector<std::string> inputs = arguments;
+  // Where CMake looks for programs.
+  if (const auto path = tools.tool_environment.find("PATH"); path != tools.tool_environment.end())
+    inputs.push_back(path->second);
+  const auto key = configure_key(request.work, request.place.source, inputs);
   if (!key) return key.errors();
   if (reuse_configure(request.work, *key, request.final_prefix)) return Done{};
   arguments.push_back("-DCMAKE_INSTALL_PREFIX=" + request.final_prefix.string());
@@ -315,6 +319,7 @@ Outcome<Done> build_with_cmake(const PackageBuild& request, const BuildTools& to
   if (auto configured = configure(request, tools, cancellation); !configured) return configured;
   std::optional<ProgramLacks> lacks;
   if (auto compiled = compile(request, tools, cancellation, progress, lacks); !compiled) {
+    forget_configure(request.work);
     const bool is_rest_built =
         lacks && build_without(std::move(*lacks), request, tools, cancellation, progress);
     return is_rest_built ? Outcome<Done>(Done{}) : compiled;

@@ -21,7 +21,7 @@ namespace ros2wasm {
 struct BuildTools {
   Compiler compiler;
   EnvironmentVariables compiler_environment;
-  EnvironmentVariables link_environment;
+  EnvironmentVariables tool_environment;
   std::filesystem::path toolchain;     ///< ros2wasm-toolchain.cmake
   std::filesystem::path cli;           ///< this program, for compile-source and link-program
   unsigned jobs = 1;                   ///< compilers at once, of all packages

@@ -107,6 +107,8 @@ async function isKept(page: Page): Promise<void> {
     const kept = await caches.open('ros2wasm-kept');
     return (await kept.keys()).length > 0;
   }, null, TIMEOUT);
+  // And the site: what is still on its way would take a core.
+  await page.waitForSelector('html[data-offline]', { timeout: TIMEOUT.timeout });
 }
 
 async function benchStart(context: BenchContext, site: string): Promise<void> {

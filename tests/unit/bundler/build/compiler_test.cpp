@@ -109,10 +109,10 @@ TEST(Compiler, WhereADistributionHasItsClang) {
 
 TEST(Compiler, ToolsBesideItComeFirstInALink) {
   const EnvironmentVariables variables = {{"PATH", "/home/me/bin:/usr/bin"}};
-  EXPECT_EQ(link_environment(variables, "/opt/sdk/em++").at("PATH"),
+  EXPECT_EQ(tool_environment(variables, "/opt/sdk/em++").at("PATH"),
             "/opt/sdk:/home/me/bin:/usr/bin");
-  EXPECT_FALSE(link_environment(variables, "em++").contains("PATH"));
-  EXPECT_FALSE(link_environment({}, "/opt/sdk/em++").contains("PATH"));
+  EXPECT_FALSE(tool_environment(variables, "em++").contains("PATH"));
+  EXPECT_FALSE(tool_environment({}, "/opt/sdk/em++").contains("PATH"));
   // Only links are told: cmake and ninja are those that the user has chosen.
   EXPECT_FALSE(compiler_environment(variables).contains("PATH"));
 }

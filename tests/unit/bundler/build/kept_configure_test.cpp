@@ -34,16 +34,21 @@ TEST_F(KeptConfigure, DependsOnArgumentsFilesAndWhatIsNotCompiled) {
   EXPECT_NE(key({"cmake", "-DX=1"}), first);
   tree.write("source/a.cpp", "int main() { return 1; }");
   EXPECT_EQ(key(), first);
+  tree.write("source/list.cmake", "file(GLOB sources *.cpp)");
+  const std::string listing = key();
+  tree.write("source/a.cpp", "int main() { return 2; }");
+  EXPECT_EQ(key(), listing) << "names are no contents";
   tree.write("source/b.cpp", "");
   const std::string with_b = key();
-  EXPECT_NE(with_b, first);
+  EXPECT_NE(with_b, listing);
   tree.write("source/m.msg", "int64 x");
   EXPECT_NE(key(), with_b);
 }
 
 TEST_F(KeptConfigure, DependsOnCompiledFilesOfAPackageThatReadsFilesItself) {
-  for (const char* reads : {"file( STRINGS a.cpp text)", "File(READ a.cpp text)",
-                            "execute_process(COMMAND cat a.cpp)", "configure_file (a.cpp b.cpp)"}) {
+  for (const char* reads :
+       {"file( STRINGS a.cpp text)", "File(READ a.cpp text)", "execute_process(COMMAND cat a.cpp)",
+        "configure_file (a.cpp b.cpp)", "file(GLOB all *.cpp) file(COPY a.cpp DESTINATION out)"}) {
     tree.write("source/more.cmake", reads);
     tree.write("source/a.cpp", "int main() {}");
     const std::string first = key();
@@ -70,6 +75,9 @@ TEST_F(KeptConfigure, IsDroppedForAnotherKeyOrALostFile) {
   EXPECT_FALSE(reuse_configure(work, "other", "/built/a-1"));
   EXPECT_FALSE(reuse_configure(work, "key", "/built/a-1"))
       << "the configure for other may have failed";
+  ASSERT_TRUE(keep_configure(work, "key", "/built/a-1"));
+  forget_configure(work);
+  EXPECT_FALSE(reuse_configure(work, "key", "/built/a-1"));
   ASSERT_TRUE(keep_configure(work, "key", "/built/a-1"));
   std::filesystem::remove(work / "build.ninja");
   EXPECT_FALSE(reuse_configure(work, "key", "/built/a-2"));

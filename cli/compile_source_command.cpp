@@ -4,6 +4,7 @@
 
 #include "bundler/build/compiler.hpp"
 #include "bundler/build/kept_header.hpp"
+#include "bundler/build/link_driver.hpp"
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
 
@@ -17,10 +18,14 @@ int compile(Context& context, const std::vector<std::string>& command) {
                                            .message = "there is no compile command",
                                            .fix = {"ros2wasm compile-source -- em++ -c main.cpp"}});
   }
-  const auto kept = context.environment.find(kKeptHeadersVariable);
+  const auto value = [&](const char* name) {
+    const auto found = context.environment.find(name);
+    return found == context.environment.end() ? std::string() : found->second;
+  };
   const auto compiled =
       compile_source({.command = command,
-                      .kept = kept == context.environment.end() ? "" : kept->second,
+                      .kept = value(kKeptHeadersVariable),
+                      .tool_calls = value(kToolCallsVariable),
                       .environment = tool_environment(context.environment, command.front())},
                      context.cancellation);
   if (!compiled) return context.console.fail(compiled.errors());

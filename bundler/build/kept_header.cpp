@@ -9,6 +9,7 @@
 #include <sstream>
 #include <string_view>
 
+#include "bundler/build/direct_compile.hpp"
 #include "bundler/io/file_lock.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/sha256.hpp"
@@ -167,7 +168,9 @@ Outcome<ProcessResult> run_compiler(const SourceCompilation& compilation,
                                     const std::vector<std::string>& more,
                                     const Cancellation& cancellation) {
   command.insert(command.begin() + 1, more.begin(), more.end());
-  return run_process({.arguments = std::move(command), .environment = compilation.environment},
+  return run_process({.arguments = direct_compile_command(command, compilation.tool_calls,
+                                                          compilation.environment, cancellation),
+                      .environment = compilation.environment},
                      cancellation);
 }
 

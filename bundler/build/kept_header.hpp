@@ -39,6 +39,7 @@ struct HeaderUse {
 struct SourceCompilation {
   std::vector<std::string> command;  ///< the compiler and its arguments
   std::filesystem::path kept;        ///< empty: compile as the command says
+  std::filesystem::path tool_calls;  ///< compiles as direct_compile.hpp says; may be empty
   EnvironmentVariables environment;  ///< for the compiler, see tool_environment()
 };
 

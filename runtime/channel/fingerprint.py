@@ -89,7 +89,7 @@ def packer_digest(repository: Path) -> str:
 def linker_digest(repository: Path) -> str:
     """Hashes the code that links programs: when it changes, packages with programs are built again."""
     folder = repository / "bundler" / "build"
-    patterns = ("link_*", "single_link_object*", "wasm_module*")
+    patterns = ("link_*", "direct_link*", "single_link_object*", "wasm_module*")
     files = sorted(file for pattern in patterns for file in folder.glob(pattern))
     return hashlib.sha256(b"\0".join(file.read_bytes() for file in files)).hexdigest()
 

@@ -53,11 +53,14 @@ def build_package(workshop: Workshop, package: PackageSource) -> Path:
     environment.setdefault("NODE_PATH", "/usr/share/nodejs")
     for name in ("AMENT_PREFIX_PATH", "CMAKE_PREFIX_PATH", "COLCON_PREFIX_PATH", "PYTHONPATH"):
         environment.pop(name, None)
+    # What the compiler's driver says is kept: it is not started for each source and each program.
+    environment["ROS2WASM_TOOL_CALLS"] = str(workshop.folder / "tool-calls")
     steps = [
         ["cmake", "-G", "Ninja", "-Wno-dev", "-S", str(package.folder), "-B", str(build),
          f"-DCMAKE_TOOLCHAIN_FILE={workshop.toolchain}",
          f"-DROS2WASM_CLI={workshop.cli}",
          f"-DROS2WASM_EMCXX={workshop.compiler.cxx}",
+         f"-DCMAKE_CXX_COMPILER_LAUNCHER={workshop.cli};compile-source;--",
          f"-DCMAKE_PREFIX_PATH={workshop.prefix}",
          f"-DCMAKE_INSTALL_PREFIX={NEUTRAL_PREFIX}"],
         ["cmake", "--build", str(build), "--", "-j1"],

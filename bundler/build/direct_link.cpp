@@ -15,9 +15,46 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Raise it when the driver is asked otherwise.
-constexpr std::string_view kFormat = "2";
+constexpr std::string_view kFormat = "3";
 
 constexpr std::string_view kLinkerOption = "-Wl,";
+
+/// The optimizer's level and, in its place, passes for programs that consist of templates: what
+/// -O2 does at its end for the sake of size, it works on functions that it optimized before. With
+/// equal functions merged, arguments dropped and calls inlined first, there is less to optimize:
+/// the same size in two thirds of the time.
+constexpr std::string_view kLevel = "-O2";
+constexpr std::array<std::string_view, 31> kPasses = {"--optimize-level=2",
+                                                      "--shrink-level=1",
+                                                      "--duplicate-function-elimination",
+                                                      "--memory-packing",
+                                                      "--dae",
+                                                      "--inlining",
+                                                      "--dce",
+                                                      "--remove-unused-names",
+                                                      "--remove-unused-brs",
+                                                      "--optimize-instructions",
+                                                      "--precompute",
+                                                      "--simplify-locals-nostructure",
+                                                      "--vacuum",
+                                                      "--coalesce-locals",
+                                                      "--simplify-locals",
+                                                      "--vacuum",
+                                                      "--reorder-locals",
+                                                      "--merge-blocks",
+                                                      "--remove-unused-brs",
+                                                      "--precompute",
+                                                      "--optimize-instructions",
+                                                      "--rse",
+                                                      "--vacuum",
+                                                      "--inlining-optimizing",
+                                                      "--duplicate-function-elimination",
+                                                      "--duplicate-import-elimination",
+                                                      "--directize",
+                                                      "--simplify-globals-optimizing",
+                                                      "--remove-unused-module-elements",
+                                                      "--generate-stack-ir",
+                                                      "--optimize-stack-ir"};
 
 /// Of the driver only: they say how to compile, optimize or debug, which the
 /// calls say already.
@@ -136,6 +173,13 @@ bool says_features(const std::string& argument) {
   return argument == "--mvp-features" || argument.starts_with("--enable-");
 }
 
+void put_passes(std::vector<std::string>& optimizer) {
+  const auto level = std::find(optimizer.begin(), optimizer.end(), kLevel);
+  if (level == optimizer.end()) return;
+  const auto next = optimizer.erase(level);
+  optimizer.insert(next, kPasses.begin(), kPasses.end());
+}
+
 /// Of the linker, or of the optimizer after it. What it printed, when it succeeded.
 std::optional<std::string> printed_by(std::vector<std::string> command, const DirectLink& link,
                                       const Cancellation& cancellation) {
@@ -171,6 +215,7 @@ std::optional<ToolCalls> parse_tool_calls(std::string_view printed, std::string_
       ++optimizers;
       calls.optimizer = call_of(words, marker, output, nullptr);
       std::erase_if(calls.optimizer, says_features);
+      put_passes(calls.optimizer);
       // A program has no need to say what it uses.
       calls.optimizer.emplace_back("--strip-target-features");
     }

@@ -1,8 +1,4 @@
 // Drives by keys. One thread: between keys the node is spun.
-#include <poll.h>
-#include <termios.h>
-#include <unistd.h>
-
 #include <cstdio>
 #include <map>
 #include <memory>
@@ -13,6 +9,7 @@
 
 #include "geometry_msgs/msg/twist.hpp"
 #include "geometry_msgs/msg/twist_stamped.hpp"
+#include "ros2wasm/keyboard.hpp"
 
 namespace {
 
@@ -71,42 +68,6 @@ const std::map<char, Change> kChanges = {
     {'x', {0.9, 1}},   {'e', {1, 1.1}},   {'c', {1, 0.9}},
 };
 
-/// Keys one by one, without waiting for a line.
-class Keyboard {
- public:
-  Keyboard() {
-    if (tcgetattr(STDIN_FILENO, &before_) != 0) return;
-    is_terminal_ = true;
-    termios raw = before_;
-    raw.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
-    raw.c_cc[VMIN] = 1;
-    raw.c_cc[VTIME] = 0;
-    tcsetattr(STDIN_FILENO, TCSANOW, &raw);
-  }
-  ~Keyboard() {
-    if (is_terminal_) tcsetattr(STDIN_FILENO, TCSANOW, &before_);
-  }
-  Keyboard(const Keyboard&) = delete;
-  Keyboard& operator=(const Keyboard&) = delete;
-
-  /// Is there a key, or the end of the input? Waits for a moment.
-  [[nodiscard]] static bool has_something() {
-    constexpr int kMoment_ms = 10;
-    pollfd input{STDIN_FILENO, POLLIN, 0};
-    return poll(&input, 1, kMoment_ms) == 1;
-  }
-  /// Nothing at the end of the input.
-  [[nodiscard]] static std::optional<char> key() {
-    char key = 0;
-    if (read(STDIN_FILENO, &key, 1) != 1) return std::nullopt;
-    return key;
-  }
-
- private:
-  termios before_{};
-  bool is_terminal_ = false;
-};
-
 class Teleop {
  public:
   Teleop() : node_(std::make_shared<rclcpp::Node>("teleop_twist_keyboard")) {
@@ -127,13 +88,13 @@ class Teleop {
   }
 
   void run() {
-    const Keyboard keyboard;
+    const ros2wasm::Keyboard keyboard;
     std::puts(kKeys);
     say_speeds();
     while (rclcpp::ok()) {
       rclcpp::spin_some(node_);
-      if (!Keyboard::has_something()) continue;
-      const auto key = Keyboard::key();
+      if (!ros2wasm::Keyboard::has_something()) continue;
+      const auto key = ros2wasm::Keyboard::key();
       if (!key || *key == kControlC) break;
       if (*key != '\n') press(*key);  // the end of a line that was typed at once
     }

@@ -1,8 +1,4 @@
 // Drives turtle1 by keys. One thread: between keys the node is spun.
-#include <poll.h>
-#include <termios.h>
-#include <unistd.h>
-
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -10,47 +6,12 @@
 #include <rclcpp_action/rclcpp_action.hpp>
 
 #include "geometry_msgs/msg/twist.hpp"
+#include "ros2wasm/keyboard.hpp"
 #include "turtlesim/action/rotate_absolute.hpp"
 
 namespace {
 
 using Rotate = turtlesim::action::RotateAbsolute;
-
-/// Keys one by one, without waiting for a line.
-class Keyboard {
- public:
-  Keyboard() {
-    if (tcgetattr(STDIN_FILENO, &before_) != 0) return;
-    is_terminal_ = true;
-    termios raw = before_;
-    raw.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
-    raw.c_cc[VMIN] = 1;
-    raw.c_cc[VTIME] = 0;
-    tcsetattr(STDIN_FILENO, TCSANOW, &raw);
-  }
-  ~Keyboard() {
-    if (is_terminal_) tcsetattr(STDIN_FILENO, TCSANOW, &before_);
-  }
-  Keyboard(const Keyboard&) = delete;
-  Keyboard& operator=(const Keyboard&) = delete;
-
-  /// Is there a key, or the end of the input? Waits for a moment.
-  [[nodiscard]] static bool has_something() {
-    constexpr int kMoment_ms = 10;
-    pollfd input{STDIN_FILENO, POLLIN, 0};
-    return poll(&input, 1, kMoment_ms) == 1;
-  }
-  /// Nothing at the end of the input.
-  [[nodiscard]] static std::optional<char> key() {
-    char key = 0;
-    if (read(STDIN_FILENO, &key, 1) != 1) return std::nullopt;
-    return key;
-  }
-
- private:
-  termios before_{};
-  bool is_terminal_ = false;
-};
 
 /// An arrow key sends ESC, `[` and one of these letters.
 struct Arrow {
@@ -78,7 +39,7 @@ class TeleopTurtle {
   }
 
   void run() {
-    const Keyboard keyboard;
+    const ros2wasm::Keyboard keyboard;
     std::puts("Reading from keyboard");
     std::puts("---------------------------");
     std::puts("Use arrow keys to move the turtle.");
@@ -88,8 +49,8 @@ class TeleopTurtle {
     std::fflush(stdout);
     while (rclcpp::ok()) {
       rclcpp::spin_some(node_);
-      if (!Keyboard::has_something()) continue;
-      const auto key = Keyboard::key();
+      if (!ros2wasm::Keyboard::has_something()) continue;
+      const auto key = ros2wasm::Keyboard::key();
       if (!key || *key == 'q') return;
       press(*key);
     }

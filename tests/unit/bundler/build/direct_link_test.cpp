@@ -21,8 +21,18 @@ TEST(DirectLink, FindsTheCallsOfTheToolsAmongWhatTheDriverPrints) {
   ASSERT_TRUE(calls);
   EXPECT_EQ(calls->linker, Words({"/usr/bin/wasm-ld-14", "--wrap=pthread_create"}));
   EXPECT_EQ(calls->after, Words({"-L/lib", "-lc", "-o", "other"}));
-  EXPECT_EQ(calls->optimizer, Words({"/usr/bin/wasm-opt", "--post-emscripten", "-O2", "-g",
-                                     "--strip-target-features"}));
+  const Words& optimizer = calls->optimizer;
+  ASSERT_GT(optimizer.size(), 4U);
+  EXPECT_EQ(Words(optimizer.begin(), optimizer.begin() + 3),
+            Words({"/usr/bin/wasm-opt", "--post-emscripten", "--optimize-level=2"}));
+  EXPECT_EQ(Words(optimizer.end() - 2, optimizer.end()), Words({"-g", "--strip-target-features"}));
+}
+
+TEST(DirectLink, LeavesToTheOptimizerAnotherLevelThanItsUsualOne) {
+  const auto calls = parse_tool_calls(
+      "\"wasm-ld\" -o p.wasm p.o\n\"wasm-opt\" -Oz p.wasm -o p.wasm\n", "p.o", "p.wasm");
+  ASSERT_TRUE(calls);
+  EXPECT_EQ(calls->optimizer, Words({"wasm-opt", "-Oz", "--strip-target-features"}));
 }
 
 TEST(DirectLink, FindsNoCallsWithoutTheMarkerOrTheOptimizer) {

@@ -34,6 +34,8 @@ export abstract class ProcessRunner<Node extends SiteNode = SiteNode> {
   private readonly rules: ProcessHost;
   private state: NodeState = { kind: 'stopped' };
   private again = false;
+  /** Its end is told: who ends all for that does not end it once more. */
+  private ending = false;
   /** Of the grace after a stop. */
   private timer: ReturnType<typeof setTimeout> | undefined;
   /** Calls off a start that is yet to come. */
@@ -116,7 +118,7 @@ export abstract class ProcessRunner<Node extends SiteNode = SiteNode> {
       this.rules.happened(this.node, 'stop');
       this.set({ kind: 'stopped' });
     }
-    if (!this.active()) return;
+    if (!this.active() || this.ending) return;
     const isSecond = this.stopping;
     this.stopping = true;
     if (isSecond || !this.signal()) {
@@ -139,7 +141,7 @@ export abstract class ProcessRunner<Node extends SiteNode = SiteNode> {
 
   /** Ends it wherever it is. */
   kill(): void {
-    if (!this.active()) return;
+    if (!this.active() || this.ending) return;
     this.attempt += 1;
     this.finish({ kind: 'exited', code: killedCode });
   }
@@ -163,8 +165,7 @@ export abstract class ProcessRunner<Node extends SiteNode = SiteNode> {
   }
 
   protected finish(state: NodeState, closed = false): void {
-    const { again } = this;
-    const byItself = !this.stopping && !again;
+    const byItself = !this.stopping && !this.again;
     const { respawnMaxRetries } = this.node;
     const respawns = this.node.respawn && byItself && (respawnMaxRetries === undefined || this.retries < respawnMaxRetries);
     const left = this.leave(closed);
@@ -175,7 +176,10 @@ export abstract class ProcessRunner<Node extends SiteNode = SiteNode> {
       this.retries += 1;
       this.keepFromStart = this.rules.broker.after(delay, () => this.begin(0));
     }
+    this.ending = true;
     this.rules.happened(this.node, byItself ? 'exit' : 'stop');
+    this.ending = false;
+    const { again } = this;
     this.stopping = false;
     this.again = false;
     this.attempt += 1;

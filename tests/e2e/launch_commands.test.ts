@@ -126,6 +126,8 @@ test('stepped runs: the same each time, in the time that is asked for', watchdog
   assert.deepEqual(runs[0], runs[1]);
 });
 
+// Guarantee, hostile input: commands of `ros2` that a site's launch file starts read no file of the machine that runs it (`ros2wasm run`), and
+// write none but new recordings in the present folder
 test('of the shell that runs it a site reads no file, and what it records lies in the present folder', watchdog, async () => {
   const child = workspace.start(['run', 'record']);
   const ended = finished(child);

@@ -105,6 +105,20 @@ test('its end ends all, when the launch file says so; who is stopped starts noth
     assert.deepEqual(session.nodes().map(({ state }) => state), [{ kind: 'exited', code: 130 }, { kind: 'exited', code: 0 }, { kind: 'stopped' }]);
   }));
 
+test('launched once more, one whose end ends all is told with its own code', watchdog, () =>
+  withCommands([node('ros2-1', ['wait']), node('ros2-2', ['fail', '3'])], async (session) => {
+    const told: unknown[] = [];
+    await new Promise<void>((done) => {
+      void session.launch({
+        arguments: new Map(), onLines: () => undefined, onSaid: (text) => told.push(text), onEnd: done,
+        onNode: ({ id }, state) => {
+          if (state.kind === 'exited') told.push([id, state.code]);
+        },
+      });
+    });
+    assert.deepEqual(told, ['[INFO] [launch]: all nodes are stopped: it failed', ['ros2-4', 3], ['ros2-3', 130]]);
+  }, loader, [{ do: 'shutdown', reason: 'it failed', on: { node: 'ros2-2', event: 'exit' } }]));
+
 test('what cannot be loaded, and a mistake of the command, are told as crashes', watchdog, async () => {
   const late: CommandLoader = () => Promise.reject(new SiteError('R2W0706', 'no network'));
   await withCommands([node('ros2-1', ['say', 'a'])], async (session) => {

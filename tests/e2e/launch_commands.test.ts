@@ -178,3 +178,29 @@ test('in Chromium each command has its row and its console, and is started again
     await server.close();
   }
 });
+
+test('a page with a seed has sent what a headless run of it sends', watchdog, async () => {
+  const run = await workspace.run(['run', 'site', 'ends:=false', '--stepped', '--seed', '7', '--for', '3s', '--trace', 'page.trace']);
+  assert.match(run.stdout, /Integer value is: 200/, run.stderr);
+  const expectedHash = /^trace: \d+ messages, sha256 (\w+)$/m.exec(run.stderr)?.[1] ?? run.stderr;
+  const server = await serveFolder(join(workspace.root, 'site'), { isolated: true });
+  const browser = await chromium.launch(chromiumOptions());
+  try {
+    const page = await browser.newPage();
+    page.setDefaultTimeout(120_000);
+    await page.goto(`${server.url}?ends:=false&seed=7`);
+    await page.selectOption('select[aria-label="Length of a step"]', '1000');
+    const held = page.locator('.time[data-state=paused]');
+    for (let second = 0; second < 3; second += 1) {
+      await held.waitFor();
+      await page.click('button[aria-label^="Let time run for"]');
+    }
+    await held.waitFor();
+    const seen = page.locator('.time [data-sha256]');
+    await page.waitForFunction((wanted) => document.querySelector('.time [data-sha256]')?.getAttribute('data-sha256') === wanted, expectedHash)
+      .catch(async () => assert.equal(await seen.getAttribute('data-sha256'), expectedHash));
+  } finally {
+    await browser.close();
+    await server.close();
+  }
+});

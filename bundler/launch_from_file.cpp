@@ -200,7 +200,8 @@ Outcome<LaunchedFile> launch_from_file(const PackRequest& request, BuiltWorkspac
       }
       watch(other->files);
       for (LaunchNode& node : other->nodes)
-        if (programs.insert(node.program).second) step.more_nodes.push_back(std::move(node));
+        if (node.kind != ProgramKind::kCommand && programs.insert(node.program).second)
+          step.more_nodes.push_back(std::move(node));
     }
     if (!tried.is_complete)
       workspace.remarks.push_back(

@@ -15,7 +15,7 @@ Outcome<Done> read_programs(const PackRequest& request, const BuiltWorkspace& wo
   const bool standard =
       exceptions != workspace.manifest.site.end() && exceptions->second == "standard";
   for (const LaunchNode& node : nodes) {
-    if (node.kind == ProgramKind::kPython || input.programs.contains(node.program)) continue;
+    if (node.kind != ProgramKind::kWasm || input.programs.contains(node.program)) continue;
     auto bytes = read_file(node.program);
     const fs::path names = fs::path(node.program).replace_extension(".names");
     std::error_code error;

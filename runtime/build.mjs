@@ -38,7 +38,7 @@ const rows = [
   { file: 'python_worker.js', from: 'runtime/wasm_js/python_worker_main.ts', kind: 'classic', role: 'python_worker' },
   { file: 'service_worker.js', from: 'runtime/wasm_js/service_worker.ts', kind: 'classic', role: 'service_worker' },
   { file: 'carried_page.html', from: 'runtime/ui/carried_page.ts', kind: 'carried', role: 'carried_page' },
-  { file: 'headless.js', from: 'runtime/wasm_js/headless.ts', kind: 'node', role: 'headless' },
+  { file: 'headless.js', from: 'runtime/ros2cli/headless_run_main.ts', kind: 'node', role: 'headless' },
   { file: 'ros2.js', from: 'runtime/ros2cli/headless_main.ts', kind: 'node', role: 'headless_ros2' },
   { file: 'launch_evaluator.wasm', from: 'runtime/launch_evaluator/build.py', kind: 'wasm', role: 'launch_evaluator' },
   { file: 'styles.css', from: 'runtime/ui/styles/index.css', kind: 'style', role: 'style' },
@@ -54,7 +54,11 @@ const options = {
   modules: { format: 'esm', platform: 'browser' },
   classic: { format: 'iife', platform: 'browser' },
   style: {},
-  node: { format: 'esm', platform: 'node', target: 'node26' },
+  node: {
+    format: 'esm', platform: 'node', target: 'node26',
+    // Of yaml the modules: what it has for Node.js asks for modules by a function that a module has not.
+    alias: { yaml: join(root, 'node_modules/yaml/browser/index.js') },
+  },
 };
 
 /**

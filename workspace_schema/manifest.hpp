@@ -71,6 +71,7 @@ struct NodeEntry {
   std::vector<Spanned<std::string>> parameter_files;  ///< relative to the manifest
   std::vector<std::string> arguments;                 ///< passed before --ros-args
   std::vector<std::string> ros_arguments;             ///< right behind it; of launch files
+  bool is_command = false;  ///< of launch files: `ros2` with these arguments, of no package
   NodeOutput output = NodeOutput::kScreen;
   bool respawn = false;
 };

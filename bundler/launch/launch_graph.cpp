@@ -150,6 +150,21 @@ Outcome<std::vector<LaunchNode>> launch_nodes(const std::vector<NodeEntry>& entr
   Diagnostics errors;
   std::vector<LaunchNode> nodes;
   for (const NodeEntry& entry : entries) {
+    std::string id = entry.executable.value + "-" + std::to_string(nodes.size() + 1);
+    if (entry.is_command) {
+      nodes.push_back({.id = std::move(id),
+                       .package = {},
+                       .executable = entry.executable.value,
+                       .label = node_label(entry),
+                       .program = {},
+                       .kind = ProgramKind::kCommand,
+                       .compiled_modules = {},
+                       .arguments = entry.arguments,
+                       .output = entry.output,
+                       .respawn = entry.respawn,
+                       .source = entry.span});
+      continue;
+    }
     const InstalledPackage* package = find_package(installed, entry.package.value);
     if (package == nullptr) {
       auto error = left_out_package(entry, left_out);
@@ -179,7 +194,7 @@ Outcome<std::vector<LaunchNode>> launch_nodes(const std::vector<NodeEntry>& entr
       errors.insert(errors.end(), files.errors().begin(), files.errors().end());
       continue;
     }
-    nodes.push_back({.id = entry.executable.value + "-" + std::to_string(nodes.size() + 1),
+    nodes.push_back({.id = std::move(id),
                      .package = entry.package.value,
                      .executable = entry.executable.value,
                      .linked_with = std::move(linked_with),

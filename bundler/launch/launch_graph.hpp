@@ -18,9 +18,10 @@ namespace ros2wasm {
 
 /// What a site can run.
 enum class ProgramKind {
-  kNone,    ///< a script or data that is no program of a site
-  kWasm,    ///< a WebAssembly program
-  kPython,  ///< a Python script
+  kNone,     ///< a script or data that is no program of a site
+  kWasm,     ///< a WebAssembly program
+  kPython,   ///< a Python script
+  kCommand,  ///< a command of `ros2`, for which there is no file
 };
 
 /// A file in lib/<package>/ of an installed tree that a node entry can name.
@@ -45,7 +46,8 @@ struct LaunchNode {
   std::string executable;
   std::vector<std::string> linked_with = {};  ///< as NodeEntry has it, sorted
   std::string label;  ///< for people: the node's full name when it is known, else the executable
-  std::filesystem::path program;  ///< the installed file; with `linked_with`, where it will be
+  std::filesystem::path program;  ///< the installed file; with `linked_with`, where it will be; of
+                                  ///< a command none
   ProgramKind kind = ProgramKind::kWasm;
   std::vector<std::string> compiled_modules;  ///< that a Python program imports: "numpy"
   std::vector<std::string> arguments;         ///< after argv[0], as ros2 launch would pass them

@@ -7,6 +7,7 @@
 #include "bundler/launch/launch_evaluator.hpp"
 #include "bundler/launch/launch_values.hpp"
 #include "bundler/launch/node_arguments.hpp"
+#include "bundler/launch/ros2_command.hpp"
 #include "workspace_schema/names.hpp"
 #include "workspace_schema/suggestion.hpp"
 
@@ -66,13 +67,9 @@ struct NodeProgram {
   std::vector<std::string> arguments;
 };
 
-bool is_program(const std::string& word, std::string_view name) {
-  return word == name || word.ends_with("/" + std::string(name));
-}
-
 std::optional<NodeProgram> node_program(const std::vector<std::string>& words,
                                         const LaunchWorld& world) {
-  if (words.size() >= 4 && is_program(words[0], "ros2") && words[1] == "run")
+  if (words.size() >= 4 && names_program(words[0], "ros2") && words[1] == "run")
     return NodeProgram{words[2], words[3], {words.begin() + 4, words.end()}};
   const std::filesystem::path path(words[0]);
   const std::string package = path.parent_path().filename().string();
@@ -80,28 +77,6 @@ std::optional<NodeProgram> node_program(const std::vector<std::string>& words,
   if (!prefix || path != std::filesystem::path(*prefix) / "lib" / package / path.filename())
     return std::nullopt;
   return NodeProgram{package, path.filename().string(), {words.begin() + 1, words.end()}};
-}
-
-/// What does the work of a command that no site runs.
-std::string_view instead_of(const std::vector<std::string>& words) {
-  if (words.size() < 2 || !is_program(words[0], "ros2"))
-    return "a site runs nodes of packages only";
-  struct Verb {
-    std::string_view name;
-    std::string_view instead;
-  };
-  constexpr Verb kVerbs[] = {
-      {"action", "the page sends goals"},
-      {"bag", "the page records messages"},
-      {"launch", "include the launch file"},
-      {"lifecycle", "call the node's change_state service in the page"},
-      {"param", "the page sets parameters"},
-      {"service", "the page calls services"},
-      {"topic", "the page shows messages and publishes them"},
-  };
-  for (const Verb& one : kVerbs)
-    if (one.name == words[1]) return one.instead;
-  return "a site runs nodes of packages only";
 }
 
 std::optional<NodeOutput> output_of(const std::string& text) {
@@ -381,8 +356,7 @@ void LaunchEvaluator::node(const LaunchEntity& entity) {
 }
 
 void LaunchEvaluator::add_process(const LaunchEntity& entity, LaunchProcess process) {
-  const std::string what = process.node.package.value + "/" + process.node.executable.value;
-  if (!starts_here(entity, what)) return;
+  if (!starts_here(entity, program_label(process.node))) return;
   if (const std::int64_t own = number(entity, "process"); own >= 0)
     processes_[own] = description_.processes.size();
   description_.processes.push_back(std::move(process));
@@ -467,27 +441,40 @@ void LaunchEvaluator::resolve_components() {
   }
 }
 
-/// `ros2 run` and the path of an installed program start a node; all else is left out.
+/// `ros2 run` and the path of an installed program start a node, other commands of `ros2` run as
+/// they are; all else is left out.
 void LaunchEvaluator::executable(const LaunchEntity& entity) {
-  const auto words = command_line(entity, "cmd");
+  auto words = command_line(entity, "cmd");
   if (!words || words->empty()) return;
+  std::string line;
+  for (const std::string& word : *words) line += (line.empty() ? "" : " ") + word;
+  const auto leave_it_out = [&](std::string_view instead) {
+    if (const std::int64_t own = number(entity, "process"); own >= 0)
+      passed_over_[own] = {.on = trigger_, .after_s = after_s_};
+    description_.left_out.push_back(
+        {.what = line, .instead = std::string(instead), .span = entity.span});
+  };
+  if (flag(entity, "shell", false)) {
+    words = shell_words(line);
+    if (!words || words->empty())
+      return leave_it_out("a site has no shell, only the words of one command");
+  }
+  LaunchProcess process;
+  process.node.span = entity.span;
   if (auto program = node_program(*words, world_)) {
-    const std::size_t errors_before = errors_.size();
-    LaunchProcess process;
-    process.node.span = entity.span;
     process.node.package = {std::move(program->package), entity.span};
     process.node.executable = {std::move(program->executable), entity.span};
     process.node.arguments = std::move(program->arguments);
-    process_options(entity, process);
-    if (errors_.size() == errors_before) add_process(entity, std::move(process));
-    return;
+  } else if (runs_in_site(*words)) {
+    process.node.is_command = true;
+    process.node.executable = {"ros2", entity.span};
+    process.node.arguments.assign(words->begin() + 1, words->end());
+  } else {
+    return leave_it_out(instead_of_command(*words));
   }
-  if (const std::int64_t own = number(entity, "process"); own >= 0)
-    passed_over_[own] = {.on = trigger_, .after_s = after_s_};
-  std::string line;
-  for (const std::string& word : *words) line += (line.empty() ? "" : " ") + word;
-  description_.left_out.push_back(
-      {.what = line, .instead = std::string(instead_of(*words)), .span = entity.span});
+  const std::size_t errors_before = errors_.size();
+  process_options(entity, process);
+  if (errors_.size() == errors_before) add_process(entity, std::move(process));
 }
 
 }  // namespace ros2wasm

@@ -234,6 +234,10 @@ Outcome<std::vector<PlannedNode>> planned(std::vector<LaunchNode> nodes, const S
   std::vector<PlannedNode> result;
   Diagnostics errors;
   for (LaunchNode& node : nodes) {
+    if (node.kind == ProgramKind::kCommand) {
+      result.emplace_back().node = std::move(node);
+      continue;
+    }
     const auto known = start.programs.find(node.program);
     PlannedNode one = known == start.programs.end() ? PlannedNode() : known->second;
     if (one.program.empty()) {

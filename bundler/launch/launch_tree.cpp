@@ -43,12 +43,8 @@ void add_parameters(const std::vector<ParameterEntry>& parameters, const std::st
     lines.push_back(indent + "param " + one.name + ": " + parameter_text(one.value));
 }
 
-std::string program(const LaunchProcess& process) {
-  return process.node.package.value + "/" + process.node.executable.value;
-}
-
 std::string named(const LaunchProcess& process) {
-  return program(process) + (process.node.name ? " " + node_label(process.node) : "");
+  return program_label(process.node) + (process.node.name ? " " + node_label(process.node) : "");
 }
 
 std::string test_words(const LaunchLineTest& test) {
@@ -108,7 +104,7 @@ std::string label(std::int64_t transition) {
 void add_process(const LaunchProcess& process, const std::vector<LaunchProcess>& processes,
                  Lines& lines) {
   const NodeEntry& node = process.node;
-  std::string head = program(process);
+  std::string head = program_label(node);
   if (node.name) {
     head += "  " + node_label(node);
   } else if (node.name_space) {
@@ -127,7 +123,8 @@ void add_process(const LaunchProcess& process, const std::vector<LaunchProcess>&
   if (process.shutdown_on_exit) lines.emplace_back("  when it ends, all ends");
   for (const auto& [name, value] : process.environment)
     lines.push_back("  env " + name + "=" + value);
-  for (const std::string& one : node.arguments) lines.push_back("  arg " + one);
+  if (!node.is_command)
+    for (const std::string& one : node.arguments) lines.push_back("  arg " + one);
   for (const auto& file : node.parameter_files) lines.push_back("  params from " + file.value);
   add_parameters(node.parameters, "  ", lines);
   for (const auto& [from, to] : node.remappings) lines.push_back("  remap " + from + " -> " + to);
@@ -239,6 +236,7 @@ void write_process(JsonWriter& json, const LaunchProcess& process) {
   json.begin_object()
       .field("package", node.package.value)
       .field("executable", node.executable.value);
+  if (node.is_command) json.field_boolean("command", true);
   if (node.name) json.field("name", node.name->value);
   if (node.name_space) json.field("namespace", node.name_space->value);
   write_texts(json, "arguments", node.arguments);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "bundler/launch/ros2_command.hpp"
+
 namespace ros2wasm {
 namespace {
 
@@ -102,7 +104,15 @@ std::vector<std::string> node_arguments(const NodeEntry& entry,
   return result;
 }
 
+std::string program_label(const NodeEntry& entry) {
+  if (!entry.is_command) return entry.package.value + "/" + entry.executable.value;
+  std::vector<std::string> words{entry.executable.value};
+  words.insert(words.end(), entry.arguments.begin(), entry.arguments.end());
+  return shown_command(words);
+}
+
 std::string node_label(const NodeEntry& entry) {
+  if (entry.is_command) return program_label(entry);
   std::string space = entry.name_space ? entry.name_space->value : "/";
   if (!space.starts_with('/')) space.insert(0, "/");
   if (!entry.name) return entry.executable.value + (space == "/" ? "" : " (" + space + ")");

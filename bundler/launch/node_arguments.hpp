@@ -28,7 +28,11 @@ using FileRules = std::vector<ParameterRule>;
 [[nodiscard]] std::vector<std::string> node_arguments(const NodeEntry& entry,
                                                       const std::vector<FileRules>& files);
 
-/// `/namespace/name`, or `executable (/namespace)` when the entry does not name the node.
+/// `/namespace/name`, or `executable (/namespace)` when the entry does not name the node; of a
+/// command the whole line.
 [[nodiscard]] std::string node_label(const NodeEntry& entry);
+
+/// `package/executable`; of a command the whole line.
+[[nodiscard]] std::string program_label(const NodeEntry& entry);
 
 }  // namespace ros2wasm

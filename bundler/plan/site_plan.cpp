@@ -41,6 +41,10 @@ bool is_python(const LaunchNode& node) {
   return node.kind == ProgramKind::kPython;
 }
 
+bool is_command(const LaunchNode& node) {
+  return node.kind == ProgramKind::kCommand;
+}
+
 std::string program_path(const LaunchNode& node) {
   if (is_python(node)) return kPythonProgram;
   return "programs/" + node.package + "/" + node.program.stem().string() + ".wasm";
@@ -136,7 +140,8 @@ Outcome<SitePlan> plan_site(PlanInput input) {
   plan.panels = std::move(input.panels);
   Diagnostics errors;
   std::set<std::string> paths;
-  for (const LaunchNode& node : input.nodes) paths.insert(program_path(node));
+  for (const LaunchNode& node : input.nodes)
+    if (!is_command(node)) paths.insert(program_path(node));
   const std::size_t count = input.nodes.size();
   // Of the nodes that run with the packed arguments.
   auto checks = site_checks(input.manifest.checks, input.nodes);
@@ -186,6 +191,11 @@ Outcome<SitePlan> plan_site(PlanInput input) {
   plan.steps = std::move(input.steps);
   plan.launch_package = std::move(input.launch_package);
   for (const LaunchNode& node : input.nodes) {
+    if (is_command(node)) {
+      plan.nodes.push_back(
+          {.node = node, .program = {}, .names = {}, .script = {}, .archives = {}});
+      continue;
+    }
     const std::string path = program_path(node);
     if (is_python(node)) {
       plan.nodes.push_back({.node = node,

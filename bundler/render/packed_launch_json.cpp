@@ -17,6 +17,8 @@ std::string_view kind_name(ProgramKind kind) {
       return "cpp";
     case ProgramKind::kPython:
       return "python";
+    case ProgramKind::kCommand:
+      return "command";
   }
   return "none";
 }

@@ -57,6 +57,10 @@ void write_step(JsonWriter& json, const LaunchStep& step) {
 
 /// What runs, whatever starts it.
 void write_program(JsonWriter& json, const PlannedNode& planned) {
+  if (planned.node.kind == ProgramKind::kCommand) {
+    json.field("kind", "command");
+    return;
+  }
   json.field("kind", planned.script.empty() ? "cpp" : "python");
   json.field("program", planned.program);
   if (!planned.script.empty()) {

@@ -31,8 +31,8 @@ LAUNCH = (
     "launch_python", "launch_scope", "launch_start", "launch_step", "left_out", "launch_text", "launch_tree",
     "launch_values", "node_arguments", "parameter_file", "python_arithmetic", "python_expression",
     "python_format", "python_functions", "python_math", "python_methods", "python_parser", "python_record",
-    "python_value", "rviz_config", "xacro_command", "xacro_elements", "xacro_evaluator", "xacro_expansion",
-    "xacro_macro_call", "xacro_names", "xacro_substitution", "xacro_symbols", "xacro_yaml",
+    "python_value", "ros2_command", "rviz_config", "xacro_command", "xacro_elements", "xacro_evaluator",
+    "xacro_expansion", "xacro_macro_call", "xacro_names", "xacro_substitution", "xacro_symbols", "xacro_yaml",
 )
 SCHEMA = (
     "json_reader", "json_writer", "names", "replaced_text", "source_text", "suggestion", "text_encoding",

@@ -3,6 +3,7 @@
 import type { Codec } from '../decode/codec.ts';
 import type { Shape } from '../decode/shape.ts';
 import { CommandError, type Context } from './command.ts';
+import { yamlReader } from './yaml_reader.ts';
 
 export interface Filled {
   readonly type: string;
@@ -19,7 +20,7 @@ export async function fillMessage(codec: Codec, type: string, yaml: string | und
   const { shape } = parsed;
   let given: unknown = {};
   if (yaml !== undefined && yaml.trim() !== '') {
-    const { readMessage } = await import('../decode/read_yaml.ts');
+    const { readMessage } = await yamlReader();
     const read = readMessage(yaml, shape, nowMs === undefined ? {} : { now: stampOf(nowMs) });
     if (read.kind === 'failed') throw new CommandError(`The passed value needs to be a dictionary in YAML format: ${read.reason}`);
     given = read.value;

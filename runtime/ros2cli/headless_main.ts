@@ -5,6 +5,7 @@ import { isMainThread } from 'node:worker_threads';
 import { endWhenNobodyReads, exitWhenPrinted, openHeadless, serveHeadlessWorker, siteErrorText } from '../wasm_js/headless_session.ts';
 import type { NodeView } from '../wasm_js/session.ts';
 import { SiteError } from '../wasm_js/site_error.ts';
+import { shellCommands } from './shell_commands.ts';
 import { bagFiles, textOfFile } from './shell_files.ts';
 import { runCommand } from './run.ts';
 import { commands } from './table.ts';
@@ -48,7 +49,7 @@ async function main({ site, link, words }: Asked): Promise<number> {
   });
   process.on('SIGTERM', () => abort.abort());
   endWhenNobodyReads(() => process.exit(0));
-  const { session, close } = await openHeadless(site, link, new URL(import.meta.url));
+  const { session, close } = await openHeadless(site, link, new URL(import.meta.url), shellCommands(false));
   const told = new Set<string>();
   const tell = (nodes: readonly NodeView[]): void => {
     for (const { id, state } of nodes) {

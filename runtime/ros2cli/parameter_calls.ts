@@ -4,6 +4,7 @@
 import { callService, type Caller } from './calls.ts';
 import { parameterValue, type ParameterValue } from './parameters.ts';
 import { noteSet } from './set_parameters.ts';
+import { yamlReader } from './yaml_reader.ts';
 
 /** A node that is busy is not waited for without end. */
 const timeoutMs = 10_000;
@@ -68,7 +69,7 @@ export async function setValue(caller: Caller, of: string, name: string, value: 
 
 /** What a typed text means. */
 export async function textValue(text: string): Promise<ParameterValue> {
-  const { readYaml } = await import('../decode/read_yaml.ts');
+  const { readYaml } = await yamlReader();
   const read = readYaml(text);
   return parameterValue(text, read.kind === 'value' ? read.value : text);
 }

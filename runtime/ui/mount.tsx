@@ -2,7 +2,7 @@
 
 import { render } from 'preact';
 import { useEffect, useMemo, useState } from 'preact/hooks';
-import type { Session } from '../wasm_js/session.ts';
+import type { CommandLoader, Session } from '../wasm_js/session.ts';
 import { browserStore } from './model/preferences.ts';
 import type { Store } from './model/preferences.ts';
 import { readEmbed, wholeAddress } from './model/embed_link.ts';
@@ -34,6 +34,11 @@ export function mountPage(
   const { site } = started.value;
   document.title = `${site.title === '' ? site.name : site.title} \u2013 ${texts.product}`;
   render(<App session={started.value} kept={kept} store={browserStore()} />, root);
+}
+
+/** What runs the commands that a launch file starts. */
+export async function loadCommands(): Promise<CommandLoader> {
+  return (await import('./parts/launched_commands.ts')).pageCommands;
 }
 
 interface AppProps {

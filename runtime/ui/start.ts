@@ -7,7 +7,11 @@ let keep: (kept: boolean) => void = () => undefined;
 const kept = new Promise<boolean>((resolve) => {
   keep = resolve;
 });
-const session = startSession({ onOffline: keep });
+const session = startSession({
+  onOffline: keep,
+  // The page's files have them already, for its terminal.
+  commands: async (of) => (await (await import('./mount.tsx')).loadCommands())(of),
+});
 
 function whenParsed(): Promise<void> {
   if (document.readyState !== 'loading') return Promise.resolve();

@@ -119,6 +119,7 @@ export const texts = {
     showConsole: (label: string): string => `Show only the console of ${label}`,
     showAll: 'Show the consoles of all nodes',
     program: 'Program',
+    command: 'Command of the launch file',
     declared: 'Declared at',
     source: (label: string): string => `Source of ${label}`,
     changed: 'changed',

@@ -3,6 +3,7 @@
 
 import { BusParticipant } from '../protocol/generated/constants.ts';
 import type { Bus } from './bus.ts';
+import { turn } from './event_wait.ts';
 import type { Rest } from './turns.ts';
 
 /** Steady time at which every stepped run begins: 1,700,000,001 s after 1970. */
@@ -22,6 +23,10 @@ export class Conductor {
   private nowNs = beginNs;
   private endNs = Infinity;
   private ended: () => void = () => undefined;
+  /** Who keeps all from going on, and how many in the page think. */
+  private held = 0;
+  private thinkers = 0;
+  private thinking = false;
 
   constructor(bus: Bus) {
     this.bus = bus;
@@ -58,9 +63,40 @@ export class Conductor {
     if (this.resting.delete(participant)) this.conduct();
   }
 
+  /** Nobody gets a turn, and time stands, until the result is called, once. */
+  hold(): () => void {
+    this.held += 1;
+    return () => {
+      this.held -= 1;
+      this.conduct();
+    };
+  }
+
+  /** Until the result is called, once: what the page makes of an event in promises is made before anything else happens. */
+  think(): () => void {
+    this.thinkers += 1;
+    return () => {
+      this.thinkers -= 1;
+      this.conduct();
+    };
+  }
+
   /** Gives the next turn when nobody has one. To be called after everything that comes from outside of the site. */
   conduct(): void {
-    while (![...this.resting.values()].includes(undefined)) {
+    if (this.thinkers === 0) {
+      this.goOn();
+      return;
+    }
+    if (this.thinking) return;
+    this.thinking = true;
+    void turn().then(() => {
+      this.thinking = false;
+      this.goOn();
+    });
+  }
+
+  private goOn(): void {
+    while (this.held === 0 && ![...this.resting.values()].includes(undefined)) {
       const next = this.nextReady();
       if (next !== undefined) {
         this.last = next;
@@ -81,6 +117,10 @@ export class Conductor {
       }
       for (const alarm of [...this.alarms]) {
         if (alarm.atNs <= this.nowNs && this.alarms.delete(alarm)) alarm.ring();
+      }
+      if (this.thinkers > 0) {
+        this.conduct();
+        return;
       }
     }
   }

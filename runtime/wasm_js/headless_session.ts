@@ -5,6 +5,7 @@ import { parentPort, workerData } from 'node:worker_threads';
 import { PortBroker, SharedBroker } from './broker.ts';
 import { nodeFiles, nodePlatform, readFileNow, workerMark } from './node_platform.ts';
 import { serveWorker, type WorkerOrder } from './node_worker.ts';
+import type { CommandLoader } from './session.ts';
 import { SiteError } from './site_error.ts';
 import { readSite } from './site_reader.ts';
 import { SiteSession } from './site_session.ts';
@@ -29,11 +30,12 @@ export interface HeadlessSite {
 }
 
 /** `entry`: the program's own file. Rejects with a SiteError. */
-export async function openHeadless(folder: string, link: 'shared' | 'port', entry: URL): Promise<HeadlessSite> {
+export async function openHeadless(folder: string, link: 'shared' | 'port', entry: URL, commands?: CommandLoader): Promise<HeadlessSite> {
   const platform = nodePlatform(folder, entry);
   const site = readSite(await platform.json('site.json'));
   platform.expect(site.files);
-  const session = new SiteSession({ site, platform, broker: link === 'port' ? new PortBroker() : new SharedBroker() });
+  const broker = link === 'port' ? new PortBroker() : new SharedBroker();
+  const session = new SiteSession({ site, platform, broker, ...(commands === undefined ? {} : { commands }) });
   return {
     session,
     close: () => {

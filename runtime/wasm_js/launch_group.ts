@@ -1,15 +1,15 @@
 // The launch file's nodes once more, as `ros2 launch` starts them: with names of their own, and with the launch file's steps.
 
 import { interruptedReason, LaunchSteps, noReason } from './launch_steps.ts';
-import type { NodeRunner } from './node_runner.ts';
 import type { PageNode } from './page_node.ts';
+import type { ProcessRunner } from './process_runner.ts';
 import type { LaunchedNodes, LaunchMoment, LaunchRequest, LaunchStep, SiteNode } from './session.ts';
 
 export interface LaunchGroupHost {
   /** An id for one more process of that executable. `but`: what it cannot be either. */
   readonly idFor: (executable: string, but: ReadonlySet<string>) => string;
   /** Runs nothing yet. */
-  readonly runnerOf: (node: SiteNode, told: RunnerTold) => NodeRunner;
+  readonly runnerOf: (node: SiteNode, told: RunnerTold) => ProcessRunner;
   /** They are over: their ids are free. */
   readonly free: (ids: readonly string[]) => void;
   readonly after: (ms: number, task: () => void) => () => void;
@@ -38,7 +38,7 @@ function renamedStep(step: LaunchStep, ids: Ids): LaunchStep {
 export class LaunchGroup implements LaunchedNodes {
   private readonly host: LaunchGroupHost;
   private readonly asked: LaunchRequest;
-  private readonly runners = new Map<string, NodeRunner>();
+  private readonly runners = new Map<string, ProcessRunner>();
   private readonly steps: LaunchSteps;
   private looked = true;
   private over = false;
@@ -106,7 +106,7 @@ export class LaunchGroup implements LaunchedNodes {
     };
   }
 
-  private runner(id: string): NodeRunner {
+  private runner(id: string): ProcessRunner {
     const runner = this.runners.get(id);
     if (runner === undefined) throw new RangeError(`the launch has no node ${id}`);
     return runner;

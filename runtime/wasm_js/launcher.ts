@@ -9,7 +9,7 @@ import { isolate, keepOffline } from './isolation.ts';
 import { givenInAddress } from './launch_arguments.ts';
 import { namedNodes } from './named_nodes.ts';
 import { promiseIntegration } from './program.ts';
-import type { LinkKind, Session } from './session.ts';
+import type { CommandLoader, LinkKind, Session } from './session.ts';
 import { SiteError } from './site_error.ts';
 import { readSite } from './site_reader.ts';
 import { type SessionOptions, SiteSession } from './site_session.ts';
@@ -20,6 +20,8 @@ export interface LaunchOptions {
   readonly base?: URL;
   /** For tests: use this link though the other would do. */
   readonly link?: LinkKind;
+  /** For launch files that start commands of `ros2`. */
+  readonly commands?: CommandLoader;
   /** Called when the site is kept for visits without a network, or cannot be. */
   readonly onOffline?: (kept: boolean) => void;
 }
@@ -125,7 +127,8 @@ export async function startSession(options: LaunchOptions = {}): Promise<Session
   const named = nodes === null ? undefined : namedNodes(nodes, site.nodes.map(({ id }) => id));
   const seed = asked.get('seed');
   const run = seed === null ? { broker: chooseBroker(options.link) } : steppedOptions(seed);
-  const session = new SiteSession({ site, platform, ...run });
+  const commands = options.commands === undefined ? {} : { commands: options.commands };
+  const session = new SiteSession({ site, platform, ...run, ...commands });
   const graph = asked.get('graph');
   if (graph !== null && graph !== '') await session.joinTabs(graph);
   // Before the first node starts, so that all that it says is seen. Fetched only for a site that has some.

@@ -1,7 +1,7 @@
-// One node of a site: its worker and thread workers, its state, its rules (stop, respawn).
+// One node of a site: its worker and thread workers.
 
 import { TerminalMode } from '../protocol/generated/constants.ts';
-import type { Admission, Broker } from './broker.ts';
+import type { Admission } from './broker.ts';
 import type { NodeConsole } from './console_log.ts';
 import type { SentMessage } from './message_trace.ts';
 import type { WorkerReport, WorkerStart } from './node_worker.ts';
@@ -11,48 +11,35 @@ import type { ProgramEnd } from './program.ts';
 import { homeOf, type PythonFiles } from './python_files.ts';
 import { folderOf, type PythonImages } from './python_images.ts';
 import type { PythonStart } from './python_program.ts';
-import type { NodeMoment, NodeState, NodeView, SiteNode } from './session.ts';
+import { type ProcessHost, ProcessRunner } from './process_runner.ts';
+import type { NodeState, NodeView, ProgramNode, SiteNode } from './session.ts';
 import { SiteError } from './site_error.ts';
 import type { SourceFiles } from './source_files.ts';
 import type { SiteFiles } from './site_files.ts';
 import { type ThreadMemory, tellThreads } from './thread_waits.ts';
 
-/** After a stop is requested; `ros2 launch` waits as long before it sends SIGTERM. */
-export const stopGraceMs = 5000;
-/** Exit code of a node that did not stop in time, as a shell tells of SIGKILL. */
-const killedCode = 137;
 /** A crash is told without function names when they do not come in time. */
 const namesMs = 3000;
-/** A node that crashes at once is not started again without pause. */
-const leastRespawnMs = 100;
 /** A program that reads lines for a moment between two keys still reads keys. */
 const betweenKeysMs = 200;
 /** A thread that was about to wait when time changed is told again. */
 const retellMs = 1;
 
-export interface RunnerHost {
+export interface RunnerHost extends ProcessHost {
   readonly environment: Readonly<Record<string, string>>;
   readonly files: SiteFiles;
   readonly platform: Platform;
-  readonly broker: Broker;
   /** undefined: Python programs boot by themselves. */
   readonly images: PythonImages | undefined;
   readonly pythonFiles: PythonFiles;
   /** undefined: Python programs run as they were packed. */
   readonly sources: SourceFiles | undefined;
-  readonly changed: () => void;
-  /** The node's program waits for the first time, or is over. */
-  readonly settled: (node: SiteNode) => void;
   /** A program is out of the graph; what it published is not yet freed. */
   readonly left: () => void;
   readonly stepped: { readonly seed: number } | undefined;
   /** Tells of every message; undefined: nobody asks. */
   readonly sent: ((node: SiteNode, message: SentMessage) => void) | undefined;
   readonly resetInput: (id: string) => void;
-  /** A node ended with which all shall end. */
-  readonly shutdown: () => void;
-  /** The node has started, has ended by itself, or otherwise (`stop`): it was stopped, or could not start. */
-  readonly happened: (node: SiteNode, event: 'start' | 'exit' | 'stop') => void;
   /** A batch of lines was taken over from a worker of the participant. */
   readonly lines: (node: SiteNode, report: Extract<WorkerReport, { t: 'lines' }>) => void;
   /** Of the kernel of a notebook. */
@@ -70,143 +57,52 @@ interface Run {
   over: boolean;
 }
 
-export class NodeRunner {
-  readonly node: SiteNode;
-  readonly console: NodeConsole;
+export class NodeRunner extends ProcessRunner<ProgramNode> {
   private readonly host: RunnerHost;
-  private state: NodeState = { kind: 'stopped' };
   private run: Run | undefined;
-  /** Counts starts, so that what belongs to an older one is dropped. */
-  private attempt = 0;
-  private stopping = false;
-  private again = false;
-  /** Of the grace after a stop. */
-  private timer: ReturnType<typeof setTimeout> | undefined;
-  /** Calls off a start that is yet to come. */
-  private keepFromStart: (() => void) | undefined;
   private terminal: TerminalMode = TerminalMode.cooked;
   private terminalTimer: ReturnType<typeof setTimeout> | undefined;
-  /** Respawns since somebody started it. */
-  private retries = 0;
   /** Of the newest run: the sources that it has read, and whether they were changed. */
   private readonly used = new Map<string, boolean>();
 
-  constructor(node: SiteNode, console: NodeConsole, host: RunnerHost) {
-    this.node = node;
-    this.console = console;
+  constructor(node: ProgramNode, console: NodeConsole, host: RunnerHost) {
+    super(node, console, host);
     this.host = host;
   }
 
-  view(): NodeView {
-    const { id, label, executable, source } = this.node;
+  override view(): NodeView {
     const changed = [...this.used].filter(([, isChanged]) => isChanged).map(([path]) => path);
     return {
-      id,
-      label,
-      package: this.node.package,
-      executable,
-      state: this.state,
+      ...super.view(),
       ...(this.run === undefined ? {} : { startedAt: this.run.startedAt }),
-      ...(source === undefined ? {} : { source }),
       ...(this.terminal === TerminalMode.cooked ? {} : { terminal: this.terminal === TerminalMode.raw ? 'raw' : 'cbreak' }),
       ...(this.used.size === 0 ? {} : { usedSources: [...this.used.keys()] }),
       ...(changed.length === 0 ? {} : { changedSources: changed }),
     };
   }
 
-  /** Its place in the graph while it runs. */
-  participant(): number | undefined {
+  override participant(): number | undefined {
     return this.run?.participant;
   }
 
-  active(): boolean {
-    return this.state.kind === 'starting' || this.state.kind === 'running';
+  protected override begin(afterMs: number): void {
+    if (!this.active()) this.host.resetInput(this.node.id);
+    super.begin(afterMs);
   }
 
-  /** Until start(), of another node's start or end. */
-  wait(on: NodeMoment): void {
-    if (this.active()) return;
-    this.clearTimer();
-    this.set({ kind: 'waiting', on });
-  }
-
-  /** Ended, and about to start by itself. */
-  respawns(): boolean {
-    return this.keepFromStart !== undefined && !this.active();
-  }
-
-  /** `afterMs`: it is starting until then. */
-  start(afterMs = 0): void {
-    if (this.active()) return;
-    this.retries = 0;
-    this.begin(afterMs);
-  }
-
-  private begin(afterMs: number): void {
-    if (this.active()) return;
-    this.clearTimer();
-    this.stopping = false;
-    this.again = false;
-    this.attempt += 1;
-    this.host.resetInput(this.node.id);
-    this.set({ kind: 'starting' });
-    const { attempt } = this;
-    if (afterMs === 0) void this.launch(attempt);
-    else this.keepFromStart = this.host.broker.after(afterMs, () => void this.launch(attempt));
-  }
-
-  /** As Ctrl-C; a second time, or after the grace, the worker is killed. */
-  stop(): void {
-    const respawned = this.respawns();
-    this.clearTimer();
-    if (respawned) this.host.changed();
-    if (this.state.kind === 'waiting') {
-      this.host.happened(this.node, 'stop');
-      this.set({ kind: 'stopped' });
-    }
-    if (!this.active()) return;
-    const { run } = this;
-    if (run === undefined || this.stopping) {
-      // It does not end by itself: no rule is followed.
-      this.stopping = true;
-      this.kill();
-      return;
-    }
-    this.stopping = true;
-    this.host.broker.stop(run.participant);
-    this.timer = setTimeout(() => this.kill(), stopGraceMs);
+  protected override signal(): boolean {
+    if (this.run === undefined) return false;
+    this.host.broker.stop(this.run.participant);
+    return true;
   }
 
   /** A stop that the program may live through: the kernel of a notebook does. */
   interrupt(): void {
-    if (this.run !== undefined) this.host.broker.stop(this.run.participant);
-  }
-
-  restart(): void {
-    if (!this.active()) {
-      this.start();
-      return;
-    }
-    this.again = true;
-    if (!this.stopping) this.stop();
-  }
-
-  /** Ends the node wherever it is. */
-  kill(): void {
-    if (!this.active()) return;
-    this.attempt += 1;
-    this.finish({ kind: 'exited', code: killedCode }, false);
-  }
-
-  close(): void {
-    this.again = false;
-    this.stopping = true;
-    this.kill();
-    this.clearTimer();
+    this.signal();
   }
 
   /** The threads that wait in the program's own memory are told here: the bus does not reach them. */
-  timeChanged(): void {
+  override timeChanged(): void {
     const { run } = this;
     if (run?.memory === undefined || run.over) return;
     if (tellThreads(run.memory, this.host.broker.link.clock.lawVersion())) return;
@@ -219,7 +115,7 @@ export class NodeRunner {
     return admission;
   }
 
-  private async launch(attempt: number): Promise<void> {
+  protected override async launch(attempt: number): Promise<void> {
     try {
       // A stepped run counts on it from now on. Ports are made when they can be handed on at once: under Node.js they
       // cannot any more when the node at the other end is over.
@@ -258,8 +154,7 @@ export class NodeRunner {
     } catch (error) {
       if (this.attempt !== attempt) return;
       const code = error instanceof SiteError ? error.code : 'R2W0708';
-      this.host.happened(this.node, 'stop');
-      this.set({ kind: 'crashed', code, message: error instanceof Error ? error.message : String(error) });
+      this.fail(code, error instanceof Error ? error.message : String(error));
     }
   }
 
@@ -281,7 +176,7 @@ export class NodeRunner {
         if (this.attempt === attempt && own !== undefined) this.onReport(report, handle, own);
       },
       failed: (message) => {
-        if (this.attempt === attempt) this.finish({ kind: 'crashed', code: 'R2W0708', message }, false);
+        if (this.attempt === attempt) this.finish({ kind: 'crashed', code: 'R2W0708', message });
       },
     });
     return handle;
@@ -291,8 +186,7 @@ export class NodeRunner {
     const { run } = this;
     switch (report.t) {
       case 'running':
-        this.set({ kind: 'running' });
-        this.host.happened(this.node, 'start');
+        this.runs();
         return;
       case 'memory':
         if (run !== undefined) run.memory = report.memory;
@@ -378,33 +272,16 @@ export class NodeRunner {
     if (this.attempt === attempt) this.finish({ ...state, message: named }, closed);
   }
 
-  private finish(state: NodeState, closed: boolean): void {
-    const { run, again } = this;
-    const byItself = !this.stopping && !again;
-    const { respawnMaxRetries } = this.node;
-    const respawns = this.node.respawn && byItself && (respawnMaxRetries === undefined || this.retries < respawnMaxRetries);
+  protected override leave(closed: boolean): () => void {
+    const { run } = this;
     this.run = undefined;
-    this.clearTimer();
     clearTimeout(this.terminalTimer);
     this.terminal = TerminalMode.cooked;
-    // Before the others of a stepped run go on.
-    if (respawns) {
-      const delay = Math.max(leastRespawnMs, this.node.respawnDelay * 1000);
-      this.retries += 1;
-      this.keepFromStart = this.host.broker.after(delay, () => this.begin(0));
-    }
-    this.host.happened(this.node, byItself ? 'exit' : 'stop');
-    this.stopping = false;
-    this.again = false;
-    this.attempt += 1;
-    // Before time goes on: in a stepped run it may, as soon as the program is out of the graph.
-    this.set(state);
-    if (run !== undefined && !run.over) {
+    return () => {
+      if (run === undefined || run.over) return;
       run.over = true;
       this.bury(run.participant, [run.main, ...run.threads], closed);
-    }
-    if (byItself && this.node.shutdownOnExit && !respawns) this.host.shutdown();
-    if (again) this.start();
+    };
   }
 
   /** The graph loses the program at once; its place and its memory are free when none of its workers runs any more. */
@@ -414,19 +291,6 @@ export class NodeRunner {
     this.host.broker.end(participant, closed);
     this.host.left();
     void Promise.all(gone).then(() => this.host.broker.gone(participant));
-  }
-
-  private clearTimer(): void {
-    clearTimeout(this.timer);
-    this.timer = undefined;
-    this.keepFromStart?.();
-    this.keepFromStart = undefined;
-  }
-
-  private set(state: NodeState): void {
-    this.state = state;
-    this.host.changed();
-    if (!this.active()) this.host.settled(this.node);
   }
 }
 

@@ -2,7 +2,7 @@
 // It starts when it is wanted and is none of the nodes that are launched.
 
 import type { NodeRunner } from './node_runner.ts';
-import type { NodeState, SiteNode, Unsubscribe } from './session.ts';
+import type { NodeState, ProgramNode, Unsubscribe } from './session.ts';
 
 /** Of site.json. Paths are relative to it. */
 export interface SiteNotebook {
@@ -55,7 +55,7 @@ export interface NotebookKernel {
 export const kernelId = 'notebook';
 
 /** What runs it. */
-export function kernelNode({ file, program, archives }: SiteNotebook): SiteNode {
+export function kernelNode({ file, program, archives }: SiteNotebook): ProgramNode {
   const name = file.slice(file.lastIndexOf('/') + 1);
   return {
     id: kernelId, package: '', executable: name, label: name, kind: 'python', program, python: { archives, entry: 'ros2wasm.notebook:main' },

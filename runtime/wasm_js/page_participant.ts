@@ -231,9 +231,12 @@ export class PageParticipant implements PageNode {
     }
   }
 
-  /** In a stepped run: what a node has sent is taken before the next one has its turn, so that all runs see the same. */
+  /** In a stepped run: what a node has sent or made is seen before the next one has its turn, so that all runs see the same. */
   private takeRest(): void {
+    if (this.closed) return;
+    for (const watcher of [...this.watchers]) guarded(() => watcher.before?.());
     while (!this.closed && this.readers.size > 0 && this.takeAll());
+    for (const watcher of [...this.watchers]) guarded(() => watcher.after());
   }
 
   /** True when there may be more. */

@@ -45,7 +45,8 @@ export class PythonFiles {
   }
 
   private archives(): readonly string[] {
-    return [...new Set([...this.site.nodes, ...this.site.programs].flatMap(({ python }) => python?.archives ?? []))];
+    const { nodes, programs } = this.site;
+    return [...new Set([...nodes.filter((node) => node.kind !== 'command'), ...programs].flatMap(({ python }) => python?.archives ?? []))];
   }
 
   /** One of them. Rejects as parts(). */

@@ -73,7 +73,8 @@ export class PythonImages {
 
   /** `share`: as in ImageStart. */
   constructor(site: SiteDescription, platform: Platform, files: PythonFiles, share: string) {
-    const all: readonly SiteProgram[] = [...site.nodes, ...site.programs, ...(site.notebook === undefined ? [] : [kernelNode(site.notebook)])];
+    const own = site.nodes.filter((node) => node.kind !== 'command');
+    const all: readonly SiteProgram[] = [...own, ...site.programs, ...(site.notebook === undefined ? [] : [kernelNode(site.notebook)])];
     const nodes = all.filter(({ python }) => python !== undefined);
     const programs = new Set(nodes.map(({ program }) => program));
     this.site = site;
@@ -90,7 +91,7 @@ export class PythonImages {
   /** What a node begins with; undefined: with nothing. Never rejects. */
   async take(node: SiteNode, environment: Readonly<Record<string, string>>): Promise<ImageOfStart> {
     const { program } = this;
-    if (program === undefined || program !== node.program || node.python === undefined || bootsByItself(environment)) return undefined;
+    if (node.kind === 'command' || program === undefined || program !== node.program || node.python === undefined || bootsByItself(environment)) return undefined;
     this.asked.add(node.id);
     if (this.made === undefined) {
       this.looked ??= this.keptOne(program).catch(() => undefined);

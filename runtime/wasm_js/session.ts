@@ -42,7 +42,8 @@ export interface SiteProgram {
   readonly threads: boolean;
 }
 
-export interface SiteNode extends SiteProgram {
+/** What the launch starts, and by which rules. */
+interface LaunchedProcess {
   /** `<executable>-<n>`, the process name that `ros2 launch` prints. */
   readonly id: string;
   readonly label: string;
@@ -62,6 +63,17 @@ export interface SiteNode extends SiteProgram {
   readonly shutdownOnExit: boolean;
   readonly source?: SourcePlace;
 }
+
+export interface ProgramNode extends SiteProgram, LaunchedProcess {}
+
+/** A command of `ros2` that the launch file starts, no program of the site: `arguments` are its words. */
+export interface CommandNode extends LaunchedProcess {
+  readonly kind: 'command';
+  readonly package: '';
+  readonly executable: string;
+}
+
+export type SiteNode = ProgramNode | CommandNode;
 
 /** Something that happens to a node, by its id. */
 export type NodeMoment =
@@ -255,6 +267,8 @@ export interface NodeView {
   readonly terminal?: KeyMode;
   /** Numbers of the other tabs of the graph in which it runs. */
   readonly elsewhere?: readonly number[];
+  /** It is a command of `ros2`, which reads nothing that is typed. */
+  readonly command?: true;
   /** Paths of the sources that it has read since it started, or had when it ended, in that order; and of those the changed ones. */
   readonly usedSources?: readonly string[];
   readonly changedSources?: readonly string[];
@@ -309,6 +323,24 @@ export interface LaunchedNodes {
   /** As Ctrl-C does. */
   stop(): void;
 }
+
+/** A command that the launch file starts, as it is run. */
+export interface RunningCommand {
+  readonly session: Session;
+  /** Behind `ros2`. */
+  readonly words: readonly string[];
+  /** One line or several, without the newline at the end. */
+  readonly print: (text: string) => void;
+  /** The same, on standard error. */
+  readonly warn: (text: string) => void;
+  /** A file of the site, by its path there. Rejects with a SiteError. */
+  readonly file: (path: string) => Promise<ArrayBuffer>;
+  /** Ctrl-C. */
+  readonly signal: AbortSignal;
+}
+
+/** Loads what runs commands of `ros2`, which the session has not itself; that then gives each one's exit code. */
+export type CommandLoader = (session: Session) => Promise<(command: RunningCommand) => Promise<number>>;
 
 export interface ConsoleLog {
   /** The newest lines, oldest first; the count is bounded. */

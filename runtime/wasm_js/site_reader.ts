@@ -7,7 +7,7 @@ import { SiteError } from './site_error.ts';
 import { type FilePart, placesOf, readStore, type SiteStore } from './site_places.ts';
 import { fail, flag, type Json, list, number, object, path, readSource, text } from './site_values.ts';
 import type {
-  LaunchArgument, LaunchFile, LaunchMoment, LaunchPython, LaunchStep, LaunchView, LineTest, NodeMoment, PythonProgram, SiteAuthor, SiteCitation,
+  CommandNode, LaunchArgument, LaunchFile, LaunchMoment, LaunchPython, LaunchStep, LaunchView, LineTest, NodeMoment, PythonProgram, SiteAuthor, SiteCitation,
   SiteDescription, SiteFile, SiteNode, SiteProgram,
 } from './session.ts';
 import type { SiteSources } from './site_sources.ts';
@@ -100,12 +100,17 @@ function readProgram(value: unknown, what: string): SiteProgram {
   };
 }
 
+/** No program runs it. */
+function readCommand(json: Json, what: string): Pick<CommandNode, 'kind' | 'package' | 'executable'> {
+  return { kind: 'command', package: '', executable: text(json, 'executable', what) };
+}
+
 function readNode(value: unknown, what: string): SiteNode {
   const json = object(value, what);
   const environment = object(json['environment'] ?? {}, `${what}.environment`);
   const source = readSource(json);
   return {
-    ...readProgram(json, what),
+    ...(json['kind'] === 'command' ? readCommand(json, what) : readProgram(json, what)),
     id: text(json, 'id', what),
     label: text(json, 'label', what, text(json, 'id', what)),
     arguments: list(json, 'arguments', what, (item) => (typeof item === 'string' ? item : fail(`${what}.arguments`))),

@@ -1,6 +1,7 @@
 // A running site: the Session that the page and the headless runner see.
 
 import type { Broker } from './broker.ts';
+import { ComingUp } from './coming_up.ts';
 import { NodeConsole } from './console_log.ts';
 import type { SentLine } from './console_sender.ts';
 import { graphView } from './graph_view.ts';
@@ -11,11 +12,13 @@ import { kernelId, kernelNode, readEvent, SiteKernel, type SiteNotebook } from '
 import type { GraphView, PageNode } from './page_node.ts';
 import { PageParticipant } from './page_participant.ts';
 import type { Platform } from './platform.ts';
+import type { ProcessRunner } from './process_runner.ts';
 import { PythonFiles } from './python_files.ts';
 import { PythonImages } from './python_images.ts';
+import { type CommonHost, runnerOf } from './runner_of.ts';
 import { Sampler } from './sampler.ts';
 import type {
-  AddedNode, ConsoleLog, LastMessage, LaunchedNodes, LaunchRequest, LinkKind, NodeState, NodeView, Session, SiteDescription, SiteNode,
+  AddedNode, CommandLoader, ConsoleLog, LastMessage, LaunchedNodes, LaunchRequest, LinkKind, NodeState, NodeView, Session, SiteDescription, SiteNode,
   SiteTime, SteppedRun, TabView, TopicView, Unsubscribe,
 } from './session.ts';
 import { SourceFiles } from './source_files.ts';
@@ -28,9 +31,6 @@ import { Tabs } from './tabs.ts';
 
 const sampleMs = 250;
 
-/** What all that run in the session have alike. */
-type KernelHost = Omit<RunnerHost, 'changed' | 'settled' | 'shutdown' | 'happened' | 'lines' | 'event'>;
-
 /** Whether a node is this tab's. */
 const isHeld = (kind: NodeState['kind']): boolean => kind === 'starting' || kind === 'running' || kind === 'waiting';
 
@@ -40,6 +40,8 @@ export interface SessionOptions {
   readonly broker: Broker;
   /** A stepped run; the broker must be made for it. `time`: its time is in the page's hand. */
   readonly stepped?: { readonly seed: number; readonly time?: SteppedTime };
+  /** Must be there for a site whose launch file starts commands of `ros2`. */
+  readonly commands?: CommandLoader;
   /** Called with each message that a node sends, in order. */
   readonly onSent?: (node: SiteNode, message: SentMessage) => void;
   /** Called with each line of the launch itself. */
@@ -60,11 +62,11 @@ export class SiteSession implements Session {
   readonly launchLog: NodeConsole;
   private readonly onLaunchLine: SessionOptions['onLaunchLine'];
   private readonly steps: LaunchSteps;
-  private readonly runners = new Map<string, NodeRunner>();
+  private readonly runners = new Map<string, ProcessRunner>();
   /** Those of them that are no part of the site, and those that have ended: who still shows one may still ask for its console. */
   private readonly added = new Set<string>();
   private readonly gone = new Set<string>();
-  private readonly common: KernelHost;
+  private readonly common: CommonHost;
   private readonly sampler: Sampler;
   private readonly input: InputWriter;
   private readonly nodeListeners = new Set<(nodes: readonly NodeView[]) => void>();
@@ -85,7 +87,7 @@ export class SiteSession implements Session {
   private again = false;
   private closed = false;
 
-  constructor({ site, platform, broker, onLines, onLaunchLine, stepped, onSent }: SessionOptions) {
+  constructor({ site, platform, broker, commands, onLines, onLaunchLine, stepped, onSent }: SessionOptions) {
     this.site = site;
     this.platform = platform;
     this.broker = broker;
@@ -123,7 +125,8 @@ export class SiteSession implements Session {
       this.sources = new SourceFiles(sources, texts, () => pythonFiles.whole(sources.archive));
     }
     this.images = stepped === undefined ? new PythonImages(site, platform, pythonFiles, files.prefix) : undefined;
-    const common: KernelHost = {
+    const comingUp = new ComingUp();
+    const common: CommonHost = {
       environment,
       files,
       platform,
@@ -135,12 +138,15 @@ export class SiteSession implements Session {
       stepped: stepped === undefined ? undefined : { seed: stepped.seed },
       sent: traced ? (of: SiteNode, message: SentMessage) => void trace.add(of.id, message) : onSent,
       resetInput: (id: string) => this.input.reset(id),
+      comingUp,
+      begins: (of) => comingUp.begins(of),
+      commands: commands === undefined ? undefined : { session: this, load: commands, comingUp, file: (path) => platform.bytes(path) },
     };
     this.common = common;
     if (site.notebook !== undefined) this.notebook = this.kernel(site.notebook, common);
     for (const node of site.nodes) {
       const console = new NodeConsole(platform.frame);
-      this.runners.set(node.id, new NodeRunner(node, console, {
+      this.runners.set(node.id, runnerOf(node, console, {
         ...common,
         changed: () => this.nodesChanged(),
         settled: (of) => {
@@ -159,11 +165,12 @@ export class SiteSession implements Session {
     }
   }
 
-  private kernel(notebook: SiteNotebook, common: KernelHost): SiteKernel {
+  private kernel(notebook: SiteNotebook, common: CommonHost): SiteKernel {
     const node = kernelNode(notebook);
     const runner = new NodeRunner(node, new NodeConsole(this.platform.frame), {
       ...common,
       changed: () => kernel.changed(),
+      begins: () => undefined,
       settled: (of) => this.images?.settled(of),
       shutdown: () => undefined,
       happened: () => undefined,
@@ -202,7 +209,7 @@ export class SiteSession implements Session {
     });
   }
 
-  private runner(id: string): NodeRunner {
+  private runner(id: string): ProcessRunner {
     const runner = this.runners.get(id);
     if (runner === undefined) throw new RangeError(`the site has no node ${id}`);
     return runner;
@@ -258,9 +265,9 @@ export class SiteSession implements Session {
   }
 
   /** A node beside those of the site. It does not run yet. */
-  private addedRunner(node: SiteNode, told: Pick<RunnerHost, 'happened' | 'shutdown' | 'changed' | 'lines'>): NodeRunner {
+  private addedRunner(node: SiteNode, told: Pick<RunnerHost, 'happened' | 'shutdown' | 'changed' | 'lines'>): ProcessRunner {
     const console = new NodeConsole(this.platform.frame);
-    const runner = new NodeRunner(node, console, {
+    const runner = runnerOf(node, console, {
       ...this.common,
       ...told,
       changed: () => {
@@ -281,7 +288,7 @@ export class SiteSession implements Session {
 
   run({ package: from, executable, arguments: given, onLines, onEnd }: AddedNode): string {
     const { nodes, programs } = this.site;
-    const carried = [...nodes, ...programs].find((one) => one.package === from && one.executable === executable);
+    const carried = [...nodes.filter((node) => node.kind !== 'command'), ...programs].find((one) => one.package === from && one.executable === executable);
     if (carried === undefined) throw new RangeError(`the site has no program ${from}/${executable}`);
     const id = this.idFor(executable);
     const { kind, program, names, python, threads } = carried;
@@ -540,7 +547,8 @@ export class SiteSession implements Session {
   }
 
   sendInput(id: string, text: string): void {
-    if (!this.runner(id).active()) return;
+    const runner = this.runner(id);
+    if (!runner.active() || runner.node.kind === 'command') return;
     this.input.send(id, text);
     this.broker.wrote();
   }

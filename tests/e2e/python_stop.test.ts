@@ -13,7 +13,7 @@ import { rmSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import { type Browser, chromium } from 'playwright-core';
 import { openHeadless } from '../../runtime/wasm_js/headless_session.ts';
-import { stopGraceMs } from '../../runtime/wasm_js/node_runner.ts';
+import { stopGraceMs } from '../../runtime/wasm_js/process_runner.ts';
 import { serveFolder } from '../support/static_server.ts';
 import { ownPackage } from '../support/python_nodes.ts';
 import { prints, reaches } from '../unit/wasm_js/site_fixture.ts';

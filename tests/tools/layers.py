@@ -23,9 +23,9 @@ ALLOWED: dict[str, set[str]] = {
 }
 # The page sees the runtime through these files only.
 UI_DOORS = {"session.ts", "launcher.ts", "carried_files.ts", "page_files.ts", "qos_view.ts"}
-# Commands and bags know no more than panels do; the program for Node.js opens the site itself.
+# Commands and bags know no more than panels do; the programs for Node.js open the site themselves.
 COMMAND_DOORS = {"session.ts", "site_error.ts", "launch_arguments.ts", "qos_view.ts"}
-HEADLESS_MAIN = "runtime/ros2cli/headless_main.ts"
+HEADLESS_MAINS = {"runtime/ros2cli/headless_main.ts", "runtime/ros2cli/headless_run_main.ts"}
 # The bus looks into no message: of the layer that does it uses the rules of names only.
 DECODE_DOORS = {"ros_names.ts"}
 # Except for what decides a site's checks, which is beside the bus and loaded for sites that have some.
@@ -68,7 +68,7 @@ def violations() -> list[str]:
                 reads_messages = layer == "runtime/decode" and Path(used).name not in DECODE_DOORS
                 if folder == "runtime/wasm_js" and reads_messages and file.name not in MESSAGE_READERS:
                     errors.append(f"{name}: uses {used}; the bus knows no messages")
-                is_command = folder in {"runtime/bag", "runtime/ros2cli"} and name != HEADLESS_MAIN
+                is_command = folder in {"runtime/bag", "runtime/ros2cli"} and name not in HEADLESS_MAINS
                 if is_command and layer == "runtime/wasm_js" and Path(used).name not in COMMAND_DOORS:
                     errors.append(f"{name}: uses {used}; commands see only {', '.join(sorted(COMMAND_DOORS))}")
                 if folder == "runtime/ui" and layer == "runtime/wasm_js" and Path(used).name not in UI_DOORS:

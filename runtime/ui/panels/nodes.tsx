@@ -143,9 +143,13 @@ function NodeRow({ node, now, focused, onFocus, session, announce }: NodeRowProp
         {upTime === null ? null : <span class="node-time">{texts.nodes.upSince(upTime)}</span>}
       </p>
       <p class="node-facts">
-        <span title={texts.nodes.program}>
-          <Name text={node.package} /> <span class="node-program">{node.executable}</span>
-        </span>
+        {node.command === true ? (
+          <span title={texts.nodes.command}>{node.id}</span>
+        ) : (
+          <span title={texts.nodes.program}>
+            <Name text={node.package} /> <span class="node-program">{node.executable}</span>
+          </span>
+        )}
         {node.source === undefined ? null : (
           <span class="node-place" title={texts.nodes.declared}>
             {placeText(node.source)}

@@ -2,12 +2,10 @@
 // goes on while another tab is in front, and ends with the panel. State: {line}, which stands there at first.
 
 import { useEffect, useRef, useState } from 'preact/hooks';
-import type { BagPlace } from '../../ros2cli/command.ts';
 import { complete, wanted } from '../../ros2cli/complete.ts';
 import { programsOf } from '../../ros2cli/programs.ts';
 import { runCommand } from '../../ros2cli/run.ts';
 import { tellWanted } from '../../ros2cli/told.ts';
-import { fetchOfSite } from '../../wasm_js/carried_files.ts';
 import type { ConsoleLine, KeyMode, Session } from '../../wasm_js/session.ts';
 import { desktopPanel, needless } from '../model/desktop_programs.ts';
 import { lineFilter, shellSteps } from '../model/shell_line.ts';
@@ -20,6 +18,7 @@ import { IconButton } from '../parts/button.tsx';
 import { keyFieldProps } from '../parts/key_input.ts';
 import { LineScroller } from '../parts/line_scroller.tsx';
 import { PanelFrame } from '../parts/panel.tsx';
+import { bagsOf, kMostTextBytes, readText, written } from '../parts/terminal_files.ts';
 import { takeLines } from '../parts/terminal_line.ts';
 import { texts } from '../texts.ts';
 import { panelTexts } from '../texts_panels.ts';
@@ -33,8 +32,6 @@ const kWrongLine = 2;
 const kNotFound = 127;
 /** What a flood may leave undrawn; the oldest of it is left out. */
 const kMostWaiting = 5000;
-/** Of a file that is read or written. */
-const kMostTextBytes = 1 << 20;
 
 /** The lines of one terminal, drawn once per animation frame. */
 class Screen {
@@ -72,32 +69,6 @@ class Screen {
   close(): void {
     cancelAnimationFrame(this.frame);
   }
-}
-
-/** The shelf of the panel for bags, which comes with the first command that needs it. */
-function bagsOf(session: Session): BagPlace {
-  const place = async (): Promise<BagPlace> => (await import('../parts/bag_desk.ts')).bagDesk(session).place;
-  return {
-    open: async (name) => (await place()).open(name),
-    create: async (name) => (await place()).create(name),
-  };
-}
-
-/** What was written with `>`, by name; as long as the page is open. */
-const written = new Map<string, string>();
-
-/** A text that was written here, or a file of the site by its path, with or without the folders that it begins with. */
-async function readText(session: Session, name: string): Promise<string | undefined> {
-  const own = written.get(name);
-  if (own !== undefined) return own;
-  const prefix = `${session.prefix}/`;
-  const path = name.startsWith(prefix) ? name.slice(prefix.length) : name;
-  const { files } = session.site;
-  const found = files.find((file) => file.path === path) ?? files.find((file) => file.path.endsWith(`/${path}`));
-  if (found === undefined || found.size > kMostTextBytes) return undefined;
-  const response = await fetchOfSite(found.path);
-  if (!response.ok) throw new Error(`HTTP ${response.status}`);
-  return await response.text();
 }
 
 export function TerminalPanel({ session, announce, open, state, store }: PanelProps) {

@@ -79,7 +79,7 @@ export function ConsoleTile({
         <h3 class="tile-title">{only === undefined ? heading : label}</h3>
         {only === undefined ? null : <StateBadge state={only.state} />}
         <div class="tile-tools">
-          {only === undefined ? null : (
+          {only === undefined || only.command === true ? null : (
             <IconButton
               icon="input"
               label={texts.console.input(label)}

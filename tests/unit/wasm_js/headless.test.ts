@@ -5,7 +5,7 @@ import { spawn } from 'node:child_process';
 import { rmSync } from 'node:fs';
 import { after, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { parseOptions } from '../../../runtime/wasm_js/headless.ts';
+import { parseOptions } from '../../../runtime/wasm_js/headless_run.ts';
 import { makeFolder } from './site_fixture.ts';
 
 const script = fileURLToPath(new URL('../../../runtime/wasm_js/headless.ts', import.meta.url));

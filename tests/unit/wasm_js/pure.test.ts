@@ -181,7 +181,15 @@ test('site.json: what may be left out has a value', () => {
 
 test('site.json: a Python node', () => {
   const python = { archives: ['python/a.zip'], entry: 'm.n:main' };
-  assert.deepEqual(readSite({ ...site, nodes: [{ ...node, kind: 'python', python }] }).nodes[0]?.python, python);
+  const [read] = readSite({ ...site, nodes: [{ ...node, kind: 'python', python }] }).nodes;
+  assert.deepEqual(read?.kind === 'python' ? read.python : undefined, python);
+});
+
+test('site.json: a command of ros2, which has no program', () => {
+  const command = { id: 'ros2-1', package: '', executable: 'ros2', label: 'ros2 topic list', kind: 'command', arguments: ['topic', 'list'] };
+  assert.deepEqual(readSite({ ...site, nodes: [command] }).nodes[0], {
+    ...command, environment: {}, output: 'screen', respawn: false, respawnDelay: 0, startAfter: 0, shutdownOnExit: false,
+  });
 });
 
 const broken: readonly [string, unknown, RegExp][] = [

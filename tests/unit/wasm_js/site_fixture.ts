@@ -5,7 +5,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { PortBroker, SharedBroker } from '../../../runtime/wasm_js/broker.ts';
 import { nodePlatform } from '../../../runtime/wasm_js/node_platform.ts';
-import type { LinkKind, NodeState, NodeView, Session } from '../../../runtime/wasm_js/session.ts';
+import type { CommandLoader, LinkKind, NodeState, NodeView, Session } from '../../../runtime/wasm_js/session.ts';
 import type { WorkerOrder } from '../../../runtime/wasm_js/node_worker.ts';
 import { readSite } from '../../../runtime/wasm_js/site_reader.ts';
 import { SiteSession } from '../../../runtime/wasm_js/site_session.ts';
@@ -74,10 +74,13 @@ export function makeFolder(nodes: readonly FixtureNode[], more: Readonly<Record<
   return folder;
 }
 
-/** Runs `use` with a session; everything is closed after it. `posted`: what went to workers, in order. `more`: as of makeFolder(). */
+/**
+ * Runs `use` with a session; everything is closed after it. `posted`: what went to workers, in order. `more`: as of makeFolder().
+ * `commands`: what runs those of `ros2`.
+ */
 export async function withSession(
   nodes: readonly FixtureNode[], use: (session: SiteSession, folder: string, posted: readonly WorkerOrder[]) => Promise<void>,
-  link: LinkKind = 'shared', more: Readonly<Record<string, unknown>> = {},
+  link: LinkKind = 'shared', more: Readonly<Record<string, unknown>> = {}, commands?: CommandLoader,
 ): Promise<void> {
   const folder = makeFolder(nodes, more);
   const posted: WorkerOrder[] = [];
@@ -96,7 +99,7 @@ export async function withSession(
     },
   };
   const broker = link === 'shared' ? new SharedBroker({ ceiling: 256 << 20 }) : new PortBroker();
-  const session = new SiteSession({ site: readSite(await platform.json('site.json')), platform, broker });
+  const session = new SiteSession({ site: readSite(await platform.json('site.json')), platform, broker, ...(commands === undefined ? {} : { commands }) });
   try {
     await use(session, folder, posted);
   } finally {

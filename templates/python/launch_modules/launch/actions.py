@@ -321,9 +321,8 @@ class ExecuteProcess(ExecuteLocal):
         self.cmd = list(cmd)
 
     def _entities(self) -> list[Entity]:
-        words = [text_of(one) for one in self.cmd]
-        attributes = {'cmd': ' '.join(words) if self._shell else words, 'name': _optional(self._process_name),
-                      **self._process_attributes()}
+        attributes = {'cmd': [text_of(one) for one in self.cmd], 'shell': flag(self._shell),
+                      'name': _optional(self._process_name), **self._process_attributes()}
         return self._followed(self._entity('executable', attributes, self._env_parts()))
 
 

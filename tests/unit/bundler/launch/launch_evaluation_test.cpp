@@ -146,7 +146,7 @@ constexpr Case kCases[] = {
      "all ends: done  after 9.0 s\n"},
     {"a command is left out", R"x(<executable cmd="gz sim -r"/>)x",
      "- executable: {cmd: gz sim -r}",
-     "left out: gz sim -r (a site runs nodes of packages only)\n"},
+     "left out: gz sim -r (a site runs nodes of packages and commands of ros2 only)\n"},
     {"components of a container, and some more of them",
      R"x(<node_container pkg="c" exec="component_container" name="box" namespace="">
         <composable_node pkg="a" plugin="a::B" name="one" namespace="in"><param name="p" value="1"/>

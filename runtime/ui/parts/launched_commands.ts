@@ -1,0 +1,8 @@
+// The commands of `ros2` that the site's launch file starts, in the page: the same code as the terminal's, with its files.
+
+import { launchedCommands } from '../../ros2cli/launched_command.ts';
+import type { CommandLoader } from '../../wasm_js/session.ts';
+import { bagsOf, readText } from './terminal_files.ts';
+
+export const pageCommands: CommandLoader = (session) =>
+  launchedCommands({ bags: bagsOf(session), readText: (name) => readText(session, name) })(session);

@@ -1,4 +1,4 @@
-"""pictures TOPIC: publishes a small test card every half second: eight coloured bars, a grey ramp, and a dot that goes along."""
+"""pictures TOPIC: publishes a test card every half second: eight coloured bars, a grey ramp, a dot that goes along."""
 import sys
 from contextlib import suppress
 

@@ -159,7 +159,7 @@ export const panelTexts = {
 
   scene: {
     frame: 'Fixed frame',
-    usualFrame: (frame: string): string => (frame === '' ? 'no frame yet' : `${frame} (chosen for you)`),
+    usualFrame: (frame: string): string => (frame === '' ? 'no frame yet' : `automatic: ${frame}`),
     missingFrame: (frame: string): string => `${frame} (nobody speaks of it)`,
     top: 'See it from above',
     home: 'Back to the usual view',

@@ -62,7 +62,7 @@ test('frames are drawn as axes where the tree says, and nothing is drawn when no
   on(null, async (page) => {
     await frames(page, tree);
     await page.getByText('3 frames').waitFor();
-    await page.getByRole('option', { name: 'map (chosen for you)' }).waitFor({ state: 'attached' });
+    await page.getByRole('option', { name: 'automatic: map' }).waitFor({ state: 'attached' });
     for (const color of ['red', 'green', 'blue'] as const) assert.ok((await pixels(page, color)) > 30, color);
     // The same again moves nothing. What is sent after it is drawn, so that both have been looked at.
     await publish(page, '/tf', 'tf2_msgs/msg/TFMessage', { transforms: [transform('map', 'arm', [0, 0, 1])] });

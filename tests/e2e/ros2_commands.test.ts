@@ -225,8 +225,8 @@ for (const link of ['shared', 'port'] as const) {
         assert.match(report, slow ? /^device {2}: none.* through message ports$/m : /^device {2}: none.* in shared memory$/m);
         assert.match(report, /\nnode {4}: robot-1\nstate {3}: running\n/);
         assert.match(report, /\nplatform info {4}: Node\.js/);
-        assert.match(report, /\ndistribution name {8}: jazzy\n/);
-        assert.match(report, /\ntopic {14}: \/words\npublisher count {4}: 0\nsubscriber count {3}: 1\n/);
+        assert.match(report, /\ndistribution name {6}: jazzy\n/);
+        assert.match(report, /\ntopic {15}: \/words\npublisher count {5}: 0\nsubscriber count {4}: 1\n/);
         assert.doesNotMatch(await shell.prints(['doctor', '-r', '-ep']), /PACKAGE VERSIONS/);
       });
 

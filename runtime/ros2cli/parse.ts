@@ -74,7 +74,8 @@ function parseWords(command: Command, words: readonly string[]): Parsed {
       continue;
     }
     if (isHelp(word)) return { kind: 'help', text: commandHelp(command) };
-    const cut = word.startsWith('--') ? word.indexOf('=') : word.length > 2 ? 2 : -1;
+    // `-rf` may be an option of that name.
+    const cut = word.startsWith('--') ? word.indexOf('=') : word.length > 2 && findOption(command, word) === undefined ? 2 : -1;
     const name = cut < 0 ? word : word.slice(0, cut);
     const attached = cut < 0 ? undefined : word.slice(word.startsWith('--') ? cut + 1 : cut);
     const option = findOption(command, name);

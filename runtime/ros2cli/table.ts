@@ -4,6 +4,7 @@ import { actionCommands } from './action_commands.ts';
 import { bagCommands } from './bag_commands.ts';
 import type { Command } from './command.ts';
 import { componentCommands } from './component_commands.ts';
+import { doctorCommand, wtfCommand } from './doctor_commands.ts';
 import { interfaceCommands } from './interface_commands.ts';
 import { launchCommand } from './launch_command.ts';
 import { lifecycleCommands } from './lifecycle_commands.ts';
@@ -21,6 +22,7 @@ export const commands: readonly Command[] = [
   ...actionCommands,
   ...bagCommands,
   ...componentCommands,
+  doctorCommand,
   ...interfaceCommands,
   launchCommand,
   ...lifecycleCommands,
@@ -34,4 +36,5 @@ export const commands: readonly Command[] = [
   topicEcho,
   ...topicMeasures,
   topicPub,
+  wtfCommand,
 ];

@@ -11,6 +11,8 @@ export const texts = {
   restartAll: 'Restart all',
   runningOf: (running: number, all: number): string => `${running} of ${all} running`,
   version: (version: string): string => `version ${version}`,
+  /** Of a line that is cut. */
+  moreCharacters: (count: number): string => `(${count} more characters)`,
   by: (names: string): string => `by ${names}`,
 
   seed: 'Repeatable run',

@@ -159,7 +159,7 @@ export const panelTexts = {
 
   scene: {
     frame: 'Fixed frame',
-    usualFrame: (frame: string): string => (frame === '' ? 'no frame yet' : `${frame} (chosen for you)`),
+    usualFrame: (frame: string): string => (frame === '' ? 'no frame yet' : `automatic: ${frame}`),
     missingFrame: (frame: string): string => `${frame} (nobody speaks of it)`,
     top: 'See it from above',
     home: 'Back to the usual view',
@@ -284,6 +284,14 @@ export const panelTexts = {
     openQuote: 'a quotation mark is left open',
     notFound: (name: string): string => `${name}: command not found; help says what there is`,
     nothing: 'a command is missing',
+    grep: {
+      nothing: 'nothing stands behind |',
+      onlyGrep: (name: string): string => `${name}: only grep can stand behind | here`,
+      flag: (word: string): string => `grep: ${word} is not known here: -e -i -v -w -E -F are`,
+      file: (word: string): string => `grep: ${word}: there are no files here, only what stands before |`,
+      usage: 'usage: ... | grep [-ivwEF] PATTERN',
+      expression: (pattern: string): string => `grep: ${pattern}: this is no regular expression`,
+    },
     opened: (program: string, panel: string): string => `${program}: the panel \u201c${panel}\u201d of this page is open`,
     needless: {
       source: 'nothing to source: every command here knows the packages of this site',

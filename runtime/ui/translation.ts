@@ -3,6 +3,6 @@
 
 export type Translation<T> = T extends string
   ? string
-  : T extends (...given: infer Given) => string
-    ? (...given: Given) => string
+  : T extends (...given: infer Given) => infer Told
+    ? (...given: Given) => Translation<Told>
     : { readonly [Name in keyof T]: Translation<T[Name]> };

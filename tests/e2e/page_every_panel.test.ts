@@ -150,7 +150,17 @@ const kShown: Readonly<Record<keyof typeof texts.panels, Shown>> = {
   },
   image: {
     state: { topic: '/camera/image_raw' },
-    seen: (panel) => panel.getByRole('img', { name: 'Image of /camera/image_raw, 4 \u00d7 2, mono8' }).waitFor(),
+    async seen(panel) {
+      const picture = panel.getByRole('img', { name: 'Image of /camera/image_raw, 64 \u00d7 48, rgb8' });
+      await picture.waitFor();
+      // The middle of each bar of the test card, above the dot.
+      const bars = await picture.evaluate((canvas) => Array.from({ length: 8 }, (_, bar) => {
+        const one = new OffscreenCanvas(1, 1).getContext('2d', { willReadFrequently: true });
+        if (canvas instanceof HTMLCanvasElement) one?.drawImage(canvas, -(8 * bar + 4), -6);
+        return [...(one?.getImageData(0, 0, 1, 1).data ?? [])].slice(0, 3).map((part) => part >> 7).join('');
+      }));
+      assert.deepEqual(bars, ['111', '110', '011', '010', '101', '100', '001', '000']);
+    },
   },
   scene: {
     state: { view: { distance: 9, azimuth: -1.5708, elevation: 1 }, names: false, list: false, topics: ['/map', '/scan', '/trail', '/robot_description'] },

@@ -189,6 +189,22 @@ test('by keys: values at a moment, zoom of time and of values, and back', () =>
     assert.ok(await plot.evaluate((element) => element === document.activeElement));
   }));
 
+test('all values of messages that came at one moment are told', () =>
+  stage.on(withPanel({ plot: { ...kPlot.plot, seconds: 1 } }), {}, async (page) => {
+    await play(page, 3, 20);
+    await page.evaluate(() => {
+      const { now } = performance;
+      const moment = performance.now();
+      performance.now = () => moment;
+      for (const value of [101, 102, 103]) send('/sine', 'demo/msg/Sine', { value: 0.5, other: 1, list: [value], mode: 'idle', big: 0 });
+      performance.now = now;
+    });
+    await page.locator('.path-value').nth(1).getByText('103', { exact: true }).waitFor();
+    await plotOf(page).focus();
+    for (let i = 0; i < 6; i += 1) await page.keyboard.press('ArrowRight');
+    await page.locator('.path-value').nth(1).getByText('101 102 103', { exact: true }).waitFor();
+  }));
+
 test('by pointer: values under it, and a drag up and down chooses values', () =>
   stage.on(withPanel({ plot: { ...kPlot.plot, seconds: 1 } }), {}, async (page) => {
     await play(page, 120, 8);
@@ -303,6 +319,15 @@ for (const colorScheme of ['light', 'dark'] as const) {
       },
     ));
 }
+
+test('fields stand beside each other, so that the drawing keeps its height', () =>
+  stage.on(withPanel({ plot: { paths: ['/sine.value', '/sine.other', '/sine.big', '/sine.list[0]'] } }), { viewport: { width: 1000, height: 500 } }, async (page) => {
+    await play(page, 50);
+    await page.locator('.path').nth(3).waitFor();
+    const rows = new Set(await page.locator('.path').evaluateAll((paths) => paths.map((path) => Math.round(path.getBoundingClientRect().top))));
+    assert.ok(rows.size <= 2, `${rows.size} rows`);
+    assert.ok(((await page.locator('.plot-canvas').boundingBox())?.height ?? 0) > 200);
+  }));
 
 test('plot and timeline fit a phone', () =>
   stage.on(withPanel(kPlot), { ...phone, viewport: { width: 320, height: 568 } }, async (page) => {

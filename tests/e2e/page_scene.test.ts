@@ -62,7 +62,7 @@ test('frames are drawn as axes where the tree says, and nothing is drawn when no
   on(null, async (page) => {
     await frames(page, tree);
     await page.getByText('3 frames').waitFor();
-    await page.getByRole('option', { name: 'map (chosen for you)' }).waitFor({ state: 'attached' });
+    await page.getByRole('option', { name: 'automatic: map' }).waitFor({ state: 'attached' });
     for (const color of ['red', 'green', 'blue'] as const) assert.ok((await pixels(page, color)) > 30, color);
     // The same again moves nothing. What is sent after it is drawn, so that both have been looked at.
     await publish(page, '/tf', 'tf2_msgs/msg/TFMessage', { transforms: [transform('map', 'arm', [0, 0, 1])] });
@@ -313,7 +313,7 @@ test('a goal is set with the pointer or by keys, in the fixed frame', () =>
     await page.mouse.down();
     await page.mouse.move(x, y - 90, { steps: 3 });
     await page.mouse.up();
-    await page.locator('.panel-note').getByText(/^Goal published: -?0\.\d\d, -?0\.\d\d, 90\u00b0$/).waitFor();
+    await page.locator('.scene-said').getByText(/^Goal published: -?0\.\d\d, -?0\.\d\d, 90\u00b0$/).waitFor();
     await page.waitForFunction(() => goals.length === 1);
     const goal = await page.evaluate(() => JSON.parse(JSON.stringify(goals[0])) as {
       header: { frame_id: string }; pose: { position: { x: number; y: number }; orientation: { z: number; w: number } };
@@ -370,7 +370,7 @@ test('an .rviz file says what is shown', () =>
       ]);
       await chooser.setFiles({ name, mimeType: 'text/plain', buffer: Buffer.from(text) });
     };
-    const note = page.locator('.panel-note');
+    const note = page.locator('.scene-said');
     await open('notes.rviz', '<b>no</b>');
     await note.getByText('notes.rviz is no file of RViz').waitFor();
     await open('arm.rviz', `Visualization Manager:

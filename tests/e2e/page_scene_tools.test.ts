@@ -64,7 +64,7 @@ test('the pose is estimated with RViz\'s covariance, and points are published, b
     await page.mouse.down();
     await page.mouse.move(x - 90, y, { steps: 3 });
     await page.mouse.up();
-    await page.locator('.panel-note').getByText(/^Estimate published: -?0\.\d\d, -?0\.\d\d, -?180\u00b0$/).waitFor();
+    await page.locator('.scene-said').getByText(/^Estimate published: -?0\.\d\d, -?0\.\d\d, -?180\u00b0$/).waitFor();
     await told(page, 1);
     const { header: { frame_id: frame }, pose } = await goal(page, 0) as {
       header: { frame_id: string }; pose: { pose: { orientation: { z: number } }; covariance: readonly number[] };
@@ -75,7 +75,7 @@ test('the pose is estimated with RViz\'s covariance, and points are published, b
     // Keys: a quarter of a turn to the left of what is ahead.
     for (let i = 0; i < 6; i += 1) await canvas.press('[');
     await canvas.press('Enter');
-    await page.locator('.panel-note').getByText(/, 90\u00b0$/).waitFor();
+    await page.locator('.scene-said').getByText(/, 90\u00b0$/).waitFor();
     await told(page, 2);
     await canvas.press('Escape');
     await page.getByText('2 frames').waitFor();
@@ -87,7 +87,7 @@ test('the pose is estimated with RViz\'s covariance, and points are published, b
     assert.ok(Math.hypot(point.x, point.y, point.z) < 0.05, JSON.stringify(point));
     await canvas.press('Enter');
     await told(page, 4);
-    await page.locator('.panel-note').getByText(/^Point published: -?0\.0\d, -?0\.0\d, 0\.00$/).waitFor();
+    await page.locator('.scene-said').getByText(/^Point published: -?0\.0\d, -?0\.0\d, 0\.00$/).waitFor();
   }));
 
 async function cloud(page: Page): Promise<void> {
@@ -128,10 +128,10 @@ test('what is pressed on says its topic, frame, stamp and values, and so does th
     const [x, y] = await middle(page);
     const perMetre = await page.locator('.scene-canvas').evaluate((element) => element.clientHeight / (2 * 6 * Math.tan(Math.PI / 8)));
     await page.mouse.click(x, y + perMetre * 1.5);
-    await page.locator('.panel-note').getByText('press on the other place').waitFor();
+    await page.locator('.scene-said').getByText('press on the other place').waitFor();
     const [nextX, nextY] = await middle(page);
     await page.mouse.click(nextX + perMetre * 2, nextY + perMetre * 1.5);
-    const said = await page.locator('.panel-note').getByText(/ m; along the axes /).innerText();
+    const said = await page.locator('.scene-said').getByText(/ m; along the axes /).innerText();
     assert.ok(Math.abs(Number.parseFloat(said) - 2) < 0.03, said);
     await page.screenshot({ path: join(kOutput, 'scene_measure.png') });
   }));

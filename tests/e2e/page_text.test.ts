@@ -9,7 +9,7 @@ const kDrawing = '<svg xmlns="http://www.w3.org/2000/svg" width="40" height="20"
 
 const kSheet = `# Lab 1: a wheel
 
-The speed is $v = \\omega r$, and
+The speed is $v = \\omega r$, at most $v_{max}$, and
 
 $$\\frac{a}{b} = \\sqrt{2}$$
 
@@ -71,6 +71,9 @@ test('a lab sheet stands beside its machine: math, images, tables, links that ac
     await text.getByRole('heading', { name: 'Lab 1: a wheel' }).waitFor();
     await text.locator('math mfrac').waitFor();
     assert.ok(((await text.locator('math mfrac').boundingBox())?.height ?? 0) > 15);
+    // An index hangs below its line, whatever fonts there are.
+    const bottoms = await text.locator('math msub > mi:first-child, math msub > mrow > mrow').evaluateAll((parts) => parts.map((part) => part.getBoundingClientRect().bottom));
+    assert.ok((bottoms[1] ?? 0) > (bottoms[0] ?? 0) + 1, String(bottoms));
     for (const name of ['the arm', 'a logo']) {
       const image = text.getByRole('img', { name });
       await image.scrollIntoViewIfNeeded();

@@ -1,7 +1,7 @@
 // The commands of ros2 on a packed site with C++ nodes: their output letter for letter as upstream's, on both links, over a
 // session that runs; then from a shell, with exit codes, Ctrl-C and a pipe that closes.
 
-// Compatibility, works: the commands `ros2 topic`, `node`, `service`, `action`, `param`, `interface` and `lifecycle`, in the
+// Compatibility, works: the commands `ros2 topic`, `node`, `service`, `action`, `param`, `interface`, `lifecycle` and `doctor`, in the
 // page's terminal and as `ros2wasm ros2 SITE ...`, with upstream's output
 
 import assert from 'node:assert/strict';
@@ -201,6 +201,35 @@ for (const link of ['shared', 'port'] as const) {
         assert.equal((await shell.run(['pkg', 'xml', 'no_such_package'])).warned, 'Package not found\n');
       });
 
+      await t.test('doctor', async () => {
+        const slow = link === 'port';
+        const plain = await shell.run(['doctor']);
+        assert.deepEqual([plain.code, plain.out], [0, '\nAll 4 checks passed\n\n']);
+        assert.equal(plain.warned.includes('not cross-origin isolated'), slow);
+        for (const words of ['Publisher without subscriber detected on /chatter.', 'Subscriber without publisher detected on /words.'])
+          assert.ok(plain.warned.includes(`UserWarning: ${words}\n`), plain.warned);
+        assert.doesNotMatch(plain.warned, /rosout|parameter_events/);
+        const strict = session.node().subscription('/place', 'geometry_msgs/msg/PointStamped', { reliability: 'reliable' }, () => undefined);
+        const failed = await shell.run(['wtf', '-rf']);
+        strict.close();
+        assert.equal(failed.code, 0);
+        assert.match(failed.warned, /^UserWarning: ERROR: QoS compatibility error found on topic '\/place': Best effort publisher and reliable subscription;$/m);
+        assert.match(failed.out, /^\n1\/4 check\(s\) failed\n\nFailed modules: middleware\n\n {3}QOS COMPATIBILITY LIST\n/);
+        assert.ok(failed.out.includes(['topic [type]            : /place [geometry_msgs/msg/PointStamped]', 'publisher node          : robot',
+          'subscriber node         : _ros2wasm_page', 'compatibility status    : ERROR: Best effort publisher and reliable subscription;', ''].join('\n')), failed.out);
+        assert.match(failed.out, /\n {3}RMW MIDDLEWARE\nmiddleware name    : rmw_wasm_cpp\n$/);
+        assert.match((await shell.run(['doctor', '-iw'])).out, slow ? /^\n2\/4 check\(s\) failed\n\nFailed modules: network topic\n$/ : /^\n1\/4 check\(s\) failed\n\nFailed modules: topic\n$/);
+        const report = await shell.prints(['doctor', '--report']);
+        assert.deepEqual(report.match(/^ {3}.*/gm)?.map((title) => title.trim()), ['NETWORK CONFIGURATION', 'NODE LIST', 'PACKAGE VERSIONS', 'PLATFORM INFORMATION',
+          'QOS COMPATIBILITY LIST', 'RMW MIDDLEWARE', 'ROS 2 INFORMATION', 'TOPIC LIST']);
+        assert.match(report, slow ? /^device {2}: none.* through message ports$/m : /^device {2}: none.* in shared memory$/m);
+        assert.match(report, /\nnode {4}: robot-1\nstate {3}: running\n/);
+        assert.match(report, /\nplatform info {4}: Node\.js/);
+        assert.match(report, /\ndistribution name {6}: jazzy\n/);
+        assert.match(report, /\ntopic {15}: \/words\npublisher count {5}: 0\nsubscriber count {4}: 1\n/);
+        assert.doesNotMatch(await shell.prints(['doctor', '-r', '-ep']), /PACKAGE VERSIONS/);
+      });
+
       await t.test('topic pub', async () => {
         const out = await shell.prints(['topic', 'pub', '--once', '/words', 'std_msgs/msg/String', "{data: 'from the \"command\"'}"]);
         assert.match(out, /^(Waiting for at least 1 matching subscription\(s\)\.\.\.\n)?publisher: beginning loop\npublishing #1: std_msgs\.msg\.String\(data='from the "command"'\)\n\n$/);
@@ -312,6 +341,8 @@ for (const link of ['shared', 'port'] as const) {
       await shows(page, 'Setting parameter failed');
       await type(page, 'ros2 node list');
       await shows(page, '/gripper');
+      await type(page, 'ros2 doctor --report | grep "platform info"');
+      await shows(page, 'platform info    : Mozilla/');
     });
   });
 }
@@ -327,6 +358,9 @@ test('from a shell: result on stdout, exit codes, and what is wrong on stderr', 
   assert.equal(wrong.code, 2);
   assert.match(wrong.stderr, /^usage: ros2 topic pub .*\nros2 topic pub: error: the following arguments are required: topic_name, message_type\n$/);
   assert.equal((await ros2('topic', 'info', '/none')).code, 1);
+  const doctor = await ros2('doctor');
+  assert.deepEqual([doctor.code, doctor.stdout], [0, '\nAll 4 checks passed\n\n']);
+  assert.match(doctor.stderr, /^UserWarning: Publisher without subscriber detected on \/chatter\.$/m);
   assert.match((await ros2('topic', '--help')).stdout, /^usage: ros2 topic \[-h\] <command> \.\.\.\n/);
   const nothing = await workspace.run(['ros2', join(workspace.root, 'nowhere'), 'node', 'list']);
   assert.match(nothing.stderr, /^error\[R2W\d+\]/);

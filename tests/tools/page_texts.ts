@@ -1,6 +1,6 @@
 // Words that visitors of a page read stand in runtime/ui/texts*.ts alone: finds them in its components, as text content
-// and in attributes that are read. Symbols and names of ROS and of files are the same in every
-// language: only text with two letters in a row that is no such name counts.
+// and in attributes that are read, and sentences in everything else. Symbols and names of ROS and of files are the same
+// in every language: only text with two letters in a row that is no such name counts.
 
 import { readFileSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
@@ -16,6 +16,11 @@ const kName = /^\/?[a-z]\w*(\/\w+)+$|^\/\w+$|^\w+\.\w+$|^error\[$/;
 function isWords(text: string): boolean {
   return /\p{L}{2}/u.test(text) && !kName.test(text.trim());
 }
+
+/** Three words one after the other that are no names, as keys of RViz's files are: `Min Color Value`. */
+const kSentence = /(?<![\p{L}\p{N}-])\p{L}{2,} \p{Ll}{2,} \p{Ll}{2,}(?![\p{L}\p{N}-])/u;
+/** What patch wants to read. */
+const kNotOurs = new Set(['\\ No newline at end of file']);
 
 type Tree = Readonly<Record<string, unknown>>;
 
@@ -48,9 +53,25 @@ function literals(node: unknown): readonly string[] {
   }
 }
 
+function parsed(text: string): readonly Tree[] {
+  const { code } = transformSync(text, { loader: 'tsx', format: 'esm', jsx: 'automatic', jsxImportSource: 'preact' });
+  return trees(parse(code, { ecmaVersion: 'latest', sourceType: 'module' }));
+}
+
+/** Sentences that stand anywhere in a program. What a TypeError says is for whoever mends the bug. */
+export function sentencesIn(text: string): readonly string[] {
+  const found: string[] = [];
+  const visit = (node: Tree): void => {
+    if (node['type'] === 'NewExpression' && trees(node['callee']).some(({ name }) => name === 'TypeError')) return;
+    if (node['type'] === 'Literal' || node['type'] === 'TemplateLiteral') found.push(...literals(node).filter((one) => kSentence.test(one) && !kNotOurs.has(one)));
+    for (const part of Object.values(node)) trees(part).forEach(visit);
+  };
+  parsed(text).forEach(visit);
+  return found;
+}
+
 /** The words that stand in a component's text. */
 export function wordsIn(text: string): readonly string[] {
-  const { code } = transformSync(text, { loader: 'tsx', format: 'esm', jsx: 'automatic', jsxImportSource: 'preact' });
   const found: string[] = [];
   const visit = (node: Tree): void => {
     // What JSX has become.
@@ -59,13 +80,14 @@ export function wordsIn(text: string): readonly string[] {
         if (trees(key).some(({ name, value: quoted }) => kRead.has(String(name ?? quoted)))) found.push(...literals(value).filter(isWords));
     for (const part of Object.values(node)) trees(part).forEach(visit);
   };
-  trees(parse(code, { ecmaVersion: 'latest', sourceType: 'module' })).forEach(visit);
+  parsed(text).forEach(visit);
   return found;
 }
 
 if (process.argv[1]?.endsWith('page_texts.ts') === true) {
-  for (const name of readdirSync(kRoot, { recursive: true, encoding: 'utf8' }).filter((one) => one.endsWith('.tsx'))) {
-    for (const words of wordsIn(readFileSync(join(kRoot, name), 'utf8'))) {
+  for (const name of readdirSync(kRoot, { recursive: true, encoding: 'utf8' }).filter((one) => /(?<!^texts\w*)\.tsx?$/.test(one))) {
+    const text = readFileSync(join(kRoot, name), 'utf8');
+    for (const words of new Set([...wordsIn(text), ...sentencesIn(text)])) {
       console.log(`${join(kRoot, name)}: \u201c${words.trim()}\u201d belongs into runtime/ui/texts*.ts`);
       process.exitCode = 1;
     }

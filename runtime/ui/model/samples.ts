@@ -64,9 +64,16 @@ export class Samples {
 
   /** The value that holds at that time: of the last sample at or before it. */
   valueAt(time: number): number {
-    const next = this.from(time);
-    if (next < this.count && this.time(next) === time) return this.value(next);
-    return next === 0 ? Number.NaN : this.value(next - 1);
+    return this.valuesAt(time).at(-1) ?? Number.NaN;
+  }
+
+  /** The values of that very moment, of which there may be several; else the one that holds from before. */
+  valuesAt(time: number): readonly number[] {
+    const first = this.from(time);
+    let end = first;
+    while (end < this.count && this.time(end) === time) end += 1;
+    const begin = end > first ? first : Math.max(0, first - 1);
+    return Array.from({ length: end - begin }, (_, index) => this.value(begin + index));
   }
 
   private grow(): void {

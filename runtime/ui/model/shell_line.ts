@@ -2,6 +2,7 @@
 // file behind >. Pure.
 
 import { splitLine } from '../../ros2cli/parse.ts';
+import { panelTexts } from '../texts_panels.ts';
 
 export interface ShellStep {
   /** When it runs: whatever became of the one before, when that one succeeded, or when it failed. */
@@ -72,25 +73,26 @@ export interface LineFilter {
 
 /** What may stand behind `|`: grep. A text says what is wrong. */
 export function lineFilter([program, ...rest]: readonly string[]): LineFilter | string {
-  if (program !== 'grep') return program === undefined ? 'nothing stands behind |' : `${program}: only grep can stand behind | here`;
+  const words = panelTexts.terminal.grep;
+  if (program !== 'grep') return program === undefined ? words.nothing : words.onlyGrep(program);
   const flags = new Set<string>();
   const patterns: string[] = [];
   for (const [i, word] of rest.entries()) {
     if (rest[i - 1] === '-e') patterns.push(word);
     else if (/^-[ivEFwe]+$/.test(word)) for (const flag of word.slice(1)) flags.add(flag);
     else if (word === '--line-buffered' || word.startsWith('--color')) continue;
-    else if (word.startsWith('-') && word.length > 1) return `grep: ${word} is not known here: -e -i -v -w -E -F are`;
-    else if (patterns.length > 0) return `grep: ${word}: there are no files here, only what stands before |`;
+    else if (word.startsWith('-') && word.length > 1) return words.flag(word);
+    else if (patterns.length > 0) return words.file(word);
     else patterns.push(word);
   }
   const [pattern] = patterns;
-  if (pattern === undefined || patterns.length > 1) return 'usage: ... | grep [-ivwEF] PATTERN';
+  if (pattern === undefined || patterns.length > 1) return words.usage;
   const source = flags.has('F') ? pattern.replace(/[\\^$.*+?()[\]{}|]/g, '\\$&') : flags.has('E') ? pattern : fromBasic(pattern);
   try {
     const wanted = new RegExp(flags.has('w') ? `\\b(?:${source})\\b` : source, flags.has('i') ? 'i' : '');
     return { passes: (line) => wanted.test(line) !== flags.has('v') };
   } catch {
-    return `grep: ${pattern}: this is no regular expression`;
+    return words.expression(pattern);
   }
 }
 

@@ -23,6 +23,8 @@ import type { PanelProps } from './panel_props.ts';
 const kMostRows = 200;
 const kMostClosed = 100;
 const kLongestText = 200;
+/** Stand behind what this node is about. */
+const kOfEveryNode = /^(use_sim_time$|start_type_description_service$|qos_overrides\.)/;
 
 export function ParametersPanel({ session, state, setState, announce, instance }: PanelProps) {
   const text = textMember(state, 'text').slice(0, kLongestText);
@@ -39,7 +41,8 @@ export function ParametersPanel({ session, state, setState, announce, instance }
   const nodes = store?.nodes(hidden) ?? [];
   const wanted = text.trim().toLowerCase();
   const found = nodes.flatMap((node) => {
-    const rows = [...node.parameters];
+    const all = [...node.parameters];
+    const rows = [...all.filter(([name]) => !kOfEveryNode.test(name)), ...all.filter(([name]) => kOfEveryNode.test(name))];
     if (wanted === '' || node.name.toLowerCase().includes(wanted)) return [{ node, rows }];
     const some = rows.filter(([name]) => name.toLowerCase().includes(wanted));
     return some.length === 0 ? [] : [{ node, rows: some }];

@@ -24,6 +24,8 @@ import type { PanelProps } from './panel_props.ts';
 
 const kCapacity = 50_000;
 const kMostPaths = 16;
+/** Values of one moment that are written out. */
+const kMostTogether = 8;
 const kSeconds = [5, 10, 30, 60, 300, 3600] as const;
 const kUsualSeconds = 30;
 
@@ -115,7 +117,7 @@ export function PlotPanel({ session, state, setState, instance, announce }: Pane
       version.current += 1;
     },
     told: (moment) =>
-      announce(panelTexts.plot.values(moment - zero(), named.map(({ name, samples }) => [name, numberWords(samples.valueAt(moment))]))),
+      announce(panelTexts.plot.values(moment - zero(), named.map(({ name, samples }) => [name, momentWords(samples, moment)]))),
   });
   const { held, hold, moment } = view;
   const source = (): PlotSource => ({
@@ -225,7 +227,15 @@ function wordsOf(track: Track | undefined, moment: number | null): string {
   if (track.problem !== '') return track.problem;
   const { length } = track.samples;
   if (length === 0) return panelTexts.paths.waiting;
-  return numberWords(moment === null ? track.samples.value(length - 1) : track.samples.valueAt(moment));
+  return moment === null ? numberWords(track.samples.value(length - 1)) : momentWords(track.samples, moment);
+}
+
+/** All values of one moment: a burst of messages may have the same time. */
+function momentWords(samples: Samples, moment: number): string {
+  const values = samples.valuesAt(moment);
+  if (values.length === 0) return numberWords(Number.NaN);
+  const shown = values.slice(-kMostTogether).map(numberWords).join(' ');
+  return values.length > kMostTogether ? `\u2026 ${shown}` : shown;
 }
 
 function numberWords(value: number): string {

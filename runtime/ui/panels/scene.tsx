@@ -109,6 +109,7 @@ export function ScenePanel({ session, state, setState, announce }: PanelProps) {
   const loops = tree.loops().map(([first]) => panelTexts.scene.loop(first ?? ''));
   const note = [unreadable.get('') ?? '', ...loops.slice(0, 3)].filter((one) => one !== '').join('; ');
   const troubles = [...(note === '' ? [] : [note]), ...rows.filter((row) => row.problem !== '').map((row) => `${row.name}: ${row.problem}`)];
+  const said = tools.said === '' && view !== null ? panelTexts.scene.frameCount(view.frameCount) : tools.said;
   const pictures = [...new Set([
     ...topics.filter(({ type }) => isImage(type)).map(({ name }) => name).toSorted(),
     ...options.images.map(({ topic }) => topic),
@@ -119,7 +120,6 @@ export function ScenePanel({ session, state, setState, announce }: PanelProps) {
       id="scene"
       title={texts.panels.scene}
       icon="scene"
-      note={tools.said === '' && view !== null ? panelTexts.scene.frameCount(view.frameCount) : tools.said}
       tools={
         <>
           <select
@@ -210,6 +210,7 @@ export function ScenePanel({ session, state, setState, announce }: PanelProps) {
             ref={canvas}
           />
           {tools.tool === null ? null : <span class="scene-cross" aria-hidden="true" />}
+          {said === '' ? null : <p class="scene-said">{said}</p>}
           {ready === null || options.images.length === 0 ? null : (
             <SceneImages session={session} codec={ready} images={options.images} set={(images) => change({ images })} />
           )}

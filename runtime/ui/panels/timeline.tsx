@@ -110,9 +110,10 @@ export function TimelinePanel({ session, state, setState, instance }: PanelProps
         >
           {rowOf(path)
             .track.spans(least, end)
-            .map((span) => (
+            .map((span, index) => (
               <span
-                key={span.from}
+                // Several may begin at one moment.
+                key={`${span.from} ${index}`}
                 class={`state-span plot-ground-${span.color}`}
                 title={span.text}
                 style={{

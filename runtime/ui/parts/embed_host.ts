@@ -8,8 +8,11 @@ import type { EmbedOrder } from '../model/embed_request.ts';
 import type { Json } from '../model/json.ts';
 import { siteHash } from '../model/link.ts';
 import { problemOf } from '../model/problem.ts';
+import { embedTexts } from '../texts_embed.ts';
 import { matched } from './matched.ts';
 import { codecOf, feedBytes } from './message_feed.ts';
+
+const words = embedTexts.refusals;
 
 const kMostSubscriptions = 16;
 const kMostPublishers = 16;
@@ -72,13 +75,13 @@ class EmbedHost {
     };
     if (!this.orders.take(now)) {
       // Whoever floods hears of it, but not each time.
-      if (this.refusals.take(now)) fail(tooMany('this page is asked too often', `ask at most ${kOrders[1]} times a second`));
+      if (this.refusals.take(now)) fail(tooMany(words.tooOften(kOrders[1])));
       return;
     }
     if (order instanceof Refusal) return fail(order);
     const acts = mayAct(origin, location.origin, this.session.site.embed);
     if (!acts && !isReading(order)) return fail(notListed(origin));
-    if (this.waiting >= kMostWaiting) return fail(tooMany('too much is under way', 'wait for the answers to what was asked'));
+    if (this.waiting >= kMostWaiting) return fail(tooMany(words.busy()));
     this.waiting += 1;
     this.follow(order, to, acts)
       .then((result) => tellParent({ id, ok: true, result: result ?? null }, to))
@@ -164,7 +167,7 @@ class EmbedHost {
     const named = session.nodes().filter(
       ({ id, label }) => order.node === null || [id, label, label.replace(/^\//, '')].includes(order.node),
     );
-    if (named.length === 0) throw failed(`there is no node \`${order.node ?? ''}\``, 'take an id or a name that `state` gives');
+    if (named.length === 0) throw failed(words.node(order.node ?? ''));
     for (const { id } of named) session[order.do](id);
     return null;
   }
@@ -173,12 +176,12 @@ class EmbedHost {
   private async encoded(type: string, value: Json): Promise<Uint8Array> {
     const codec = await codecOf(this.session);
     const parsed = codec.types.get(type);
-    if (typeof parsed === 'string') throw failed(parsed, 'take a type that the site uses, by its full name: `std_msgs/msg/String`');
+    if (typeof parsed === 'string') throw failed(words.type(parsed));
     const drafted = codec.draft(type);
-    if (drafted.kind === 'failed') throw failed(drafted.reason);
+    if (drafted.kind === 'failed') throw failed([drafted.reason, '']);
     const whole = onto(drafted.value, value as Readonly<Record<string, unknown>>);
     const made = codec.encode(type, withNow(whole, parsed.shape, stampOf(this.session.time.view().now)));
-    if (made.kind === 'failed') throw failed(refusal(made));
+    if (made.kind === 'failed') throw failed([refusal(made), '']);
     return made.bytes;
   }
 
@@ -187,7 +190,7 @@ class EmbedHost {
     const key = `${topic} ${type}`;
     let publisher = this.publishers.get(key);
     if (publisher === undefined) {
-      if (this.publishers.size >= kMostPublishers) throw tooMany('too many topics are published on', `publish on at most ${kMostPublishers} topics`);
+      if (this.publishers.size >= kMostPublishers) throw tooMany(words.publishers(kMostPublishers));
       publisher = this.session.node().publisher(topic, type);
       if (publisher.problem !== undefined) throw publisher.problem;
       this.publishers.set(key, publisher);
@@ -209,15 +212,15 @@ class EmbedHost {
       if (before?.['type'] === kDouble) text += '.0';
       const { successful, reason } = await setText(caller, full, name, text);
       if (successful) return null;
-      throw failed(`${full} refuses: ${reason}`);
+      throw failed(words.parameter(full, reason));
     } catch (error) {
-      throw error instanceof Refusal ? error : failed(error instanceof Error ? error.message : String(error));
+      throw error instanceof Refusal ? error : failed([error instanceof Error ? error.message : String(error), '']);
     }
   }
 
   private async subscribe({ topic, rate }: Order<'subscribe'>, to: string): Promise<unknown> {
     if (this.subscriptions.size >= kMostSubscriptions)
-      throw tooMany('too many topics are subscribed to', `have at most ${kMostSubscriptions} subscriptions, or \`unsubscribe\``);
+      throw tooMany(words.subscriptions(kMostSubscriptions));
     const number = (this.numbered += 1);
     let newest: { bytes: Uint8Array; type: string; time: number } | undefined;
     let missed = 0;
@@ -230,7 +233,7 @@ class EmbedHost {
       const { bytes, type, time } = newest;
       newest = undefined;
       const read = bytes.length > kMostMessageBytes
-        ? { error: `a message of ${bytes.length} bytes: at most ${kMostMessageBytes} are passed on` }
+        ? { error: embedTexts.tooLarge(bytes.length, kMostMessageBytes) }
         : messageOf(codec.decode(type, bytes));
       tellParent({ event: 'message', subscription: number, topic, type, time, missed, ...read }, to);
       missed = 0;
@@ -252,7 +255,7 @@ class EmbedHost {
 
   private end(number: number): void {
     const stop = this.subscriptions.get(number);
-    if (stop === undefined) throw failed('there is no such subscription', 'give the number that `subscribe` answered');
+    if (stop === undefined) throw failed(words.subscription());
     this.subscriptions.delete(number);
     stop();
   }
@@ -264,7 +267,7 @@ class EmbedHost {
       const reply = await client.call(bytes, { timeoutMs, signal: this.leaving.signal });
       const codec = await codecOf(this.session);
       const read = codec.decode(`${type}_Response`, reply);
-      if (read.kind === 'failed') throw failed(read.reason);
+      if (read.kind === 'failed') throw failed([read.reason, '']);
       return read.value;
     } finally {
       client.close();
@@ -279,7 +282,7 @@ class EmbedHost {
   /** Answers when all are decided. */
   private async runChecks(): Promise<unknown> {
     const { checks } = this.session;
-    if (checks === undefined) throw failed('this site has no checks', 'write `checks:` in the manifest');
+    if (checks === undefined) throw failed(words.checks());
     checks.again();
     await new Promise<void>((resolve) => {
       const look = (): void => {
@@ -302,19 +305,14 @@ function messageOf(read: { readonly kind: 'value'; readonly value: unknown } | {
   return read.kind === 'value' ? { message: read.value } : { error: read.reason };
 }
 
-function failed(message: string, fix = ''): Refusal {
+function failed([message, fix]: readonly [string, string]): Refusal {
   return new Refusal('R2W0753', message, fix);
 }
 
-function tooMany(message: string, fix: string): Refusal {
+function tooMany([message, fix]: readonly [string, string]): Refusal {
   return new Refusal('R2W0752', message, fix);
 }
 
 function notListed(origin: string): Refusal {
-  return new Refusal(
-    'R2W0751',
-    `the page ${origin} may look at this site, but not act on it`,
-    'pack the site with `site: {embed: [ORIGIN]}` in its manifest',
-    'the author of the site lists the origins of pages that may',
-  );
+  return new Refusal('R2W0751', ...words.origin(origin), embedTexts.originWhy);
 }

@@ -54,6 +54,7 @@ export function drawImages(
   let last: ImageMessage | null = null;
   let frame = 0;
   let busy = false;
+  const room: Room = { rgba: new Uint8ClampedArray() };
   const draw = async (): Promise<void> => {
     frame = 0;
     const next = newest;
@@ -62,7 +63,7 @@ export function drawImages(
     newest = null;
     last = next;
     busy = true;
-    const told = next.type === kRaw ? drawRaw(element, next.value, range()) : await drawCompressed(element, next.value);
+    const told = next.type === kRaw ? drawRaw(element, next.value, range(), room) : await drawCompressed(element, next.value);
     busy = false;
     if (!current) return;
     tell(told);
@@ -98,7 +99,12 @@ function fault(problem: string): ImageTold {
   return { facts: '', problem, raw: null, range: null };
 }
 
-function drawRaw(canvas: HTMLCanvasElement, value: Readonly<Record<string, unknown>>, range: WantedRange): ImageTold {
+/** The pixels of the last image, in whose place those of the next one come: nearly always it has the same size. */
+interface Room {
+  rgba: Uint8ClampedArray<ArrayBuffer>;
+}
+
+function drawRaw(canvas: HTMLCanvasElement, value: Readonly<Record<string, unknown>>, range: WantedRange, room: Room): ImageTold {
   const { data, encoding } = value;
   if (!(data instanceof Uint8Array) || typeof encoding !== 'string') return fault(imageTexts.noImage);
   const raw: RawImage = {
@@ -109,8 +115,9 @@ function drawRaw(canvas: HTMLCanvasElement, value: Readonly<Record<string, unkno
     encoding,
     data,
   };
-  const pixels = pixelsOf(raw, range);
+  const pixels = pixelsOf(raw, range, room.rgba);
   if (typeof pixels === 'string') return fault(texts.topics.undecodable(pixels));
+  room.rgba = pixels.rgba;
   resize(canvas, pixels.width, pixels.height);
   canvas.getContext('2d')?.putImageData(new ImageData(pixels.rgba, pixels.width, pixels.height), 0, 0);
   return { facts: imageTexts.facts(pixels.width, pixels.height, encoding), problem: '', raw, range: pixels.range };

@@ -17,6 +17,9 @@ const kAttributes: ReadonlySet<string> = new Set([
   'columnspacing', 'columnlines', 'rowlines', 'linethickness', 'displaystyle', 'scriptlevel', 'notation', 'form',
 ]);
 const kMostDepth = 100;
+/** Without a font for formulas an index of low letters would not be lowered: it is made as high as its line. */
+const kLowered: ReadonlySet<string> = new Set(['msub', 'msubsup']);
+const kStrut = '0.8em';
 
 export function MathView({ tex, block }: { readonly tex: string; readonly block: boolean }) {
   const [temml, setTemml] = useState<Temml | null>(null);
@@ -70,5 +73,7 @@ function elementOf(node: unknown, depth: number): ComponentChildren {
   const kept = Object.entries(
     typeof attributes === 'object' && attributes !== null ? attributes : {},
   ).filter(([name, value]) => kAttributes.has(name) && typeof value === 'string');
-  return createElement(type, Object.fromEntries(kept), ...inside);
+  const [base, below, ...others] = inside;
+  const parts = kLowered.has(type) ? [base, createElement('mrow', null, below, createElement('mspace', { height: kStrut })), ...others] : inside;
+  return createElement(type, Object.fromEntries(kept), ...parts);
 }

@@ -226,8 +226,10 @@ function span(least: number, most: number): Extent | null {
 function marksOf(shown: PlotSource, mode: PlotMode, moment: number): readonly { readonly x: number; readonly y: number; readonly series: number }[] {
   const [first] = shown.series;
   return shown.series.flatMap(({ samples }, series) => {
-    if (mode === 'time') return [{ x: moment - shown.origin, y: samples.valueAt(moment), series }];
-    return series === 0 || first === undefined ? [] : [{ x: first.samples.valueAt(moment), y: samples.valueAt(moment), series }];
+    if (mode === 'time') return samples.valuesAt(moment).map((y) => ({ x: moment - shown.origin, y, series }));
+    if (series === 0 || first === undefined) return [];
+    const points = pairsWith(first.samples, samples, { least: moment, most: moment });
+    return (points.length > 0 ? points : [[first.samples.valueAt(moment), samples.valueAt(moment)] as const]).map(([x, y]) => ({ x, y, series }));
   });
 }
 
@@ -264,12 +266,11 @@ function nearestMoment(plot: uPlot, shown: PlotSource, left: number, top: number
   if (first === undefined) return null;
   let [found, best] = [null as number | null, kNear];
   for (const { samples } of others) {
-    for (let i = samples.from(shown.range.least); i < samples.length; i += 1) {
-      const time = samples.time(i);
-      if (time > shown.range.most) break;
-      const away = Math.hypot(plot.valToPos(first.samples.valueAt(time), 'x') - left, plot.valToPos(samples.value(i), 'y') - top);
-      if (away < best) [found, best] = [time, away];
-    }
+    const begin = samples.from(shown.range.least);
+    pairsWith(first.samples, samples, shown.range).forEach(([x, y], index) => {
+      const away = Math.hypot(plot.valToPos(x, 'x') - left, plot.valToPos(y, 'y') - top);
+      if (away < best) [found, best] = [samples.time(begin + index), away];
+    });
   }
   return found;
 }

@@ -1,7 +1,7 @@
 // Displays of points, laser scans and point clouds: the newest message, and those before it for as long as they are to
 // stay. Each message has its own place; the buffers of one that goes serve the next one.
 
-import { BufferAttribute, BufferGeometry, Group, Points, PointsMaterial } from 'three';
+import { BufferAttribute, BufferGeometry, Group, Points, PointsMaterial, Sphere, Vector3 } from 'three';
 import type { Object3D } from 'three';
 import { readScan } from '../model/laser_scan.ts';
 import { pointValues, readCloud } from '../model/point_cloud.ts';
@@ -118,8 +118,9 @@ export class PointDisplay implements Display {
 
   private slot(): Slot {
     const object = new Points(new BufferGeometry(), new PointsMaterial({ sizeAttenuation: false }));
-    // Its bounds would be looked for in every point of every message.
+    // Its bounds would be looked for in every point of every message: to leave it out, and to sort it.
     object.frustumCulled = false;
+    object.geometry.boundingSphere = new Sphere(new Vector3(), Infinity);
     this.group.add(object);
     return { object, message: null, header: readHeader(null), sources: new Uint32Array(), came: 0 };
   }
@@ -142,7 +143,6 @@ export class PointDisplay implements Display {
     put(geometry, 'position', positions, (from, to) => to.set(from));
     if (colors !== null) put(geometry, 'color', colors, linear);
     geometry.setDrawRange(0, sources.length);
-    geometry.boundingSphere = null;
     const { color, alpha } = lookOf(this.context);
     if (material.vertexColors !== (colors !== null)) {
       material.vertexColors = colors !== null;

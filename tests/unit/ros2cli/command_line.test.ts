@@ -42,6 +42,12 @@ test('lists of words, and options that may stand alone', () => {
   assert.match(String(given('bag', 'record', '-h')), /^usage: ros2 bag record \[-h\] .*\[--topics Topic \[Topic \.\.\.\]\].* \[Topic \.\.\.\]\n/);
 });
 
+test('short options of two letters are no option with a value', () => {
+  assert.deepEqual(given('doctor', '-rf'), [[], { 'report-failed': '' }]);
+  assert.deepEqual(given('wtf', '-iw', '-ep'), [[], { 'include-warnings': '', 'exclude-packages': '' }]);
+  assert.match(String(given('doctor', '-rx')), /argument --report\/-r: ignored explicit argument 'x'$/);
+});
+
 test('what stands behind the program is the program\'s', () => {
   const words = ['--ros-args', '-r', '__ns:=/left', '-p', 'speed:=-1', '--', '-h'];
   assert.deepEqual(given('run', 'demo', 'talker', ...words), [['demo', 'talker', ...words], {}]);
@@ -160,6 +166,9 @@ test('completion offers what may stand there', () => {
     ['ros2 launch ', ['demo']],
     ['ros2 launch demo ', ['demo.launch.py']],
     ['ros2 launch other ', []],
+    ['ros2 doc', ['doctor']],
+    ['ros2 doctor --re', ['--report', '--report-failed']],
+    ['ros2 wtf -i', ['-iw']],
     ['ros2 launch demo demo.launch.py sp', ['speed:=']],
     ['ros2 launch demo demo.launch.py speed:=1 ', ['speed:=']],
     ['ls ', []],

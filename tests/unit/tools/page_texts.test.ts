@@ -7,7 +7,7 @@ import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { build } from 'esbuild';
 import { languageOf, otherTexts } from '../../../runtime/other_texts.ts';
-import { wordsIn } from '../../tools/page_texts.ts';
+import { sentencesIn, wordsIn } from '../../tools/page_texts.ts';
 
 const kRoot = fileURLToPath(new URL('../../..', import.meta.url));
 
@@ -21,6 +21,11 @@ test('words in content and in attributes that are read are found, wherever they 
   assert.deepEqual(told('<>{props.open && <p>Open <b>now</b></p>}</>'), ['Open ', 'now']);
   // Nothing of these is a word of a language.
   assert.deepEqual(told('<p title={texts.close}>{texts.of(3)} \u00b7 {props.x} m 1:1<input placeholder="/cmd_vel" /><i>std_msgs/msg/String</i></p>'), []);
+});
+
+test('sentences are found wherever they stand, but not in bugs and names', () => {
+  assert.deepEqual(sentencesIn("export const f = (n) => n > 3 ? `there are ${n} too many of them` : 'no such node';"), [' too many of them', 'no such node']);
+  assert.deepEqual(sentencesIn("throw new TypeError('a graph has one direction'); const keys = ['Min Color Value', 'button drive-button drive-at', 'page embedded'];"), []);
 });
 
 test('a folder of another language takes the place of the texts that it has', async () => {

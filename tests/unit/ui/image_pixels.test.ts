@@ -74,6 +74,17 @@ test('two pixels that share their colours, by BT.601', () => {
   assert.deepEqual(rgba(image('yuyv', 2, 1, [16, 128, 235, 128])), [0, 0, 0, 255, 255, 255, 255, 255]);
 });
 
+test('an image takes the place of the last one of its size', () => {
+  const first = pixelsOf(image('rgba8', 2, 1, [1, 2, 3, 4, 250, 251, 252, 253]));
+  assert.ok(typeof first !== 'string');
+  const next = pixelsOf(image('32FC1', 2, 1, [...new Uint8Array(Float32Array.of(Number.NaN, 2).buffer)]), undefined, first.rgba);
+  assert.ok(typeof next !== 'string');
+  assert.equal(next.rgba, first.rgba);
+  assert.deepEqual([...next.rgba], [0, 0, 0, 0, 128, 128, 128, 255]);
+  const larger = pixelsOf(image('bgra8', 1, 2, [1, 2, 3, 4, 5, 6, 7, 8]), undefined, next.rgba.slice(0, 4));
+  assert.deepEqual(typeof larger === 'string' ? larger : [...larger.rgba], [3, 2, 1, 4, 7, 6, 5, 8]);
+});
+
 test('signed numbers, and a range that is given', () => {
   // -2, 0, 2 and 6 as 16 bits.
   const signed = image('16SC1', 4, 1, [0xfe, 0xff, 0, 0, 2, 0, 6, 0]);

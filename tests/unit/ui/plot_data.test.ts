@@ -52,6 +52,14 @@ test('samples keep the newest, in order, and begin anew when time goes back', ()
   assert.equal(samples.length, 1);
 });
 
+test('of several samples at one moment all are told, and the last one holds', () => {
+  const samples = new Samples(10);
+  for (const [time, value] of [[1, 5], [2, 6], [2, 7], [2, 8], [3, 9]] as const) samples.add(time, value);
+  assert.deepEqual(samples.valuesAt(2), [6, 7, 8]);
+  assert.equal(samples.valueAt(2), 8);
+  assert.deepEqual([0, 1, 1.5, 2.5, 9].map((time) => samples.valuesAt(time)), [[], [5], [5], [8], [9]]);
+});
+
 test('series of different times are put beside each other', () => {
   const [a, b] = [new Samples(10), new Samples(10)];
   a.add(1, 10);

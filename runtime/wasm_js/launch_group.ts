@@ -1,6 +1,6 @@
 // The launch file's nodes once more, as `ros2 launch` starts them: with names of their own, and with the launch file's steps.
 
-import { interruptedReason, LaunchSteps, noReason } from './launch_steps.ts';
+import { idleReason, interruptedReason, LaunchSteps, noReason } from './launch_steps.ts';
 import type { PageNode } from './page_node.ts';
 import type { ProcessRunner } from './process_runner.ts';
 import type { LaunchedNodes, LaunchMoment, LaunchRequest, LaunchStep, SiteNode } from './session.ts';
@@ -64,6 +64,7 @@ export class LaunchGroup implements LaunchedNodes {
       start: (id, afterSeconds) => this.runner(id).start(afterSeconds * 1000),
       stop: (id) => this.runner(id).stop(),
       stopAll: (reason) => this.end(reason),
+      idle: () => this.idle(),
       say: (level, logger, text) => asked.onSaid(`[${level}] [${logger}]: ${text}`),
       pageNode: host.pageNode,
     });
@@ -112,17 +113,21 @@ export class LaunchGroup implements LaunchedNodes {
     return runner;
   }
 
+  private idle(): boolean {
+    return ![...this.runners.values()].some((runner) => runner.active() || runner.respawns());
+  }
+
   /** Whether that was all. Once what happens now has had its say: an end may start another node. */
   private look(): void {
     if (!this.looked || this.over) return;
     this.looked = false;
     queueMicrotask(() => {
       this.looked = true;
-      const runners = [...this.runners.values()];
-      if (this.over || this.steps.busy() || runners.some((runner) => runner.active() || runner.respawns())) return;
+      if (this.over || this.steps.busy() || !this.idle()) return;
       this.over = true;
+      this.steps.shutdown(idleReason);
       this.steps.close();
-      for (const runner of runners) runner.stop();
+      for (const runner of this.runners.values()) runner.stop();
       this.host.free([...this.runners.keys()]);
       this.asked.onEnd();
     });

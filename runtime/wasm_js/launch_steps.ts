@@ -29,6 +29,8 @@ const shutdownReason = '\u2039why all ends\u203a';
 export const noReason = 'reason not given';
 /** Of a launch that is told to end from outside. */
 export const interruptedReason = 'ctrl-c (SIGINT)';
+/** Of a launch in which nothing runs any more. */
+export const idleReason = 'idle';
 
 function fits(line: string, { how, text, anyCase, holds }: LineTest): boolean {
   const [whole, part] = anyCase ? [line.toLowerCase(), text.toLowerCase()] : [line, text];
@@ -61,6 +63,8 @@ export interface LaunchStepsHost {
   readonly start: (id: string, afterSeconds: number) => void;
   readonly stop: (id: string) => void;
   readonly stopAll: (reason: string) => void;
+  /** No process runs, and none is about to. */
+  readonly idle: () => boolean;
   /** A line of the launch's own, by the logger of that name. */
   readonly say: (level: LogLevel, logger: string, text: string) => void;
   /** The page's node; made when the first managed node is spoken to. */
@@ -129,7 +133,10 @@ export class LaunchSteps {
 
   /** `stop`: it has ended, but not by itself. */
   happened(node: string, event: 'start' | 'exit' | 'stop'): void {
-    if (event !== 'start') this.abandon(node);
+    if (event !== 'start') {
+      this.abandon(node);
+      this.look();
+    }
     const isTold = this.ending.delete(node);
     if (event === 'stop' && !isTold) return;
     const happens = event === 'start' ? event : 'exit';
@@ -159,7 +166,14 @@ export class LaunchSteps {
       && isAsked(on.startState, change.startState) && isAsked(on.goalState, change.goalState));
   }
 
-  /** All nodes are about to be stopped. */
+  /** Whether that was all. Once what happens now has had its say: an end may start another node. */
+  private look(): void {
+    queueMicrotask(() => {
+      if (this.begun && !this.busy() && this.host.idle()) this.shutdown(idleReason);
+    });
+  }
+
+  /** All nodes are about to be stopped, or have ended. */
   shutdown(reason: string): void {
     if (this.ended) return;
     for (const step of this.host.steps) {
@@ -203,6 +217,7 @@ export class LaunchSteps {
     const end = this.host.after(step.after * 1000, () => {
       this.pending.delete(callOff);
       this.run(step);
+      this.look();
     });
     const callOff = (): void => {
       this.pending.delete(callOff);

@@ -199,6 +199,7 @@ export class SiteSession implements Session {
       start: (id, afterSeconds) => this.start(id, afterSeconds),
       stop: (id) => this.stop(id),
       stopAll: (reason) => this.endAll(reason),
+      idle: () => ![...this.runners.values()].some((runner) => runner.active() || runner.respawns()),
       say: (level, logger, text) => {
         const time = this.now();
         const line = `[${level}] [${logger}]: ${text}`;

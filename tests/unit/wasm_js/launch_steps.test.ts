@@ -28,6 +28,7 @@ class Host {
   answers = true;
   /** A call is answered when it is given up. */
   silent = false;
+  idle = false;
   problem: SiteError | undefined;
   private tasks: { readonly at: number; readonly task: () => void; off: boolean }[] = [];
   private listener: MessageListener | undefined;
@@ -70,6 +71,7 @@ class Host {
         this.done.push('stop');
         this.steps.shutdown(reason);
       },
+      idle: () => this.idle,
       say: (level, logger, text) => void this.said.push(`${level} ${logger} ${text}`),
       pageNode: () => node,
     });
@@ -114,6 +116,29 @@ test('a shutdown tells its reason once, calls off what was to come, and nothing 
   host.ring();
   assert.deepEqual(host.said, ['INFO launch all nodes are stopped: done', 'ERROR launch.user bye, done']);
   assert.deepEqual(host.done, ['stop']);
+});
+
+test('when nothing runs any more and nothing is to come, all has ended: idle', async () => {
+  const host = new Host([log('late', { after: 1 }), log('bye, \u2039why all ends\u203a', { on: { event: 'shutdown' } })]);
+  const moment = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
+  host.steps.happened('a-1', 'stop');
+  await moment();
+  host.steps.launched();
+  host.steps.happened('a-1', 'exit');
+  await moment();
+  assert.deepEqual(host.said, [], 'another one runs');
+  host.idle = true;
+  host.steps.happened('b-1', 'exit');
+  await moment();
+  assert.deepEqual(host.said, [], 'a line is to come');
+  host.ring();
+  await moment();
+  assert.deepEqual(host.said, ['INFO launch.user late', 'INFO launch.user bye, idle']);
+  host.steps.launched();
+  host.steps.happened('b-1', 'exit');
+  host.idle = false;
+  await moment();
+  assert.equal(host.said.length, 2, 'its end started another one');
 });
 
 test('lines of a node bring what asks for such, and stand in what is said of them', () => {

@@ -164,14 +164,14 @@ test('in Chromium each command has its row and its console, and is started again
     await rowOf(setting).getByText(change, { exact: true }).waitFor();
     assert.equal(await tileOf(`Console of ${setting}`).getByRole('button', { name: /input/i }).count(), 0);
 
-    await page.getByRole('button', { name: `Start ${setting}` }).click();
+    await page.getByRole('button', { name: `Start ${setting}`, exact: true }).click();
     await tileOf(`Console of ${setting}`).getByText('Set parameter successful').nth(1).waitFor();
-    await page.getByRole('button', { name: 'Start ros2 param get room/sim background_r' }).click();
+    await page.getByRole('button', { name: 'Start ros2 param get room/sim background_r', exact: true }).click();
     await tileOf('Console of ros2 param get room/sim background_r').getByText('Integer value is: 120').waitFor();
 
     const listening = 'ros2 topic echo /room/turtle2/pose turtlesim/msg/Pose --field x';
     await rowOf(listening).getByText('Running').waitFor();
-    await page.getByRole('button', { name: `Stop ${listening}` }).click();
+    await page.getByRole('button', { name: `Stop ${listening}`, exact: true }).click();
     await rowOf(listening).getByText(/^(Finished|Exited)/).waitFor();
   } finally {
     await browser.close();

@@ -22,8 +22,10 @@ export interface GraphRowProps {
 
 /** Until somebody scrolls: other rows come, what is inside is loaded, and the panel may be behind another one at first. */
 function keptInSight(row: HTMLElement): () => void {
+  const body = row.closest('.panel-body');
   const watch = new ResizeObserver(() => {
-    if (row.offsetParent !== null) row.scrollIntoView({ block: 'start' });
+    // Only the panel scrolls: scrollIntoView would move the page as well.
+    if (body !== null) body.scrollTop += row.getBoundingClientRect().top - body.getBoundingClientRect().top;
   });
   watch.observe(row);
   if (row.parentElement !== null) watch.observe(row.parentElement);

@@ -99,7 +99,7 @@ function stateText(state: NodeState): string {
 const checks: readonly Check[] = [
   {
     category: 'network',
-    look: ({ link }) => link === 'shared' ? [] : [warning('Nodes reach each other through message ports, which are slower than shared memory: the page is not cross-origin isolated.')],
+    look: ({ link }) => link === 'shared' ? [] : [warning('Nodes reach each other through message ports, which are slower than shared memory: the page is not cross-origin isolated, or they were asked for.')],
   },
   {
     category: 'node',

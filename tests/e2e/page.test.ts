@@ -164,6 +164,15 @@ test('the log shows /rosout of the nodes, with the place in their sources', () =
     await page.getByText(/None of \d+ lines match the filter/).waitFor();
     await page.getByRole('combobox', { name: 'Lowest level shown' }).selectOption('');
     await page.screenshot({ path: join(kRoot, 'tests/output/log_site.png') });
+    // Opened later, when /rosout holds only the newest seconds, it has all from the beginning, each line once.
+    await page.goto(`${served.url}?later#layout=${encodeURIComponent(JSON.stringify({ row: ['nodes', { tabs: ['console', 'log'] }] }))}`);
+    await page.getByText(/Publishing: 'Hello, world! 24'/).first().waitFor();
+    await page.getByRole('tab', { name: 'Log', exact: true }).click();
+    await log.getByText(/Publishing: 'Hello, world! 26'$/).waitFor();
+    const [saved] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Save the log' }).click()]);
+    const numbers = [...readFileSync(await saved.path(), 'utf8').matchAll(/Publishing: 'Hello, world! (\d+)'/g)].map(([, number]) => Number(number));
+    assert.deepEqual(numbers, numbers.map((_, i) => i));
+    assert.ok(numbers.length > 26);
   }));
 
 test('stop, start, restart', () =>

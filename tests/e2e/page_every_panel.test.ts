@@ -74,7 +74,15 @@ const kShown: Readonly<Record<keyof typeof texts.panels, Shown>> = {
   console: { seen: (panel) => text(panel, /Driving to|Goal reached/) },
   topics: {
     state: { topic: '/turtle1/pose' },
-    seen: (panel) => text(panel, /5\.544/),
+    async seen(panel) {
+      await text(panel, /5\.544/);
+      // The topic that the state names stands in sight, with what is inside.
+      await page.waitForFunction(() => {
+        const panel = document.querySelector('.panel-topics')?.getBoundingClientRect();
+        const row = document.querySelector('.topic-open')?.getBoundingClientRect();
+        return panel !== undefined && row !== undefined && row.top > panel.top && (row.top < panel.top + 100 || row.bottom <= panel.bottom);
+      });
+    },
   },
   plot: {
     state: { paths: ['/odom.pose.pose.position.x', '/turtle1/pose.x'], seconds: 30 },

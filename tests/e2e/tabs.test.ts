@@ -61,6 +61,12 @@ test('a tab joins while it runs, by the control on the page', watchdog, async ()
     await shows(page, 'I heard: [Hello World');
     await page.getByRole('button', { name: /Join other tabs/ }).click();
     await shows(page, 'Tab 1 of 1');
+    // In one line on a phone too.
+    const { width = 0, height = 0 } = page.viewportSize() ?? {};
+    await page.setViewportSize({ width: 390, height: 844 });
+    const place = await page.getByRole('link', { name: 'Tab 1 of 1' }).boundingBox();
+    assert.ok(place !== null && place.height <= 40 && place.x + place.width <= 390, JSON.stringify(place));
+    await page.setViewportSize({ width, height });
     const [second] = await Promise.all([context.waitForEvent('page'), page.getByRole('link', { name: 'Tab 1 of 1' }).click()]);
     await shows(second, 'Tab 2 of 2');
     await shows(second, 'runs in tab 1');

@@ -7,6 +7,8 @@ import { isMessage } from '../../decode/yaml.ts';
 import { asNumber } from '../model/field_path.ts';
 import { textMember } from '../model/json.ts';
 import { LineList } from '../model/line_list.ts';
+import { KnownLines, loggedBefore } from '../model/log_history.ts';
+import type { LogEntry } from '../model/log_history.ts';
 import { LEVELS } from '../model/log_line.ts';
 import { formatCount } from '../model/quantities.ts';
 import { CopyButton, IconButton } from '../parts/button.tsx';
@@ -34,14 +36,7 @@ const kLevels: readonly (readonly [number, string])[] = [
   [50, 'FATAL'],
 ];
 
-interface Entry {
-  readonly node: string;
-  readonly line: ConsoleLine;
-  /** As a traceback names it, so that it leads there; empty where the message has none. */
-  readonly place: string;
-}
-
-const shownLine = ({ line, place }: Entry, places: boolean): ConsoleLine =>
+const shownLine = ({ line, place }: LogEntry, places: boolean): ConsoleLine =>
   places && place !== '' ? { ...line, text: `${line.text}  [${place}]` } : line;
 
 export function LogPanel({ session, state, setState, announce }: PanelProps) {
@@ -50,7 +45,7 @@ export function LogPanel({ session, state, setState, announce }: PanelProps) {
   const text = textMember(state, 'text');
   const places = textMember(state, 'places') === kShown;
   const codec = useCodec(session);
-  const entries = useRef<Entry[]>([]);
+  const entries = useRef<LogEntry[]>([]);
   const names = useRef(new Set<string>());
   const [version, changed] = useReducer<number, void>((n) => n + 1, 0);
   const list = useMemo(() => new LineList(kCapacity), []);
@@ -58,23 +53,28 @@ export function LogPanel({ session, state, setState, announce }: PanelProps) {
   wanted.current = { node, places };
 
   useMemo(() => list.setFilter({ text, level }), [list, text, level]);
-  useEffect(() => {
+  const fill = (): void => {
+    const { node: only, places: withPlaces } = wanted.current;
     list.clear();
-    list.append(
-      entries.current
-        .filter((entry) => node === '' || entry.node === node)
-        .map((entry) => shownLine(entry, places)),
-      '',
-    );
+    list.append(entries.current.filter((entry) => only === '' || entry.node === only).map((entry) => shownLine(entry, withPlaces)), '');
     changed();
-  }, [list, node, places]);
+  };
+  useEffect(fill, [list, node, places]);
 
   useEffect(() => {
     if (codec === null || typeof codec === 'string') return undefined;
-    let fresh: Entry[] = [];
+    const before = loggedBefore(session.nodes().map(({ id }) => session.console(id).lines()));
+    const known = new KnownLines(before);
+    for (const entry of before) if (names.current.size < kMostNames) names.current.add(entry.node);
+    entries.current = [...before];
+    fill();
+    let fresh: LogEntry[] = [];
     let frame = 0;
+    let completed = false;
     const show = (): void => {
       frame = 0;
+      if (completed) fill();
+      completed = false;
       entries.current = entries.current.concat(fresh).slice(-kCapacity);
       const { node: only, places: withPlaces } = wanted.current;
       const seen = fresh.filter((entry) => only === '' || entry.node === only);
@@ -87,7 +87,15 @@ export function LogPanel({ session, state, setState, announce }: PanelProps) {
       const entry = entryOf(decoded.value, publishedAt);
       if (entry === null) return;
       if (names.current.size < kMostNames) names.current.add(entry.node);
-      fresh.push(entry);
+      const same = known.take(entry);
+      if (same === undefined) {
+        fresh.push(entry);
+      } else {
+        // It brings its place, and its other lines; unless it was cleared.
+        const index = entries.current.indexOf(same);
+        if (index >= 0) entries.current[index] = entry;
+        completed = true;
+      }
       // No frame comes while the page is hidden.
       if (fresh.length > 2 * kCapacity) fresh = fresh.slice(-kCapacity);
       if (frame === 0) frame = requestAnimationFrame(show);
@@ -161,7 +169,7 @@ export function LogPanel({ session, state, setState, announce }: PanelProps) {
 }
 
 /** A line of `ros2 launch`'s console out of an rcl_interfaces/msg/Log. */
-function entryOf(value: unknown, publishedAt: number): Entry | null {
+function entryOf(value: unknown, publishedAt: number): LogEntry | null {
   if (!isMessage(value)) return null;
   const { stamp, level, name, msg, file, function: within, line } = value;
   const number = asNumber(level);

@@ -24,6 +24,7 @@ import type { PanelProps } from './panel_props.ts';
 
 const kCapacity = 50_000;
 const kMostPaths = 16;
+const kSmall = 1e-3;
 /** Values of one moment that are written out. */
 const kMostTogether = 8;
 const kSeconds = [5, 10, 30, 60, 300, 3600] as const;
@@ -239,7 +240,9 @@ function momentWords(samples: Samples, moment: number): string {
 }
 
 function numberWords(value: number): string {
-  return Number.isNaN(value) ? '-' : String(Number(value.toPrecision(6)));
+  if (Number.isNaN(value)) return '-';
+  // Six digits behind many zeros would be as long as two numbers.
+  return value !== 0 && Math.abs(value) < kSmall ? value.toExponential(3) : String(Number(value.toPrecision(6)));
 }
 
 /** Colours that stay apart in print and for colour-blind people; those of the light theme. */

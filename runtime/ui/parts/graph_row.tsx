@@ -20,11 +20,28 @@ export interface GraphRowProps {
   readonly inside: () => ComponentChildren;
 }
 
+/** Until somebody scrolls: other rows come, what is inside is loaded, and the panel may be behind another one at first. */
+function keptInSight(row: HTMLElement): () => void {
+  const body = row.closest('.panel-body');
+  const watch = new ResizeObserver(() => {
+    // Only the panel scrolls: scrollIntoView would move the page as well.
+    if (body !== null) body.scrollTop += row.getBoundingClientRect().top - body.getBoundingClientRect().top;
+  });
+  watch.observe(row);
+  if (row.parentElement !== null) watch.observe(row.parentElement);
+  const panel = row.closest('.panel');
+  const ends = ['pointerdown', 'wheel', 'keydown'] as const;
+  const end = (): void => {
+    watch.disconnect();
+    for (const name of ends) panel?.removeEventListener(name, end);
+  };
+  for (const name of ends) panel?.addEventListener(name, end, { passive: true });
+  return end;
+}
+
 export function GraphRow({ id, name, type, flow, open, asked = false, onToggle, inside }: GraphRowProps) {
   const row = useRef<HTMLLIElement>(null);
-  useEffect(() => {
-    if (asked) row.current?.scrollIntoView({ block: 'start' });
-  }, [asked]);
+  useEffect(() => (asked && row.current !== null ? keptInSight(row.current) : undefined), [asked]);
   const content = open ? inside() : null;
   return (
     <li class={`topic ${open ? 'topic-open' : ''}`} ref={row}>

@@ -14,6 +14,7 @@
 #include "bundler/launch_from_file.hpp"
 #include "bundler/launch_tools.hpp"
 #include "bundler/render/packed_launch_json.hpp"
+#include "bundler/workspace/build_order.hpp"
 #include "bundler/workspace/discovery.hpp"
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
@@ -55,7 +56,11 @@ Outcome<std::vector<LocalPackage>> packages_of(const fs::path& folder, const fs:
                                                const Manifest& manifest) {
   auto packages =
       discover_packages(folder, shown, manifest.packages, ros_condition_variables(manifest.distro));
-  if (packages || packages.errors().front().code != "R2W0510") return packages;
+  if (packages) {
+    if (Diagnostics twice = duplicate_names(*packages); !twice.empty()) return twice;
+    return packages;
+  }
+  if (packages.errors().front().code != "R2W0510") return packages;
   return std::vector<LocalPackage>();
 }
 

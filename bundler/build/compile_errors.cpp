@@ -101,6 +101,25 @@ void explain_limits(Diagnostic& diagnostic) {
     diagnostic.why.push_back(std::move(line));
 }
 
+/// A header of a package that is there, which the target does not name.
+void explain_unnamed_package(Diagnostic& diagnostic, const FailedCommand& failed,
+                             const BuildPlace& place) {
+  static const std::regex kHeader(R"('([A-Za-z0-9_]+)/[^'\t\n]+' file not found)");
+  static const std::regex kTarget(R"((?:^|/)CMakeFiles/([^/]+)\.dir/)");
+  std::smatch header;
+  std::smatch target;
+  if (!std::regex_search(diagnostic.message, header, kHeader)) return;
+  if (!std::regex_search(failed.output_file, target, kTarget)) return;
+  const std::string package = header[1];
+  const auto& known = place.channel_packages;
+  if (package == place.package || !std::binary_search(known.begin(), known.end(), package)) return;
+  diagnostic.why.push_back("package `" + package + "` has its headers, and the target `" +
+                           target[1].str() + "` does not name it");
+  diagnostic.fix.push_back("in CMakeLists.txt: `find_package(" + package +
+                           " REQUIRED)` and `ament_target_dependencies(" + target[1].str() + " " +
+                           package + ")`; in package.xml: `<depend>" + package + "</depend>`");
+}
+
 Diagnostic compile_error(const FailedCommand& failed, const BuildPlace& place) {
   const auto lines = output_lines(failed.text);
   std::size_t from = 0;
@@ -120,6 +139,7 @@ Diagnostic compile_error(const FailedCommand& failed, const BuildPlace& place) {
   }
   explain_missing_features(result, place);
   explain_limits(result);
+  explain_unnamed_package(result, failed, place);
   return result;
 }
 

@@ -32,6 +32,11 @@ constexpr std::string_view kNoRequests =
 constexpr std::string_view kLaunch =
     "launch files are read when the site is packed (`launch:` of workspace.yaml); a node starts no "
     "others";
+constexpr std::string_view kCommands =
+    "the commands of `ros2` are the page's terminal; a node asks the graph by `rclpy` "
+    "(`get_topic_names_and_types()`), and for types `rosidl_runtime_py.utilities`";
+constexpr std::string_view kRos1 =
+    "it is of ROS 1; in ROS 2 nodes import `rclpy`, and for transforms `tf2_ros`";
 constexpr std::string_view kOptimiser =
     "it is compiled code, which nobody compiles for the Python of sites; small problems can be "
     "solved with `numpy.linalg`, others by a node in C++";
@@ -41,6 +46,8 @@ constexpr std::string_view kKdl =
 
 /// What people ask for and no site can have.
 constexpr auto kHints = std::to_array<Hint>({
+    {"Adafruit_GPIO", kHardware},
+    {"Adafruit_PCA9685", kHardware},
     {"PIL",
      "Pillow is compiled code, which nobody compiles for the Python of sites; an image's `data` is "
      "its bytes, which numpy takes (`numpy.frombuffer`), and the page shows sensor_msgs/msg/Image"},
@@ -52,11 +59,14 @@ constexpr auto kHints = std::to_array<Hint>({
     {"PySimpleGUI", kNoWidgets},
     {"RPi", kHardware},
     {"aiohttp", kNoRequests},
+    {"busio", kHardware},
     {"casadi", kOptimiser},
     {"cv2", "OpenCV is not there for the Python of sites; numpy is, for what can be done by hand"},
     {"cv_bridge", "OpenCV is not there for the Python of sites; an image's `data` is its bytes"},
     {"cvxpy", kOptimiser},
+    {"dynamixel_sdk", kHardware},
     {"evdev", kHardware},
+    {"face_recognition", kCompiled},
     {"fastapi", kNoSockets},
     {"flask", kNoSockets},
     {"gpiozero", kHardware},
@@ -76,20 +86,37 @@ constexpr auto kHints = std::to_array<Hint>({
      "it compiles at run time, which Python in a browser cannot do; the functions run "
      "without its decorators, in numpy where they are vectorised"},
     {"open3d", kCompiled},
-    {"pandas", kCompiled},
     {"paho", kNoSockets},
+    {"pandas", kCompiled},
     {"psutil", "a browser tells nothing of the machine's processes, memory and load"},
+    {"pydantic", kCompiled},
     {"pygame", kNoWindows},
+    {"pymavlink", kNoSockets},
     {"pynput", kKeys},
     {"pyrealsense2", kHardware},
+    {"python_qt_binding", kNoWidgets},
+    {"qt_gui", kNoWidgets},
     {"quaternion",
      "numpy-quaternion is compiled code, which nobody compiles for the Python of sites; "
      "`tf_transformations` and `transforms3d` turn with quaternions"},
     {"requests", kNoRequests},
+    {"ros2action", kCommands},
+    {"ros2cli", kCommands},
+    {"ros2interface", kCommands},
+    {"ros2node", kCommands},
+    {"ros2param", kCommands},
+    {"ros2pkg", kCommands},
+    {"ros2run", kCommands},
+    {"ros2service", kCommands},
+    {"ros2topic", kCommands},
     {"rosbag2_py", "nodes read and write no bags in a site"},
     {"rosidl_parser",
      "it reads what rosidl's generators write, which no site has; the types of a site are classes "
      "(`rosidl_runtime_py.utilities.get_message`) that tell their fields"},
+    {"roslib", kRos1},
+    {"rospy", kRos1},
+    {"rqt_gui", kNoWidgets},
+    {"rqt_gui_py", kNoWidgets},
     {"scipy",
      "it is compiled code, which nobody compiles for the Python of sites; turns of "
      "`scipy.spatial.transform` can be done with `transforms3d` or `tf_transformations`, linear "
@@ -102,6 +129,7 @@ constexpr auto kHints = std::to_array<Hint>({
     {"smbus2", kHardware},
     {"spidev", kHardware},
     {"tensorflow", kCompiled},
+    {"tf", kRos1},
     {"tf2_kdl", kKdl},
     {"tkinter", kNoWindows},
     {"torch", kCompiled},

@@ -2,6 +2,7 @@
 #include "bundler/launch/launch_python.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "workspace_schema/json_reader.hpp"
@@ -48,6 +49,15 @@ SourceSpan whole_line(std::string file, std::uint32_t line, std::string text) {
           .line_text = std::move(text)};
 }
 
+/// As Python's json reads it back as a float.
+std::string python_number(double value) {
+  if (std::isnan(value)) return "NaN";
+  if (std::isinf(value)) return value > 0 ? "Infinity" : "-Infinity";
+  std::string text = JsonWriter().number(value).text();
+  if (text.find_first_of(".e") == std::string::npos) text += ".0";
+  return text;
+}
+
 void write_yaml(JsonWriter& json, const YamlNode& node) {
   if (node.kind == YamlKind::kMap) {
     json.begin_object();
@@ -67,7 +77,7 @@ void write_yaml(JsonWriter& json, const YamlNode& node) {
     } else if (const auto* whole = std::get_if<std::int64_t>(&value)) {
       json.integer(*whole);
     } else if (const auto* real = std::get_if<double>(&value)) {
-      json.number(*real);
+      json.raw_number(python_number(*real));
     } else if (const auto* text = std::get_if<std::string>(&value)) {
       json.string(*text);
     } else {
@@ -134,8 +144,9 @@ Diagnostic failure(const JsonValue& error, const PythonMoment& moment) {
   if (error.find("module") != nullptr) {
     result.message = "the launch file imports what is not there: " + message;
     result.why = {
-        "it can import launch, launch_ros, launch_xml, launch_yaml, ament_index_python, xacro, "
-        "yaml, Python's own modules, and those of the workspace's packages",
+        "it can import launch, launch_ros, launch_xml, launch_yaml, nav2_common.launch, "
+        "ament_index_python, xacro, yaml, Python's own modules, and those of the workspace's "
+        "packages",
         "what else it makes can be written down in its place: a parameter file, a URDF"};
   }
   if (const std::string name = error.text_of("variable"); !name.empty()) {

@@ -17,6 +17,7 @@
 namespace ros2wasm {
 namespace {
 
+constexpr std::string_view kXacro = "xacro";
 constexpr std::size_t kLongestText = 4U << 20U;  // bytes
 /// In the place of a description of which a file is not there yet.
 constexpr const char* kLaterRobot = "<?xml version=\"1.0\" ?><robot name=\"later\"/>";
@@ -143,6 +144,8 @@ Result package_share(const Call& call) {
 }
 
 Result executable_in(const Call& call) {
+  // A command that begins with it is known without the program.
+  if (call.arguments[0] == kXacro && call.arguments[1] == kXacro) return std::string(kXacro);
   auto found = prefix(call, call.arguments[1]);
   return found ? Result(*found + "/lib/" + call.arguments[1] + "/" + call.arguments[0]) : found;
 }
@@ -231,7 +234,7 @@ Result command(const Call& call) {
 
 Result find_executable(const Call& call) {
   // What stands for these is not run either; the words are known.
-  for (const char* known : {"cat", "ros2", "xacro"})
+  for (const std::string_view known : {std::string_view("cat"), std::string_view("ros2"), kXacro})
     if (call.arguments[0] == known) return call.arguments[0];
   return fault(call, "R2W0414",
                "`$(find-exec " + call.arguments[0] +

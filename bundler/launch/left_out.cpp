@@ -18,15 +18,54 @@ struct StandIn {
   std::string_view panel = {};  ///< that the usual layout has in its place
 };
 
+constexpr std::string_view kBridge =
+    "nothing connects to a site: its nodes and its page share a graph";
+constexpr std::string_view kControl =
+    "ros2_control is no part of a site; a node of the workspace can do the controller's work";
+constexpr std::string_view kDevice =
+    "it reads a device, which no browser reaches; a node that simulates it, or a bag, can publish";
+constexpr std::string_view kJoystick =
+    "the panel Teleop drives by gamepad, and publishes velocities; nobody publishes joy messages";
+constexpr std::string_view kNavigation =
+    "it is no part of a site; the messages of Nav2 are, for nodes of the workspace that do its "
+    "work";
+constexpr std::string_view kSimulator = "a site has no simulator";
+
 constexpr StandIn kStandIns[] = {
-    {"gazebo*", "a site has no simulator"},
-    {"ros_gz*", "a site has no simulator"},
-    {"ros_ign*", "a site has no simulator"},
+    {"amcl", kNavigation},
+    {"cartographer_ros", kNavigation},
+    {"controller_manager", kControl},
+    {"foxglove_bridge", kBridge},
+    {"gazebo*", kSimulator},
     {"joint_state_publisher_gui", "the panel Joints of the page stands in for it", "joints"},
+    {"joy", kJoystick, "teleop"},
+    {"joy_linux", kJoystick, "teleop"},
+    {"joy_teleop", kJoystick, "teleop"},
+    {"micro_ros_agent", kBridge},
+    {"moveit*", "MoveIt is no part of a site, its messages are"},
+    {"nav2_*", kNavigation},
     {"plotjuggler*", "the page shows the messages of topics"},
+    {"realsense2_camera", kDevice},
+    {"robot_localization", kNavigation},
+    {"ros_gz*", kSimulator},
+    {"ros_ign*", kSimulator},
+    {"rosapi", kBridge},
+    {"rosbridge_server", kBridge},
+    {"rplidar_ros", kDevice},
     {"rqt*", "the page shows nodes and topics"},
     {"rviz*", "the 3D view of the page stands in for it", "scene"},
+    {"sick_scan*", kDevice},
+    {"slam_toolbox", kNavigation},
+    {"sllidar_ros2", kDevice},
+    {"teleop_twist_joy", kJoystick, "teleop"},
+    {"urg_node", kDevice},
+    {"usb_cam", kDevice},
+    {"v4l2_camera", kDevice},
+    {"velodyne_driver", kDevice},
+    {"web_video_server", kBridge},
+    {"webots_ros2*", kSimulator},
     {"xterm", "a site has no windows of programs"},
+    {"ydlidar_ros2_driver", kDevice},
 };
 
 Diagnostic left_out(const std::string& what, const std::string& why, const SourceSpan& span) {

@@ -19,23 +19,6 @@ bool matters_for_running(DependencyKind kind) {
   return kind == DependencyKind::kExec;
 }
 
-Diagnostics duplicate_names(const std::vector<LocalPackage>& packages) {
-  std::map<std::string, const LocalPackage*> first;
-  Diagnostics errors;
-  for (const LocalPackage& package : packages) {
-    const auto [at, is_new] = first.emplace(package.xml.name.value, &package);
-    if (is_new) continue;
-    errors.push_back(
-        Diagnostic{.code = "R2W0511",
-                   .message = "two packages are called `" + package.xml.name.value + "`",
-                   .span = package.xml.name.span,
-                   .label = "the second",
-                   .why = {"the first is in " + at->second->xml.file,
-                           "a file COLCON_IGNORE in a folder keeps that folder out"}});
-  }
-  return errors;
-}
-
 /// Is one of these groups among those?
 bool has_member(const std::vector<Spanned<std::string>>& groups,
                 const std::vector<Spanned<std::string>>& of_member) {
@@ -141,6 +124,23 @@ Indices closure(std::size_t index, const std::vector<Indices>& direct, const Ind
 }
 
 }  // namespace
+
+Diagnostics duplicate_names(const std::vector<LocalPackage>& packages) {
+  std::map<std::string, const LocalPackage*> first;
+  Diagnostics errors;
+  for (const LocalPackage& package : packages) {
+    const auto [at, is_new] = first.emplace(package.xml.name.value, &package);
+    if (is_new) continue;
+    errors.push_back(
+        Diagnostic{.code = "R2W0511",
+                   .message = "two packages are called `" + package.xml.name.value + "`",
+                   .span = package.xml.name.span,
+                   .label = "the second",
+                   .why = {"the first is in " + at->second->xml.file,
+                           "a file COLCON_IGNORE in a folder keeps that folder out"}});
+  }
+  return errors;
+}
 
 bool matters_for_building(DependencyKind kind) {
   switch (kind) {

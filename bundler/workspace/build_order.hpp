@@ -37,6 +37,9 @@ struct BuildOrder {
 [[nodiscard]] std::vector<std::string> ros_names(const std::vector<std::string>& conda_names,
                                                  std::string_view distro);
 
+/// R2W0511 for each package whose name an earlier one has.
+[[nodiscard]] Diagnostics duplicate_names(const std::vector<LocalPackage>& packages);
+
 /// R2W0511 two packages of one name, R2W0512 packages that need each other. All at once.
 [[nodiscard]] Outcome<BuildOrder> order_packages(const std::vector<LocalPackage>& packages,
                                                  std::string_view distro);

@@ -2,9 +2,11 @@
 #include "bundler/workspace/cmake_packages.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace ros2wasm {
@@ -12,6 +14,9 @@ namespace {
 
 constexpr std::string_view kCommand = "find_package";
 constexpr std::string_view kRequired = "REQUIRED";
+/// Commands that fail when a package that they name was not found.
+constexpr std::array<std::string_view, 3> kNeeding = {
+    "ament_export_dependencies", "ament_target_dependencies", "rosidl_generate_interfaces"};
 
 bool is_name_character(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '+' ||
@@ -132,7 +137,13 @@ class Variables {
 
 std::vector<Spanned<std::string>> cmake_packages(std::string_view text, const std::string& file) {
   const std::string code = without_comments(std::string(text));
-  std::vector<Spanned<std::string>> found;
+  struct Asked {
+    std::string name;
+    std::size_t place;
+    bool is_required;
+  };
+  std::vector<Asked> asked;
+  std::set<std::string> needed;  // by commands that fail without
   Variables variables;
   int inside = 0;
   for (std::size_t at = 0; at < code.size();) {
@@ -145,18 +156,22 @@ std::vector<Spanned<std::string>> cmake_packages(std::string_view text, const st
     inside += command->name == "if" ? 1 : command->name == "endif" ? -1 : 0;
     if (inside > 0) continue;
     variables.follow(*command);
+    if (std::find(kNeeding.begin(), kNeeding.end(), command->name) != kNeeding.end())
+      for (const auto& [word, place] : variables.expanded(command->words, 0)) needed.insert(word);
     if (command->name != kCommand || command->words.empty()) continue;
     const bool is_required = std::any_of(command->words.begin(), command->words.end(),
                                          [](const auto& word) { return word.first == kRequired; });
-    if (!is_required) continue;
-    for (const auto& [name, place] : variables.expanded({command->words.front()}, 0)) {
-      const bool is_name = std::all_of(name.begin(), name.end(), is_name_character);
-      const auto same = [&one = name](const Spanned<std::string>& other) {
-        return other.value == one;
-      };
-      if (!is_name || std::any_of(found.begin(), found.end(), same)) continue;
-      found.push_back({.value = name, .span = span_at(text, place, name.size(), file)});
-    }
+    for (const auto& [name, place] : variables.expanded({command->words.front()}, 0))
+      asked.push_back({.name = name, .place = place, .is_required = is_required});
+  }
+  std::vector<Spanned<std::string>> found;
+  for (const Asked& one : asked) {
+    if (!one.is_required && !needed.contains(one.name)) continue;
+    const auto same = [&](const Spanned<std::string>& other) { return other.value == one.name; };
+    if (!std::all_of(one.name.begin(), one.name.end(), is_name_character) ||
+        std::any_of(found.begin(), found.end(), same))
+      continue;
+    found.push_back({.value = one.name, .span = span_at(text, one.place, one.name.size(), file)});
   }
   return found;
 }

@@ -9,13 +9,16 @@ import ast
 import configparser
 import fnmatch
 import glob
-import importlib
+import importlib.abc
+import importlib.machinery
+import importlib.util
 import json
 import os
 import posixpath
 import runpy
 import sys
 import traceback
+import types
 from collections.abc import Iterator
 from typing import Any
 
@@ -23,6 +26,8 @@ SETUP = 'setup.py'
 CONFIG = 'setup.cfg'
 BASE = '$base'
 DEFAULT_SCRIPTS = 'bin'
+#: Where a command of a package sees itself install; nothing is there.
+PREFIX = '/installed'
 #: Sections whose keys are folders, packages and groups, not options.
 OWN_NAMES = ('options.data_files', 'options.entry_points', 'options.extras_require', 'options.package_data')
 
@@ -253,11 +258,26 @@ def script_folder(config: dict[str, dict[str, str]]) -> str:
     return folder.removeprefix(BASE).strip('/')
 
 
+def redirected(arguments: dict[str, Any], folder: str) -> str:
+    """Where an `install` command of the package's own puts programs. It is run for that alone, and may fail."""
+    made = (arguments.get('cmdclass') or {}).get('install')
+    if made is None:
+        return folder
+    try:
+        command = made()
+        command.install_scripts = posixpath.join(PREFIX, folder)
+        command.run()
+        changed = posixpath.normpath(command.install_scripts)
+    except Exception:
+        return folder
+    return posixpath.relpath(changed, PREFIX) if changed.startswith(PREFIX + '/') else folder
+
+
 def planned(arguments: dict[str, Any], config: dict[str, dict[str, str]]) -> dict[str, Any]:
     arguments = {**declared(config, arguments), **arguments}
     if arguments.get('ext_modules'):
         raise SetupError('modules in C (ext_modules) cannot be built for sites')
-    folder = script_folder(config)
+    folder = redirected(arguments, script_folder(config))
     scripts = []
     for script in lines_of(arguments.get('scripts')):
         if not os.path.isfile(script):
@@ -272,6 +292,55 @@ def planned(arguments: dict[str, Any], config: dict[str, dict[str, str]]) -> dic
         'script_folder': folder,
         'entry_points': entry_points_of(arguments.get('entry_points')),
     }
+
+
+class Absent:
+    """A name of a module that is not there. Editors import such by themselves, and nobody uses them."""
+
+    def __init__(self, module: str) -> None:
+        self._module = module
+
+    def _used(self, *_arguments: Any, **_named: Any) -> Any:
+        raise ModuleNotFoundError(f"No module named '{self._module}'", name=self._module)
+
+    __call__ = __getattr__ = __iter__ = __enter__ = __str__ = __add__ = __radd__ = _used
+
+
+class AbsentModules(importlib.abc.MetaPathFinder, importlib.abc.Loader):
+    """Gives modules that are not there, below the top-level names that it holds."""
+
+    def __init__(self) -> None:
+        self.names: set[str] = set()
+
+    def find_spec(self, fullname: str, path: Any, target: Any = None) -> importlib.machinery.ModuleSpec | None:
+        is_ours = fullname.partition('.')[0] in self.names
+        return importlib.util.spec_from_loader(fullname, self, is_package=True) if is_ours else None
+
+    def exec_module(self, module: types.ModuleType) -> None:
+        top = module.__name__.partition('.')[0]
+        setattr(module, '__getattr__', lambda _name: Absent(top))
+
+
+def run_setup(path: str) -> None:
+    """
+    Run setup.py, once more with each module that it imports and that is not there.
+
+    One that it uses fails where it is used. The first run is without them, as a file may do without what it tries.
+    """
+    import setuptools
+
+    absent = AbsentModules()
+    sys.meta_path.append(absent)
+    while True:
+        try:
+            runpy.run_path(path, run_name='__main__')
+            return
+        except ModuleNotFoundError as error:
+            name = (error.name or '').partition('.')[0]
+            if not name or name in absent.names:
+                raise
+            absent.names.add(name)
+            setuptools.CALLS.clear()
 
 
 def failure(error: BaseException, line: int) -> dict[str, Any]:
@@ -297,7 +366,7 @@ def read(root: str) -> str:
     line = 1
     try:
         try:
-            runpy.run_path(f'{root}/{SETUP}', run_name='__main__')
+            run_setup(f'{root}/{SETUP}')
         except SystemExit as end:
             if end.code not in (None, 0):
                 what = f'exit code {end.code}' if isinstance(end.code, int) else str(end.code)

@@ -17,7 +17,10 @@ from rclpy.task import Future
 from ros2wasm import host
 from ros2wasm.entities import changes
 
-__getattr__ = names_of(__name__, {'rclpy.type_support': 'SrvType SrvTypeRequest SrvTypeResponse'})
+__getattr__ = names_of(__name__, {
+    'rclpy.type_support': 'SrvType SrvTypeRequest SrvTypeResponse',
+    'typing': 'Dict Optional TypeVar',
+})
 
 
 class Client:

@@ -11,11 +11,14 @@ from rclpy.clock_type import ClockType
 from rclpy.context import Context
 from rclpy.duration import Duration
 from rclpy.exceptions import NotInitializedException
+from rclpy.impl.elsewhere import names_of
 from rclpy.time import Time
 from rclpy.utilities import get_default_context
 from ros2wasm import background, host
 
 __all__ = ['Clock', 'ClockChange', 'ClockType', 'JumpHandle', 'JumpThreshold', 'ROSClock', 'TimeJump']
+
+__getattr__ = names_of(__name__, {'typing': 'Optional Type'})
 
 
 class ClockChange(IntEnum):

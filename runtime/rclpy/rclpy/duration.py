@@ -4,6 +4,9 @@ from __future__ import annotations
 from typing import Any
 
 from rclpy.constants import S_TO_NS
+from rclpy.impl.elsewhere import names_of
+
+__getattr__ = names_of(__name__, {'typing': 'Union'})
 
 LARGEST = 2 ** 63
 

@@ -28,12 +28,15 @@ from ros2wasm import background, host
 from ros2wasm.entities import changes
 
 __getattr__ = names_of(__name__, {
+    'concurrent.futures': 'ThreadPoolExecutor',
     'rclpy.client': 'Client',
     'rclpy.clock': 'Clock',
     'rclpy.clock_type': 'ClockType',
     'rclpy.exceptions': 'InvalidHandle',
     'rclpy.service': 'Service',
     'rclpy.waitable': 'NumberOfEntities Waitable',
+    'threading': 'Condition Lock RLock',
+    'typing': 'ContextManager Generator List Optional Set Tuple Type TypeVar Union',
 })
 
 

@@ -60,6 +60,7 @@ __getattr__ = names_of(__name__, {
     'rclpy.validate_parameter_name': 'validate_parameter_name',
     'rclpy.validate_topic_name': 'validate_topic_name',
     'rclpy.waitable': 'Waitable',
+    'typing': 'Dict Iterator List Optional Tuple Type TypeVar Union',
 })
 
 

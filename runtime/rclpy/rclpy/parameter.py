@@ -7,8 +7,11 @@ from typing import Any
 
 from rcl_interfaces.msg import Parameter as ParameterMsg
 from rcl_interfaces.msg import ParameterType, ParameterValue
+from rclpy.impl.elsewhere import names_of
 from ros2wasm.parameter_overrides import flatten, visit
 from ros2wasm.yaml import parse, parse_value
+
+__getattr__ = names_of(__name__, {'enum': 'Enum', 'typing': 'Dict List Optional Tuple Union'})
 
 PARAMETER_SEPARATOR_STRING = '.'
 

@@ -12,11 +12,18 @@ from rcl_interfaces.srv import (
 from rclpy.callback_groups import CallbackGroup
 from rclpy.client import Client
 from rclpy.event_handler import SubscriptionEventCallbacks
+from rclpy.impl.elsewhere import names_of
 from rclpy.parameter import Parameter, parameter_dict_from_yaml_file
 from rclpy.qos import QoSProfile, qos_profile_parameter_events, qos_profile_services_default
 from rclpy.qos_overriding_options import QoSOverridingOptions
 from rclpy.subscription import Subscription
 from rclpy.task import Future
+
+__getattr__ = names_of(__name__, {
+    'rcl_interfaces.msg': 'Parameter=ParameterMsg',
+    'rclpy.node': 'Node',
+    'typing': 'List Optional Union',
+})
 
 
 class AsyncParameterClient:

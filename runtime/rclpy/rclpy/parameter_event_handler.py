@@ -7,8 +7,15 @@ from typing import Any
 from rcl_interfaces.msg import ParameterEvent
 from rclpy.callback_groups import CallbackGroup
 from rclpy.event_handler import SubscriptionEventCallbacks
+from rclpy.impl.elsewhere import names_of
 from rclpy.qos import QoSProfile, qos_profile_parameter_events
 from rclpy.qos_overriding_options import QoSOverridingOptions
+
+__getattr__ = names_of(__name__, {
+    'rclpy.node': 'Node',
+    'rclpy.parameter': 'Parameter',
+    'typing': 'Dict Iterable List Optional Tuple Union',
+})
 
 
 class ParameterCallbackHandle:

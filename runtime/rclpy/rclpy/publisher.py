@@ -11,8 +11,11 @@ from rclpy.impl.elsewhere import names_of
 from rclpy.qos import QoSProfile
 from ros2wasm import host
 
-__getattr__ = names_of(
-    __name__, {'rclpy.event_handler': 'EventHandler PublisherEventCallbacks', 'rclpy.type_support': 'MsgType'})
+__getattr__ = names_of(__name__, {
+    'rclpy.event_handler': 'EventHandler PublisherEventCallbacks',
+    'rclpy.type_support': 'MsgType',
+    'typing': 'TypeVar Union',
+})
 
 
 class Publisher:

@@ -6,7 +6,10 @@ from enum import Enum, IntEnum
 from typing import Any
 
 from rclpy.duration import Duration
+from rclpy.impl.elsewhere import names_of
 from ros2wasm.graph_snapshot import Qos
+
+__getattr__ = names_of(__name__, {'typing': 'Union'})
 
 
 class QoSPolicyKind(IntEnum):

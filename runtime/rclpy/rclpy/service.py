@@ -16,7 +16,10 @@ from rclpy.service_introspection import ServiceEvents, ServiceIntrospectionState
 from ros2wasm import host
 from ros2wasm.entities import changes
 
-__getattr__ = names_of(__name__, {'rclpy.type_support': 'SrvType SrvTypeRequest SrvTypeResponse'})
+__getattr__ = names_of(__name__, {
+    'rclpy.type_support': 'SrvType SrvTypeRequest SrvTypeResponse',
+    'typing': 'TypeVar',
+})
 
 
 class Service:

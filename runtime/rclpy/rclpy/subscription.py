@@ -15,8 +15,11 @@ from rclpy.qos import QoSProfile
 from ros2wasm import host
 from ros2wasm.entities import changes
 
-__getattr__ = names_of(
-    __name__, {'rclpy.event_handler': 'EventHandler SubscriptionEventCallbacks', 'rclpy.type_support': 'MsgType'})
+__getattr__ = names_of(__name__, {
+    'rclpy.event_handler': 'EventHandler SubscriptionEventCallbacks',
+    'rclpy.type_support': 'MsgType',
+    'typing': 'TypeVar',
+})
 
 
 class MessageInfo(TypedDict):

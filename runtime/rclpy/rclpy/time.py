@@ -6,6 +6,9 @@ from typing import Any, overload
 from rclpy.clock_type import ClockType
 from rclpy.constants import S_TO_NS
 from rclpy.duration import Duration
+from rclpy.impl.elsewhere import names_of
+
+__getattr__ = names_of(__name__, {'typing': 'Tuple Union'})
 
 LARGEST = 2 ** 63
 CONVERSION_CONSTANT = S_TO_NS  # its older name

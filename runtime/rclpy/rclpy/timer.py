@@ -10,9 +10,12 @@ from rclpy.clock import Clock, JumpThreshold, TimeJump
 from rclpy.context import Context
 from rclpy.duration import Duration
 from rclpy.exceptions import InvalidHandle, ROSInterruptException
+from rclpy.impl.elsewhere import names_of
 from rclpy.utilities import get_default_context
 from ros2wasm import background, host
 from ros2wasm.entities import changes
+
+__getattr__ = names_of(__name__, {'typing': 'Optional'})
 
 
 class Timer:

@@ -6,6 +6,7 @@ import time as python_time
 from collections.abc import Callable
 from typing import Any
 
+from rclpy.impl.elsewhere import names_of
 import rclpy.logging
 from rclpy.clock import Clock, JumpThreshold, TimeJump
 from rclpy.duration import Duration
@@ -15,6 +16,13 @@ from tf2_msgs.srv import FrameGraph
 from tf2_py import BufferCore
 
 from tf2_ros.buffer_interface import BufferInterface
+
+__getattr__ = names_of(__name__, {
+    'geometry_msgs.msg': 'TransformStamped',
+    'rclpy.node': 'Node',
+    'time': 'sleep',
+    'typing': 'List Optional Tuple TypeVar',
+})
 
 LOOK_AGAIN_S = 0.02
 #: A clock that goes back further than this while one waits starts anew: nothing is waited for.

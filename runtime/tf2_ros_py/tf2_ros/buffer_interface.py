@@ -6,8 +6,15 @@ from copy import deepcopy
 from typing import Any
 
 from rclpy.duration import Duration
+from rclpy.impl.elsewhere import names_of
 from rclpy.time import Time
 from std_msgs.msg import Header
+
+__getattr__ = names_of(__name__, {
+    'geometry_msgs.msg': 'PointStamped PoseStamped PoseWithCovarianceStamped TransformStamped Vector3Stamped',
+    'sensor_msgs.msg': 'PointCloud2',
+    'typing': 'Optional Tuple TypeVar Union',
+})
 
 
 class TypeException(Exception):

@@ -3,10 +3,17 @@ from __future__ import annotations
 
 from typing import Any
 
+from rclpy.impl.elsewhere import names_of
 from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
 from tf2_msgs.msg import TFMessage
 
 from tf2_ros.transform_broadcaster import as_list
+
+__getattr__ = names_of(__name__, {
+    'geometry_msgs.msg': 'TransformStamped',
+    'rclpy.node': 'Node',
+    'typing': 'List Optional Union',
+})
 
 
 class StaticTransformBroadcaster:

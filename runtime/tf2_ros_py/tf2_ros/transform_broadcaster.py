@@ -4,8 +4,15 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
+from rclpy.impl.elsewhere import names_of
 from rclpy.qos import QoSProfile
 from tf2_msgs.msg import TFMessage
+
+__getattr__ = names_of(__name__, {
+    'geometry_msgs.msg': 'TransformStamped',
+    'rclpy.node': 'Node',
+    'typing': 'List Optional Union',
+})
 
 
 def as_list(transform: Any) -> list[Any]:

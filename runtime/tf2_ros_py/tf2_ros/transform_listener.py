@@ -6,10 +6,13 @@ from typing import Any
 
 from rclpy.callback_groups import ReentrantCallbackGroup
 from rclpy.executors import SingleThreadedExecutor
+from rclpy.impl.elsewhere import names_of
 from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
 from tf2_msgs.msg import TFMessage
 
 from tf2_ros.buffer import Buffer
+
+__getattr__ = names_of(__name__, {'rclpy.node': 'Node', 'typing': 'Optional Union'})
 
 DEFAULT_TF_TOPIC = '/tf'
 DEFAULT_STATIC_TF_TOPIC = '/tf_static'

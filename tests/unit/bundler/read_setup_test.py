@@ -150,6 +150,71 @@ if strtobool('yes'):
 """)
         self.assertEqual(self.read().get('modules'), [['demo/__init__.py', 'demo/__init__.py']])
 
+    def test_what_is_imported_and_not_used_need_not_be_there(self) -> None:
+        self.write('demo/__init__.py')
+        self.write('setup.py', """
+from nobody.has.this import depends
+import nobody_either as short
+from setuptools import setup
+try:
+    import nobody_at_all
+    name = 'found'
+except ImportError:
+    name = 'demo'
+setup(name=name, packages=['demo'])
+""")
+        self.assertEqual(self.read()['name'], 'demo')
+
+    def test_what_is_used_and_not_there_is_named_where_it_is_used(self) -> None:
+        self.write('demo/__init__.py')
+        self.write('setup.py', """
+from nobody.has.this import made
+from setuptools import setup
+setup(name='demo',
+      packages=made(['demo']))
+""")
+        self.assertEqual(self.failure(), ('setup.py', 5, "ModuleNotFoundError: No module named 'nobody'"))
+
+    def test_an_install_command_says_where_programs_go(self) -> None:
+        self.write('demo/__init__.py')
+        self.write('setup.py', """
+import os
+from setuptools import setup
+from setuptools.command.install import install
+
+def redirected(command):
+    run = command.run
+    def changed(self):
+        self.install_scripts = os.path.abspath(os.path.join(self.install_scripts, os.pardir, 'lib', 'demo'))
+        run(self)
+    command.run = changed
+    return command
+
+@redirected
+class Install(install):
+    pass
+
+setup(name='demo', packages=['demo'], cmdclass={'install': Install},
+      entry_points={'console_scripts': ['talk = demo:main']})
+""")
+        self.assertEqual(self.read()['script_folder'], 'lib/demo')
+
+    def test_an_install_command_that_fails_changes_nothing(self) -> None:
+        self.write('demo/__init__.py')
+        self.write('setup.cfg', '[install]\ninstall_scripts=$base/lib/demo\n')
+        self.write('setup.py', """
+from setuptools import setup
+from setuptools.command.install import install
+
+class Install(install):
+    def run(self):
+        self.install_scripts = '/elsewhere'
+        raise OSError('no such thing here')
+
+setup(name='demo', packages=['demo'], cmdclass={'install': Install})
+""")
+        self.assertEqual(self.read()['script_folder'], 'lib/demo')
+
     def test_folders_are_followed_by_links_and_end(self) -> None:
         self.write('real/demo/__init__.py')
         (self.package / 'demo').symlink_to('real/demo')

@@ -11,12 +11,21 @@ from action_msgs.msg import GoalStatus
 from rclpy.action.entity import OVER, ActionEntity
 from rclpy.callback_groups import CallbackGroup
 from rclpy.client import Client
+from rclpy.impl.elsewhere import names_of
 from rclpy.impl.waiting import wait_for_answer, wait_until
 from rclpy.qos import (
     QoSProfile, qos_profile_action_status_default, qos_profile_default, qos_profile_services_default,
 )
 from rclpy.task import Future
 from ros2wasm.constants import EndpointKind
+
+__getattr__ = names_of(__name__, {
+    'action_msgs.srv': 'CancelGoal',
+    'rclpy.executors': 'await_or_execute',
+    'rclpy.type_support': 'check_for_type_support',
+    'rclpy.waitable': 'NumberOfEntities Waitable',
+    'unique_identifier_msgs.msg': 'UUID',
+})
 
 
 class ClientGoalHandle:

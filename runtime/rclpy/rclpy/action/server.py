@@ -12,6 +12,7 @@ from action_msgs.srv import CancelGoal
 from rclpy.action.entity import OVER, ActionEntity
 from rclpy.callback_groups import CallbackGroup
 from rclpy.executors import await_or_execute
+from rclpy.impl.elsewhere import names_of
 from rclpy.qos import (
     QoSProfile, qos_profile_action_status_default, qos_profile_default, qos_profile_services_default,
 )
@@ -19,6 +20,11 @@ from rclpy.service import Service
 from rclpy.task import Future
 from rclpy.time import Time
 from ros2wasm.constants import EndpointKind
+
+__getattr__ = names_of(__name__, {
+    'rclpy.type_support': 'check_for_type_support',
+    'rclpy.waitable': 'NumberOfEntities Waitable',
+})
 
 NS = 1_000_000_000
 NO_ID = bytes(16)

@@ -7,6 +7,7 @@ from typing import Any
 import lifecycle_msgs.msg
 import lifecycle_msgs.srv
 from rclpy.callback_groups import CallbackGroup
+from rclpy.impl.elsewhere import names_of
 from rclpy.lifecycle.managed_entity import ManagedEntity
 from rclpy.lifecycle.publisher import LifecyclePublisher
 from rclpy.lifecycle.state_machine import (
@@ -16,6 +17,12 @@ from rclpy.lifecycle.state_machine import (
 from rclpy.logging import get_logger
 from rclpy.node import Node
 from rclpy.qos import QoSProfile
+
+__getattr__ = names_of(__name__, {
+    'rclpy.service': 'Service',
+    'rclpy.type_support': 'check_is_valid_srv_type',
+    'typing': 'Dict NamedTuple Optional Set',
+})
 
 Callback = Callable[[LifecycleState], TransitionCallbackReturn]
 

@@ -1,8 +1,8 @@
 """launch, as far as launch files use it: what they describe is recorded, and evaluated elsewhere."""
 from __future__ import annotations
 
-from . import (actions, conditions, event_handlers, events, launch_description_sources, logging, substitutions,
-               utilities)
+from . import (actions, conditions, descriptions, event_handlers, events, frontend, launch_description_sources, logging,
+               substitutions, utilities)
 from .action import Action
 from .conditions import Condition
 from .event_handlers import BaseEventHandler, EventHandler
@@ -22,6 +22,6 @@ __all__ = [
     'Action', 'BaseEventHandler', 'Condition', 'Event', 'EventHandler', 'InvalidLaunchFileError', 'LaunchContext',
     'LaunchDescription', 'LaunchDescriptionEntity', 'LaunchDescriptionSource', 'LaunchIntrospector', 'LaunchService',
     'SomeEntitiesType', 'SomeEntitiesType_types_tuple', 'SomeSubstitutionsType', 'SomeSubstitutionsType_types_tuple',
-    'Substitution', 'actions', 'conditions', 'event_handlers', 'events', 'launch_description_sources', 'logging',
-    'substitutions', 'utilities',
+    'Substitution', 'actions', 'conditions', 'descriptions', 'event_handlers', 'events', 'frontend',
+    'launch_description_sources', 'logging', 'substitutions', 'utilities',
 ]

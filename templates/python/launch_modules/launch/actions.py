@@ -286,6 +286,11 @@ class ExecuteLocal(Action):
         self._on_exit = on_exit
         self._process_name = name
         self._set = [*_pairs(env), *_pairs(additional_env)]
+        self.cmd: list[Any] = []
+        if process_description is not None:
+            self.cmd = process_description.cmd
+            self._process_name = name or process_description.name
+            self._set = [*_pairs(process_description.env), *_pairs(process_description.additional_env)]
         self._respawn, self._respawn_delay = respawn, respawn_delay
         self._max_retries = respawn_max_retries
         self._output = output
@@ -314,16 +319,16 @@ class ExecuteLocal(Action):
 
         return [*RegisterEventHandler(OnProcessExit(target_action=self, on_exit=self._on_exit))._entities(), process]
 
+    def _entities(self) -> list[Entity]:
+        attributes = {'cmd': [text_of(one) for one in self.cmd], 'shell': flag(self._shell),
+                      'name': _optional(self._process_name), **self._process_attributes()}
+        return self._followed(self._entity('executable', attributes, self._env_parts()))
+
 
 class ExecuteProcess(ExecuteLocal):
     def __init__(self, *, cmd: Iterable[Any], **more: Any) -> None:
         super().__init__(**more)
         self.cmd = list(cmd)
-
-    def _entities(self) -> list[Entity]:
-        attributes = {'cmd': [text_of(one) for one in self.cmd], 'shell': flag(self._shell),
-                      'name': _optional(self._process_name), **self._process_attributes()}
-        return self._followed(self._entity('executable', attributes, self._env_parts()))
 
 
 class RegisterEventHandler(Action):

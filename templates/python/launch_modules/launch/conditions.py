@@ -8,6 +8,9 @@ from ros2wasm_launch.texts import call, text_of
 
 from .substitution import Substitution
 
+VALID_TRUE_EXPRESSIONS = ['true', '1']
+VALID_FALSE_EXPRESSIONS = ['false', '0']
+
 
 class InvalidConditionExpressionError(Exception):
     """A condition that is neither true nor false."""
@@ -86,6 +89,14 @@ class LaunchConfigurationNotEquals(_Written):
 
     def __init__(self, launch_configuration_name: str, expected_value: Any) -> None:
         super().__init__(_same(launch_configuration_name, expected_value))
+
+
+def evaluate_condition_expression(context: Any, expression: Any) -> bool:
+    """Of substitutions, whose text is `true`, `1`, `false` or `0`."""
+    text = ''.join(context.perform_substitution(one) for one in expression).strip().lower()
+    if text not in VALID_TRUE_EXPRESSIONS + VALID_FALSE_EXPRESSIONS:
+        raise InvalidConditionExpressionError(f'{text!r} is neither true nor false')
+    return text in VALID_TRUE_EXPRESSIONS
 
 
 def _same(name: str, expected: Any) -> str:

@@ -12,12 +12,14 @@ from ros2wasm_launch.texts import flag, parameter_value, text_of
 
 from .descriptions import component_parts
 from .events.lifecycle import MANAGED_NODES
+from .older_names import takes_older_names
 from .parameter_descriptions import ParameterValue, parameter_parts, remap_parts
 
 
 class Node(ExecuteProcess):
     _tag = 'node'
 
+    @takes_older_names
     def __init__(self, *, executable: Any, package: Any = None, name: Any = None, namespace: Any = None,
                  exec_name: Any = None, parameters: Any = None, remappings: Any = None,
                  ros_arguments: Iterable[Any] | None = None, arguments: Iterable[Any] | None = None,
@@ -53,6 +55,7 @@ class Node(ExecuteProcess):
 class LifecycleNode(Node):
     _tag = 'lifecycle_node'
 
+    @takes_older_names
     def __init__(self, *, name: Any, namespace: Any, autostart: Any = False, **more: Any) -> None:
         super().__init__(name=name, namespace=namespace, **more)
         self._autostart = autostart
@@ -76,6 +79,7 @@ class LifecycleTransition(Action):
 class ComposableNodeContainer(Node):
     _tag = 'node_container'
 
+    @takes_older_names
     def __init__(self, *, name: Any, namespace: Any = None, composable_node_descriptions: Any = None,
                  **more: Any) -> None:
         super().__init__(name=name, namespace=namespace, **more)

@@ -7,6 +7,7 @@ from ros2wasm_launch import host
 from ros2wasm_launch.entities import Entity, entity
 from ros2wasm_launch.texts import text_of
 
+from .older_names import takes_older_names
 from .parameter_descriptions import Parameter, ParameterFile, ParameterValue, parameter_parts, remap_parts
 
 __all__ = ['ComposableNode', 'Parameter', 'ParameterFile', 'ParameterValue']
@@ -17,6 +18,7 @@ class ComposableNode:
     _place: dict[str, Any]
 
     @host.noted_place
+    @takes_older_names
     def __init__(self, *, package: Any, plugin: Any, name: Any = None, namespace: Any = None, parameters: Any = None,
                  remappings: Any = None, extra_arguments: Any = None, condition: Any = None) -> None:
         self.package, self.plugin, self.name, self.namespace = package, plugin, name, namespace

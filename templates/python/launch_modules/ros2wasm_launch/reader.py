@@ -23,6 +23,25 @@ from ros2wasm_launch.configurations import Configurations
 from ros2wasm_launch.entities import entities_of, entity
 
 _ENTRY = 'generate_launch_description'
+#: Native modules with other names than what is in them, and where that is here.
+_ELSEWHERE = {
+    'launch.actions.shutdown_action': 'launch.actions',
+    'launch.conditions.evaluate_condition_expression_impl': 'launch.conditions',
+    'launch.events.process.process_matchers': 'launch.events.process',
+    'launch.frontend.expose': 'launch.frontend',
+    'launch.substitutions.boolean_substitution': 'launch.substitutions',
+    'launch.utilities.class_tools_impl': 'launch.utilities',
+    'launch.utilities.ensure_argument_type_impl': 'launch.utilities',
+    'launch.utilities.normalize_to_list_of_entities_impl': 'launch.utilities',
+    'launch.utilities.normalize_to_list_of_substitutions_impl': 'launch.utilities',
+    'launch.utilities.perform_substitutions_impl': 'launch.utilities',
+    'launch.utilities.type_utils': 'launch.typed_values',
+    'launch_ros.events.lifecycle.lifecycle_node_matchers': 'launch_ros.events.lifecycle',
+    'launch_ros.events.matchers': 'launch_ros.events',
+    'nav2_common.launch.has_node_params': 'nav2_common.launch',
+    'nav2_common.launch.replace_string': 'nav2_common.launch',
+    'nav2_common.launch.rewritten_yaml': 'nav2_common.launch',
+}
 #: That an error names.
 _MOST_CALLERS = 8
 #: Where os.environ is.
@@ -35,15 +54,17 @@ class SubmoduleFinder(importlib.abc.MetaPathFinder, importlib.abc.Loader):
     def find_spec(self, fullname: str, path: Sequence[str] | None, target: types.ModuleType | None = None,
                   ) -> importlib.machinery.ModuleSpec | None:
         parent, _, last = fullname.rpartition('.')
+        if fullname in _ELSEWHERE:
+            return importlib.util.spec_from_loader(fullname, self)
         wanted = last.replace('_', '').lower()
         if not parent.startswith('launch') or parent not in sys.modules:
             return None
-        if not any(name.lower() == wanted for name in vars(sys.modules[parent])):
+        if not any(name.replace('_', '').lower() == wanted for name in vars(sys.modules[parent])):
             return None
         return importlib.util.spec_from_loader(fullname, self)
 
     def exec_module(self, module: types.ModuleType) -> None:
-        names = vars(sys.modules[module.__name__.rpartition('.')[0]])
+        names = vars(importlib.import_module(_ELSEWHERE.get(module.__name__) or module.__name__.rpartition('.')[0]))
         module.__dict__.update({key: thing for key, thing in names.items() if not key.startswith('__')})
 
 
@@ -70,10 +91,11 @@ class Printed(io.TextIOBase):
 def prepare() -> None:
     """Before the first request."""
     sys.meta_path.append(SubmoduleFinder())
-    for name in ('launch_ros', 'launch_xml', 'launch_yaml'):
+    for name in ('launch_ros', 'launch_xml.launch_description_sources', 'launch_yaml.launch_description_sources',
+                 'nav2_common.launch'):
         importlib.import_module(name)
     for name, module in list(sys.modules.items()):
-        if name.startswith('launch'):
+        if name.startswith(('launch', 'nav2_common')):
             module.__path__ = getattr(module, '__path__', [])  # natively a package, whose modules the finder gives
     logging.getLogger().addHandler(SayingHandler())
     logging.getLogger().setLevel(logging.INFO)

@@ -12,11 +12,14 @@ CALLS: list[tuple[dict[str, Any], int]] = []
 
 
 class Command:
-    """What packages derive commands of their own from, or wrap; they are not run."""
+    """What packages derive commands of their own from, or wrap. Of these `install` is run, to see where programs go."""
 
     description = ''
     user_options: list[tuple[str, str | None, str]] = []
     boolean_options: list[str] = []
+
+    def __init__(self, dist: Any = None) -> None:
+        self.distribution = dist
 
     def initialize_options(self) -> None:
         pass

@@ -58,6 +58,25 @@ TEST(CompileErrors, SaysWhatTheLibraryLacks) {
   EXPECT_TRUE(errors[0].why.empty());
 }
 
+TEST(CompileErrors, SaysWhoseHeaderTheTargetDoesNotAskFor) {
+  const Diagnostics errors = compile_errors(
+      "FAILED: CMakeFiles/a.dir/src/a.cpp.o \n"
+      "/usr/bin/em++ -c /ws/src/demo/src/a.cpp\n"
+      "/ws/src/demo/src/a.cpp:4:10: fatal error: 'std_msgs/msg/string.hpp' file not found\n"
+      "FAILED: CMakeFiles/b.dir/src/b.cpp.o \n"
+      "/usr/bin/em++ -c /ws/src/demo/src/b.cpp\n"
+      "/ws/src/demo/src/b.cpp:4:10: fatal error: 'other_msgs/msg/string.hpp' file not found\n",
+      kPlace);
+  ASSERT_EQ(errors.size(), 2U);
+  EXPECT_EQ(errors[0].why, std::vector<std::string>{"package `std_msgs` has its headers, and the "
+                                                    "target `a` does not name it"});
+  EXPECT_EQ(errors[0].fix,
+            std::vector<std::string>{"in CMakeLists.txt: `find_package(std_msgs REQUIRED)` and "
+                                     "`ament_target_dependencies(a std_msgs)`; in package.xml: "
+                                     "`<depend>std_msgs</depend>`"});
+  EXPECT_TRUE(errors[1].why.empty());
+}
+
 TEST(CompileErrors, LinksSpeakForThemselvesAndOtherCommandsAreShown) {
   const Diagnostics errors = compile_errors(
       "FAILED: talker.wasm \n: && \"ros2wasm\" link-program --package demo -- em++ && :\nsome "

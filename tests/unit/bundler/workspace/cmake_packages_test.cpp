@@ -24,6 +24,13 @@ TEST(CmakePackages, LeavesOutWhatMayBeAbsent) {
       std::vector<std::string>{"d"});
 }
 
+TEST(CmakePackages, TakesWhatLaterCommandsNeed) {
+  EXPECT_EQ(names("find_package(a)\nfind_package(b)\nfind_package(c QUIET)\nset(DEPS b)\n"
+                  "rosidl_generate_interfaces(${PROJECT_NAME} \"srv/A.srv\" DEPENDENCIES a)\n"
+                  "ament_target_dependencies(node PUBLIC ${DEPS})"),
+            (std::vector<std::string>{"a", "b"}));
+}
+
 TEST(CmakePackages, LeavesOutCommentsVariablesAndOtherCommands) {
   EXPECT_EQ(names("# find_package(a REQUIRED)\nmy_find_package(b REQUIRED)\n"
                   "find_package(${c} REQUIRED)\n#[[ x\nfind_package(d REQUIRED)\n]]\n"

@@ -147,6 +147,16 @@ constexpr Case kCases[] = {
     {"a command is left out", R"x(<executable cmd="gz sim -r"/>)x",
      "- executable: {cmd: gz sim -r}",
      "left out: gz sim -r (a site runs nodes of packages and commands of ros2 only)\n"},
+    {"commands of ros2", R"x(<let name="v" value="a b"/>
+        <executable cmd="ros2 topic pub $(var v)/x T '{data: $(var v)}' -1" respawn="true"/>
+        <executable cmd="ros2 param get $(var v)" shell="true" on_exit="shutdown"/>
+        <executable cmd="ros2 launch p l.py"/>)x",
+     "- let: {name: v, value: a b}\n- executable: {cmd: \"ros2 topic pub $(var v)/x T '{data: "
+     "$(var v)}' -1\", respawn: true}\n- executable: {cmd: ros2 param get $(var v), shell: true, "
+     "on_exit: shutdown}\n- executable: {cmd: ros2 launch p l.py}",
+     "ros2 topic pub 'a b/x' T '{data: a b}' -1\n  respawn\nros2 param get a b\n  when it ends, "
+     "all "
+     "ends\nleft out: ros2 launch p l.py (include the launch file)\n"},
     {"components of a container, and some more of them",
      R"x(<node_container pkg="c" exec="component_container" name="box" namespace="">
         <composable_node pkg="a" plugin="a::B" name="one" namespace="in"><param name="p" value="1"/>

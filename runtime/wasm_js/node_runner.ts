@@ -49,6 +49,8 @@ export interface RunnerHost {
   /** Tells of every message; undefined: nobody asks. */
   readonly sent: ((node: SiteNode, message: SentMessage) => void) | undefined;
   readonly resetInput: (id: string) => void;
+  /** It has written a file and closed it. */
+  readonly wrote: (node: SiteNode, path: string, bytes: Uint8Array<ArrayBuffer>) => void;
   /** A node ended with which all shall end. */
   readonly shutdown: () => void;
   /** The node has started, has ended by itself, or otherwise (`stop`): it was stopped, or could not start. */
@@ -327,6 +329,9 @@ export class NodeRunner {
         // First: whatever becomes of it, there is room for the next one.
         this.host.broker.consoleSeen(participant);
         this.host.event?.(report.event);
+        return;
+      case 'file':
+        this.host.wrote(this.node, report.path, report.bytes);
         return;
       case 'thread': {
         if (run === undefined) return;

@@ -86,7 +86,6 @@ constexpr auto kHints = std::to_array<Hint>({
      "numpy-quaternion is compiled code, which nobody compiles for the Python of sites; "
      "`tf_transformations` and `transforms3d` turn with quaternions"},
     {"requests", kNoRequests},
-    {"rosbag2_py", "nodes read and write no bags in a site"},
     {"rosidl_parser",
      "it reads what rosidl's generators write, which no site has; the types of a site are classes "
      "(`rosidl_runtime_py.utilities.get_message`) that tell their fields"},

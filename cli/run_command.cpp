@@ -23,6 +23,7 @@ struct Options {
   bool stepped = false;
   std::optional<int> seed;
   std::optional<std::string> trace;
+  std::optional<std::string> bags;
   bool checks = false;
   std::optional<std::string> junit;
   std::vector<std::string> given;
@@ -47,6 +48,7 @@ int run_site(Context& context, const Options& options) {
                   .stepped = options.stepped || options.seed.has_value(),
                   .seed = options.seed,
                   .trace = options.trace,
+                  .bags = options.bags,
                   .checks = options.checks || options.junit.has_value(),
                   .junit = options.junit,
                   .json = context.json,
@@ -100,6 +102,8 @@ CommandBody run_command(Arguments& arguments) {
       "of the nodes' random numbers in a stepped run (implies --stepped); 0 when not given");
   arguments.value("--trace", options->trace, "FILE",
                   "write every message that a node sends to FILE, and its sha256 to the console");
+  arguments.value("--bags", options->bags, "DIR",
+                  "write the bags that nodes write to DIR, in a folder for each node");
   arguments.flag("--checks", options->checks,
                  "stop when the checks of the manifest are decided; 1 when one failed");
   arguments.value("--junit", options->junit, "FILE",

@@ -109,7 +109,6 @@ constexpr auto kHints = std::to_array<Hint>({
     {"ros2run", kCommands},
     {"ros2service", kCommands},
     {"ros2topic", kCommands},
-    {"rosbag2_py", "nodes read and write no bags in a site"},
     {"rosidl_parser",
      "it reads what rosidl's generators write, which no site has; the types of a site are classes "
      "(`rosidl_runtime_py.utilities.get_message`) that tell their fields"},

@@ -82,6 +82,10 @@ std::vector<std::string> headless_command(const std::filesystem::path& node_js,
     words.emplace_back("--trace");
     words.push_back(*run.trace);
   }
+  if (run.bags) {
+    words.emplace_back("--bags");
+    words.push_back(*run.bags);
+  }
   if (run.checks) words.emplace_back("--checks");
   if (run.junit) {
     words.emplace_back("--junit");

@@ -21,6 +21,7 @@ struct HeadlessRun {
   bool stepped = false;              ///< with the shared link only
   std::optional<int> seed;           ///< of a stepped run
   std::optional<std::string> trace;  ///< file that the messages sent are written to
+  std::optional<std::string> bags;   ///< folder that bags of nodes are written to
   bool checks = false;               ///< ends when the site's checks are decided
   std::optional<std::string> junit;  ///< file for their result
   bool json = false;

@@ -14,7 +14,7 @@ export const bagTexts = {
   open: 'Open a bag',
   none: 'No bags yet. Record one, or drop an MCAP file anywhere on this page.',
   shelf: 'Bags',
-  origin: { site: 'part of the site', file: 'from your disk', recorded: 'recorded here' },
+  origin: { site: 'part of the site', file: 'from your disk', recorded: 'recorded here', written: 'written by a node' },
   save: (name: string): string => `Download ${name}`,
   remove: (name: string): string => `Forget ${name}`,
   saved: (name: string): string => `${name} is recorded`,

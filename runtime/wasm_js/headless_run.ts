@@ -1,5 +1,5 @@
 // What runs a site without a browser: node headless.js SITE [NAME:=VALUE ...] [--show-args] [--for 5s] [--until REGEX] [--json]
-// [--link shared|port] [--stepped [--seed N]] [--trace FILE] [--checks [--junit FILE]]
+// [--link shared|port] [--stepped [--seed N]] [--trace FILE] [--bags DIR] [--checks [--junit FILE]]
 // stdout is what the nodes print, as `ros2 launch` shows it. Exit code: 0 met, 1 not met, 2 command line, 130 Ctrl-C.
 // Who reads it may leave: then the run ends, met unless it has a condition.
 
@@ -9,6 +9,7 @@ import { type Broker, PortBroker, SharedBroker, steppedBus } from './broker.ts';
 import { checkLine, junitXml } from './check_report.ts';
 import { type CheckRun, runChecks } from './check_run.ts';
 import { endWhenNobodyReads, exitWhenPrinted, siteErrorText } from './headless_session.ts';
+import { KeptBags } from './kept_bags.ts';
 import { readGiven, shownArguments } from './launch_arguments.ts';
 import { siteWithArguments } from './launch_evaluation.ts';
 import { nodePlatform } from './node_platform.ts';
@@ -19,7 +20,7 @@ import { SiteSession } from './site_session.ts';
 import { TraceFile } from './trace_file.ts';
 
 const usage = 'usage: node headless.js SITE [NAME:=VALUE ...] [--show-args] [--for TIME] [--until REGEX] [--json] [--link shared|port] '
-  + '[--stepped [--seed N]] [--trace FILE] [--checks [--junit FILE]]';
+  + '[--stepped [--seed N]] [--trace FILE] [--bags DIR] [--checks [--junit FILE]]';
 const interrupted = 130;
 
 interface Options {
@@ -32,6 +33,8 @@ interface Options {
   readonly stepped: { readonly seed: number } | undefined;
   /** Where the messages that were sent are written to. */
   readonly trace: string | undefined;
+  /** The folder that bags of nodes are written to. */
+  readonly bags: string | undefined;
   /** Ends when the site's checks are decided. */
   readonly checks: { readonly junit: string | undefined } | undefined;
   /** Launch arguments. */
@@ -60,6 +63,7 @@ export function parseOptions(argv: readonly string[]): Options {
       stepped: { type: 'boolean', default: false },
       seed: { type: 'string' },
       trace: { type: 'string' },
+      bags: { type: 'string' },
       checks: { type: 'boolean', default: false },
       junit: { type: 'string' },
       'show-args': { type: 'boolean', default: false },
@@ -81,6 +85,7 @@ export function parseOptions(argv: readonly string[]): Options {
     link: values.link,
     stepped: values.stepped ? { seed: Number(values.seed ?? 0) } : undefined,
     trace: values.trace,
+    bags: values.bags,
     checks: values.checks ? { junit: values.junit } : undefined,
     given: readGiven(given),
     showArguments: values['show-args'],
@@ -185,6 +190,10 @@ export async function runHeadless(options: Options, entry: URL, commands?: Comma
   });
 
   const checks = options.checks === undefined ? undefined : await checksOf(session);
+  const bags = new KeptBags(session, options.bags, ({ node }, path) => {
+    if (options.json) event({ event: 'bag', node, path });
+    else process.stderr.write(`[${node}] wrote ${path}\n`);
+  });
   const told = new Map<string, NodeView['state']>();
   let stopping = false;
   session.onNodes((nodes) => {
@@ -233,6 +242,11 @@ export async function runHeadless(options: Options, entry: URL, commands?: Comma
   if (forMs !== undefined && broker instanceof SharedBroker) broker.conductor?.runUntil(forMs * 1e6, timeIsOver);
   let code = await finished;
   clearTimeout(timer);
+  const lost = await bags.finish();
+  if (lost !== undefined) {
+    process.stderr.write(`--bags: ${lost}\n`);
+    code = code === 0 ? 1 : code;
+  }
   process.off('SIGINT', stop);
   process.off('SIGTERM', stop);
   if (trace !== undefined) {

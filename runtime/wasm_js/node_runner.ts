@@ -40,6 +40,8 @@ export interface RunnerHost extends ProcessHost {
   /** Tells of every message; undefined: nobody asks. */
   readonly sent: ((node: SiteNode, message: SentMessage) => void) | undefined;
   readonly resetInput: (id: string) => void;
+  /** It has written a file and closed it. */
+  readonly wrote: (node: SiteNode, path: string, bytes: Uint8Array<ArrayBuffer>) => void;
   /** A batch of lines was taken over from a worker of the participant. */
   readonly lines: (node: SiteNode, report: Extract<WorkerReport, { t: 'lines' }>) => void;
   /** Of the kernel of a notebook. */
@@ -221,6 +223,9 @@ export class NodeRunner extends ProcessRunner<ProgramNode> {
         // First: whatever becomes of it, there is room for the next one.
         this.host.broker.consoleSeen(participant);
         this.host.event?.(report.event);
+        return;
+      case 'file':
+        this.host.wrote(this.node, report.path, report.bytes);
         return;
       case 'thread': {
         if (run === undefined) return;

@@ -43,6 +43,8 @@ export type WorkerReport =
   /** What the program makes of its standard input. */
   | { readonly t: 'terminal'; readonly mode: TerminalMode }
   | { readonly t: 'lines'; readonly lines: readonly SentLine[]; readonly dropped: number }
+  /** The program has written a file and closed it. */
+  | { readonly t: 'file'; readonly path: string; readonly bytes: Uint8Array<ArrayBuffer> }
   /** What the kernel of a notebook says, as JSON. */
   | { readonly t: 'event'; readonly event: string }
   | { readonly t: 'thread'; readonly request: ThreadRequest; readonly memory: WebAssembly.Memory }
@@ -158,6 +160,7 @@ export function serveWorker(
         post({ t: 'event', event });
         return link.consoleCredit.ahead();
       },
+      give: (path, bytes) => post({ t: 'file', path, bytes }),
       sent: start.traced ? (message) => post({ t: 'sent', message }) : undefined,
       loaded: (memory) => post({ t: 'memory', memory }),
       stepped: start.stepped !== undefined,

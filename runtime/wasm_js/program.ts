@@ -36,6 +36,8 @@ export interface ProgramHost {
   readonly random: ((bytes: Uint8Array) => void) | undefined;
   /** The kernel of a notebook tells the page something; returns how much of it the page has not dealt with yet. */
   readonly tell: (event: string) => number;
+  /** The program has written a file and closed it. The bytes are a copy. */
+  readonly give: (path: string, bytes: Uint8Array<ArrayBuffer>) => void;
   /** A message was sent. */
   readonly sent: ((message: SentMessage) => void) | undefined;
   /** In a stepped run programs with threads are refused. */
@@ -220,7 +222,7 @@ export async function runProgram(
   const imports: WebAssembly.Imports = {
     ros2wasm: wrap({
       ...hostImports(host.link, getMemory, host.idle, host.terminal, host.sent),
-      ...fileImports(host.files, host.readNow, getMemory),
+      ...fileImports(host.files, host.readNow, getMemory, host.give),
     }, suspendingHost),
     wasi_snapshot_preview1: wrap(wasi, suspendingWasi),
     env: env as WebAssembly.ModuleImports,

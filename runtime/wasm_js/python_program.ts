@@ -104,6 +104,16 @@ export function look(
   return count;
 }
 
+/** Of Python's bytes. */
+function copyOf(bytes: PyProxy): Uint8Array<ArrayBuffer> {
+  const buffer = (bytes as PyBuffer).getBuffer('u8');
+  try {
+    return new Uint8Array(buffer.data as Uint8Array);
+  } finally {
+    buffer.release();
+  }
+}
+
 /** The module `ros2wasm_host` of Python. */
 function hostModule(
   host: ProgramHost, memory: () => ProgramMemory, stop: Interrupts, died: (error: unknown) => void, showOutput: () => void,
@@ -156,6 +166,7 @@ function hostModule(
     forget_stop: () => stop.forget(),
     show_output: showOutput,
     tell: host.tell,
+    file_give: (path: string, bytes: PyProxy): void => host.give(path, copyOf(bytes)),
     address: (bytes: PyProxy): number => addressOf(bytes, buffers),
   };
 }

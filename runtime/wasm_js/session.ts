@@ -409,6 +409,21 @@ export interface SteppedRun {
   trace(): { readonly messages: number; readonly sha256: string };
 }
 
+/** A file that a node has written and closed. */
+export interface WrittenFile {
+  /** Its id. */
+  readonly node: string;
+  /** In the node's own file system. */
+  readonly path: string;
+  readonly content: Blob;
+}
+
+export interface Written {
+  /** What came since it was last called; it is kept no longer. */
+  take(): readonly WrittenFile[];
+  onChange(listener: () => void): Unsubscribe;
+}
+
 export interface Session {
   readonly site: SiteDescription;
   readonly link: LinkKind;
@@ -450,6 +465,8 @@ export interface Session {
   interfaces(): Promise<ReadonlyMap<string, string>>;
   /** Definitions from elsewhere, as a bag brings them: those of types that the site knows itself are left out. */
   learn(definitions: ReadonlyMap<string, string>): Promise<void>;
+  /** The bags that nodes have written. */
+  readonly written: Written;
   /** The page as a participant of the graph, made at the first call. */
   node(): PageNode;
   /** undefined: the site has none. They look from before the first node starts. */

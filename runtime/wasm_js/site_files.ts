@@ -38,7 +38,10 @@ export function siteEnvironment(site: SiteDescription): Readonly<Record<string, 
   };
 }
 
-export function fileImports({ prefix, place, files }: SiteFiles, readNow: ReadNow, memory: () => ProgramMemory): Record<string, HostFunction> {
+export function fileImports(
+  { prefix, place, files }: SiteFiles, readNow: ReadNow, memory: () => ProgramMemory,
+  give: (path: string, bytes: Uint8Array<ArrayBuffer>) => void,
+): Record<string, HostFunction> {
   let encoded: Uint8Array | undefined;
   return {
     file_list: (buffer: number, capacity: number): number => {
@@ -53,6 +56,9 @@ export function fileImports({ prefix, place, files }: SiteFiles, readNow: ReadNo
       if (bytes === undefined || bytes.length !== size >>> 0) return ErrorCode.unsupported;
       memory().u8.set(bytes, buffer >>> 0);
       return bytes.length;
+    },
+    file_give: (path: number, length: number, data: number, size: number): void => {
+      give(memory().text(path, length), memory().slice(data, size));
     },
   };
 }

@@ -28,6 +28,7 @@ import { SiteTimeControl } from './site_time.ts';
 import { InputWriter } from './standard_input.ts';
 import type { SteppedTime } from './stepped_time.ts';
 import { Tabs } from './tabs.ts';
+import { WrittenFiles } from './written_files.ts';
 
 const sampleMs = 250;
 
@@ -79,6 +80,7 @@ export class SiteSession implements Session {
   private unwatchGraph: (() => void) | undefined;
   checks: (SiteChecks & { close(): void }) | undefined;
   readonly notebook: SiteKernel | undefined;
+  readonly written = new WrittenFiles();
   private nodesTold = true;
   private sampling: ReturnType<typeof setInterval> | undefined;
   private definitions: Promise<Map<string, string>> | undefined;
@@ -138,6 +140,7 @@ export class SiteSession implements Session {
       stepped: stepped === undefined ? undefined : { seed: stepped.seed },
       sent: traced ? (of: SiteNode, message: SentMessage) => void trace.add(of.id, message) : onSent,
       resetInput: (id: string) => this.input.reset(id),
+      wrote: (of: SiteNode, path: string, bytes: Uint8Array<ArrayBuffer>) => this.written.add({ node: of.id, path, content: new Blob([bytes]) }),
       comingUp,
       begins: (of) => comingUp.begins(of),
       commands: commands === undefined ? undefined : { session: this, load: commands, comingUp, file: (path) => platform.bytes(path) },

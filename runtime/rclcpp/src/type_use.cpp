@@ -44,5 +44,16 @@ const ros2wasm_typesupport::TypeInfo* find_used_type(int32_t node_id,
   return found == all->types.end() ? nullptr : found->second;
 }
 
+const ros2wasm_typesupport::TypeInfo* find_used_type(const std::string& type_name) {
+  const auto all = uses();
+  const std::lock_guard<std::mutex> lock(all->mutex);
+  for (const auto& [use, info] : all->types) {
+    if (info->type_name == type_name) {
+      return info;
+    }
+  }
+  return nullptr;
+}
+
 }  // namespace detail
 }  // namespace rclcpp

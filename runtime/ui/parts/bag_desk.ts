@@ -16,7 +16,7 @@ const kPartBytes = 4 << 20;
 
 export interface ShelfBag {
   readonly name: string;
-  readonly origin: 'site' | 'file' | 'recorded';
+  readonly origin: 'site' | 'file' | 'recorded' | 'written';
   readonly size: number;
   readonly content: () => Promise<Blob>;
 }
@@ -66,6 +66,16 @@ export class BagDesk {
       name: path.split('/').at(-1) ?? path, origin: 'site',
       size: session.site.files.find((file) => file.path === path)?.size ?? 0, content: () => fetchFile(path),
     }));
+    // As long as the session: a desk ends with it.
+    session.written.onChange(() => this.takeWritten());
+    this.takeWritten();
+  }
+
+  /** The bags that nodes have written. */
+  private takeWritten(): void {
+    for (const { path, content } of this.session.written.take()) {
+      if (path.endsWith('.mcap')) this.put(path.slice(path.lastIndexOf('/') + 1), content, 'written');
+    }
   }
 
   onChange(listener: () => void): Unsubscribe {
@@ -115,7 +125,9 @@ export class BagDesk {
   /** For the terminal. */
   readonly place: BagPlace = {
     open: async (name) => {
-      const bag = this.shelf.find((one) => one.name === name || one.name === withEnding(name));
+      // A node's bag is a folder with one file, mostly.
+      const names = [name, withEnding(name), `${name.replace(/\/$/, '')}_0.mcap`];
+      const bag = names.flatMap((one) => this.shelf.filter((kept) => kept.name === one)).at(0);
       return bag === undefined ? undefined : blobSource(bag.name, await bag.content());
     },
     create: (name) => {
@@ -129,7 +141,7 @@ export class BagDesk {
   };
 
   /** Another one of the same name stays, under that name. */
-  put(name: string, blob: Blob, origin: 'file' | 'recorded'): ShelfBag {
+  put(name: string, blob: Blob, origin: 'file' | 'recorded' | 'written'): ShelfBag {
     let free = name;
     for (let i = 2; this.shelf.some((bag) => bag.name === free); i += 1) free = name.replace(/(\.\w+)?$/, `_${i}$1`);
     const bag: ShelfBag = { name: free, origin, size: blob.size, content: () => Promise.resolve(blob) };

@@ -100,7 +100,25 @@ class Parser {
     }
   }
 
+  /// Of values inside each other.
+  class Depth {
+   public:
+    explicit Depth(Parser& parser) : parser_(parser) {
+      constexpr int kMost = 100;
+      if (++parser_.depth_ > kMost) {
+        parser_.fail("values are nested too deep");
+      }
+    }
+    Depth(const Depth&) = delete;
+    Depth& operator=(const Depth&) = delete;
+    ~Depth() { --parser_.depth_; }
+
+   private:
+    Parser& parser_;
+  };
+
   YamlNode parse_block(size_t indent) {
+    const Depth depth(*this);
     if (peek() == '-' && is_space_at(1)) {
       return parse_block_sequence(indent);
     }
@@ -197,6 +215,7 @@ class Parser {
   }
 
   YamlNode parse_value(bool in_flow = false) {
+    const Depth depth(*this);
     bool is_text = false;
     if (text_.substr(at_, 6) == "!!str ") {
       at_ += 6;
@@ -334,7 +353,12 @@ class Parser {
       }
       if (quote == '"' && c == '\\') {
         ++at_;
-        value += unescape();
+        if (peek() == '\n') {  // the text goes on in the next line
+          ++at_;
+          skip_spaces();
+        } else {
+          value += unescape();
+        }
         continue;
       }
       value += c;
@@ -383,6 +407,7 @@ class Parser {
 
   std::string_view text_;
   size_t at_ = 0;
+  int depth_ = 0;
 };
 
 // Whether `text` is one of the words, which stand between spaces.

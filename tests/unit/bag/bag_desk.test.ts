@@ -44,3 +44,19 @@ test('a recording that begins while the desk is left ends', watchdog, async () =
   assert.equal(desk.shelf.length, 1);
   session.close();
 });
+
+test('bags that nodes wrote lie on the shelf, also those from before somebody looked', watchdog, async () => {
+  const session = new FakeSession({ nodes: [] });
+  const write = (path: string): void => session.written.add({ node: 'recorder-1', path, content: new Blob(['x']) });
+  write('/home/user/my_bag/my_bag_0.mcap');
+  write('/home/user/my_bag/metadata.yaml');
+  const desk = new BagDesk(session);
+  let changes = 0;
+  desk.onChange(() => { changes += 1; });
+  write('/tmp/other/my_bag_0.mcap');
+  assert.equal(changes, 1);
+  assert.deepEqual(desk.shelf.map(({ name, origin }) => `${name} ${origin}`), ['my_bag_0.mcap written', 'my_bag_0_2.mcap written']);
+  for (const name of ['my_bag', 'my_bag/', 'my_bag_0', 'my_bag_0.mcap']) assert.equal((await desk.place.open(name))?.name, 'my_bag_0.mcap', name);
+  assert.equal(await desk.place.open('your_bag'), undefined);
+  session.close();
+});

@@ -89,6 +89,16 @@ TEST(YamlDocument, SaysWhereItCannotRead) {
   EXPECT_EQ(error("a: 'x"), "line 1: a quoted text is not closed");
   EXPECT_EQ(error("a: 1\n   b: 2\n"), "line 2: wrong indentation");
   EXPECT_NE(error("a: b: c\n"), "");
+  EXPECT_EQ(error(std::string(100000, '[').c_str()), "line 1: values are nested too deep");
+  std::string deep;
+  for (int i = 0; i < 5000; ++i) deep += "- ";
+  EXPECT_EQ(error(deep.c_str()), "line 1: values are nested too deep");
+}
+
+TEST(YamlDocument, ReadsTextsOfSeveralLines) {
+  // As PyYAML breaks long texts.
+  const YamlNode node = parse_yaml("a: \"one \\\n  two\\\n  \\ three\"\n");
+  EXPECT_EQ(node.entries[0].second.text, "one two three");
 }
 
 }  // namespace

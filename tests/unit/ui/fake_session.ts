@@ -30,6 +30,7 @@ import type {
   Unsubscribe,
 } from '../../../runtime/wasm_js/session.ts';
 import type { CheckView, SiteChecks } from '../../../runtime/wasm_js/site_checks.ts';
+import { WrittenFiles } from '../../../runtime/wasm_js/written_files.ts';
 
 /** Checks that a test decides. */
 export class FakeChecks implements SiteChecks {
@@ -230,6 +231,7 @@ export class FakeSession implements Session {
   readonly notebook: FakeKernel | undefined;
   checks: SiteChecks | undefined;
   readonly stepped = undefined;
+  readonly written = new WrittenFiles();
   sources: Sources | undefined;
   private joined: TabView | undefined;
   readonly site: SiteDescription;

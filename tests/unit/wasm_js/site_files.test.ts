@@ -5,6 +5,7 @@ import { test } from 'node:test';
 import { ErrorCode } from '../../../runtime/protocol/generated/constants.ts';
 import { ProgramMemory } from '../../../runtime/wasm_js/program_memory.ts';
 import { fileImports } from '../../../runtime/wasm_js/site_files.ts';
+import { placeOf, WrittenFiles } from '../../../runtime/wasm_js/written_files.ts';
 
 const files = { prefix: '/opt/ros/jazzy', place: 'http://host/site/', files: [['share/demo/a.txt', 3], ['share/demo/gone.txt', 1]] } as const;
 
@@ -14,13 +15,14 @@ function imports(asked: string[]) {
     asked.push(`${place}${path}`);
     return path.endsWith('a.txt') ? new Uint8Array([1, 2, 3]) : undefined;
   };
-  const { file_list: list, file_read: read } = fileImports(files, answer, () => memory);
+  const given: (readonly [string, Uint8Array])[] = [];
+  const { file_list: list, file_read: read, file_give: give } = fileImports(files, answer, () => memory, (...file) => given.push(file));
   const call = (path: string, size: number): number => {
     const bytes = memory.encode(path);
     memory.u8.set(bytes, 0);
     return (read as (...args: number[]) => number)(0, bytes.length, 1000, size);
   };
-  return { memory, list: list as (buffer: number, capacity: number) => number, read: call };
+  return { memory, given, give: give as (...args: number[]) => void, list: list as (buffer: number, capacity: number) => number, read: call };
 }
 
 test('the list is written where it fits, else its size is told', () => {
@@ -44,4 +46,40 @@ test('only files of the list are asked for, and only whole ones are given', () =
   assert.equal(read('/opt/ros/jazzy/share/demo/../../../site.json', 3), ErrorCode.unsupported);
   assert.equal(read('http://elsewhere/a.txt', 3), ErrorCode.unsupported);
   assert.equal(asked.length, 3);
+});
+
+test('a file that a program gives away is copied', () => {
+  const { memory, given, give } = imports([]);
+  memory.u8.set([...memory.encode('/home/user/bag'), 1, 2, 3], 0);
+  give(0, 14, 14, 3);
+  memory.u8.fill(9, 0, 20);
+  assert.deepEqual(given, [['/home/user/bag', new Uint8Array([1, 2, 3])]]);
+});
+
+test('files that programs have written are kept until they are taken, and not without end', () => {
+  const written = new WrittenFiles(5);
+  let told = 0;
+  const stop = written.onChange(() => { told += 1; });
+  const add = (path: string, size: number): void => written.add({ node: 'recorder-1', path, content: new Blob([new Uint8Array(size)]) });
+  const taken = (): string[] => written.take().map(({ path }) => path);
+  add('a', 2);
+  assert.deepEqual([taken(), taken()], [['a'], []]);
+  add('b', 2);
+  add('c', 2);
+  add('d', 2);
+  assert.deepEqual(taken(), ['c', 'd']);
+  add('e', 6);
+  assert.deepEqual(taken(), []);
+  assert.equal(told, 5);
+  stop();
+  add('f', 1);
+  assert.equal(told, 5);
+});
+
+test('the path that a program gives leads to its own folder', () => {
+  const place = (path: string): string => placeOf({ node: 'recorder-1', path }).join('/');
+  assert.equal(place('/home/user/my_bag/my_bag_0.mcap'), 'recorder-1/my_bag/my_bag_0.mcap');
+  assert.equal(place('/tmp/x'), 'recorder-1/tmp/x');
+  assert.equal(place('/home/user/../../etc/./x'), 'recorder-1/etc/x');
+  assert.equal(place('C:\\x\n\u0000'), 'recorder-1/C__x__');
 });

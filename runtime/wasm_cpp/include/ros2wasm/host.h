@@ -99,6 +99,9 @@ ROS2WASM_IMPORT("file_list") int32_t ros2wasm_file_list(void* buffer, uint32_t c
 /** The whole of one of them. Its size, or < 0: it cannot be had, or has another size. */
 ROS2WASM_IMPORT("file_read")
 int32_t ros2wasm_file_read(const char* path, uint32_t path_len, void* buffer, uint32_t size);
+/** A file that the program has written, whole: whoever runs the site may keep it. */
+ROS2WASM_IMPORT("file_give")
+void ros2wasm_file_give(const char* path, uint32_t path_len, const void* data, uint32_t size);
 
 #ifdef __cplusplus
 }

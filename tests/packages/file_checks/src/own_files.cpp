@@ -1,7 +1,8 @@
 // Files that a program writes: its own, for as long as it runs.
 
 // Compatibility, differs: files that a node writes -> live in its memory as long as it runs; no other node sees them, and
-// the share files of packages are as packed again at its next start. The mode of a file is kept, and nobody asks for it
+// the share files of packages are as packed again at its next start; the page gets the bags that it closes. The mode of a
+// file is kept, and nobody asks for it
 
 #include <fcntl.h>
 #include <sys/stat.h>

@@ -24,12 +24,14 @@ TEST(HeadlessCommand, PassesAllOptions) {
                               .stepped = true,
                               .seed = 7,
                               .trace = "sent.jsonl",
+                              .bags = "kept",
                               .checks = true,
                               .junit = "checks.xml",
                               .json = true}),
-            (Words{"node", "headless.js", "site", "--for", "1500ms", "--until", "I heard: .*",
-                   "--link", "port", "--stepped", "--seed", "7", "--trace", "sent.jsonl",
-                   "--checks", "--junit", "checks.xml", "--json"}));
+            (Words{"node",    "headless.js", "site",    "--for",      "1500ms",
+                   "--until", "I heard: .*", "--link",  "port",       "--stepped",
+                   "--seed",  "7",           "--trace", "sent.jsonl", "--bags",
+                   "kept",    "--checks",    "--junit", "checks.xml", "--json"}));
 }
 
 class FindHeadlessTest : public ::testing::Test {

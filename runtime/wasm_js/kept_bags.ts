@@ -1,0 +1,57 @@
+// `--bags DIR` of a headless run: the bags that nodes write lie there, below a folder for each node.
+
+import { mkdir, writeFile } from 'node:fs/promises';
+import { dirname, join } from 'node:path';
+import type { Session, WrittenFile } from './session.ts';
+import { placeOf } from './written_files.ts';
+
+export class KeptBags {
+  private readonly session: Session;
+  private readonly folder: string | undefined;
+  private readonly writing: Promise<void>[] = [];
+  private lost: string | undefined;
+
+  /** Without a folder they are dropped. `told`: of each that was written, where it lies. */
+  constructor(session: Session, folder: string | undefined, told: (file: WrittenFile, path: string) => void) {
+    this.session = session;
+    this.folder = folder;
+    session.written.onChange(() => {
+      for (const file of session.written.take()) {
+        if (folder !== undefined) this.writing.push(this.keep(folder, file, told));
+      }
+    });
+  }
+
+  private async keep(folder: string, file: WrittenFile, told: (file: WrittenFile, path: string) => void): Promise<void> {
+    try {
+      const path = join(folder, ...placeOf(file));
+      await mkdir(dirname(path), { recursive: true });
+      await writeFile(path, new Uint8Array(await file.content.arrayBuffer()));
+      told(file, path);
+    } catch (error) {
+      this.lost ??= error instanceof Error ? error.message : String(error);
+    }
+  }
+
+  /** Stops what runs as Ctrl-C does, so that nodes close their bags. Gives why one could not be written. */
+  async finish(): Promise<string | undefined> {
+    if (this.folder === undefined) return undefined;
+    await this.stopped();
+    await Promise.all(this.writing);
+    return this.lost;
+  }
+
+  private stopped(): Promise<void> {
+    const { session } = this;
+    return new Promise((resolve) => {
+      const look = (): void => {
+        if (session.nodes().some(({ state }) => state.kind === 'starting' || state.kind === 'running')) return;
+        unwatch();
+        resolve();
+      };
+      const unwatch = session.onNodes(look);
+      session.stopAll();
+      look();
+    });
+  }
+}

@@ -52,7 +52,7 @@ def generate_launch_description():
         RegisterEventHandler(OnExecutionComplete(target_action=spawn, on_completion=[
             LogInfo(msg='a turtle is there'), change, TimerAction(period=0.5, actions=[again])])),
         RegisterEventHandler(OnProcessExit(target_action=again, on_exit=[seen])),
-        RegisterEventHandler(OnProcessExit(target_action=seen, condition=IfCondition(ends), on_exit=[
+        RegisterEventHandler(condition=IfCondition(ends), event_handler=OnProcessExit(target_action=seen, on_exit=[
             EmitEvent(event=Shutdown(reason='the colour was seen'))])),
     ])
 `;
@@ -157,17 +157,21 @@ test('in Chromium each command has its row and its console, and is started again
     const rowOf = (name: string) => page.getByRole('listitem').filter({ has: page.getByRole('button', { name, exact: true }) });
     const tileOf = (name: string) => page.getByRole('article', { name });
     const setting = 'ros2 param set room/sim background_r 120';
-    await tileOf('Console of ros2 param get room/sim background_r').getByText('Integer value is: 200').waitFor();
+    const getting = 'ros2 param get room/sim background_r';
+    await tileOf(`Console of ${getting}`).getByText('Integer value is: 200').waitFor();
     await tileOf("Console of ros2 service call room/spawn turtlesim/srv/Spawn '{x: 2, y: 2, theta: 0.2}'").getByText("Spawn_Response(name='turtle2')").waitFor();
     await tileOf('Console of the launch file').getByText('[launch.user]: a turtle is there').waitFor();
     await rowOf(setting).getByText('Finished, code 0').waitFor();
     await rowOf(setting).getByText(change, { exact: true }).waitFor();
     assert.equal(await tileOf(`Console of ${setting}`).getByRole('button', { name: /input/i }).count(), 0);
 
+    // Alone, with room for more than one line.
+    await page.getByRole('button', { name: setting, exact: true }).click();
     await page.getByRole('button', { name: `Start ${setting}`, exact: true }).click();
     await tileOf(`Console of ${setting}`).getByText('Set parameter successful').nth(1).waitFor();
-    await page.getByRole('button', { name: 'Start ros2 param get room/sim background_r', exact: true }).click();
-    await tileOf('Console of ros2 param get room/sim background_r').getByText('Integer value is: 120').waitFor();
+    await page.getByRole('button', { name: getting, exact: true }).click();
+    await page.getByRole('button', { name: `Start ${getting}`, exact: true }).click();
+    await tileOf(`Console of ${getting}`).getByText('Integer value is: 120').waitFor();
 
     const listening = 'ros2 topic echo /room/turtle2/pose turtlesim/msg/Pose --field x';
     await rowOf(listening).getByText('Running').waitFor();

@@ -148,7 +148,9 @@ const kShown: Readonly<Record<keyof typeof texts.panels, Shown>> = {
     seen: (panel) => text(panel.locator('.cm-content'), 'Answers on topic_c'),
   },
   log: {
-    // It has what comes while it is there: a call makes a node say something.
+    // What was said before it was there.
+    act: (panel) => text(panel, /\[controller\]: Driving to/),
+    // And what comes then: a call makes a node say something.
     async seen(panel) {
       await show('services');
       await call();

@@ -15,21 +15,24 @@ from typing import Any
 from tests.unit.rclpy.installation import install, install_host
 
 # Compatibility, works: the public names of Jazzy's and Humble's rclpy (also for actions and managed nodes), tf2_ros,
-# tf2_py, tf2_geometry_msgs, tf2_sensor_msgs, message_filters, sensor_msgs_py, rosidl_runtime_py and ament_index_python,
-# with names and places of their parameters (Jazzy's), against a list; what is missing has its reason there
+# tf2_py, tf2_geometry_msgs, tf2_sensor_msgs, message_filters, sensor_msgs_py, rosbag2_py, rosidl_runtime_py and
+# ament_index_python, with names and places of their parameters (Jazzy's), against a list; what is missing has its
+# reason there
 
 # Compatibility, differs: rclpy's wait set -> nothing waits on it: a waitable is asked whenever something happened;
 # handles of rcl, and some names that only hints of types need, are missing
 
 DEBIAN = '/usr/lib/python3/dist-packages'
 NAMES = Path(__file__).with_name('upstream_names.txt')
-PACKAGES = ('ament_index_python', 'message_filters', 'rosidl_runtime_py', 'sensor_msgs_py', 'tf2_geometry_msgs',
-            'tf2_py', 'tf2_ros_py', 'tf2_sensor_msgs')
+PACKAGES = ('ament_index_python', 'message_filters', 'rosbag2_py', 'rosidl_runtime_py', 'sensor_msgs_py',
+            'tf2_geometry_msgs', 'tf2_py', 'tf2_ros_py', 'tf2_sensor_msgs')
 
 WAIT_SET = 'of waitables on a wait set of rcl, which a site has not'
 HANDLE = 'of a handle of rcl, for which the object itself stands'
 HINT = 'a name for hints of types alone'
 LOGGER = 'of the inside of a logger'
+NO_COMPRESSION = 'bags are written uncompressed'
+ON_THE_PAGE = "the page's panel Bag and `ros2 bag` record and play"
 #: What is missing and why: a name, or all that begin with it when it ends in `*`.
 LACKING: dict[str, str] = {
     'ament_index_python.cli*': 'a program for shells',
@@ -62,6 +65,13 @@ LACKING: dict[str, str] = {
     **{f'rclpy.impl.rcutils_logger.{name}*': LOGGER
        for name in ('CallerId', 'LoggingFilter', 'Once', 'SkipFirst', 'Throttle', 'get_filters_from_kwargs',
                     'supported_filters')},
+    **{f'rosbag2_py.{name}': NO_COMPRESSION
+       for name in ('CompressionMode*', 'CompressionOptions*', 'SequentialCompression*', 'compression_mode_*')},
+    **{f'rosbag2_py.{name}': ON_THE_PAGE
+       for name in ('Info.read_metadata_and_output_service_verbose', 'PlayOptions', 'Player', 'RecordOptions',
+                    'Recorder', 'ServiceRequestsSource')},
+    'rosbag2_py.Reindexer': 'a file without index is read as it is',
+    'rosbag2_py.bag_rewrite': 'nothing is converted',
     'rclpy.executors.SignalHandlerGuardCondition': 'a stop wakes every wait of a site',
     'rclpy.signals.SignalHandlerGuardCondition*': 'a stop wakes every wait of a site',
     'rclpy.topic_endpoint_info.TopicEndpointInfo.__init__': 'its parameters have names',

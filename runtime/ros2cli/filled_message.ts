@@ -9,7 +9,7 @@ export interface Filled {
   readonly type: string;
   readonly shape: Shape;
   readonly bytes: Uint8Array<ArrayBuffer>;
-  /** As it is sent. */
+  /** As it is sent, but for numbers, which are as they were typed: the tools of ROS 2 print them so. */
   readonly value: unknown;
 }
 
@@ -28,7 +28,19 @@ export async function fillMessage(codec: Codec, type: string, yaml: string | und
   const encoded = codec.encode(type, given);
   if (encoded.kind === 'failed') throw new CommandError(`Failed to populate field: ${encoded.path === '' ? '' : `${encoded.path}: `}${encoded.reason}`);
   const decoded = codec.decode(type, encoded.bytes);
-  return { type, shape, bytes: encoded.bytes, value: decoded.kind === 'value' ? decoded.value : {} };
+  return { type, shape, bytes: encoded.bytes, value: decoded.kind === 'value' ? asTyped(decoded.value, given) : {} };
+}
+
+/** Single precision is what the bytes have: 0.2 is 0.20000000298023224 there. Arrays of such are printed as they are sent. */
+function asTyped(sent: unknown, given: unknown): unknown {
+  if (typeof sent === 'number') return typeof given === 'number' && Math.fround(given) === sent ? given : sent;
+  if (Array.isArray(sent) && Array.isArray(given) && isRecord(sent[0])) return sent.map((value, i) => asTyped(value, given[i]));
+  if (!isRecord(sent) || !isRecord(given)) return sent;
+  return Object.fromEntries(Object.entries(sent).map(([name, value]) => [name, asTyped(value, given[name])]));
+}
+
+function isRecord(value: unknown): value is Readonly<Record<string, unknown>> {
+  return typeof value === 'object' && value !== null && Object.getPrototypeOf(value) === Object.prototype;
 }
 
 export function stampOf(ms: number): { readonly sec: number; readonly nanosec: number } {

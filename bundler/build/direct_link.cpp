@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Raise it when the driver is asked otherwise.
-constexpr std::string_view kFormat = "3";
+constexpr std::string_view kFormat = "4";
 
 constexpr std::string_view kLinkerOption = "-Wl,";
 
@@ -24,7 +24,7 @@ constexpr std::string_view kLinkerOption = "-Wl,";
 /// equal functions merged, arguments dropped and calls inlined first, there is less to optimize:
 /// the same size in two thirds of the time.
 constexpr std::string_view kLevel = "-O2";
-constexpr std::array<std::string_view, 31> kPasses = {"--optimize-level=2",
+constexpr std::array<std::string_view, 32> kPasses = {"--optimize-level=2",
                                                       "--shrink-level=1",
                                                       "--duplicate-function-elimination",
                                                       "--memory-packing",
@@ -47,6 +47,7 @@ constexpr std::array<std::string_view, 31> kPasses = {"--optimize-level=2",
                                                       "--optimize-instructions",
                                                       "--rse",
                                                       "--vacuum",
+                                                      "--dae-optimizing",
                                                       "--inlining-optimizing",
                                                       "--duplicate-function-elimination",
                                                       "--duplicate-import-elimination",

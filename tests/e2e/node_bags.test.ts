@@ -260,6 +260,19 @@ for (const link of ['shared', 'port'] as const) {
   });
 }
 
+// Guarantee, same bytes: the bags that nodes write in stepped runs of one seed
+test('two stepped runs of one seed write the same bags', watchdog, async () => {
+  const bags: Map<string, string>[] = [];
+  for (const folder of ['stepped-1', 'stepped-2']) {
+    const { code, stderr } = await workspace.run(['run', site, '--stepped', '--seed', '7', '--for', '5s', '--bags', folder]);
+    assert.equal(code, 0, stderr);
+    bags.push(workspace.files(folder));
+  }
+  assert.deepEqual(bags[0], bags[1]);
+  const names = [...bags[0]!.keys()];
+  for (const name of ['my_bag_0.mcap', 'py_bag_0.mcap', 'big_synthetic_bag_0.mcap']) assert.ok(names.some((path) => path.endsWith(`/${name}`)), names.join('\n'));
+});
+
 for (const link of ['shared', 'port'] as const) {
   test(`${link}: in the page the bag of a node that is stopped is listed, played and downloaded`, watchdog, async () => {
     await withTabs(browser, site, link, async (open) => {

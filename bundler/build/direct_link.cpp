@@ -22,13 +22,14 @@ constexpr std::string_view kLinkerOption = "-Wl,";
 /// The optimizer's level and, in its place, passes for programs that consist of templates: what
 /// -O2 does at its end for the sake of size, it works on functions that it optimized before. With
 /// equal functions merged, arguments dropped and calls inlined first, there is less to optimize:
-/// the same size in two thirds of the time.
+/// the same size in four fifths of the time. Dropping arguments optimizes at once: so it sees in
+/// the C library what programs never ask for, and their imports are those of -O2.
 constexpr std::string_view kLevel = "-O2";
-constexpr std::array<std::string_view, 32> kPasses = {"--optimize-level=2",
+constexpr std::array<std::string_view, 31> kPasses = {"--optimize-level=2",
                                                       "--shrink-level=1",
                                                       "--duplicate-function-elimination",
                                                       "--memory-packing",
-                                                      "--dae",
+                                                      "--dae-optimizing",
                                                       "--inlining",
                                                       "--dce",
                                                       "--remove-unused-names",
@@ -47,7 +48,6 @@ constexpr std::array<std::string_view, 32> kPasses = {"--optimize-level=2",
                                                       "--optimize-instructions",
                                                       "--rse",
                                                       "--vacuum",
-                                                      "--dae-optimizing",
                                                       "--inlining-optimizing",
                                                       "--duplicate-function-elimination",
                                                       "--duplicate-import-elimination",

@@ -30,3 +30,32 @@ test('rviz2 and joint_state_publisher_gui become panels of the usual layout', as
   assert.deepEqual(ui.opens, [{ panel: 'joints' }, { panel: 'scene', file: 'share/arm/rviz/view.rviz' }]);
   assert.ok(ws.files('site').has('share/arm/rviz/view.rviz'));
 });
+
+// Compatibility, works: `urdf_launch` (display.launch.py, description.launch.py), which packages of robots include
+test('display.launch.py of urdf_launch shows a package\'s robot', async () => {
+  const shown = new PackWorkspace();
+  try {
+    shown.addPackage('leg', { hello: 'int main() {}\n' }, { cmake: 'install(DIRECTORY launch urdf DESTINATION share/${PROJECT_NAME})\n' });
+    shown.write('src/leg/urdf/leg.urdf', '<robot name="leg"><link name="base_link"/></robot>\n');
+    shown.write('src/leg/launch/display.launch.py', `from launch import LaunchDescription
+from launch.actions import IncludeLaunchDescription
+from launch.substitutions import PathJoinSubstitution
+from launch_ros.substitutions import FindPackageShare
+
+
+def generate_launch_description():
+    return LaunchDescription([IncludeLaunchDescription(
+        PathJoinSubstitution([FindPackageShare('urdf_launch'), 'launch', 'display.launch.py']),
+        launch_arguments={'urdf_package': 'leg', 'urdf_package_path': 'urdf/leg.urdf'}.items())])
+`);
+    shown.write('workspace.yaml', 'schema: 1\nname: leg\npackages: [src/*]\nlaunch: src/leg/launch/display.launch.py\n');
+    const packed = await shown.run(['pack', 'workspace.yaml', '-o', 'site']);
+    assert.equal(packed.code, 0, packed.stderr);
+    const { ui, nodes } = JSON.parse(shown.read('site/site.json').toString()) as { ui: { opens: unknown }; nodes: { executable: string; arguments: string[] }[] };
+    assert.deepEqual(ui.opens, [{ panel: 'joints' }, { panel: 'scene', file: 'share/urdf_launch/config/urdf.rviz' }]);
+    assert.deepEqual(nodes.map(({ executable }) => executable), ['robot_state_publisher']);
+    assert.ok(nodes[0]?.arguments.some((one) => one.includes('base_link')), 'the description');
+  } finally {
+    shown.close();
+  }
+});

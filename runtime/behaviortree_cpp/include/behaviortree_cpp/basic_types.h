@@ -1,15 +1,24 @@
 // What nodes and ports are told by: kinds, states, values as texts, and descriptions of ports.
+// Brings of the standard library what programs have of upstream's headers without asking for it.
 #pragma once
 
+#include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <cstring>
 #include <functional>
-#include <iosfwd>
+#include <iostream>
 #include <memory>
+#include <mutex>
+#include <set>
+#include <sstream>
 #include <string>
 #include <string_view>
+#include <thread>
 #include <typeindex>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <variant>
 #include <vector>

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "rclcpp/detail/string_format.hpp"
 #include "rclcpp/visibility_control.hpp"
 #include "rcutils/logging.h"
 

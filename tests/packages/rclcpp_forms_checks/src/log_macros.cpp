@@ -1,10 +1,11 @@
 // How often each kind of log macro logs.
 
 // Compatibility, works: the log macros ONCE, EXPRESSION, FUNCTION, SKIPFIRST, THROTTLE,
-// SKIPFIRST_THROTTLE and their STREAM forms
+// SKIPFIRST_THROTTLE and their STREAM forms; a std::string as the format, as in ROS 2 Foxy;
+// `bits/stdc++.h` and other inner headers of GCC's library that editors write into programs
 
-#include <string>
-#include <vector>
+#include <bits/shared_ptr.h>
+#include <bits/stdc++.h>
 
 #include "checks.hpp"
 #include "rcutils/logging.h"
@@ -45,6 +46,9 @@ int main(int argc, char** argv) {
     }
     return found;
   };
+  const std::string text = "text of %d";
+  RCLCPP_WARN(logger, text, 3);
+  RCLCPP_INFO(logger, std::to_string(7));
   for (int i = 0; i < 3; ++i) {
     RCLCPP_INFO_ONCE(logger, "once");
     RCLCPP_WARN_STREAM_ONCE(logger, "stream "
@@ -71,6 +75,10 @@ int main(int argc, char** argv) {
     RCLCPP_DEBUG(logger, "debug");
     RCLCPP_INFO_STREAM_THROTTLE(logger, clock, 0, "each " << i);
   }
+  CHECK(std::accumulate(lines.begin(), lines.end(), std::size_t{0},
+                        [](std::size_t sum, const auto& line) { return sum + line.size(); }) > 0);
+  CHECK(count("text of 3") == 1);
+  CHECK(count("7") == 1);
   CHECK(count("once") == 1);
   CHECK(count("stream once") == 1);
   CHECK(count("expression") == 2);

@@ -1,16 +1,12 @@
 // A command of `ros2` that the launch file starts: a process of the launch that the page runs itself, over the session.
 
 import type { ComingUp } from './coming_up.ts';
+import type { workOf } from './command_work.ts';
 import type { NodeConsole } from './console_log.ts';
 import type { RunnerHost } from './node_runner.ts';
 import { type ProcessHost, ProcessRunner } from './process_runner.ts';
 import type { CommandLoader, CommandNode, NodeView, RunningCommand, Session } from './session.ts';
 import { SiteError } from './site_error.ts';
-
-/** On message ports the graph comes in bit by bit. */
-const discoveryMs = 200;
-/** Exit code of one that Ctrl-C keeps from its work. */
-const interruptedCode = 130;
 
 /** What commands are run with. */
 export interface CommandPlace extends Pick<RunningCommand, 'file'> {
@@ -47,10 +43,10 @@ export class CommandRunner extends ProcessRunner<CommandNode> {
     const { broker } = this.host;
     const letGo = broker.conductor?.hold();
     try {
-      const run = await this.commands.load(this.commands.session);
+      const [{ workOf }, run] = await Promise.all([import('./command_work.ts'), this.commands.load(this.commands.session)]);
       // In a stepped run it begins when all others rest.
-      if (broker.conductor === undefined) void this.go(run, attempt);
-      else broker.after(0, () => void this.go(run, attempt));
+      if (broker.conductor === undefined) void this.go(workOf, run, attempt);
+      else broker.after(0, () => void this.go(workOf, run, attempt));
     } catch (error) {
       if (this.attempt === attempt) this.fail(error instanceof SiteError ? error.code : 'R2W0708', reasonOf(error));
     } finally {
@@ -58,40 +54,28 @@ export class CommandRunner extends ProcessRunner<CommandNode> {
     }
   }
 
-  private async go(run: Awaited<ReturnType<CommandLoader>>, attempt: number): Promise<void> {
+  private async go(work: typeof workOf, run: Awaited<ReturnType<CommandLoader>>, attempt: number): Promise<void> {
     if (this.attempt !== attempt) return;
     const { broker } = this.host;
-    const { session, file, comingUp } = this.commands;
     const abort = new AbortController();
-    const { signal } = abort;
     this.abort = abort;
     this.startedAt = Date.now();
     this.think = broker.conductor?.think();
     this.runs();
     this.host.settled(this.node);
-    const say = (stream: 1 | 2) => (text: string): void => {
-      if (this.attempt !== attempt) return;
-      const time = broker.link.clock.systemNs() / 1e6;
-      this.host.lines(this.node, { t: 'lines', lines: text.split('\n').map((line) => [stream, time, line]), dropped: 0 });
-    };
-    // In a stepped run no time passes while a file comes.
-    const holding = async (path: string): Promise<ArrayBuffer> => {
-      const goOn = broker.conductor?.hold();
-      try {
-        return await file(path);
-      } finally {
-        goOn?.();
-      }
-    };
-    try {
-      if (broker.conductor === undefined) await comingUp.none(signal);
-      if (broker.kind === 'port') await pause(discoveryMs);
-      const code = signal.aborted ? interruptedCode
-        : await run({ session, words: this.node.arguments, print: say(1), warn: say(2), file: holding, signal });
-      if (this.attempt === attempt) this.finish({ kind: 'exited', code });
-    } catch (error) {
-      if (this.attempt === attempt) this.finish({ kind: 'crashed', code: 'R2W0708', message: reasonOf(error) });
-    }
+    const state = await work({
+      ...this.commands,
+      run,
+      words: this.node.arguments,
+      broker,
+      signal: abort.signal,
+      say: (stream, text) => {
+        if (this.attempt !== attempt) return;
+        const time = broker.link.clock.systemNs() / 1e6;
+        this.host.lines(this.node, { t: 'lines', lines: text.split('\n').map((line) => [stream, time, line]), dropped: 0 });
+      },
+    });
+    if (this.attempt === attempt) this.finish(state);
   }
 
   protected override signal(): boolean {
@@ -112,10 +96,4 @@ export class CommandRunner extends ProcessRunner<CommandNode> {
 
 function reasonOf(error: unknown): string {
   return error instanceof Error ? error.message : String(error);
-}
-
-function pause(ms: number): Promise<void> {
-  return new Promise((resolve) => {
-    setTimeout(resolve, ms);
-  });
 }

@@ -18,14 +18,10 @@ int compile(Context& context, const std::vector<std::string>& command) {
                                            .message = "there is no compile command",
                                            .fix = {"ros2wasm compile-source -- em++ -c main.cpp"}});
   }
-  const auto value = [&](const char* name) {
-    const auto found = context.environment.find(name);
-    return found == context.environment.end() ? std::string() : found->second;
-  };
   const auto compiled =
       compile_source({.command = command,
-                      .kept = value(kKeptHeadersVariable),
-                      .tool_calls = value(kToolCallsVariable),
+                      .kept = context.variable(kKeptHeadersVariable),
+                      .tool_calls = context.variable(kToolCallsVariable),
                       .environment = tool_environment(context.environment, command.front())},
                      context.cancellation);
   if (!compiled) return context.console.fail(compiled.errors());

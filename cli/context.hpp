@@ -21,6 +21,12 @@ struct Context {
   std::filesystem::path executable;                ///< absolute path of this program
   std::map<std::string, std::string> environment;  ///< variables at start
   bool json = false;                               ///< --json: print results as JSON
+
+  /// Of the environment; empty when it is not set.
+  [[nodiscard]] std::string variable(const std::string& name) const {
+    const auto found = environment.find(name);
+    return found == environment.end() ? std::string() : found->second;
+  }
 };
 
 /// Runs a command whose options are parsed; returns the exit code (see docs/errors.md). Usually

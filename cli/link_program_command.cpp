@@ -45,19 +45,15 @@ int link(Context& context, const Options& options) {
       find_own_data(context.executable, "templates/toolchain/src/thread_support.cpp",
                     "what programs with threads need");
   if (!support) return context.console.fail(support.errors());
-  const auto value = [&](const char* name) {
-    const auto found = context.environment.find(name);
-    return found == context.environment.end() ? std::string() : found->second;
-  };
   const auto linked =
       link_program({.package = options.package,
                     .command = options.command,
                     .environment = tool_environment(context.environment, options.command.front()),
                     .thread_support = support->string(),
-                    .kits = value(kLinkKitsVariable),
-                    .tool_calls = value(kToolCallsVariable),
-                    .quick = !value(kQuickLinkVariable).empty(),
-                    .channel_prefix = value(kChannelPrefixVariable)},
+                    .kits = context.variable(kLinkKitsVariable),
+                    .tool_calls = context.variable(kToolCallsVariable),
+                    .quick = !context.variable(kQuickLinkVariable).empty(),
+                    .channel_prefix = context.variable(kChannelPrefixVariable)},
                    context.cancellation);
   hand_up(context, parse_link_line(options.command).output,
           linked ? linked->warnings : linked.errors());

@@ -26,10 +26,8 @@ int run_ros2(Context& context, const Options& options) {
   if (const auto site = check_site(options.site); !site) add(site.errors());
   const auto program = find_headless_program(context.executable, kRos2Role);
   if (!program) add(program.errors());
-  const auto path = context.environment.find("PATH");
   const auto node_js =
-      find_node_js(context.executable, path == context.environment.end() ? "" : path->second,
-                   context.cancellation);
+      find_node_js(context.executable, context.variable("PATH"), context.cancellation);
   if (!node_js) add(node_js.errors());
   if (!errors.empty()) return context.console.fail(errors);
   std::vector<std::string> words = {node_js->string(), program->string()};

@@ -30,11 +30,6 @@ struct Options {
   bool show_arguments = false;
 };
 
-std::string path_variable(const Context& context) {
-  const auto found = context.environment.find("PATH");
-  return found == context.environment.end() ? std::string() : found->second;
-}
-
 void add_errors(Diagnostics& all, const Diagnostics& some) {
   all.insert(all.end(), some.begin(), some.end());
 }
@@ -68,7 +63,7 @@ int run_site(Context& context, const Options& options) {
   const auto program = find_headless_program(context.executable);
   if (!program) add_errors(errors, program.errors());
   const auto node_js =
-      find_node_js(context.executable, path_variable(context), context.cancellation);
+      find_node_js(context.executable, context.variable("PATH"), context.cancellation);
   if (!node_js) add_errors(errors, node_js.errors());
   if (node_js && run.until) {
     const auto pattern = check_pattern(*node_js, *run.until, context.cancellation);

@@ -285,6 +285,7 @@ Outcome<ProcessResult> compile_source(const SourceCompilation& compilation,
     std::error_code ignored;
     fs::remove(*header, ignored);
   }
+  if (plain) plain->output += said_of_signal(*plain);
   return plain;
 }
 

@@ -94,9 +94,11 @@ std::vector<char*> pointers_to(std::vector<std::string>& texts) {
   return result;
 }
 
+constexpr int kSignals = 128;
+
 int exit_code_of(int status) {
   if (WIFEXITED(status)) return WEXITSTATUS(status);
-  return 128 + (WIFSIGNALED(status) ? WTERMSIG(status) : 0);
+  return kSignals + (WIFSIGNALED(status) ? WTERMSIG(status) : 0);
 }
 
 /// Ends the child's group and waits for it: politely, then by force after two seconds.
@@ -245,6 +247,14 @@ Outcome<pid_t> start_child(const ProcessRequest& request, Streams streams) {
 
 }  // namespace
 
+std::string said_of_signal(const ProcessResult& result) {
+  if (result.exit_code <= kSignals) return {};
+  const int signal = result.exit_code - kSignals;
+  const char* name = ::strsignal(signal);
+  return "ended by signal " + std::to_string(signal) + " (" + (name == nullptr ? "unknown" : name) +
+         ")\n";
+}
+
 Outcome<ProcessResult> run_process(const ProcessRequest& request,
                                    const Cancellation& cancellation) {
   if (cancellation.requested()) return interrupted();
@@ -275,7 +285,7 @@ Outcome<ProcessResult> run_process(const ProcessRequest& request,
     if (!is_limited || !patience.is_over()) return false;
     stop_group(child, own_group);
     result.is_out_of_time = true;
-    result.exit_code = 128 + SIGTERM;
+    result.exit_code = kSignals + SIGTERM;
     return true;
   };
   while (output.read_end.get() >= 0 || error.read_end.get() >= 0) {

@@ -61,6 +61,9 @@ struct ProcessResult {
   bool is_out_of_time = false;  ///< it was ended at the time limit
 };
 
+/// A line when a signal ended it, else empty: then it may have said nothing itself.
+[[nodiscard]] std::string said_of_signal(const ProcessResult& result);
+
 /// Runs to the end. R2W0910 when the program cannot be started, interrupted() when it was asked to
 /// stop (the child's whole group is ended first: SIGTERM, then SIGKILL after two seconds).
 [[nodiscard]] Outcome<ProcessResult> run_process(const ProcessRequest& request,

@@ -2,7 +2,6 @@
 // toolchain.
 #include <algorithm>
 #include <charconv>
-#include <cstring>
 #include <optional>
 #include <set>
 
@@ -119,12 +118,7 @@ class NinjaProgress {
 
 /// What a tool said, and that a signal ended it: then it may have said nothing.
 std::string told(const ProcessResult& result, const PackageBuild& request) {
-  constexpr int kSignals = 128;
-  std::string text = for_people(result.output, request);
-  if (result.exit_code <= kSignals) return text;
-  const char* name = ::strsignal(result.exit_code - kSignals);
-  return text + "ended by signal " + std::to_string(result.exit_code - kSignals) + " (" +
-         (name == nullptr ? "unknown" : name) + ")\n";
+  return for_people(result.output, request) + said_of_signal(result);
 }
 
 /// Unless the last one would be the same. `more`: arguments besides.

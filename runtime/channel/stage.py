@@ -67,6 +67,8 @@ def build_package(workshop: Workshop, package: PackageSource) -> Path:
         ["cmake", "--install", str(build), "--prefix", str(tree)],
     ]
     shutil.rmtree(tree, ignore_errors=True)
+    # Only into an empty cache CMake reads the flags of the toolchain file, which may have changed.
+    (build / "CMakeCache.txt").unlink(missing_ok=True)
     with log.open("w", encoding="utf-8") as stream:
         for step in steps:
             done = subprocess.run(step, env=environment, stdin=subprocess.DEVNULL, stdout=stream,

@@ -9,7 +9,7 @@ import { type Broker, PortBroker, SharedBroker, steppedBus } from './broker.ts';
 import { checkLine, junitXml } from './check_report.ts';
 import { type CheckRun, runChecks } from './check_run.ts';
 import { endWhenNobodyReads, exitWhenPrinted, siteErrorText } from './headless_session.ts';
-import { KeptBags } from './kept_bags.ts';
+import { checkBagsFolder, KeptBags } from './kept_bags.ts';
 import { readGiven, shownArguments } from './launch_arguments.ts';
 import { siteWithArguments } from './launch_evaluation.ts';
 import { nodePlatform } from './node_platform.ts';
@@ -156,6 +156,7 @@ export async function runHeadless(options: Options, entry: URL, commands?: Comma
     print(shownArguments(packed.launch?.arguments ?? []));
     return 0;
   }
+  if (options.bags !== undefined) await checkBagsFolder(options.bags);
   platform.expect(packed.files);
   const site = await siteWithArguments(packed, options.given, platform);
   for (const note of site.launch?.notes ?? []) process.stderr.write(`${note}\n`);

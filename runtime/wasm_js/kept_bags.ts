@@ -1,9 +1,25 @@
 // `--bags DIR` of a headless run: the bags that nodes write lie there, below a folder for each node.
 
-import { mkdir, writeFile } from 'node:fs/promises';
+import { mkdir, readdir, writeFile } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
 import type { Session, WrittenFile } from './session.ts';
+import { SiteError } from './site_error.ts';
 import { placeOf } from './written_files.ts';
+
+/** Throws SiteError R2W0721: the folder has files, which might be overwritten. */
+export async function checkBagsFolder(folder: string): Promise<void> {
+  const files = await readdir(folder).catch((error: unknown) => {
+    if (error instanceof Error && 'code' in error && error.code === 'ENOENT') return [];
+    throw new SiteError('R2W0721', `bags cannot be written to ${folder}: ${error instanceof Error ? error.message : String(error)}`, {
+      fix: 'name another folder with --bags',
+    });
+  });
+  if (files.length === 0) return;
+  throw new SiteError('R2W0721', `bags are not written to ${folder}: it is not empty`, {
+    why: 'bags of an earlier run might be overwritten',
+    fix: 'name another folder with --bags, or move its files away',
+  });
+}
 
 export class KeptBags {
   private readonly session: Session;

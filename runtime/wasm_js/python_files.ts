@@ -2,7 +2,7 @@
 // it to be the one that was packed, before a worker has it.
 
 import type { Platform } from './platform.ts';
-import type { SiteDescription, SiteFile } from './session.ts';
+import { carriedPrograms, type SiteDescription, type SiteFile } from './session.ts';
 
 /** What a worker is given of them. */
 export interface PythonParts {
@@ -45,8 +45,7 @@ export class PythonFiles {
   }
 
   private archives(): readonly string[] {
-    const { nodes, programs } = this.site;
-    return [...new Set([...nodes.filter((node) => node.kind !== 'command'), ...programs].flatMap(({ python }) => python?.archives ?? []))];
+    return [...new Set(carriedPrograms(this.site).flatMap(({ python }) => python?.archives ?? []))];
   }
 
   /** One of them. Rejects as parts(). */

@@ -1,5 +1,6 @@
 // Which image the Python nodes of a site begin with, and who makes it: one for all of them, kept from an earlier visit, or
-// made by a worker of its own: when a second node starts, or, to be kept, when a node that is alone has come to wait.
+// made by a worker of its own: when more nodes start than the machine boots at once, or, to be kept, when those that booted
+// by themselves have come to wait.
 
 import { whenIdle } from './idle.ts';
 import { kernelNode } from './notebook_kernel.ts';
@@ -9,7 +10,7 @@ import { promiseIntegration } from './program.ts';
 import { homeOf, type PythonFiles } from './python_files.ts';
 import type { PythonStart } from './python_program.ts';
 import { RunningSha256 } from './running_sha256.ts';
-import type { SiteDescription, SiteNode, SiteProgram } from './session.ts';
+import { carriedPrograms, type SiteDescription, type SiteNode, type SiteProgram } from './session.ts';
 
 export type ImageOfStart = PythonStart['image'];
 
@@ -46,6 +47,14 @@ function keyOf(site: SiteDescription, program: string, archives: readonly string
 
 const longestMakingMs = 60_000;
 
+/** As many boot beside each other as fast as one; each of them takes more memory than with an image. */
+const mostByThemselves = 2;
+
+/** How many of these boot by themselves when nothing is kept: all, if that is what the machine can do at once. */
+function bootingAtOnce(nodes: number): number {
+  return nodes <= Math.min(mostByThemselves, navigator.hardwareConcurrency) ? Math.max(nodes, 1) : 1;
+}
+
 interface Made {
   readonly bytes: Blob;
   /** Of an earlier visit. */
@@ -64,8 +73,9 @@ export class PythonImages {
   private looked: Promise<Made | undefined> | undefined;
   /** Ids of the nodes that asked. */
   private readonly asked = new Set<string>();
-  /** Id of one that boots by itself, as it is alone: making an image first would take it longer. */
-  private alone: string | undefined;
+  private readonly atOnce: number;
+  /** Ids of those that boot by themselves and do not wait yet: making an image first would take them longer. */
+  private readonly booting = new Set<string>();
   /** A kept one that cannot be opened is gone when this resolves. */
   private dropped: Promise<void> | undefined;
   private end: (() => void) | undefined;
@@ -73,9 +83,10 @@ export class PythonImages {
 
   /** `share`: as in ImageStart. */
   constructor(site: SiteDescription, platform: Platform, files: PythonFiles, share: string) {
-    const own = site.nodes.filter((node) => node.kind !== 'command');
-    const all: readonly SiteProgram[] = [...own, ...site.programs, ...(site.notebook === undefined ? [] : [kernelNode(site.notebook)])];
+    const all: readonly SiteProgram[] = [...carriedPrograms(site), ...(site.notebook === undefined ? [] : [kernelNode(site.notebook)])];
     const nodes = all.filter(({ python }) => python !== undefined);
+    const started = site.nodes.filter((node) => node.kind !== 'command' && node.python !== undefined);
+    this.atOnce = bootingAtOnce(started.length + (site.notebook === undefined ? 0 : 1));
     const programs = new Set(nodes.map(({ program }) => program));
     this.site = site;
     this.platform = platform;
@@ -97,8 +108,8 @@ export class PythonImages {
       this.looked ??= this.keptOne(program).catch(() => undefined);
       const kept = await this.looked;
       if (kept !== undefined) this.made ??= Promise.resolve(kept);
-      else if (this.asked.size === 1) {
-        this.alone = node.id;
+      else if (this.asked.size <= this.atOnce) {
+        this.booting.add(node.id);
         return undefined;
       }
     }
@@ -108,9 +119,8 @@ export class PythonImages {
 
   /** The node waits for the first time, or is over. */
   settled(node: SiteNode): void {
-    const { program, alone, platform: { kept } } = this;
-    if (alone !== node.id) return;
-    this.alone = undefined;
+    const { program, booting, platform: { kept } } = this;
+    if (!booting.delete(node.id) || booting.size > 0) return;
     if (kept === undefined || program === undefined || keyOf(this.site, program, this.archives) === undefined) return;
     whenIdle(() => {
       if (!this.closed) void this.begun(program);

@@ -484,6 +484,11 @@ export interface Session {
   close(): void;
 }
 
+/** Those of its nodes, then those that it carries besides. */
+export function carriedPrograms({ nodes, programs }: SiteDescription): SiteProgram[] {
+  return [...nodes.filter((node) => node.kind !== 'command'), ...programs];
+}
+
 /** Marks a branch that the types rule out. */
 export function unreachable(value: never): never {
   throw new TypeError(`unreachable: ${JSON.stringify(value)}`);

@@ -17,9 +17,10 @@ import { PythonFiles } from './python_files.ts';
 import { PythonImages } from './python_images.ts';
 import { type CommonHost, runnerOf } from './runner_of.ts';
 import { Sampler } from './sampler.ts';
-import type {
-  AddedNode, CommandLoader, ConsoleLog, LastMessage, LaunchedNodes, LaunchRequest, LinkKind, NodeState, NodeView, Session, SiteDescription, SiteNode,
-  SiteTime, SteppedRun, TabView, TopicView, Unsubscribe,
+import {
+  type AddedNode, carriedPrograms, type CommandLoader, type ConsoleLog, type LastMessage, type LaunchedNodes, type LaunchRequest, type LinkKind,
+  type NodeState, type NodeView, type Session, type SiteDescription, type SiteNode, type SiteTime, type SteppedRun, type TabView, type TopicView,
+  type Unsubscribe,
 } from './session.ts';
 import { SourceFiles } from './source_files.ts';
 import { prefixOf, siteEnvironment, siteFiles } from './site_files.ts';
@@ -291,8 +292,7 @@ export class SiteSession implements Session {
   }
 
   run({ package: from, executable, arguments: given, onLines, onEnd }: AddedNode): string {
-    const { nodes, programs } = this.site;
-    const carried = [...nodes.filter((node) => node.kind !== 'command'), ...programs].find((one) => one.package === from && one.executable === executable);
+    const carried = carriedPrograms(this.site).find((one) => one.package === from && one.executable === executable);
     if (carried === undefined) throw new RangeError(`the site has no program ${from}/${executable}`);
     const id = this.idFor(executable);
     const { kind, program, names, python, threads } = carried;

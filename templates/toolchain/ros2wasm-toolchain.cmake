@@ -66,8 +66,9 @@ set(EMSCRIPTEN 1)
 
 # --- flags: everything is compiled once, whichever way it is linked later ------------------------
 # The forced include gives libunwind's landing pad context its thread-local declaration; without it
-# typed catches fail in programs with threads.
-string(CONCAT _ros2wasm_flags "-fwasm-exceptions -pthread "
+# typed catches fail in programs with threads. For -Os and -Oz the driver has nothing inlined, leaving that to the
+# optimizer behind the linker: then each program has thousands of tiny functions to link and optimize, for more bytes.
+string(CONCAT _ros2wasm_flags "-fwasm-exceptions -pthread -finline-functions "
   "-include \"${ROS2WASM_TOOLCHAIN_DIR}/include/ros2wasm/exception_context.h\" "
   "\"-ffile-prefix-map=${CMAKE_SOURCE_DIR}=.\" \"-ffile-prefix-map=${CMAKE_BINARY_DIR}=build\"")
 set(CMAKE_C_FLAGS_INIT "${_ros2wasm_flags}")

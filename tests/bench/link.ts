@@ -58,7 +58,7 @@ async function inChromium(site: string, link: Link, until: string): Promise<Line
     // A first visit copies the site for later ones, which takes a core: the nodes begin after that.
     await page.goto(`${server.url}#autorun=0`);
     await page.waitForSelector('html[data-offline]', { timeout: WATCHDOG_MS });
-    await page.getByRole('button', { name: texts.startAll }).click();
+    await page.getByRole('button', { name: texts.startAll, exact: true }).click();
     await page.waitForFunction((text) => (document.body?.innerText ?? '').includes(text), until, { timeout: WATCHDOG_MS });
     return jsonLines(await page.evaluate(() => document.body.innerText));
   } finally {

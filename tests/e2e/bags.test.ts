@@ -36,7 +36,7 @@ let site: string;
 let browser: Browser;
 
 before(async () => {
-  workspace = new PackWorkspace();
+  workspace = new PackWorkspace('shared');
   cpSync(resolve(import.meta.dirname, '../../examples/01_talker_listener/src'), join(workspace.root, 'src'), { recursive: true });
   mkdirSync(join(workspace.root, 'bags'));
   writeFileSync(join(workspace.root, 'bags/walk.mcap'), await oneMessage('/topic', 'from the bag'));

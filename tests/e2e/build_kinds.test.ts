@@ -125,7 +125,7 @@ launch:
 
 let workspace: PackWorkspace;
 before(async () => {
-  workspace = new PackWorkspace();
+  workspace = new PackWorkspace('shared');
   for (const [path, text] of Object.entries(FILES)) workspace.write(path, text);
   const packed = await workspace.run(['pack']);
   assert.equal(packed.code, 0, packed.stderr);

@@ -24,7 +24,7 @@ let ws: PackWorkspace;
 const read = (file: string): string => readFileSync(join(ws.root, 'packed', file), 'utf8');
 
 before(async () => {
-  ws = new PackWorkspace();
+  ws = new PackWorkspace('shared');
   ws.addPackage('quick', { hello: '#include <cstdio>\nint main() { std::puts("hello"); }\n' });
   ws.write('LICENSE', 'Do as you like, with care.\n');
   ws.write('workspace.yaml', `schema: 1

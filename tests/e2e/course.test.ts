@@ -53,7 +53,7 @@ async function pack(...more: readonly string[]): Promise<Packed> {
 }
 
 before(async () => {
-  ws = new PackWorkspace();
+  ws = new PackWorkspace('shared');
   cpSync(resolve(import.meta.dirname, '../packages/chatter_py'), join(ws.root, 'src/chatter_py'), { recursive: true });
   for (let i = 0; i < labs; ++i) writeLab(i, `# Lab ${i}\n\nWhat to do in it.\n`);
   writeCourse(labs);

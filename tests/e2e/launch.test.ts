@@ -15,7 +15,7 @@ const expected = readFileSync(join(EXAMPLE, 'expected.txt'), 'utf8').trimEnd().s
 
 let workspace: PackWorkspace;
 before(async () => {
-  workspace = new PackWorkspace();
+  workspace = new PackWorkspace('shared');
   cpSync(EXAMPLE, workspace.root, { recursive: true });
   const packed = await workspace.run(['pack']);
   assert.equal(packed.code, 0, packed.stderr);

@@ -71,7 +71,7 @@ def generate_launch_description():
 
 let workspace: PackWorkspace;
 before(async () => {
-  workspace = new PackWorkspace();
+  workspace = new PackWorkspace('shared');
   cpSync(EXAMPLE, workspace.root, { recursive: true });
   workspace.write('src/two_robots/config/light.yaml', '/**:\n  ros__parameters: {battery: 3}\n');
   workspace.write('src/two_robots/config/heavy.yaml', '/**:\n  ros__parameters: {speed: 5.5}\n');

@@ -14,7 +14,7 @@ import { PackWorkspace } from './pack_workspace.ts';
 
 let workspace: PackWorkspace;
 before(() => {
-  workspace = new PackWorkspace();
+  workspace = new PackWorkspace('shared');
 });
 after(() => workspace.close());
 

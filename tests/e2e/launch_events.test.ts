@@ -66,7 +66,7 @@ const expected = [
 
 let workspace: PackWorkspace;
 before(async () => {
-  workspace = new PackWorkspace();
+  workspace = new PackWorkspace('shared');
   workspace.addPackage('plain', { counts: node }, {
     cmake: 'find_package(rclcpp REQUIRED)\nament_target_dependencies(counts rclcpp)', depends: ['rclcpp'],
   });

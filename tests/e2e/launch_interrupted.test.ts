@@ -23,7 +23,7 @@ def generate_launch_description():
 
 let workspace: PackWorkspace;
 before(() => {
-  workspace = new PackWorkspace();
+  workspace = new PackWorkspace('shared');
   workspace.write('all.launch.py', launchFile);
   workspace.write('workspace.yaml', 'schema: 1\nname: turtles\ndependencies: [turtlesim]\nlaunch: all.launch.py\n');
 });

@@ -79,7 +79,7 @@ const pack = async (file: string, text: string): Promise<void> => {
   assert.equal(packed.code, 0, packed.stderr);
 };
 before(async () => {
-  workspace = new PackWorkspace();
+  workspace = new PackWorkspace('shared');
   cpSync(resolve(import.meta.dirname, '../packages/lifecycle_sensor'), join(workspace.root, 'src/lifecycle_sensor'), { recursive: true });
   workspace.addPackage('plain', { spins: plainNode }, {
     cmake: 'find_package(rclcpp REQUIRED)\nament_target_dependencies(spins rclcpp)', depends: ['rclcpp'],

@@ -75,7 +75,7 @@ def generate_launch_description():
 
 let workspace: PackWorkspace;
 before(async () => {
-  workspace = new PackWorkspace();
+  workspace = new PackWorkspace('shared');
   workspace.write('src/small/package.xml', `<?xml version="1.0"?>
 <package format="3"><name>small</name><version>0.1.0</version><description>Speaks</description>
 <maintainer email="someone@example.org">Someone</maintainer><license>Apache-2.0</license>

@@ -67,7 +67,7 @@ ${[...PROGRAMS].map(([program, of]) => `  - {package: ${of}, executable: ${progr
 
 let workspace: PackWorkspace;
 before(() => {
-  workspace = new PackWorkspace();
+  workspace = new PackWorkspace('shared');
   for (const name of ['library_checks', 'plugin_checks', 'plugin_shapes', 'tree_checks', 'tree_nodes']) {
     cpSync(join(PACKAGES, name), join(workspace.root, 'src', name), { recursive: true });
   }

@@ -29,7 +29,7 @@ let site: string;
 let browser: Browser;
 
 before(async () => {
-  workspace = new PackWorkspace();
+  workspace = new PackWorkspace('shared');
   for (const name of ['bag_checks', 'bag_checks_py']) cpSync(join(PACKAGES, name), join(workspace.root, 'src', name), { recursive: true });
   cpSync(join(PACKAGES, 'rclcpp_checks/src'), join(workspace.root, 'src/rclcpp_checks/src'), { recursive: true });
   const sample = join(workspace.root, 'src/bag_checks/bags/sample');
@@ -255,6 +255,9 @@ for (const link of ['shared', 'port'] as const) {
       assert.deepEqual(messages.map(({ value }) => value), [...Array(100).keys()]);
       assert.equal(messages.at(-1)!.logTime - messages[0]!.logTime, 99_000_000_000n);
     }
+    const again = await workspace.run(['run', site, '--link', link, '--bags', folder]);
+    assert.equal(again.code, 1);
+    assert.match(again.stderr, /error\[R2W0721\]: bags are not written to kept-\w+: it is not empty/);
     // Bags of several files too, and those outside of the node's home.
     assert.ok(existsSync(join(workspace.root, folder, nodes('bags'), 'tmp/parts/parts_2.mcap')));
   });

@@ -37,7 +37,7 @@ const wanted = [
 let workspace: PackWorkspace;
 let packed: Awaited<ReturnType<PackWorkspace['run']>>;
 before(async () => {
-  workspace = new PackWorkspace();
+  workspace = new PackWorkspace('shared');
   cpSync(resolve(import.meta.dirname, '../packages/frames_py'), join(workspace.root, 'src/frames_py'), { recursive: true });
   workspace.write('workspace.yaml', MANIFEST);
   packed = await workspace.run(['pack']);

@@ -1,4 +1,4 @@
-// A colcon workspace for one test, with a cache of its own, and a way to run the program on it.
+// A colcon workspace for one test, and a way to run the program on it.
 import { spawn, type ChildProcess } from 'node:child_process';
 import { mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -13,8 +13,17 @@ export interface Finished {
   readonly stderr: string;
 }
 
+/** Of a run of all tests, begun empty: there the compiler's headers and the channel's packages are made ready once. */
+const SHARED_CACHE = process.env['ROS2WASM_TEST_CACHE'];
+
 export class PackWorkspace {
   readonly root = mkdtempSync(join(tmpdir(), 'ros2wasm-pack-'));
+  private readonly cache: string;
+
+  /** Tests of what is built, or is not, want a cache of their own; those of what runs share one. */
+  constructor(cache: 'own' | 'shared' = 'own') {
+    this.cache = (cache === 'shared' ? SHARED_CACHE : undefined) ?? join(this.root, 'cache');
+  }
 
   write(path: string, text: string): string {
     const file = join(this.root, path);
@@ -57,7 +66,7 @@ ament_package()
   start(args: readonly string[], environment: Readonly<Record<string, string>> = {}): ChildProcess {
     return spawn(CLI, args, {
       cwd: this.root,
-      env: { ...process.env, XDG_CACHE_HOME: join(this.root, 'cache'), ...environment },
+      env: { ...process.env, XDG_CACHE_HOME: this.cache, ...environment },
       stdio: ['ignore', 'pipe', 'pipe'],
     });
   }

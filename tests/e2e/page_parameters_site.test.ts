@@ -18,7 +18,7 @@ let workspace: PackWorkspace;
 let browser: Browser;
 
 before(async () => {
-  workspace = new PackWorkspace();
+  workspace = new PackWorkspace('shared');
   cpSync(resolve(import.meta.dirname, '../packages/command_robot'), join(workspace.root, 'src/command_robot'), { recursive: true });
   const write = (path: string, text: string): string => workspace.write(`src/tuned_py/${path}`, text);
   write('package.xml', `<?xml version="1.0"?>

@@ -15,7 +15,7 @@ let workspace: PackWorkspace;
 let browser: Browser;
 
 before(async () => {
-  workspace = new PackWorkspace();
+  workspace = new PackWorkspace('shared');
   workspace.write('workspace.yaml', `schema: 1
 name: turtle
 dependencies: [turtlesim]

@@ -23,7 +23,7 @@ const line = 'all of the bytes of this text count, '.repeat(27);
 const said = `the sum is ${lines * [...line].reduce((sum, letter) => sum + letter.charCodeAt(0), 0)}`;
 
 before(async () => {
-  ws = new PackWorkspace();
+  ws = new PackWorkspace('shared');
   ws.addPackage('large', {
     sum: `#include <cstdio>
 static volatile const char text[] =

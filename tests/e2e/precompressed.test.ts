@@ -23,7 +23,7 @@ async function pack(...args: readonly string[]): Promise<string> {
 }
 
 before(async () => {
-  ws = new PackWorkspace();
+  ws = new PackWorkspace('shared');
   ws.addPackage('quick', { hello: '#include <cstdio>\nint main() { std::puts("hello, compressed"); }\n' });
   sha256 = await pack('-o', 'site', '--precompress');
   browser = await chromium.launch(chromiumOptions());

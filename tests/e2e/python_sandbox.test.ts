@@ -16,7 +16,7 @@ let callers = 0;
 let port = 0;
 
 before(async () => {
-  workspace = new PackWorkspace();
+  workspace = new PackWorkspace('shared');
   workspace.write('id_rsa', SECRET);
   server = createServer((_request, response) => { callers += 1; response.end(SECRET); });
   await new Promise<void>((done) => { server.listen(0, '127.0.0.1', done); });

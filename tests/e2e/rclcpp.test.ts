@@ -21,7 +21,7 @@ const PARAMETERS = '    parameters:\n      - from_arguments: 2.5\n        names:
 
 let workspace: PackWorkspace;
 before(() => {
-  workspace = new PackWorkspace();
+  workspace = new PackWorkspace('shared');
   for (const name of ['rclcpp_checks', 'lifecycle_sensor', 'rclcpp_events_checks', 'rclcpp_forms_checks', 'tf2_checks', 'filter_checks', 'file_checks']) {
     cpSync(join(PACKAGES, name), join(workspace.root, 'src', name), { recursive: true });
   }

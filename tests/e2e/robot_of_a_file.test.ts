@@ -31,7 +31,7 @@ const wanted = [
 
 let workspace: PackWorkspace;
 before(() => {
-  workspace = new PackWorkspace();
+  workspace = new PackWorkspace('shared');
   workspace.addPackage('arm', {}, { cmake: 'install(DIRECTORY launch urdf DESTINATION share/arm)\n', depends: ['robot_state_publisher'] });
   workspace.write('src/arm/urdf/arm.urdf', '<robot name="arm"><link name="base"/></robot>\n');
   workspace.write('src/arm/launch/arm.launch.py', launchFile);

@@ -24,7 +24,7 @@ let workspace: PackWorkspace;
 let browser: Browser;
 
 before(async () => {
-  workspace = new PackWorkspace();
+  workspace = new PackWorkspace('shared');
   cpSync(resolve(import.meta.dirname, '../packages/command_robot'), join(workspace.root, 'src/command_robot'), { recursive: true });
   workspace.write('workspace.yaml', `schema: 1
 name: command_robot

@@ -19,7 +19,7 @@ let workspace: PackWorkspace;
 let browser: Browser;
 
 before(async () => {
-  workspace = new PackWorkspace();
+  workspace = new PackWorkspace('shared');
   for (const name of ['command_robot', 'composed_talkers', 'key_reader']) {
     cpSync(resolve(import.meta.dirname, '../packages', name), join(workspace.root, 'src', name), { recursive: true });
   }

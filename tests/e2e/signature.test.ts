@@ -23,7 +23,7 @@ function minisign(args: readonly string[], input = ''): string {
 }
 
 before(async () => {
-  ws = new PackWorkspace();
+  ws = new PackWorkspace('shared');
   ws.addPackage('quick', { hello: '#include <cstdio>\nint main() { std::puts("hello"); }\n' });
   minisign(['-G', '-W', '-p', 'plain.pub', '-s', 'plain.key']);
   minisign(['-G', '-p', 'locked.pub', '-s', 'locked.key'], `${password}\n${password}\n`);

@@ -45,7 +45,7 @@ const ways = {
 
 let workspace: PackWorkspace;
 before(async () => {
-  workspace = new PackWorkspace();
+  workspace = new PackWorkspace('shared');
   cpSync(resolve(import.meta.dirname, '../packages', name), join(workspace.root, 'src', name), { recursive: true });
   const dice = (parameters: string): string => `  - package: ${name}\n    executable: dice\n${parameters}`;
   const hosts = '    parameters:\n      - host: true\n';

@@ -37,7 +37,7 @@ async function pack(name: string): Promise<string> {
 }
 
 before(async () => {
-  ws = new PackWorkspace();
+  ws = new PackWorkspace('shared');
   cpSync(resolve(import.meta.dirname, '../packages/chatter_py'), join(ws.root, 'src/chatter_py'), { recursive: true });
   ws.addPackage('quick', { hello: '#include <cstdio>\nint main() { std::puts("hello from the store"); }\n' });
   for (const name of ['one', 'two']) {

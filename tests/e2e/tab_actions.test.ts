@@ -16,7 +16,7 @@ let browser: Browser;
 let workspace: PackWorkspace;
 
 before(async () => {
-  workspace = new PackWorkspace();
+  workspace = new PackWorkspace('shared');
   cpSync(resolve(import.meta.dirname, '../packages', name), join(workspace.root, 'src', name), { recursive: true });
   workspace.write('workspace.yaml', `schema: 1
 name: ${name}

@@ -18,7 +18,7 @@ const watchdog = { timeout: 600_000 };
 let workspace: PackWorkspace;
 
 before(() => {
-  workspace = new PackWorkspace();
+  workspace = new PackWorkspace('shared');
   for (const one of ['turtlesim_checks', 'rclcpp_checks/src']) {
     cpSync(join(PACKAGES, one), join(workspace.root, 'src', one), { recursive: true });
   }

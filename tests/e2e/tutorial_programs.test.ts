@@ -24,7 +24,7 @@ import { PackWorkspace } from './pack_workspace.ts';
 const HEADLESS = resolve(process.env['ROS2WASM_BUILD'] ?? 'build', 'runtime/headless.js');
 const watchdog = { timeout: 400_000 };
 let workspace: PackWorkspace;
-before(() => { workspace = new PackWorkspace(); });
+before(() => { workspace = new PackWorkspace('shared'); });
 after(() => workspace.close());
 
 /** A site that runs in this process: what its nodes say, and what they publish. */

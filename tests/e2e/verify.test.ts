@@ -14,7 +14,7 @@ let site: string;
 let sha256: string;
 
 before(async () => {
-  ws = new PackWorkspace();
+  ws = new PackWorkspace('shared');
   ws.addPackage('quick', { hello: '#include <cstdio>\nint main() { std::puts("hello"); }\n' });
   const packed = await ws.run(['--json', 'pack', '-o', 'packed']);
   assert.equal(packed.code, 0, packed.stderr);

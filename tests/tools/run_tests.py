@@ -12,6 +12,7 @@ from __future__ import annotations
 import argparse
 import os
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -252,8 +253,10 @@ def main() -> int:
     parser.add_argument("filter", nargs="*", help="names of suites; all when none is given")
     options = parser.parse_args()
     build = options.build.resolve()
+    cache = build / "test-cache"
+    shutil.rmtree(cache, ignore_errors=True)
     environment = dict(os.environ, ROS2WASM_BUILD=str(build), ROS2WASM_CLI=str(build / "ros2wasm"),
-                       ROS2WASM_CONDA_DATA=str(conda_data()))
+                       ROS2WASM_CONDA_DATA=str(conda_data()), ROS2WASM_TEST_CACHE=str(cache))
     rows = suites(build, options.bless)
     unknown = set(options.filter) - {suite.name for suite in rows}
     if unknown:

@@ -71,6 +71,7 @@ class File:
             self.order, first, last, wanted_by(self.filter))
 
     def set_read_order(self, order: ReadOrder) -> bool:
+        # What ROS 2's own storage refuses too, in its words.
         if order.sort_by == ReadOrderSortBy.PublishedTimestamp:
             self.logger.warning('publish timestamp order reading not implemented')
             return False
@@ -218,6 +219,7 @@ class SequentialReader:
             need_converter(wanted)
 
     def _open_file(self, index: int) -> None:
+        self.close()
         self._index = index
         self._file = open_file(self._files[index], self._storage_id)
         if self._file is None:
@@ -232,6 +234,8 @@ class SequentialReader:
         return self._file
 
     def close(self) -> None:
+        if self._file is not None:
+            self._file.reader.close()
         self._file = None
 
     def set_read_order(self, read_order: ReadOrder) -> bool:

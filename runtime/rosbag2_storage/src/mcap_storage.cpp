@@ -213,6 +213,7 @@ bool McapStorage::set_read_order(const ReadOrder& read_order) {
       break;
     case ReadOrder::File:
       if (read_order.reverse) {
+        // ROS 2's own storage refuses it too, and published times below, in these words.
         RCUTILS_LOG_WARN_NAMED(kLog, "reverse file-order reading not implemented");
         return false;
       }

@@ -33,6 +33,10 @@ uint64_t size_of_files(const std::string& folder) {
 void MetadataIo::write_metadata(const std::string& uri, const BagMetadata& metadata) {
   std::ofstream file(file_of(uri));
   file << kRoot << ":\n" << metadata_yaml(metadata, "  ");
+  file.close();
+  if (!file) {
+    throw std::runtime_error("failed to write \"" + file_of(uri).generic_string() + "\"");
+  }
 }
 
 BagMetadata MetadataIo::read_metadata(const std::string& uri) {

@@ -108,8 +108,10 @@ def write_if_changed(path: Path, text: str) -> None:
 
 def ninja_file(work: Path, edge: Path, packages: list[str]) -> str:
     prefix = work / "prefix"
+    # Not what stands before the compiler's own library: messages need none of it.
+    folders = sorted({*os.listdir(prefix / "include")} - {"ros2wasm_std"})
     includes = [HERE, edge / "rosidl_generator_cpp", edge / "rosidl_typesupport_wasm_cpp",
-                *(prefix / "include" / name for name in sorted(os.listdir(prefix / "include")))]
+                *(prefix / "include" / name for name in folders)]
     flags = " ".join(f"-I{path}" for path in includes)
     lines = [
         f"wasm_flags = {WASM_FLAGS} {flags}",

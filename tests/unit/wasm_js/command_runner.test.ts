@@ -105,6 +105,18 @@ test('its end ends all, when the launch file says so; who is stopped starts noth
     assert.deepEqual(session.nodes().map(({ state }) => state), [{ kind: 'exited', code: 130 }, { kind: 'exited', code: 0 }, { kind: 'stopped' }]);
   }));
 
+test('when none runs and none is to come, all has ended: idle', watchdog, () =>
+  withCommands([
+    node('ros2-1', ['say', 'first'], { respawn: true, respawn_max_retries: 1, respawn_delay: 0.05 }),
+    node('ros2-2', ['say', 'second'], { start_on: { node: 'ros2-1', event: 'exit' }, start_after: 0.2 }),
+  ], async (session) => {
+    session.startAll();
+    await reaches(session, 'ros2-2', 'exited');
+    while (session.launchLog.lines().length === 0) await new Promise((soon) => { setTimeout(soon, 10); });
+    assert.deepEqual(session.launchLog.lines().map(({ text }) => text), ['[INFO] [launch.user]: over: idle']);
+    assert.equal(session.console('ros2-1').lines().length, 2);
+  }, loader, [{ do: 'log', level: 'info', text: 'over: \u2039why all ends\u203a', on: { event: 'shutdown' } }]));
+
 test('launched once more, one whose end ends all is told with its own code', watchdog, () =>
   withCommands([node('ros2-1', ['wait']), node('ros2-2', ['fail', '3'])], async (session) => {
     const told: unknown[] = [];

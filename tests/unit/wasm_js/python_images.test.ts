@@ -20,6 +20,8 @@ function node(id: string, archives: readonly string[] | undefined): SiteNode {
 }
 
 const both = [node('a', ['channels.zip', 'workspace.zip']), node('b', ['channels.zip', 'workspace.zip', 'numpy.zip'])];
+/** More than boot by themselves. */
+const three = [...both, node('c', ['channels.zip', 'workspace.zip'])];
 
 const paths = ['channels.zip', 'workspace.zip', 'numpy.zip', 'pyodide/pyodide.asm.wasm', 'pyodide/python_stdlib.zip', 'python_worker.js', 'other'];
 
@@ -69,7 +71,7 @@ function memory(): KeptBytes & { readonly found: Map<string, Blob> } {
 
 test('one worker makes it for all, of what all have', watchdog, async () => {
   const { platform, begun, ended } = place('image');
-  const images = imagesOf(site(both), platform, '/opt/ros/jazzy');
+  const images = imagesOf(site(three), platform, '/opt/ros/jazzy');
   const [one, two] = await Promise.all(both.map((each) => images.take(each, {})));
   assert.ok(one !== undefined && one.bytes === two?.bytes);
   assert.deepEqual([begun, one.archives, ended()], [[['channels.zip', 'workspace.zip']], 2, 1]);
@@ -78,7 +80,7 @@ test('one worker makes it for all, of what all have', watchdog, async () => {
 test('who has settings of the interpreter, and who is no Python program, begins by itself', watchdog, async () => {
   const { platform, begun } = place('image');
   const compiled = node('c', undefined);
-  const images = imagesOf(site([...both, compiled]), platform, '');
+  const images = imagesOf(site([...three, compiled]), platform, '');
   assert.equal(await images.take(both[0] as SiteNode, { PYTHONHASHSEED: '1' }), undefined);
   assert.equal(await images.take(both[0] as SiteNode, { ROS_PYTHON_CHECK_FIELDS: '1' }), undefined);
   assert.equal(await images.take(compiled, {}), undefined);
@@ -103,9 +105,26 @@ test('one that starts alone boots by itself; then one is made for the next visit
   assert.equal(later.begun.length, 0);
 
   const two = place('image');
-  const shared = imagesOf(site(both), two.platform, '');
+  const shared = imagesOf(site(three), two.platform, '');
   assert.equal(await shared.take(both[0] as SiteNode, {}), undefined);
   assert.notEqual(await shared.take(both[1] as SiteNode, {}), undefined);
+});
+
+test('two boot by themselves at once; when both wait one is made for the next visit, and for who starts later', watchdog, async () => {
+  const kept = memory();
+  const first = place('image', kept);
+  const images = imagesOf(site(both), first.platform, '');
+  assert.deepEqual(await Promise.all(both.map((each) => images.take(each, {}))), [undefined, undefined]);
+  images.settled(both[0] as SiteNode);
+  await new Promise((resolve) => setTimeout(resolve, 50));
+  assert.deepEqual(first.begun, []);
+  images.settled(both[1] as SiteNode);
+  await holds(() => kept.found.size === 1);
+  assert.notEqual(await images.take(node('later', ['channels.zip', 'workspace.zip']), {}), undefined);
+  const next = place('image', kept);
+  const [one, two] = await Promise.all(both.map((each) => imagesOf(site(both), next.platform, '').take(each, {})));
+  assert.ok(one !== undefined && two !== undefined);
+  assert.equal(next.begun.length, 0);
 });
 
 test('there is none that nobody keeps for a single node, none of files without hashes is kept, and nodes without archives in common have none', watchdog, async () => {
@@ -118,7 +137,7 @@ test('there is none that nobody keeps for a single node, none of files without h
   }
   assert.deepEqual(nobody.begun, []);
   const kept = memory();
-  const unlisted = imagesOf(site(both, paths.slice(1)), place('image', kept).platform, '');
+  const unlisted = imagesOf(site(three, paths.slice(1)), place('image', kept).platform, '');
   for (const one of await Promise.all(both.map((each) => unlisted.take(each, {})))) assert.notEqual(one, undefined);
   await new Promise(setImmediate);
   assert.equal(kept.found.size, 0);
@@ -130,12 +149,12 @@ test('there is none that nobody keeps for a single node, none of files without h
 test('where none can be made, nodes begin by themselves', watchdog, async () => {
   for (const makes of ['nothing', 'failure'] as const) {
     const { platform, begun } = place(makes);
-    const images = imagesOf(site(both), platform, '');
+    const images = imagesOf(site(three), platform, '');
     assert.deepEqual(await Promise.all(both.map((each) => images.take(each, {}))), [undefined, undefined]);
     assert.equal(begun.length, 1);
   }
   const { platform, ended } = place('silence');
-  const images = imagesOf(site(both), platform, '');
+  const images = imagesOf(site(three), platform, '');
   const taken = both.map((each) => images.take(each, {}));
   await new Promise(setImmediate);
   images.close();
@@ -146,12 +165,12 @@ test('where none can be made, nodes begin by themselves', watchdog, async () => 
 test('it is kept; a broken one is dropped and made anew once', watchdog, async () => {
   const kept = memory();
   const first = place('image', kept);
-  const makers = imagesOf(site(both), first.platform, '');
+  const makers = imagesOf(site(three), first.platform, '');
   await Promise.all(both.map((each) => makers.take(each, {})));
   await new Promise(setImmediate);
   assert.equal(kept.found.size, 1);
   const later = place('image', kept);
-  const images = imagesOf(site(both), later.platform, '');
+  const images = imagesOf(site(three), later.platform, '');
   const [old] = await Promise.all(both.map((each) => images.take(each, {})));
   assert.equal(await old?.bytes.text(), 'image 1');
   assert.equal(later.begun.length, 0);

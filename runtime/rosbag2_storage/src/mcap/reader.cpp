@@ -142,6 +142,17 @@ void Reader::take_channel(std::string_view record) {
   channels_.emplace(id, std::move(channel));
 }
 
+bool Reader::take_description(Kind kind, std::string_view record) {
+  if (kind == Kind::kSchema) {
+    take_schema(record);
+  } else if (kind == Kind::kChannel) {
+    take_channel(record);
+  } else {
+    return false;
+  }
+  return true;
+}
+
 void Reader::read_summary() {
   const uint64_t end = kMagic.size() + kRecordHead + kFooterLength;
   if (size_ < kMagic.size() + end || bytes_at(size_ - kMagic.size(), kMagic.size()) != kMagic) {
@@ -173,10 +184,8 @@ void Reader::read_summary() {
   each_record(summary, [&](Kind kind, std::string_view record, size_t) {
     switch (kind) {
       case Kind::kSchema:
-        take_schema(record);
-        break;
       case Kind::kChannel:
-        take_channel(record);
+        take_description(kind, record);
         break;
       case Kind::kStatistics:
         statistics_ = read_statistics(record);
@@ -243,11 +252,7 @@ std::string Reader::records_of(const Record& chunk) {
 void Reader::scan() {
   bool has_loose = false;
   const auto take = [&](Kind kind, std::string_view record, size_t) {
-    if (kind == Kind::kSchema) {
-      take_schema(record);
-    } else if (kind == Kind::kChannel) {
-      take_channel(record);
-    } else if (kind == Kind::kMessage) {
+    if (!take_description(kind, record) && kind == Kind::kMessage) {
       count(read_message(record));
     }
   };
@@ -360,11 +365,7 @@ void Reader::open(const ChunkPlace& chunk) {
   }
   Held held{records_of(*record), 0};
   each_record(held.records, [&](Kind kind, std::string_view content, size_t at) {
-    if (kind == Kind::kSchema) {
-      take_schema(content);
-    } else if (kind == Kind::kChannel) {
-      take_channel(content);
-    } else if (kind == Kind::kMessage) {
+    if (!take_description(kind, content) && kind == Kind::kMessage) {
       const MessageRecord message = read_message(content);
       if (wants(message)) {
         ahead_.push({message.log_time, true, {chunk.offset, at}, &chunk});
@@ -408,11 +409,7 @@ std::optional<ReadMessage> Reader::next_in_file() {
       const auto kind = static_cast<Kind>(from.number<uint8_t>());
       const std::string_view content = from.take(from.number<uint64_t>());
       in_chunk_ = at + kRecordHead + content.size();
-      if (kind == Kind::kSchema) {
-        take_schema(content);
-      } else if (kind == Kind::kChannel) {
-        take_channel(content);
-      } else if (kind == Kind::kMessage) {
+      if (!take_description(kind, content) && kind == Kind::kMessage) {
         const MessageRecord message = read_message(content);
         if (wants(message)) {
           return given(message, {chunk_offset_, at});
@@ -428,10 +425,8 @@ std::optional<ReadMessage> Reader::next_in_file() {
       chunk_records_ = records_of(*record);
       chunk_offset_ = offset;
       in_chunk_ = 0;
-    } else if (record->kind == Kind::kSchema) {
-      take_schema(bytes_at(record->content, record->length));
-    } else if (record->kind == Kind::kChannel) {
-      take_channel(bytes_at(record->content, record->length));
+    } else if (record->kind == Kind::kSchema || record->kind == Kind::kChannel) {
+      take_description(record->kind, bytes_at(record->content, record->length));
     } else if (record->kind == Kind::kMessage) {
       const std::string bytes = bytes_at(record->content, record->length);
       const MessageRecord message = read_message(bytes);

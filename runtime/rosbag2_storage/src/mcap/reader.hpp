@@ -95,6 +95,8 @@ class Reader {
   void count(const MessageRecord& message);
   void take_schema(std::string_view record);
   void take_channel(std::string_view record);
+  /// Whether the record is one of these.
+  bool take_description(Kind kind, std::string_view record);
   [[nodiscard]] ChunkHead head_at(const Record& record);
   [[nodiscard]] std::string records_of(const Record& chunk);
   void open(const ChunkPlace& chunk);

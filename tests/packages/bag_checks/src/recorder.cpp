@@ -8,7 +8,8 @@
 // refused; bags are written uncompressed, and read uncompressed or with chunks of LZ4; zstd, and
 // bags that are compressed by file or message, are refused. A bag of a C++ node has the definitions
 // of types that the program publishes, subscribes to or writes as values. The bag of a node that is
-// killed is lost
+// killed is lost. Reading by published time, and files from behind, is refused as ROS 2's storage
+// of MCAP refuses it
 
 #include <memory>
 #include <string>

@@ -72,7 +72,7 @@ void check_executor(Checks& checks, rclcpp::Executor& executor, const std::strin
   request->a = 40;
   request->b = 2;
   auto future = node->client->async_send_request(request);
-  CHECK(executor.spin_until_future_complete(future, 1s) == rclcpp::FutureReturnCode::SUCCESS);
+  CHECK(executor.spin_until_future_complete(future, 10s) == rclcpp::FutureReturnCode::SUCCESS);
   CHECK(future.get()->sum == 42);
   auto stop = node->create_wall_timer(1ms, [&] {
     if (node->heard >= 3) {
@@ -138,20 +138,20 @@ int main(int argc, char** argv) {
   auto node = std::make_shared<Busy>("generic");
   node->timer->cancel();
   auto client = node->create_generic_client("~/add", "example_interfaces/srv/AddTwoInts");
-  CHECK(client->wait_for_service(1s));
+  CHECK(client->wait_for_service(10s));
   rclcpp::executors::SingleThreadedExecutor executor;
   executor.add_node(node);
   AddTwoInts::Request request;
   request.a = 1;
   request.b = 2;
   auto future = client->async_send_request(&request);
-  CHECK(executor.spin_until_future_complete(future, 1s) == rclcpp::FutureReturnCode::SUCCESS);
+  CHECK(executor.spin_until_future_complete(future, 10s) == rclcpp::FutureReturnCode::SUCCESS);
   CHECK(std::static_pointer_cast<AddTwoInts::Response>(future.get())->sum == 3);
   int64_t sum = 0;
   auto shared = client->async_send_request(&request, [&](rclcpp::GenericClient::SharedFuture done) {
     sum = static_cast<AddTwoInts::Response*>(done.get().get())->sum;
   });
-  CHECK(executor.spin_until_future_complete(shared.future, 1s) ==
+  CHECK(executor.spin_until_future_complete(shared.future, 10s) ==
         rclcpp::FutureReturnCode::SUCCESS);
   CHECK(sum == 3);
   auto lost = client->async_send_request(&request);

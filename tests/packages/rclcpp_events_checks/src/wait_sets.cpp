@@ -20,7 +20,7 @@ namespace {
 
 template <class WaitSetT>
 bool finds(WaitSetT& wait_set, const rclcpp::SubscriptionBase::SharedPtr& subscription) {
-  auto result = wait_set.wait(1s);
+  auto result = wait_set.wait(10s);
   return result.kind() == rclcpp::WaitResultKind::Ready &&
          result.next_ready_subscription() == subscription;
 }
@@ -71,7 +71,7 @@ int main(int argc, char** argv) {
     CHECK(finds(wait_set, subscription));
     CHECK(subscription->take(taken, info));
     guard->trigger();
-    auto result = wait_set.wait(1s);
+    auto result = wait_set.wait(10s);
     CHECK(result.get_wait_set().get_rcl_wait_set().guard_conditions[0] ==
           &guard->get_rcl_guard_condition());
   }

@@ -158,7 +158,7 @@ int main(int argc, char** argv) {
   CHECK(wait_set.wait(2ms).kind() == rclcpp::WaitResultKind::Timeout);
   alone->add(5);
   {
-    auto result = wait_set.wait(1s);
+    auto result = wait_set.wait(10s);
     CHECK(result.kind() == rclcpp::WaitResultKind::Ready);
     CHECK(alone->is_ready(result.get_wait_set().get_rcl_wait_set()));
     auto ready = result.next_ready_waitable();

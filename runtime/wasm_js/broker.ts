@@ -8,6 +8,7 @@ import { type Bus, createBus, type BusOptions } from './bus.ts';
 import { bumpGeneration, departEndpoint, logChange, nodeBit, readEndpoint, releaseEndpoint } from './bus_tables.ts';
 import { Conductor } from './conductor.ts';
 import { ordinaryTime, type TimeLaw } from './clock.ts';
+import { SharedCredit } from './console_sender.ts';
 import { type EndpointRecord, relate } from './graph.ts';
 import type { LinkTicket } from './open_link.ts';
 import { PortLink } from './port_link.ts';
@@ -49,6 +50,8 @@ export interface Broker {
   gone(participant: number): void;
   /** A batch of console lines of the participant was dealt with. */
   consoleSeen(participant: number): void;
+  /** Batches that threads of the participant may have posted and that were not dealt with yet. */
+  consoleAhead(participant: number): number;
   close(): void;
 }
 
@@ -236,6 +239,10 @@ export class SharedBroker implements Broker {
     Atomics.add(this.bus.i32, this.bus.participantWord(participant) + BusParticipant.consoleSeen, 1);
   }
 
+  consoleAhead(participant: number): number {
+    return new SharedCredit(this.bus, this.bus.participantWord(participant)).ahead();
+  }
+
   close(): void {
     this.closed = true;
     if (this.timer !== undefined) clearInterval(this.timer);
@@ -331,6 +338,11 @@ export class PortBroker implements Broker {
 
   consoleSeen(participant: number): void {
     this.controls.get(participant)?.postMessage({ t: 'seen' });
+  }
+
+  /** Programs on this link have no threads. */
+  consoleAhead(): number {
+    return 0;
   }
 
   close(): void {

@@ -24,6 +24,8 @@ const namesMs = 3000;
 const betweenKeysMs = 200;
 /** A thread that was about to wait when time changed is told again. */
 const retellMs = 1;
+/** What the threads of a program that is over have written is waited for, as long as this. */
+const lastWordsMs = 2000;
 
 export interface RunnerHost extends ProcessHost {
   readonly environment: Readonly<Record<string, string>>;
@@ -260,6 +262,8 @@ export class NodeRunner extends ProcessRunner<ProgramNode> {
   /** The program is over and its worker rests; a trap's report gets its names before it is told. */
   private async onEnd(end: Exclude<ProgramEnd, { kind: 'thread' }>, closed: boolean): Promise<void> {
     const { attempt } = this;
+    if (this.run !== undefined && this.run.threads.size > 0) await this.lastWords(this.run);
+    if (this.attempt !== attempt) return;
     const state = stateOf(end);
     const { names } = this.node;
     if (state.kind !== 'crashed' || names === undefined || functionsIn(state.message).size === 0) {
@@ -275,6 +279,14 @@ export class NodeRunner extends ProcessRunner<ProgramNode> {
     ]);
     clearTimeout(timer);
     if (this.attempt === attempt) this.finish({ ...state, message: named }, closed);
+  }
+
+  /** Each thread has a way to the page of its own: what it wrote may come after the program's end. */
+  private async lastWords({ threads, participant }: Run): Promise<void> {
+    const until = performance.now() + lastWordsMs;
+    while (threads.size > 0 && this.host.broker.consoleAhead(participant) > 0 && performance.now() < until) {
+      await new Promise((resolve) => setTimeout(resolve, 1));
+    }
   }
 
   protected override leave(closed: boolean): () => void {

@@ -9,7 +9,7 @@ import assert from 'node:assert/strict';
 import { rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { PortBroker } from '../../../runtime/wasm_js/broker.ts';
+import { PortBroker, SharedBroker } from '../../../runtime/wasm_js/broker.ts';
 import { mostConsoleLines } from '../../../runtime/wasm_js/console_log.ts';
 import { nodePlatform } from '../../../runtime/wasm_js/node_platform.ts';
 import type { NodeState, NodeView, Session, TopicView } from '../../../runtime/wasm_js/session.ts';
@@ -246,6 +246,31 @@ test('a thread that exits or throws ends the program', watchdog, () =>
     const crash = (await reaches(session, 'thread_exits-2', 'crashed')).state;
     assert.match(crash.kind === 'crashed' ? crash.message : '', /what\(\): {2}from a thread/);
   }));
+
+test('what a thread wrote last is there when the program is over, though it comes later than the news of that', watchdog, async () => {
+  const folder = makeFolder([{ program: 'thread_says.cpp', threads: true }]);
+  const real = nodePlatform(folder, new URL('../../../runtime/wasm_js/headless.ts', import.meta.url));
+  let workers = 0;
+  const platform = {
+    ...real,
+    startWorker: (...[name, events]: Parameters<typeof real.startWorker>) => {
+      workers += 1;
+      if (workers === 1) return real.startWorker(name, events);
+      return real.startWorker(name, { ...events, report: (report) => setTimeout(() => events.report(report), 300) });
+    },
+  };
+  const session = new SiteSession({ site: readSite(await platform.json('site.json')), platform, broker: new SharedBroker({ ceiling: 64 << 20 }) });
+  try {
+    session.startAll();
+    await reaches(session, 'thread_says-1', 'exited');
+    assert.deepEqual(session.console('thread_says-1').lines().map(({ text }) => text), ['said by a thread']);
+    assert.equal(workers, 2);
+  } finally {
+    session.close();
+    platform.close();
+    rmSync(folder, { recursive: true });
+  }
+});
 
 test('a threaded program is refused on the port link', watchdog, () =>
   withSession([{ program: 'threads.cpp', threads: true }], async (session) => {

@@ -26,8 +26,11 @@ namespace {
 // Whether it comes to hold: on a busy machine what comes takes its time.
 template <typename Condition>
 bool comes(const Condition& condition) {
-  for (int i = 0; i < 10000 && !condition(); ++i) rclcpp::sleep_for(1ms);
-  return condition();
+  for (int i = 0; i < 10000; ++i) {
+    if (condition()) return true;
+    rclcpp::sleep_for(1ms);
+  }
+  return false;
 }
 
 }  // namespace

@@ -31,8 +31,8 @@ int main(int argc, char** argv) {
   rclcpp::init(argc, argv);
   Checks checks("wait_sets");
   auto node = std::make_shared<rclcpp::Node>("wait_sets_node");
-  auto publisher = node->create_publisher<String>("bell", 10);
-  auto subscription = node->create_subscription<String>("bell", 10, [](const String&) {});
+  auto publisher = node->create_publisher<String>("~/bell", 10);
+  auto subscription = node->create_subscription<String>("~/bell", 10, [](const String&) {});
   auto guard = std::make_shared<rclcpp::GuardCondition>();
   auto timer = node->create_wall_timer(1h, [] {});
   String taken;

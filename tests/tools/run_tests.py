@@ -154,7 +154,8 @@ def suites(build: Path, bless: bool) -> list[Suite]:
         ),
         Suite("conformance", node(tests_of("conformance")), "node", alone=True),
         Suite("e2e", node([file for file in ends if file not in browser]), "node", alone=True),
-        Suite("browser", node(browser), "node", alone=True),
+        # One browser at a time: two cores, and figures that mean something.
+        Suite("browser", node(browser, at_once=1), "node", alone=True),
     ]
     return rows
 

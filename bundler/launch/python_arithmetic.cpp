@@ -7,20 +7,14 @@
 namespace ros2wasm {
 namespace {
 
-constexpr std::size_t kLongest = 1U << 20U;
-
-[[noreturn]] void fault(std::string message) {
-  throw PythonFault{std::move(message)};
-}
-
 template <typename T>
 const T* as(const PythonValue& value) {
   return std::get_if<T>(&value.held);
 }
 
 [[noreturn]] void unsupported(std::string_view op, const PythonValue& a, const PythonValue& b) {
-  fault("TypeError: unsupported operand type(s) for " + std::string(op) + ": '" +
-        std::string(python_type(a)) + "' and '" + std::string(python_type(b)) + "'");
+  python_fault("TypeError: unsupported operand type(s) for " + std::string(op) + ": '" +
+               std::string(python_type(a)) + "' and '" + std::string(python_type(b)) + "'");
 }
 
 /// Whole numbers are of 64 bits here; Python's have no end.
@@ -29,12 +23,12 @@ std::int64_t checked(std::string_view op, std::int64_t a, std::int64_t b) {
   const bool over = op == "+"   ? __builtin_add_overflow(a, b, &result)
                     : op == "-" ? __builtin_sub_overflow(a, b, &result)
                                 : __builtin_mul_overflow(a, b, &result);
-  if (over) fault("OverflowError: the result is larger than 64 bits");
+  if (over) python_fault("OverflowError: the result is larger than 64 bits");
   return result;
 }
 
 std::int64_t floor_divided(std::int64_t a, std::int64_t b) {
-  if (b == 0) fault("ZeroDivisionError: integer division or modulo by zero");
+  if (b == 0) python_fault("ZeroDivisionError: integer division or modulo by zero");
   if (b == -1) return checked("-", 0, a);
   const std::int64_t quotient = a / b;
   return a % b != 0 && (a < 0) != (b < 0) ? quotient - 1 : quotient;
@@ -42,12 +36,12 @@ std::int64_t floor_divided(std::int64_t a, std::int64_t b) {
 
 double real_power(double base, double exponent) {
   if (base == 0 && exponent < 0)
-    fault("ZeroDivisionError: 0.0 cannot be raised to a negative power");
+    python_fault("ZeroDivisionError: 0.0 cannot be raised to a negative power");
   const double result = std::pow(base, exponent);
   if (std::isnan(result) && !std::isnan(base) && !std::isnan(exponent))
-    fault("ValueError: complex numbers are not known here");
+    python_fault("ValueError: complex numbers are not known here");
   if (std::isinf(result) && !std::isinf(base) && !std::isinf(exponent))
-    fault("OverflowError: (34, 'Numerical result out of range')");
+    python_fault("OverflowError: (34, 'Numerical result out of range')");
   return result;
 }
 
@@ -67,7 +61,7 @@ PythonValue of_integers(std::string_view op, std::int64_t a, std::int64_t b) {
   if (op == "%") return {b == -1 ? 0 : a - floor_divided(a, b) * b};
   if (op == "**") return whole_power(a, b);
   if (op == "/") {
-    if (b == 0) fault("ZeroDivisionError: division by zero");
+    if (b == 0) python_fault("ZeroDivisionError: division by zero");
     return {static_cast<double>(a) / static_cast<double>(b)};
   }
   return {checked(op, a, b)};
@@ -92,7 +86,7 @@ PythonValue of_numbers(std::string_view op, double a, double b) {
   if (op == "-") return {a - b};
   if (op == "*") return {a * b};
   if (op == "**") return {real_power(a, b)};
-  if (b == 0) fault("ZeroDivisionError: float division by zero");
+  if (b == 0) python_fault("ZeroDivisionError: float division by zero");
   if (op == "/") return {a / b};
   return {divided(a, b, op == "//")};
 }
@@ -101,15 +95,15 @@ template <typename T>
 T repeated(const T& one, std::int64_t times) {
   T result;
   if (times <= 0 || one.empty()) return result;
-  if (static_cast<std::uint64_t>(times) > kLongest / one.size())
-    fault("MemoryError: the result is too long");
+  if (static_cast<std::uint64_t>(times) > kPythonLongest / one.size())
+    python_fault("MemoryError: the result is too long");
   for (std::int64_t i = 0; i < times; ++i) result.insert(result.end(), one.begin(), one.end());
   return result;
 }
 
 template <typename T>
 T joined(const T& a, const T& b) {
-  if (a.size() + b.size() > kLongest) fault("MemoryError: the result is too long");
+  if (a.size() + b.size() > kPythonLongest) python_fault("MemoryError: the result is too long");
   T result = a;
   result.insert(result.end(), b.begin(), b.end());
   return result;
@@ -148,7 +142,8 @@ PythonValue python_arithmetic(std::string_view op, const PythonValue& a, const P
 PythonValue python_negated(const PythonValue& value) {
   if (const auto whole = python_integer(value)) return {checked("-", 0, *whole)};
   if (const double* real = as<double>(value)) return {-*real};
-  fault("TypeError: bad operand type for unary -: '" + std::string(python_type(value)) + "'");
+  python_fault("TypeError: bad operand type for unary -: '" + std::string(python_type(value)) +
+               "'");
 }
 
 }  // namespace ros2wasm

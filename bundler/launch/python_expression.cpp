@@ -15,19 +15,15 @@ namespace {
 using Form = PythonForm;
 using Expression = PythonExpression;
 
-[[noreturn]] void fault(std::string message) {
-  throw PythonFault{std::move(message)};
-}
-
 void spend(const PythonScope& scope, std::size_t steps) {
   scope.limits->steps_left -= static_cast<std::int64_t>(steps);
-  if (scope.limits->steps_left < 0) fault("TimeoutError: this is too much work");
+  if (scope.limits->steps_left < 0) python_fault("TimeoutError: this is too much work");
 }
 
 class Level {
  public:
   explicit Level(const PythonScope& scope) : left_(scope.limits->levels_left) {
-    if (--left_ < 0) fault("RecursionError: expressions lead too deep into each other");
+    if (--left_ < 0) python_fault("RecursionError: expressions lead too deep into each other");
   }
   ~Level() { ++left_; }
   Level(const Level&) = delete;
@@ -58,7 +54,7 @@ PythonList values_of(const std::vector<Expression>& parts, const PythonScope& sc
 
 PythonValue named(const std::string& name, const PythonScope& scope) {
   auto value = scope.name(name);
-  if (!value) fault("NameError: name '" + name + "' is not defined");
+  if (!value) python_fault("NameError: name '" + name + "' is not defined");
   return std::move(*value);
 }
 
@@ -118,8 +114,8 @@ PythonArguments arguments_of(const Expression& call, const PythonScope& scope) {
 PythonValue attribute(const Expression& expression, const PythonScope& scope) {
   const PythonValue of = value_of(expression.parts[0], scope);
   if (auto value = python_attribute(of, expression.text)) return std::move(*value);
-  fault("AttributeError: '" + std::string(python_type(of)) + "' object has no attribute '" +
-        expression.text + "'");
+  python_fault("AttributeError: '" + std::string(python_type(of)) + "' object has no attribute '" +
+               expression.text + "'");
 }
 
 /// What the names of a loop stand for hides what is around it.
@@ -140,7 +136,7 @@ void loop(const Expression& loop_for, const PythonScope& scope, PythonList& into
   for (const PythonValue& item : python_iterated(value_of(parts[0], scope))) {
     const PythonList values = loop_for.names.size() == 1 ? PythonList{item} : python_iterated(item);
     if (values.size() != loop_for.names.size())
-      fault("ValueError: the number of values to unpack differs from that of names");
+      python_fault("ValueError: the number of values to unpack differs from that of names");
     const PythonScope inner = inside(scope, loop_for.names, values);
     const bool holds = std::all_of(parts.begin() + 2, parts.end(), [&](const Expression& one) {
       return truth(value_of(one, inner));

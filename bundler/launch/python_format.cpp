@@ -14,12 +14,6 @@ namespace ros2wasm {
 namespace {
 
 constexpr int kWidest = 1000;
-constexpr std::size_t kLongest = 1U << 20U;
-
-[[noreturn]] void fault(std::string message) {
-  throw PythonFault{std::move(message)};
-}
-
 /// `[[fill]align][sign][#][0][width][,][.precision][type]`, of both kinds of formats.
 struct Format {
   std::string fill = " ";
@@ -39,7 +33,7 @@ std::string digits_of(double value, char type, int precision) {
   std::array<char, 1500> buffer{};
   const auto [end, error] =
       std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, format, precision);
-  if (error != std::errc()) fault("ValueError: too many digits");
+  if (error != std::errc()) python_fault("ValueError: too many digits");
   return {buffer.data(), end};
 }
 
@@ -119,8 +113,8 @@ std::string number_text(const PythonValue& value, const Format& format) {
   } else {
     const double real = python_real(value);
     if (!real_type && format.type != 0)
-      fault(std::string("ValueError: Unknown format code '") + format.type +
-            "' for object of type 'float'");
+      python_fault(std::string("ValueError: Unknown format code '") + format.type +
+                   "' for object of type 'float'");
     negative = std::signbit(real) && !std::isnan(real);
     body = of_real(std::fabs(real), format);
   }
@@ -152,7 +146,7 @@ class Reader {
     return at_ + further < text_.size() ? text_[at_ + further] : '\0';
   }
   char next() {
-    if (done()) fault("ValueError: incomplete format");
+    if (done()) python_fault("ValueError: incomplete format");
     return text_[at_++];
   }
   bool take(char wanted) {
@@ -164,7 +158,7 @@ class Reader {
     std::optional<int> result;
     while (std::isdigit(static_cast<unsigned char>(peek())) != 0) {
       result = result.value_or(0) * 10 + (next() - '0');
-      if (*result > kWidest) fault("ValueError: the width or precision is too large");
+      if (*result > kWidest) python_fault("ValueError: the width or precision is too large");
     }
     return result;
   }
@@ -201,10 +195,10 @@ Format format_of(std::string_view spec) {
   result.grouped = reader.take(',');
   if (reader.take('.')) {
     result.precision = reader.number();
-    if (!result.precision) fault("ValueError: Format specifier missing precision");
+    if (!result.precision) python_fault("ValueError: Format specifier missing precision");
   }
   if (!reader.done()) result.type = reader.next();
-  if (!reader.done()) fault("ValueError: Invalid format specifier");
+  if (!reader.done()) python_fault("ValueError: Invalid format specifier");
   return result;
 }
 
@@ -214,8 +208,8 @@ std::string formatted_value(const PythonValue& value, std::string_view spec) {
   const bool number = python_number(value).has_value() && !std::holds_alternative<bool>(value.held);
   if (number && format.type != 's') return number_text(value, format);
   if (format.type != 0 && format.type != 's')
-    fault(std::string("ValueError: Unknown format code '") + format.type +
-          "' for object of type '" + std::string(python_type(value)) + "'");
+    python_fault(std::string("ValueError: Unknown format code '") + format.type +
+                 "' for object of type '" + std::string(python_type(value)) + "'");
   return plain_text(python_text(value), format, '<');
 }
 
@@ -229,17 +223,17 @@ PythonValue field_value(const std::string& field, const PythonArguments& argumen
     const std::size_t at =
         name.empty() ? counter++ : static_cast<std::size_t>(Reader(name).number().value_or(0));
     if (at >= arguments.values.size())
-      fault("IndexError: Replacement index " + std::to_string(at) +
-            " out of range for positional args tuple");
+      python_fault("IndexError: Replacement index " + std::to_string(at) +
+                   " out of range for positional args tuple");
     value = arguments.values[at];
   } else {
     const PythonValue* named = python_named(arguments, name);
-    if (named == nullptr) fault("KeyError: '" + name + "'");
+    if (named == nullptr) python_fault("KeyError: '" + name + "'");
     value = *named;
   }
   Reader rest(std::string_view(field).substr(end));
   while (!rest.done()) {
-    if (!rest.take('[')) fault("ValueError: attributes are not read in formats here");
+    if (!rest.take('[')) python_fault("ValueError: attributes are not read in formats here");
     const std::string key = rest.until(']');
     const bool number = key.find_first_not_of("0123456789") == std::string::npos;
     value = python_item(value, number ? python_to_integer({key}) : PythonValue{key});
@@ -271,7 +265,7 @@ std::string percent_one(Reader& reader, const PythonList& all, std::size_t& coun
   format.type = reader.next();
   if (format.type == '%') return "%";
   if (!value) {
-    if (counter >= all.size()) fault("TypeError: not enough arguments for format string");
+    if (counter >= all.size()) python_fault("TypeError: not enough arguments for format string");
     value = all[counter++];
   }
   if (format.type == 's' || format.type == 'r') {
@@ -282,10 +276,10 @@ std::string percent_one(Reader& reader, const PythonList& all, std::size_t& coun
     return plain_text(python_text(*value, format.type == 'r'), format, '>');
   }
   if (std::string_view("diueEfFgGxXo").find(format.type) == std::string_view::npos)
-    fault(std::string("ValueError: unsupported format character '") + format.type + "'");
+    python_fault(std::string("ValueError: unsupported format character '") + format.type + "'");
   if (!python_number(*value))
-    fault(std::string("TypeError: %") + format.type + " format: a real number is required, not " +
-          std::string(python_type(*value)));
+    python_fault(std::string("TypeError: %") + format.type +
+                 " format: a real number is required, not " + std::string(python_type(*value)));
   if (format.type == 'd' || format.type == 'i' || format.type == 'u') {
     format.type = 'd';
     value = python_to_integer(*value);
@@ -294,7 +288,7 @@ std::string percent_one(Reader& reader, const PythonList& all, std::size_t& coun
 }
 
 void check_length(const std::string& text) {
-  if (text.size() > kLongest) fault("MemoryError: the text is too long");
+  if (text.size() > kPythonLongest) python_fault("MemoryError: the text is too long");
 }
 
 }  // namespace
@@ -312,7 +306,7 @@ std::string python_percent(std::string_view format, const PythonValue& values) {
   }
   // One list or dictionary may go unused, as names could have asked for its parts.
   if (counter < all.size() && python_type(values) != "dict" && python_type(values) != "list")
-    fault("TypeError: not all arguments converted during string formatting");
+    python_fault("TypeError: not all arguments converted during string formatting");
   return result;
 }
 
@@ -326,7 +320,7 @@ std::string python_formatted(std::string_view format, const PythonArguments& arg
     if (!brace || reader.take(c)) {
       result += c;
     } else if (c == '}') {
-      fault("ValueError: Single '}' encountered in format string");
+      python_fault("ValueError: Single '}' encountered in format string");
     } else {
       const std::string all = reader.until('}');
       const std::size_t colon = std::min(all.find(':'), all.size());

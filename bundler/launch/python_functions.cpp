@@ -18,10 +18,6 @@ constexpr std::int64_t kLongestRange = 100'000;
 /// Of dictionaries that expressions make: each new key is held against all others.
 constexpr std::size_t kMostEntries = 1000;
 
-[[noreturn]] void fault(std::string message) {
-  throw PythonFault{std::move(message)};
-}
-
 using Arguments = PythonArguments;
 
 /// The argument at a place, or of a name, or nullptr.
@@ -38,7 +34,7 @@ PythonValue extreme(std::string_view op, const Arguments& a) {
   const PythonValue* key = python_named(a, "key");
   if (among.empty()) {
     if (const PythonValue* otherwise = python_named(a, "default")) return *otherwise;
-    fault("ValueError: nothing to choose from");
+    python_fault("ValueError: nothing to choose from");
   }
   const PythonValue* best = &among.front();
   for (const PythonValue& one : among)
@@ -66,7 +62,7 @@ PythonValue rounded(const Arguments& a) {
   const bool none = places == nullptr || std::holds_alternative<PythonNone>(places->held);
   if (none) return python_to_integer({std::nearbyint(python_real(a.values[0]))});
   const std::int64_t digits = python_whole(*places);
-  if (digits < 0 || digits > 300) fault("ValueError: round() takes 0 to 300 digits here");
+  if (digits < 0 || digits > 300) python_fault("ValueError: round() takes 0 to 300 digits here");
   if (const auto integer = python_integer(a.values[0])) return {*integer};
   // Through decimal digits, which round the exact value.
   double result = python_real(a.values[0]);
@@ -81,7 +77,7 @@ PythonValue rounded(const Arguments& a) {
 PythonValue length(const Arguments& a) {
   const std::string_view type = python_type(a.values[0]);
   if (type != "list" && type != "tuple" && type != "dict" && type != "str")
-    fault("TypeError: object of type '" + std::string(type) + "' has no len()");
+    python_fault("TypeError: object of type '" + std::string(type) + "' has no len()");
   return {static_cast<std::int64_t>(python_iterated(a.values[0]).size())};
 }
 
@@ -97,17 +93,17 @@ PythonValue to_integer(const Arguments& a) {
   const PythonValue* base = argument(a, 1, "base");
   if (base == nullptr) return python_to_integer(a.values[0]);
   const auto* text = std::get_if<std::string>(&a.values[0].held);
-  if (text == nullptr) fault("TypeError: int() can't convert non-string with explicit base");
+  if (text == nullptr) python_fault("TypeError: int() can't convert non-string with explicit base");
   std::string digits = *text;
   const std::int64_t radix = python_whole(*base);
-  if (radix < 2 || radix > 36) fault("ValueError: int() base must be >= 2 and <= 36");
+  if (radix < 2 || radix > 36) python_fault("ValueError: int() base must be >= 2 and <= 36");
   if (radix == 16 && (digits.starts_with("0x") || digits.starts_with("0X"))) digits.erase(0, 2);
   std::int64_t result = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), result,
                                             static_cast<int>(radix));
   if (error != std::errc() || end != digits.data() + digits.size())
-    fault("ValueError: invalid literal for int() with base " + std::to_string(radix) + ": " +
-          python_text(a.values[0], true));
+    python_fault("ValueError: invalid literal for int() with base " + std::to_string(radix) + ": " +
+                 python_text(a.values[0], true));
   return {result};
 }
 
@@ -119,7 +115,8 @@ PythonValue dictionary(const Arguments& a) {
       old = value;
       return;
     }
-    if (result.entries.size() == kMostEntries) fault("MemoryError: the dictionary is too large");
+    if (result.entries.size() == kMostEntries)
+      python_fault("MemoryError: the dictionary is too large");
     result.entries.emplace_back(key, value);
   };
   if (!a.values.empty()) {
@@ -128,7 +125,7 @@ PythonValue dictionary(const Arguments& a) {
     } else {
       for (const PythonValue& pair : python_iterated(a.values[0])) {
         const PythonList both = python_iterated(pair);
-        if (both.size() != 2) fault("ValueError: dict() takes pairs of a key and a value");
+        if (both.size() != 2) python_fault("ValueError: dict() takes pairs of a key and a value");
         set(both[0], both[1]);
       }
     }
@@ -141,11 +138,11 @@ PythonValue range(const Arguments& a) {
   const std::int64_t first = a.values.size() > 1 ? python_whole(a.values[0]) : 0;
   const std::int64_t last = python_whole(a.values[a.values.size() > 1 ? 1 : 0]);
   const std::int64_t step = a.values.size() > 2 ? python_whole(a.values[2]) : 1;
-  if (step == 0) fault("ValueError: range() arg 3 must not be zero");
+  if (step == 0) python_fault("ValueError: range() arg 3 must not be zero");
   PythonList result;
   for (std::int64_t i = first; step > 0 ? i < last : i > last;) {
     if (static_cast<std::int64_t>(result.size()) == kLongestRange)
-      fault("MemoryError: the range is too long");
+      python_fault("MemoryError: the range is too long");
     result.emplace_back().held = i;
     if (__builtin_add_overflow(i, step, &i)) break;
   }
@@ -222,7 +219,7 @@ PythonValue first_or(const Arguments& a, PythonValue (*convert)(const PythonValu
 PythonValue code_point(const Arguments& a) {
   const auto* text = std::get_if<std::string>(&a.values[0].held);
   if (text == nullptr || text->size() != 1)
-    fault("TypeError: ord() takes one ASCII character here");
+    python_fault("TypeError: ord() takes one ASCII character here");
   return {std::int64_t{static_cast<unsigned char>(text->front())}};
 }
 
@@ -291,9 +288,10 @@ void add_python_function(PythonTable& table, const std::string& name, std::size_
   const auto checked = [=](const PythonArguments& a) {
     for (const auto& [one, value] : a.named)
       if (names != "*" && (" " + names + " ").find(" " + one + " ") == std::string::npos)
-        fault("TypeError: " + name + "() got an unexpected keyword argument '" + one + "'");
+        python_fault("TypeError: " + name + "() got an unexpected keyword argument '" + one + "'");
     if (a.values.size() < least || a.values.size() > most)
-      fault("TypeError: " + name + "() got " + std::to_string(a.values.size()) + " arguments");
+      python_fault("TypeError: " + name + "() got " + std::to_string(a.values.size()) +
+                   " arguments");
     return call(a);
   };
   table.emplace(name, std::make_shared<const PythonFunction>(PythonFunction{name, checked}));
@@ -312,15 +310,15 @@ const PythonValue* python_named(const PythonArguments& arguments, std::string_vi
 
 double python_real(const PythonValue& value) {
   const auto one = python_number(value);
-  if (!one) fault("TypeError: must be real number, not " + std::string(python_type(value)));
+  if (!one) python_fault("TypeError: must be real number, not " + std::string(python_type(value)));
   return *one;
 }
 
 std::int64_t python_whole(const PythonValue& value) {
   const auto one = python_integer(value);
   if (!one)
-    fault("TypeError: '" + std::string(python_type(value)) +
-          "' object cannot be interpreted as an integer");
+    python_fault("TypeError: '" + std::string(python_type(value)) +
+                 "' object cannot be interpreted as an integer");
   return *one;
 }
 
@@ -334,7 +332,7 @@ std::optional<PythonValue> python_builtin(const std::string& name) {
 PythonValue python_called(const PythonValue& function, const PythonArguments& arguments) {
   const auto* one = std::get_if<std::shared_ptr<const PythonFunction>>(&function.held);
   if (one == nullptr)
-    fault("TypeError: '" + std::string(python_type(function)) + "' object is not callable");
+    python_fault("TypeError: '" + std::string(python_type(function)) + "' object is not callable");
   return (*one)->call(arguments);
 }
 

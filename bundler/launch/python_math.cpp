@@ -13,17 +13,13 @@ namespace {
 
 using Arguments = PythonArguments;
 
-[[noreturn]] void fault(std::string message) {
-  throw PythonFault{std::move(message)};
-}
-
 /// Of one number; what is none for a number is a fault.
 void add_real(PythonTable& table, const std::string& name, double (*function)(double)) {
   add_python_function(table, name, 1, 1, [function](const Arguments& a) {
     const double from = python_real(a.values[0]);
     const double result = function(from);
-    if (std::isnan(result) && !std::isnan(from)) fault("ValueError: math domain error");
-    if (std::isinf(result) && !std::isinf(from)) fault("OverflowError: math range error");
+    if (std::isnan(result) && !std::isnan(from)) python_fault("ValueError: math domain error");
+    if (std::isinf(result) && !std::isinf(from)) python_fault("OverflowError: math range error");
     return PythonValue{result};
   });
 }
@@ -33,7 +29,7 @@ void add_pair(PythonTable& table, const std::string& name, double (*function)(do
     const double result = function(python_real(a.values[0]), python_real(a.values[1]));
     if (std::isnan(result) && !std::isnan(python_real(a.values[0])) &&
         !std::isnan(python_real(a.values[1])))
-      fault("ValueError: math domain error");
+      python_fault("ValueError: math domain error");
     return PythonValue{result};
   });
 }
@@ -53,7 +49,7 @@ void add_test(PythonTable& table, const std::string& name, bool (*function)(doub
 
 PythonValue logarithm(const Arguments& a) {
   for (const PythonValue& one : a.values)
-    if (python_real(one) <= 0) fault("ValueError: math domain error");
+    if (python_real(one) <= 0) python_fault("ValueError: math domain error");
   const double natural = std::log(python_real(a.values[0]));
   if (a.values.size() == 1) return {natural};
   return python_arithmetic("/", {natural}, {std::log(python_real(a.values[1]))});
@@ -86,7 +82,7 @@ PythonValue product(const Arguments& a) {
 
 PythonValue factorial(const Arguments& a) {
   const std::int64_t n = python_whole(a.values[0]);
-  if (n < 0) fault("ValueError: factorial() not defined for negative values");
+  if (n < 0) python_fault("ValueError: factorial() not defined for negative values");
   PythonValue result{std::int64_t{1}};
   for (std::int64_t i = 2; i <= n; ++i) result = python_arithmetic("*", result, {i});
   return result;

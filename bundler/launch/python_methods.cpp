@@ -12,23 +12,20 @@ namespace {
 
 using Arguments = PythonArguments;
 
-constexpr std::size_t kLongest = 1U << 20U;
 constexpr std::string_view kSpace = " \t\n\r\v\f";
-
-[[noreturn]] void fault(std::string message) {
-  throw PythonFault{std::move(message)};
-}
 
 const std::string& text_at(const PythonList& values, std::size_t at) {
   const auto* text = at < values.size() ? std::get_if<std::string>(&values[at].held) : nullptr;
-  if (text == nullptr) fault("TypeError: a str is needed as argument " + std::to_string(at + 1));
+  if (text == nullptr)
+    python_fault("TypeError: a str is needed as argument " + std::to_string(at + 1));
   return *text;
 }
 
 std::size_t width_at(const Arguments& a) {
-  if (a.values.empty()) fault("TypeError: a width is needed");
+  if (a.values.empty()) python_fault("TypeError: a width is needed");
   const std::int64_t width = python_whole(a.values[0]);
-  if (width > static_cast<std::int64_t>(kLongest)) fault("MemoryError: the result is too long");
+  if (width > static_cast<std::int64_t>(kPythonLongest))
+    python_fault("MemoryError: the result is too long");
   return static_cast<std::size_t>(std::max<std::int64_t>(0, width));
 }
 
@@ -75,7 +72,7 @@ PythonList split(const std::string& text, const Arguments& a) {
   const bool by_space = a.values.empty() || std::holds_alternative<PythonNone>(a.values[0].held);
   if (by_space) return split_at_space(text, most);
   const std::string& by = text_at(a.values, 0);
-  if (by.empty()) fault("ValueError: empty separator");
+  if (by.empty()) python_fault("ValueError: empty separator");
   PythonList result;
   std::size_t begin = 0;
   for (std::size_t at = text.find(by); at != std::string::npos && most != 0;
@@ -90,7 +87,7 @@ PythonList split(const std::string& text, const Arguments& a) {
 PythonList split_from_end(const std::string& text, const Arguments& a) {
   if (a.values.size() < 2) return split(text, a);
   const std::string& by = text_at(a.values, 0);
-  if (by.empty()) fault("ValueError: empty separator");
+  if (by.empty()) python_fault("ValueError: empty separator");
   std::string rest = text;
   PythonList result;
   for (std::int64_t most = python_whole(a.values[1]); most != 0; --most) {
@@ -117,24 +114,24 @@ PythonList lines(const std::string& text) {
 std::string replaced(const std::string& text, const Arguments& a) {
   const std::string& what = text_at(a.values, 0);
   const std::string& with = text_at(a.values, 1);
-  if (what.empty()) fault("ValueError: empty text to replace");
+  if (what.empty()) python_fault("ValueError: empty text to replace");
   std::string result;
   std::size_t begin = 0;
   for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, begin)) {
     result += text.substr(begin, at - begin) + with;
     begin = at + what.size();
-    if (result.size() > kLongest) fault("MemoryError: the result is too long");
+    if (result.size() > kPythonLongest) python_fault("MemoryError: the result is too long");
   }
   return result + text.substr(begin);
 }
 
 std::string joined(const std::string& by, const Arguments& a) {
-  if (a.values.size() != 1) fault("TypeError: join() takes one argument");
+  if (a.values.size() != 1) python_fault("TypeError: join() takes one argument");
   const PythonList items = python_iterated(a.values[0]);
   std::string result;
   for (std::size_t i = 0; i < items.size(); ++i) {
     result += (i > 0 ? by : "") + text_at(items, i);
-    if (result.size() > kLongest) fault("MemoryError: the result is too long");
+    if (result.size() > kPythonLongest) python_fault("MemoryError: the result is too long");
   }
   return result;
 }
@@ -153,7 +150,7 @@ PythonValue place(std::size_t at) {
 }
 
 std::int64_t times(const std::string& text, const std::string& part) {
-  if (part.empty()) fault("ValueError: an empty text cannot be counted");
+  if (part.empty()) python_fault("ValueError: an empty text cannot be counted");
   std::int64_t result = 0;
   for (std::size_t at = text.find(part); at != std::string::npos;
        at = text.find(part, at + part.size()))
@@ -194,7 +191,7 @@ const std::map<std::string, TextMethod, std::less<>>& text_methods() {
       {"index",
        [](S s, A a) {
          const std::size_t at = s.find(text_at(a.values, 0));
-         if (at == std::string::npos) fault("ValueError: substring not found");
+         if (at == std::string::npos) python_fault("ValueError: substring not found");
          return place(at);
        }},
       {"isalnum", [](S s, A) { return all_are(s, std::isalnum); }},
@@ -242,7 +239,8 @@ std::optional<PythonValue> list_method(const PythonList& items, const std::strin
     return PythonValue{std::int64_t{std::count_if(items.begin(), items.end(), same)}};
   if (method != "index") return std::nullopt;
   const auto at = std::find_if(items.begin(), items.end(), same);
-  if (at == items.end()) fault("ValueError: " + python_text(a.values[0], true) + " is not in list");
+  if (at == items.end())
+    python_fault("ValueError: " + python_text(a.values[0], true) + " is not in list");
   return PythonValue{std::int64_t{at - items.begin()}};
 }
 
@@ -279,8 +277,8 @@ PythonValue python_method(const PythonValue& of, const std::string& method,
   if (result) return std::move(*result);
   if (const auto attribute = python_attribute(of, method))
     return python_called(*attribute, arguments);
-  fault("AttributeError: '" + std::string(python_type(of)) + "' object has no attribute '" +
-        method + "'");
+  python_fault("AttributeError: '" + std::string(python_type(of)) + "' object has no attribute '" +
+               method + "'");
 }
 
 }  // namespace ros2wasm

@@ -9,12 +9,6 @@
 namespace ros2wasm {
 namespace {
 
-constexpr std::size_t kLongest = 1U << 20U;
-
-[[noreturn]] void fault(std::string message) {
-  throw PythonFault{std::move(message)};
-}
-
 template <typename T>
 const T* as(const PythonValue& value) {
   return std::get_if<T>(&value.held);
@@ -59,7 +53,7 @@ std::string listed(const PythonList& items, const std::string& open, const std::
   std::string result = open;
   for (const PythonValue& one : items) {
     result += (result.size() > open.size() ? ", " : "") + python_text(one, true);
-    if (result.size() > kLongest) fault("MemoryError: the text is too long");
+    if (result.size() > kPythonLongest) python_fault("MemoryError: the text is too long");
   }
   return result + close;
 }
@@ -69,7 +63,7 @@ std::string listed(const PythonDict& dict) {
   for (const auto& [key, value] : dict.entries) {
     result +=
         (result.size() > 1 ? ", " : "") + python_text(key, true) + ": " + python_text(value, true);
-    if (result.size() > kLongest) fault("MemoryError: the text is too long");
+    if (result.size() > kPythonLongest) python_fault("MemoryError: the text is too long");
   }
   return result + "}";
 }
@@ -86,10 +80,10 @@ std::vector<std::string> characters(const std::string& text) {
 
 std::size_t place_of(const PythonValue& index, std::size_t size) {
   const auto at = python_integer(index);
-  if (!at) fault("TypeError: indices must be integers");
+  if (!at) python_fault("TypeError: indices must be integers");
   const auto signed_size = static_cast<std::int64_t>(size);
   const std::int64_t from_start = *at < 0 ? *at + signed_size : *at;
-  if (from_start < 0 || from_start >= signed_size) fault("IndexError: index out of range");
+  if (from_start < 0 || from_start >= signed_size) python_fault("IndexError: index out of range");
   return static_cast<std::size_t>(from_start);
 }
 
@@ -98,12 +92,12 @@ T sliced(const T& all, const PythonValue& begin, const PythonValue& end, const P
   const auto whole = [](const PythonValue& value, std::int64_t otherwise) {
     if (as<PythonNone>(value) != nullptr) return otherwise;
     const auto one = python_integer(value);
-    if (!one) fault("TypeError: slice indices must be integers or None");
+    if (!one) python_fault("TypeError: slice indices must be integers or None");
     return *one;
   };
   const auto size = static_cast<std::int64_t>(all.size());
   const std::int64_t by = whole(step, 1);
-  if (by == 0) fault("ValueError: slice step cannot be zero");
+  if (by == 0) python_fault("ValueError: slice step cannot be zero");
   const std::int64_t lowest = by > 0 ? 0 : -1;
   const std::int64_t highest = by > 0 ? size : size - 1;
   const auto bound = [&](const PythonValue& value, std::int64_t otherwise) {
@@ -139,11 +133,12 @@ bool contains(const PythonValue& part, const PythonValue& whole) {
   if (const auto* text = as<std::string>(whole)) {
     const auto* wanted = as<std::string>(part);
     if (wanted == nullptr)
-      fault("TypeError: 'in <string>' requires string as left operand, not " +
-            std::string(python_type(part)));
+      python_fault("TypeError: 'in <string>' requires string as left operand, not " +
+                   std::string(python_type(part)));
     return text->find(*wanted) != std::string::npos;
   }
-  fault("TypeError: argument of type '" + std::string(python_type(whole)) + "' is not iterable");
+  python_fault("TypeError: argument of type '" + std::string(python_type(whole)) +
+               "' is not iterable");
 }
 
 std::string_view trimmed(const std::string& text) {
@@ -165,6 +160,10 @@ std::optional<T> read_number(const std::string& text) {
 }
 
 }  // namespace
+
+void python_fault(std::string message) {
+  throw PythonFault{std::move(message)};
+}
 
 PythonValue python_dict(PythonDict dict) {
   return {std::make_shared<const PythonDict>(std::move(dict))};
@@ -203,7 +202,7 @@ PythonList python_iterated(const PythonValue& value) {
   }
   const auto* text = as<std::string>(value);
   if (text == nullptr)
-    fault("TypeError: '" + std::string(python_type(value)) + "' object is not iterable");
+    python_fault("TypeError: '" + std::string(python_type(value)) + "' object is not iterable");
   for (std::string& one : characters(*text)) result.push_back({std::move(one)});
   return result;
 }
@@ -299,8 +298,8 @@ bool python_compare(std::string_view op, const PythonValue& a, const PythonValue
   if (python_items(a) != nullptr && a.held.index() == b.held.index()) {
     return ordered_items(op, *python_items(a), *python_items(b));
   }
-  fault("TypeError: '" + std::string(op) + "' not supported between instances of '" +
-        std::string(python_type(a)) + "' and '" + std::string(python_type(b)) + "'");
+  python_fault("TypeError: '" + std::string(op) + "' not supported between instances of '" +
+               std::string(python_type(a)) + "' and '" + std::string(python_type(b)) + "'");
 }
 
 PythonValue python_item(const PythonValue& of, const PythonValue& index) {
@@ -311,9 +310,9 @@ PythonValue python_item(const PythonValue& of, const PythonValue& index) {
   }
   if (const PythonDict* dict = as_dict(of)) {
     if (const PythonValue* value = python_entry(*dict, index)) return *value;
-    fault("KeyError: " + python_text(index, true));
+    python_fault("KeyError: " + python_text(index, true));
   }
-  fault("TypeError: '" + std::string(python_type(of)) + "' object is not subscriptable");
+  python_fault("TypeError: '" + std::string(python_type(of)) + "' object is not subscriptable");
 }
 
 PythonValue python_slice(const PythonValue& of, const PythonValue& begin, const PythonValue& end,
@@ -326,31 +325,32 @@ PythonValue python_slice(const PythonValue& of, const PythonValue& begin, const 
     for (const std::string& one : sliced(characters(*text), begin, end, step)) result += one;
     return {std::move(result)};
   }
-  fault("TypeError: '" + std::string(python_type(of)) + "' object is not subscriptable");
+  python_fault("TypeError: '" + std::string(python_type(of)) + "' object is not subscriptable");
 }
 
 PythonValue python_to_integer(const PythonValue& value) {
   if (const auto whole = python_integer(value)) return {*whole};
   if (const double* real = as<double>(value)) {
-    if (!(std::fabs(*real) < 9.2e18)) fault("OverflowError: cannot convert float to integer");
+    if (!(std::fabs(*real) < 9.2e18))
+      python_fault("OverflowError: cannot convert float to integer");
     return {static_cast<std::int64_t>(*real)};
   }
   if (const std::string* text = as<std::string>(value)) {
     if (const auto result = read_number<std::int64_t>(*text)) return {*result};
-    fault("ValueError: invalid literal for int() with base 10: " + quoted_text(*text));
+    python_fault("ValueError: invalid literal for int() with base 10: " + quoted_text(*text));
   }
-  fault("TypeError: int() argument must be a string or a real number, not '" +
-        std::string(python_type(value)) + "'");
+  python_fault("TypeError: int() argument must be a string or a real number, not '" +
+               std::string(python_type(value)) + "'");
 }
 
 PythonValue python_to_float(const PythonValue& value) {
   if (const auto real = python_number(value)) return {*real};
   if (const std::string* text = as<std::string>(value)) {
     if (const auto result = read_number<double>(*text)) return {*result};
-    fault("ValueError: could not convert string to float: " + quoted_text(*text));
+    python_fault("ValueError: could not convert string to float: " + quoted_text(*text));
   }
-  fault("TypeError: float() argument must be a string or a real number, not '" +
-        std::string(python_type(value)) + "'");
+  python_fault("TypeError: float() argument must be a string or a real number, not '" +
+               std::string(python_type(value)) + "'");
 }
 
 }  // namespace ros2wasm

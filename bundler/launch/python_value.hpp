@@ -2,6 +2,7 @@
 // it. Failures are PythonFault, which stays in this folder.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -17,6 +18,10 @@ namespace ros2wasm {
 struct PythonFault {
   std::string message;  ///< such as "ZeroDivisionError: division by zero"
 };
+[[noreturn]] void python_fault(std::string message);
+
+/// The most letters of a text and items of a list: what is evaluated while packing has an end.
+inline constexpr std::size_t kPythonLongest = 1U << 20U;
 
 struct PythonNone {
   bool operator==(const PythonNone&) const = default;

@@ -10,7 +10,7 @@ export interface Start {
   readonly options: Readonly<Record<string, unknown>>;
   /** Texts for its standard input, each sent when a line of its output fits `after`. */
   readonly input: readonly { readonly after: RegExp; readonly text: string }[];
-  /** It is asked to stop, as by Ctrl-C, when a line of its output fits; undefined: it is left running. */
+  /** It is asked to stop, as by Ctrl-C, when a line of its output fits and its endpoints are there; undefined: it is left running. */
   readonly stop: RegExp | undefined;
   /** Each fits a line of its output, in this order. */
   readonly log: readonly RegExp[];

@@ -120,6 +120,7 @@ export async function play(platform: Platform, { kind, expected }: Asked): Promi
     stops.forEach((after, index) => {
       const node = site.nodes[index];
       if (after === undefined || node === undefined || watched[index]?.lines.some((line) => after.test(line)) !== true) return;
+      if (index === 0 && expected?.endpoints.some((endpoint) => !endpoints.has(endpoint)) === true) return;
       stops[index] = undefined;
       session.stop(node.id);
     });

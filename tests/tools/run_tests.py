@@ -127,8 +127,8 @@ def suites(build: Path, bless: bool) -> list[Suite]:
     def tests_of(folder: str) -> list[Path]:
         return sorted((ROOT / "tests" / folder).rglob("*.test.ts"))
 
-    def node(files: list[Path], at_once: int = 2) -> list[str]:
-        return ["node", "--test", f"--test-concurrency={at_once}", *map(str, files)]
+    def node(files: list[Path]) -> list[str]:
+        return ["node", "--test", "--test-concurrency=2", *map(str, files)]
 
     ends = tests_of("e2e")
     browser = [file for file in ends if opens_browser(file)]
@@ -154,8 +154,7 @@ def suites(build: Path, bless: bool) -> list[Suite]:
         ),
         Suite("conformance", node(tests_of("conformance")), "node", alone=True),
         Suite("e2e", node([file for file in ends if file not in browser]), "node", alone=True),
-        # One browser at a time: two cores, and figures that mean something.
-        Suite("browser", node(browser, at_once=1), "node", alone=True),
+        Suite("browser", node(browser), "node", alone=True),
     ]
     return rows
 

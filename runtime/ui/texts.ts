@@ -1,5 +1,5 @@
 // Every English text of the page, in one place, ready for translation. No markup in here. Some panels have theirs
-// beside it (texts_bag.ts, texts_source.ts, texts_views.ts): they come with the panel.
+// beside it (texts_about.ts, texts_bag.ts, texts_views.ts): they come with the panel.
 
 export const texts = {
   product: 'ros2wasm',
@@ -41,12 +41,6 @@ export const texts = {
   link: {
     shared: 'Shared memory',
     port: 'Message ports',
-    sharedLong:
-      'This page is isolated by the browser, so the nodes share memory: a message is written once and wakes its readers directly.',
-    portLong:
-      'This page could not be isolated by the browser, so the nodes pass messages through ports. Nodes that start threads cannot run here; all else works, slower.',
-    portFix:
-      'For the faster link, open the page by itself in a normal window: not inside a frame, not in a private window that forbids service workers. Or serve it with the headers \u201cCross-Origin-Opener-Policy: same-origin\u201d and \u201cCross-Origin-Embedder-Policy: require-corp\u201d, as \u201cros2wasm serve\u201d does.',
   },
 
   checks: {
@@ -208,31 +202,6 @@ export const texts = {
   about: {
     open: 'About this page',
     openLink: (link: string): string => `Link between the nodes: ${link}. About this page`,
-    close: 'Close',
-    title: 'About this page',
-    what: 'A ROS 2 workspace, packed into static files. It runs in this browser: no server takes part, nothing is installed, and nothing you do here leaves this device.',
-    workspace: 'Workspace',
-    authors: 'Authors',
-    license: 'License',
-    distro: 'ROS 2',
-    link: 'Link',
-    size: 'Size',
-    sizeOf: (files: string, bytes: string): string => `${files} files, ${bytes}`,
-    offline: 'Offline',
-    offlineYes: 'kept in this browser: opens again without a network',
-    offlineNo: 'not kept: a file did not come, or this browser allows no service worker here',
-    generator: 'Made with',
-    digest: 'sha256',
-    whoSigned: 'Who signed it?',
-    unsigned: 'No signature lies beside this site.',
-    signed: (key: string, comment: string): string =>
-      `A signature by the key ${key} lies beside this site, with the comment \u201c${comment}\u201d. This page cannot vouch for itself: compare the key with what its author says elsewhere, then run ros2wasm verify with --key and this address.`,
-    cite: 'Cite this site',
-    copyCite: 'Copy BibTeX',
-    licenses: 'Licenses of all parts',
-    materials: 'Bill of materials (SPDX)',
-    copyReport: 'Copy a report',
-    reportHint: 'for a bug report: versions, states and problems, no console text.',
   },
 
   copied: 'Copied',

@@ -9,6 +9,7 @@ import { formatBytes, formatCount } from '../model/quantities.ts';
 import { siteReport } from '../model/report.ts';
 import { claimedSignature } from '../model/signature.ts';
 import { texts } from '../texts.ts';
+import { aboutTexts } from '../texts_about.ts';
 import { CopyButton, IconButton } from './button.tsx';
 import { readSiteText } from './site_text.ts';
 
@@ -37,7 +38,7 @@ export function AboutDialog({ session, open, offline, onClose, announce }: About
   const [signature, setSignature] = useState<string | null>(null);
   const lookForSignature = (): void => {
     void readSiteText('site.json.minisig').then(claimedSignature, () => null).then((found) => {
-      setSignature(found === null ? texts.about.unsigned : texts.about.signed(found.keyId, found.comment));
+      setSignature(found === null ? aboutTexts.unsigned : aboutTexts.signed(found.keyId, found.comment));
     });
   };
   const { site, link } = session;
@@ -46,27 +47,27 @@ export function AboutDialog({ session, open, offline, onClose, announce }: About
   const files = site.files.filter((file) => !file.path.endsWith('.names'));
   const bytes = files.reduce((sum, file) => sum + file.size, 0);
   const rows: readonly (readonly [string, string])[] = [
-    [texts.about.workspace, `${site.name} ${site.version}`],
-    [texts.about.authors, site.authors.map((author) => author.name).join(', ')],
-    [texts.about.license, site.license],
-    [texts.about.distro, site.distro],
+    [aboutTexts.workspace, `${site.name} ${site.version}`],
+    [aboutTexts.authors, site.authors.map((author) => author.name).join(', ')],
+    [aboutTexts.license, site.license],
+    [aboutTexts.distro, site.distro],
     [
-      texts.about.size,
+      aboutTexts.size,
       files.length === 0
         ? ''
-        : texts.about.sizeOf(formatCount(files.length), formatBytes(bytes)),
+        : aboutTexts.sizeOf(formatCount(files.length), formatBytes(bytes)),
     ],
-    [texts.about.digest, digest ?? ''],
-    [texts.about.offline, offlineWords(offline)],
-    [texts.about.generator, site.generator],
+    [aboutTexts.digest, digest ?? ''],
+    [aboutTexts.offline, offlineWords(offline)],
+    [aboutTexts.generator, site.generator],
   ];
   return (
     <dialog class="about" ref={dialog} aria-labelledby="about-title" onClose={onClose}>
       <header class="about-head">
         <h2 id="about-title">{site.title === '' ? site.name : site.title}</h2>
-        <IconButton icon="close" label={texts.about.close} onClick={onClose} />
+        <IconButton icon="close" label={aboutTexts.close} onClick={onClose} />
       </header>
-      <p>{texts.about.what}</p>
+      <p>{aboutTexts.what}</p>
       <dl class="facts">
         {rows
           .filter(([, value]) => value.trim() !== '')
@@ -78,34 +79,34 @@ export function AboutDialog({ session, open, offline, onClose, announce }: About
           ))}
       </dl>
       <p class="about-report">
-        <button type="button" class="button" onClick={lookForSignature}>{texts.about.whoSigned}</button>
+        <button type="button" class="button" onClick={lookForSignature}>{aboutTexts.whoSigned}</button>
         <span role="status">{signature ?? ''}</span>
       </p>
       {entry === null ? null : (
         <>
-          <h3>{texts.about.cite}</h3>
-          <pre class="about-cite" tabIndex={0} aria-label={texts.about.cite}>{entry}</pre>
+          <h3>{aboutTexts.cite}</h3>
+          <pre class="about-cite" tabIndex={0} aria-label={aboutTexts.cite}>{entry}</pre>
           <p class="about-report">
-            <CopyButton label={texts.about.copyCite} words={texts.about.copyCite} text={() => entry} announce={announce} />
+            <CopyButton label={aboutTexts.copyCite} words={aboutTexts.copyCite} text={() => entry} announce={announce} />
             <a href="CITATION.cff" download="CITATION.cff">CITATION.cff</a>
           </p>
         </>
       )}
       <p class="about-report">
-        <a href="LICENSES.txt">{texts.about.licenses}</a>
-        <a href="sbom.spdx.json">{texts.about.materials}</a>
+        <a href="LICENSES.txt">{aboutTexts.licenses}</a>
+        <a href="sbom.spdx.json">{aboutTexts.materials}</a>
       </p>
-      <h3>{`${texts.about.link}: ${texts.link[link]}`}</h3>
-      <p>{link === 'shared' ? texts.link.sharedLong : texts.link.portLong}</p>
-      {link === 'port' ? <p>{texts.link.portFix}</p> : null}
+      <h3>{`${aboutTexts.link}: ${texts.link[link]}`}</h3>
+      <p>{link === 'shared' ? aboutTexts.sharedLong : aboutTexts.portLong}</p>
+      {link === 'port' ? <p>{aboutTexts.portFix}</p> : null}
       <p class="about-report">
         <CopyButton
-          label={texts.about.copyReport}
-          words={texts.about.copyReport}
+          label={aboutTexts.copyReport}
+          words={aboutTexts.copyReport}
           text={() => siteReport(session, navigator.userAgent, crossOriginIsolated)}
           announce={announce}
         />
-        <span>{texts.about.reportHint}</span>
+        <span>{aboutTexts.reportHint}</span>
       </p>
     </dialog>
   );
@@ -113,5 +114,5 @@ export function AboutDialog({ session, open, offline, onClose, announce }: About
 
 function offlineWords(offline: boolean | null): string {
   if (offline === null) return '';
-  return offline ? texts.about.offlineYes : texts.about.offlineNo;
+  return offline ? aboutTexts.offlineYes : aboutTexts.offlineNo;
 }

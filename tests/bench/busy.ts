@@ -6,7 +6,7 @@ import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { chromium, type CDPSession, type Page } from 'playwright-core';
-import { chromiumOptions, kSoftwareWebGl } from '../e2e/chromium.ts';
+import { wholeChromium, kSoftwareWebGl } from '../e2e/chromium.ts';
 import { serveFolder } from '../support/static_server.ts';
 import { AIM_MS, type FrameFigures, frameFigures, gaps } from './frame_gaps.ts';
 import { machineLoad } from './machine_load.ts';
@@ -122,7 +122,7 @@ export async function benchBusy(context: BenchContext): Promise<void> {
     ]);
     const host = await serveFolder(site, { isolated: true });
     for (const [panels, layout] of Object.entries(LAYOUTS)) {
-      const server = await chromium.launchServer(chromiumOptions(kSoftwareWebGl));
+      const server = await chromium.launchServer(wholeChromium(kSoftwareWebGl));
       const browser = await chromium.connect(server.wsEndpoint());
       try {
         const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });

@@ -8,7 +8,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { chromium } from 'playwright-core';
 import { texts } from '../../runtime/ui/texts.ts';
-import { chromiumOptions } from '../e2e/chromium.ts';
+import { wholeChromium } from '../e2e/chromium.ts';
 import { machineLoad } from './machine_load.ts';
 import { packLaunch } from './packed_launch.ts';
 import { paperDesign } from './paper_design.ts';
@@ -51,7 +51,7 @@ function inNode(context: BenchContext, site: string, link: Link, until: string):
 async function inChromium(site: string, link: Link, until: string): Promise<Line[]> {
   const server = await serveFolder(site, { isolated: link === 'shared' });
   // Without service workers the page cannot become isolated, and takes the port link.
-  const browser = await chromium.launch(chromiumOptions());
+  const browser = await chromium.launch(wholeChromium());
   try {
     const context = await browser.newContext({ serviceWorkers: link === 'shared' ? 'allow' : 'block' });
     const page = await context.newPage();

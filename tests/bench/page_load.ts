@@ -7,7 +7,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { chromium } from 'playwright-core';
 import type { Browser, Page } from 'playwright-core';
-import { chromiumOptions } from '../e2e/chromium.ts';
+import { wholeChromium } from '../e2e/chromium.ts';
 import type { StaticServer } from '../support/static_server.ts';
 import { serveFolder } from '../support/static_server.ts';
 import { interactive, type Load, QUIET_MS, type Task } from './quiet_time.ts';
@@ -91,7 +91,7 @@ function sizeOf(folder: string, path: string): number {
 async function measured(kind: Kind, slower: number): Promise<{ readonly cold: Figures[]; readonly warm: Figures[] }> {
   const [cold, warm]: [Figures[], Figures[]] = [[], []];
   for (let run = 0; run < RUNS; run += 1) {
-    const browser = await chromium.launch(chromiumOptions());
+    const browser = await chromium.launch(wholeChromium());
     try {
       const page = await watched(browser, slower);
       cold.push(await figuresOf(page, kind, () => page.goto(kind.server.url, { waitUntil: 'commit' })));
@@ -120,7 +120,7 @@ function writePeer(folder: string, sizes: readonly number[]): void {
 }
 
 async function firstSizes(site: Kind): Promise<readonly number[]> {
-  const browser = await chromium.launch(chromiumOptions());
+  const browser = await chromium.launch(wholeChromium());
   try {
     const page = await watched(browser, 1);
     const before = site.server.requests.length;

@@ -5,7 +5,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { build } from 'esbuild';
 import { chromium } from 'playwright-core';
-import { chromiumOptions } from '../e2e/chromium.ts';
+import { wholeChromium } from '../e2e/chromium.ts';
 import { serveFolder } from '../support/static_server.ts';
 import type { PaperTask } from './paper_worker.ts';
 
@@ -28,7 +28,7 @@ export async function paperDesign(sizes: readonly number[]): Promise<ReadonlyMap
     await build({ entryPoints, bundle: true, format: 'iife', outdir: folder, target: 'es2024', logLevel: 'warning' });
     writeFileSync(join(folder, 'index.html'), '<!doctype html><title>paper</title><script src="paper_page.js"></script>');
     const host = await serveFolder(folder, { isolated: true });
-    const browser = await chromium.launch(chromiumOptions());
+    const browser = await chromium.launch(wholeChromium());
     try {
       const page = await browser.newPage();
       await page.goto(host.url);

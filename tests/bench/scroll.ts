@@ -5,7 +5,7 @@ import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { chromium, type Page } from 'playwright-core';
-import { chromiumOptions } from '../e2e/chromium.ts';
+import { wholeChromium } from '../e2e/chromium.ts';
 import { buildFakePage } from '../e2e/page_site.ts';
 import { serveFolder } from '../support/static_server.ts';
 import type { FakeSession } from '../unit/ui/fake_session.ts';
@@ -40,7 +40,7 @@ async function scrolled(page: Page, box: string): Promise<FrameFigures> {
 export async function benchScroll(context: BenchContext): Promise<void> {
   const folder = await buildFakePage(mkdtempSync(join(tmpdir(), 'ros2wasm-bench-')));
   const host = await serveFolder(folder);
-  const browser = await chromium.launch(chromiumOptions());
+  const browser = await chromium.launch(wholeChromium());
   try {
     const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
     await page.goto('about:blank');

@@ -5,7 +5,7 @@ import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { chromium } from 'playwright-core';
-import { chromiumOptions } from '../e2e/chromium.ts';
+import { wholeChromium } from '../e2e/chromium.ts';
 import { treeMemoryKb } from './process_memory.ts';
 import { benchPageLoad } from './page_load.ts';
 import type { BenchContext } from './run.ts';
@@ -43,7 +43,7 @@ interface StartTimes {
 async function startTimes(url: string): Promise<StartTimes> {
   const times: StartTimes = { cold: [], warm: [], memoryKb: [] };
   for (let run = 0; run < RUNS; run++) {
-    const server = await chromium.launchServer(chromiumOptions());
+    const server = await chromium.launchServer(wholeChromium());
     const browser = await chromium.connect(server.wsEndpoint());
     try {
       const page = await browser.newPage();

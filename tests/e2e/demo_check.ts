@@ -1,7 +1,7 @@
 // Runs a packed site once in Node.js and once in headless Chromium and prints the first messages
 // that `listener` heard in each. `./dev demo --check` calls it; exit code 0 when both heard some.
 import { chromium } from 'playwright-core';
-import { chromiumOptions } from './chromium.ts';
+import { wholeChromium } from './chromium.ts';
 import { ServedSite, runCli } from './served_site.ts';
 
 const WANTED = 3; // messages to wait for in each place
@@ -24,7 +24,7 @@ async function runInNode(folder: string): Promise<string[]> {
 
 async function runInChromium(folder: string): Promise<string[]> {
   await using server = await ServedSite.start([folder, '--port', '0']);
-  const browser = await chromium.launch(chromiumOptions());
+  const browser = await chromium.launch(wholeChromium());
   try {
     const page = await browser.newPage();
     const problems: string[] = [];

@@ -5,7 +5,7 @@ import { cpSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:f
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { type Browser, type Page, chromium } from 'playwright-core';
-import { chromiumOptions } from './chromium.ts';
+import { wholeChromium } from './chromium.ts';
 import { packExample } from './example_site.ts';
 import { Scratch, ServedSite } from './served_site.ts';
 
@@ -16,7 +16,7 @@ let site: string;
 
 before(async () => {
   site = await packExample(scratch);
-  browser = await chromium.launch(chromiumOptions());
+  browser = await chromium.launch(wholeChromium());
 }, WATCHDOG);
 
 after(async () => {

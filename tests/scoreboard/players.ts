@@ -5,7 +5,7 @@ import { pathToFileURL } from 'node:url';
 import { build } from 'esbuild';
 import { chromium } from 'playwright-core';
 import { nodePlatform } from '../../runtime/wasm_js/node_platform.ts';
-import { chromiumOptions } from '../e2e/chromium.ts';
+import { wholeChromium } from '../e2e/chromium.ts';
 import { serveFolder } from '../support/static_server.ts';
 import { type Asked, type Played, play } from './play.ts';
 import { posted } from './posted.ts';
@@ -37,7 +37,7 @@ export async function chromiumPlayer(): Promise<Player> {
     entryPoints: [join(import.meta.dirname, 'play_page.ts')], bundle: true, format: 'iife', target: 'es2022', write: false, logLevel: 'warning',
   });
   if (script === undefined) throw new Error('the script of the page is not made');
-  const browser = await chromium.launch(chromiumOptions());
+  const browser = await chromium.launch(wholeChromium());
   return {
     play: async (folder, asked) => {
       writeFileSync(join(folder, 'play.js'), script.contents);

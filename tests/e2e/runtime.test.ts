@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { readdirSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { after, before, test } from 'node:test';
+import { after, afterEach, before, test } from 'node:test';
 import { type Browser, type BrowserContext, chromium, type Page } from 'playwright-core';
 import { chromiumOptions } from './chromium.ts';
 import { makeSite } from './runtime_site.ts';
@@ -34,8 +34,12 @@ before(async () => {
   browser = await chromium.launch(chromiumOptions());
 });
 
+// The pages of one test run no longer while the next one goes on.
+afterEach(async () => {
+  for (const context of contexts.splice(0)) await context.close();
+});
+
 after(async () => {
-  for (const context of contexts) await context.close();
   await browser?.close();
   await foreign.close();
   if (folder !== '') rmSync(folder, { recursive: true });

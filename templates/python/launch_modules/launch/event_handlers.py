@@ -115,22 +115,21 @@ class _OnProcess(EventHandler):
 
 
 class OnProcessStart(_OnProcess):
-    def __init__(self, *, target_action: Any = None, on_start: Any, handle_once: bool = False, **_more: Any) -> None:
+    def __init__(self, *, target_action: Any = None, on_start: Any, handle_once: bool = False) -> None:
         super().__init__(target_action, on_start, handle_once)
 
 
 class OnProcessExit(_OnProcess):
     _event, _event_type = _KINDS[1]
 
-    def __init__(self, *, target_action: Any = None, on_exit: Any, handle_once: bool = False, **_more: Any) -> None:
+    def __init__(self, *, target_action: Any = None, on_exit: Any, handle_once: bool = False) -> None:
         super().__init__(target_action, on_exit, handle_once)
 
 
 class OnExecutionComplete(_OnProcess):
     _event, _event_type = _KINDS[1]
 
-    def __init__(self, *, target_action: Any = None, on_completion: Any, handle_once: bool = False,
-                 **_more: Any) -> None:
+    def __init__(self, *, target_action: Any = None, on_completion: Any, handle_once: bool = False) -> None:
         super().__init__(target_action, on_completion, handle_once)
 
 
@@ -140,7 +139,7 @@ class OnProcessIO(_OnProcess):
     _event = 'output'
 
     def __init__(self, *, target_action: Any = None, on_stdin: Any = None, on_stdout: Any = None,
-                 on_stderr: Any = None, handle_once: bool = False, **_more: Any) -> None:
+                 on_stderr: Any = None, handle_once: bool = False) -> None:
         super().__init__(target_action, self._explored, handle_once)
         self._functions = {'stdout': on_stdout, 'stderr': on_stderr}
 
@@ -150,8 +149,9 @@ class OnProcessIO(_OnProcess):
 
 
 class OnShutdown(EventHandler):
-    def __init__(self, *, on_shutdown: Any, **_more: Any) -> None:
-        super().__init__(matcher=lambda event: isinstance(event, Shutdown), entities=on_shutdown)
+    def __init__(self, *, on_shutdown: Any, handle_once: bool = False) -> None:
+        super().__init__(matcher=lambda event: isinstance(event, Shutdown), entities=on_shutdown,
+                         handle_once=handle_once)
 
     def _followed(self) -> Iterator[Followed]:
         yield self._on('shutdown', to_come())

@@ -39,6 +39,8 @@ SCHEMA = (
     "text_pattern", "xml_reader", "xml_writer", "yaml_reader", "yaml_scalar", "yaml_syntax_hint",
 )
 OTHER = ("bundler/render/site_node_json.cpp", "runtime/launch_evaluator/evaluator.cpp")
+# Files of a folder are compiled several at a time, in so many groups: see compile_in_groups in CMakeLists.txt.
+GROUPS = {"launch": 13, "workspace_schema": 4, "yaml-cpp": 2}
 # As templates/toolchain/ compiles programs, for one thread.
 FLAGS = ("-std=c++20", "-Oz", "-fwasm-exceptions", "-DNDEBUG")
 LINK_FLAGS = ("-Oz", "-fwasm-exceptions", "-sSTANDALONE_WASM", "--no-entry", "-sALLOW_MEMORY_GROWTH",
@@ -51,11 +53,20 @@ class BuildFailure(Exception):
     """What the compiler said."""
 
 
-def sources(debian: Path) -> list[Path]:
-    own = [ROOT / "bundler/launch" / f"{name}.cpp" for name in LAUNCH]
-    own += [ROOT / "workspace_schema" / f"{name}.cpp" for name in SCHEMA]
-    own += [ROOT / name for name in OTHER]
-    return [*own, debian / "tinyxml2/tinyxml2.cpp", *sorted((debian / "yaml-cpp/src").glob("*.cpp"))]
+def units(debian: Path) -> dict[str, list[Path]]:
+    """What is compiled at once, by name. A file's group comes of its name."""
+    grouped = {
+        "launch": [ROOT / "bundler/launch" / f"{name}.cpp" for name in LAUNCH],
+        "workspace_schema": [ROOT / "workspace_schema" / f"{name}.cpp" for name in SCHEMA],
+        "yaml-cpp": sorted((debian / "yaml-cpp/src").glob("*.cpp")),
+    }
+    alone = [*(ROOT / name for name in OTHER), debian / "tinyxml2/tinyxml2.cpp"]
+    result = {file.stem: [file] for file in alone}
+    for folder, files in grouped.items():
+        for file in files:
+            group = int(hashlib.md5(file.name.encode()).hexdigest()[:6], 16) % GROUPS[folder]
+            result.setdefault(f"{folder}_{group}", []).append(file)
+    return result
 
 
 def digest(path: Path) -> str:
@@ -104,13 +115,13 @@ class Builder:
         except (OSError, ValueError, KeyError):
             return False
 
-    def compile(self, source: Path) -> Path:
-        name = "__".join(source.parts[-2:]).removesuffix(".cpp")
-        made, state, rule = (self._objects / f"{name}{ending}" for ending in (".o", ".json", ".d"))
+    def compile(self, name: str, sources: list[Path]) -> Path:
+        unit, made, state, rule = (self._objects / f"{name}{ending}" for ending in (".cpp", ".o", ".json", ".d"))
+        unit.write_text("".join(f'#include "{relative(source)}"\n' for source in sources), encoding="utf-8")
         if self._is_current(state, made):
             return made
         state.unlink(missing_ok=True)
-        self._run(*self._flags, "-MMD", "-MF", str(rule), "-c", relative(source), "-o", str(made))
+        self._run(*self._flags, "-MMD", "-MF", str(rule), "-c", relative(unit), "-o", str(made))
         files = {file: digest(ROOT / file) for file in dependencies(rule.read_text(encoding="utf-8"))}
         state.write_text(json.dumps({"key": self._key(), "files": files}), encoding="utf-8")
         return made
@@ -139,7 +150,7 @@ def main() -> int:
         compiler = find_compiler(options.emscripten)
         builder = Builder(compiler.cxx, compiler.digest, options.sources.resolve(), options.out.resolve())
         with ThreadPoolExecutor(max_workers=options.jobs) as pool:
-            objects = list(pool.map(builder.compile, sources(options.sources.resolve())))
+            objects = list(pool.map(lambda unit: builder.compile(*unit), units(options.sources.resolve()).items()))
         builder.link(objects)
     except (OSError, BuildFailure) as error:
         print(f"launch_evaluator: {error}", file=sys.stderr)

@@ -7,7 +7,6 @@
 
 import assert from 'node:assert/strict';
 import { mkdirSync, readFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
@@ -16,11 +15,11 @@ import { chromium } from 'playwright-core';
 import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
 import { chromiumOptions } from './chromium.ts';
 import { packExample } from './example_site.ts';
+import { expectAccessible } from './page_stage.ts';
 import { Scratch } from './served_site.ts';
 import { type StaticServer, serveFolder } from '../support/static_server.ts';
 
 const kRoot = fileURLToPath(new URL('../..', import.meta.url));
-const kAxe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 const kWatchdogMs = 120_000;
 
 const scratch = new Scratch();
@@ -208,16 +207,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
         .getByText(/I heard/)
         .first()
         .waitFor();
-      await page.evaluate(kAxe);
-      const violations = await page.evaluate(async () => {
-        const { axe } = globalThis as unknown as {
-          axe: { run: () => Promise<{ violations: { id: string; help: string }[] }> };
-        };
-        return (await axe.run()).violations.map(
-          (violation) => `${violation.id}: ${violation.help}`,
-        );
-      });
-      assert.deepEqual(violations, []);
+      await expectAccessible(page);
     }));
 }
 

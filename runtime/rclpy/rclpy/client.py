@@ -107,7 +107,7 @@ class Client:
         """Wait for a server. False: the time was over before."""
         return wait_until(self.service_is_ready, self.context, timeout_sec)
 
-    def _take_call(self) -> Callable[[], Any] | None:
+    def _rw_take_call(self) -> Callable[[], Any] | None:
         return (lambda: None) if self._receive() else None
 
     def _receive(self) -> bool:

@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from types import MethodType, TracebackType
 from typing import Any
 
+from rclpy._rclpy_pybind11 import RCLError, RCLInvalidROSArgsError, UnknownROSArgsError
 from ros2wasm import host, log
 from ros2wasm.arguments import ArgumentError, Arguments, parse
 
@@ -39,9 +40,8 @@ class Context:
         try:
             arguments = parse(list(args if args is not None else sys.argv))
         except ArgumentError as error:
-            raise RuntimeError(f'failed to initialize rcl: {error}') from None
+            raise RCLInvalidROSArgsError(f'failed to initialize rcl: {error}') from None
         if arguments.unknown:
-            from rclpy.utilities import UnknownROSArgsError
             raise UnknownROSArgsError(arguments.unknown)
         self._arguments = arguments
         self._domain_id = 0 if domain_id is None else domain_id
@@ -61,9 +61,9 @@ class Context:
         return self._valid
 
     def shutdown(self) -> None:
-        """End. RuntimeError: it has ended already."""
+        """End. RCLError: it has ended already."""
         if not self._valid:
-            raise RuntimeError('rcl_shutdown already called on the given context')
+            raise RCLError('failed to shutdown: rcl_shutdown already called on the given context')
         self._end()
 
     def try_shutdown(self) -> None:

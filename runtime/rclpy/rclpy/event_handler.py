@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from enum import IntEnum
 from typing import Any
 
+from rclpy._rclpy_pybind11 import UnsupportedEventTypeError as UnsupportedEventTypeError  # noqa: F401
 from rclpy.callback_groups import CallbackGroup
 from rclpy.logging import get_logger
 from rclpy.qos import qos_policy_name_from_kind
@@ -100,10 +101,6 @@ class QoSPublisherMatchedInfo(MatchedInfo):
     """Subscriptions of a publisher."""
 
 
-class UnsupportedEventTypeError(RuntimeError):
-    """The middleware has no such event."""
-
-
 def _simple(kind: type[Any]) -> Callable[[host.Status], Any]:
     return lambda s: kind(s.total_count, s.total_change)
 
@@ -160,10 +157,10 @@ class EventHandler:
         # From its first reading on, a change of the status by time alone ends a wait.
         self._found = self._endpoint.status(self._kind)
 
-    def _handles(self) -> list[int]:
+    def _rw_handles(self) -> list[int]:
         return []
 
-    def _ready(self) -> bool:
+    def _rw_ready(self) -> bool:
         if self._is_empty():
             self._found = None
         version = host.status_version()
@@ -176,8 +173,8 @@ class EventHandler:
         """What was read tells of no change."""
         return self._found is not None and not (self._found.total_change or self._found.current_change)
 
-    def _take_call(self) -> Callable[[], Any] | None:
-        if not self._ready() or self._found is None:
+    def _rw_take_call(self) -> Callable[[], Any] | None:
+        if not self._rw_ready() or self._found is None:
             return None
         info = self._make(self._found)
         self._found = None

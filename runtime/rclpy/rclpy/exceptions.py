@@ -3,6 +3,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from rclpy._rclpy_pybind11 import InvalidHandle as InvalidHandle  # noqa: F401
+
 
 class NotInitializedException(Exception):
     """Something was asked of rclpy before its init."""
@@ -72,10 +74,6 @@ class ROSInterruptException(Exception):
 
     def __init__(self, *args: object) -> None:
         super().__init__('rclpy.shutdown() has been called', *args)
-
-
-class InvalidHandle(Exception):
-    """What is used was destroyed."""
 
 
 class ParameterException(Exception):

@@ -206,7 +206,7 @@ class Executor:
                 self._guards.append((guard, node))
             for waitable in node.waitables:
                 (self._events if isinstance(waitable, EventHandler) else self._waitables).append((waitable, node))
-                for handle in waitable._handles():
+                for handle in waitable._rw_handles():
                     self._readers[handle] = (waitable, node)
         self._only_readers = not (self._timers or self._guards or self._waitables)
 
@@ -273,7 +273,7 @@ class Executor:
         else:
             self._quiet_version = version
         for waitable, node in self._waitables:
-            if (waitable, node) not in self._queue and self.can_execute(waitable) and waitable._ready():
+            if (waitable, node) not in self._queue and self.can_execute(waitable) and waitable._rw_ready():
                 self._queue.append((waitable, node))
         return token
 
@@ -285,7 +285,7 @@ class Executor:
         for handler, node in self._events:
             if not self.can_execute(handler):
                 self._quiet_version = -1
-            elif handler._ready():
+            elif handler._rw_ready():
                 self._quiet_version = -1
                 self._queue.append((handler, node))
 
@@ -304,7 +304,7 @@ class Executor:
             if entity._destroyed or (group is not None and not group.beginning_execution(entity)):
                 continue
             try:
-                call: Call | None = entity._take_call()
+                call: Call | None = entity._rw_take_call()
             except BaseException:
                 if group is not None:
                     group.ending_execution(entity)

@@ -38,7 +38,7 @@ class GuardCondition:
         self._triggered = True
         host.wake()
 
-    def _take_call(self) -> Callable[[], Any] | None:
+    def _rw_take_call(self) -> Callable[[], Any] | None:
         """Take the call that is due; what remains is to make it."""
         if not self._triggered:
             return None

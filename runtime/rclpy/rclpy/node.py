@@ -5,6 +5,7 @@ from collections.abc import Callable, Sequence
 from types import TracebackType
 from typing import Any
 
+from rclpy._rclpy_pybind11 import NodeNameNonExistentError as NodeNameNonExistentError  # noqa: F401
 from rclpy.callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from rclpy.client import Client
 from rclpy.clock import Clock
@@ -64,10 +65,6 @@ __getattr__ = names_of(__name__, {
 })
 
 
-class NodeNameNonExistentError(RuntimeError):
-    """The graph has no such node."""
-
-
 class Node(NodeParameters, NodeGraph):
     """Has a name in the graph, and makes what speaks there."""
 
@@ -84,21 +81,21 @@ class Node(NodeParameters, NodeGraph):
         self._services: list[Service] = []
         self._timers: list[Timer] = []
         self._guards: list[GuardCondition] = []
-        self._rates: list[Rate] = []
-        self._waitables: list[Any] = []
-        self._used_types: dict[str, str] = {}
-        self._executor: Any = None
-        self._rosout: Publisher | None = None
+        self._rw_rates: list[Rate] = []
+        self._rw_waitables: list[Any] = []
+        self._rw_used_types: dict[str, str] = {}
+        self._rw_executor: Any = None
+        self._rw_rosout: Publisher | None = None
         self._parameter_event_publisher: Publisher | None = None
         self._default_callback_group: CallbackGroup = MutuallyExclusiveCallbackGroup()
-        self._destroyed = False
-        self._begin(node_name, context, cli_args, namespace, use_global_arguments)
+        self._rw_destroyed = False
+        self._rw_begin(node_name, context, cli_args, namespace, use_global_arguments)
         if enable_rosout and self._context._arguments.log_rosout:
             from rcl_interfaces.msg import Log
-            self._rosout = self.create_publisher(Log, ROSOUT_TOPIC, rosout_qos_profile)
-            self._publishers.remove(self._rosout)
-            rosout.add(self._logger.name, self._rosout)
-        self._begin_parameters(parameter_overrides, allow_undeclared_parameters)
+            self._rw_rosout = self.create_publisher(Log, ROSOUT_TOPIC, rosout_qos_profile)
+            self._publishers.remove(self._rw_rosout)
+            rosout.add(self._logger.name, self._rw_rosout)
+        self._rw_begin_parameters(parameter_overrides, allow_undeclared_parameters)
         from rcl_interfaces.msg import ParameterEvent
         self._parameter_event_publisher = self.create_publisher(
             ParameterEvent, EVENTS_TOPIC, qos_profile_parameter_events)
@@ -144,20 +141,20 @@ class Node(NodeParameters, NodeGraph):
 
     @property
     def waitables(self) -> list[Any]:
-        return self._waitables
+        return self._rw_waitables
 
     @property
     def executor(self) -> Any:
-        return self._executor
+        return self._rw_executor
 
     @executor.setter
     def executor(self, new_executor: Any) -> None:
-        current = self._executor
+        current = self._rw_executor
         if current is new_executor:
             return
         if current is not None:
             current.remove_node(self)
-        self._executor = new_executor
+        self._rw_executor = new_executor
         if new_executor is not None:
             new_executor.add_node(self)
 
@@ -173,26 +170,26 @@ class Node(NodeParameters, NodeGraph):
         return self
 
     def add_waitable(self, waitable: Any) -> None:
-        self._waitables.append(waitable)
+        self._rw_waitables.append(waitable)
         changes.add()
         host.wake()
 
     def remove_waitable(self, waitable: Any) -> None:
-        self._waitables.remove(waitable)
+        self._rw_waitables.remove(waitable)
         changes.add()
         host.wake()
 
     # ---- what it makes
 
-    def _endpoint(
+    def _rw_endpoint(
         self, kind: EndpointKind, interface: Any, full_name: str, qos: QoSProfile
     ) -> host.Endpoint:
         name = type_name(interface)
         hash_ = type_hash(name)
-        self._used_types[hash_] = name
-        return host.Endpoint(kind, self._bus_node, full_name, name, hash_, to_bus(qos))
+        self._rw_used_types[hash_] = name
+        return host.Endpoint(kind, self._rw_bus_node, full_name, name, hash_, to_bus(qos))
 
-    def _closed(self, qos: QoSProfile, topic: str, others: EndpointKind) -> QoSProfile:
+    def _rw_closed(self, qos: QoSProfile, topic: str, others: EndpointKind) -> QoSProfile:
         """Without open policies: they are chosen by those who are on the topic already."""
         if not best_available.is_open(qos):
             return qos
@@ -215,16 +212,16 @@ class Node(NodeParameters, NodeGraph):
     ) -> Any:
         qos = self._validate_qos_or_depth_parameter(qos_profile)
         check_is_valid_msg_type(msg_type)
-        full = self._resolve(topic, False)
+        full = self._rw_resolve(topic, False)
         if qos_overriding_options is not None:
             qos = declare_qos_parameters(Publisher, self, full, qos, qos_overriding_options)
-        qos = self._closed(qos, full, EndpointKind.SUBSCRIPTION)
-        endpoint = self._endpoint(EndpointKind.PUBLISHER, msg_type, full, qos)
+        qos = self._rw_closed(qos, full, EndpointKind.SUBSCRIPTION)
+        endpoint = self._rw_endpoint(EndpointKind.PUBLISHER, msg_type, full, qos)
         publisher = publisher_class(
             endpoint, msg_type, full, qos, event_callbacks or PublisherEventCallbacks(),
             callback_group or self.default_callback_group, self._logger.name)
         self._publishers.append(publisher)
-        self._adopt_events(publisher)
+        self._rw_adopt_events(publisher)
         return publisher
 
     def create_subscription(
@@ -234,26 +231,26 @@ class Node(NodeParameters, NodeGraph):
     ) -> Subscription:
         qos = self._validate_qos_or_depth_parameter(qos_profile)
         check_is_valid_msg_type(msg_type)
-        full = self._resolve(topic, False)
+        full = self._rw_resolve(topic, False)
         if qos_overriding_options is not None:
             qos = declare_qos_parameters(Subscription, self, full, qos, qos_overriding_options)
         group = callback_group or self.default_callback_group
-        qos = self._closed(qos, full, EndpointKind.PUBLISHER)
-        endpoint = self._endpoint(EndpointKind.SUBSCRIPTION, msg_type, full, qos)
+        qos = self._rw_closed(qos, full, EndpointKind.PUBLISHER)
+        endpoint = self._rw_endpoint(EndpointKind.SUBSCRIPTION, msg_type, full, qos)
         subscription = Subscription(
             endpoint, msg_type, full, callback, group, qos, raw, event_callbacks or SubscriptionEventCallbacks(),
             self._logger.name)
-        self._add(self._subscriptions, subscription, group)
-        self._adopt_events(subscription)
+        self._rw_add(self._subscriptions, subscription, group)
+        self._rw_adopt_events(subscription)
         return subscription
 
-    def _add(self, to: list[Any], entity: Any, group: CallbackGroup) -> None:
+    def _rw_add(self, to: list[Any], entity: Any, group: CallbackGroup) -> None:
         to.append(entity)
         group.add_entity(entity)
         changes.add()
         host.wake()
 
-    def _adopt_events(self, owner: Any) -> None:
+    def _rw_adopt_events(self, owner: Any) -> None:
         for handler in owner.event_handlers:
             self.add_waitable(handler)
 
@@ -262,34 +259,34 @@ class Node(NodeParameters, NodeGraph):
         callback_group: CallbackGroup | None = None
     ) -> Client:
         check_is_valid_srv_type(srv_type)
-        full = self._resolve(srv_name, True)
-        client = self._client(srv_type, full, qos_profile, callback_group or self.default_callback_group)
+        full = self._rw_resolve(srv_name, True)
+        client = self._rw_client(srv_type, full, qos_profile, callback_group or self.default_callback_group)
         client._events = ServiceEvents(self, srv_type, full)
-        self._add(self._clients, client, client.callback_group)
+        self._rw_add(self._clients, client, client.callback_group)
         return client
 
-    def _client(self, srv_type: Any, full_name: str, qos: QoSProfile, group: CallbackGroup) -> Client:
+    def _rw_client(self, srv_type: Any, full_name: str, qos: QoSProfile, group: CallbackGroup) -> Client:
         """One that the node does not list."""
-        endpoint = self._endpoint(EndpointKind.CLIENT, srv_type, full_name, qos)
+        endpoint = self._rw_endpoint(EndpointKind.CLIENT, srv_type, full_name, qos)
         return Client(
-            self._context, endpoint, srv_type, full_name, qos, group, self._logger.name, lambda: self._executor)
+            self._context, endpoint, srv_type, full_name, qos, group, self._logger.name, lambda: self._rw_executor)
 
     def create_service(
         self, srv_type: Any, srv_name: str, callback: Callable[[Any, Any], Any], *,
         qos_profile: QoSProfile = qos_profile_services_default, callback_group: CallbackGroup | None = None
     ) -> Service:
         check_is_valid_srv_type(srv_type)
-        full = self._resolve(srv_name, True)
-        service = self._service(srv_type, full, callback, qos_profile, callback_group or self.default_callback_group)
+        full = self._rw_resolve(srv_name, True)
+        service = self._rw_service(srv_type, full, callback, qos_profile, callback_group or self.default_callback_group)
         service._events = ServiceEvents(self, srv_type, full)
-        self._add(self._services, service, service.callback_group)
+        self._rw_add(self._services, service, service.callback_group)
         return service
 
-    def _service(
+    def _rw_service(
         self, srv_type: Any, full_name: str, callback: Callable[[Any, Any], Any], qos: QoSProfile, group: CallbackGroup
     ) -> Service:
         """One that the node does not list."""
-        endpoint = self._endpoint(EndpointKind.SERVER, srv_type, full_name, qos)
+        endpoint = self._rw_endpoint(EndpointKind.SERVER, srv_type, full_name, qos)
         return Service(endpoint, srv_type, full_name, callback, group, qos, self._logger.name)
 
     def create_timer(
@@ -300,7 +297,7 @@ class Node(NodeParameters, NodeGraph):
         timer = Timer(
             callback, group, int(float(timer_period_sec) * S_TO_NS), clock or self._clock, context=self._context,
             autostart=autostart)
-        self._add(self._timers, timer, group)
+        self._rw_add(self._timers, timer, group)
         return timer
 
     def create_guard_condition(
@@ -308,7 +305,7 @@ class Node(NodeParameters, NodeGraph):
     ) -> GuardCondition:
         group = callback_group or self.default_callback_group
         guard = GuardCondition(callback, group, context=self._context)
-        self._add(self._guards, guard, group)
+        self._rw_add(self._guards, guard, group)
         return guard
 
     def create_rate(self, frequency: float, clock: Clock | None = None) -> Rate:
@@ -318,17 +315,17 @@ class Node(NodeParameters, NodeGraph):
         timer = Timer(
             None, ReentrantCallbackGroup(), int(1 / frequency * S_TO_NS), clock or self._clock, context=self._context)
         rate = Rate(timer, context=self._context)
-        self._rates.append(rate)
+        self._rw_rates.append(rate)
         return rate
 
     # ---- what it ends
 
-    def _drop(self, of: list[Any], entity: Any) -> bool:
+    def _rw_drop(self, of: list[Any], entity: Any) -> bool:
         if entity not in of:
             return False
         for handler in getattr(entity, 'event_handlers', ()):
-            if handler in self._waitables:
-                self._waitables.remove(handler)
+            if handler in self._rw_waitables:
+                self._rw_waitables.remove(handler)
         of.remove(entity)
         entity.destroy()
         changes.add()
@@ -336,48 +333,48 @@ class Node(NodeParameters, NodeGraph):
         return True
 
     def destroy_publisher(self, publisher: Publisher) -> bool:
-        return self._drop(self._publishers, publisher)
+        return self._rw_drop(self._publishers, publisher)
 
     def destroy_subscription(self, subscription: Subscription) -> bool:
-        return self._drop(self._subscriptions, subscription)
+        return self._rw_drop(self._subscriptions, subscription)
 
     def destroy_client(self, client: Client) -> bool:
-        return self._drop(self._clients, client)
+        return self._rw_drop(self._clients, client)
 
     def destroy_service(self, service: Service) -> bool:
-        return self._drop(self._services, service)
+        return self._rw_drop(self._services, service)
 
     def destroy_timer(self, timer: Timer) -> bool:
-        return self._drop(self._timers, timer)
+        return self._rw_drop(self._timers, timer)
 
     def destroy_guard_condition(self, guard: GuardCondition) -> bool:
-        return self._drop(self._guards, guard)
+        return self._rw_drop(self._guards, guard)
 
     def destroy_rate(self, rate: Rate) -> bool:
-        return self._drop(self._rates, rate)
+        return self._rw_drop(self._rw_rates, rate)
 
     def destroy_node(self) -> None:
         """Destroy the node and all that it made."""
-        if self._destroyed:
+        if self._rw_destroyed:
             return
-        self._destroyed = True
-        executor, self._executor = self._executor, None
+        self._rw_destroyed = True
+        executor, self._rw_executor = self._rw_executor, None
         if executor is not None:
             executor.remove_node(self)
         self._time_source.detach_node()
-        if self._rosout is not None:
-            rosout.remove(self._logger.name, self._rosout)
-            self._rosout.destroy()
+        if self._rw_rosout is not None:
+            rosout.remove(self._logger.name, self._rw_rosout)
+            self._rw_rosout.destroy()
         self._parameter_event_publisher = None
-        for waitable in list(self._waitables):
+        for waitable in list(self._rw_waitables):
             waitable.destroy()
-        self._waitables.clear()
+        self._rw_waitables.clear()
         made: list[list[Any]] = [self._publishers, self._subscriptions, self._clients, self._services, self._timers,
-                                 self._guards, self._rates]
+                                 self._guards, self._rw_rates]
         for entities in made:
             for entity in list(entities):
-                self._drop(entities, entity)
-        host.node_destroy(self._bus_node)
+                self._rw_drop(entities, entity)
+        host.node_destroy(self._rw_bus_node)
 
     def __enter__(self) -> Node:
         return self

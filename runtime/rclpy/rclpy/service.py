@@ -63,7 +63,7 @@ class Service:
         if self._events is not None:
             self._events.tell('RESPONSE_SENT', header.related_gid, header.related_sequence, response)
 
-    def _take_call(self) -> Callable[[], Any] | None:
+    def _rw_take_call(self) -> Callable[[], Any] | None:
         taken = self._take_request()
         return None if taken is None else partial(self._answer, *taken)
 

@@ -35,7 +35,7 @@ class ServiceEvents:
         if self._state is ServiceIntrospectionState.OFF:
             self.destroy()
         elif self._endpoint is None:
-            self._endpoint = self._node._endpoint(
+            self._endpoint = self._node._rw_endpoint(
                 EndpointKind.PUBLISHER, self._type.Event, self._name + TOPIC_POSTFIX, qos_profile)
 
     def tell(self, kind: str, client_gid: bytes, sequence: int, message: Any) -> None:

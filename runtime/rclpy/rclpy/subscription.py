@@ -84,7 +84,7 @@ class Subscription:
             'reception_sequence_number': None,
         }
 
-    def _take_call(self) -> Callable[[], Any] | None:
+    def _rw_take_call(self) -> Callable[[], Any] | None:
         """Take the next message; what remains is to call the callback with it."""
         if self._with_info:
             found = self.take_message()

@@ -75,7 +75,7 @@ class TimeSource:
             return
         name = self._node.resolve_topic_name(CLOCK_TOPIC)
         endpoint = host.Endpoint(
-            EndpointKind.SUBSCRIPTION, self._node._bus_node, name, 'rosgraph_msgs/msg/Clock',
+            EndpointKind.SUBSCRIPTION, self._node._rw_bus_node, name, 'rosgraph_msgs/msg/Clock',
             type_hash('rosgraph_msgs/msg/Clock'),
             to_bus(QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)))
         self._endpoint = endpoint

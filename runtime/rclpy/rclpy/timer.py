@@ -110,7 +110,7 @@ class Timer:
             else:
                 self._next_ns += ((now - self._next_ns) // self._period_ns + 1) * self._period_ns
 
-    def _take_call(self) -> Callable[[], Any] | None:
+    def _rw_take_call(self) -> Callable[[], Any] | None:
         """Take the call that is due; what remains is to make it."""
         if not self.is_ready():
             return None

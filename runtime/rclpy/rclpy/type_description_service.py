@@ -37,7 +37,7 @@ class TypeDescriptionService:
             self._node.get_logger().error(f"Failed to parse type hash '{request.type_hash}'")
             response.failure_reason = 'Failed to parse type hash'
             return response
-        name = self._node._used_types.get(request.type_hash)
+        name = self._node._rw_used_types.get(request.type_hash)
         if name is None:
             response.failure_reason = 'Type not currently in use by this node'
             return response

@@ -4,19 +4,12 @@ from __future__ import annotations
 import sys
 from collections.abc import Sequence
 
+from rclpy._rclpy_pybind11 import UnknownROSArgsError as UnknownROSArgsError  # noqa: F401
 from rclpy.constants import S_TO_NS
 from rclpy.context import Context
 from ros2wasm.arguments import parse
 
 g_default_context: Context | None = None
-
-
-class UnknownROSArgsError(RuntimeError):
-    """Between --ros-args and -- stands what nobody knows."""
-
-    def __init__(self, arguments: Sequence[str]) -> None:
-        super().__init__(f"Found unknown ROS arguments: {list(arguments)}")
-        self.arguments = list(arguments)
 
 
 def get_default_context(*, shutting_down: bool = False) -> Context:

@@ -53,7 +53,7 @@ class Waitable:
         self._executor_event = False
         self._futures: list[Future] = []
         #: It was ready, and its data has not been taken since.
-        self._due = False
+        self._rw_due = False
 
     def __enter__(self) -> Waitable:
         return self
@@ -82,21 +82,21 @@ class Waitable:
     def add_to_wait_set(self, wait_set: WaitSet) -> None:
         raise NotImplementedError('Must be implemented by subclass')
 
-    def _handles(self) -> list[int]:
+    def _rw_handles(self) -> list[int]:
         """Endpoints whose messages make it ready."""
         return []
 
-    def _ready(self) -> bool:
+    def _rw_ready(self) -> bool:
         """Whether something else made it ready."""
-        if not self._due:
+        if not self._rw_due:
             wait_set = WaitSet()
             self.add_to_wait_set(wait_set)
-            self._due = bool(self.is_ready(wait_set))
-        return self._due
+            self._rw_due = bool(self.is_ready(wait_set))
+        return self._rw_due
 
-    def _take_call(self) -> Callable[[], Any] | None:
+    def _rw_take_call(self) -> Callable[[], Any] | None:
         """Take what is there; what remains is to call. None: nothing is."""
-        self._due = False
+        self._rw_due = False
         return partial(self.execute, self.take_data())
 
     def destroy(self) -> None:

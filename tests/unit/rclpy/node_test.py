@@ -12,6 +12,16 @@ from unittest import mock
 from tests.unit.rclpy.fake_bus import BusTest
 
 
+#: Names between the lines that rclpy's nodes have too: those who take them for their own break their node natively.
+UPSTREAM_PRIVATE = frozenset('''
+    _allow_undeclared_parameters _clients _clock _context _default_callback_group _descriptors _guards _logger
+    _logger_service _managed_entities _on_set_parameters_callbacks _parameter_event_publisher _parameter_overrides
+    _parameter_service _parameters _post_set_parameters_callbacks _pre_set_parameters_callbacks _publishers _services
+    _state_machine _subscriptions _time_source _timers _type_description_service _validate_qos_or_depth_parameter
+    _wake_executor
+'''.split())
+
+
 class NodeTest(BusTest):
     def setUp(self) -> None:
         super().setUp()
@@ -47,6 +57,68 @@ class NodeTest(BusTest):
             del calls[name]
         self.assertEqual(dict(calls), {'write': 1, 'look': 1})
         self.assertEqual(len(heard), 3)
+
+    # Compatibility, works: any name for attributes and methods of one's own in a node (rclpy) that natively is free; in
+    # managed nodes too
+
+    def test_a_node_may_have_any_name_of_its_own(self) -> None:
+        lifecycle = importlib.import_module('rclpy.lifecycle')
+        for kind in (self.rclpy.node.Node, lifecycle.LifecycleNode):
+            node = kind(f'plain_{kind.__name__}', context=self.context)
+            taken = {name for name in dir(node) if name.startswith('_') and not name.startswith(('__', '_rw_'))}
+            self.assertLessEqual(taken, UPSTREAM_PRIVATE)
+            node.destroy_node()
+
+    def test_names_of_a_users_node_do_not_reach_into_ours(self) -> None:
+        string = importlib.import_module('std_msgs.msg').String
+        fibonacci = importlib.import_module('example_interfaces.action').Fibonacci
+        action = importlib.import_module('rclpy.action')
+        trigger, context = self.trigger, self.context
+
+        class Robot(self.rclpy.node.Node):  # type: ignore[name-defined,misc]
+            def __init__(self) -> None:
+                super().__init__('robot', namespace='lab', context=context)
+                self._name, self._namespace, self._executor = 'bob', '/elsewhere', object()
+                self._client = self.create_client(trigger, 'first')
+                self._service = self.create_service(trigger, 'second', self._call)
+                self._count = self._check = self._set = self._store = self._tell = self._add = self._ask = 0
+                self._endpoint = self._closed = self._resolve = self._expand = self._destroyed = self._rates = None
+                self.more = (self.create_client(trigger, 'third'), self.create_service(trigger, 'fourth', self._call),
+                             self.create_publisher(string, 'words', 1), self.create_rate(1.0),
+                             action.ActionClient(self, fibonacci, 'count'),
+                             action.ActionServer(self, fibonacci, 'count', lambda goal: fibonacci.Result()))
+                self.declare_parameter('speed', 1.0)
+                self.set_parameters([importlib.import_module('rclpy.parameter').Parameter('speed', value=2.0)])
+
+            def _begin(self) -> None:
+                raise AssertionError
+
+            def _call(self, request: Any, response: Any) -> Any:
+                return response
+
+        robot = Robot()
+        self.executor.add_node(robot)
+        self.assertEqual(robot.get_fully_qualified_name(), '/lab/robot')
+        self.assertEqual(robot.resolve_topic_name('words'), '/lab/words')
+        robot.count_publishers('words')
+        self.assertEqual(robot.get_parameter('speed').value, 2.0)
+        self.executor.remove_node(robot)
+        robot.destroy_node()
+
+    def test_errors_of_the_c_extension_are_caught_by_their_names_there(self) -> None:
+        extension = importlib.import_module('rclpy._rclpy_pybind11')
+        self.assertIs(self.rclpy._rclpy_pybind11, extension)
+        context = self.rclpy.context.Context()
+        context.init(args=[])
+        context.shutdown()
+        with self.assertRaises(extension.RCLError):
+            context.shutdown()
+        with self.assertRaises(extension.NodeNameNonExistentError):
+            self.own.get_publisher_names_and_types_by_node('nobody', '/')
+        publisher = self.own.create_publisher(importlib.import_module('std_msgs.msg').String, 'gone', 1)
+        self.own.destroy_publisher(publisher)
+        with self.assertRaises(extension.InvalidHandle):
+            publisher.publish(importlib.import_module('std_msgs.msg').String())
 
     def test_bytes_that_end_before_their_message_are_refused(self) -> None:
         """What an earlier, longer message left behind them is not read."""

@@ -41,7 +41,6 @@ LACKING: dict[str, str] = {
        for owner in ('rclpy.event_handler.EventHandler', 'rclpy.qos_event.QoSEventHandler')
        for name in ('add_to_wait_set', 'execute', 'get_num_entities', 'is_ready', 'take_data')},
     'rclpy.action.server.ActionServer.notify_goal_done': WAIT_SET,
-    'rclpy.action.server.RCLError': 'an error of rcl',
     'rclpy.client.Client.__init__': HANDLE,
     'rclpy.publisher.Publisher.__init__': HANDLE,
     'rclpy.service.Service.__init__': HANDLE,

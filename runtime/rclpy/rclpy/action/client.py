@@ -91,11 +91,11 @@ class ActionClient(ActionEntity):
         impl = action_type.Impl
 
         def ask(service: Any, part: str, qos: QoSProfile) -> Client:
-            client: Client = node._client(service, self._part(part), qos, self.callback_group)
+            client: Client = node._rw_client(service, self._part(part), qos, self.callback_group)
             return client
 
         def read(message: Any, part: str, qos: QoSProfile) -> Any:
-            return node._endpoint(EndpointKind.SUBSCRIPTION, message, self._part(part), qos)
+            return node._rw_endpoint(EndpointKind.SUBSCRIPTION, message, self._part(part), qos)
         self._goal_client = ask(impl.SendGoalService, 'send_goal', goal_service_qos_profile)
         self._cancel_client = ask(impl.CancelGoalService, 'cancel_goal', cancel_service_qos_profile)
         self._result_client = ask(impl.GetResultService, 'get_result', result_service_qos_profile)
@@ -110,13 +110,13 @@ class ActionClient(ActionEntity):
 
     # ---- for the executor
 
-    def _handles(self) -> list[int]:
+    def _rw_handles(self) -> list[int]:
         return [one.handle for one in (*(client._endpoint for client in self._clients), self._feedback, self._statuses)]
 
-    def _ready(self) -> bool:
+    def _rw_ready(self) -> bool:
         return bool(self._late)
 
-    def _take_call(self) -> Callable[[], Any] | None:
+    def _rw_take_call(self) -> Callable[[], Any] | None:
         if self._goal_client._receive() or self._cancel_client._receive() or self._take_status():
             return lambda: None
         # Before a result, with which a goal has no feedback any more.

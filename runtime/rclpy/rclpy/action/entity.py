@@ -35,7 +35,7 @@ class ActionEntity(Waitable):
         self.callback_group.add_entity(self)
         self._node.add_waitable(self)
 
-    def _ready(self) -> bool:
+    def _rw_ready(self) -> bool:
         return False
 
     def destroy(self) -> None:

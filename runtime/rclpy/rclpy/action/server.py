@@ -22,6 +22,7 @@ from rclpy.time import Time
 from ros2wasm.constants import EndpointKind
 
 __getattr__ = names_of(__name__, {
+    'rclpy._rclpy_pybind11': 'RCLError',
     'rclpy.type_support': 'check_for_type_support',
     'rclpy.waitable': 'NumberOfEntities Waitable',
 })
@@ -207,11 +208,11 @@ class ActionServer(ActionEntity):
 
         def serve(service: Any, part: str, act: Callable[[Any, Any], Any], qos: QoSProfile) -> Service:
             # Answered when there is an answer, so that `act` gets the request's header in place of a response.
-            made: Service = node._service(service, self._part(part), act, qos, self.callback_group)
+            made: Service = node._rw_service(service, self._part(part), act, qos, self.callback_group)
             return made
 
         def publish(message: Any, part: str, qos: QoSProfile) -> Any:
-            return node._endpoint(EndpointKind.PUBLISHER, message, self._part(part), qos)
+            return node._rw_endpoint(EndpointKind.PUBLISHER, message, self._part(part), qos)
         self._goal_service = serve(impl.SendGoalService, 'send_goal', self._on_goal, goal_service_qos_profile)
         self._cancel_service = serve(
             impl.CancelGoalService, 'cancel_goal', self._on_cancel, cancel_service_qos_profile)
@@ -253,10 +254,10 @@ class ActionServer(ActionEntity):
 
     # ---- for the executor
 
-    def _handles(self) -> list[int]:
+    def _rw_handles(self) -> list[int]:
         return [service._endpoint.handle for service in self._services]
 
-    def _take_call(self) -> Callable[[], Any] | None:
+    def _rw_take_call(self) -> Callable[[], Any] | None:
         for service in self._services:
             taken = service._take_request()
             if taken is not None:

@@ -5,6 +5,7 @@ import time
 from collections.abc import Callable, Iterable
 from typing import Any
 
+from rclpy._rclpy_pybind11 import NodeNameNonExistentError
 from rclpy.impl.node_base import NodeBase
 from rclpy.topic_endpoint_info import TopicEndpointInfo, TopicEndpointTypeEnum
 from ros2wasm import background, host, names
@@ -24,39 +25,38 @@ def gather(endpoints: Iterable[GraphEndpoint]) -> NamesAndTypes:
 
 
 class NodeGraph(NodeBase):
-    def _endpoints(self, *kinds: EndpointKind) -> list[GraphEndpoint]:
+    def _rw_endpoints(self, *kinds: EndpointKind) -> list[GraphEndpoint]:
         return [one for one in host.graph()[1] if one.kind in kinds]
 
-    def _of_node(self, node_name: str, node_namespace: str, kind: EndpointKind) -> NamesAndTypes:
+    def _rw_of_node(self, node_name: str, node_namespace: str, kind: EndpointKind) -> NamesAndTypes:
         space = node_namespace or '/'
         if not any(one.name == node_name and one.namespace == space for one in host.graph()[0]):
-            from rclpy.node import NodeNameNonExistentError
             raise NodeNameNonExistentError(
                 f"Cannot get names and types for nonexistent node: name '{node_name}' namespace '{space}'")
-        return gather(one for one in self._endpoints(kind)
+        return gather(one for one in self._rw_endpoints(kind)
                       if one.node.name == node_name and one.node.namespace == space)
 
     def get_publisher_names_and_types_by_node(
         self, node_name: str, node_namespace: str, no_demangle: bool = False
     ) -> NamesAndTypes:
-        return self._of_node(node_name, node_namespace, EndpointKind.PUBLISHER)
+        return self._rw_of_node(node_name, node_namespace, EndpointKind.PUBLISHER)
 
     def get_subscriber_names_and_types_by_node(
         self, node_name: str, node_namespace: str, no_demangle: bool = False
     ) -> NamesAndTypes:
-        return self._of_node(node_name, node_namespace, EndpointKind.SUBSCRIPTION)
+        return self._rw_of_node(node_name, node_namespace, EndpointKind.SUBSCRIPTION)
 
     def get_service_names_and_types_by_node(self, node_name: str, node_namespace: str) -> NamesAndTypes:
-        return self._of_node(node_name, node_namespace, EndpointKind.SERVER)
+        return self._rw_of_node(node_name, node_namespace, EndpointKind.SERVER)
 
     def get_client_names_and_types_by_node(self, node_name: str, node_namespace: str) -> NamesAndTypes:
-        return self._of_node(node_name, node_namespace, EndpointKind.CLIENT)
+        return self._rw_of_node(node_name, node_namespace, EndpointKind.CLIENT)
 
     def get_topic_names_and_types(self, no_demangle: bool = False) -> NamesAndTypes:
-        return gather(self._endpoints(EndpointKind.PUBLISHER, EndpointKind.SUBSCRIPTION))
+        return gather(self._rw_endpoints(EndpointKind.PUBLISHER, EndpointKind.SUBSCRIPTION))
 
     def get_service_names_and_types(self) -> NamesAndTypes:
-        return gather(self._endpoints(EndpointKind.SERVER, EndpointKind.CLIENT))
+        return gather(self._rw_endpoints(EndpointKind.SERVER, EndpointKind.CLIENT))
 
     def get_node_names(self) -> list[str]:
         return [one.name for one in host.graph()[0]]
@@ -70,39 +70,39 @@ class NodeGraph(NodeBase):
     def get_node_names_and_namespaces_with_enclaves(self) -> list[tuple[str, str, str]]:
         return [(one.name, one.namespace, '/') for one in host.graph()[0]]
 
-    def _count(self, name: str, kind: EndpointKind, is_service: bool) -> int:
-        full = self._resolve(name, is_service)
-        return sum(one.name == full for one in self._endpoints(kind))
+    def _rw_count(self, name: str, kind: EndpointKind, is_service: bool) -> int:
+        full = self._rw_resolve(name, is_service)
+        return sum(one.name == full for one in self._rw_endpoints(kind))
 
     def count_publishers(self, topic_name: str) -> int:
-        return self._count(topic_name, EndpointKind.PUBLISHER, False)
+        return self._rw_count(topic_name, EndpointKind.PUBLISHER, False)
 
     def count_subscribers(self, topic_name: str) -> int:
-        return self._count(topic_name, EndpointKind.SUBSCRIPTION, False)
+        return self._rw_count(topic_name, EndpointKind.SUBSCRIPTION, False)
 
     def count_clients(self, service_name: str) -> int:
-        return self._count(service_name, EndpointKind.CLIENT, True)
+        return self._rw_count(service_name, EndpointKind.CLIENT, True)
 
     def count_services(self, service_name: str) -> int:
-        return self._count(service_name, EndpointKind.SERVER, True)
+        return self._rw_count(service_name, EndpointKind.SERVER, True)
 
-    def _infos(self, topic_name: str, no_mangle: bool, kind: EndpointKind) -> list[TopicEndpointInfo]:
-        full = topic_name if no_mangle else self._resolve(topic_name, False)
+    def _rw_infos(self, topic_name: str, no_mangle: bool, kind: EndpointKind) -> list[TopicEndpointInfo]:
+        full = topic_name if no_mangle else self._rw_resolve(topic_name, False)
         return [TopicEndpointInfo._from_graph(one, TopicEndpointTypeEnum(int(kind)))
-                for one in self._endpoints(kind) if one.name == full]
+                for one in self._rw_endpoints(kind) if one.name == full]
 
     def get_publishers_info_by_topic(self, topic_name: str, no_mangle: bool = False) -> list[TopicEndpointInfo]:
-        return self._infos(topic_name, no_mangle, EndpointKind.PUBLISHER)
+        return self._rw_infos(topic_name, no_mangle, EndpointKind.PUBLISHER)
 
     def get_subscriptions_info_by_topic(self, topic_name: str, no_mangle: bool = False) -> list[TopicEndpointInfo]:
-        return self._infos(topic_name, no_mangle, EndpointKind.SUBSCRIPTION)
+        return self._rw_infos(topic_name, no_mangle, EndpointKind.SUBSCRIPTION)
 
     def wait_for_node(self, fully_qualified_node_name: str, timeout: float) -> bool:
         wanted = fully_qualified_node_name
         wanted = wanted if wanted.startswith('/') else f'/{wanted}'
-        return self._wait_for_graph(lambda: wanted in self.get_fully_qualified_node_names(), timeout)
+        return self._rw_wait_for_graph(lambda: wanted in self.get_fully_qualified_node_names(), timeout)
 
-    def _wait_for_graph(self, holds: Callable[[], Any], timeout: float) -> bool:
+    def _rw_wait_for_graph(self, holds: Callable[[], Any], timeout: float) -> bool:
         end = time.monotonic_ns() + int(timeout * NS)
         while self._context.ok():
             token = host.wake_token()

@@ -25,14 +25,14 @@ class NodeParameters(NodeBase):
 
     _parameter_event_publisher: Any
 
-    def _begin_parameters(self, given: Sequence[Parameter] | None, allow_undeclared: bool) -> None:
+    def _rw_begin_parameters(self, given: Sequence[Parameter] | None, allow_undeclared: bool) -> None:
         self._parameters: dict[str, Parameter] = {}
         self._descriptors: dict[str, Any] = {}
         self._allow_undeclared_parameters = allow_undeclared
         self._pre_set_parameters_callbacks: list[Callable[[list[Parameter]], list[Parameter]]] = []
         self._on_set_parameters_callbacks: list[Callable[[list[Parameter]], Any]] = []
         self._post_set_parameters_callbacks: list[Callable[[list[Parameter]], None]] = []
-        found = overrides(self._sources, self.get_fully_qualified_name())
+        found = overrides(self._rw_sources, self.get_fully_qualified_name())
         self._parameter_overrides = {name: Parameter(name, value=value) for name, value in found.items()}
         self._parameter_overrides.update({one.name: one for one in given or ()})
 
@@ -63,7 +63,7 @@ class NodeParameters(NodeBase):
             if namespace:
                 name = f'{namespace}.{name}'
             validate_parameter_name(name)
-            value, descriptor = self._declaration(name, one)
+            value, descriptor = self._rw_declaration(name, one)
             if not ignore_override and name in self._parameter_overrides:
                 value = self._parameter_overrides[name].value
             declared.append(Parameter(name, value=value))
@@ -72,10 +72,10 @@ class NodeParameters(NodeBase):
         if already:
             raise ParameterAlreadyDeclaredException(already)
         for parameter in declared:
-            self._declare(parameter, descriptors[parameter.name])
+            self._rw_declare(parameter, descriptors[parameter.name])
         return [self._parameters[one.name] for one in declared]
 
-    def _declaration(self, name: str, one: tuple[Any, ...]) -> tuple[Any, Any]:
+    def _rw_declaration(self, name: str, one: tuple[Any, ...]) -> tuple[Any, Any]:
         """The default value and the descriptor that a declaration means."""
         descriptor = one[2] if len(one) > 2 else ParameterDescriptor()
         if not isinstance(descriptor, ParameterDescriptor):
@@ -105,12 +105,12 @@ class NodeParameters(NodeBase):
             raise ValueError(f'Cannot declare a statically typed parameter {{{name}}} without a value or a type')
         return value, descriptor
 
-    def _declare(self, parameter: Parameter, descriptor: Any) -> None:
+    def _rw_declare(self, parameter: Parameter, descriptor: Any) -> None:
         event = ParameterEvent()
         if parameter.type_ != Parameter.Type.NOT_SET:
-            result = self._check(parameter, descriptor, read_only_matters=False)
+            result = self._rw_check(parameter, descriptor, read_only_matters=False)
             if result.successful:
-                result = self._ask([parameter])
+                result = self._rw_ask([parameter])
             if not result.successful:
                 if result.reason.startswith(WRONG_TYPE):
                     raise InvalidParameterTypeException(parameter, Parameter.Type(descriptor.type).name)
@@ -123,7 +123,7 @@ class NodeParameters(NodeBase):
         if parameter.type_ != Parameter.Type.NOT_SET:
             for callback in self._post_set_parameters_callbacks:
                 callback([parameter])
-        self._tell(event)
+        self._rw_tell(event)
 
     def undeclare_parameter(self, name: str) -> None:
         if not self.has_parameter(name):
@@ -211,7 +211,7 @@ class NodeParameters(NodeBase):
         current = self.get_parameter(name)
         if alternative_value is not None:
             current = Parameter(name=name, value=alternative_value)
-        result = self._check(current, descriptor, read_only_matters=False)
+        result = self._rw_check(current, descriptor, read_only_matters=False)
         if not result.successful:
             raise InvalidParameterValueException(name, current.value, result.reason)
         descriptor.name = name
@@ -222,12 +222,12 @@ class NodeParameters(NodeBase):
     # ---- setting
 
     def set_parameters(self, parameter_list: Sequence[Parameter]) -> list[Any]:
-        return [self._set([parameter]) for parameter in parameter_list]
+        return [self._rw_set([parameter]) for parameter in parameter_list]
 
     def set_parameters_atomically(self, parameter_list: Sequence[Parameter]) -> Any:
-        return self._set(list(parameter_list))
+        return self._rw_set(list(parameter_list))
 
-    def _set(self, parameters: list[Parameter]) -> Any:
+    def _rw_set(self, parameters: list[Parameter]) -> Any:
         for callback in self._pre_set_parameters_callbacks:
             parameters = callback(parameters)
         if not parameters:
@@ -241,17 +241,17 @@ class NodeParameters(NodeBase):
         for parameter in parameters:
             if not isinstance(parameter, Parameter):
                 raise TypeError("parameter must be instance of type '{}'".format(repr(Parameter)))
-            result = self._check(parameter, self._descriptors.get(parameter.name, None))
+            result = self._rw_check(parameter, self._descriptors.get(parameter.name, None))
             if not result.successful:
                 return result
-        result = self._ask(parameters)
+        result = self._rw_ask(parameters)
         if result.successful:
-            self._store(parameters)
+            self._rw_store(parameters)
             for tell in self._post_set_parameters_callbacks:
                 tell(parameters)
         return result
 
-    def _store(self, parameters: list[Parameter]) -> None:
+    def _rw_store(self, parameters: list[Parameter]) -> None:
         event = ParameterEvent()
         for parameter in parameters:
             message = parameter.to_parameter_msg()
@@ -272,22 +272,22 @@ class NodeParameters(NodeBase):
                 self._descriptors[parameter.name] = ParameterDescriptor(name=parameter.name, dynamic_typing=True)
             if self._descriptors[parameter.name].dynamic_typing:
                 self._descriptors[parameter.name].type = int(parameter.type_)
-        self._tell(event)
+        self._rw_tell(event)
 
-    def _tell(self, event: Any) -> None:
+    def _rw_tell(self, event: Any) -> None:
         if self._parameter_event_publisher is not None:
             event.node = self.get_fully_qualified_name()
             event.stamp = self._clock.now().to_msg()
             self._parameter_event_publisher.publish(event)
 
-    def _ask(self, parameters: list[Parameter]) -> Any:
+    def _rw_ask(self, parameters: list[Parameter]) -> Any:
         for callback in list(self._on_set_parameters_callbacks):
             result = callback(parameters)
             if not result.successful:
                 return result
         return SetParametersResult(successful=True)
 
-    def _check(self, parameter: Parameter, descriptor: Any, read_only_matters: bool = True) -> Any:
+    def _rw_check(self, parameter: Parameter, descriptor: Any, read_only_matters: bool = True) -> Any:
         """Whether a descriptor allows a value."""
         def refuse(reason: str) -> Any:
             return SetParametersResult(successful=False, reason=reason)
@@ -298,12 +298,12 @@ class NodeParameters(NodeBase):
         if not descriptor.dynamic_typing and descriptor.type != int(parameter.type_):
             return refuse(f"{WRONG_TYPE}, expected '{Parameter.Type(descriptor.type)}' got '{parameter.type_}'")
         if parameter.type_ == Parameter.Type.INTEGER and descriptor.integer_range:
-            return self._check_range(parameter, descriptor.integer_range[0], 0)
+            return self._rw_check_range(parameter, descriptor.integer_range[0], 0)
         if parameter.type_ == Parameter.Type.DOUBLE and descriptor.floating_point_range:
-            return self._check_range(parameter, descriptor.floating_point_range[0], self.PARAM_REL_TOL)
+            return self._rw_check_range(parameter, descriptor.floating_point_range[0], self.PARAM_REL_TOL)
         return SetParametersResult(successful=True)
 
-    def _check_range(self, parameter: Parameter, limits: Any, nearly: float) -> Any:
+    def _rw_check_range(self, parameter: Parameter, limits: Any, nearly: float) -> Any:
         low, high = sorted((limits.from_value, limits.to_value))
         step, value = limits.step, parameter.value
         if any(value == end or math.isclose(value, end, rel_tol=nearly) for end in (low, high)):

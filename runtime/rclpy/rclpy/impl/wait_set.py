@@ -41,7 +41,7 @@ class WaitSet:
         return self._add('timer', timer.is_ready())
 
     def add_event(self, event: Any) -> int:
-        return self._add('event', event._ready())
+        return self._add('event', event._rw_ready())
 
     def add_guard_condition(self, guard: Any) -> int:
         # A trigger is seen once.

@@ -6,6 +6,7 @@ from typing import Any
 
 import lifecycle_msgs.msg
 import lifecycle_msgs.srv
+from rclpy._rclpy_pybind11 import RCLError
 from rclpy.callback_groups import CallbackGroup
 from rclpy.impl.elsewhere import names_of
 from rclpy.lifecycle.managed_entity import ManagedEntity
@@ -46,22 +47,22 @@ class LifecycleNodeMixin(ManagedEntity):
         node: Any = self
         self._state_machine = StateMachine()
         self._managed_entities: list[ManagedEntity] = []
-        self._lifecycle_callbacks: dict[int, Callback] = {
+        self._rw_lifecycle_callbacks: dict[int, Callback] = {
             CONFIGURING: self.on_configure, CLEANINGUP: self.on_cleanup, SHUTTINGDOWN: self.on_shutdown,
             ACTIVATING: self.on_activate, DEACTIVATING: self.on_deactivate, ERRORPROCESSING: self.on_error,
         }
-        self._transition_event_publisher: Any = None
+        self._rw_transition_event_publisher: Any = None
         if not enable_communication_interface:
             return
-        self._transition_event_publisher = node.create_publisher(
+        self._rw_transition_event_publisher = node.create_publisher(
             lifecycle_msgs.msg.TransitionEvent, '~/transition_event', 10, callback_group=callback_group)
         srv = lifecycle_msgs.srv
         for type_, name, answer in (
-            (srv.ChangeState, 'change_state', self._on_change_state),
-            (srv.GetState, 'get_state', self._on_get_state),
-            (srv.GetAvailableStates, 'get_available_states', self._on_get_available_states),
-            (srv.GetAvailableTransitions, 'get_available_transitions', self._on_get_available_transitions),
-            (srv.GetAvailableTransitions, 'get_transition_graph', self._on_get_transition_graph),
+            (srv.ChangeState, 'change_state', self._rw_on_change_state),
+            (srv.GetState, 'get_state', self._rw_on_get_state),
+            (srv.GetAvailableStates, 'get_available_states', self._rw_on_get_available_states),
+            (srv.GetAvailableTransitions, 'get_available_transitions', self._rw_on_get_available_transitions),
+            (srv.GetAvailableTransitions, 'get_transition_graph', self._rw_on_get_transition_graph),
         ):
             node.create_service(type_, f'~/{name}', answer, callback_group=callback_group)
 
@@ -92,7 +93,7 @@ class LifecycleNodeMixin(ManagedEntity):
 
     # ---- callbacks
 
-    def _tell_entities(self, name: str, state: LifecycleState) -> TransitionCallbackReturn:
+    def _rw_tell_entities(self, name: str, state: LifecycleState) -> TransitionCallbackReturn:
         """The first that does not succeed decides."""
         for entity in list(self._managed_entities):
             result: TransitionCallbackReturn = getattr(entity, name)(state)
@@ -101,70 +102,70 @@ class LifecycleNodeMixin(ManagedEntity):
         return TransitionCallbackReturn.SUCCESS
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
-        return self._tell_entities('on_configure', state)
+        return self._rw_tell_entities('on_configure', state)
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
-        return self._tell_entities('on_cleanup', state)
+        return self._rw_tell_entities('on_cleanup', state)
 
     def on_shutdown(self, state: LifecycleState) -> TransitionCallbackReturn:
-        return self._tell_entities('on_shutdown', state)
+        return self._rw_tell_entities('on_shutdown', state)
 
     def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        return self._tell_entities('on_activate', state)
+        return self._rw_tell_entities('on_activate', state)
 
     def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        return self._tell_entities('on_deactivate', state)
+        return self._rw_tell_entities('on_deactivate', state)
 
     def on_error(self, state: LifecycleState) -> TransitionCallbackReturn:
-        return self._tell_entities('on_error', state)
+        return self._rw_tell_entities('on_error', state)
 
     # ---- transitions
 
     def trigger_configure(self) -> TransitionCallbackReturn:
-        return self._change_state('configure')
+        return self._rw_change_state('configure')
 
     def trigger_cleanup(self) -> TransitionCallbackReturn:
-        return self._change_state('cleanup')
+        return self._rw_change_state('cleanup')
 
     def trigger_shutdown(self) -> TransitionCallbackReturn:
-        return self._change_state(SHUTDOWN)
+        return self._rw_change_state(SHUTDOWN)
 
     def trigger_activate(self) -> TransitionCallbackReturn:
-        return self._change_state('activate')
+        return self._rw_change_state('activate')
 
     def trigger_deactivate(self) -> TransitionCallbackReturn:
-        return self._change_state('deactivate')
+        return self._rw_change_state('deactivate')
 
-    def _change_state(self, key: int | str) -> TransitionCallbackReturn:
-        """Begin a transition and call back. RuntimeError: there is none such from here."""
-        step = self._find(key)
+    def _rw_change_state(self, key: int | str) -> TransitionCallbackReturn:
+        """Begin a transition and call back. RCLError: there is none such from here."""
+        step = self._rw_find(key)
         before = self._state_machine.current
-        self._make(step)
-        result = self._call(before)
-        self._make(self._find(LABELS[result]))
+        self._rw_make(step)
+        result = self._rw_call(before)
+        self._rw_make(self._rw_find(LABELS[result]))
         if result == TransitionCallbackReturn.ERROR:
-            handled = self._call(before)
-            self._make(self._find(LABELS[handled]))
+            handled = self._rw_call(before)
+            self._rw_make(self._rw_find(LABELS[handled]))
         return result
 
-    def _find(self, key: int | str) -> Step:
+    def _rw_find(self, key: int | str) -> Step:
         step = self._state_machine.find(key)
         if step is None:
             label = self._state_machine.current.label
             get_logger('rcl_lifecycle').warning(f'No transition matching {key} found for current state {label}')
-            raise RuntimeError(f'Failed to trigger lifecycle state machine transition: Transition is not registered., '
-                               f'current state {label}')
+            raise RCLError(f'Failed to trigger lifecycle state machine transition: Transition is not registered., '
+                           f'current state {label}')
         return step
 
-    def _make(self, step: Step) -> None:
+    def _rw_make(self, step: Step) -> None:
         self._state_machine.state = step.goal
-        if self._transition_event_publisher is not None:
+        if self._rw_transition_event_publisher is not None:
             described = _descriptions([step])[0]
-            self._transition_event_publisher.publish(lifecycle_msgs.msg.TransitionEvent(
+            self._rw_transition_event_publisher.publish(lifecycle_msgs.msg.TransitionEvent(
                 transition=described.transition, start_state=described.start_state, goal_state=described.goal_state))
 
-    def _call(self, before: LifecycleState) -> TransitionCallbackReturn:
-        callback = self._lifecycle_callbacks.get(self._state_machine.state)
+    def _rw_call(self, before: LifecycleState) -> TransitionCallbackReturn:
+        callback = self._rw_lifecycle_callbacks.get(self._state_machine.state)
         if callback is None:
             return TransitionCallbackReturn.SUCCESS
         try:
@@ -176,7 +177,7 @@ class LifecycleNodeMixin(ManagedEntity):
 
     # ---- services
 
-    def _on_change_state(self, request: Any, response: Any) -> Any:
+    def _rw_on_change_state(self, request: Any, response: Any) -> Any:
         # A label goes before the number, which is 0 when it was not given.
         key: int | str = request.transition.label or int(request.transition.id)
         response.success = self._state_machine.find(key) is not None
@@ -184,22 +185,22 @@ class LifecycleNodeMixin(ManagedEntity):
             get_logger('rcl_lifecycle').warning(
                 f'No transition matching {key} found for current state {self._state_machine.current.label}')
             return response
-        response.success = self._change_state(key) == TransitionCallbackReturn.SUCCESS
+        response.success = self._rw_change_state(key) == TransitionCallbackReturn.SUCCESS
         return response
 
-    def _on_get_state(self, request: Any, response: Any) -> Any:
+    def _rw_on_get_state(self, request: Any, response: Any) -> Any:
         response.current_state = _state_message(self._state_machine.state)
         return response
 
-    def _on_get_available_states(self, request: Any, response: Any) -> Any:
+    def _rw_on_get_available_states(self, request: Any, response: Any) -> Any:
         response.available_states = [_state_message(one) for one in STATES]
         return response
 
-    def _on_get_available_transitions(self, request: Any, response: Any) -> Any:
+    def _rw_on_get_available_transitions(self, request: Any, response: Any) -> Any:
         response.available_transitions = _descriptions(self._state_machine.available())
         return response
 
-    def _on_get_transition_graph(self, request: Any, response: Any) -> Any:
+    def _rw_on_get_transition_graph(self, request: Any, response: Any) -> Any:
         response.available_transitions = _descriptions(STEPS)
         return response
 

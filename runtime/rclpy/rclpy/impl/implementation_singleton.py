@@ -1,0 +1,6 @@
+"""Where programs look for rclpy's C extension."""
+from __future__ import annotations
+
+from rclpy import _rclpy_pybind11 as rclpy_implementation
+
+__all__ = ['rclpy_implementation']

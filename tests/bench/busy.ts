@@ -26,6 +26,9 @@ const LONG_MINUTES = 5;
 const WITH_3D = 'all panels';
 const SETTLING_MS = 10_000;
 const SAMPLES = 10;
+/** Of what is sent, at least this share has to be heard, or the page is quiet instead of busy. */
+const LEAST_HEARD = 0.95;
+const HEARD = /\{"came": (\d+), "clouds": (\d+)\}/g;
 
 /** With all that is looked at open at once; `without` leaves panels out, so that it is seen what they cost. */
 const LAYOUTS: Readonly<Record<string, unknown>> = {
@@ -42,9 +45,24 @@ const LAYOUTS: Readonly<Record<string, unknown>> = {
 
 const rounded = (value: number): number => Math.round(value * 100) / 100;
 
+interface Seen {
+  readonly heard_per_second: number;
+  readonly clouds_per_second: number;
+  readonly pictures_per_second: number;
+  readonly drawings_3d: number;
+}
+
 /** Why an aim was missed; empty: none was. The machine's own share is what the bare page has in the same browser. */
-function missed(panels: string, found: FrameFigures, limit: FrameFigures, minutes: number, rises: readonly number[]): string {
+function missed(
+  panels: string, found: FrameFigures, seen: Seen, limit: FrameFigures, minutes: number, rises: readonly number[],
+): string {
   const said: string[] = [];
+  for (const [what, rate, sent] of [
+    ['numbers', seen.heard_per_second, NUMBERS * NUMBER_HZ], ['clouds', seen.clouds_per_second, CLOUD.hz],
+    ['pictures', seen.pictures_per_second, IMAGE_HZ],
+  ] as const)
+    if (!(rate >= LEAST_HEARD * sent)) said.push(`${rate} ${what} a second, not ${sent}`);
+  if (panels === WITH_3D && seen.drawings_3d === 0) said.push('the 3D view drew nothing');
   // Where the bare page itself has slow frames, or the processor draws the 3D view, one frame more than the bare page's is allowed.
   const aim = panels === WITH_3D || limit.frame_p95_ms > AIM_MS ? Math.max(AIM_MS, limit.frame_p95_ms) + FRAME_MS : AIM_MS;
   if (!(found.frame_p95_ms <= aim)) said.push(`95 % of frames within ${found.frame_p95_ms} ms, not ${rounded(aim)} (bare page: ${limit.frame_p95_ms})`);
@@ -67,11 +85,27 @@ function rise(samples: readonly number[]): number {
   return rounded(across === 0 ? 0 : (up / across) * (half.length - 1) / mean);
 }
 
-/** Numbers that the listener heard in its newest whole second. */
-async function heardPerSecond(page: Page): Promise<number> {
+/** What the listener heard in its newest whole second. */
+async function heardPerSecond(page: Page): Promise<{ readonly numbers: number; readonly clouds: number }> {
   const text = await page.evaluate(() => document.body.textContent ?? '');
-  return Number([...text.matchAll(/\{"came": (\d+)\}/g)].at(-1)?.[1] ?? Number.NaN);
+  const [, numbers, clouds] = [...text.matchAll(HEARD)].at(-1) ?? [];
+  return { numbers: Number(numbers), clouds: Number(clouds) };
 }
+
+/** Has the page count the pictures that the panel Image draws. */
+function countPictures(): void {
+  const counting = globalThis as { pictures?: number };
+  counting.pictures = 0;
+  const put = CanvasRenderingContext2D.prototype.putImageData;
+  CanvasRenderingContext2D.prototype.putImageData = function (this: CanvasRenderingContext2D, ...given: unknown[]) {
+    counting.pictures! += 1;
+    Reflect.apply(put, this, given);
+  };
+}
+
+const pictures = (page: Page): Promise<number> => page.evaluate(() => (globalThis as { pictures?: number }).pictures ?? 0);
+
+const median = (values: readonly number[]): number => values.toSorted((a, b) => a - b)[values.length >> 1] ?? Number.NaN;
 
 /** Pictures that the 3D view has drawn; 0 without one. */
 const drawings = (page: Page): Promise<number> =>
@@ -87,24 +121,30 @@ const resolution = (page: Page): Promise<number | null> =>
 async function run(context: BenchContext, page: Page, pid: number, panels: string, minutes: number, limit: FrameFigures): Promise<void> {
   const devtools = await page.context().newCDPSession(page);
   await devtools.send('Performance.enable');
-  await page.waitForFunction(() => /\{"came": \d+\}/.test(document.body.textContent ?? ''), undefined, { timeout: 60_000 });
+  await page.waitForFunction(() => /\{"came": \d+, /.test(document.body.textContent ?? ''), undefined, { timeout: 60_000 });
   await page.waitForTimeout(SETTLING_MS);
-  const drawn = await drawings(page);
+  const [drawn, shown, begin] = [await drawings(page), await pictures(page), performance.now()];
   const found: number[] = [];
-  const [heap, processes, heard]: [number[], number[], number[]] = [[], [], []];
+  const [heap, processes, numbers, clouds]: [number[], number[], number[], number[]] = [[], [], [], []];
   for (let i = 0; i < SAMPLES; i += 1) {
     found.push(...await gaps(page, (minutes * 60_000) / SAMPLES));
     heap.push(await heapKb(devtools));
     processes.push(treePrivateKb(pid));
-    heard.push(await heardPerSecond(page));
+    const heard = await heardPerSecond(page);
+    numbers.push(heard.numbers);
+    clouds.push(heard.clouds);
   }
+  const seconds = (performance.now() - begin) / 1000;
+  const seen: Seen = {
+    heard_per_second: median(numbers), clouds_per_second: median(clouds),
+    pictures_per_second: rounded((await pictures(page) - shown) / seconds), drawings_3d: await drawings(page) - drawn,
+  };
   const figures = frameFigures(found);
-  const why = missed(panels, figures, limit, minutes, [rise(heap), rise(processes)]);
+  const why = missed(panels, figures, seen, limit, minutes, [rise(heap), rise(processes)]);
   if (why !== '') context.fail(why);
   context.emit({
     bench: 'busy', panels, minutes, nodes: NUMBERS + 3, numbers_per_second: NUMBERS * NUMBER_HZ,
-    heard_per_second: heard.toSorted((a, b) => a - b)[SAMPLES >> 1], image_hz: IMAGE_HZ, cloud: CLOUD,
-    drawings_3d: await drawings(page) - drawn, resolution_3d: await resolution(page), ...figures, aim_p95_ms: AIM_MS,
+    image_hz: IMAGE_HZ, cloud: CLOUD, ...seen, resolution_3d: await resolution(page), ...figures, aim_p95_ms: AIM_MS,
     heap_kb: heap.at(-1), heap_rise: rise(heap), processes_kb: processes.at(-1), processes_rise: rise(processes), limit, machine_load: machineLoad(),
   });
 }
@@ -126,6 +166,7 @@ export async function benchBusy(context: BenchContext): Promise<void> {
       const browser = await chromium.connect(server.wsEndpoint());
       try {
         const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
+        await page.addInitScript(countPictures);
         await page.goto('about:blank');
         const limit = frameFigures(await gaps(page, 5000));
         await page.goto(`${host.url}#layout=${encodeURIComponent(JSON.stringify(layout))}`);

@@ -117,9 +117,9 @@ constexpr auto kHints = std::to_array<Hint>({
     {"rqt_gui", kNoWidgets},
     {"rqt_gui_py", kNoWidgets},
     {"scipy",
-     "it is compiled code, which nobody compiles for the Python of sites; turns of "
-     "`scipy.spatial.transform` can be done with `transforms3d` or `tf_transformations`, linear "
-     "algebra with numpy"},
+     "of SciPy a site has `scipy.spatial.transform`; the rest is compiled code, which nobody "
+     "compiles "
+     "for the Python of sites; linear algebra can be done with numpy"},
     {"serial", kHardware},
     {"shapely", kCompiled},
     {"skimage", kCompiled},

@@ -13,6 +13,7 @@ struct ModulePackage {
 
 constexpr auto kPackages = std::to_array<ModulePackage>({
     {"numpy", "python3-numpy"},
+    {"scipy", "python3-scipy"},
     {"tf2_ros", "tf2_ros_py"},
     {"transforms3d", "python3-transforms3d"},
     {"yaml", "python3-yaml"},

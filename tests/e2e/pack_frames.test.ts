@@ -9,7 +9,11 @@ import { PackWorkspace, finished } from './pack_workspace.ts';
 
 // Compatibility, works: `tf_transformations`, and transforms3d (Debian's 0.4, for numpy 2); held against each other in all 24 sequences of axes
 
-const PROGRAMS = ['drive', 'follow', 'wait', 'turns', 'rotations'];
+// Compatibility, works: `scipy.spatial.transform`: `Rotation` and `Slerp`, held against transforms3d and tf_transformations
+
+// Compatibility, differs: SciPy -> of its modules a site has `spatial.transform` alone, without `RotationSpline` and groups of symmetries
+
+const PROGRAMS = ['drive', 'follow', 'wait', 'turns', 'rotations', 'scipy_rotations'];
 const MANIFEST = `schema: 1
 name: frames
 distro: jazzy
@@ -32,6 +36,8 @@ const wanted = [
   /^\[turns-4\] map cloud \[\[1\.0, -2\.0, 100\.0\], \[10\.0, -20\.0, 70\.0\]\] \[1\.0, 2\.0, 0\.0\]$/,
   /^\[rotations-5\] 24 sequences agree$/,
   /^\[rotations-5\] two libraries agree$/,
+  /^\[scipy_rotations-6\] 24 sequences of scipy agree$/,
+  /^\[scipy_rotations-6\] three libraries agree$/,
 ];
 
 let workspace: PackWorkspace;
@@ -48,13 +54,13 @@ after(() => workspace.close());
 test('what Python imports comes along, also from packages of other names', () => {
   const fix = /= fix: add `(.*)` to package\.xml/.exec(packed.stderr)?.[1] ?? '';
   assert.deepEqual(fix.match(/(?<=<depend>)[^<]+/g)?.sort(), [
-    'ament_index_python', 'python3-numpy', 'python3-transforms3d', 'sensor_msgs_py', 'std_msgs', 'tf2_ros_py', 'tf2_sensor_msgs',
+    'ament_index_python', 'python3-numpy', 'python3-scipy', 'python3-transforms3d', 'sensor_msgs_py', 'std_msgs', 'tf2_ros_py', 'tf2_sensor_msgs',
   ]);
   const site = JSON.parse(workspace.read('site/site.json').toString()) as {
     readonly nodes: readonly { readonly id: string; readonly python: { readonly archives: readonly string[] } }[];
   };
   const withNumpy = site.nodes.filter((node) => node.python.archives.includes('python/numpy.zip')).map((node) => node.id);
-  assert.deepEqual(withNumpy, ['turns-4', 'rotations-5']);
+  assert.deepEqual(withNumpy, ['turns-4', 'rotations-5', 'scipy_rotations-6']);
 });
 
 for (const link of ['shared', 'port']) {

@@ -2,6 +2,7 @@
 // site does.
 import { createDecoder } from '../../runtime/decode/decoder.ts';
 import { EndpointKind } from '../../runtime/protocol/generated/constants.ts';
+import { launchedCommands } from '../../runtime/ros2cli/launched_command.ts';
 import { type Admission, SharedBroker } from '../../runtime/wasm_js/broker.ts';
 import type { Platform } from '../../runtime/wasm_js/platform.ts';
 import type { NodeView } from '../../runtime/wasm_js/session.ts';
@@ -30,6 +31,12 @@ const LOOK_MS = 40;
 const UNEXPECTED_SECONDS = 3;
 /** What each Python node may take to start, on a busy machine too. */
 const PYTHON_START_SECONDS = 30;
+
+/** Of `ros2`, as launch files start them; what they record is nobody's. */
+const COMMANDS = launchedCommands({
+  readText: () => Promise.resolve(undefined),
+  bags: { open: () => Promise.resolve(undefined), create: () => Promise.resolve({ write: () => undefined, end: () => undefined }) },
+});
 
 const KINDS: Readonly<Record<number, string>> = {
   [EndpointKind.publisher]: 'publisher',
@@ -81,6 +88,7 @@ export async function play(platform: Platform, { kind, expected }: Asked): Promi
       watched[site.nodes.indexOf(node)]?.lines.push(...texts);
       all.lines.push(...texts.map((text) => `[${node.id}] ${text}`));
     },
+    commands: COMMANDS,
     onLaunchLine: (_, text) => all.lines.push(text),
   });
   const decoder = createDecoder(await session.interfaces());

@@ -5,7 +5,7 @@ setup(
     version='0.1.0',
     license='Apache-2.0',
     packages=['frames_py'],
-    scripts=['scripts/rotations', 'scripts/turns'],
+    scripts=['scripts/rotations', 'scripts/scipy_rotations', 'scripts/turns'],
     data_files=[
         ('share/frames_py', ['package.xml']),
         ('share/frames_py/config', ['config/frames.yaml']),

@@ -1,0 +1,4 @@
+"""Rotations."""
+from scipy.spatial import transform
+
+__all__ = ['transform']

@@ -1,7 +1,7 @@
 """Nodes."""
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from types import TracebackType
 from typing import Any
 
@@ -61,7 +61,7 @@ __getattr__ = names_of(__name__, {
     'rclpy.validate_parameter_name': 'validate_parameter_name',
     'rclpy.validate_topic_name': 'validate_topic_name',
     'rclpy.waitable': 'Waitable',
-    'typing': 'Dict Iterator List Optional Tuple Type TypeVar Union',
+    'typing': 'Dict List Optional Tuple Type TypeVar Union',
 })
 
 
@@ -116,32 +116,32 @@ class Node(NodeParameters, NodeGraph):
     # ---- what it has
 
     @property
-    def publishers(self) -> list[Publisher]:
-        return self._publishers
+    def publishers(self) -> Iterator[Publisher]:
+        yield from self._publishers
 
     @property
-    def subscriptions(self) -> list[Subscription]:
-        return self._subscriptions
+    def subscriptions(self) -> Iterator[Subscription]:
+        yield from self._subscriptions
 
     @property
-    def clients(self) -> list[Client]:
-        return self._clients
+    def clients(self) -> Iterator[Client]:
+        yield from self._clients
 
     @property
-    def services(self) -> list[Service]:
-        return self._services
+    def services(self) -> Iterator[Service]:
+        yield from self._services
 
     @property
-    def timers(self) -> list[Timer]:
-        return self._timers
+    def timers(self) -> Iterator[Timer]:
+        yield from self._timers
 
     @property
-    def guards(self) -> list[GuardCondition]:
-        return self._guards
+    def guards(self) -> Iterator[GuardCondition]:
+        yield from self._guards
 
     @property
-    def waitables(self) -> list[Any]:
-        return self._rw_waitables
+    def waitables(self) -> Iterator[Any]:
+        yield from self._rw_waitables
 
     @property
     def executor(self) -> Any:

@@ -197,9 +197,14 @@ function lateLibrary({ base, home, parts }: PythonStart): { readonly address: st
   };
 }
 
+/** What os._exit throws says so. */
+const left = /^Program terminated with exit\((-?\d+)\)$/;
+
 /** How what Python could not catch reads. */
 export function failure(error: unknown): ProgramEnd {
   const message = error instanceof Error ? error.message : String(error);
+  const code = left.exec(message)?.[1];
+  if (code !== undefined) return { kind: 'exit', code: Number(code) };
   if (error instanceof SiteError) return crash(error.code, message);
   if (error instanceof RangeError && /stack/i.test(message)) return crash('R2W0701', 'the stack is full: too deep a recursion?');
   if (error instanceof RangeError) return crash('R2W0710', `there is no memory for one more program: ${message}`);

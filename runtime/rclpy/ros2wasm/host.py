@@ -44,6 +44,8 @@ MOST_READY = 1024
 LOOK_WORDS = 6
 LOW = 0xFFFFFFFF
 
+#: As it is before signals.py has others.
+_handler_of = signal.getsignal
 #: Pyodide's event loop, on which its suspensions run.
 own_loop: Any = None
 #: The program's threads, once they are installed (threads.py).
@@ -124,7 +126,7 @@ class Status(NamedTuple):
 
 def interrupt() -> None:
     """What Ctrl-C does: the handler of SIGINT runs here."""
-    handler = signal.getsignal(signal.SIGINT)
+    handler = _handler_of(signal.SIGINT)
     if callable(handler):
         handler(signal.SIGINT, sys._getframe(1))
 

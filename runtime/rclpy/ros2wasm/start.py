@@ -17,7 +17,7 @@ import traceback
 from types import TracebackType
 from typing import Any
 
-from ros2wasm import event_loop, host, import_hook, terminal, threads
+from ros2wasm import event_loop, host, import_hook, signals, terminal, threads
 from ros2wasm.codec import find_numpy
 
 NS = 1_000_000_000
@@ -80,6 +80,7 @@ def install() -> None:
     installed = True
     setattr(time, 'sleep', sleep)
     threads.install()
+    signals.install()
     event_loop.install()
     terminal.install()
     builtins.input = ask

@@ -61,6 +61,9 @@ constexpr auto kHints = std::to_array<Hint>({
     {"aiohttp", kNoRequests},
     {"busio", kHardware},
     {"casadi", kOptimiser},
+    {"curses",
+     "a node's console has no cursor that could be moved; `termios`, `tty` and `select` read "
+     "single keys, and what is printed is shown line by line"},
     {"cv2", "OpenCV is not there for the Python of sites; numpy is, for what can be done by hand"},
     {"cv_bridge", "OpenCV is not there for the Python of sites; an image's `data` is its bytes"},
     {"cvxpy", kOptimiser},

@@ -17,7 +17,7 @@ import traceback
 from types import TracebackType
 from typing import Any
 
-from ros2wasm import event_loop, host, import_hook, signals, terminal, threads
+from ros2wasm import event_loop, host, import_hook, processes, signals, terminal, threads
 from ros2wasm.codec import find_numpy
 
 NS = 1_000_000_000
@@ -81,6 +81,7 @@ def install() -> None:
     setattr(time, 'sleep', sleep)
     threads.install()
     signals.install()
+    processes.install()
     event_loop.install()
     terminal.install()
     builtins.input = ask

@@ -12,6 +12,7 @@ import type { Link } from './link.ts';
 import { type ProgramEnd, type ProgramHost, promiseIntegration } from './program.ts';
 import type { ProgramMemory } from './program_memory.ts';
 import type { PythonParts } from './python_files.ts';
+import { type WatchedSystem, watchOutput } from './python_output.ts';
 import { type LoadedPyodide, openPyodide } from './pyodide_loader.ts';
 import { placeSources } from './python_sources.ts';
 import { Interrupts, interrupt, threadFunctions } from './python_threads.ts';
@@ -272,6 +273,7 @@ export const runPython: RunPython = async (module, start, host, files, reports) 
   // After the program's end nobody asks.
   death.catch(() => undefined);
   let memory: ProgramMemory | undefined;
+  let output: ReturnType<typeof watchOutput> | undefined;
   const functions = hostModule(host, () => {
     if (memory === undefined) throw new TypeError('Python calls out before it is loaded');
     return memory;
@@ -291,6 +293,12 @@ export const runPython: RunPython = async (module, start, host, files, reports) 
     python.setStdout(writer('stdout'));
     python.setStderr(writer('stderr'));
     mountShare(python, host);
+    output = watchOutput(python['FS'] as unknown as WatchedSystem, {
+      home: `${host.environment['HOME'] ?? ''}/`,
+      give: host.give,
+      now: () => performance.now(),
+      refused: (path) => host.line('stderr', `${path} is too large to be handed to the page`),
+    });
     const { run } = startModule(python);
     const args = python.toPy(host.arguments) as PyProxy;
     // A stop that came meanwhile: nothing of the user's has begun.
@@ -301,6 +309,7 @@ export const runPython: RunPython = async (module, start, host, files, reports) 
   } catch (error) {
     return failure(error);
   } finally {
+    output?.rest();
     flush();
   }
 };

@@ -171,6 +171,11 @@ constexpr auto kFailing = std::to_array<FailingModule>({
      "and topics that a node can use itself"},
     {"urllib.request", kNoConnection, kTopics},
     {"xmlrpc", kNoConnection, kTopics},
+    {"zoneinfo",
+     "Python in a browser has no time zones of its own, and no package of the site has `tzdata`: "
+     "`ZoneInfo` raises ZoneInfoNotFoundError",
+     "`<exec_depend>python3-tzdata</exec_depend>` in package.xml brings them from the embedded "
+     "channel, and so does an import at the top of the module"},
 });
 
 }  // namespace

@@ -220,6 +220,7 @@ class Node(NodeParameters, NodeGraph):
         publisher = publisher_class(
             endpoint, msg_type, full, qos, event_callbacks or PublisherEventCallbacks(),
             callback_group or self.default_callback_group, self._logger.name)
+        publisher.topic = topic
         self._publishers.append(publisher)
         self._rw_adopt_events(publisher)
         return publisher
@@ -240,6 +241,7 @@ class Node(NodeParameters, NodeGraph):
         subscription = Subscription(
             endpoint, msg_type, full, callback, group, qos, raw, event_callbacks or SubscriptionEventCallbacks(),
             self._logger.name)
+        subscription.topic = topic
         self._rw_add(self._subscriptions, subscription, group)
         self._rw_adopt_events(subscription)
         return subscription
@@ -261,6 +263,7 @@ class Node(NodeParameters, NodeGraph):
         check_is_valid_srv_type(srv_type)
         full = self._rw_resolve(srv_name, True)
         client = self._rw_client(srv_type, full, qos_profile, callback_group or self.default_callback_group)
+        client.srv_name = srv_name
         client._events = ServiceEvents(self, srv_type, full)
         self._rw_add(self._clients, client, client.callback_group)
         return client
@@ -278,6 +281,7 @@ class Node(NodeParameters, NodeGraph):
         check_is_valid_srv_type(srv_type)
         full = self._rw_resolve(srv_name, True)
         service = self._rw_service(srv_type, full, callback, qos_profile, callback_group or self.default_callback_group)
+        service.srv_name = srv_name
         service._events = ServiceEvents(self, srv_type, full)
         self._rw_add(self._services, service, service.callback_group)
         return service

@@ -14,6 +14,10 @@
 namespace ros2wasm {
 namespace {
 
+/// A module of Python, and the one of others without which it knows no time zone.
+constexpr std::string_view kZones = "zoneinfo";
+constexpr std::string_view kZonesModule = "tzdata";
+
 constexpr std::string_view kInit = "/__init__.py";
 constexpr std::array<std::string_view, 3> kKinds = {"msg", "srv", "action"};
 constexpr std::string_view kWheel =
@@ -208,6 +212,7 @@ class Walk {
       if (!found) found = failing_module(module + "." + name);
     }
     if (!found) return;
+    if (found->name == kZones && import_module(std::string(kZonesModule), false)) return;
     add(one, "`" + std::string(found->name) + "` can be imported, but does not work in a site",
         {std::string(found->fails), std::string(found->instead)}, false);
     report_.missing.back().code = "R2W0526";

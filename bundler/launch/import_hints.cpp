@@ -61,6 +61,9 @@ constexpr auto kHints = std::to_array<Hint>({
     {"aiohttp", kNoRequests},
     {"busio", kHardware},
     {"casadi", kOptimiser},
+    {"curses",
+     "a node's console has no cursor that could be moved; `termios`, `tty` and `select` read "
+     "single keys, and what is printed is shown line by line"},
     {"cv2", "OpenCV is not there for the Python of sites; numpy is, for what can be done by hand"},
     {"cv_bridge", "OpenCV is not there for the Python of sites; an image's `data` is its bytes"},
     {"cvxpy", kOptimiser},
@@ -168,6 +171,11 @@ constexpr auto kFailing = std::to_array<FailingModule>({
      "and topics that a node can use itself"},
     {"urllib.request", kNoConnection, kTopics},
     {"xmlrpc", kNoConnection, kTopics},
+    {"zoneinfo",
+     "Python in a browser has no time zones of its own, and no package of the site has `tzdata`: "
+     "`ZoneInfo` raises ZoneInfoNotFoundError",
+     "`<exec_depend>python3-tzdata</exec_depend>` in package.xml brings them from the embedded "
+     "channel, and so does an import at the top of the module"},
 });
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "bundler/workspace/cmake_packages.hpp"
 #include "bundler/workspace/launch_packages.hpp"
 #include "bundler/workspace/python_imports.hpp"
+#include "bundler/workspace/python_modules.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
@@ -128,8 +129,8 @@ std::vector<Spanned<std::string>> python_modules(const fs::path& folder, const f
     if (!text || (!file.has_extension() && !is_python_script(*text))) continue;
     for (PythonImport& one : python_imports(*text, shown_path(file, base, shown_base))) {
       std::string name = one.module.substr(0, one.module.find('.'));
-      if (!one.needed || name.empty() || is_python_module(name) || !known.insert(name).second)
-        continue;
+      const bool is_all_there = is_python_module(name) && needs_of_module(name).empty();
+      if (!one.needed || name.empty() || is_all_there || !known.insert(name).second) continue;
       result.push_back({.value = std::move(name), .span = std::move(one.span)});
     }
   }

@@ -27,6 +27,7 @@ constexpr auto kLibraryPackages = std::to_array<LibraryPackage>({
     {"python3-serial", "pyserial"},
     {"python3-yaml", "pyyaml"},
     {"transforms3d", "transforms3d"},
+    {"tzdata", "tzdata"},
     {"yaml-cpp", "yaml-cpp"},
 });
 

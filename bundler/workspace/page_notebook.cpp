@@ -7,6 +7,7 @@
 
 #include "bundler/workspace/page_text.hpp"
 #include "bundler/workspace/python_imports.hpp"
+#include "bundler/workspace/python_modules.hpp"
 #include "workspace_schema/json_reader.hpp"
 
 namespace ros2wasm {
@@ -123,8 +124,8 @@ std::vector<Spanned<std::string>> notebook_modules(const std::string& file,
   for (const NotebookCell& cell : code) {
     for (PythonImport& one : python_imports(cell.source, cell_name(file, cell))) {
       std::string name = one.module.substr(0, one.module.find('.'));
-      if (!one.needed || name.empty() || is_python_module(name) || !known.insert(name).second)
-        continue;
+      const bool is_all_there = is_python_module(name) && needs_of_module(name).empty();
+      if (!one.needed || name.empty() || is_all_there || !known.insert(name).second) continue;
       result.push_back({.value = std::move(name), .span = std::move(one.span)});
     }
   }

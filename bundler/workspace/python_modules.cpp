@@ -23,6 +23,7 @@ constexpr auto kNeeds = std::to_array<ModulePackage>({
     {"tf2_geometry_msgs", "tf2_ros_py"},
     {"tf2_sensor_msgs", "sensor_msgs_py"},
     {"tf2_sensor_msgs", "tf2_ros_py"},
+    {"zoneinfo", "tzdata"},
 });
 
 }  // namespace

@@ -18,6 +18,7 @@ export const bagTexts = {
   save: (name: string): string => `Download ${name}`,
   remove: (name: string): string => `Forget ${name}`,
   saved: (name: string): string => `${name} is recorded`,
+  files: 'Files that nodes have written',
   empty: 'Nothing came while it was recorded.',
   player: (name: string): string => `Play ${name}`,
   loading: 'Reading the bag\u2026',

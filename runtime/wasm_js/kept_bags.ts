@@ -1,4 +1,4 @@
-// `--bags DIR` of a headless run: the bags that nodes write lie there, below a folder for each node.
+// `--bags DIR` of a headless run: the bags and other files that nodes write lie there, below a folder for each node.
 
 import { mkdir, readdir, writeFile } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
@@ -24,7 +24,8 @@ export async function checkBagsFolder(folder: string): Promise<void> {
 export class KeptBags {
   private readonly session: Session;
   private readonly folder: string | undefined;
-  private readonly writing: Promise<void>[] = [];
+  /** One after the other: of a file that is written again, the last is what stays. */
+  private writing = Promise.resolve();
   private lost: string | undefined;
 
   /** Without a folder they are dropped. `told`: of each that was written, where it lies. */
@@ -33,7 +34,7 @@ export class KeptBags {
     this.folder = folder;
     session.written.onChange(() => {
       for (const file of session.written.take()) {
-        if (folder !== undefined) this.writing.push(this.keep(folder, file, told));
+        if (folder !== undefined) this.writing = this.writing.then(() => this.keep(folder, file, told));
       }
     });
   }
@@ -53,7 +54,7 @@ export class KeptBags {
   async finish(): Promise<string | undefined> {
     if (this.folder === undefined) return undefined;
     await this.stopped();
-    await Promise.all(this.writing);
+    await this.writing;
     return this.lost;
   }
 

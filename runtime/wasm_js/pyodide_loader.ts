@@ -6,6 +6,9 @@ import type { FileSystem } from './late_file.ts';
 import type { Link } from './link.ts';
 import { ProgramMemory } from './program_memory.ts';
 
+/** -ENOSYS of Emscripten. */
+const noSuchFunction = -52;
+
 type ModuleImports = Record<string, WebAssembly.ImportValue>;
 
 /** What the interpreter asks its place for. */
@@ -68,6 +71,11 @@ function followHost(imports: WebAssembly.Imports, { clock, random }: PythonPlace
     memory.u8.set(bytes, address);
     return 0;
   };
+}
+
+/** In Node.js, Emscripten has commands of C's system() run by a shell: a site must not reach the machine. */
+function startNothing(imports: WebAssembly.Imports): void {
+  (imports['env'] as ModuleImports)['_emscripten_system'] = () => noSuchFunction;
 }
 
 /** Calls `load` while whoever asks for Pyodide's own wasm file gets the given module, and what is there need not be fetched. */
@@ -167,6 +175,7 @@ export async function openPyodide(options: PyodideOptions): Promise<LoadedPyodid
   let memory: ProgramMemory | undefined;
   const prepare = (imports: WebAssembly.Imports): void => {
     memory = new ProgramMemory((imports['env'] as ModuleImports)['memory'] as WebAssembly.Memory);
+    startNothing(imports);
     if (place !== undefined) followHost(imports, place, memory);
   };
   const settings = {

@@ -12,6 +12,7 @@ import type { Link } from './link.ts';
 import { type ProgramEnd, type ProgramHost, promiseIntegration } from './program.ts';
 import type { ProgramMemory } from './program_memory.ts';
 import type { PythonParts } from './python_files.ts';
+import { type WatchedSystem, watchOutput } from './python_output.ts';
 import { type LoadedPyodide, openPyodide } from './pyodide_loader.ts';
 import { placeSources } from './python_sources.ts';
 import { Interrupts, interrupt, threadFunctions } from './python_threads.ts';
@@ -197,9 +198,14 @@ function lateLibrary({ base, home, parts }: PythonStart): { readonly address: st
   };
 }
 
+/** What os._exit throws says so. */
+const left = /^Program terminated with exit\((-?\d+)\)$/;
+
 /** How what Python could not catch reads. */
 export function failure(error: unknown): ProgramEnd {
   const message = error instanceof Error ? error.message : String(error);
+  const code = left.exec(message)?.[1];
+  if (code !== undefined) return { kind: 'exit', code: Number(code) };
   if (error instanceof SiteError) return crash(error.code, message);
   if (error instanceof RangeError && /stack/i.test(message)) return crash('R2W0701', 'the stack is full: too deep a recursion?');
   if (error instanceof RangeError) return crash('R2W0710', `there is no memory for one more program: ${message}`);
@@ -267,6 +273,7 @@ export const runPython: RunPython = async (module, start, host, files, reports) 
   // After the program's end nobody asks.
   death.catch(() => undefined);
   let memory: ProgramMemory | undefined;
+  let output: ReturnType<typeof watchOutput> | undefined;
   const functions = hostModule(host, () => {
     if (memory === undefined) throw new TypeError('Python calls out before it is loaded');
     return memory;
@@ -286,6 +293,12 @@ export const runPython: RunPython = async (module, start, host, files, reports) 
     python.setStdout(writer('stdout'));
     python.setStderr(writer('stderr'));
     mountShare(python, host);
+    output = watchOutput(python['FS'] as unknown as WatchedSystem, {
+      home: `${host.environment['HOME'] ?? ''}/`,
+      give: host.give,
+      now: () => performance.now(),
+      refused: (path) => host.line('stderr', `${path} is too large to be handed to the page`),
+    });
     const { run } = startModule(python);
     const args = python.toPy(host.arguments) as PyProxy;
     // A stop that came meanwhile: nothing of the user's has begun.
@@ -296,6 +309,7 @@ export const runPython: RunPython = async (module, start, host, files, reports) 
   } catch (error) {
     return failure(error);
   } finally {
+    output?.rest();
     flush();
   }
 };

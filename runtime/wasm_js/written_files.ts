@@ -1,4 +1,4 @@
-// What programs have written and handed over (SPEC.md 3.4), which are bags: kept until somebody takes it.
+// What programs have written and handed over (SPEC.md 3.4), bags and others: kept until somebody takes it.
 
 import type { Unsubscribe, WrittenFile, Written } from './session.ts';
 
@@ -18,6 +18,13 @@ export class WrittenFiles implements Written {
   }
 
   add(file: WrittenFile): void {
+    const { node, path } = file;
+    const older = this.kept.find((one) => one.path === path && one.node === node);
+    // A bag is written once; one of that name is another one.
+    if (older !== undefined && !path.endsWith('.mcap')) {
+      this.kept = this.kept.filter((one) => one !== older);
+      this.bytes -= older.content.size;
+    }
     this.kept.push(file);
     this.bytes += file.content.size;
     while (this.bytes > this.most) this.bytes -= this.kept.shift()!.content.size;

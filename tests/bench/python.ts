@@ -12,7 +12,7 @@ import { brotliCompressSync } from 'node:zlib';
 import type { Page } from 'playwright-core';
 import { makeSite } from '../e2e/runtime_site.ts';
 import { inBrowser } from './browser_site.ts';
-import { peerRoundTrip, peerThroughput, places } from './link.ts';
+import { peerIsThere, peerRoundTrip, peerThroughput, places } from './link.ts';
 import { machineLoad, OthersLoad } from './machine_load.ts';
 import { packLaunch } from './packed_launch.ts';
 import { treePrivateKb } from './process_memory.ts';
@@ -34,6 +34,10 @@ const COLD_AIM_MS = 2500;
 const WARM_AIM_MS = 1000;
 const MEMORY_AIM_KB = 60_000;
 const FURTHER_AIM_MS = 250;
+/** Serialised messages of some ten bytes, a second. */
+const CDR_AIM = 100_000;
+/** Of an image of 921,600 bytes: a loop over them in Python would take a hundred times as long. */
+const IMAGE_AIM_US = 500;
 /** A page has come to rest. */
 const REST_MS = 1000;
 
@@ -210,14 +214,33 @@ async function benchMemory(context: BenchContext, site: string): Promise<void> {
   judge(context, others, 'kB of memory of a further node', summary(slopes).median, MEMORY_AIM_KB);
 }
 
+interface Rates {
+  readonly what: string;
+  readonly bytes?: number;
+  readonly in_per_second?: number;
+  readonly out_per_second?: number;
+}
+
+function judgeCdr(context: BenchContext, others: OthersLoad, link: string, { what, bytes, ...rates }: Rates): void {
+  if (bytes === undefined) return;
+  for (const [way, rate = 0] of [['in', rates.in_per_second], ['out', rates.out_per_second]] as const) {
+    if (bytes < 100) judge(context, others, `messages a second, ${what}, ${way}, ${link}`, rate, CDR_AIM, true);
+    else judge(context, others, `us of one, ${what}, ${way}, ${link}`, 1e6 / rate, IMAGE_AIM_US);
+  }
+}
+
 function benchMessages(context: BenchContext, site: string): void {
+  const others = new OthersLoad();
   for (const link of ['shared', 'port']) {
     const run = spawnSync(process.execPath, [join(context.root, 'runtime/wasm_js/headless.ts'), site, '--link', link], {
       encoding: 'utf8', timeout: WATCHDOG_MS,
     });
     if (run.status !== 0) context.fail(`python: the rates on the ${link} link end with ${run.status}: ${run.stderr}`);
     for (const [, json = ''] of run.stdout.matchAll(/rates (\{.*\})/g)) {
-      context.emit({ bench: 'python', link, place: 'Node.js', ...JSON.parse(json) as object, machine_load: machineLoad() });
+      const rates = JSON.parse(json) as Rates;
+      const aim = rates.bytes === undefined ? {} : rates.bytes < 100 ? { aim_per_second: CDR_AIM } : { aim_us: IMAGE_AIM_US };
+      context.emit({ bench: 'python', link, place: 'Node.js', ...rates, ...aim, machine_load: machineLoad() });
+      judgeCdr(context, others, link, rates);
     }
   }
 }
@@ -228,7 +251,8 @@ async function benchPairs(context: BenchContext, folder: string): Promise<void> 
   const bytes = 1000;
   const py = (executable: string, more = ''): string => `{package: python_bench, executable: ${executable}${more}}`;
   const cpp = (executable: string): string => `{package: link_bench, executable: ${executable}}`;
-  const peerTrip = await peerRoundTrip(bytes);
+  const hasPeer = peerIsThere();
+  const peerTrip = hasPeer ? await peerRoundTrip(bytes) : undefined;
   const trips = [['Python to Python and back', [py('ponger'), py('pinger')]], ['C++ to Python and back', [py('ponger'), cpp('pinger')]]] as const;
   for (const [i, [what, launch]] of trips.entries()) {
     const site = packLaunch(context, folder, ['link_bench', 'python_bench'], `trips_${i}`, launch);
@@ -236,13 +260,13 @@ async function benchPairs(context: BenchContext, folder: string): Promise<void> 
       for (const line of lines.filter((one) => one['bytes'] === bytes)) {
         context.emit({
           bench: 'python', what, place, link, bytes, p50_us: line['p50_us'], p99_us: line['p99_us'], aim_us: TRIP_AIM_US,
-          peer: 'ddsperf ping, loopback', peer_p50_us: peerTrip, machine_load: machineLoad(),
+          ...(peerTrip === undefined ? {} : { peer: 'ddsperf ping, loopback', peer_p50_us: peerTrip }), machine_load: machineLoad(),
         });
         if (link === 'shared') judge(context, others, `us of a round trip, ${what}, ${place}`, line['p50_us'] ?? Infinity, TRIP_AIM_US);
       }
     });
   }
-  const peerRate = await peerThroughput(bytes);
+  const peerRate = hasPeer ? await peerThroughput(bytes) : undefined;
   const floods = [
     ['Python to Python', [py('flooder'), py('sink')]],
     ['C++ to Python', [cpp('flooder'), py('sink', ', parameters: {others: true}')]],
@@ -253,7 +277,7 @@ async function benchPairs(context: BenchContext, folder: string): Promise<void> 
       for (const line of lines.filter((one) => one['bytes'] === bytes && one['per_second'] !== undefined)) {
         context.emit({
           bench: 'python', what: `${what}, reliable, keep_all`, place, link, bytes, per_second: line['per_second'], aim_per_second: RATE_AIM,
-          peer: 'ddsperf pub/sub, loopback', peer_per_second: Math.round(peerRate), machine_load: machineLoad(),
+          ...(peerRate === undefined ? {} : { peer: 'ddsperf pub/sub, loopback', peer_per_second: Math.round(peerRate) }), machine_load: machineLoad(),
         });
         if (link === 'shared') judge(context, others, `messages a second, ${what}, ${place}`, line['per_second'] ?? 0, RATE_AIM, true);
       }

@@ -35,7 +35,9 @@ class Client:
         self._destroyed = False
         self._logger_name = logger_name
         self.srv_type = srv_type
+        #: As it was given when the node made it; its full name is service_name.
         self.srv_name = srv_name
+        self._rw_name = srv_name
         self.qos_profile = qos_profile
         #: By the sequence number of the request.
         self._pending_requests: dict[int, Future] = {}
@@ -52,7 +54,7 @@ class Client:
 
     @property
     def service_name(self) -> str:
-        return self.srv_name
+        return self._rw_name
 
     @property
     def logger_name(self) -> str:

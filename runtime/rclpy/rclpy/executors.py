@@ -198,13 +198,13 @@ class Executor:
         self._timers, self._guards, self._waitables, self._events = [], [], [], []
         self._quiet_version = -1
         for node in self._nodes:
-            for timer in node.timers:
+            for timer in node._timers:
                 self._timers.append((timer, node))
-            for reader in (*node.subscriptions, *node.services, *node.clients):
+            for reader in (*node._subscriptions, *node._services, *node._clients):
                 self._readers[reader._endpoint.handle] = (reader, node)
-            for guard in node.guards:
+            for guard in node._guards:
                 self._guards.append((guard, node))
-            for waitable in node.waitables:
+            for waitable in node._rw_waitables:
                 (self._events if isinstance(waitable, EventHandler) else self._waitables).append((waitable, node))
                 for handle in waitable._rw_handles():
                     self._readers[handle] = (waitable, node)

@@ -1,7 +1,7 @@
 """Nodes."""
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from types import TracebackType
 from typing import Any
 
@@ -61,7 +61,7 @@ __getattr__ = names_of(__name__, {
     'rclpy.validate_parameter_name': 'validate_parameter_name',
     'rclpy.validate_topic_name': 'validate_topic_name',
     'rclpy.waitable': 'Waitable',
-    'typing': 'Dict Iterator List Optional Tuple Type TypeVar Union',
+    'typing': 'Dict List Optional Tuple Type TypeVar Union',
 })
 
 
@@ -116,32 +116,32 @@ class Node(NodeParameters, NodeGraph):
     # ---- what it has
 
     @property
-    def publishers(self) -> list[Publisher]:
-        return self._publishers
+    def publishers(self) -> Iterator[Publisher]:
+        yield from self._publishers
 
     @property
-    def subscriptions(self) -> list[Subscription]:
-        return self._subscriptions
+    def subscriptions(self) -> Iterator[Subscription]:
+        yield from self._subscriptions
 
     @property
-    def clients(self) -> list[Client]:
-        return self._clients
+    def clients(self) -> Iterator[Client]:
+        yield from self._clients
 
     @property
-    def services(self) -> list[Service]:
-        return self._services
+    def services(self) -> Iterator[Service]:
+        yield from self._services
 
     @property
-    def timers(self) -> list[Timer]:
-        return self._timers
+    def timers(self) -> Iterator[Timer]:
+        yield from self._timers
 
     @property
-    def guards(self) -> list[GuardCondition]:
-        return self._guards
+    def guards(self) -> Iterator[GuardCondition]:
+        yield from self._guards
 
     @property
-    def waitables(self) -> list[Any]:
-        return self._rw_waitables
+    def waitables(self) -> Iterator[Any]:
+        yield from self._rw_waitables
 
     @property
     def executor(self) -> Any:
@@ -220,6 +220,7 @@ class Node(NodeParameters, NodeGraph):
         publisher = publisher_class(
             endpoint, msg_type, full, qos, event_callbacks or PublisherEventCallbacks(),
             callback_group or self.default_callback_group, self._logger.name)
+        publisher.topic = topic
         self._publishers.append(publisher)
         self._rw_adopt_events(publisher)
         return publisher
@@ -240,6 +241,7 @@ class Node(NodeParameters, NodeGraph):
         subscription = Subscription(
             endpoint, msg_type, full, callback, group, qos, raw, event_callbacks or SubscriptionEventCallbacks(),
             self._logger.name)
+        subscription.topic = topic
         self._rw_add(self._subscriptions, subscription, group)
         self._rw_adopt_events(subscription)
         return subscription
@@ -261,6 +263,7 @@ class Node(NodeParameters, NodeGraph):
         check_is_valid_srv_type(srv_type)
         full = self._rw_resolve(srv_name, True)
         client = self._rw_client(srv_type, full, qos_profile, callback_group or self.default_callback_group)
+        client.srv_name = srv_name
         client._events = ServiceEvents(self, srv_type, full)
         self._rw_add(self._clients, client, client.callback_group)
         return client
@@ -278,6 +281,7 @@ class Node(NodeParameters, NodeGraph):
         check_is_valid_srv_type(srv_type)
         full = self._rw_resolve(srv_name, True)
         service = self._rw_service(srv_type, full, callback, qos_profile, callback_group or self.default_callback_group)
+        service.srv_name = srv_name
         service._events = ServiceEvents(self, srv_type, full)
         self._rw_add(self._services, service, service.callback_group)
         return service

@@ -29,7 +29,9 @@ class Publisher:
         self._codec = msg_type._codec
         self._destroyed = False
         self.msg_type = msg_type
+        #: As it was given when the node made it; its full name is topic_name.
         self.topic = topic
+        self._rw_name = topic
         self.qos_profile = qos_profile
         self._logger_name = logger_name
         self.event_handlers: list[Any] = [] if event_callbacks is None else event_callbacks.create_event_handlers(
@@ -62,7 +64,7 @@ class Publisher:
     @property
     def topic_name(self) -> str:
         self._check()
-        return self.topic
+        return self._rw_name
 
     @property
     def logger_name(self) -> str:

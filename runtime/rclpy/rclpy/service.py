@@ -33,7 +33,9 @@ class Service:
         self._destroyed = False
         self._logger_name = logger_name
         self.srv_type = srv_type
+        #: As it was given when the node made it; its full name is service_name.
         self.srv_name = srv_name
+        self._rw_name = srv_name
         self.callback = callback
         self.callback_group = callback_group
         self._executor_event = False
@@ -47,7 +49,7 @@ class Service:
 
     @property
     def service_name(self) -> str:
-        return self.srv_name
+        return self._rw_name
 
     @property
     def logger_name(self) -> str:

@@ -7,6 +7,7 @@ from types import FrameType
 from typing import Any
 
 from rclpy.context import shut_down_all
+from ros2wasm import signals
 
 
 class SignalHandlerOptions(IntEnum):
@@ -28,14 +29,17 @@ def _on_interrupt(number: int, frame: FrameType | None) -> None:
         _before(number, frame)
 
 
+# As natively, where it is none of Python's: `signal` does not know of it, and who installs another one replaces it.
+signals.stand_ins.append((_on_interrupt, lambda: _before))
+
+
 def install_signal_handlers(options: SignalHandlerOptions = SignalHandlerOptions.ALL) -> None:
     """Have SIGINT end all contexts before Python hears of it."""
     global _options, _before
     handles = bool(options & SignalHandlerOptions.SIGINT)
     handled = bool(_options & SignalHandlerOptions.SIGINT)
     if handles and not handled:
-        _before = signal.getsignal(signal.SIGINT)
-        signal.signal(signal.SIGINT, _on_interrupt)
+        _before = signals.replace(signal.SIGINT, _on_interrupt)
     _options = SignalHandlerOptions(options)
 
 
@@ -46,6 +50,6 @@ def get_current_signal_handlers_options() -> SignalHandlerOptions:
 def uninstall_signal_handlers() -> None:
     """Leave signals to Python."""
     global _options
-    if _options & SignalHandlerOptions.SIGINT and signal.getsignal(signal.SIGINT) is _on_interrupt:
-        signal.signal(signal.SIGINT, _before)
+    if _options & SignalHandlerOptions.SIGINT and signals.installed() is _on_interrupt:
+        signals.replace(signal.SIGINT, _before)
     _options = SignalHandlerOptions.NO

@@ -47,7 +47,9 @@ class Subscription:
         self._destroyed = False
         self._logger_name = logger_name
         self.msg_type = msg_type
+        #: As it was given when the node made it; its full name is topic_name.
         self.topic = topic
+        self._rw_name = topic
         self.callback = callback
         self.callback_group = callback_group
         self._executor_event = False
@@ -101,7 +103,7 @@ class Subscription:
     @property
     def topic_name(self) -> str:
         self._check()
-        return self.topic
+        return self._rw_name
 
     @property
     def callback(self) -> Callable[..., Any]:

@@ -21,6 +21,7 @@ NUMBERS = {
 }
 CODES = {**NUMBERS, 'boolean': '?', 'octet': 'c'}
 SIZES = {code: struct.calcsize('<' + code) for code in CODES.values()}
+TRUTH = {False: False, True: True}
 WIDEST = 8
 ZEROS = tuple(bytes(n) for n in range(WIDEST))
 
@@ -168,7 +169,10 @@ class Encoder(Writer):
 
     def single(self, type_: FieldType, value: str, codec: Callable[[str], 'Codec'], inline: bool) -> None:
         base = type_.base
-        if base in CODES:
+        if base == 'boolean':
+            # struct would take anything.
+            self.fixed('?', f'{self.name(TRUTH, "truth")}[{value}]')
+        elif base in CODES:
             self.fixed(CODES[base], value)
         elif base in ('string', 'wstring'):
             self.text(value, type_)

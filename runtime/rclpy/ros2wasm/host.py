@@ -44,6 +44,8 @@ MOST_READY = 1024
 LOOK_WORDS = 6
 LOW = 0xFFFFFFFF
 
+#: As it is before signals.py has others.
+_handler_of = signal.getsignal
 #: Pyodide's event loop, on which its suspensions run.
 own_loop: Any = None
 #: The program's threads, once they are installed (threads.py).
@@ -124,7 +126,7 @@ class Status(NamedTuple):
 
 def interrupt() -> None:
     """What Ctrl-C does: the handler of SIGINT runs here."""
-    handler = signal.getsignal(signal.SIGINT)
+    handler = _handler_of(signal.SIGINT)
     if callable(handler):
         handler(signal.SIGINT, sys._getframe(1))
 
@@ -416,7 +418,7 @@ class Endpoint:
         """As write, for messages that are not part of an exchange."""
         try:
             end = codec.write(message, _out.view, PAYLOAD_AT)
-        except (struct.error, ValueError):
+        except Exception:
             end = encode(codec, message)
         result = self._publish(end - HEADER_AT)
         if result:
@@ -526,14 +528,22 @@ MOST_CAPACITY = 1 << 30
 
 
 def encode(codec: Any, message: Any) -> int:
-    """Serialise into the buffer that goes out; returns the end. What does not fit is tried in a larger one."""
+    """
+    Serialise into the buffer that goes out; returns the end. What does not fit is tried in a larger one.
+
+    AssertionError: the value of a field is none of its type.
+    """
     while True:
         try:
             return int(codec.write(message, _out.view, PAYLOAD_AT))
-        except (struct.error, ValueError):
+        except Exception:
             # Too small a buffer, or a value that is wrong: the latter fails in a larger buffer too.
             if _out.capacity >= _largest(codec, message) or _out.capacity >= MOST_CAPACITY:
-                raise
+                from ros2wasm.wrong_field import about
+                wrong = about(codec, message)
+                if wrong is None:
+                    raise
+                raise AssertionError(wrong) from None
             _grow(_out, 0)
 
 
@@ -541,13 +551,15 @@ def _largest(codec: Any, message: Any) -> int:
     """Bytes in which the message fits for sure, if its values are right."""
     size = 64
     for field in codec.structure.fields:
-        value = getattr(message, f'_{field.name}')
-        items = value if field.type.container else (value,)
+        value = getattr(message, f'_{field.name}', None)
+        items: Any = value if field.type.container else (value,)
+        if not hasattr(items, '__len__'):
+            continue
         if field.type.is_message:
             inner = codec.find(field.type.base)
             size += 8 + sum(_largest(inner, one) for one in items)
         elif isinstance(value, (str, bytes)) or (len(items) and isinstance(items[0], str)):
-            size += 8 + sum(16 + 4 * len(one) for one in items)
+            size += 8 + sum(16 + 4 * len(one) for one in items if hasattr(one, '__len__'))
         else:
             size += 16 + 8 * len(items)
     return size

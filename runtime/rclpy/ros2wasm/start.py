@@ -17,10 +17,11 @@ import traceback
 from types import TracebackType
 from typing import Any
 
-from ros2wasm import event_loop, host, import_hook, terminal, threads
+from ros2wasm import event_loop, host, import_hook, processes, signals, terminal, threads
 from ros2wasm.codec import find_numpy
 
 NS = 1_000_000_000
+STDERR = 2
 INTERRUPTED = -int(signal.SIGINT)
 #: What the image of a started interpreter has imported.
 PREPARED_MODULES = (
@@ -80,6 +81,8 @@ def install() -> None:
     installed = True
     setattr(time, 'sleep', sleep)
     threads.install()
+    signals.install()
+    processes.install()
     event_loop.install()
     terminal.install()
     builtins.input = ask
@@ -168,6 +171,17 @@ def wait_for_threads() -> None:
         traceback.print_exception(error)
 
 
+def close_files() -> None:
+    """As at the interpreter's end: what was written and not closed is in its file."""
+    kinds = io.TextIOWrapper, io.BufferedWriter, io.BufferedRandom
+    found = [one for one in gc.get_objects() if isinstance(one, kinds)]
+    # Texts first: they are written to the others.
+    for one in sorted(found, key=lambda file: not isinstance(file, io.TextIOWrapper)):
+        with contextlib.suppress(OSError, ValueError):
+            if one.fileno() > STDERR:
+                one.close()
+
+
 def run(entry: str, prefix: str, arguments: Any) -> int:
     """Run to the end. `arguments`: sys.argv, the executable's name first."""
     install()
@@ -182,6 +196,7 @@ def run(entry: str, prefix: str, arguments: Any) -> int:
         code = INTERRUPTED if isinstance(error, KeyboardInterrupt) else 1
     wait_for_threads()
     atexit._run_exitfuncs()
+    close_files()
     sys.stdout.flush()
     sys.stderr.flush()
     return code

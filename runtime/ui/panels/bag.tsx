@@ -19,6 +19,8 @@ import { bagTexts as words } from '../texts_bag.ts';
 import type { PanelProps } from './panel_props.ts';
 
 const kMostChosen = 200;
+/** Where programs begin. */
+const home = /^\/home\/user\//;
 
 export interface BagState {
   /** Of a bag of the site. */
@@ -79,6 +81,7 @@ export function BagPanel({ session, state, setState, announce }: PanelProps) {
             void show(bag, false);
           }}
         />
+        <Files desk={desk} />
         {loaded !== undefined && player === undefined ? <p class="hint">{words.loading}</p> : null}
         {player === undefined || loaded === undefined ? null : (
           <BagPlayerView
@@ -232,5 +235,29 @@ function Shelf({ desk, choose }: { readonly desk: BagDesk; readonly choose: (bag
         </li>
       ))}
     </ul>
+  );
+}
+
+function Files({ desk }: { readonly desk: BagDesk }) {
+  if (desk.files.length === 0) return null;
+  return (
+    <>
+      <h3>{words.files}</h3>
+      <ul class="bag-shelf" role="list" aria-label={words.files}>
+        {desk.files.map((file) => {
+          const name = `${file.node}: ${file.path.replace(home, '')}`;
+          return (
+            <li key={name}>
+              <span class="bag-choose">
+                <span class="bag-name">{name}</span>
+                <span class="bag-facts">{formatBytes(file.content.size)}</span>
+              </span>
+              <IconButton icon="down" label={words.save(name)} onClick={() => download(file.path.slice(file.path.lastIndexOf('/') + 1), file.content)} />
+              <IconButton icon="clear" label={words.remove(name)} onClick={() => desk.forget(file)} />
+            </li>
+          );
+        })}
+      </ul>
+    </>
   );
 }

@@ -1,5 +1,5 @@
 // The bags of a page: those of the site, those that were dropped on it and those that were recorded, the recording that
-// goes on and the bag that is played. One desk per session, which panel and terminal share.
+// goes on and the bag that is played; and the other files that nodes have written. One desk per session, which panel and terminal share.
 
 import { type Bag, type BagSource, openBag } from '../../bag/bag_file.ts';
 import { bagName, withEnding } from '../../bag/bag_name.ts';
@@ -19,6 +19,13 @@ export interface ShelfBag {
   readonly origin: 'site' | 'file' | 'recorded' | 'written';
   readonly size: number;
   readonly content: () => Promise<Blob>;
+}
+
+/** What a node has written besides bags: the newest of its path. */
+export interface NodeFile {
+  readonly node: string;
+  readonly path: string;
+  readonly content: Blob;
 }
 
 /** Collects what is written in blobs. */
@@ -49,6 +56,7 @@ export class BagDesk {
   private readonly session: Session;
   private readonly listeners = new Set<() => void>();
   shelf: readonly ShelfBag[];
+  files: readonly NodeFile[] = [];
   recorder: Recorder | undefined;
   private sink: BlobSink | undefined;
   private starting = false;
@@ -71,11 +79,19 @@ export class BagDesk {
     this.takeWritten();
   }
 
-  /** The bags that nodes have written. */
+  /** The bags and other files that nodes have written. */
   private takeWritten(): void {
-    for (const { path, content } of this.session.written.take()) {
+    for (const file of this.session.written.take()) {
+      const { node, path, content } = file;
       if (path.endsWith('.mcap')) this.put(path.slice(path.lastIndexOf('/') + 1), content, 'written');
+      else this.files = [...this.files.filter((one) => one.node !== node || one.path !== path), file];
     }
+    this.changed();
+  }
+
+  forget(file: NodeFile): void {
+    this.files = this.files.filter((one) => one !== file);
+    this.changed();
   }
 
   onChange(listener: () => void): Unsubscribe {

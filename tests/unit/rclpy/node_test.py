@@ -392,7 +392,55 @@ class NodeTest(BusTest):
             return made
         self.own.create_subscription = create_and_publish
         self.assertEqual(wait(string, self.own, 'chatter'), (True, string(data='heard')))
-        self.assertEqual((self.own.waitables, self.own.subscriptions, set(self.bus.endpoints)), before)
+        self.assertEqual((list(self.own.waitables), list(self.own.subscriptions), set(self.bus.endpoints)), before)
+
+    def test_what_a_node_has_is_handed_out_one_by_one(self) -> None:
+        string = importlib.import_module('std_msgs.msg').String
+        empty = importlib.import_module('std_srvs.srv').Empty
+        made = {
+            'publishers': self.own.create_publisher(string, 'out', 1),
+            'subscriptions': self.own.create_subscription(string, 'in', lambda _: None, 1),
+            'clients': self.own.create_client(empty, 'ask'),
+            'services': self.own.create_service(empty, 'answer', lambda _, response: response),
+            'timers': self.own.create_timer(1.0, lambda: None),
+            'guards': self.own.create_guard_condition(lambda: None),
+        }
+        for name, entity in made.items():
+            several = getattr(self.own, name)
+            self.assertIn(entity, [next(several), *several], name)
+        self.own.add_waitable(made)
+        self.assertIn(made, self.own.waitables)
+        self.own.remove_waitable(made)
+
+    def test_a_value_of_a_wrong_type_is_named_when_it_is_published(self) -> None:
+        std, geometry = importlib.import_module('std_msgs.msg'), importlib.import_module('geometry_msgs.msg')
+        wrong_twist = geometry.Twist()
+        wrong_twist.linear.y = 'fast'
+        part = geometry.Point()
+        part.z = None
+        layout = std.MultiArrayLayout(dim=[std.MultiArrayDimension(label='x'), std.MultiArrayDimension(label=3)])
+        for message, text in (
+            (std.String(data=5), "The 'data' field must be of type 'str': std_msgs/msg/String has a 'int', 5"),
+            (std.String(data=None), "The 'data' field must be of type 'str': std_msgs/msg/String has a 'NoneType'"),
+            (std.Int32(data=1.5), "The 'data' field must be of type 'int': std_msgs/msg/Int32 has a 'float', 1.5"),
+            (std.UInt8(data=256), r"The 'data' field must be an unsigned integer in \[0, 255\]"),
+            (std.Bool(data='no'), "The 'data' field must be of type 'bool'"),
+            (std.Header(stamp=4.2), "The 'stamp' field must be a sub message of type 'Time': std_msgs/msg/Header has"),
+            (wrong_twist, "The 'y' field must be of type 'float': geometry_msgs/msg/Vector3 has a 'str', 'fast', "
+                          "in 'linear' of geometry_msgs/msg/Twist"),
+            (geometry.Polygon(points=[geometry.Point32(), 7]), "The 'points' field must be a set or sequence and each"),
+            (geometry.Polygon(points=3), "The 'points' field must be a set or sequence and each value of type"),
+            (geometry.Pose(position=part), "The 'z' field must be of type 'float'.*in 'position' of geometry_msgs"),
+            (std.Int32MultiArray(layout=layout), r"The 'label' .* in 'dim\[1\]' of .*, in 'layout' of std_msgs"),
+        ):
+            publisher = self.own.create_publisher(type(message), 'wrong', 1)
+            with self.assertRaisesRegex(AssertionError, text):
+                publisher.publish(message)
+            # The next one that is right goes out.
+            publisher.publish(type(message)())
+        service = importlib.import_module('example_interfaces.srv').AddTwoInts
+        with self.assertRaisesRegex(AssertionError, "The 'a' field must be of type 'int'"):
+            self.own.create_client(service, 'add').call_async(service.Request(a='1'))
 
 
 if __name__ == '__main__':

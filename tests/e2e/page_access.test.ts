@@ -1,6 +1,7 @@
 // The page for everyone: axe-core in both themes, keyboard, narrow screens, zoom, motion, theme.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
+import type { Page } from 'playwright-core';
 import { PageStage, expectAccessible, focused, phone } from './page_stage.ts';
 
 let stage: PageStage;
@@ -149,14 +150,36 @@ test('targets of touch are at least 24 px', () =>
     }
   }));
 
-test('reduced motion stops every animation', () =>
-  stage.on('crowd', { reducedMotion: 'reduce' }, async (page) => {
-    await page.waitForFunction(
-      () =>
-        document.getAnimations().filter((animation) => animation.playState === 'running').length ===
-        0,
-    );
-  }));
+test('reduced motion stops every animation and transition, without it some run', async () => {
+  /** Animations that go on, and the elements that slid into their place while a topic was opened. */
+  const moving = async (page: Page): Promise<{ turning: number; slid: string[] }> => {
+    await page.evaluate(() => {
+      const slid: string[] = [];
+      document.addEventListener('transitionrun', ({ target }) => {
+        if (target instanceof Element) slid.push(target.getAttribute('class') ?? '');
+      });
+      Object.assign(globalThis, { slid });
+    });
+    await page.locator('.topic-head').nth(3).click();
+    await page.locator('.tree').waitFor();
+    return page.evaluate(async () => {
+      // A transition begins with the first picture after the change.
+      for (let picture = 0; picture < 3; picture += 1) await new Promise((done) => requestAnimationFrame(done));
+      const turning = document.getAnimations().filter(({ playState, effect }) =>
+        playState === 'running' && effect?.getComputedTiming().iterations === Infinity);
+      return { turning: turning.length, slid: (globalThis as unknown as { slid: string[] }).slid };
+    });
+  };
+  await stage.on('crowd', { reducedMotion: 'no-preference' }, async (page) => {
+    const { turning, slid } = await moving(page);
+    assert.ok(turning > 0, 'what is starting turns');
+    assert.ok(slid.some((name) => name.includes('topic-turn')), `slid: ${slid.join(', ')}`);
+  });
+  await stage.on('crowd', { reducedMotion: 'reduce' }, async (page) => {
+    assert.deepEqual(await moving(page), { turning: 0, slid: [] });
+    await page.waitForFunction(() => document.getAnimations().every(({ playState }) => playState !== 'running'));
+  });
+});
 
 test('the theme is chosen, kept, and set before anything is drawn', () =>
   stage.on(

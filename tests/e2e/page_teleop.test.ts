@@ -16,6 +16,8 @@ declare global {
 }
 
 const kOutput = fileURLToPath(new URL('../output', import.meta.url));
+type Place = readonly [x: number, y: number];
+
 const scene = (state: unknown = {}): string => `teleop#layout=${encodeURIComponent(JSON.stringify({ teleop: state }))}`;
 
 let stage: PageStage;
@@ -169,6 +171,48 @@ test('the knob follows the pointer, and buttons drive while they are held', () =
     await page.getByRole('button', { name: 'Ahead' }).evaluate((button: HTMLButtonElement) => button.click());
     await hears(page, 1, 0);
     await stopped(page);
+  }));
+
+test('a finger drives by the pad and scrolls nothing; it is let go when it is lifted and when the browser takes it', () =>
+  stage.on(scene({ linear: 1, angular: 1, rate: 50 }), { viewport: { width: 360, height: 480 }, hasTouch: true, isMobile: true }, async (page) => {
+    await ready(page);
+    const devtools = await page.context().newCDPSession(page);
+    const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd' | 'touchCancel', ...touchPoints: { x: number; y: number }[]) =>
+      devtools.send('Input.dispatchTouchEvent', { type, touchPoints });
+    const slide = async ([fromX, fromY]: Place, [toX, toY]: Place): Promise<void> => {
+      for (let part = 1; part <= 8; part += 1)
+        await touch('touchMove', { x: fromX + ((toX - fromX) * part) / 8, y: fromY + ((toY - fromY) * part) / 8 });
+    };
+    const scrolled = (): Promise<number> =>
+      page.evaluate(() => [...document.querySelectorAll('*')].reduce((sum, { scrollTop }) => sum + scrollTop, 0));
+    // This page scrolls under a finger, where it is not on the pad.
+    const body = (await page.locator('.panel-teleop .panel-body').boundingBox()) ?? assert.fail();
+    const top = body.y + 30;
+    await touch('touchStart', { x: body.x + 4, y: top + 200 });
+    await slide([body.x + 4, top + 200], [body.x + 4, top]);
+    await touch('touchEnd');
+    await page.waitForFunction(() => [...document.querySelectorAll('*')].some(({ scrollTop }) => scrollTop > 0));
+    assert.deepEqual(await page.evaluate(() => driven), []);
+    for (const end of ['touchEnd', 'touchCancel'] as const) {
+      await pad(page).scrollIntoViewIfNeeded();
+      const at = await scrolled();
+      const box = (await pad(page).boundingBox()) ?? assert.fail();
+      const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+      await touch('touchStart', { x, y });
+      await slide([x, y], [x, y - box.height]);
+      await hears(page, 1, 0);
+      // As long as the finger stays, again and again.
+      const heard = await page.evaluate(() => driven.length);
+      await page.waitForFunction((before) => driven.length > before + 5, heard);
+      assert.deepEqual(await page.evaluate(() => driven.at(-1)), { topic: '/turtle1/cmd_vel', linear: 1, angular: 0 });
+      // Round the middle, where it would stand still.
+      await slide([x, y - box.height], [x + box.width, y]);
+      await hears(page, 0, -1);
+      await touch(end);
+      await stopped(page);
+      assert.equal(await scrolled(), at, 'nothing scrolled');
+    }
+    await devtools.detach();
   }));
 
 test('a gamepad drives by its sticks and its cross', () =>

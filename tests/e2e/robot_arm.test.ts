@@ -67,6 +67,10 @@ test('the page shows the arm, which goes where a parameter says and turns to a g
   await page.getByText('turn goes to 1.50').first().waitFor();
   await turnedTo(page, 1.5);
   await canvas.screenshot({ path: join(kOutput, 'robot_arm.png') });
+  // The sliders that the README names, as far as they go.
+  await page.getByRole('slider', { name: 'turn of /arm/mover, slider', exact: true }).press('End');
+  await page.getByText('turn goes to 3.10').first().waitFor();
+  await turnedTo(page, 3.1);
   const before = await canvas.screenshot();
   await page.getByRole('button', { name: 'Set a goal' }).click();
   const box = (await canvas.boundingBox()) ?? assert.fail();
@@ -88,6 +92,36 @@ test('the page shows the arm, which goes where a parameter says and turns to a g
   assert.equal(await page.locator('.scene-problem').count(), 0);
   await canvas.screenshot({ path: join(kOutput, 'robot_arm_hand.png') });
   assert.deepEqual(troubles, []);
+  await page.close();
+});
+
+test('without the waving, sliders of the panel Joints move the arm, and leave it to the mover when they rest', watchdog, async () => {
+  await using server = await ServedSite.start([site, '--port', '0']);
+  const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
+  page.setDefaultTimeout(120_000);
+  const finger = { frames: { source: 'left_finger', target: 'world' } };
+  const layout = { row: ['parameters', { joints: { topic: '/arm/joint_states' } }, { column: [finger, 'console'] }] };
+  await page.goto(`${server.url}?wave:=false#layout=${encodeURIComponent(JSON.stringify(layout))}`);
+  await page.getByText('waiting for a joint to be set').waitFor();
+  await turnedTo(page, 0);
+  const joints = page.locator('.panel-joints');
+  await joints.getByRole('slider', { name: 'turn' }).press('Home');
+  await turnedTo(page, -3.1);
+  // Nobody else pulls it back: it stands there in each of the next pictures.
+  const yaws = await page.evaluate(() => new Promise<string[]>((done) => {
+    const seen: string[] = [];
+    const look = (): void => {
+      seen.push([...document.querySelectorAll('.frames-between .frames-number')][9]?.lastChild?.textContent ?? '');
+      if (seen.length < 90) requestAnimationFrame(look);
+      else done(seen);
+    };
+    look();
+  }));
+  assert.deepEqual([...new Set(yaws)].filter((yaw) => !/^-3\.(09|10)/.test(yaw)), []);
+  await page.screenshot({ path: join(kOutput, 'robot_arm_joints.png') });
+  await joints.getByRole('checkbox', { name: 'Publish' }).uncheck();
+  await page.getByRole('slider', { name: 'turn of /arm/mover, slider', exact: true }).press('End');
+  await turnedTo(page, 3.1);
   await page.close();
 });
 

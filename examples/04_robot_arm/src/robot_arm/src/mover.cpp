@@ -1,5 +1,6 @@
-// Moves the arm: each joint goes at its own pace to where its parameter says. Until somebody sets one, the arm waves.
-// A goal pose turns it to that side.
+// Moves the arm: each joint goes at its own pace to where its parameter says. Until somebody sets
+// one, the arm waves, or this node says nothing if it is not to wave. A goal pose turns the arm to
+// that side.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -63,6 +64,7 @@ private:
       for (std::size_t i = 0; i < kJoints.size(); ++i) {
         if (parameter.get_name() == kJoints[i].parameter) {
           waving_ = false;
+          asked_ = true;
           goals_[i] = parameter.as_double();
           RCLCPP_INFO(get_logger(), "%s goes to %.2f", kJoints[i].parameter, goals_[i]);
         }
@@ -76,6 +78,8 @@ private:
   }
 
   void step() {
+    // Somebody else may move the joints.
+    if (!waving_ && !asked_) return;
     time_ += kPeriod;
     sensor_msgs::msg::JointState state;
     state.header.stamp = now();
@@ -93,6 +97,7 @@ private:
   }
 
   bool waving_ = true;
+  bool asked_ = false;  ///< somebody has set a joint
   double time_ = 0;
   std::array<double, kJoints.size()> positions_{};
   std::array<double, kJoints.size()> goals_{};

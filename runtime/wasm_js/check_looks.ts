@@ -159,9 +159,19 @@ function logLook({ node, log }: Aim<'log'>, { session, inTime, met }: LookPlace)
   };
 }
 
-const parameterKinds = [
+/** By the constants of rcl_interfaces/msg/ParameterType; 0 is not set. */
+const parameterFields = [
   undefined, 'bool_value', 'integer_value', 'double_value', 'string_value',
+  'byte_array_value', 'bool_array_value', 'integer_array_value', 'double_array_value', 'string_array_value',
 ] as const;
+
+/** A list is compared as a text: `[1, 2]`, `[1.0, 0.5]`, `[left, right]`. */
+function parameterValue(field: string, value: unknown): unknown {
+  if (!field.endsWith('_array_value')) return value;
+  const item = (one: unknown): string =>
+    field === 'double_array_value' && Number.isInteger(one) ? `${String(one)}.0` : String(one);
+  return `[${Array.from(value as ArrayLike<unknown>, item).join(', ')}]`;
+}
 
 function parameterLook({ node, parameter, value: wanted }: Aim<'parameter'>, { session, codec, inTime, met }: LookPlace): Look {
   const service = 'rcl_interfaces/srv/GetParameters';
@@ -174,12 +184,11 @@ function parameterLook({ node, parameter, value: wanted }: Aim<'parameter'>, { s
     const reply = codec.decode(`${service}_Response`, bytes);
     const given = reply.kind === 'value' ? valueAt(reply.value, 'values[0]') : undefined;
     const kind = valueAt(given, 'type');
-    const key = typeof kind === 'number' ? parameterKinds[kind] : undefined;
+    const field = typeof kind === 'number' ? parameterFields[kind] : undefined;
     if (reply.kind === 'failed') last = reply.reason;
-    else if (kind === 0 || given === undefined) last = 'the node has no such parameter';
-    else if (key === undefined) last = 'the parameter is a list';
+    else if (field === undefined) last = 'the node has no such parameter';
     else {
-      const value = valueAt(given, key);
+      const value = parameterValue(field, valueAt(given, field));
       last = shown(value);
       if (meets(value, wanted) && inTime(session.time.view().now)) met(last);
     }

@@ -3,7 +3,9 @@
 import type { ConsoleLine, ConsoleLog, LogLevel, Unsubscribe } from './session.ts';
 import type { SentLine } from './console_sender.ts';
 
-export const mostConsoleLines = 50_000;
+export const mostConsoleLines = 100_000;
+/** Dropped in steps, so that moving the rest costs little. */
+const mostKept = 1.25 * mostConsoleLines;
 
 const logLine = /^(?:\u001b\[[0-9;]*m)*\[(DEBUG|INFO|WARN|ERROR|FATAL)\] \[/;
 
@@ -39,11 +41,11 @@ export class NodeConsole implements ConsoleLog {
   }
 
   private trim(): void {
-    if (this.ring.length > 2 * mostConsoleLines) {
+    if (this.ring.length > mostKept) {
       this.lost += this.ring.length - mostConsoleLines;
       this.ring = this.ring.slice(-mostConsoleLines);
     }
-    if (this.fresh.length > 2 * mostConsoleLines) this.fresh = this.fresh.slice(-mostConsoleLines);
+    if (this.fresh.length > mostKept) this.fresh = this.fresh.slice(-mostConsoleLines);
   }
 
   private tell(): void {

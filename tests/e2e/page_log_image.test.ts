@@ -4,6 +4,7 @@ import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import type { Page } from 'playwright-core';
 import { PageStage, expectAccessible } from './page_stage.ts';
+import type { FakeSession } from '../unit/ui/fake_session.ts';
 
 declare global {
   // Set by page_fake.tsx in the scene "signals".
@@ -68,6 +69,39 @@ test('the log shows all nodes, by level, node and text', () =>
     await page.getByRole('button', { name: 'Clear the log' }).click();
     await page.getByText('Nothing has been logged').waitFor();
     assert.match(await page.title(), /^Talker and listener/);
+  }));
+
+test('a hundred thousand lines that consoles have are in the log, and few of them in the document', () =>
+  stage.on(withPanels({ tabs: ['nodes', 'log'] }), {}, async (page) => {
+    await page.locator('.node-head').first().waitFor();
+    await page.evaluate(() => {
+      const session = fake as FakeSession;
+      const texts = (from: number): string[] =>
+        Array.from({ length: 10_000 }, (_, i) => `[INFO] [1700000000.${String(from + i).padStart(9, '0')}] [talker]: line ${from + i}`);
+      for (let from = 0; from < 100_000; from += 10_000) session.print('robot-1', ...texts(from), 'printed only');
+    });
+    await page.getByRole('tab', { name: 'Log' }).click();
+    const lines = page.getByRole('log', { name: 'Log' });
+    await lines.getByText('line 99999', { exact: true }).waitFor();
+    await page.getByRole('searchbox', { name: 'Filter the log' }).fill('nothing like it');
+    await page.getByText('None of 100\u202f000 lines match the filter.').waitFor();
+    await page.getByRole('searchbox', { name: 'Filter the log' }).fill('');
+    await lines.getByText('line 99999', { exact: true }).waitFor();
+    assert.ok((await lines.locator('.line').count()) < 100);
+    await lines.focus();
+    await page.keyboard.press('Home');
+    await lines.getByText('line 0', { exact: true }).waitFor();
+    // What comes now stands behind them; the reader stays where they read.
+    const say = (msg: string): Promise<void> => page.evaluate((text) => globalThis.send('/rosout', 'rcl_interfaces/msg/Log', {
+      stamp: { sec: 1700000001, nanosec: 0 }, level: 20, name: 'talker', msg: text, file: '', function: '', line: 0,
+    }), msg);
+    await say('before anybody listens');
+    await page.waitForFunction(() => heard('/rosout') > 0);
+    await say('fresh');
+    await page.getByRole('button', { name: / new$/ }).click();
+    await lines.getByText('fresh', { exact: true }).waitFor();
+    await page.getByRole('searchbox', { name: 'Filter the log' }).fill('line 4242');
+    await lines.getByText('line 42424', { exact: true }).waitFor();
   }));
 
 async function picture(page: Page): Promise<void> {

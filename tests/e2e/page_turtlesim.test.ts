@@ -287,7 +287,7 @@ test('example 03 opens as its manifest says: beside its lab sheet, and on a phon
   await onExample({ viewport: { width: 1440, height: 900 } }, '', async (page) => {
     await page.getByRole('heading', { name: 'Drive a turtle' }).waitFor();
     await drawing(page, /turtle1 at x 5\.5/).waitFor();
-    await page.locator('.panel-checks').getByText('2 of 2 checks passed').waitFor();
+    await page.locator('.panel-checks').getByText('3 of 3 checks passed').waitFor();
     await page.getByRole('link', { name: 'publish one' }).or(page.getByRole('button', { name: 'publish one' })).click();
     await page.waitForFunction(() => !/heading 0°/.test(document.querySelector('.turtle-sheet')?.getAttribute('aria-label') ?? 'heading 0°'));
     await expectAccessible(page);

@@ -24,13 +24,13 @@ export interface LineWindow {
 
 export class LineList {
   private readonly capacity: number;
-  private all: DisplayLine[] = [];
-  private shown: DisplayLine[] = [];
+  protected all: DisplayLine[] = [];
+  protected shown: DisplayLine[] = [];
   private readonly map = new RowMap();
-  private filter: LineFilter = NO_FILTER;
+  protected filter: LineFilter = NO_FILTER;
   private columns = 80;
   private nextKey = 0;
-  private fallen = 0;
+  protected fallen = 0;
   private added = 0;
 
   constructor(capacity: number) {
@@ -70,7 +70,7 @@ export class LineList {
     if (this.all.length > this.capacity + 1024) this.dropTo(this.capacity);
   }
 
-  /** The rows that fell off the front since the last call: what a reader's place moves up by. */
+  /** The rows that fell off the front since the last call: what a reader's place moves up by. Below zero: came there. */
   takeFallenRows(): number {
     const rows = this.fallen;
     this.fallen = 0;
@@ -138,7 +138,7 @@ export class LineList {
     this.fallen += this.map.dropFirst(dropped);
   }
 
-  private measure(): void {
+  protected measure(): void {
     this.map.clear();
     for (const line of this.shown) {
       this.map.push(rowsOf(line, this.columns));
@@ -146,7 +146,7 @@ export class LineList {
   }
 }
 
-function passes(line: DisplayLine, filter: LineFilter): boolean {
+export function passes(line: DisplayLine, filter: LineFilter): boolean {
   if (filter.level !== null) {
     if (line.level === null || LEVELS.indexOf(line.level) < LEVELS.indexOf(filter.level)) {
       return false;

@@ -6,8 +6,8 @@ import type { ConsoleLine } from '../../wasm_js/session.ts';
 import { isMessage } from '../../decode/yaml.ts';
 import { asNumber } from '../model/field_path.ts';
 import { textMember } from '../model/json.ts';
-import { LineList } from '../model/line_list.ts';
-import { KnownLines, loggedBefore } from '../model/log_history.ts';
+import { GrowingList } from '../model/growing_list.ts';
+import { LogHistory } from '../model/log_history.ts';
 import type { LogEntry } from '../model/log_history.ts';
 import { LEVELS } from '../model/log_line.ts';
 import { formatCount } from '../model/quantities.ts';
@@ -23,7 +23,10 @@ import type { PanelProps } from './panel_props.ts';
 
 const kTopic = '/rosout';
 const kShown = 'shown';
-const kCapacity = 50_000;
+const kCapacity = 100_000;
+/** Lines of the consoles that are read at once, and then with each turn of the page. */
+const kFirstPiece = 2000;
+const kPiece = 4000;
 /** Names offered to choose from. */
 const kMostNames = 500;
 
@@ -45,63 +48,71 @@ export function LogPanel({ session, state, setState, announce }: PanelProps) {
   const text = textMember(state, 'text');
   const places = textMember(state, 'places') === kShown;
   const codec = useCodec(session);
-  const entries = useRef<LogEntry[]>([]);
+  const history = useRef(new LogHistory(kCapacity, []));
+  /** Not in the list yet: with the next frame. */
+  const fresh = useRef<LogEntry[]>([]);
   const names = useRef(new Set<string>());
   const [version, changed] = useReducer<number, void>((n) => n + 1, 0);
-  const list = useMemo(() => new LineList(kCapacity), []);
+  const list = useMemo(() => new GrowingList(kCapacity), []);
   const wanted = useRef({ node, places });
   wanted.current = { node, places };
 
   useMemo(() => list.setFilter({ text, level }), [list, text, level]);
-  const fill = (): void => {
+  const linesOf = (entries: readonly LogEntry[]): readonly ConsoleLine[] => {
     const { node: only, places: withPlaces } = wanted.current;
+    return entries.filter((entry) => only === '' || entry.node === only).map((entry) => shownLine(entry, withPlaces));
+  };
+  const fill = (): void => {
+    fresh.current = [];
     list.clear();
-    list.append(entries.current.filter((entry) => only === '' || entry.node === only).map((entry) => shownLine(entry, withPlaces)), '');
+    list.append(linesOf(history.current.entries), '');
     changed();
   };
   useEffect(fill, [list, node, places]);
 
   useEffect(() => {
     if (codec === null || typeof codec === 'string') return undefined;
-    const before = loggedBefore(session.nodes().map(({ id }) => session.console(id).lines()));
-    const known = new KnownLines(before);
-    for (const entry of before) if (names.current.size < kMostNames) names.current.add(entry.node);
-    entries.current = [...before];
-    fill();
-    let fresh: LogEntry[] = [];
+    const log = new LogHistory(kCapacity, session.nodes().map(({ id }) => session.console(id).lines()));
+    history.current = log;
     let frame = 0;
+    let turn: ReturnType<typeof setTimeout> | undefined;
     let completed = false;
+    const meet = (entry: LogEntry): void => {
+      if (names.current.size < kMostNames) names.current.add(entry.node);
+    };
+    const readOn = (lines: number): void => {
+      const older = log.older(lines);
+      older.forEach(meet);
+      list.prepend(linesOf(older));
+      if (older.length > 0) changed();
+      turn = log.done ? undefined : setTimeout(() => readOn(kPiece));
+    };
+    fresh.current = [];
+    list.clear();
+    readOn(kFirstPiece);
     const show = (): void => {
       frame = 0;
       if (completed) fill();
       completed = false;
-      entries.current = entries.current.concat(fresh).slice(-kCapacity);
-      const { node: only, places: withPlaces } = wanted.current;
-      const seen = fresh.filter((entry) => only === '' || entry.node === only);
-      list.append(seen.map((entry) => shownLine(entry, withPlaces)), '');
-      fresh = [];
+      list.append(linesOf(fresh.current), '');
+      fresh.current = [];
       changed();
     };
     const stop = feed(session, codec, kTopic, ({ decoded, publishedAt }) => {
       if (decoded.kind !== 'value') return;
       const entry = entryOf(decoded.value, publishedAt);
       if (entry === null) return;
-      if (names.current.size < kMostNames) names.current.add(entry.node);
-      const same = known.take(entry);
-      if (same === undefined) {
-        fresh.push(entry);
-      } else {
-        // It brings its place, and its other lines; unless it was cleared.
-        const index = entries.current.indexOf(same);
-        if (index >= 0) entries.current[index] = entry;
-        completed = true;
-      }
+      meet(entry);
+      const taken = log.take(entry);
+      if (taken === 'new') fresh.current.push(entry);
+      else if (taken === 'longer' || (taken === 'placed' && wanted.current.places)) completed = true;
       // No frame comes while the page is hidden.
-      if (fresh.length > 2 * kCapacity) fresh = fresh.slice(-kCapacity);
+      if (fresh.current.length > 2 * kCapacity) fresh.current = fresh.current.slice(-kCapacity);
       if (frame === 0) frame = requestAnimationFrame(show);
     });
     return () => {
       cancelAnimationFrame(frame);
+      clearTimeout(turn);
       stop();
     };
   }, [session, codec, list]);
@@ -109,13 +120,14 @@ export function LogPanel({ session, state, setState, announce }: PanelProps) {
   const change = (next: Readonly<Record<string, string>>): void =>
     setState({ level: level ?? '', node, text, places: places ? kShown : '', ...next });
   const clear = (): void => {
-    entries.current = [];
+    history.current.clear();
+    fresh.current = [];
     list.clear();
     changed();
   };
   const offered = [...new Set([...names.current, ...(node === '' ? [] : [node])])].toSorted();
   // Of the chosen node, or of all where that one has said nothing.
-  const count = list.allCount > 0 ? list.allCount : entries.current.length;
+  const count = list.allCount > 0 ? list.allCount : history.current.count;
   const empty = count > 0 ? texts.console.emptyFiltered(formatCount(count)) : panelTexts.log.empty;
   return (
     <PanelFrame

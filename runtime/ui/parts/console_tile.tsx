@@ -152,7 +152,7 @@ function useLines(session: Session, ids: string, merged: boolean): Lines {
     });
     // Stable: lines of one node keep their order.
     if (names.length > 1) past.sort((a, b) => a.line.time - b.line.time);
-    for (const { line, prefix } of past) list.append([line], prefix);
+    for (const { line, prefix } of past.slice(-kCapacity)) list.append([line], prefix);
     changed();
     return () => {
       for (const stop of stops) stop();

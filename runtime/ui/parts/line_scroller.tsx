@@ -103,11 +103,12 @@ export function LineScroller({ list, version, label, empty }: LineScrollerProps)
     const fallen = list.takeFallenRows();
     if (following.current) {
       element.scrollTop = element.scrollHeight;
-    } else if (fallen > 0) {
+    } else if (fallen !== 0) {
       element.scrollTop -= fallen * metrics.row;
     }
     if (corrected) setCorrections(corrections + 1);
-  }, [version, metrics, top, corrections]);
+    // Another filter changes the rows alone.
+  }, [version, metrics, top, corrections, list.totalRows]);
 
   const onScroll = (): void => {
     const element = box.current;

@@ -10,6 +10,7 @@ import {
   rowsOf,
 } from '../../../runtime/ui/model/log_line.ts';
 import { afterSnapshot } from '../../../runtime/ui/model/line_feed.ts';
+import { GrowingList } from '../../../runtime/ui/model/growing_list.ts';
 import { LineList } from '../../../runtime/ui/model/line_list.ts';
 import { RowMap } from '../../../runtime/ui/model/row_map.ts';
 
@@ -238,4 +239,23 @@ test('a hundred thousand lines are appended and windowed quickly', () => {
   assert.equal(list.shownCount, 100_000);
   // The time of this process: a busy machine makes it no slower.
   assert.ok(process.cpuUsage(before).user < 5_000_000);
+});
+
+test('a list that grows at its front keeps the places of what is there', () => {
+  const list = new GrowingList(100);
+  list.setColumns(20);
+  list.append([log('WARN', 'c'), line('d')], '');
+  const rows = list.totalRows;
+  list.prepend([line('a'), line('b '.repeat(15))]);
+  assert.deepEqual(list.window(0, 100).lines.map(({ plain }) => plain.slice(0, 1)), ['a', 'b', '[', 'd']);
+  assert.equal(list.takeFallenRows(), rows - list.totalRows);
+  assert.equal(list.takeFallenRows(), 0);
+  assert.equal(list.addedCount, 2, 'nothing new has come');
+  list.append([line('e')], '');
+  const keys = list.window(0, 100).lines.map(({ key }) => key);
+  assert.deepEqual(keys, keys.toSorted((a, b) => a - b));
+  assert.equal(new Set(keys).size, 5);
+  list.setFilter({ text: '', level: 'WARN' });
+  list.prepend([line('no'), log('ERROR', 'yes')]);
+  assert.deepEqual(list.window(0, 100).lines.map(({ level }) => level), ['ERROR', 'WARN']);
 });

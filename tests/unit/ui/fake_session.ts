@@ -9,6 +9,7 @@ import type {
   LaunchRequest,
   ConsoleLine,
   ConsoleLog,
+  LogLevel,
   GraphView,
   KernelEvent,
   KeyMode,
@@ -459,7 +460,10 @@ export class FakeSession implements Session {
   }
 
   print(id: string, ...texts: readonly string[]): void {
-    this.console(id).add(texts.map((text) => ({ time: Date.now(), stream: 'stderr', text })));
+    this.console(id).add(texts.map((text) => {
+      const level = /^\[(DEBUG|INFO|WARN|ERROR|FATAL)\] \[/.exec(text)?.[1] as LogLevel | undefined;
+      return { time: Date.now(), stream: 'stderr', text, ...(level === undefined ? {} : { level }) };
+    }));
   }
 
   log(id: string, level: string, message: string): void {

@@ -90,6 +90,7 @@ const input = {
 Object.assign(globalThis, {
   scene: {
     take: () => next,
+    isHeld: () => whole().clock.law().limitNs !== Infinity,
     answer: (value: unknown) => port.postMessage({ value }),
     fail: (error: string) => port.postMessage({ error }),
   },

@@ -8,7 +8,7 @@ import { after, test } from 'node:test';
 import type { LinkKind } from '../../../runtime/wasm_js/session.ts';
 import { killScenes } from './kill_scenes.ts';
 import { startNodeWorker } from './node_start.ts';
-import { PythonWorkers } from './python_start.ts';
+import { PythonWorkers, tooLarge } from './python_start.ts';
 import { qosScenes } from './qos_scenes.ts';
 import { scenes } from './scenes.ts';
 import { serviceScenes } from './service_scenes.ts';
@@ -16,9 +16,6 @@ import { timeScenes } from './time_scenes.ts';
 import { type RawWorker, World } from './world.ts';
 
 const watchdogMs = 120_000;
-
-/** It is about one message of 300 MB, of which an interpreter would keep three copies to its end. */
-const tooLarge = 'messages larger than there can be room for are refused';
 
 /** Who is killed there is Python, and so is who begins then: an interpreter more for each. */
 const killing = 'Python to Python';

@@ -167,6 +167,68 @@ test('on a page without shared memory: an image, a call of a service, input(), a
   }
 });
 
+test('the site of example 06 prints what its expected.txt says', async () => {
+  const ran = await runCli(['run', site, '--for', '60s', '--until', 'waits for topic_a']);
+  assert.equal(ran.code, 0, ran.errors);
+  for (const line of readFileSync(join(kExample, 'expected.txt'), 'utf8').trimEnd().split('\n')) assert.match(ran.output, new RegExp(line));
+});
+
+const kBesideTerminal = `#layout=${encodeURIComponent(JSON.stringify({ row: ['notebook', 'terminal'], shown: 'notebook' }))}`;
+
+// Compatibility, works: notebooks: `await client.call_async(...)`, services that a notebook answers, and `rclpy.spin(node)` until an
+// interrupt, after which `rclpy.init()` begins again
+for (const isolated of [true, false]) {
+  test(`${isolated ? 'shared' : 'port'}: a cell spins and answers until it is interrupted, and the next ones go on`, async () => {
+    const served = await serveFolder(site, { isolated });
+    const context = await stage.browser.newContext({ viewport: { width: 1400, height: 900 }, serviceWorkers: 'block' });
+    const page = await context.newPage();
+    page.setDefaultTimeout(120_000);
+    try {
+      await page.goto(`${served.url}${kBesideTerminal}`);
+      const notebook = page.locator('#panel-notebook');
+      await notebook.getByText('Python is not started').waitFor();
+      assert.equal(await page.evaluate(() => crossOriginIsolated), isolated);
+      const outputs = cellOf(page, 12).locator('.outputs');
+      for (const round of ['first', 'second']) {
+        await rewrite(page, 12, awaits(round));
+        await page.keyboard.press('Control+Enter');
+        await outputs.getByText(`${round}: the relay has use_sim_time False`).waitFor();
+        await rewrite(page, 12, answers(round));
+        await page.keyboard.press('Control+Enter');
+        await outputs.getByText(`${round}: spins`).waitFor();
+        await page.waitForSelector('.terminal-input input:not([readonly])');
+        await page.getByRole('textbox', { name: 'Command' }).fill(`ros2 service call /answers rcl_interfaces/srv/GetParameters '{names: [${round}]}'`);
+        await page.getByRole('textbox', { name: 'Command' }).press('Enter');
+        await page.getByRole('log', { name: 'Output of the commands' }).getByText(`string_value='${round} was asked for'`).waitFor();
+        await notebook.getByRole('button', { name: 'Interrupt' }).click();
+        await outputs.getByText('KeyboardInterrupt').waitFor();
+        await notebook.getByText('Python waits').waitFor();
+      }
+    } finally {
+      await context.close();
+      await served.close();
+    }
+  });
+}
+
+const awaits = (round: string): string => `import rclpy
+from rcl_interfaces.srv import GetParameters
+if not rclpy.ok():
+    rclpy.init()
+lab = rclpy.create_node('lab')
+client = lab.create_client(GetParameters, '/relay/get_parameters')
+client.wait_for_service()
+answer = await client.call_async(GetParameters.Request(names=['use_sim_time']))
+print('${round}: the relay has use_sim_time', answer.values[0].bool_value)`;
+
+const answers = (round: string): string => `from rcl_interfaces.msg import ParameterValue
+def answer(request, response):
+    response.values = [ParameterValue(type=4, string_value=f'{name} was asked for') for name in request.names]
+    return response
+service = lab.create_service(GetParameters, '/answers', answer)
+print('${round}: spins')
+rclpy.spin(lab)`;
+
 const several = `import rclpy, struct, zlib
 from IPython.display import Image, display
 from rcl_interfaces.srv import GetParameters

@@ -1,15 +1,18 @@
-// What parts of rclpy do that few nodes use, on both links: rates, options of loggers, what is known about messages, jumps
+// What parts of rclpy do that few nodes use, on both links, in Node.js and in Chromium: rates, options of loggers, what is known about messages, jumps
 // of time, the graph, type descriptions, overridden QoS, calls within callbacks, guard conditions, waitables, queued goals.
 
 // Compatibility, works: rates, options of loggers, callbacks with message info, jump callbacks, the graph's queries, type
 // descriptions, overridden QoS, `Client.call` in a callback, guard conditions, own waitables and queued goals of rclpy
 
 import assert from 'node:assert/strict';
-import { rmSync } from 'node:fs';
+import { readFileSync, rmSync } from 'node:fs';
 import { after, before, test } from 'node:test';
+import { chromium } from 'playwright-core';
 import { openHeadless } from '../../runtime/wasm_js/headless_session.ts';
 import { ownPackage } from '../support/python_nodes.ts';
+import { serveFolder } from '../support/static_server.ts';
 import { prints, reaches } from '../unit/wasm_js/site_fixture.ts';
+import { chromiumOptions } from './chromium.ts';
 import { makeSite } from './runtime_site.ts';
 
 const watchdog = { timeout: 240_000 };
@@ -57,21 +60,49 @@ const wanted = [
   'that is all',
 ];
 
+function check(texts: readonly string[], end: unknown): void {
+  const logged = texts.filter((text) => text.startsWith('['));
+  assert.deepEqual(texts.filter((text) => !logged.includes(text)), wanted, JSON.stringify(end));
+  const times = (text: string): number => logged.filter((line) => line.endsWith(`[logs]: ${text}`)).length;
+  assert.deepEqual(
+    ['tells once', 'skips the first', 'is throttled', 'is throttled for a moment'].map(times), [1, 2, 1, 3]);
+}
+
 for (const link of ['shared', 'port'] as const) {
   test(`${link}: seldom used parts of rclpy do what they do natively`, watchdog, async () => {
     const { session, close } = await openHeadless(folder, link, new URL('../../runtime/wasm_js/headless.ts', import.meta.url));
     try {
       session.start('behaviour-1');
       const end = await Promise.race([prints(session, 'behaviour-1', /^that is all$/), reaches(session, 'behaviour-1', 'exited')]);
-      const texts = session.console('behaviour-1').lines().map(({ text }) => text);
-      const logged = texts.filter((text) => text.startsWith('['));
-      assert.deepEqual(texts.filter((text) => !logged.includes(text)), wanted, JSON.stringify(end));
-      const times = (text: string): number => logged.filter((line) => line.endsWith(`[logs]: ${text}`)).length;
-      assert.deepEqual(
-        ['tells once', 'skips the first', 'is throttled', 'is throttled for a moment'].map(times), [1, 2, 1, 3]);
+      check(session.console('behaviour-1').lines().map(({ text }) => text), end);
     } finally {
       session.close();
       close();
     }
   });
 }
+
+test('and so they do in Chromium, on both links', watchdog, async () => {
+  const browser = await chromium.launch(chromiumOptions());
+  try {
+    for (const isolated of [true, false]) {
+      const host = await serveFolder(folder, { isolated });
+      const context = await browser.newContext({ serviceWorkers: 'block' });
+      try {
+        const page = await context.newPage();
+        await page.goto(host.url);
+        assert.equal(await page.evaluate(() => crossOriginIsolated), isolated);
+        const end = await page.getByText(/^(Finished, code|Exited with code|Crashed)/).first().innerText({ timeout: 120_000 });
+        const [saved] = await Promise.all([
+          page.waitForEvent('download'), page.getByRole('button', { name: 'Save the console of /behaviour', exact: true }).click(),
+        ]);
+        check(readFileSync(await saved.path(), 'utf8').trimEnd().split('\n'), [isolated, end]);
+      } finally {
+        await context.close();
+        await host.close();
+      }
+    }
+  } finally {
+    await browser.close();
+  }
+});

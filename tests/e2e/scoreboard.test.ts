@@ -63,6 +63,15 @@ test('packages written from the documentation alone', { timeout: 1_200_000 }, as
   assert.ok(rows.every((row) => row.built && row.started && row.expected === true), output);
 });
 
+test('in Chromium: packages of Python that were written from the documentation alone', { timeout: 500_000 }, async () => {
+  // Its companion is of C++, whose build is the longer part.
+  const python = learned.filter((row) => /_py\//.test(row) && row !== 'learn_own_types_py/adder');
+  const { code, rows, output } = await board(['--chromium', ...python.flatMap((row) => ['--only', row])]);
+  assert.equal(code, 0, output);
+  assert.deepEqual(rows.map((row) => `${row.package}/${row.executable}`).sort(), [...python].sort());
+  assert.ok(rows.every((row) => row.built && row.started && row.expected === true), output);
+});
+
 test('a row that is not as expected is red, and a launch file with wrong arguments is not packed', { timeout: 500_000 }, async () => {
   const file = join(folder, 'wrong.yaml');
   writeFileSync(file, `

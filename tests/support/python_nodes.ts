@@ -34,11 +34,16 @@ export function compiledStdlib(): string {
   return made;
 }
 
-/** `packages`: folder -> place in the installation. */
-export function addPythonFiles(folder: string, packages: Readonly<Record<string, string>>): void {
+/** The interpreter, in a folder of that name. */
+export function addPyodide(folder: string): void {
   mkdirSync(join(folder, 'pyodide'));
   for (const file of pyodideFiles) copyFileSync(join(pyodide, file), join(folder, 'pyodide', file));
   copyFileSync(compiledStdlib(), join(folder, 'pyodide/python_stdlib.zip'));
+}
+
+/** `packages`: folder -> place in the installation. */
+export function addPythonFiles(folder: string, packages: Readonly<Record<string, string>>): void {
+  addPyodide(folder);
   mkdirSync(join(folder, 'python'));
   const make = (out: string, pairs: readonly string[]): void => {
     execFileSync('python3', [join(root, 'tests/support/make_archive.py'), join(folder, 'python', out), ...pairs]);

@@ -1,4 +1,8 @@
-// Both links in Chromium.
+// Both links in Chromium: between workers of TypeScript all scenes, between those and Python programs most.
+
+// Compatibility, works: Python on either side of the middleware's scenes, on both links: matching,
+// order, depth, transient_local, backpressure, QoS and its events, services, deaths, the graph,
+// time that is held, stepped and scaled
 
 import assert from 'node:assert/strict';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
@@ -10,7 +14,10 @@ import { build } from 'esbuild';
 import { type Browser, chromium, type Page } from 'playwright-core';
 import { chromiumOptions } from '../../e2e/chromium.ts';
 import { type StaticServer, serveFolder } from '../../support/static_server.ts';
+import { addPyodide } from '../../support/python_nodes.ts';
 import { allScenes } from './all_scenes.ts';
+import { killScenes } from './kill_scenes.ts';
+import { putPeerArchive, tooLarge } from './python_start.ts';
 
 const watchdogMs = 120_000;
 
@@ -22,9 +29,11 @@ let page: Page;
 before(async () => {
   folder = mkdtempSync(join(tmpdir(), 'ros2wasm-links-'));
   const here = fileURLToPath(new URL('.', import.meta.url));
-  const entryPoints = [join(here, 'browser_page.ts'), join(here, 'browser_peer.ts')];
+  const entryPoints = [join(here, 'browser_page.ts'), join(here, 'browser_peer.ts'), join(here, 'python_browser_peer.ts')];
   await build({ entryPoints, bundle: true, format: 'iife', outdir: folder, target: 'es2022', logLevel: 'warning' });
   writeFileSync(join(folder, 'index.html'), '<!doctype html><title>links</title><script src="browser_page.js"></script>');
+  putPeerArchive(folder);
+  addPyodide(folder);
   host = await serveFolder(folder, { isolated: true });
   browser = await chromium.launch(chromiumOptions());
   page = await browser.newPage();
@@ -37,14 +46,20 @@ after(async () => {
   rmSync(folder, { recursive: true });
 });
 
+/** Who is killed takes an interpreter along: python_links.test.ts has those scenes. */
+const left = new Set([tooLarge, ...killScenes.map(({ name }) => name)]);
+const forPython = allScenes.filter(({ name }) => !left.has(name));
+
 for (const kind of ['shared', 'port'] as const) {
-  for (const { name } of allScenes) {
-    test(`Chromium, ${kind}: ${name}`, { timeout: watchdogMs }, async () => {
-      const outcome = await page.evaluate(([k, n]) => {
-        const run = (globalThis as unknown as { runScene: (kind: string, name: string) => Promise<string | undefined> }).runScene;
-        return run(k, n);
-      }, [kind, name] as const);
-      assert.equal(outcome, undefined);
-    });
+  for (const [between, scenes] of [['TypeScript', allScenes], ['Python to TypeScript', forPython], ['TypeScript to Python', forPython]] as const) {
+    for (const { name } of scenes) {
+      test(`Chromium, ${kind}, ${between}: ${name}`, { timeout: watchdogMs }, async () => {
+        const outcome = await page.evaluate(([k, n, b]) => {
+          const run = (globalThis as unknown as { runScene: (kind: string, name: string, between: string) => Promise<string | undefined> }).runScene;
+          return run(k, n, b);
+        }, [kind, name, between] as const);
+        assert.equal(outcome, undefined);
+      });
+    }
   }
 }

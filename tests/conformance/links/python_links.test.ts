@@ -1,21 +1,24 @@
 // The scenes between Python programs, and between Python and TypeScript, on both links under Node.js.
 
 // Compatibility, works: Python on either side of the middleware's scenes, on both links: matching,
-// order, depth, transient_local, backpressure, QoS and its events, services, deaths, the graph
+// order, depth, transient_local, backpressure, QoS and its events, services, deaths, the graph,
+// time that is held, stepped and scaled
 
 import { after, test } from 'node:test';
 import type { LinkKind } from '../../../runtime/wasm_js/session.ts';
+import { killScenes } from './kill_scenes.ts';
 import { startNodeWorker } from './node_start.ts';
-import { PythonWorkers } from './python_start.ts';
+import { PythonWorkers, tooLarge } from './python_start.ts';
 import { qosScenes } from './qos_scenes.ts';
 import { scenes } from './scenes.ts';
 import { serviceScenes } from './service_scenes.ts';
+import { timeScenes } from './time_scenes.ts';
 import { type RawWorker, World } from './world.ts';
 
 const watchdogMs = 120_000;
 
-/** It is about one message of 300 MB, of which an interpreter would keep three copies to its end. */
-const tooLarge = 'messages larger than there can be room for are refused';
+/** Who is killed there is Python, and so is who begins then: an interpreter more for each. */
+const killing = 'Python to Python';
 
 const python = new PythonWorkers();
 after(() => python.close());
@@ -31,7 +34,7 @@ const sides: Readonly<Record<string, readonly [Start, Start]>> = {
 
 for (const kind of ['shared', 'port'] as const satisfies readonly LinkKind[]) {
   for (const [between, starts] of Object.entries(sides)) {
-    for (const scene of [...scenes, ...qosScenes, ...serviceScenes]) {
+    for (const scene of [...scenes, ...qosScenes, ...serviceScenes, ...timeScenes, ...(between === killing ? killScenes : [])]) {
       if (scene.name === tooLarge) continue;
       test(`${kind}, ${between}: ${scene.name}`, { timeout: watchdogMs }, async () => {
         let begun = 0;

@@ -135,6 +135,33 @@ class Peer:
                     return sample
             host.wait(token, -1)
 
+    def flood(self, handle: int, largest: int) -> None:
+        """Without end: only a kill ends it."""
+        endpoint, i = self.of(handle), 0
+        while True:
+            i += 1
+            endpoint.write_bytes(bytes((i & 255,)) * (1 + (i * 7919) % largest))
+
+    def makeForEver(self, name: str) -> None:
+        while True:
+            node = self.node('maker')
+            made = self.publisher({'node': node, 'name': name})
+            self.write(made, bytes((255,)) * 3000)
+            self.destroy(made)
+            self.destroyNode(node)
+
+    def verify(self, handle: int, count: int) -> int:
+        newest: dict[bytes, int] = {}
+        for _ in range(count):
+            sample = self.takeNext(handle)
+            sequence, writer = sample['sequence'], sample['writerGid']
+            if sequence <= newest.get(writer, 0):
+                raise ValueError(f'{sequence} after {newest[writer]}')
+            newest[writer] = sequence
+            if sample['bytes'].count(sequence & 255) != len(sample['bytes']):
+                raise ValueError(f'sample {sequence} is torn')
+        return len(newest)
+
     @staticmethod
     def number(sample: dict[str, Any]) -> int:
         return int(struct.unpack_from('<i', sample['bytes'])[0])
@@ -242,6 +269,26 @@ class Peer:
 
     def sleep(self, duration_ms: float) -> int:
         return self.told(host.sleep(int(duration_ms * MS)))
+
+    def waitOut(self, timeout_ms: float) -> int:
+        end = host.steady_ns() + int(timeout_ms * MS)
+        while True:
+            result = self.told(host.wait(host.wake_token(), max(0, end - host.steady_ns())))
+            if result != host.WOKEN:
+                return result
+
+    def steadyMs(self) -> float:
+        return host.steady_ns() / MS
+
+    def heldMs(self) -> float:
+        while not js.scene.isHeld():
+            host.wait(host.wake_token(), 0)
+        return self.steadyMs()
+
+    def untilNs(self, steady_ns: float) -> None:
+        # Python's clock is made of milliseconds.
+        while host.steady_ns() + MS // 1000 < steady_ns:
+            host.wait(host.wake_token(), 0)
 
     def told(self, result: int) -> int:
         """Python is told once of a stop, by the result of a wait or, a moment before the wait begins, as of Ctrl-C."""

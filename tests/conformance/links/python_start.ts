@@ -4,13 +4,30 @@
 import { execFileSync } from 'node:child_process';
 import { copyFileSync, mkdirSync, mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
-import { join } from 'node:path';
+import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { Worker } from 'node:worker_threads';
 import type { PythonPeerData } from './python_peer.ts';
+import { peerArchive, peerEntry } from './python_serving.ts';
 import type { RawWorker } from './world.ts';
 
 const root = fileURLToPath(new URL('../../..', import.meta.url));
+
+/** It is about one message of 300 MB, of which an interpreter would keep three copies to its end. */
+export const tooLarge = 'messages larger than there can be room for are refused';
+
+/** Puts what the program needs into a folder. */
+export function putPeerArchive(folder: string): void {
+  const made = mkdtempSync(join(tmpdir(), 'ros2wasm-python-peer-'));
+  const entry = join(made, peerEntry);
+  mkdirSync(dirname(entry), { recursive: true });
+  copyFileSync(fileURLToPath(new URL('python_peer.py', import.meta.url)), entry);
+  execFileSync('python3', [
+    join(root, 'tests/support/make_archive.py'), join(folder, peerArchive), `${dirname(entry)}=${dirname(peerEntry)}`,
+    ...['rclpy', 'ros2wasm'].map((name) => `${join(root, 'runtime/rclpy', name)}=lib/python3.12/site-packages/${name}`),
+  ]);
+  rmSync(made, { recursive: true });
+}
 
 export class PythonWorkers {
   private readonly folder = mkdtempSync(join(tmpdir(), 'ros2wasm-python-peer-'));
@@ -19,12 +36,7 @@ export class PythonWorkers {
   started = 0;
 
   constructor() {
-    mkdirSync(join(this.folder, 'lib'));
-    copyFileSync(fileURLToPath(new URL('python_peer.py', import.meta.url)), join(this.folder, 'lib/peer'));
-    execFileSync('python3', [
-      join(root, 'tests/support/make_archive.py'), join(this.folder, 'all.zip'), `${join(this.folder, 'lib')}=lib/test`,
-      ...['rclpy', 'ros2wasm'].map((name) => `${join(root, 'runtime/rclpy', name)}=lib/python3.12/site-packages/${name}`),
-    ]);
+    putPeerArchive(this.folder);
   }
 
   readonly start = (): Promise<RawWorker> => {
@@ -42,7 +54,7 @@ export class PythonWorkers {
 
   private begin(): Worker {
     this.started += 1;
-    const workerData: PythonPeerData = { base: `${this.folder}/`, archive: 'all.zip', entry: 'lib/test/peer' };
+    const workerData: PythonPeerData = { base: `${this.folder}/` };
     return new Worker(new URL('python_peer.ts', import.meta.url), { workerData });
   }
 

@@ -131,20 +131,29 @@ class NotebookTest(BusTest):
         self.assertEqual(first[0].get('data'), {'text/plain': '7'}, first)
         self.assertEqual((second, third[0]['data']), ([], {'text/plain': '7'}))
 
-    # Works: notebooks: nodes publish, hear, call and answer, with `rclpy.spin_once` and with `await`
+    # Compatibility, works: notebooks: nodes publish, hear, call and answer, with `rclpy.spin_once`, with
+    # `rclpy.spin_until_future_complete` and with `await`
     def test_nodes(self) -> None:
-        first, second, third = self.run_cells(
+        first, second, third, fourth, fifth = self.run_cells(
             'import rclpy\nfrom std_msgs.msg import String\nrclpy.init()\nnode = rclpy.create_node("lab")\nheard = []\n'
             'node.create_subscription(String, "topic_a", lambda m: heard.append(m.data), 10)\n'
             'pub = node.create_publisher(String, "topic_a", 10)\npub.publish(String(data="one"))\n'
             'while not heard: rclpy.spin_once(node, timeout_sec=0.1)\nheard',
             'pub.publish(String(data="two"))\nimport asyncio\nwhile len(heard) < 2: await asyncio.sleep(0.005)\nheard',
+            'from example_interfaces.srv import AddTwoInts\n'
+            'def add(request, response):\n    response.sum = request.a + request.b\n    return response\n'
+            'node.create_service(AddTwoInts, "add", add)\nclient = node.create_client(AddTwoInts, "add")\n'
+            '(await client.call_async(AddTwoInts.Request(a=2, b=3))).sum',
+            'future = client.call_async(AddTwoInts.Request(a=40, b=2))\n'
+            'rclpy.spin_until_future_complete(node, future)\nfuture.result().sum',
             'def fails(m): raise RuntimeError("in a callback")\n'
             'node.create_subscription(String, "topic_b", fails, 10)\n'
             'node.create_publisher(String, "topic_b", 10).publish(String())\nawait asyncio.sleep(5)')
         self.assertEqual(first[-1]['data'], {'text/plain': "['one']"})
         self.assertEqual(second[-1]['data'], {'text/plain': "['one', 'two']"})
-        self.assertEqual(third[-1]['evalue'], 'in a callback')
+        self.assertEqual(third[-1].get('data'), {'text/plain': '5'}, third)
+        self.assertEqual(fourth[-1].get('data'), {'text/plain': '42'}, fourth)
+        self.assertEqual(fifth[-1]['evalue'], 'in a callback')
         importlib.import_module('rclpy').shutdown()
 
     def test_asks_for_input(self) -> None:

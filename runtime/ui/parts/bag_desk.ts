@@ -79,14 +79,17 @@ export class BagDesk {
     this.takeWritten();
   }
 
-  /** The bags and other files that nodes have written. */
+  /** The bags and other files that nodes have written; what stands beside a bag in metadata.yaml is in the bag too. */
   private takeWritten(): void {
     for (const file of this.session.written.take()) {
       const { node, path, content } = file;
-      if (path.endsWith('.mcap')) this.put(path.slice(path.lastIndexOf('/') + 1), content, 'written');
-      else this.files = [...this.files.filter((one) => one.node !== node || one.path !== path), file];
+      if (path.endsWith('.mcap')) {
+        this.put(path.slice(path.lastIndexOf('/') + 1), content, 'written');
+      } else if (!path.endsWith('/metadata.yaml')) {
+        this.files = [...this.files.filter((one) => one.node !== node || one.path !== path), file];
+        this.changed();
+      }
     }
-    this.changed();
   }
 
   forget(file: NodeFile): void {

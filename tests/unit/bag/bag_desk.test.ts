@@ -56,6 +56,9 @@ test('bags that nodes wrote lie on the shelf, also those from before somebody lo
   write('/tmp/other/my_bag_0.mcap');
   assert.equal(changes, 1);
   assert.deepEqual(desk.shelf.map(({ name, origin }) => `${name} ${origin}`), ['my_bag_0.mcap written', 'my_bag_0_2.mcap written']);
+  write('/home/user/log.csv');
+  write('/home/user/log.csv');
+  assert.deepEqual([changes, desk.files.map(({ path }) => path)], [3, ['/home/user/log.csv']]);
   for (const name of ['my_bag', 'my_bag/', 'my_bag_0', 'my_bag_0.mcap']) assert.equal((await desk.place.open(name))?.name, 'my_bag_0.mcap', name);
   assert.equal(await desk.place.open('your_bag'), undefined);
   session.close();

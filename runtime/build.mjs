@@ -1,10 +1,11 @@
 // Builds the files that go into every site, and runtime_assets.json that lists them with size and sha256.
-// usage: node runtime/build.mjs --out FOLDER [--texts FOLDER]. Same sources give the same bytes. --texts: the page's texts
-// in another language (other_texts.ts).
+// usage: node runtime/build.mjs --out FOLDER [--texts FOLDER] [--sentences FILE]. Same sources give the same bytes.
+// --texts: the page's texts in another language (other_texts.ts), and its sentences.json (other_sentences.ts).
+// --sentences: writes which sentences these are, with what --texts has for them.
 
 import { execFileSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
-import { mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { basename, join, relative, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
@@ -13,11 +14,24 @@ import { components, takeInputs } from './components.mjs';
 import { languageOf, otherTexts } from './other_texts.ts';
 
 const root = fileURLToPath(new URL('..', import.meta.url));
-const { values } = parseArgs({ options: { out: { type: 'string' }, texts: { type: 'string' } } });
+const { values } = parseArgs({ options: { out: { type: 'string' }, texts: { type: 'string' }, sentences: { type: 'string' } } });
+const usage = 'usage: build.mjs --out FOLDER [--texts FOLDER] [--sentences FILE]';
 const translated = values.texts === undefined ? [] : [otherTexts(values.texts)];
+const others = values.texts === undefined && values.sentences === undefined ? undefined : await import('./other_sentences.ts');
+const sentences = sentencesOfFolder();
+const seen = new Set();
+if (others !== undefined) translated.push(others.otherSentences(sentences, seen));
+
+function sentencesOfFolder() {
+  const file = values.texts === undefined ? undefined : join(values.texts, 'sentences.json');
+  return file !== undefined && existsSync(file) ? JSON.parse(readFileSync(file, 'utf8')) : {};
+}
 
 function inLanguage(html) {
-  return values.texts === undefined ? html : html.replace('<html lang="en">', `<html lang="${languageOf(values.texts)}">`);
+  if (others === undefined) return html;
+  for (const sentence of others.htmlSentences(html)) seen.add(sentence);
+  const told = others.htmlInOtherWords(html, sentences);
+  return values.texts === undefined ? told : told.replace('<html lang="en">', `<html lang="${languageOf(values.texts)}">`);
 }
 
 /**
@@ -180,7 +194,8 @@ async function buildRow(row, out) {
     ...options[row.kind],
     entryPoints: { [name]: row.from },
     outdir: out,
-    plugins: row.kind === 'modules' ? [leanRosmsg, ...translated, separateImports(later)] : [leanRosmsg],
+    // Headless programs say what they say in English.
+    plugins: [leanRosmsg, ...(row.kind === 'node' ? [] : translated), ...(row.kind === 'modules' ? [separateImports(later)] : [])],
     metafile: true,
   });
   if (row.kind !== 'node') takeInputs(metafile); // headless programs are in no site
@@ -191,13 +206,18 @@ async function buildRow(row, out) {
 }
 
 if (values.out === undefined) {
-  console.error('usage: build.mjs --out FOLDER [--texts FOLDER]');
+  console.error(usage);
   process.exit(2);
 }
 const out = resolve(values.out);
 rmSync(out, { recursive: true, force: true });
 mkdirSync(out, { recursive: true });
 for (const row of rows) await buildRow(row, out);
+for (const sentence of Object.keys(sentences)) if (!seen.has(sentence)) console.error(`sentences.json: no page says: ${sentence}`);
+if (values.sentences !== undefined) {
+  const table = Object.fromEntries([...seen].sort().map((sentence) => [sentence, sentences[sentence] ?? '']));
+  writeFileSync(values.sentences, `${JSON.stringify(table, null, 1)}\n`);
+}
 writeFileSync(join(out, 'components.json'), `${JSON.stringify(components(root), null, 1)}\n`);
 
 const roles = new Map([

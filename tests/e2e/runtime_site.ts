@@ -28,14 +28,14 @@ export interface PythonPart {
   readonly sources?: SiteSources['files'];
 }
 
-/** A temporary folder with a whole site. `more`: further files; `ui`: as in the manifest. */
+/** A temporary folder with a whole site. `more`: further files; `ui`: as in the manifest; `texts`: of another language. */
 export function makeSite(
   nodes: readonly TestNode[], more: Readonly<Record<string, string>> = {}, ui: Readonly<Record<string, unknown>> = {},
-  python?: PythonPart,
+  python?: PythonPart, texts?: string,
 ): string {
   const folder = mkdtempSync(join(tmpdir(), 'ros2wasm-site-'));
   const assets = join(folder, 'assets');
-  execFileSync(process.execPath, [join(root, 'runtime/build.mjs'), '--out', assets]);
+  execFileSync(process.execPath, [join(root, 'runtime/build.mjs'), '--out', assets, ...(texts === undefined ? [] : ['--texts', texts])]);
   for (const file of readdirSync(assets)) {
     if (file !== 'headless.js' && file !== 'runtime_assets.json') copyFileSync(join(assets, file), join(folder, file));
   }

@@ -6,6 +6,7 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { build } from 'esbuild';
+import { htmlInOtherWords, htmlSentences, inOtherWords, sentencesOf } from '../../../runtime/other_sentences.ts';
 import { languageOf, otherTexts } from '../../../runtime/other_texts.ts';
 import { sentencesIn, wordsIn } from '../../tools/page_texts.ts';
 
@@ -58,4 +59,37 @@ export const embedTexts: Translation<typeof english> = {
   } finally {
     rmSync(join(folder, '..'), { recursive: true });
   }
+});
+
+test('sentences of problems and checks are found where they are made, and told in other words', async () => {
+  const folder = mkdtempSync(join(tmpdir(), 'ros2wasm-texts-'));
+  try {
+    const file = join(folder, 'asked.ts');
+    writeFileSync(file, `class SiteError { constructor(code: string, readonly what: string, readonly more: object = {}) {} }
+const state = { kind: 'it stays as it is', reason: 'nobody knows why' } as const;
+export const f = (name: string, n: number): unknown =>
+  [state, new SiteError('R2W0700', \`the node \\\`\${name}\\\` has \${n > 1 ? \`\${n} things\` : 'one thing'} too many\`, { why: ['so it is', name], place: 'not a word of it' })];
+export const bug = (): never => { throw new TypeError('this is for us'); };
+`);
+    assert.deepEqual(sentencesOf(file), [
+      'nobody knows why', 'the node `{1}` has {2} too many', '{1} things', 'one thing', 'so it is', 'not a word of it',
+    ]);
+    const other = inOtherWords(file, {
+      'the node `{1}` has {2} too many': '{2} zu viel hat `{1}` für $5', '{1} things': '{1} Dinge', 'nobody knows why': 'warum, ${weiß} \\ keiner', 'one thing': '',
+    }) ?? assert.fail();
+    const { f } = await import(`data:text/javascript,${encodeURIComponent(other)}`) as { f: (name: string, n: number) => readonly { readonly what?: string }[] };
+    assert.deepEqual(f('a', 2).map((one) => ({ ...one })), [
+      { kind: 'it stays as it is', reason: 'warum, ${weiß} \\ keiner' },
+      { what: '2 Dinge zu viel hat `a` für $5', more: { why: ['so it is', 'a'], place: 'not a word of it' } },
+    ]);
+    assert.equal(f('a', 1)[1]?.what, 'one thing zu viel hat `a` für $5');
+    assert.equal(inOtherWords(file, {}), undefined);
+    assert.throws(() => inOtherWords(file, { 'one thing': '{1}' }), /nothing is put in at \{1\}/);
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+  const html = '<meta name="description" content="A page."><p class="x">Run <code>it</code> now</p><dl><dt>why</dt><dd>so</dd></dl>';
+  assert.deepEqual(htmlSentences(html), ['Run <code>it</code> now', 'why', 'so', 'A page.']);
+  assert.equal(htmlInOtherWords(html, { 'A page.': 'Eine Seite.', 'Run <code>it</code> now': 'Jetzt <code>it</code>', why: 'warum' }),
+    '<meta name="description" content="Eine Seite."><p class="x">Jetzt <code>it</code></p><dl><dt>warum</dt><dd>so</dd></dl>');
 });

@@ -42,9 +42,9 @@ async function rewrite(page: Page, number: number, code: string): Promise<void> 
   await page.keyboard.insertText(code);
 }
 
-// Works: notebooks: a notebook of the workspace is a panel of the page; its cells publish, subscribe and spin, blocking and
+// Compatibility, works: notebooks: a notebook of the workspace is a panel of the page; its cells publish, subscribe and spin, blocking and
 // with `await`, with the nodes of the site
-// Works: notebooks: HTML, SVG, Markdown with math; changes are kept by the browser, downloaded as nbformat 4, and reset
+// Compatibility, works: notebooks: HTML, SVG, Markdown with math; changes are kept by the browser, downloaded as nbformat 4, and reset
 test('example 06: all cells run on the graph of the site', async () => {
   const served = await serveFolder(site);
   const page = await stage.browser.newPage({ viewport: { width: 1400, height: 900 }, acceptDownloads: true });
@@ -129,7 +129,7 @@ test('example 06: all cells run on the graph of the site', async () => {
   }
 });
 
-// Works: notebooks: images, calls of services and `input()` from cells, and all of it on pages without shared memory
+// Compatibility, works: notebooks: images, calls of services and `input()` from cells, and all of it on pages without shared memory
 test('on a page without shared memory: an image, a call of a service, input(), and what is downloaded', async () => {
   const served = await serveFolder(site);
   const context = await stage.browser.newContext({ viewport: { width: 1400, height: 900 }, acceptDownloads: true, serviceWorkers: 'block' });

@@ -1,6 +1,9 @@
 // Unchanged Python nodes in a site, beside each other and beside compiled ones: on both links, in Node.js and in
 // Chromium under the page's policy.
 
+// Compatibility, works: threads of Python nodes on both links: `threading` with locks, conditions, events, local data and timers,
+// `queue`, pools of `concurrent.futures`, beside executors that spin; a program ends with its last thread
+
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { rmSync } from 'node:fs';

@@ -4,6 +4,14 @@
 // Compatibility, works: rates, options of loggers, callbacks with message info, jump callbacks, the graph's queries, type
 // descriptions, overridden QoS, `Client.call` in a callback, guard conditions, own waitables and queued goals of rclpy
 
+// Compatibility, works: `asyncio` in Python nodes: tasks and groups of them, queues, timeouts, `to_thread`, `run_in_executor` and
+// `call_soon_threadsafe`, in turns with rclpy and beside threads that spin
+
+// Compatibility, differs: sockets, pipes and child processes of `asyncio` -> NotImplementedError, as browsers have none; its loop
+// waits for what a node waits for
+
+// Compatibility, differs: a `MultiThreadedExecutor` without a number of threads -> has four, whatever processor the visitor has
+
 import assert from 'node:assert/strict';
 import { readFileSync, rmSync } from 'node:fs';
 import { after, before, test } from 'node:test';
@@ -57,6 +65,10 @@ const wanted = [
   "a guard condition ['called']",
   "a waitable [] ['data'] NumberOfEntities(0, 1, 2, 0, 0, 0)",
   "queued goals [('begin', 3), ('end', 3), ('begin', 1), ('end', 1), ('begin', 2), ('end', 2)] [[3], [1], [2]]",
+  'callbacks at once 4',
+  'asyncio a word asyncio_0 3 [0, 1, 2]',
+  'in time',
+  'no sockets, no processes NotImplementedError NotImplementedError',
   'that is all',
 ];
 

@@ -28,7 +28,14 @@ THREATS = "SECURITY.md"
 COMMENT = re.compile(r"^\s*(?://|#)\s?(.*)$")
 CLAIM = re.compile(r"^(?:Compatibility|Guarantee), ([a-z ]+): (.*)$")
 KINDS = [kind for kinds in PAGES.values() for kind in kinds]
-ENDINGS = (".ts", ".cpp", ".py", ".yaml", ".golden")
+# These speak of claims; and what a fuzzer made is no test's word.
+NO_CLAIMS = ("tests/tools/claims.py", "tests/unit/tools/claims_test.py")
+MADE_INPUT = "tests/fuzz/corpus/"
+# What begins a comment and then reads like a claim, in whatever form: it must be one that is read.
+LIKE_CLAIM = re.compile(
+    r"^\s*(?://+|#+|/?\*+|--|<!--|\"\"\")!?\s*(?:compatibility|guarantee|works|differs|cannot)\s*[,:]", re.I)
+# Files in which claims are read; "" are those without an ending, as scripts of Python packages.
+ENDINGS = (".ts", ".cpp", ".py", ".yaml", ".golden", "")
 # Kinds whose rows have two cells before the tests, and the heads of these.
 TWO_CELLS = {"differs": "| what | how, and why |", "cannot": "| what | said by, and what can be done |"}
 CODE = re.compile(r"\bR2W\d{4}\b")
@@ -58,18 +65,38 @@ def claims_of(text: str) -> list[tuple[str, str]]:
     return claims
 
 
+def unread_claims(name: str, text: str) -> list[str]:
+    """Comments of a file that look like claims and are none."""
+    is_read = Path(name).suffix in ENDINGS
+    faults = []
+    for number, line in enumerate(text.splitlines(), 1):
+        if not LIKE_CLAIM.match(line):
+            continue
+        comment = COMMENT.match(line)
+        claim = CLAIM.match(comment[1].strip()) if comment else None
+        if not is_read or not claim or claim[1] not in KINDS:
+            faults.append(f"{name}:{number}: `{line.strip()}` looks like a claim, and is none that is read")
+    return faults
+
+
 def all_claims() -> dict[str, Rows]:
     """Returns, for each kind, the rows in the order of the files."""
     command = ["git", "ls-files", "-co", "--exclude-standard", "tests"]
     names = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True).stdout.splitlines()
     rows: dict[str, Rows] = {kind: defaultdict(list) for kind in KINDS}
+    faults: list[str] = []
     for name in sorted(names):
-        if not name.endswith(ENDINGS) or (ROOT / name) == Path(__file__) or not (ROOT / name).is_file():
+        if name in NO_CLAIMS or name.startswith(MADE_INPUT) or not (ROOT / name).is_file():
             continue
-        for kind, text in claims_of((ROOT / name).read_text(encoding="utf-8")):
-            if kind not in rows:
-                raise SystemExit(f"{name}: `{kind}` is no table of {', '.join(PAGES)}")
-            rows[kind][text].append(name)
+        text = (ROOT / name).read_text(encoding="utf-8", errors="replace")
+        faults += unread_claims(name, text)
+        if Path(name).suffix not in ENDINGS:
+            continue
+        for kind, claim in claims_of(text):
+            if kind in rows:
+                rows[kind][claim].append(name)
+    if faults:
+        raise SystemExit("\n".join(faults))
     return rows
 
 

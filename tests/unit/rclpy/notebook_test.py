@@ -52,7 +52,7 @@ class NotebookTest(BusTest):
     def good(self) -> list[bool]:
         return [event['good'] for event in self.events if event['event'] == 'end']
 
-    # Works: notebooks: a cell's last value is its result, `;` hides it; names live on in the next cell
+    # Compatibility, works: notebooks: a cell's last value is its result, `;` hides it; names live on in the next cell
     def test_values(self) -> None:
         first, second, third, fourth = self.run_cells('x = 20\nx + 1', '_ * 2', 'x;', 'None')
         self.assertEqual(first, [{'event': 'result', 'count': 1, 'data': {'text/plain': '21'}, 'metadata': {}}])
@@ -81,7 +81,7 @@ class NotebookTest(BusTest):
         self.assertEqual(third[0]['ename'], 'SyntaxError')
         self.assertEqual(self.good(), [True, False, False])
 
-    # Differs: notebooks: lines for IPython (`%matplotlib`, `!ls`) do nothing, and say so
+    # Compatibility, differs: notebooks: lines for IPython (`%matplotlib`, `!ls`) -> do nothing, and say so
     def test_magics_do_nothing(self) -> None:
         first, second, third = self.run_cells(
             '%matplotlib inline\n5', '%%bash\nls', '%matplotlib inline\nx = (7\n  % 4\n  != 2)\nx')
@@ -99,7 +99,8 @@ class NotebookTest(BusTest):
         self.assertNotIn('application/json', second[0]['data'])
         self.assertEqual(second[0]['metadata'], {})
 
-    # Works: notebooks: values show themselves as HTML, SVG, PNG, Markdown and LaTeX; `display` and IPython.display
+    # Compatibility, works: notebooks: values show themselves as HTML, SVG, PNG, Markdown and LaTeX; `display`
+    # and IPython.display
     def test_rich_values(self) -> None:
         first, second, third = self.run_cells(
             'class Rich:\n'
@@ -122,7 +123,7 @@ class NotebookTest(BusTest):
         self.assertEqual(second[5]['metadata'], {'image/png': {'width': 40}})
         self.assertEqual(third[0]['ename'], 'ValueError')
 
-    # Works: notebooks: `await` in a cell, `asyncio` tasks across cells
+    # Compatibility, works: notebooks: `await` in a cell, `asyncio` tasks across cells
     def test_awaits(self) -> None:
         first, second, third = self.run_cells(
             'import asyncio\nasync def later():\n    await asyncio.sleep(0.01)\n    return 7\nawait later()',
@@ -162,7 +163,7 @@ class NotebookTest(BusTest):
         self.assertEqual(first[1]['text'], 'name? Ada\n')
         self.assertEqual(first[2]['data'], {'text/plain': "'Ada'"})
 
-    # Works: notebooks: an interrupt ends a cell that waits, with KeyboardInterrupt; the next cells run
+    # Compatibility, works: notebooks: an interrupt ends a cell that waits, with KeyboardInterrupt; the next cells run
     def test_interrupt(self) -> None:
         first, second = self.run_cells(
             'import _thread\ntry:\n    _thread.interrupt_main()\n    for _ in range(10**8): pass\n'

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import unittest
 
-from tests.tools.claims import KINDS, ROOT, THREATS, Rows, all_claims, table, threat_faults, unused_files
+from tests.tools.claims import (
+    KINDS, ROOT, THREATS, Rows, all_claims, claims_of, table, threat_faults, unread_claims, unused_files,
+)
 
 
 class ThreatTable(unittest.TestCase):
@@ -35,6 +37,26 @@ class ThreatTable(unittest.TestCase):
         self.assertEqual(unused_files(self.rows), [])
         files = ["tests/support/rviz/nothing_of_this.ts", "tests/tools/lint.py"]
         self.assertEqual(unused_files({"works": {"something": files}}), files)
+
+    def test_comments_that_only_look_like_claims(self) -> None:
+        for line in ("// Works: notebooks: `await`", "# Differs: magics -> do nothing", "  // Compatibility: works: a",
+                     "# compatibility, works: a", "// Compatibility, work: a", " * Compatibility, works: a",
+                     "// Guarantee, safe: a", "# Cannot: a -> R2W0523"):
+            with self.subTest(line):
+                self.assertEqual(len(unread_claims("tests/a.test.ts", f"x\n{line}\n")), 1)
+        for line in ("// Compatibility, works: a", "# Guarantee, same bytes: a", "// It works: a", "print('Works: a')",
+                     "# What works, and what does not"):
+            with self.subTest(line):
+                self.assertEqual(unread_claims("tests/a.test.ts", line), [])
+        # Of the kinds of files in which nobody looks, every claim is lost.
+        self.assertEqual(unread_claims("tests/scripts/fresh", "# Compatibility, works: a"), [])
+        self.assertEqual(unread_claims("tests/a.xml", "<!-- Compatibility, works: a"), [
+            "tests/a.xml:1: `<!-- Compatibility, works: a` looks like a claim, and is none that is read"])
+        self.assertEqual(len(unread_claims("tests/a.hpp", "// Compatibility, works: a")), 1)
+
+    def test_a_claim_ends_with_its_comment(self) -> None:
+        self.assertEqual(claims_of("# Compatibility, works: a\n# b\n# Compatibility, differs: c -> d\nx = 1\n# e\n"),
+                         [("works", "a b"), ("differs", "c -> d")])
 
     def test_what_cannot_be_had_names_its_code(self) -> None:
         def row(reason: str) -> str:

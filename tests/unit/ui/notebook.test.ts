@@ -26,7 +26,7 @@ function read(value: unknown): Notebook {
   return found.notebook;
 }
 
-// Works: notebooks: nbformat 4.0 to 4.5 in and out; metadata and what is not known of it stay as they were
+// Compatibility, works: notebooks: nbformat 4.0 to 4.5 in and out; metadata and what is not known of it stay as they were
 test('a notebook is written as it was read', () => {
   const written = JSON.parse(writeNotebook(read(file))) as typeof file;
   assert.deepEqual(written, { ...file, cells: file.cells.map((cell) => ({ ...cell, source: cell.source === '' ? [] : [cell.source].flat() })) });

@@ -50,3 +50,18 @@ test('a stop is told to the main thread only', () => {
   interrupts.threadRuns(true);
   assert.equal(interrupts[0], interrupt);
 });
+
+test('a slice lasts 5 ms, and nobody who is alone or runs in steps has one', () => {
+  const others = [new Interrupts(() => 0, true), new Interrupts(() => 0, false)] as const;
+  others[1].setThreads(2);
+  for (const one of others) one.threadRuns(true);
+  const { interrupts } = program();
+  const begun = performance.now();
+  while (interrupts[0] === 0) {
+    // It computes.
+  }
+  const took = performance.now() - begun;
+  assert.ok(took >= 4.9, `${took} ms`);
+  assert.equal(sliceMs, 5);
+  assert.deepEqual(others.map((one) => one[0]), [0, 0]);
+});

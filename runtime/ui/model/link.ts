@@ -32,12 +32,20 @@ export async function siteHash(): Promise<string | null> {
   return (await siteDigest())?.slice(0, kHashLength) ?? null;
 }
 
-/** sha256 of the site; null where site.json does not come, or the browser has no digests: over plain http from elsewhere. */
+/** sha256 of the site; null where site.json does not come. */
 export async function siteDigest(): Promise<string | null> {
   try {
     const response = await fetchOfSite('site.json');
     if (!response.ok) return null;
-    const hash = new Uint8Array(await crypto.subtle.digest('SHA-256', await response.arrayBuffer()));
+    const bytes = new Uint8Array(await response.arrayBuffer());
+    // The browser has digests of its own on https:// and localhost only.
+    if ((crypto.subtle as SubtleCrypto | undefined) === undefined) {
+      const { RunningSha256 } = await import('../../wasm_js/running_sha256.ts');
+      const sum = new RunningSha256();
+      sum.add(bytes);
+      return sum.hex();
+    }
+    const hash = new Uint8Array(await crypto.subtle.digest('SHA-256', bytes));
     return Array.from(hash, (byte) => byte.toString(16).padStart(2, '0')).join('');
   } catch {
     return null;

@@ -103,7 +103,7 @@ describe('a page that the manifest lists', { timeout: 300_000 }, () => {
     await done(page, { do: 'start', node: id });
     await heard(page, 'state', `one.state.nodes.find((node) => node.id === "${id}").state === "running"`);
     const checks = await done(page, { do: 'run_checks' }) as { title: string; state: string }[];
-    assert.equal(checks.length, 2);
+    assert.equal(checks.length, 3);
     assert.ok(checks.every(({ state }) => state !== 'waiting'));
     await done(page, { do: 'unsubscribe', subscription: 1 });
     assert.equal(await frame.locator('header').count(), 0);

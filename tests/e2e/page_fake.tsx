@@ -451,6 +451,11 @@ const kScenes: Readonly<Record<string, () => FakeSession | Promise<FakeSession>>
   graph,
   teleop: async () => (await import('./page_fake_teleop.ts')).teleop(),
   hostile,
+  hostile_work: async () => {
+    const fake = await (await import('./page_fake_hostile.ts')).hostileWork(kHostile.slice(0, kHostile.indexOf('>') + 1));
+    await giveSend(fake);
+    return fake;
+  },
   checks: () => {
     const fake = talkerListener();
     fake.checks = new FakeChecks([

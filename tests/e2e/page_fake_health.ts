@@ -9,7 +9,7 @@ import { followGraph } from './page_fake_graph.ts';
 
 type Value = Readonly<Record<string, unknown>>;
 
-const kInterfaces = new Map([
+export const kHealthInterfaces: ReadonlyMap<string, string> = new Map([
   ['builtin_interfaces/msg/Time', 'int32 sec\nuint32 nanosec\n'],
   ['std_msgs/msg/Header', 'builtin_interfaces/Time stamp\nstring frame_id\n'],
   ['diagnostic_msgs/msg/DiagnosticArray', 'std_msgs/Header header\nDiagnosticStatus[] status\n'],
@@ -33,7 +33,7 @@ const kTransitions = [
   { id: 5, label: 'shutdown', from: 1, to: 4 },
 ] as const;
 
-class ManagedPeer {
+export class ManagedPeer {
   /** Its callbacks fail. */
   refuses = false;
   /** It takes requests and does not answer them. */
@@ -44,11 +44,14 @@ class ManagedPeer {
   private readonly fake: FakeSession;
   private readonly codec: Codec;
   private readonly name: string;
+  private readonly dress: (label: string) => string;
 
-  constructor(fake: FakeSession, codec: Codec, name: string) {
+  /** `dress`: what its states and transitions are called, by what they are called elsewhere. */
+  constructor(fake: FakeSession, codec: Codec, name: string, dress = (label: string): string => label) {
     this.fake = fake;
     this.codec = codec;
     this.name = name;
+    this.dress = dress;
     this.come();
   }
 
@@ -57,10 +60,10 @@ class ManagedPeer {
     this.peer = peer;
     this.state = 1;
     this.events = peer.make(EndpointKind.publisher, this.name, `/${this.name}/transition_event`, 'lifecycle_msgs/msg/TransitionEvent', { depth: 100 });
-    this.serve(peer, 'get_state', 'GetState', () => ({ current_state: stateOf(this.state) }));
+    this.serve(peer, 'get_state', 'GetState', () => ({ current_state: this.stateOf(this.state) }));
     this.serve(peer, 'get_available_transitions', 'GetAvailableTransitions', () => ({
       available_transitions: kTransitions.filter(({ from }) => from === this.state).map(({ id, label, from, to }) => ({
-        transition: { id, label }, start_state: stateOf(from), goal_state: stateOf(to),
+        transition: { id, label: this.dress(label) }, start_state: this.stateOf(from), goal_state: this.stateOf(to),
       })),
     }));
     this.serve(peer, 'change_state', 'ChangeState', ({ transition }) => {
@@ -74,7 +77,7 @@ class ManagedPeer {
 
   /** As asked by somebody else. */
   go(label: string, to: number): void {
-    const event = { transition: { id: 0, label }, start_state: stateOf(this.state), goal_state: stateOf(to) };
+    const event = { transition: { id: 0, label: this.dress(label) }, start_state: this.stateOf(this.state), goal_state: this.stateOf(to) };
     this.state = to;
     this.peer?.write(this.events, this.bytes('lifecycle_msgs/msg/TransitionEvent', event));
   }
@@ -98,6 +101,10 @@ class ManagedPeer {
     void work();
   }
 
+  private stateOf(id: number): Value {
+    return { id, label: this.dress(kStates[id] ?? 'unknown') };
+  }
+
   private bytes(type: string, value: Value): Uint8Array {
     const made = this.codec.encode(type, value);
     if (made.kind === 'failed') throw new Error(`${made.path}: ${made.reason}`);
@@ -105,12 +112,8 @@ class ManagedPeer {
   }
 }
 
-function stateOf(id: number): Value {
-  return { id, label: kStates[id] ?? 'unknown' };
-}
-
 export async function health(): Promise<FakeSession> {
-  const fake = new FakeSession({ nodes: [{ executable: 'driver' }], interfaces: kInterfaces });
+  const fake = new FakeSession({ nodes: [{ executable: 'driver' }], interfaces: kHealthInterfaces });
   fake.setTopics([{ name: '/diagnostics', type: 'diagnostic_msgs/msg/DiagnosticArray' }]);
   const codec = createCodec(await fake.interfaces());
   const driver = new ManagedPeer(fake, codec, 'driver');

@@ -15,6 +15,7 @@ const EXAMPLE = resolve(import.meta.dirname, '../../examples/03_turtlesim');
 const PACKAGES = resolve(import.meta.dirname, '../packages');
 const HEADLESS = resolve(process.env['ROS2WASM_BUILD'] ?? 'build', 'runtime/headless.js');
 const watchdog = { timeout: 600_000 };
+const [TURTLESIM, TELEOP] = ['turtlesim_node-1', 'turtle_teleop_key-2'];
 let workspace: PackWorkspace;
 
 before(() => {
@@ -57,66 +58,132 @@ launch:
       'Rotation goal received before a previous goal finished. Aborting previous goal', 'Rotation goal canceled',
       'Velocity command received during rotation goal. Aborting goal',
     ]) assert.ok(said.includes(text), `${text} in\n${said}`);
+    // 16 ms by the clock of the site, which a busy machine cannot delay when it is stepped.
+    assert.match(said, how.includes('--stepped') ? /the pose comes at 62\.\d Hz/ : /the pose comes at \d/);
   }
 });
 
-test('example 03: a turtle driven by keys', watchdog, async () => {
-  await pack('example/workspace.yaml', 'keys');
-  const platform = nodePlatform(join(workspace.root, 'keys'), pathToFileURL(HEADLESS));
-  const said: string[] = [];
-  const session = new SiteSession({
-    site: readSite(await platform.json('site.json')),
-    platform,
-    broker: new SharedBroker(),
-    onLines: (node, lines) => said.push(...lines.map(([, , text]) => `[${node.id}] ${text}`)),
-  });
-  const [turtlesim, teleop] = ['turtlesim_node-1', 'turtle_teleop_key-2'];
-  const type = (text: string): void => session.sendInput(teleop, text);
-  const says = (text: string) => (): boolean => said.some((line) => line.includes(text));
+/** A site with turtlesim_node and turtle_teleop_key, whose keys are typed. */
+class Driven {
+  readonly said: string[] = [];
+  readonly session: SiteSession;
+  private readonly platform: ReturnType<typeof nodePlatform>;
+
+  private constructor(platform: ReturnType<typeof nodePlatform>, site: unknown) {
+    this.platform = platform;
+    this.session = new SiteSession({
+      site: readSite(site),
+      platform,
+      broker: new SharedBroker(),
+      onLines: (node, lines) => this.said.push(...lines.map(([, , text]) => `[${node.id}] ${text}`)),
+    });
+  }
+
+  /** Returns when both programs listen. */
+  static async start(folder: string): Promise<Driven> {
+    const platform = nodePlatform(join(workspace.root, folder), pathToFileURL(HEADLESS));
+    const driven = new Driven(platform, await platform.json('site.json'));
+    driven.session.startAll();
+    await driven.until(() => driven.says("'Q' to quit.")() && driven.says('Spawning turtle [turtle1]')());
+    return driven;
+  }
+
+  type(text: string): void {
+    this.session.sendInput(TELEOP, text);
+  }
+
+  says(text: string): () => boolean {
+    return () => this.said.some((line) => line.includes(text));
+  }
+
   /** `meanwhile` is done again and again. */
-  const until = async (condition: () => boolean, meanwhile: () => void = () => undefined): Promise<void> => {
+  async until(condition: () => boolean, meanwhile: () => void = () => undefined): Promise<void> {
     const end = performance.now() + 100_000;
     while (!condition()) {
-      assert.ok(performance.now() < end, `${posed(0)} ${posed(3)}\n${said.join('\n')}`);
+      assert.ok(performance.now() < end, `${this.posed(0)} ${this.posed(3)}\n${this.said.join('\n')}`);
       meanwhile();
       await new Promise((done) => { setTimeout(done, 100); });
     }
-  };
+  }
+
   /** A message's floats stand behind four bytes. */
-  const posed = (index: number): number => {
-    session.topics();  // samples are taken while somebody looks
-    const bytes = session.lastMessage('/turtle1/pose')?.bytes;
-    return bytes === undefined ? NaN : new DataView(bytes.buffer, bytes.byteOffset).getFloat32(4 + 4 * index, true);
-  };
+  posed(index: number): number {
+    return this.newest('/turtle1/pose')?.getFloat32(4 + 4 * index, true) ?? NaN;
+  }
+
+  /** What was asked for last: ahead and to the left round. */
+  asked(): readonly [number, number] {
+    const view = this.newest('/turtle1/cmd_vel');
+    return [view?.getFloat64(4, true) ?? NaN, view?.getFloat64(44, true) ?? NaN];
+  }
+
+  private newest(topic: string): DataView | undefined {
+    this.session.topics();  // samples are taken while somebody looks
+    const bytes = this.session.lastMessage(topic)?.bytes;
+    return bytes === undefined ? undefined : new DataView(bytes.buffer, bytes.byteOffset);
+  }
+
+  close(): void {
+    this.session.close();
+    this.platform.close();
+  }
+}
+
+test('example 03: a turtle driven by keys', watchdog, async () => {
+  await pack('example/workspace.yaml', 'keys');
+  const driven = await Driven.start('keys');
+  const { session, said } = driven;
   try {
-    session.startAll();
-    await until(() => says("'Q' to quit.")() && says('Spawning turtle [turtle1]')());
     // The first keys may come before anybody listens; how far one leads depends on how busy the machine is.
-    await until(() => posed(0) > 6, () => type('\u001b[A'));
-    await until(() => posed(3) === 0);
-    assert.ok(Math.abs(posed(1) - 5.544445) < 1e-4, `${posed(1)}`);
-    type('e');
-    await until(says('Rotation goal completed successfully'));
-    assert.ok(Math.abs(posed(2) - 2.3562) < 0.04, `${posed(2)}`);
-    // An arrow may come before the goal has, or after it is reached.
-    const keys = ['v', '\u001b[D', 'e', '\u001b[C'];
-    await until(says('Velocity command received during rotation goal. Aborting goal'), () => {
+    await driven.until(() => driven.posed(0) > 6, () => driven.type('\u001b[A'));
+    await driven.until(() => driven.posed(3) === 0);
+    assert.ok(Math.abs(driven.posed(1) - 5.544445) < 1e-4, `${driven.posed(1)}`);
+    assert.deepEqual(driven.asked(), [2, 0]);
+    driven.type('e');
+    await driven.until(driven.says('Rotation goal completed successfully'));
+    assert.ok(Math.abs(driven.posed(2) - 2.3562) < 0.04, `${driven.posed(2)}`);
+    // An arrow may come before the goal has, or after it is reached; so may the key that cancels it.
+    const inTurn = (keys: string[]) => (): void => {
       const key = keys.shift();
-      if (key !== undefined) type(key);
-      if (key !== undefined) keys.push(key);
-    });
-    type('q');
-    await until(() => session.nodes().some(({ id, state }) => id === teleop && state.kind === 'exited'));
-    assert.deepEqual(session.nodes().map(({ id, state }) => [id, state.kind]), [[turtlesim, 'running'], [teleop, 'exited']]);
+      if (key === undefined) return;
+      driven.type(key);
+      keys.push(key);
+    };
+    await driven.until(driven.says('Velocity command received during rotation goal. Aborting goal'), inTurn(['v', '\u001b[D', 'e', '\u001b[C']));
+    await driven.until(driven.says('Rotation goal canceled'), inTurn(['v', 'f', 'e', 'f']));
+    driven.type('q');
+    await driven.until(() => session.nodes().some(({ id, state }) => id === TELEOP && state.kind === 'exited'));
+    assert.deepEqual(session.nodes().map(({ id, state }) => [id, state.kind]), [[TURTLESIM, 'running'], [TELEOP, 'exited']]);
     assert.match(said.join('\n'), expectation('expected.txt'));
-    const banner = said.filter((line) => line.startsWith(`[${teleop}]`));
+    const banner = said.filter((line) => line.startsWith(`[${TELEOP}]`));
     assert.deepEqual(banner, [
       'Reading from keyboard', '---------------------------', 'Use arrow keys to move the turtle.',
       "Use G|B|V|C|D|E|R|T keys to rotate to absolute orientations. 'F' to cancel a rotation.", "'Q' to quit.",
-    ].map((line) => `[${teleop}] ${line}`));
+    ].map((line) => `[${TELEOP}] ${line}`));
   } finally {
-    session.close();
-    platform.close();
+    driven.close();
+  }
+});
+
+test('scale_linear and scale_angular of turtle_teleop_key', watchdog, async () => {
+  workspace.write('scaled.yaml', `schema: 1
+name: scaled
+dependencies: [turtlesim]
+launch:
+  - {package: turtlesim, executable: turtlesim_node}
+  - {package: turtlesim, executable: turtle_teleop_key, parameters: {scale_linear: 0.5, scale_angular: 0.25}}
+`);
+  await pack('scaled.yaml', 'scaled');
+  const driven = await Driven.start('scaled');
+  try {
+    for (const [letter, ahead, turn] of [['A', 0.5, 0], ['B', -0.5, 0], ['C', 0, -0.25], ['D', 0, 0.25]] as const) {
+      await driven.until(() => {
+        const [isAhead, isTurn] = driven.asked();
+        return isAhead === ahead && isTurn === turn;
+      }, () => driven.type(`\u001b[${letter}`));
+    }
+  } finally {
+    driven.close();
   }
 });
 

@@ -179,8 +179,9 @@ void Turtle::publish(const Paper& paper, bool holonomic) const {
   pose.x = static_cast<float>(x_);
   pose.y = static_cast<float>(kFieldUnits - down_);
   pose.theta = static_cast<float>(theta_);
+  // Without its direction: a turtle that goes back tells what one tells that goes ahead.
   pose.linear_velocity =
-      static_cast<float>(holonomic ? std::hypot(ahead_speed_, left_speed_) : ahead_speed_);
+      static_cast<float>(std::hypot(ahead_speed_, holonomic ? left_speed_ : 0.0));
   pose.angular_velocity = static_cast<float>(turn_speed_);
   pose_->publish(pose);
   const Rgb under = paper.color_at(pixel());

@@ -7,6 +7,9 @@
 // hidden topic
 // `~/_scene`
 
+// Compatibility, differs: `turtlesim_msgs`, where distributions after Jazzy have the interfaces of
+// turtlesim -> they are in the package `turtlesim` alone, as in Jazzy and Humble
+
 #include <array>
 #include <chrono>
 #include <cmath>
@@ -16,6 +19,8 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "checks.hpp"
 #include "geometry_msgs/msg/twist.hpp"
@@ -97,11 +102,20 @@ class Visitor {
     return until([&] { return ticks >= wanted; });
   }
 
-  void drive(double ahead, double turn) {
+  void drive(double ahead, double turn, double left = 0) {
     Twist twist;
     twist.linear.x = ahead;
+    twist.linear.y = left;
     twist.angular.z = turn;
     commands->publish(twist);
+  }
+
+  void teleport(float x, float y, float theta) {
+    TeleportAbsolute::Request there;
+    there.x = x;
+    there.y = y;
+    there.theta = theta;
+    call<TeleportAbsolute>("turtle1/teleport_absolute", there);
   }
 
   void take(const Scene& one) {
@@ -135,6 +149,34 @@ void check_start(Checks& checks, Visitor& visitor) {
   CHECK((visitor.scene.background == std::array<std::uint8_t, 3>{69, 86, 255}));
   CHECK(visitor.scene.turtles.size() == 1 && visitor.scene.turtles[0].name == "turtle1");
   CHECK(visitor.scene.turtles[0].shape < 10 && visitor.scene.turtles[0].pen_on);
+  CHECK(visitor.scene.turtles[0].pen_width == 3);
+}
+
+/// How often the pose comes, by the site's time: said, as a busy machine is late.
+void check_rate(Checks& checks, Visitor& visitor) {
+  constexpr int kTicks = 125;
+  CHECK(visitor.some_ticks(1));
+  const auto start = visitor.node->now();
+  CHECK(visitor.some_ticks(kTicks));
+  RCLCPP_INFO(visitor.node->get_logger(), "the pose comes at %.1f Hz",
+              kTicks / (visitor.node->now() - start).seconds());
+}
+
+/// What is late is worth nothing: each topic of a turtle keeps one message.
+void check_qos(Checks& checks, Visitor& visitor) {
+  const auto own = [&](const std::vector<rclcpp::TopicEndpointInfo>& infos) {
+    for (const auto& info : infos) {
+      if (info.node_name() != "turtlesim") continue;
+      const rclcpp::QoS& qos = info.qos_profile();
+      return qos.depth() == 1 && qos.history() == rclcpp::HistoryPolicy::KeepLast &&
+             qos.reliability() == rclcpp::ReliabilityPolicy::Reliable &&
+             qos.durability() == rclcpp::DurabilityPolicy::Volatile;
+    }
+    return false;
+  };
+  CHECK(own(visitor.node->get_publishers_info_by_topic("/turtle1/pose")));
+  CHECK(own(visitor.node->get_publishers_info_by_topic("/turtle1/color_sensor")));
+  CHECK(own(visitor.node->get_subscriptions_info_by_topic("/turtle1/cmd_vel")));
 }
 
 /// A command lasts for a second, in which there are 62 or 63 ticks of 0.016 s, or fewer on a busy
@@ -155,11 +197,7 @@ void check_commands(Checks& checks, Visitor& visitor) {
 }
 
 void check_teleports(Checks& checks, Visitor& visitor) {
-  TeleportAbsolute::Request there;
-  there.x = 2;
-  there.y = 3;
-  there.theta = 0.5;
-  visitor.call<TeleportAbsolute>("turtle1/teleport_absolute", there);
+  visitor.teleport(2, 3, 0.5);
   CHECK(visitor.some_ticks());
   CHECK(near(visitor.pose.x, 2) && near(visitor.pose.y, 3) && near(visitor.pose.theta, 0.5));
   // It turns first, then moves.
@@ -169,6 +207,17 @@ void check_teleports(Checks& checks, Visitor& visitor) {
   visitor.call<TeleportRelative>("turtle1/teleport_relative", ahead);
   CHECK(visitor.some_ticks());
   CHECK(near(visitor.pose.x, 2) && near(visitor.pose.y, 4) && near(visitor.pose.theta, M_PI_2));
+  // Headings are told within [-pi, pi).
+  ahead.linear = 0;
+  ahead.angular = static_cast<float>(M_PI);
+  visitor.call<TeleportRelative>("turtle1/teleport_relative", ahead);
+  CHECK(visitor.some_ticks());
+  CHECK(near(visitor.pose.theta, -M_PI_2));
+  for (const auto& [asked, told] : {std::pair{4.0, 4.0 - 2 * M_PI}, {-10.0, 4 * M_PI - 10}}) {
+    visitor.teleport(2, 4, static_cast<float>(asked));
+    CHECK(visitor.some_ticks());
+    CHECK(near(visitor.pose.theta, told));
+  }
 }
 
 void check_pen(Checks& checks, Visitor& visitor) {
@@ -190,6 +239,15 @@ void check_pen(Checks& checks, Visitor& visitor) {
   visitor.call<TeleportAbsolute>("turtle1/teleport_absolute", there);
   CHECK(visitor.some_ticks());
   CHECK(visitor.color.r == 255 && visitor.color.g == 255 && visitor.color.b == 255);
+  CHECK(visitor.until([&] { return !visitor.scene.turtles[0].pen_on; }));
+  // A pen without a width has Qt's.
+  pen.off = 0;
+  pen.width = 0;
+  visitor.call<SetPen>("turtle1/set_pen", pen);
+  CHECK(visitor.until([&] { return visitor.scene.turtles[0].pen_on; }));
+  CHECK(visitor.scene.turtles[0].pen_width == 1);
+  pen.off = 1;
+  visitor.call<SetPen>("turtle1/set_pen", pen);
   CHECK(visitor.until([&] { return !visitor.scene.turtles[0].pen_on; }));
 }
 
@@ -312,6 +370,41 @@ void check_parameters(Checks& checks, Visitor& visitor) {
   CHECK(described[0].integer_range[0].to_value == 255 && described[1].type == 1);
 }
 
+/// Aside goes only who may; the speed is told without its direction.
+void check_holonomic(Checks& checks, Visitor& visitor) {
+  const auto client = std::make_shared<rclcpp::SyncParametersClient>(visitor.node, "turtlesim");
+  const auto at_rest = [&] {
+    return visitor.until(
+        [&] { return visitor.pose.linear_velocity == 0 && visitor.pose.angular_velocity == 0; });
+  };
+  const auto up = static_cast<float>(M_PI_2);
+  visitor.teleport(5, 5, up);
+  CHECK(visitor.some_ticks());
+  visitor.drive(0, 1, 1);
+  CHECK(visitor.until([&] { return visitor.pose.angular_velocity == 1; }));
+  CHECK(visitor.pose.linear_velocity == 0);
+  CHECK(at_rest());
+  CHECK(near(visitor.pose.x, 5) && near(visitor.pose.y, 5) && visitor.pose.theta > up);
+
+  CHECK(client->set_parameters({rclcpp::Parameter("holonomic", true)})[0].successful);
+  visitor.teleport(5, 5, up);
+  CHECK(visitor.some_ticks());
+  visitor.drive(0, 0, 1);  // up is ahead, so its left is that of the sheet
+  CHECK(visitor.until([&] { return visitor.pose.linear_velocity == 1; }));
+  CHECK(at_rest());
+  CHECK(visitor.pose.x < 5 && visitor.pose.x > 3.9 && near(visitor.pose.y, 5));
+  visitor.drive(-3, 0, 4);
+  CHECK(visitor.until([&] { return visitor.pose.linear_velocity == 5; }));
+  CHECK(at_rest());
+  CHECK(client->set_parameters({rclcpp::Parameter("holonomic", false)})[0].successful);
+  visitor.teleport(5, 5, 0);
+  CHECK(visitor.some_ticks());
+  visitor.drive(-1, 0);
+  CHECK(visitor.until([&] { return visitor.pose.linear_velocity != 0; }));
+  CHECK(visitor.pose.linear_velocity == 1 && visitor.pose.x < 5);
+  CHECK(at_rest());
+}
+
 void check_reset(Checks& checks, Visitor& visitor) {
   visitor.call<Empty>("reset");
   CHECK(visitor.until([&] { return visitor.scene.turtles.size() == 1; }));
@@ -327,9 +420,9 @@ int main(int argc, char** argv) {
   Checks checks("visitor");
   Visitor visitor;
   try {
-    for (const auto check :
-         {check_start, check_commands, check_teleports, check_pen, check_turtles, check_walls,
-          check_rotation, check_picture, check_parameters, check_reset})
+    for (const auto check : {check_start, check_rate, check_qos, check_commands, check_teleports,
+                             check_pen, check_turtles, check_walls, check_rotation, check_picture,
+                             check_parameters, check_holonomic, check_reset})
       check(checks, visitor);
   } catch (const std::exception& error) {
     RCLCPP_ERROR(visitor.node->get_logger(), "%s", error.what());

@@ -103,7 +103,7 @@ describe('a page that the manifest lists', { timeout: 300_000 }, () => {
     await done(page, { do: 'start', node: id });
     await heard(page, 'state', `one.state.nodes.find((node) => node.id === "${id}").state === "running"`);
     const checks = await done(page, { do: 'run_checks' }) as { title: string; state: string }[];
-    assert.equal(checks.length, 2);
+    assert.equal(checks.length, 3);
     assert.ok(checks.every(({ state }) => state !== 'waiting'));
     await done(page, { do: 'unsubscribe', subscription: 1 });
     assert.equal(await frame.locator('header').count(), 0);
@@ -162,6 +162,18 @@ describe('any other page', { timeout: 300_000 }, () => {
     await frame.evaluate(() => window.postMessage({ ros2wasm: 1, id: 1, do: 'stop' }, '*'));
     const again = await done(page, { do: 'state' }) as { nodes: { state: string }[] };
     assert.ok(again.nodes.every((node) => node.state === 'running'));
+    await page.context().close();
+  });
+
+  test('asks how high the frame should be, and nothing scrolls in one of that height', async () => {
+    const { page, frame } = await visit(stranger, '&panel=text');
+    await frame.getByRole('heading', { name: 'Drive a turtle' }).waitFor();
+    const { height } = await done(page, { do: 'height' }) as { height: number };
+    assert.ok(height > 460 && height < 3000, String(height));
+    await page.evaluate((px) => document.querySelector('iframe')!.setAttribute('height', String(px)), height);
+    await frame.waitForFunction((px) => innerHeight === px, height);
+    assert.deepEqual(await done(page, { do: 'height' }), { height });
+    assert.ok(await frame.locator('.text').evaluate((text) => text.scrollHeight === text.clientHeight));
     await page.context().close();
   });
 

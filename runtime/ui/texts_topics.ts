@@ -7,7 +7,16 @@ function span(ns: number): string {
   return ns >= 1e9 ? `${ns / 1e9}\u00a0s` : `${ns / 1e6}\u00a0ms`;
 }
 
+/** `0.3 ms`, `12 ms`, `1.25 s`; before its stamp with a minus. */
+function delayed(ms: number): string {
+  const size = Math.abs(ms);
+  return size < 1 ? `${ms.toFixed(1)}\u00a0ms` : size < 1000 ? `${ms.toFixed(0)}\u00a0ms` : `${(ms / 1000).toFixed(2)}\u00a0s`;
+}
+
 export const topicTexts = {
+  /** ms after the stamps in their headers. */
+  delay: ({ mean, least, most }: { readonly mean: number; readonly least: number; readonly most: number }): string =>
+    `delay ${delayed(mean)}${most - least < 0.1 ? '' : ` (${delayed(least)} to ${delayed(most)})`}`,
   ends: (topic: string): string => `Who takes part in ${topic}`,
   publishes: 'publishes',
   subscribes: 'subscribes',

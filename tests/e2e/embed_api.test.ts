@@ -165,6 +165,18 @@ describe('any other page', { timeout: 300_000 }, () => {
     await page.context().close();
   });
 
+  test('asks how high the frame should be, and nothing scrolls in one of that height', async () => {
+    const { page, frame } = await visit(stranger, '&panel=text');
+    await frame.getByRole('heading', { name: 'Drive a turtle' }).waitFor();
+    const { height } = await done(page, { do: 'height' }) as { height: number };
+    assert.ok(height > 460 && height < 3000, String(height));
+    await page.evaluate((px) => document.querySelector('iframe')!.setAttribute('height', String(px)), height);
+    await frame.waitForFunction((px) => innerHeight === px, height);
+    assert.deepEqual(await done(page, { do: 'height' }), { height });
+    assert.ok(await frame.locator('.text').evaluate((text) => text.scrollHeight === text.clientHeight));
+    await page.context().close();
+  });
+
   test('text of a link and of messages runs nothing', async () => {
     const code = '<img src=x onerror="document.title=1">${alert(1)}javascript:alert(1)';
     const hostile = `&panel=${encodeURIComponent(code)},console#layout=${encodeURIComponent(JSON.stringify({ console: { text: code } }))}`;

@@ -93,6 +93,44 @@ test('in the page a goal is pressed and reached, with gains of the lab sheet', w
   await page.close();
 });
 
+// Compatibility, works: an `.rviz` file as RViz saves it, which a launch file gives to `rviz2 -d`: its displays, groups, fixed frame, view and tools
+test('the 3D view shows what the launch file gives to rviz2', watchdog, async () => {
+  const { ui } = JSON.parse(readFileSync(join(site, 'site.json'), 'utf8')) as { readonly ui: { readonly opens: unknown } };
+  assert.deepEqual(ui.opens, [{ panel: 'scene', file: 'share/mobile_robot/rviz/robot.rviz' }]);
+  await using server = await ServedSite.start([site, '--port', '0']);
+  const page = await browser.newPage({ viewport: { width: 1440, height: 900 } });
+  page.setDefaultTimeout(120_000);
+  // As the author has it, with the list of what is shown.
+  await page.goto(server.url);
+  await page.locator('.scene-said').getByText('As in robot.rviz').waitFor();
+  await page.getByRole('button', { name: 'What is shown' }).click();
+  assert.equal(await page.getByRole('combobox', { name: 'Fixed frame' }).inputValue(), 'map');
+  const ticked = async (wanted: readonly string[]): Promise<void> => {
+    await page.waitForFunction((names) => {
+      const shown = [...document.querySelectorAll<HTMLInputElement>('.scene-topics input:checked')].map((box) => {
+        const label = box.labels?.[0];
+        return (label?.textContent ?? '').slice(0, -(label?.querySelector('.scene-type')?.textContent?.length ?? 0));
+      });
+      return JSON.stringify(shown.toSorted()) === JSON.stringify(names);
+    }, wanted);
+  };
+  const displays = ['/goal_pose', '/map', '/robot_description', '/scan', '/trail'];
+  await ticked(displays);
+  const list = page.locator('.scene-list');
+  assert.equal(await list.getByRole('checkbox', { name: '/odom' }).isChecked(), false);
+  assert.deepEqual(await list.locator(':scope > .check input[type=checkbox]').evaluateAll((boxes) => boxes.map((box) => (box as HTMLInputElement).checked)), [true, false, true]);
+  assert.equal(await list.locator('.scene-problem').count(), 0);
+  await page.screenshot({ path: join(kOutput, 'mobile_robot_rviz.png') });
+  // Others may be ticked, and the menu brings back what the file says.
+  await list.getByRole('checkbox', { name: '/odom' }).check();
+  await list.getByRole('checkbox', { name: '/map' }).uncheck();
+  await ticked(['/goal_pose', '/odom', '/robot_description', '/scan', '/trail']);
+  await page.getByRole('button', { name: 'Show what an RViz file says' }).click();
+  await page.getByRole('menuitem', { name: 'robot.rviz' }).click();
+  await ticked(displays);
+  await page.close();
+});
+
 /** Waits until the controller has said so often that it is there. */
 async function reached(page: Page, times: number): Promise<void> {
   await page.getByText(/Goal reached/).nth(times - 1).waitFor();

@@ -246,6 +246,19 @@ test('copy puts the shown lines and a message\u2019s YAML on the clipboard', () 
     );
   }));
 
+test('a report says of each node how it is, and how one that crashed ended', () =>
+  stage.on('crowd', { permissions: ['clipboard-read', 'clipboard-write'] }, async (page) => {
+    await page.getByRole('button', { name: 'About this page', exact: true }).click();
+    await page.getByRole('button', { name: 'Copy a report' }).click();
+    await page.getByRole('status').getByText('Copied').waitFor();
+    const report = await page.evaluate(() => navigator.clipboard.readText());
+    assert.match(report, /^ {2}planner-3 \S+ .*: crashed R2W0702: terminate called after throwing an instance of 'std::out_of_range'\n {2}what\(\):/m);
+    assert.match(report, /^ {2}safety-4 .*: exited 1$/m);
+    assert.match(report, /^ {2}diff_drive-1 .*: running$/m);
+    // Neither lines of consoles nor messages.
+    assert.doesNotMatch(report, /Wheel separation|Giving up/);
+  }));
+
 test('save gives the shown lines as a file', () =>
   stage.on('quiet', {}, async (page) => {
     await page.evaluate(() => {

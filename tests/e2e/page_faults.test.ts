@@ -68,11 +68,17 @@ test('one broken panel fails alone', () =>
   }));
 
 test('a session that cannot start is explained', () =>
-  stage.on('failure', {}, async (page) => {
+  stage.on('failure', { permissions: ['clipboard-read', 'clipboard-write'] }, async (page) => {
     const told = (await page.textContent('main')) ?? '';
     assert.match(
       told,
       /could not start.*error\[R2W0705\]: this browser can neither.*why.*Promise Integration.*fix.*open the page by itself/s,
+    );
+    await page.getByTitle('Copy this report').click();
+    await page.waitForFunction(async () => (await navigator.clipboard.readText()).startsWith('error['));
+    assert.match(
+      await page.evaluate(() => navigator.clipboard.readText()),
+      /^error\[R2W0705\]: this browser can neither.*\n {3}= why: .*Promise Integration.*\n {3}= fix: open the page by itself/,
     );
   }));
 

@@ -81,6 +81,32 @@ test('what has changed since the message before is marked, and can be all that i
     await expectAccessible(page);
   }));
 
+test('messages with a stamp say how late they were', () =>
+  stage.on('quiet', {}, async (page) => {
+    /** ms after its stamp; null: nobody has set that. */
+    const late = (ms: number | null): Promise<void> => page.evaluate((delay) => {
+      const bytes = new Uint8Array(32);
+      const view = new DataView(bytes.buffer);
+      bytes[1] = 1;
+      if (delay !== null) {
+        const at = Date.now() - delay;
+        view.setInt32(4, Math.floor(at / 1000), true);
+        view.setUint32(8, (at % 1000) * 1e6, true);
+      }
+      view.setUint32(12, 1, true);
+      fake.publish('/scan', bytes);
+      fake.setTopics([{ name: '/scan', type: 'sensor_msgs/msg/LaserScan', count: fake.lastMessage('/scan')?.count ?? 0 }]);
+    }, ms);
+    await late(null);
+    await page.getByRole('button', { name: /^\/scan/ }).click();
+    const facts = page.locator('.message-facts').first();
+    await facts.getByText(/, 32 bytes$/).waitFor();
+    await late(250);
+    await facts.getByText(/, delay 2[5-9]\d\sms$/).waitFor();
+    await late(-2500);
+    await facts.getByText(/, delay -1\.[01]\d\ss \(-2\.[45]\d\ss to 2[5-9]\d\sms\)$/).waitFor();
+  }));
+
 test('a message that is held stays, with what it is compared with, while others come', () =>
   stage.on('quiet', {}, async (page) => {
     await openScan(page);

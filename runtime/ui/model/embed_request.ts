@@ -15,7 +15,7 @@ const kMostWaitMs = 600_000;
 /** Messages of a topic in a second. */
 const kUsualRate = 30;
 const kMostRate = 60;
-const kCommands = 'hello, state, watch, checks, run_checks, start, stop, restart, publish, set_parameter, subscribe, unsubscribe, call';
+const kCommands = 'hello, state, height, watch, checks, run_checks, start, stop, restart, publish, set_parameter, subscribe, unsubscribe, call';
 
 /** Why a request is not followed, in the form of every failure (model/problem.ts). */
 export class Refusal extends Error {
@@ -34,7 +34,7 @@ export class Refusal extends Error {
 export type EmbedId = string | number;
 
 export type EmbedOrder =
-  | { readonly do: 'hello' | 'state' | 'checks' }
+  | { readonly do: 'hello' | 'state' | 'height' | 'checks' }
   | { readonly do: 'watch'; readonly on: boolean }
   /** null: all nodes. */
   | { readonly do: 'start' | 'stop' | 'restart'; readonly node: string | null }
@@ -52,7 +52,7 @@ export interface EmbedRequest {
 }
 
 /** Those that any page may give: they tell no more than the site's files do, but which of its nodes run here. */
-const kReading: ReadonlySet<EmbedOrder['do']> = new Set(['hello', 'state', 'watch']);
+const kReading: ReadonlySet<EmbedOrder['do']> = new Set(['hello', 'state', 'height', 'watch']);
 
 export function isReading(order: EmbedOrder): boolean {
   return kReading.has(order.do);
@@ -79,6 +79,7 @@ function readOrder(data: Readonly<Record<string, unknown>>): EmbedOrder | Refusa
     switch (what) {
       case 'hello':
       case 'state':
+      case 'height':
       case 'checks':
       case 'run_checks':
         return { do: what };

@@ -19,6 +19,7 @@ const kMostPublishers = 16;
 const kMostWaiting = 16;
 const kMostMessageBytes = 1 << 20;
 const kStateMs = 100;
+const kMostHeight = 10_000;
 /** At once, and in a second. */
 const kOrders = [200, 100] as const;
 const kRefusals = [20, 2] as const;
@@ -107,6 +108,8 @@ class EmbedHost {
       }
       case 'state':
         return this.state();
+      case 'height':
+        return { height: wantedHeight() };
       case 'watch':
         return this.watch(order.on, to);
       case 'start':
@@ -300,6 +303,12 @@ class EmbedHost {
 
 /** rcl_interfaces/msg/ParameterType.PARAMETER_DOUBLE */
 const kDouble = 3;
+
+/** Of the frame, px: no panel scrolls then. What scrolls inside of one, as a console does, may go on. */
+function wantedHeight(): number {
+  const hidden = Array.from(document.querySelectorAll('.panel-body, .panel-body > *'), (body) => body.scrollHeight - body.clientHeight);
+  return Math.min(kMostHeight, innerHeight + Math.max(0, ...hidden));
+}
 
 function messageOf(read: { readonly kind: 'value'; readonly value: unknown } | { readonly kind: 'failed'; readonly reason: string }): object {
   return read.kind === 'value' ? { message: read.value } : { error: read.reason };

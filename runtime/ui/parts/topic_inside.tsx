@@ -10,6 +10,7 @@ import type { Json } from '../model/json.ts';
 import { sameValue } from '../model/message_change.ts';
 import { pubCommand } from '../model/pub_command.ts';
 import { formatBandwidth, formatCount, formatDuration } from '../model/quantities.ts';
+import { DelayWindow, delayOf } from '../model/stamp_delay.ts';
 import type { Misfit, TopicEnd } from '../model/topic_qos.ts';
 import { texts } from '../texts.ts';
 import { topicTexts } from '../texts_topics.ts';
@@ -87,6 +88,7 @@ function LastMessageView({ topic, session, announce, open }: TopicInsideProps) {
   const [only, setOnly] = useState(false);
   const [path, setPath] = useState<string | null>(null);
   const value = useRef<unknown>(undefined);
+  const delays = useRef(new DelayWindow());
   const last = session.lastMessage(topic.name);
   if (last === undefined) return <p class="hint">{whyNoMessage(topic)}</p>;
   if (decoder === null) return <p class="hint">{texts.topics.decoding}</p>;
@@ -94,6 +96,7 @@ function LastMessageView({ topic, session, announce, open }: TopicInsideProps) {
   const known = newest.current?.now;
   if (known?.count !== last.count || known.decoder !== decoder) {
     const result = decoder.decode(topic.type, last.bytes);
+    delays.current.add(delayOf(result, last.receivedAt));
     const now = { count: last.count, receivedAt: last.receivedAt, size: last.bytes.byteLength, decoder, result };
     newest.current = { now, before: known === undefined || known.count === last.count ? null : known };
   }
@@ -104,13 +107,14 @@ function LastMessageView({ topic, session, announce, open }: TopicInsideProps) {
   if (result.kind === 'failed') return <p class="hint">{texts.topics.undecodable(result.reason)}</p>;
   const size = texts.topics.bytes(formatCount(now.size));
   const ago = texts.topics.ago(formatDuration(session.time.view().now - now.receivedAt));
+  const delay = delays.current.get();
   const earlier = before?.result.kind === 'value' ? before.result.value : undefined;
   const change: TreeChange | undefined =
     mark && earlier !== undefined ? { before: earlier, only, was: topicTexts.was, changed: topicTexts.changed } : undefined;
   return (
     <MessageView
       title={texts.topics.lastMessage}
-      facts={`${ago}, ${size}`}
+      facts={[ago, size, ...(delay === undefined ? [] : [topicTexts.delay(delay)])].join(', ')}
       message={result}
       label={texts.topics.lastOf(topic.name)}
       copyLabel={texts.topics.copy(topic.name)}

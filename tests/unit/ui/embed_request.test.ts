@@ -21,6 +21,7 @@ test('what is not for the page is left alone', () => {
 
 test('commands and their fields', () => {
   assert.deepEqual(readRequest(request({ do: 'hello', id: 'a' })), { id: 'a', order: { do: 'hello' } });
+  assert.deepEqual(readRequest(request({ do: 'height' }))?.order, { do: 'height' });
   assert.deepEqual(readRequest(request({ do: 'start' }))?.order, { do: 'start', node: null });
   assert.deepEqual(readRequest(request({ do: 'stop', node: 'talker-1' }))?.order, { do: 'stop', node: 'talker-1' });
   assert.deepEqual(readRequest(request({ do: 'publish', topic: '/a', type: 'std_msgs/msg/String', message: { data: 'x' } }))?.order, {

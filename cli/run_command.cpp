@@ -98,7 +98,8 @@ CommandBody run_command(Arguments& arguments) {
   arguments.value("--trace", options->trace, "FILE",
                   "write every message that a node sends to FILE, and its sha256 to the console");
   arguments.value("--bags", options->bags, "DIR",
-                  "write the bags that nodes write to DIR, in a folder for each node");
+                  "write the bags that nodes write, and files of Python nodes, to DIR, in a folder "
+                  "for each node");
   arguments.flag("--checks", options->checks,
                  "stop when the checks of the manifest are decided; 1 when one failed");
   arguments.value("--junit", options->junit, "FILE",

@@ -65,7 +65,7 @@ struct NodeEntry {
   std::vector<Spanned<std::string>> linked_with = {};  ///< of a container: packages that it has
                                                        ///< components of too
   std::optional<Spanned<std::string>> name;            ///< ROS node name, if remapped
-  std::optional<Spanned<std::string>> name_space;      ///< ROS namespace as written, if remapped
+  std::optional<Spanned<std::string>> name_space;      ///< ROS namespace, absolute, if remapped
   std::vector<std::pair<std::string, std::string>> remappings;  ///< from, to; in order
   std::vector<ParameterEntry> parameters;
   std::vector<Spanned<std::string>> parameter_files;  ///< relative to the manifest

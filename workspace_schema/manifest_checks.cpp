@@ -65,10 +65,6 @@ std::optional<NameFault> field_fault(std::string_view text) {
   }
 }
 
-std::string absolute(const std::string& name) {
-  return name.starts_with('/') ? name : "/" + name;
-}
-
 std::optional<double> plain_number(const YamlNode& node) {
   const YamlValue value = scalar_value(node);
   if (const auto* integer = std::get_if<std::int64_t>(&value)) return static_cast<double>(*integer);
@@ -173,7 +169,7 @@ class CheckReader {
       good_ = false;
       return {};
     }
-    return absolute(name->value);
+    return absolute_name(name->value);
   }
 
   void read_topic(CheckEntry& entry) {
@@ -308,7 +304,7 @@ class CheckReader {
     if (given("node") == nullptr) {
       required_node("a parameter");
     } else if (const auto name = kept(binder_.name(*given("node"), "node", namespace_fault))) {
-      parameter.node = absolute(name->value);
+      parameter.node = absolute_name(name->value);
     }
     if (const auto name =
             kept(binder_.name(*given("parameter"), "parameter", parameter_name_fault)))

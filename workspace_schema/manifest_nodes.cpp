@@ -197,7 +197,6 @@ class NodeReader {
 
 std::string full_name(const NodeEntry& node) {
   std::string space = node.name_space ? node.name_space->value : "/";
-  if (!space.starts_with('/')) space.insert(0, "/");
   if (space != "/") space += '/';
   return node.name ? space + node.name->value : std::string();
 }
@@ -231,6 +230,8 @@ std::optional<NodeEntry> read_node(Binder& binder, const YamlNode& node) {
     entry.name = binder.name(*value, "name", node_name_fault);
   if (const YamlNode* value = given("namespace")) {
     entry.name_space = binder.name(*value, "namespace", namespace_fault);
+    // As launch_ros takes one without a slash.
+    if (entry.name_space) entry.name_space->value = absolute_name(entry.name_space->value);
   }
   if (const YamlNode* value = given("remappings")) reader.read_remappings(*value);
   if (const YamlNode* value = given("parameters")) read_parameters(binder, *value, entry);

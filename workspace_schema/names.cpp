@@ -243,6 +243,10 @@ std::string as_workspace_name(std::string_view text) {
 
 }  // namespace
 
+std::string absolute_name(std::string_view name) {
+  return (name.starts_with('/') ? "" : "/") + std::string(name);
+}
+
 std::optional<NameFault> node_name_fault(std::string_view text) {
   auto fault = node_fault_bare(text);
   if (!fault) return std::nullopt;

@@ -36,6 +36,9 @@ struct NameFault {
 /// One parameter's name, dots between the parts.
 [[nodiscard]] std::optional<NameFault> parameter_name_fault(std::string_view text);
 
+/// Of a namespace or a node: with a slash before it.
+[[nodiscard]] std::string absolute_name(std::string_view name);
+
 /// A text that passed `Fault`. R2W0104 from parse() otherwise, without a place: callers that know
 /// one set it.
 template <std::optional<NameFault> (*Fault)(std::string_view)>

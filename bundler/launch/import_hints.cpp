@@ -121,8 +121,7 @@ constexpr auto kHints = std::to_array<Hint>({
     {"rqt_gui_py", kNoWidgets},
     {"scipy",
      "of SciPy a site has `scipy.spatial.transform`; the rest is compiled code, which nobody "
-     "compiles "
-     "for the Python of sites; linear algebra can be done with numpy"},
+     "compiles for the Python of sites; linear algebra can be done with numpy"},
     {"serial", kHardware},
     {"shapely", kCompiled},
     {"skimage", kCompiled},

@@ -114,7 +114,6 @@ std::string program_label(const NodeEntry& entry) {
 std::string node_label(const NodeEntry& entry) {
   if (entry.is_command) return program_label(entry);
   std::string space = entry.name_space ? entry.name_space->value : "/";
-  if (!space.starts_with('/')) space.insert(0, "/");
   if (!entry.name) return entry.executable.value + (space == "/" ? "" : " (" + space + ")");
   if (!space.ends_with('/')) space += '/';
   return space + entry.name->value;

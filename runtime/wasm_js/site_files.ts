@@ -30,10 +30,13 @@ export function siteFiles(site: SiteDescription, place: string): SiteFiles {
   return { prefix: prefixOf(site), place, files: [...sizes] };
 }
 
+/** Where programs begin. */
+export const homeFolder = '/home/user';
+
 /** What a program finds in its environment before that of its node. */
 export function siteEnvironment(site: SiteDescription): Readonly<Record<string, string>> {
   return {
-    AMENT_PREFIX_PATH: prefixOf(site), HOME: '/home/user', PWD: '/home/user', USER: 'user',
+    AMENT_PREFIX_PATH: prefixOf(site), HOME: homeFolder, PWD: homeFolder, USER: 'user',
     ROS_DISTRO: site.distro, ROS_PYTHON_VERSION: '3', ROS_VERSION: '2',
   };
 }

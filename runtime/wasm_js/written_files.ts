@@ -1,11 +1,10 @@
 // What programs have written and handed over (SPEC.md 3.4), bags and others: kept until somebody takes it.
 
 import type { Unsubscribe, WrittenFile, Written } from './session.ts';
+import { homeFolder } from './site_files.ts';
 
 /** Of what nobody takes, the oldest goes. */
 const mostKeptBytes = 2 ** 30;
-/** Where programs begin. */
-const home = '/home/user/';
 
 export class WrittenFiles implements Written {
   private kept: WrittenFile[] = [];
@@ -46,7 +45,7 @@ export class WrittenFiles implements Written {
 
 /** The names of folders and of the file below one for all nodes. What a program says of its path leads nowhere else. */
 export function placeOf({ node, path }: Pick<WrittenFile, 'node' | 'path'>): readonly string[] {
-  const below = path.startsWith(home) ? path.slice(home.length) : path;
+  const below = path.startsWith(`${homeFolder}/`) ? path.slice(homeFolder.length) : path;
   return [node, ...below.split('/')]
     .filter((name) => name !== '' && name !== '.' && name !== '..')
     .map((name) => name.replace(/[\u0000-\u001f\u007f<>:"\\|?*]/g, '_'));

@@ -13,6 +13,7 @@ import { machineLoad } from './machine_load.ts';
 import { packLaunch } from './packed_launch.ts';
 import { treePrivateKb } from './process_memory.ts';
 import type { BenchContext } from './run.ts';
+import { summary } from './statistics.ts';
 
 const NUMBERS = 17;
 const NUMBER_HZ = 118;
@@ -105,8 +106,6 @@ function countPictures(): void {
 
 const pictures = (page: Page): Promise<number> => page.evaluate(() => (globalThis as { pictures?: number }).pictures ?? 0);
 
-const median = (values: readonly number[]): number => values.toSorted((a, b) => a - b)[values.length >> 1] ?? Number.NaN;
-
 /** Pictures that the 3D view has drawn; 0 without one. */
 const drawings = (page: Page): Promise<number> =>
   page.evaluate(() => Number(document.querySelector<HTMLElement>('.scene-canvas')?.dataset['drawings'] ?? 0));
@@ -136,7 +135,7 @@ async function run(context: BenchContext, page: Page, pid: number, panels: strin
   }
   const seconds = (performance.now() - begin) / 1000;
   const seen: Seen = {
-    heard_per_second: median(numbers), clouds_per_second: median(clouds),
+    heard_per_second: summary(numbers).median, clouds_per_second: summary(clouds).median,
     pictures_per_second: rounded((await pictures(page) - shown) / seconds), drawings_3d: await drawings(page) - drawn,
   };
   const figures = frameFigures(found);

@@ -4,8 +4,6 @@
 // Compatibility, works: C++ and Python nodes of a workspace with each other: messages of upstream's and of own types, services, and
 // actions with feedback, results, refused and cancelled goals, each in both directions
 
-import { cpSync } from 'node:fs';
-import { join, resolve } from 'node:path';
 import { after, before, test } from 'node:test';
 import { chromium } from 'playwright-core';
 
@@ -61,7 +59,7 @@ let folder = '';
 before(async () => {
   workspace = new PackWorkspace('shared');
   for (const name of new Set(['learn_interfaces', ...nodes.map((node) => node.package)])) {
-    if (name.startsWith('learn_')) cpSync(resolve(import.meta.dirname, '../packages', name), join(workspace.root, 'src', name), { recursive: true });
+    if (name.startsWith('learn_')) workspace.copyPackages(name);
   }
   workspace.write('workspace.yaml', `schema: 1
 name: both

@@ -2,8 +2,8 @@
 // remappings, parameters and extra arguments; callbacks take turns there, or do not, as the container's name says.
 
 import assert from 'node:assert/strict';
-import { cpSync, readFileSync, readdirSync } from 'node:fs';
-import { join, relative, resolve } from 'node:path';
+import { readFileSync, readdirSync } from 'node:fs';
+import { join, relative } from 'node:path';
 import { after, before, test } from 'node:test';
 
 import { PackWorkspace } from './pack_workspace.ts';
@@ -64,9 +64,7 @@ const kept = (): Readonly<Record<string, string>> => ({ XDG_CACHE_HOME: join(wor
 
 before(async () => {
   workspace = new PackWorkspace();
-  for (const name of ['composed_talkers', 'board_companions']) {
-    cpSync(resolve(import.meta.dirname, '../packages', name), join(workspace.root, 'src', name), { recursive: true });
-  }
+  workspace.copyPackages('composed_talkers', 'board_companions');
   workspace.write('workspace.yaml', 'schema: 1\nname: composed\npackages: [src/*]\nlaunch: all.launch.py\n');
   workspace.write('all.launch.py', launchFile.replaceAll('TOPIC', topic()));
   workspace.write('more.yaml', '/**:\n  ros__parameters: {gain: 2.5}\n');

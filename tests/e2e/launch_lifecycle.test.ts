@@ -2,8 +2,7 @@
 // both links and in Chromium.
 
 import assert from 'node:assert/strict';
-import { cpSync } from 'node:fs';
-import { join, resolve } from 'node:path';
+import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { chromium } from 'playwright-core';
 
@@ -80,7 +79,7 @@ const pack = async (file: string, text: string): Promise<void> => {
 };
 before(async () => {
   workspace = new PackWorkspace('shared');
-  cpSync(resolve(import.meta.dirname, '../packages/lifecycle_sensor'), join(workspace.root, 'src/lifecycle_sensor'), { recursive: true });
+  workspace.copyPackages('lifecycle_sensor');
   workspace.addPackage('plain', { spins: plainNode }, {
     cmake: 'find_package(rclcpp REQUIRED)\nament_target_dependencies(spins rclcpp)', depends: ['rclcpp'],
   });

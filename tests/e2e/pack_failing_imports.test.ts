@@ -18,18 +18,7 @@ after(() => rmSync(workspace.root, { recursive: true }));
 
 test('a program that starts others is packed, with a warning for each import', { timeout: 300_000 }, async () => {
   workspace.write('workspace.yaml', 'schema: 1\nname: lab\ndistro: jazzy\npackages: [src/*]\nlaunch:\n  - {package: eyes, executable: see}\n');
-  workspace.write('src/eyes/package.xml', `<package format="3">
-  <name>eyes</name><version>1.2.3</version><description>Of a test</description>
-  <maintainer email="someone@example.org">Someone</maintainer><license>Apache-2.0</license>
-  <exec_depend>rclpy</exec_depend><export><build_type>ament_python</build_type></export>
-</package>
-`);
-  workspace.write('src/eyes/setup.cfg', '[develop]\nscript_dir=$base/lib/eyes\n[install]\ninstall_scripts=$base/lib/eyes\n');
-  workspace.write('src/eyes/setup.py', `from setuptools import setup
-setup(name='eyes', version='1.2.3', packages=['eyes'], entry_points={'console_scripts': ['see = eyes.see:main']})
-`);
-  workspace.write('src/eyes/eyes/__init__.py', '');
-  workspace.write('src/eyes/eyes/see.py', `import ctypes
+  workspace.addPythonPackage('eyes', { see: `import ctypes
 import socket
 from multiprocessing import Process
 
@@ -37,7 +26,7 @@ from multiprocessing import Process
 def main():
     import subprocess
     from urllib import parse, request
-`);
+` });
   const { code, stderr } = await workspace.run(['pack', 'workspace.yaml', '--plan']);
   assert.equal(code, 0, stderr);
   const told = [...stderr.matchAll(/warning\[R2W0526\]: `(.+)` can be imported, but does not work in a site\n --> src\/eyes\/eyes\/see\.py:(\d+):\d+\n/g)];

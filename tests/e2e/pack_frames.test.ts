@@ -1,8 +1,6 @@
 // Libraries of Python nodes through pack and run: transforms, filters, YAML, messages as text, angles.
 
 import assert from 'node:assert/strict';
-import { cpSync } from 'node:fs';
-import { join, resolve } from 'node:path';
 import { after, before, test } from 'node:test';
 
 import { PackWorkspace, finished } from './pack_workspace.ts';
@@ -44,7 +42,7 @@ let workspace: PackWorkspace;
 let packed: Awaited<ReturnType<PackWorkspace['run']>>;
 before(async () => {
   workspace = new PackWorkspace('shared');
-  cpSync(resolve(import.meta.dirname, '../packages/frames_py'), join(workspace.root, 'src/frames_py'), { recursive: true });
+  workspace.copyPackages('frames_py');
   workspace.write('workspace.yaml', MANIFEST);
   packed = await workspace.run(['pack']);
   assert.equal(packed.code, 0, packed.stderr);

@@ -12,28 +12,17 @@ let workspace: PackWorkspace;
 
 before(() => {
   workspace = new PackWorkspace('shared');
-  workspace.write('src/clock_py/package.xml', `<package format="3">
-  <name>clock_py</name><version>1.2.3</version><description>Of a test</description>
-  <maintainer email="someone@example.org">Someone</maintainer><license>Apache-2.0</license>
-  <exec_depend>rclpy</exec_depend><export><build_type>ament_python</build_type></export>
-</package>
-`);
-  workspace.write('src/clock_py/setup.cfg', '[develop]\nscript_dir=$base/lib/clock_py\n[install]\ninstall_scripts=$base/lib/clock_py\n');
-  workspace.write('src/clock_py/setup.py', `from setuptools import setup
-setup(name='clock_py', version='1.2.3', packages=['clock_py'], entry_points={'console_scripts': ['tell = clock_py.tell:main']})
-`);
-  workspace.write('src/clock_py/clock_py/__init__.py', '');
 });
 
 after(() => rmSync(workspace.root, { recursive: true }));
 
-function manifest(more = ''): void {
-  workspace.write('workspace.yaml', `schema: 1\nname: lab\ndistro: jazzy\n${more}packages: [src/*]\nlaunch:\n  - {package: clock_py, executable: tell}\n`);
+function write(tell: string): void {
+  workspace.write('workspace.yaml', 'schema: 1\nname: lab\ndistro: jazzy\npackages: [src/*]\nlaunch:\n  - {package: clock_py, executable: tell}\n');
+  workspace.addPythonPackage('clock_py', { tell });
 }
 
 test('a node knows the time of day of a city', { timeout: 300_000 }, async () => {
-  manifest();
-  workspace.write('src/clock_py/clock_py/tell.py', `from datetime import datetime, timezone
+  write(`from datetime import datetime, timezone
 from zoneinfo import ZoneInfo, ZoneInfoNotFoundError, available_timezones
 
 
@@ -53,16 +42,14 @@ def main():
 });
 
 test('who does not import it carries no time zones', { timeout: 300_000 }, async () => {
-  manifest();
-  workspace.write('src/clock_py/clock_py/tell.py', 'import datetime\n\n\ndef main():\n    print(datetime.UTC)\n');
+  write('import datetime\n\n\ndef main():\n    print(datetime.UTC)\n');
   const { code, stderr } = await workspace.run(['pack', 'workspace.yaml']);
   assert.equal(code, 0, stderr);
   assert.doesNotMatch(workspace.read('ros2wasm.lock').toString(), /tzdata/);
 });
 
 test('an import that a program can do without brings none, and the pack says what comes of it', { timeout: 300_000 }, async () => {
-  manifest();
-  workspace.write('src/clock_py/clock_py/tell.py', 'def main():\n    from zoneinfo import ZoneInfo\n    print(ZoneInfo)\n');
+  write('def main():\n    from zoneinfo import ZoneInfo\n    print(ZoneInfo)\n');
   const { code, stderr } = await workspace.run(['pack', 'workspace.yaml', '--plan']);
   assert.equal(code, 0, stderr);
   assert.match(stderr, /warning\[R2W0526\]: `zoneinfo` can be imported, but does not work in a site\n --> src\/clock_py\/clock_py\/tell\.py:2:/);

@@ -1,6 +1,6 @@
 // A colcon workspace for one test, and a way to run the program on it.
 import { spawn, type ChildProcess } from 'node:child_process';
-import { mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { cpSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
 
@@ -61,6 +61,35 @@ ${install}if(BUILD_TESTING)
 endif()
 ament_package()
 `);
+  }
+
+  /** An ament_python package with one executable per entry of `programs` (name -> the module's text, which has a `main`). */
+  addPythonPackage(name: string, programs: Readonly<Record<string, string>>, depends: readonly string[] = ['rclpy']): void {
+    this.write(`src/${name}/package.xml`, `<?xml version="1.0"?>
+<package format="3">
+  <name>${name}</name>
+  <version>1.2.3</version>
+  <description>A package of a test</description>
+  <maintainer email="someone@example.org">Someone</maintainer>
+  <license>Apache-2.0</license>
+${depends.map((d) => `  <exec_depend>${d}</exec_depend>\n`).join('')}  <export><build_type>ament_python</build_type></export>
+</package>
+`);
+    const scripts = Object.keys(programs).map((program) => `'${program} = ${name}.${program}:main'`).join(', ');
+    this.write(`src/${name}/setup.cfg`, `[develop]\nscript_dir=$base/lib/${name}\n[install]\ninstall_scripts=$base/lib/${name}\n`);
+    this.write(`src/${name}/setup.py`, `from setuptools import setup
+setup(name='${name}', version='1.2.3', packages=['${name}'],
+      data_files=[('share/${name}', ['package.xml']), ('share/ament_index/resource_index/packages', ['resource/${name}'])],
+      entry_points={'console_scripts': [${scripts}]})
+`);
+    this.write(`src/${name}/resource/${name}`, '');
+    this.write(`src/${name}/${name}/__init__.py`, '');
+    for (const [program, text] of Object.entries(programs)) this.write(`src/${name}/${name}/${program}.py`, text);
+  }
+
+  /** Takes packages of tests/packages. */
+  copyPackages(...names: readonly string[]): void {
+    for (const name of names) cpSync(resolve(import.meta.dirname, '../packages', name), join(this.root, 'src', name), { recursive: true });
   }
 
   start(args: readonly string[], environment: Readonly<Record<string, string>> = {}): ChildProcess {

@@ -2,12 +2,8 @@
 // without a browser. One of them is not met and says what the parameter is.
 
 import assert from 'node:assert/strict';
-import { cpSync } from 'node:fs';
-import { join, resolve } from 'node:path';
-import { after, before, test } from 'node:test';
-import { type Browser, chromium } from 'playwright-core';
-import { chromiumOptions } from './chromium.ts';
-import { PackWorkspace } from './pack_workspace.ts';
+import { test } from 'node:test';
+import { packedInBrowser } from './packed_in_browser.ts';
 import { withTabs } from './site_tabs.ts';
 
 const watchdog = { timeout: 400_000 };
@@ -27,32 +23,9 @@ const met: readonly (readonly [check: string, words: string, seen: string])[] = 
   ["{node: /tuned, parameter: raw, equals: '[1, 255]'}", '/tuned: parameter raw is \u2018[1, 255]\u2019', '\u2018[1, 255]\u2019'],
 ];
 
-let workspace: PackWorkspace;
-let browser: Browser;
-
-before(async () => {
-  workspace = new PackWorkspace('shared');
-  cpSync(resolve(import.meta.dirname, '../packages/command_robot'), join(workspace.root, 'src/command_robot'), { recursive: true });
-  workspace.write('src/tuned_py/package.xml', `<?xml version="1.0"?>
-<package format="3">
-  <name>tuned_py</name>
-  <version>0.1.0</version>
-  <description>A Python node with parameters</description>
-  <maintainer email="someone@example.org">Someone</maintainer>
-  <license>Apache-2.0</license>
-  <exec_depend>rclpy</exec_depend>
-  <export><build_type>ament_python</build_type></export>
-</package>
-`);
-  workspace.write('src/tuned_py/setup.cfg', '[develop]\nscript_dir=$base/lib/tuned_py\n[install]\ninstall_scripts=$base/lib/tuned_py\n');
-  workspace.write('src/tuned_py/resource/tuned_py', '');
-  workspace.write('src/tuned_py/tuned_py/__init__.py', '');
-  workspace.write('src/tuned_py/setup.py', `from setuptools import setup
-setup(name='tuned_py', version='0.1.0', packages=['tuned_py'],
-      data_files=[('share/tuned_py', ['package.xml']), ('share/ament_index/resource_index/packages', ['resource/tuned_py'])],
-      entry_points={'console_scripts': ['tuned = tuned_py.tuned:main']})
-`);
-  workspace.write('src/tuned_py/tuned_py/tuned.py', `import rclpy
+const packed = packedInBrowser((workspace) => {
+  workspace.copyPackages('command_robot');
+  workspace.addPythonPackage('tuned_py', { tuned: `import rclpy
 from rclpy.node import Node
 
 
@@ -65,7 +38,7 @@ def main():
     node.declare_parameter('flags', [True, False])
     node.declare_parameter('raw', [b'\\x01', b'\\xff'])
     rclpy.spin(node)
-`);
+` });
   workspace.write('workspace.yaml', `schema: 1
 name: parameters
 packages: [src/*]
@@ -78,18 +51,11 @@ ${met.map(([check]) => `  - ${check.slice(0, -1)}, within: 5 m}\n`).join('')}\
   - {node: /robot, parameter: colour, equals: green, within: 15 s}
 ui: {layout: checks}
 `);
-  await workspace.packed();
-  browser = await chromium.launch(chromiumOptions());
-}, { timeout: 500_000 });
-
-after(async () => {
-  await browser.close();
-  workspace.close();
 });
 
 for (const link of ['shared', 'port'] as const) {
   test(`${link}: parameters of all types turn their checks green, and a wrong value is shown`, watchdog, () =>
-    withTabs(browser, join(workspace.root, 'site'), link, async (open) => {
+    withTabs(packed.browser, packed.site, link, async (open) => {
       const page = await open('');
       page.setDefaultTimeout(300_000);
       await page.getByText(`${met.length} of ${met.length + 2} checks passed`).waitFor();
@@ -107,7 +73,7 @@ for (const link of ['shared', 'port'] as const) {
 }
 
 test('a run without a browser says the same, and ends with 1', watchdog, async () => {
-  const { code, stderr } = await workspace.run(['run', 'site', '--checks']);
+  const { code, stderr } = await packed.workspace.run(['run', 'site', '--checks']);
   assert.equal(code, 1, stderr);
   for (const [, words, seen] of met) assert.ok(stderr.includes(`[check] passed: ${words} (${seen})`), `${words}\n${stderr}`);
   assert.match(stderr, /failed: \/robot: parameter label is \u2018green\u2019\n.*\n? *= seen: \u2018blue\u2019/);

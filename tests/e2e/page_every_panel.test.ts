@@ -261,6 +261,8 @@ function cutOff(): Promise<readonly string[]> {
   });
 }
 
+// Guarantee, hostile input: the page sets no markup from text: of what Trusted Types guard it uses nothing but the start
+// of workers
 const kViews = [
   { name: 'light', width: 1280, height: 800, colorScheme: 'light' },
   { name: 'dark', width: 1280, height: 800, colorScheme: 'dark' },

@@ -1,3 +1,6 @@
+// Guarantee, hostile input: names of services, topics, nodes, states and transitions, fields, defaults and values with markup
+// are shown as text in the panels that work with them
+
 // Names, fields, values, states and transitions of nodes that are markup, in the panels that show them: text, and
 // nothing else.
 import assert from 'node:assert/strict';

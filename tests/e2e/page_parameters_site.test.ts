@@ -5,42 +5,15 @@
 // the node's refusal
 
 import assert from 'node:assert/strict';
-import { cpSync } from 'node:fs';
-import { join, resolve } from 'node:path';
-import { after, before, test } from 'node:test';
-import { type Browser, chromium, type Page } from 'playwright-core';
-import { chromiumOptions } from './chromium.ts';
-import { PackWorkspace } from './pack_workspace.ts';
+import { test } from 'node:test';
+import type { Page } from 'playwright-core';
+import { packedInBrowser } from './packed_in_browser.ts';
 import { shows, withTabs } from './site_tabs.ts';
 
 const watchdog = { timeout: 400_000 };
-let workspace: PackWorkspace;
-let browser: Browser;
-
-before(async () => {
-  workspace = new PackWorkspace('shared');
-  cpSync(resolve(import.meta.dirname, '../packages/command_robot'), join(workspace.root, 'src/command_robot'), { recursive: true });
-  const write = (path: string, text: string): string => workspace.write(`src/tuned_py/${path}`, text);
-  write('package.xml', `<?xml version="1.0"?>
-<package format="3">
-  <name>tuned_py</name>
-  <version>0.1.0</version>
-  <description>A Python node with parameters</description>
-  <maintainer email="someone@example.org">Someone</maintainer>
-  <license>Apache-2.0</license>
-  <exec_depend>rclpy</exec_depend>
-  <export><build_type>ament_python</build_type></export>
-</package>
-`);
-  write('setup.cfg', '[develop]\nscript_dir=$base/lib/tuned_py\n[install]\ninstall_scripts=$base/lib/tuned_py\n');
-  write('resource/tuned_py', '');
-  write('tuned_py/__init__.py', '');
-  write('setup.py', `from setuptools import setup
-setup(name='tuned_py', version='0.1.0', packages=['tuned_py'],
-      data_files=[('share/tuned_py', ['package.xml']), ('share/ament_index/resource_index/packages', ['resource/tuned_py'])],
-      entry_points={'console_scripts': ['tuned = tuned_py.tuned:main']})
-`);
-  write('tuned_py/tuned.py', `import rclpy
+const packed = packedInBrowser((workspace) => {
+  workspace.copyPackages('command_robot');
+  workspace.addPythonPackage('tuned_py', { tuned: `import rclpy
 from rcl_interfaces.msg import IntegerRange, ParameterDescriptor, SetParametersResult
 from rclpy.node import Node
 
@@ -65,7 +38,7 @@ class Tuned(Node):
 def main():
     rclpy.init()
     rclpy.spin(Tuned())
-`);
+` });
   workspace.write('workspace.yaml', `schema: 1
 name: parameters
 packages: [src/*]
@@ -73,13 +46,6 @@ launch:
   - {package: command_robot, executable: robot}
   - {package: tuned_py, executable: tuned}
 `);
-  await workspace.packed();
-  browser = await chromium.launch(chromiumOptions());
-}, { timeout: 500_000 });
-
-after(async () => {
-  await browser.close();
-  workspace.close();
 });
 
 const says = (page: Page, label: string, text: string): Promise<unknown> =>
@@ -91,7 +57,7 @@ const says = (page: Page, label: string, text: string): Promise<unknown> =>
 
 for (const link of ['shared', 'port'] as const) {
   test(`${link}: parameters of a C++ and a Python node`, watchdog, () =>
-    withTabs(browser, join(workspace.root, 'site'), link, async (open) => {
+    withTabs(packed.browser, packed.site, link, async (open) => {
       const layout = { row: [{ column: ['nodes', 'terminal'] }, 'parameters'] };
       const page = await open(`#layout=${encodeURIComponent(JSON.stringify(layout))}`);
       page.setDefaultTimeout(120_000);

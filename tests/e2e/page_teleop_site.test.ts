@@ -3,32 +3,19 @@
 
 // Compatibility, works: driving a node from the page by Twist: keys, buttons, finger, gamepad
 
-import { join } from 'node:path';
-import { after, before, test } from 'node:test';
-import { type Browser, chromium, type Page } from 'playwright-core';
-import { chromiumOptions } from './chromium.ts';
-import { PackWorkspace } from './pack_workspace.ts';
+import { test } from 'node:test';
+import type { Page } from 'playwright-core';
+import { packedInBrowser } from './packed_in_browser.ts';
 import { withTabs } from './site_tabs.ts';
 
 const watchdog = { timeout: 400_000 };
-let workspace: PackWorkspace;
-let browser: Browser;
-
-before(async () => {
-  workspace = new PackWorkspace('shared');
+const packed = packedInBrowser((workspace) => {
   workspace.write('workspace.yaml', `schema: 1
 name: turtle
 dependencies: [turtlesim]
 launch:
   - {package: turtlesim, executable: turtlesim_node}
 `);
-  await workspace.packed();
-  browser = await chromium.launch(chromiumOptions());
-}, { timeout: 500_000 });
-
-after(async () => {
-  await browser.close();
-  workspace.close();
 });
 
 /** The pose's field says so, as the topic's last message shows it. */
@@ -41,7 +28,7 @@ const poses = (page: Page, line: RegExp): Promise<unknown> =>
 
 for (const link of ['shared', 'port'] as const) {
   test(`${link}: a key drives the turtle`, watchdog, () =>
-    withTabs(browser, join(workspace.root, 'site'), link, async (open) => {
+    withTabs(packed.browser, packed.site, link, async (open) => {
       const layout = { row: [{ topics: { topic: '/turtle1/pose' } }, { teleop: { linear: 1.5 } }] };
       const page = await open(`#layout=${encodeURIComponent(JSON.stringify(layout))}`);
       page.setDefaultTimeout(120_000);

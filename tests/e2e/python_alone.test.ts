@@ -17,6 +17,7 @@ import { stopGraceMs } from '../../runtime/wasm_js/process_runner.ts';
 import { serveFolder } from '../support/static_server.ts';
 import { ownPackage } from '../support/python_nodes.ts';
 import { chromiumOptions } from './chromium.ts';
+import { msToStop, typeInto } from './page_nodes.ts';
 import { makeSite } from './runtime_site.ts';
 
 const watchdog = { timeout: 240_000 };
@@ -86,10 +87,7 @@ console.log('a worker can suspend: ' + ('Suspending' in WebAssembly || 'promisin
     assert.equal(await page.evaluate(() => crossOriginIsolated), true);
     assert.deepEqual([...told].filter((text) => text.startsWith('a worker')), ['a worker can suspend: false']);
     await said('a line? ');
-    await page.getByRole('button', { name: 'Type into /ask' }).click();
-    await page.getByRole('textbox', { name: 'Standard input of /ask' }).waitFor();
-    await page.keyboard.type('an answer');
-    await page.keyboard.press('Enter');
+    await typeInto(page, 'ask', 'an answer');
     await said('asked and told: an answer');
     await page.getByRole('button', { name: 'Start /ask', exact: true }).click();
     await said('alone is done');
@@ -99,13 +97,7 @@ console.log('a worker can suspend: ' + ('Suspending' in WebAssembly || 'promisin
       (count) => document.body.textContent.split('waits for ever').length - 1 > count && document.body.textContent.split('a line? ').length === 3,
       ways.length, { timeout: 120_000 });
     for (const way of [...ways, 'hear']) {
-      const took = await page.evaluate(async ([stop, start]) => {
-        const button = (label: string) => document.querySelector<HTMLButtonElement>(`button[aria-label="${label}"]`);
-        const begun = performance.now();
-        button(stop)?.click();
-        while (button(start) === null) await new Promise((resolve) => setTimeout(resolve, 20));
-        return performance.now() - begun;
-      }, [`Stop /${way}`, `Start /${way}`] as const);
+      const took = await msToStop(page, way);
       assert.ok(took < soonMs, `${way} ends after ${took} ms`);
     }
     const text = await page.textContent('body') ?? '';

@@ -63,12 +63,12 @@ test('Chromium: the panel Bag offers the newest of each, also of a second run', 
     for (const run of [1, 2]) {
       if (run === 2) await page.getByRole('button', { name: 'Start /files', exact: true }).click();
       await page.getByRole('button', { name: 'Start /files', exact: true }).waitFor();
-      await list.getByText('files-1: logs/kept_open.csv').waitFor();
+      await list.getByText('files-1: /home/user/logs/kept_open.csv').waitFor();
       assert.equal(await list.getByRole('listitem').count(), Object.keys(wanted).length);
     }
-    const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Download files-1: often.csv' }).click()]);
+    const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Download files-1: /home/user/often.csv' }).click()]);
     assert.equal(download.suggestedFilename(), 'often.csv');
     assert.equal(readFileSync(await download.path(), 'utf8'), often);
-    await page.getByRole('button', { name: 'Forget files-1: often.csv' }).click();
+    await page.getByRole('button', { name: 'Forget files-1: /home/user/often.csv' }).click();
     assert.equal(await list.getByRole('listitem').count(), Object.keys(wanted).length - 1);
   }));

@@ -18,6 +18,7 @@ import { serveFolder } from '../support/static_server.ts';
 import { ownPackage } from '../support/python_nodes.ts';
 import { prints, reaches } from '../unit/wasm_js/site_fixture.ts';
 import { chromiumOptions } from './chromium.ts';
+import { msToStop, typeInto } from './page_nodes.ts';
 import { makeSite } from './runtime_site.ts';
 
 const watchdog = { timeout: 300_000 };
@@ -103,10 +104,7 @@ for (const [link, isolated] of [['shared', true], ['port', false]] as const) {
       const said = (text: string): Promise<unknown> =>
         page.waitForFunction((wanted) => document.body.textContent.includes(wanted), text, { timeout: 120_000 });
       await said('a line? ');
-      await page.getByRole('button', { name: 'Type into /ask' }).click();
-      await page.getByRole('textbox', { name: 'Standard input of /ask' }).waitFor();
-      await page.keyboard.type('an answer');
-      await page.keyboard.press('Enter');
+      await typeInto(page, 'ask', 'an answer');
       await said('asked and told: an answer');
       await page.getByRole('button', { name: 'Start /ask', exact: true }).click();
       assert.equal(await page.evaluate(() => crossOriginIsolated), isolated);
@@ -122,14 +120,7 @@ for (const [link, isolated] of [['shared', true], ['port', false]] as const) {
         await page.waitForTimeout(blockedMs);
       }
       for (const way of stoppable(link)) {
-        // Within the page: a busy machine is slow to click for us.
-        const took = await page.evaluate(async ([stop, start]) => {
-          const button = (label: string) => document.querySelector<HTMLButtonElement>(`button[aria-label="${label}"]`);
-          const begun = performance.now();
-          button(stop)?.click();
-          while (button(start) === null) await new Promise((resolve) => setTimeout(resolve, 20));
-          return performance.now() - begun;
-        }, [`Stop /${way}`, `Start /${way}`] as const);
+        const took = await msToStop(page, way);
         assert.ok(took < soonMs, `${way} ends after ${took} ms`);
       }
       assert.doesNotMatch(await page.textContent('body') ?? '', /Exited with code 137/);

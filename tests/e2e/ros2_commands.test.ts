@@ -6,26 +6,21 @@
 
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
-import { cpSync } from 'node:fs';
-import { join, resolve } from 'node:path';
-import { after, before, test } from 'node:test';
-import { type Browser, chromium, type Page } from 'playwright-core';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import type { Page } from 'playwright-core';
 import { bagFiles, textOfFile } from '../../runtime/ros2cli/shell_files.ts';
 import { runCommand } from '../../runtime/ros2cli/run.ts';
 import { openHeadless } from '../../runtime/wasm_js/headless_session.ts';
 import type { Session } from '../../runtime/wasm_js/session.ts';
-import { chromiumOptions } from './chromium.ts';
-import { CLI, finished, PackWorkspace } from './pack_workspace.ts';
+import { CLI, finished } from './pack_workspace.ts';
+import { packedInBrowser } from './packed_in_browser.ts';
 import { shows, withTabs } from './site_tabs.ts';
 
 const watchdog = { timeout: 400_000 };
 const entry = new URL('../../runtime/wasm_js/headless.ts', import.meta.url);
-let workspace: PackWorkspace;
-let browser: Browser;
-
-before(async () => {
-  workspace = new PackWorkspace('shared');
-  cpSync(resolve(import.meta.dirname, '../packages/command_robot'), join(workspace.root, 'src/command_robot'), { recursive: true });
+const packed = packedInBrowser((workspace) => {
+  workspace.copyPackages('command_robot');
   workspace.write('workspace.yaml', `schema: 1
 name: command_robot
 packages: [src/*]
@@ -33,13 +28,6 @@ launch:
   - {package: command_robot, executable: robot}
   - {package: command_robot, executable: gripper}
 `);
-  await workspace.packed();
-  browser = await chromium.launch(chromiumOptions());
-}, { timeout: 500_000 });
-
-after(async () => {
-  await browser.close();
-  workspace.close();
 });
 
 interface Ran {
@@ -124,7 +112,7 @@ function printed(session: Session, id: string, pattern: RegExp): Promise<void> {
 
 for (const link of ['shared', 'port'] as const) {
   test(`${link}: every command over a running site`, watchdog, async (t) => {
-    const { session, close } = await openHeadless(join(workspace.root, 'site'), link, entry);
+    const { session, close } = await openHeadless(packed.site, link, entry);
     const shell = new Shell(session);
     try {
       session.startAll();
@@ -321,7 +309,7 @@ async function type(page: Page, line: string): Promise<void> {
 
 for (const link of ['shared', 'port'] as const) {
   test(`${link}: the terminal of the page in Chromium reaches the nodes: topics, a service, a goal, parameters`, watchdog, async () => {
-    await withTabs(browser, join(workspace.root, 'site'), link, async (open) => {
+    await withTabs(packed.browser, packed.site, link, async (open) => {
       const layout = encodeURIComponent(JSON.stringify({ row: ['console', 'terminal'], sizes: [1, 1], shown: 'terminal' }));
       const page = await open(`#layout=${layout}`);
       await page.waitForSelector('.panel-terminal .terminal-input', { timeout: 120_000 });
@@ -348,10 +336,10 @@ for (const link of ['shared', 'port'] as const) {
 }
 
 test('from a shell: result on stdout, exit codes, and what is wrong on stderr', watchdog, async () => {
-  const site = join(workspace.root, 'site');
-  const ros2 = (...words: string[]) => workspace.run(['ros2', site, ...words]);
+  const site = packed.site;
+  const ros2 = (...words: string[]) => packed.workspace.run(['ros2', site, ...words]);
   assert.deepEqual(await ros2('node', 'list'), { code: 0, stdout: '/gripper\n/robot\n', stderr: '' });
-  const once = await workspace.run(['ros2', '--link', 'port', site, 'topic', 'echo', '--once', '/chatter']);
+  const once = await packed.workspace.run(['ros2', '--link', 'port', site, 'topic', 'echo', '--once', '/chatter']);
   assert.equal(once.code, 0, once.stderr);
   assert.match(once.stdout, /^data: 'Hello World: \d+'\n---\n$/);
   const wrong = await ros2('topic', 'pub', '-1');
@@ -362,12 +350,12 @@ test('from a shell: result on stdout, exit codes, and what is wrong on stderr', 
   assert.deepEqual([doctor.code, doctor.stdout], [0, '\nAll 4 checks passed\n\n']);
   assert.match(doctor.stderr, /^UserWarning: Publisher without subscriber detected on \/chatter\.$/m);
   assert.match((await ros2('topic', '--help')).stdout, /^usage: ros2 topic \[-h\] <command> \.\.\.\n/);
-  const nothing = await workspace.run(['ros2', join(workspace.root, 'nowhere'), 'node', 'list']);
+  const nothing = await packed.workspace.run(['ros2', join(packed.workspace.root, 'nowhere'), 'node', 'list']);
   assert.match(nothing.stderr, /^error\[R2W\d+\]/);
 });
 
 test('from a shell: Ctrl-C ends a command, and so does a reader that has enough', watchdog, async () => {
-  const site = join(workspace.root, 'site');
+  const site = packed.site;
   const child = spawn(CLI, ['ros2', site, 'topic', 'echo', '/chatter'], { stdio: ['ignore', 'pipe', 'pipe'] });
   const ended = finished(child);
   child.stdout.once('data', () => child.kill('SIGINT'));

@@ -6,23 +6,15 @@
 
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
-import { cpSync } from 'node:fs';
-import { join, resolve } from 'node:path';
-import { after, before, test } from 'node:test';
-import { type Browser, chromium, type Page } from 'playwright-core';
-import { chromiumOptions } from './chromium.ts';
-import { CLI, finished, PackWorkspace } from './pack_workspace.ts';
+import { test } from 'node:test';
+import type { Page } from 'playwright-core';
+import { CLI, finished } from './pack_workspace.ts';
+import { packedInBrowser } from './packed_in_browser.ts';
 import { shows, withTabs } from './site_tabs.ts';
 
 const watchdog = { timeout: 400_000 };
-let workspace: PackWorkspace;
-let browser: Browser;
-
-before(async () => {
-  workspace = new PackWorkspace('shared');
-  for (const name of ['command_robot', 'composed_talkers', 'key_reader']) {
-    cpSync(resolve(import.meta.dirname, '../packages', name), join(workspace.root, 'src', name), { recursive: true });
-  }
+const packed = packedInBrowser((workspace) => {
+  workspace.copyPackages('command_robot', 'composed_talkers', 'key_reader');
   workspace.write('workspace.yaml', `schema: 1
 name: run_on_demand
 packages: [src/*]
@@ -33,24 +25,17 @@ programs:
   - {package: command_robot, executable: gripper}
   - {package: key_reader}
 `);
-  await workspace.packed();
-  browser = await chromium.launch(chromiumOptions());
-}, { timeout: 500_000 });
-
-after(async () => {
-  await browser.close();
-  workspace.close();
 });
 
 test('site.json tells what the site carries beside its nodes', () => {
-  const { nodes, programs } = JSON.parse(workspace.read('site/site.json').toString()) as Record<string, Record<string, unknown>[]>;
+  const { nodes, programs } = JSON.parse(packed.workspace.read('site/site.json').toString()) as Record<string, Record<string, unknown>[]>;
   assert.deepEqual(nodes?.map((node) => node['executable']), ['robot', 'component_container']);
   assert.deepEqual(programs?.map((program) => [program['package'], program['executable'], program['kind']]),
     [['command_robot', 'gripper', 'cpp'], ['key_reader', 'keys', 'cpp']]);
 });
 
 test('programs that nobody has are refused when packing', async () => {
-  workspace.write('wrong.yaml', `schema: 1
+  packed.workspace.write('wrong.yaml', `schema: 1
 name: wrong
 packages: [src/*]
 launch:
@@ -60,7 +45,7 @@ programs:
   - {package: nobody}
   - {package: std_msgs}
 `);
-  const { code, stderr } = await workspace.run(['pack', '--quick', 'wrong.yaml', '-o', 'wrong']);
+  const { code, stderr } = await packed.workspace.run(['pack', '--quick', 'wrong.yaml', '-o', 'wrong']);
   assert.notEqual(code, 0);
   assert.match(stderr, /error\[R2W0402\]: package `command_robot` has no executable `grippr`[^]*write `executable: gripper`/);
   assert.match(stderr, /error\[R2W0401\]: there is no package `nobody`[^]*wrong\.yaml:8/);
@@ -69,8 +54,8 @@ programs:
 
 for (const link of ['shared', 'port'] as const) {
   test(`${link}: from a shell`, watchdog, async () => {
-    const site = join(workspace.root, 'site');
-    const ros2 = (...words: string[]) => workspace.run(['ros2', '--link', link, site, ...words]);
+    const site = packed.site;
+    const ros2 = (...words: string[]) => packed.workspace.run(['ros2', '--link', link, site, ...words]);
     assert.deepEqual(await ros2('pkg', 'executables', 'command_robot'),
       { code: 0, stdout: 'command_robot gripper\ncommand_robot robot\n', stderr: '' });
     assert.deepEqual(await ros2('run', 'command_robot', 'grippr'),
@@ -115,7 +100,7 @@ async function type(page: Page, line: string): Promise<void> {
 
 for (const link of ['shared', 'port'] as const) {
   test(`${link}: in the page's terminal: a second node, components, parameters from a file`, watchdog, async () => {
-    await withTabs(browser, join(workspace.root, 'site'), link, async (open) => {
+    await withTabs(packed.browser, packed.site, link, async (open) => {
       const layout = encodeURIComponent(JSON.stringify({ row: ['nodes', 'terminal'], sizes: [1, 1], shown: 'terminal' }));
       const page = await open(`#layout=${layout}`);
       await page.waitForSelector('.panel-terminal .terminal-input', { timeout: 120_000 });

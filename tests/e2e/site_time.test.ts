@@ -16,8 +16,8 @@
 // waits in site time. A program that only reads clocks and never waits holds time
 
 import assert from 'node:assert/strict';
-import { cpSync, readFileSync } from 'node:fs';
-import { join, resolve } from 'node:path';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { chromium } from 'playwright-core';
 
@@ -46,7 +46,7 @@ const ways = {
 let workspace: PackWorkspace;
 before(async () => {
   workspace = new PackWorkspace('shared');
-  cpSync(resolve(import.meta.dirname, '../packages', name), join(workspace.root, 'src', name), { recursive: true });
+  workspace.copyPackages(name);
   const dice = (parameters: string): string => `  - package: ${name}\n    executable: dice\n${parameters}`;
   const hosts = '    parameters:\n      - host: true\n';
   for (const program of [...Object.keys(ways), 'dice']) {

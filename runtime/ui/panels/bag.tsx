@@ -19,8 +19,6 @@ import { bagTexts as words } from '../texts_bag.ts';
 import type { PanelProps } from './panel_props.ts';
 
 const kMostChosen = 200;
-/** Where programs begin. */
-const home = /^\/home\/user\//;
 
 export interface BagState {
   /** Of a bag of the site. */
@@ -245,7 +243,7 @@ function Files({ desk }: { readonly desk: BagDesk }) {
       <h3>{words.files}</h3>
       <ul class="bag-shelf" role="list" aria-label={words.files}>
         {desk.files.map((file) => {
-          const name = `${file.node}: ${file.path.replace(home, '')}`;
+          const name = `${file.node}: ${file.path}`;
           return (
             <li key={name}>
               <span class="bag-choose">

@@ -88,6 +88,13 @@ TEST(ManifestReader, ParametersKeepTypesAndOrder) {
   expect(6, "gains", std::vector<double>{1.0, 0.5});
 }
 
+TEST(ManifestReader, ANamespaceIsAbsoluteWithoutItsSlashToo) {
+  const Manifest manifest = manifest_of(
+      "schema: 1\nname: lab\nlaunch:\n  - {package: a, executable: b, namespace: robot1/arm}\n");
+  ASSERT_EQ(manifest.nodes.size(), 1U);
+  EXPECT_EQ(manifest.nodes[0].name_space->value, "/robot1/arm");
+}
+
 TEST(ManifestReader, DefaultsOfTheSmallest) {
   const Manifest manifest = manifest_of(example("valid/smallest.yaml"));
   EXPECT_EQ(manifest.distro, "jazzy");

@@ -55,7 +55,8 @@ function focus(): Promise<Focus> {
     });
     if (ringed === undefined || ringed === null) return { name, unseen: 'it has no ring' };
     const style = getComputedStyle(ringed);
-    const reach = Number.parseFloat(style.outlineOffset) + Number.parseFloat(style.outlineWidth);
+    const width = Number.parseFloat(style.outlineWidth);
+    const reach = Number.parseFloat(style.outlineOffset) + width;
     const box = ringed.getBoundingClientRect();
     const ring = { left: box.left - reach, right: box.right + reach, top: box.top - reach, bottom: box.bottom + reach };
     // Which sides of the ring nothing cuts off; of something as large as its room, two that meet are enough.
@@ -63,8 +64,9 @@ function focus(): Promise<Focus> {
     for (let around = ringed.parentElement; around !== null; around = around.parentElement) {
       const { overflowX, overflowY } = getComputedStyle(around);
       const clip = around.getBoundingClientRect();
-      if (overflowX !== 'visible') [left, right] = [left && ring.left > clip.left - 1, right && ring.right < clip.right + 1];
-      if (overflowY !== 'visible') [top, bottom] = [top && ring.top > clip.top - 1, bottom && ring.bottom < clip.bottom + 1];
+      // A part of its width is enough.
+      if (overflowX !== 'visible') [left, right] = [left && ring.left > clip.left - width, right && ring.right < clip.right + width];
+      if (overflowY !== 'visible') [top, bottom] = [top && ring.top > clip.top - width, bottom && ring.bottom < clip.bottom + width];
     }
     return { name, unseen: (left || right) && (top || bottom) ? '' : `its ring is cut off: left, right, top, bottom ${[left, right, top, bottom].join()} at ${[ring.left, ring.right, ring.top, ring.bottom].map(Math.round).join()}` };
   });

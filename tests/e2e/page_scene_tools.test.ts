@@ -48,6 +48,8 @@ async function middle(page: Page): Promise<readonly [number, number]> {
   return [box.x + box.width / 2, box.y + box.height / 2];
 }
 
+const drawings = (page: Page): Promise<number> => page.locator('.scene-canvas').evaluate((canvas) => Number(canvas.dataset['drawings'] ?? 0));
+
 const told = (page: Page, count: number): Promise<unknown> => page.waitForFunction((wanted) => goals.length === wanted, count);
 const goal = (page: Page, index: number): Promise<Record<string, unknown>> =>
   page.evaluate((at) => JSON.parse(JSON.stringify(goals[at], (_, value: unknown) => (ArrayBuffer.isView(value) ? [...(value as Float64Array)] : value))) as Record<string, unknown>, index);
@@ -145,7 +147,11 @@ test('the view goes with a frame', () =>
     await told(page, 1);
     const { point } = await goal(page, 0) as { point: { x: number } };
     assert.ok(Math.abs(point.x - 1) < 0.05, JSON.stringify(point));
+    const before = await drawings(page);
     await page.getByRole('combobox', { name: 'The view goes with' }).selectOption('');
+    // Drawn from where it stands now, and at rest.
+    await page.waitForFunction((count) => Number(document.querySelector<HTMLElement>('.scene-canvas')?.dataset['drawings']) > count, before);
+    for (let seen = -1; seen !== await drawings(page); await page.waitForTimeout(100)) seen = await drawings(page);
     await page.mouse.click(...await middle(page));
     await told(page, 2);
     assert.ok(Math.abs((await goal(page, 1) as { point: { x: number } }).point.x) < 0.05);

@@ -14,6 +14,10 @@ bool is_for_compiled(const fs::path& path) {
   return ending == ".wasm" || ending == ".names" || ending == ".left_out" || ending == ".a";
 }
 
+/// Begin of what the sites' Python has compiled and holds against the source by its hash (PEP 552):
+/// by a time it would never hold.
+constexpr std::string_view kCheckedByHash{"\xcb\x0d\x0d\x0a\x03\x00\x00\x00", 8};
+
 Outcome<LeftOut> collect(const fs::path& prefix, const std::string& folder, PythonFiles& into) {
   LeftOut left_out;
   std::error_code error;
@@ -24,8 +28,7 @@ Outcome<LeftOut> collect(const fs::path& prefix, const std::string& folder, Pyth
   for (const TreeEntry& entry : *tree) {
     const std::string path = folder + "/" + entry.path;
     const bool is_link = entry.kind == FileKind::kLink;
-    if ((!is_link && entry.kind != FileKind::kFile) || into.contains(path) ||
-        is_for_compiled(path) || path.ends_with(".pyc"))
+    if ((!is_link && entry.kind != FileKind::kFile) || into.contains(path) || is_for_compiled(path))
       continue;
     if (is_link && !is_installed_file(prefix, path)) {
       left_out.push_back(path + kLeadsElsewhere);
@@ -33,6 +36,7 @@ Outcome<LeftOut> collect(const fs::path& prefix, const std::string& folder, Pyth
     }
     auto bytes = read_file(prefix / path);
     if (!bytes) return std::move(bytes).errors();
+    if (path.ends_with(".pyc") && !bytes->starts_with(kCheckedByHash)) continue;
     into.emplace(path, std::move(bytes).value());
   }
   return left_out;

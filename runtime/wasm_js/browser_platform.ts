@@ -93,7 +93,13 @@ export function browserPlatform(base: URL, script: string, early?: string): Brow
     compile: (path) => {
       let module = modules.get(path);
       if (module === undefined) {
-        module = bytes(path).then((program) => compileModule(path, program));
+        module = get(path, base).then((response) => response.arrayBuffer()).then(async (program) => {
+          // Beside the look at its hash; what is another one's is never run.
+          const made = compileModule(path, program);
+          made.catch(() => undefined);
+          const right = await checked(path, program);
+          return right === program ? made : compileModule(path, right);
+        });
         modules.set(path, module);
         // A failed fetch may be tried again.
         module.catch(() => modules.delete(path));

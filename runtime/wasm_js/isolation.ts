@@ -61,14 +61,28 @@ export async function isolate(script: URL): Promise<'yes' | 'no' | 'reloading'> 
   return 'reloading';
 }
 
+/** The worker that answers for the page; undefined when it could not be installed, of which `container.ready` never tells. */
+function activated(registration: ServiceWorkerRegistration): Promise<ServiceWorker | undefined> {
+  const { active, waiting, installing } = registration;
+  const worker = active ?? waiting ?? installing;
+  if (worker === null) return Promise.resolve(undefined);
+  return new Promise((resolve) => {
+    const look = (): void => {
+      if (worker.state === 'activated') resolve(worker);
+      else if (worker.state === 'redundant') resolve(undefined);
+    };
+    worker.addEventListener('statechange', look);
+    look();
+  });
+}
+
 /** Keeps the site for later visits without a network. Failing is no fault: the site runs all the same. */
 export async function keepOffline(script: URL): Promise<boolean> {
   const container = serviceWorkers();
   if (container === undefined) return false;
   try {
-    await container.register(script, { updateViaCache: 'none' });
-    const { active } = await container.ready;
-    if (active === null) return false;
+    const active = await activated(await container.register(script, { updateViaCache: 'none' }));
+    if (active === undefined) return false;
     const channel = new MessageChannel();
     const done = new Promise<boolean>((resolve) => {
       channel.port1.onmessage = (event: MessageEvent<unknown>) => resolve(event.data === 'kept');

@@ -5,7 +5,7 @@
 import type { PyCallable, PyProxy } from 'pyodide/ffi';
 import { openEvaluator } from './launch_evaluator.ts';
 import { openPyodide } from './pyodide_loader.ts';
-import { archivesOf, fetchedOf, prefix } from './python_image.ts';
+import { archivesOf, fetchedOf, install, prefix } from './python_image.ts';
 import type { PythonParts } from './python_files.ts';
 import { mountShare, type WorkerFiles } from './python_program.ts';
 import { RunningSha256 } from './running_sha256.ts';
@@ -87,8 +87,8 @@ export const runLaunch: RunLaunch = async (module, start, files, readNow, begun)
     image: undefined, toBeKept: false, fetched: fetchedOf(start),
   });
   if (recorders === undefined) throw new TypeError('the site has nothing that records launch files');
-  python.unpackArchive(recorders, 'zip', { extractDir: tools });
-  for (const bytes of others) python.unpackArchive(bytes, 'zip', { extractDir: prefix });
+  install(python, [recorders], tools);
+  install(python, others);
   const read = verified(readNow, start.listed);
   mountShare(python, { files: start.files, readNow: read });
   const system = python['FS'] as unknown as FileSystem;

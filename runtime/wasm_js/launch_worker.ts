@@ -1,7 +1,6 @@
 // Has the launch files in Python of a site run in a worker, when the site has Pyodide; no longer than a minute.
 
-import { homeOf, PythonFiles } from './python_files.ts';
-import { folderOf } from './python_images.ts';
+import { folderOf, homeOf, PythonFiles } from './python_files.ts';
 import type { Platform } from './platform.ts';
 import type { LaunchView, SiteDescription } from './session.ts';
 import { SiteError } from './site_error.ts';

@@ -6,10 +6,11 @@ import type { NodeConsole } from './console_log.ts';
 import type { SentMessage } from './message_trace.ts';
 import type { WorkerReport, WorkerStart } from './node_worker.ts';
 import { functionsIn, withNames } from './function_names.ts';
-import type { Platform, WorkerHandle } from './platform.ts';
+import type { Platform, WorkerEvents, WorkerHandle } from './platform.ts';
 import type { ProgramEnd } from './program.ts';
-import { homeOf, type PythonFiles } from './python_files.ts';
-import { folderOf, type PythonImages } from './python_images.ts';
+import { folderOf, homeOf } from './python_files.ts';
+import type { PythonImages } from './python_images.ts';
+import type { PythonWorkers } from './python_workers.ts';
 import type { PythonStart } from './python_program.ts';
 import { type ProcessHost, ProcessRunner } from './process_runner.ts';
 import type { NodeState, NodeView, ProgramNode, SiteNode } from './session.ts';
@@ -33,7 +34,7 @@ export interface RunnerHost extends ProcessHost {
   readonly platform: Platform;
   /** undefined: Python programs boot by themselves. */
   readonly images: PythonImages | undefined;
-  readonly pythonFiles: PythonFiles;
+  readonly pythonWorkers: PythonWorkers;
   /** undefined: Python programs run as they were packed. */
   readonly sources: SourceFiles | undefined;
   /** A program is out of the graph; what it published is not yet freed. */
@@ -165,16 +166,18 @@ export class NodeRunner extends ProcessRunner<ProgramNode> {
   private async python(environment: Readonly<Record<string, string>>): Promise<PythonStart | undefined> {
     const { python, program } = this.node;
     if (python === undefined) return undefined;
-    const { images, pythonFiles, platform } = this.host;
+    const { images, pythonWorkers, platform } = this.host;
     const image = await images?.take(this.node, environment);
-    const parts = await pythonFiles.parts(program, python.archives.slice(image?.archives ?? 0));
+    const parts = await pythonWorkers.files.parts(program, python.archives.slice(image?.archives ?? 0));
     const sources = this.host.sources?.forStart();
     return { ...python, base: folderOf(platform.place), home: homeOf(program), parts, image, sources };
   }
 
   /** It reports nothing before it is admitted. */
   private worker(participant: () => number | undefined, attempt: number): WorkerHandle {
-    const handle = this.host.platform.startWorker(this.node.id, {
+    const { platform, pythonWorkers } = this.host;
+    const { id, program, python } = this.node;
+    const events: WorkerEvents = {
       report: (report) => {
         const own = participant();
         if (this.attempt === attempt && own !== undefined) this.onReport(report, handle, own);
@@ -182,7 +185,8 @@ export class NodeRunner extends ProcessRunner<ProgramNode> {
       failed: (message) => {
         if (this.attempt === attempt) this.finish({ kind: 'crashed', code: 'R2W0708', message });
       },
-    });
+    };
+    const handle = python === undefined ? platform.startWorker(id, events) : pythonWorkers.start(program, id, events);
     return handle;
   }
 
@@ -216,6 +220,7 @@ export class NodeRunner extends ProcessRunner<ProgramNode> {
         return;
       case 'waits':
         this.host.settled(this.node);
+        if (this.node.python !== undefined) this.host.pythonWorkers.settled(this.node.program);
         return;
       case 'lines':
         this.host.lines(this.node, report);

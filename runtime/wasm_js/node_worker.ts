@@ -73,6 +73,8 @@ export interface HoldOrder {
 }
 
 export type WorkerOrder =
+  /** Loads what runs Python while its program and archives are on their way. `base`, `home`: as in PythonStart. */
+  | { readonly t: 'python'; readonly base: string; readonly home: string }
   | { readonly t: 'start'; readonly start: WorkerStart }
   /** Runs no program, but makes what Python programs begin with. */
   | { readonly t: 'image'; readonly module: WebAssembly.Module; readonly start: ImageStart }
@@ -193,8 +195,19 @@ export function serveWorker(
       post({ t: 'launch', failed: error instanceof Error ? error.message : String(error) });
     }
   };
+  const loadPython = async (base: string, home: string): Promise<void> => {
+    try {
+      await place.python(base);
+      await place.files.pyodide(base + home);
+    } catch {
+      // What needs it tries again, and tells.
+    }
+  };
   return (order) => {
     switch (order.t) {
+      case 'python':
+        void loadPython(order.base, order.home);
+        return;
       case 'launch':
         void evaluate(order.module, order.start);
         return;

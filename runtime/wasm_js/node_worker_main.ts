@@ -22,9 +22,13 @@ function addressesOf(address: string): readonly string[] {
   return [own];
 }
 
+const loaded = new Set<string>();
+
 function load(url: string): void {
+  if (loaded.has(url)) return;
   try {
     scope.importScripts(...addressesOf(url));
+    loaded.add(url);
   } catch (error) {
     throw new Error(`the site's file ${url} cannot be loaded: ${error instanceof Error ? error.message : String(error)}`);
   }
@@ -34,8 +38,8 @@ const handle = serveWorker((report) => scope.postMessage(report), fetchNow(addre
   files: {
     pyodide: async (home) => {
       load(`${home}pyodide.js`);
-      // Pyodide would load it from its own folder, where it is not.
-      if (elsewhere !== undefined) load(`${home}pyodide.asm.js`);
+      // Pyodide would load it later, and from its own folder, where it need not be.
+      load(`${home}pyodide.asm.js`);
       return (scope as unknown as { loadPyodide: typeof loadPyodide }).loadPyodide;
     },
     bytes: async (place) => {

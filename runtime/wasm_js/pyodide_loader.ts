@@ -78,6 +78,30 @@ function startNothing(imports: WebAssembly.Imports): void {
   (imports['env'] as ModuleImports)['_emscripten_system'] = () => noSuchFunction;
 }
 
+/** As the time zone database has it where people have no letters for a zone: "-03", "+0530". */
+export function zoneName(minutesWest: number): string {
+  if (minutesWest === 0) return 'UTC';
+  const minutes = Math.abs(minutesWest);
+  const two = (value: number): string => String(value).padStart(2, '0');
+  return `${minutesWest > 0 ? '-' : '+'}${two(Math.floor(minutes / 60))}${minutes % 60 === 0 ? '' : two(minutes % 60)}`;
+}
+
+/** Emscripten asks the browser for a text of a time, for the zone's name in it: 60 ms of every start. */
+function nameZones(imports: WebAssembly.Imports, memory: ProgramMemory): void {
+  (imports['env'] as ModuleImports)['_tzset_js'] = (timezone: number, daylight: number, standardName: number, summerName: number) => {
+    const year = new Date().getFullYear();
+    const offsets = [0, 6].map((month) => new Date(year, month, 1).getTimezoneOffset());
+    const [standard, summer] = [Math.max(...offsets), Math.min(...offsets)];
+    memory.set(timezone, standard * 60);
+    memory.set(daylight, Number(standard !== summer));
+    for (const [at, offset] of [[standardName, standard], [summerName, summer]] as const) {
+      const text = new TextEncoder().encode(zoneName(offset));
+      memory.u8.set(text, at);
+      memory.u8[at + text.length] = 0;
+    }
+  };
+}
+
 /** Calls `load` while whoever asks for Pyodide's own wasm file gets the given module, and what is there need not be fetched. */
 async function withModule<T>(
   { module, fetched }: PyodideOptions, prepare: (imports: WebAssembly.Imports) => void, load: () => Promise<T>,
@@ -154,6 +178,15 @@ async function withMemory<T>(image: OpenImage | undefined, load: () => Promise<T
     image.withFiles(made.FS);
     return made;
   };
+  if (create !== undefined) {
+    // A script that was loaded before has declared it: for good, but it can be assigned.
+    scope[factory] = fill;
+    try {
+      return await load();
+    } finally {
+      scope[factory] = create;
+    }
+  }
   // The script that Pyodide loads assigns it, in a browser also what it reads back.
   Object.defineProperty(scope, factory, {
     configurable: true,
@@ -176,6 +209,7 @@ export async function openPyodide(options: PyodideOptions): Promise<LoadedPyodid
   const prepare = (imports: WebAssembly.Imports): void => {
     memory = new ProgramMemory((imports['env'] as ModuleImports)['memory'] as WebAssembly.Memory);
     startNothing(imports);
+    nameZones(imports, memory);
     if (place !== undefined) followHost(imports, place, memory);
   };
   const settings = {

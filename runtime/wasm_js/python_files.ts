@@ -17,10 +17,19 @@ export function homeOf(program: string): string {
   return program.slice(0, program.lastIndexOf('/') + 1);
 }
 
+/** With "/" at the end. */
+export function folderOf(place: string): string {
+  return place.endsWith('/') ? place : `${place}/`;
+}
+
 /** Beside the program itself, which is compiled. */
 const ofPyodide = ['pyodide.js', 'pyodide.asm.js', 'pyodide-lock.json', 'python_stdlib.zip'];
 /** In a browser (python_worker_main.ts). */
 const script = 'python_worker.js';
+
+function isScript(path: string): boolean {
+  return path.endsWith('.js');
+}
 
 export class PythonFiles {
   private readonly site: SiteDescription;
@@ -32,16 +41,25 @@ export class PythonFiles {
     this.platform = platform;
   }
 
+  /** Resolves when the scripts that run the program are there and found to be those that were packed. Rejects as parts(). */
+  async scripts(program: string): Promise<void> {
+    await Promise.all(this.own(program).filter(isScript).map((path) => this.whole(path)));
+  }
+
   /** What runs the program, with these archives. Throws SiteError R2W0706 or R2W0724. */
   async parts(program: string, archives: readonly string[]): Promise<PythonParts> {
-    const home = homeOf(program);
     const listed = new Map(this.site.files.map((file) => [file.path, file]));
-    const own = [script, ...ofPyodide.map((name) => home + name)].filter((path) => listed.has(path));
-    const all = await Promise.all([...own, ...archives].map(async (path) => [path, await this.whole(path)] as const));
+    const all = await Promise.all([...this.own(program), ...archives].map(async (path) => [path, await this.whole(path)] as const));
     return {
-      found: new Map(all.filter(([path]) => !path.endsWith('.js'))),
+      found: new Map(all.filter(([path]) => !isScript(path))),
       listed: this.archives().flatMap((path) => listed.get(path) ?? []),
     };
+  }
+
+  private own(program: string): readonly string[] {
+    const listed = new Set(this.site.files.map(({ path }) => path));
+    const home = homeOf(program);
+    return [script, ...ofPyodide.map((name) => home + name)].filter((path) => listed.has(path));
   }
 
   private archives(): readonly string[] {

@@ -7,16 +7,13 @@ import { kernelNode } from './notebook_kernel.ts';
 import type { Platform } from './platform.ts';
 import { type ImageStart, imageVersion } from './python_image.ts';
 import { promiseIntegration } from './program.ts';
-import { homeOf, type PythonFiles } from './python_files.ts';
+import { folderOf, homeOf } from './python_files.ts';
 import type { PythonStart } from './python_program.ts';
+import type { PythonWorkers } from './python_workers.ts';
 import { RunningSha256 } from './running_sha256.ts';
 import { carriedPrograms, type SiteDescription, type SiteNode, type SiteProgram } from './session.ts';
 
 export type ImageOfStart = PythonStart['image'];
-
-export function folderOf(place: string): string {
-  return place.endsWith('/') ? place : `${place}/`;
-}
 
 /** What all begin with alike, in the same order. */
 function commonBegin(lists: readonly (readonly string[])[]): string[] {
@@ -50,11 +47,6 @@ const longestMakingMs = 60_000;
 /** As many boot beside each other as fast as one; each of them takes more memory than with an image. */
 const mostByThemselves = 2;
 
-/** How many of these boot by themselves when nothing is kept: all, if that is what the machine can do at once. */
-function bootingAtOnce(nodes: number): number {
-  return nodes <= Math.min(mostByThemselves, navigator.hardwareConcurrency) ? Math.max(nodes, 1) : 1;
-}
-
 interface Made {
   readonly bytes: Blob;
   /** Of an earlier visit. */
@@ -64,7 +56,7 @@ interface Made {
 export class PythonImages {
   private readonly site: SiteDescription;
   private readonly platform: Platform;
-  private readonly files: PythonFiles;
+  private readonly workers: PythonWorkers;
   private readonly program: string | undefined;
   private readonly archives: readonly string[];
   private readonly share: string;
@@ -73,7 +65,6 @@ export class PythonImages {
   private looked: Promise<Made | undefined> | undefined;
   /** Ids of the nodes that asked. */
   private readonly asked = new Set<string>();
-  private readonly atOnce: number;
   /** Ids of those that boot by themselves and do not wait yet: making an image first would take them longer. */
   private readonly booting = new Set<string>();
   /** A kept one that cannot be opened is gone when this resolves. */
@@ -82,15 +73,13 @@ export class PythonImages {
   private closed = false;
 
   /** `share`: as in ImageStart. */
-  constructor(site: SiteDescription, platform: Platform, files: PythonFiles, share: string) {
+  constructor(site: SiteDescription, platform: Platform, workers: PythonWorkers, share: string) {
     const all: readonly SiteProgram[] = [...carriedPrograms(site), ...(site.notebook === undefined ? [] : [kernelNode(site.notebook)])];
     const nodes = all.filter(({ python }) => python !== undefined);
-    const started = site.nodes.filter((node) => node.kind !== 'command' && node.python !== undefined);
-    this.atOnce = bootingAtOnce(started.length + (site.notebook === undefined ? 0 : 1));
     const programs = new Set(nodes.map(({ program }) => program));
     this.site = site;
     this.platform = platform;
-    this.files = files;
+    this.workers = workers;
     this.share = share;
     this.archives = commonBegin(nodes.map(({ python }) => python?.archives ?? []));
     // One that is kept pays off for one node too, at the next visit.
@@ -108,7 +97,8 @@ export class PythonImages {
       this.looked ??= this.keptOne(program).catch(() => undefined);
       const kept = await this.looked;
       if (kept !== undefined) this.made ??= Promise.resolve(kept);
-      else if (this.asked.size <= this.atOnce) {
+      // Those that are started at once have all asked by now.
+      else if (this.asked.size <= Math.min(mostByThemselves, navigator.hardwareConcurrency)) {
         this.booting.add(node.id);
         return undefined;
       }
@@ -172,10 +162,10 @@ export class PythonImages {
   }
 
   private async make(program: string): Promise<Made | undefined> {
-    const { archives, share, platform } = this;
+    const { archives, share, platform, workers } = this;
     const { promise, resolve } = Promise.withResolvers<Blob | undefined>();
     // At once: it loads its script while the rest comes.
-    const worker = platform.startWorker('python image', {
+    const worker = workers.start(program, 'python image', {
       report: (report) => {
         if (report.t === 'image') over(report.image);
       },
@@ -191,7 +181,7 @@ export class PythonImages {
     };
     this.end = () => over(undefined);
     try {
-      const [module, parts] = await Promise.all([platform.compile(program), this.files.parts(program, archives)]);
+      const [module, parts] = await Promise.all([platform.compile(program), workers.files.parts(program, archives)]);
       const start: ImageStart = { base: folderOf(platform.place), home: homeOf(program), archives, share, parts };
       if (this.closed) over(undefined);
       else worker.post({ t: 'image', module, start }, []);

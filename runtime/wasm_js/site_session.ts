@@ -15,6 +15,7 @@ import type { Platform } from './platform.ts';
 import type { ProcessRunner } from './process_runner.ts';
 import { PythonFiles } from './python_files.ts';
 import { PythonImages } from './python_images.ts';
+import { PythonWorkers } from './python_workers.ts';
 import { type CommonHost, runnerOf } from './runner_of.ts';
 import { Sampler } from './sampler.ts';
 import {
@@ -61,6 +62,7 @@ export class SiteSession implements Session {
   private readonly platform: Platform;
   private readonly broker: Broker;
   private readonly images: PythonImages | undefined;
+  private readonly pythonWorkers: PythonWorkers;
   readonly launchLog: NodeConsole;
   private readonly onLaunchLine: SessionOptions['onLaunchLine'];
   private readonly steps: LaunchSteps;
@@ -122,12 +124,13 @@ export class SiteSession implements Session {
     const files = siteFiles(site, platform.place);
     // The bytes of an image are of no run: one that is to be the same each time boots.
     const pythonFiles = new PythonFiles(site, platform);
+    this.pythonWorkers = new PythonWorkers(platform, pythonFiles);
     const { sources } = site;
     const { texts } = platform;
     if (sources !== undefined && texts !== undefined) {
       this.sources = new SourceFiles(sources, texts, () => pythonFiles.whole(sources.archive));
     }
-    this.images = stepped === undefined ? new PythonImages(site, platform, pythonFiles, files.prefix) : undefined;
+    this.images = stepped === undefined ? new PythonImages(site, platform, this.pythonWorkers, files.prefix) : undefined;
     const comingUp = new ComingUp();
     const common: CommonHost = {
       environment,
@@ -135,7 +138,7 @@ export class SiteSession implements Session {
       platform,
       broker,
       images: this.images,
-      pythonFiles,
+      pythonWorkers: this.pythonWorkers,
       sources: this.sources,
       left: () => this.lookAtTopics(),
       stepped: stepped === undefined ? undefined : { seed: stepped.seed },
@@ -569,6 +572,7 @@ export class SiteSession implements Session {
     this.notebook?.close();
     this.page?.close();
     this.images?.close();
+    this.pythonWorkers.close();
     this.sources?.close();
     this.nodeListeners.clear();
     this.graphListeners.clear();

@@ -1,5 +1,5 @@
 // How busy a machine is beside a bench: figures of a busy one say little, and no aim is judged by them.
-import { readFileSync } from 'node:fs';
+import { readdirSync, readFileSync } from 'node:fs';
 import { processTree } from './process_memory.ts';
 
 /** Processes that want a processor, those of others too. */
@@ -10,39 +10,56 @@ export function machineLoad(): number {
 /** Above this share of all processors, taken by processes of others, a missed aim is no failure. */
 const QUIET_SHARE = 0.1;
 
-/** Ticks of all processors. */
+/** What the machine has done so far, in ticks. */
 export interface Ticks {
   readonly all: number;
-  /** In which one ran something. */
-  readonly used: number;
-  /** In which it ran something of ours. */
-  readonly own: number;
+  /** Taken by other machines of the same host. */
+  readonly stolen: number;
+  /** Of processes that are not ours, by their ids, with those that each has waited for. */
+  readonly others: ReadonlyMap<number, number>;
+  /** This process and those that it started. */
+  readonly ours: ReadonlySet<number>;
 }
 
-/** Of all processors' time between two looks. */
+/**
+ * Of all processors' time between two looks. What is ours is not asked: a browser's processes end without anybody who
+ * waits for them, and their ticks are then nobody's.
+ */
 export function othersShare(before: Ticks, after: Ticks): number {
-  const others = after.used - before.used - (after.own - before.own);
+  let others = after.stolen - before.stolen;
+  for (const [pid, ticks] of after.others) {
+    if (!before.ours.has(pid)) others += Math.max(0, ticks - (before.others.get(pid) ?? 0));
+  }
   return Math.max(0, others) / Math.max(1, after.all - before.all);
 }
 
-/** Ticks of this process, of those that it started, and of those that these have waited for. */
-function ownTicks(): number {
-  return processTree(process.pid).reduce((sum, pid) => {
-    try {
-      const fields = readFileSync(`/proc/${pid}/stat`, 'utf8').replace(/^.*\) /, '').split(' ');
-      return sum + fields.slice(11, 15).map(Number).reduce((a, b) => a + b, 0);
-    } catch {
-      // It has just ended.
-      return sum;
-    }
-  }, 0);
+const INIT = 1;
+/** Parent of the kernel's threads, which work for whoever asks them: us, mostly. */
+const KERNEL = 2;
+
+/** Ticks of a process, or undefined when it is the kernel's or has just ended. */
+function ticksOf(pid: number): number | undefined {
+  try {
+    const fields = readFileSync(`/proc/${pid}/stat`, 'utf8').replace(/^.*\) /s, '').split(' ').map(Number);
+    const [user = 0, system = 0, waitedUser = 0, waitedSystem = 0] = fields.slice(11, 15);
+    if (pid === KERNEL || fields[1] === KERNEL) return undefined;
+    // The first process waits for those that have lost their parent, ours too.
+    return user + system + (pid === INIT ? 0 : waitedUser + waitedSystem);
+  } catch {
+    return undefined;
+  }
 }
 
 export function ticksNow(): Ticks {
   const [user = 0, nice = 0, system = 0, idle = 0, waiting = 0, irq = 0, soft = 0, stolen = 0] =
     (readFileSync('/proc/stat', 'utf8').split('\n')[0] ?? '').split(/\s+/).slice(1).map(Number);
-  const used = user + nice + system + irq + soft + stolen;
-  return { all: used + idle + waiting, used, own: ownTicks() };
+  const ours = new Set(processTree(process.pid));
+  const others = new Map<number, number>();
+  for (const pid of readdirSync('/proc').map(Number)) {
+    const ticks = Number.isNaN(pid) || ours.has(pid) ? undefined : ticksOf(pid);
+    if (ticks !== undefined) others.set(pid, ticks);
+  }
+  return { all: user + nice + system + idle + waiting + irq + soft + stolen, stolen, others, ours };
 }
 
 /** What others take of the machine from now on. */

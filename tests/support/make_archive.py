@@ -8,6 +8,9 @@ from pathlib import Path
 #: Not the time of making, so that the same files give the same bytes.
 WHEN = (1980, 1, 1, 0, 0, 0)
 
+#: The flags of a compiled module, as `pack` takes such along.
+CHECKED_BY_HASH = bytes([3, 0, 0, 0])
+
 
 def main(arguments: list[str]) -> None:
     out, *pairs = arguments
@@ -15,7 +18,8 @@ def main(arguments: list[str]) -> None:
         for pair in pairs:
             source, place = pair.split('=')
             for file in sorted(Path(source).rglob('*')):
-                if file.is_file() and '__pycache__' not in file.parts:
+                # What Python here has left beside sources holds for no other Python.
+                if file.is_file() and (file.suffix != '.pyc' or file.read_bytes()[4:8] == CHECKED_BY_HASH):
                     info = zipfile.ZipInfo(f'{place}/{file.relative_to(source)}', WHEN)
                     archive.writestr(info, file.read_bytes())
 

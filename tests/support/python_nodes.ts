@@ -3,7 +3,7 @@
 
 import { execFileSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
-import { copyFileSync, existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, renameSync, rmSync } from 'node:fs';
+import { copyFileSync, existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -11,7 +11,7 @@ import { fileURLToPath } from 'node:url';
 const root = fileURLToPath(new URL('../..', import.meta.url));
 const sitePackages = 'lib/python3.12/site-packages';
 const pyodide = join(root, 'node_modules/pyodide');
-const pyodideFiles = ['pyodide.js', 'pyodide.asm.js', 'pyodide.asm.wasm', 'pyodide-lock.json'];
+const pyodideFiles = ['pyodide.js', 'pyodide.asm.js', 'pyodide.asm.wasm'];
 
 export interface PythonNode {
   /** `module:function`, or the path of a script in the installation. */
@@ -22,22 +22,47 @@ export interface PythonNode {
   readonly environment?: Readonly<Record<string, string>>;
 }
 
-/** The standard library as the channel's package of Pyodide has it; made once. */
-export function compiledStdlib(): string {
-  const script = join(root, 'runtime/libraries/pyodide/make_stdlib.mjs');
-  const made = join(tmpdir(), `ros2wasm-stdlib-${createHash('sha256').update(readFileSync(script)).digest('hex')}.zip`);
+const library = join(root, 'runtime/libraries/pyodide');
+
+/** What `make` writes there, made once of these files. Tests run side by side: whoever is last puts the same bytes there. */
+function madeOnce(name: string, sources: readonly string[], make: (place: string) => void): string {
+  const hash = createHash('sha256');
+  for (const file of sources) hash.update(file.slice(root.length)).update('\0').update(readFileSync(file));
+  const made = join(tmpdir(), `ros2wasm-${name}-${hash.digest('hex')}`);
   if (!existsSync(made)) {
-    // Tests run side by side: whoever is last puts the same bytes there.
-    execFileSync(process.execPath, [script, pyodide, `${made}.${process.pid}`]);
-    renameSync(`${made}.${process.pid}`, made);
+    const beside = `${made}.${process.pid}`;
+    make(beside);
+    try {
+      renameSync(beside, made);
+    } catch (error) {
+      if (!existsSync(made)) throw error;
+      rmSync(beside, { recursive: true });
+    }
   }
   return made;
+}
+
+/** The standard library as the channel's package of Pyodide has it. */
+export function compiledStdlib(): string {
+  const script = join(library, 'make_stdlib.mjs');
+  return madeOnce('stdlib', [script, join(library, 'compiler.mjs')], (place) => void execFileSync(process.execPath, [script, pyodide, place]));
+}
+
+/** What rclpy's package has beside its sources. */
+function compiledModules(packages: readonly string[]): string {
+  const script = join(library, 'compile_modules.mjs');
+  const sources = packages.flatMap((folder) => readdirSync(folder, { recursive: true, encoding: 'utf8' })
+    .filter((name) => name.endsWith('.py')).sort().map((name) => join(folder, name)));
+  return madeOnce('modules', [script, join(library, 'compiler.mjs'), ...sources],
+    (place) => void execFileSync(process.execPath, [script, pyodide, `/ros/${sitePackages}`, place, ...packages]));
 }
 
 /** The interpreter, in a folder of that name. */
 export function addPyodide(folder: string): void {
   mkdirSync(join(folder, 'pyodide'));
   for (const file of pyodideFiles) copyFileSync(join(pyodide, file), join(folder, 'pyodide', file));
+  const lock = JSON.parse(readFileSync(join(pyodide, 'pyodide-lock.json'), 'utf8')) as object;
+  writeFileSync(join(folder, 'pyodide/pyodide-lock.json'), JSON.stringify({ ...lock, packages: {} }));
   copyFileSync(compiledStdlib(), join(folder, 'pyodide/python_stdlib.zip'));
 }
 
@@ -50,8 +75,10 @@ export function addPythonFiles(folder: string, packages: Readonly<Record<string,
   };
   const interfaces = join(root, 'runtime/interfaces');
   const rclpy = join(root, 'runtime/rclpy');
+  const own = readdirSync(rclpy).filter((name) => !name.includes('.')).sort();
+  const compiled = compiledModules(own.map((name) => join(rclpy, name)));
   make('rclpy.zip', [
-    ...readdirSync(rclpy).filter((name) => !name.includes('.')).sort().map((name) => `${join(rclpy, name)}=${sitePackages}/${name}`),
+    ...own.flatMap((name) => [join(rclpy, name), join(compiled, name)].map((folder) => `${folder}=${sitePackages}/${name}`)),
     ...['ament_index_python', 'sensor_msgs_py'].map((name) => `${join(root, 'runtime', name, name)}=${sitePackages}/${name}`),
     `${interfaces}=share`,
   ]);

@@ -1,24 +1,39 @@
 // What of a machine's time others took.
 import assert from 'node:assert/strict';
+import { spawn } from 'node:child_process';
+import { once } from 'node:events';
 import { test } from 'node:test';
-import { OthersLoad, othersShare, ticksNow } from '../../bench/machine_load.ts';
+import { OthersLoad, othersShare, ticksNow, type Ticks } from '../../bench/machine_load.ts';
 
-test('others have what was used and is not ours', () => {
-  const before = { all: 1000, used: 500, own: 100 };
-  assert.equal(othersShare(before, { all: 1200, used: 650, own: 200 }), 0.25);
-  assert.equal(othersShare(before, { all: 1200, used: 600, own: 200 }), 0);
-  // Ticks of one process are counted apart from those of the machine, and may be ahead.
-  assert.equal(othersShare(before, { all: 1200, used: 590, own: 200 }), 0);
+const ticks = (all: number, stolen: number, others: [number, number][], ours: number[] = [9]): Ticks =>
+  ({ all, stolen, others: new Map(others), ours: new Set(ours) });
+
+test('others have what their processes used, and what was taken from the machine', () => {
+  const before = ticks(1000, 10, [[1, 50], [5, 100]]);
+  assert.equal(othersShare(before, ticks(1200, 10, [[1, 50], [5, 100]])), 0);
+  assert.equal(othersShare(before, ticks(1200, 10, [[1, 60], [5, 140]])), 0.25);
+  assert.equal(othersShare(before, ticks(1200, 30, [[1, 60], [5, 120]])), 0.25);
+  assert.equal(othersShare(before, ticks(1200, 10, [[1, 50], [5, 100], [7, 20]])), 0.1, 'a process that began meanwhile');
+  assert.equal(othersShare(before, ticks(1200, 10, [[1, 50], [5, 100], [9, 80]])), 0, 'one of ours that has lost its parent');
+  assert.equal(othersShare(before, ticks(1200, 10, [[1, 50]])), 0, 'one that has ended');
 });
 
-test('what this process computes is its own', () => {
+/** Computes for a fifth of a second, whatever the machine does. */
+const compute = 'const end = process.cpuUsage().user + 200_000; while (process.cpuUsage().user < end) Math.sqrt(end);';
+
+test('what this process and its children compute is not of others', async () => {
   const others = new OthersLoad();
   const before = ticksNow();
-  // A fifth of a second of this process, whatever the machine does.
-  const end = process.cpuUsage().user + 200_000;
-  while (process.cpuUsage().user < end) Math.sqrt(end);
-  const after = ticksNow();
-  const ticks = after.own - before.own;
-  assert.ok(ticks >= 15 && ticks <= after.used - before.used + 2, `${ticks} of ${after.used - before.used}`);
-  assert.ok(others.share() >= 0 && others.share() <= 1);
+  const child = spawn(process.execPath, ['-e', `${compute}; setTimeout(() => undefined, 60_000)`], { stdio: 'ignore' });
+  try {
+    const end = process.cpuUsage().user + 200_000;
+    while (process.cpuUsage().user < end) Math.sqrt(end);
+    const after = ticksNow();
+    assert.ok(!after.others.has(process.pid) && !after.others.has(child.pid ?? 0));
+    assert.ok(after.all - before.all >= 15);
+    assert.ok(others.share() >= 0 && others.share() <= 1);
+  } finally {
+    child.kill();
+    await once(child, 'exit');
+  }
 });

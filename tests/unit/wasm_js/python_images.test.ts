@@ -10,6 +10,7 @@ import { fillMemory, pageBytes } from '../../../runtime/wasm_js/pyodide_loader.t
 import { PythonFiles } from '../../../runtime/wasm_js/python_files.ts';
 import { BlobParts } from '../../../runtime/wasm_js/blob_parts.ts';
 import { PythonImages } from '../../../runtime/wasm_js/python_images.ts';
+import { PythonWorkers } from '../../../runtime/wasm_js/python_workers.ts';
 import type { SiteDescription, SiteNode } from '../../../runtime/wasm_js/session.ts';
 
 const watchdog = { timeout: 20_000 };
@@ -20,7 +21,7 @@ function node(id: string, archives: readonly string[] | undefined): SiteNode {
 }
 
 const both = [node('a', ['channels.zip', 'workspace.zip']), node('b', ['channels.zip', 'workspace.zip', 'numpy.zip'])];
-/** More than boot by themselves. */
+/** More than boot by themselves, when they start at once. */
 const three = [...both, node('c', ['channels.zip', 'workspace.zip'])];
 
 const paths = ['channels.zip', 'workspace.zip', 'numpy.zip', 'pyodide/pyodide.asm.wasm', 'pyodide/python_stdlib.zip', 'python_worker.js', 'other'];
@@ -30,7 +31,7 @@ function site(nodes: readonly SiteNode[], listed: readonly string[] = paths): Si
 }
 
 function imagesOf(described: SiteDescription, platform: Platform, share: string): PythonImages {
-  return new PythonImages(described, platform, new PythonFiles(described, platform), share);
+  return new PythonImages(described, platform, new PythonWorkers(platform, new PythonFiles(described, platform)), share);
 }
 
 /** A place whose workers answer with `makes`; they are counted. */
@@ -40,7 +41,8 @@ function place(makes: 'image' | 'nothing' | 'failure' | 'silence', kept?: KeptBy
   const platform = {
     place: '/site', kept, compile: async () => ({}) as WebAssembly.Module, bytes: async () => new ArrayBuffer(1),
     startWorker: (_name: string, events: { report: (report: WorkerReport) => void; failed: (why: string) => void }) => ({
-      post: (order: { start: { archives: string[] } }) => {
+      post: (order: { t: string; start: { archives: string[] } }) => {
+        if (order.t === 'python') return;
         begun.push(order.start.archives);
         queueMicrotask(() => {
           if (makes === 'failure') events.failed('gone');
@@ -72,7 +74,7 @@ function memory(): KeptBytes & { readonly found: Map<string, Blob> } {
 test('one worker makes it for all, of what all have', watchdog, async () => {
   const { platform, begun, ended } = place('image');
   const images = imagesOf(site(three), platform, '/opt/ros/jazzy');
-  const [one, two] = await Promise.all(both.map((each) => images.take(each, {})));
+  const [one, two] = await Promise.all(three.map((each) => images.take(each, {})));
   assert.ok(one !== undefined && one.bytes === two?.bytes);
   assert.deepEqual([begun, one.archives, ended()], [[['channels.zip', 'workspace.zip']], 2, 1]);
 });
@@ -85,7 +87,7 @@ test('who has settings of the interpreter, and who is no Python program, begins 
   assert.equal(await images.take(both[0] as SiteNode, { ROS_PYTHON_CHECK_FIELDS: '1' }), undefined);
   assert.equal(await images.take(compiled, {}), undefined);
   assert.deepEqual(begun, []);
-  const [other] = await Promise.all(both.map((each) => images.take(each, { ROS_PYTHON_VERSION: '3' })));
+  const [other] = await Promise.all(three.map((each) => images.take(each, { ROS_PYTHON_VERSION: '3' })));
   assert.notEqual(other, undefined);
 });
 
@@ -107,7 +109,8 @@ test('one that starts alone boots by itself; then one is made for the next visit
   const two = place('image');
   const shared = imagesOf(site(three), two.platform, '');
   assert.equal(await shared.take(both[0] as SiteNode, {}), undefined);
-  assert.notEqual(await shared.take(both[1] as SiteNode, {}), undefined);
+  assert.equal(await shared.take(both[1] as SiteNode, {}), undefined);
+  assert.notEqual(await shared.take(three[2] as SiteNode, {}), undefined);
 });
 
 test('two boot by themselves at once; when both wait one is made for the next visit, and for who starts later', watchdog, async () => {
@@ -138,7 +141,7 @@ test('there is none that nobody keeps for a single node, none of files without h
   assert.deepEqual(nobody.begun, []);
   const kept = memory();
   const unlisted = imagesOf(site(three, paths.slice(1)), place('image', kept).platform, '');
-  for (const one of await Promise.all(both.map((each) => unlisted.take(each, {})))) assert.notEqual(one, undefined);
+  for (const one of await Promise.all(three.map((each) => unlisted.take(each, {})))) assert.notEqual(one, undefined);
   await new Promise(setImmediate);
   assert.equal(kept.found.size, 0);
   const apart = [node('a', ['x.zip']), node('b', ['y.zip'])];
@@ -150,15 +153,15 @@ test('where none can be made, nodes begin by themselves', watchdog, async () => 
   for (const makes of ['nothing', 'failure'] as const) {
     const { platform, begun } = place(makes);
     const images = imagesOf(site(three), platform, '');
-    assert.deepEqual(await Promise.all(both.map((each) => images.take(each, {}))), [undefined, undefined]);
+    assert.deepEqual(await Promise.all(three.map((each) => images.take(each, {}))), [undefined, undefined, undefined]);
     assert.equal(begun.length, 1);
   }
   const { platform, ended } = place('silence');
   const images = imagesOf(site(three), platform, '');
-  const taken = both.map((each) => images.take(each, {}));
+  const taken = three.map((each) => images.take(each, {}));
   await new Promise(setImmediate);
   images.close();
-  assert.deepEqual(await Promise.all(taken), [undefined, undefined]);
+  assert.deepEqual(await Promise.all(taken), [undefined, undefined, undefined]);
   assert.equal(ended(), 1);
 });
 
@@ -166,12 +169,12 @@ test('it is kept; a broken one is dropped and made anew once', watchdog, async (
   const kept = memory();
   const first = place('image', kept);
   const makers = imagesOf(site(three), first.platform, '');
-  await Promise.all(both.map((each) => makers.take(each, {})));
+  await Promise.all(three.map((each) => makers.take(each, {})));
   await new Promise(setImmediate);
   assert.equal(kept.found.size, 1);
   const later = place('image', kept);
   const images = imagesOf(site(three), later.platform, '');
-  const [old] = await Promise.all(both.map((each) => images.take(each, {})));
+  const [old] = await Promise.all(three.map((each) => images.take(each, {})));
   assert.equal(await old?.bytes.text(), 'image 1');
   assert.equal(later.begun.length, 0);
   images.broken(old);

@@ -151,3 +151,17 @@ test('an archive that the worker has to fetch itself is the one that was packed,
   assert.deepEqual(lines, []);
   assert.equal((end as { code: unknown }).code, 'R2W0724');
 });
+
+test("a zone's name is as the time zone database has it for those without letters", watchdog, async () => {
+  const before = process.env['TZ'];
+  try {
+    for (const [zone, told] of [['UTC', "('UTC', 'UTC') 0 0"], ['America/Sao_Paulo', "('-03', '-03') 10800 0"], ['Europe/Berlin', "('+01', '+02') -3600 1"], ['Asia/Kolkata', "('+0530', '+0530') -19800 0"]] as const) {
+      process.env['TZ'] = zone;
+      const { lines } = await runScript('import time\nprint(time.tzname, time.timezone, time.daylight)');
+      assert.deepEqual(lines, [told]);
+    }
+  } finally {
+    if (before === undefined) delete process.env['TZ'];
+    else process.env['TZ'] = before;
+  }
+});

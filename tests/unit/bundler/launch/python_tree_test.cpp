@@ -15,6 +15,13 @@ TEST(PythonTree, LinksThatLeadOutAreLeftOut) {
   tree.write("outside/id_rsa", "secret");
   const std::string modules = std::string(kPythonModules) + "/demo/";
   tree.write("prefix/" + modules + "a.py", "a");
+  const std::string compiled = modules + "__pycache__/a.cpython-312.pyc";
+  const std::string by_hash("\xcb\x0d\x0d\x0a\x03\x00\x00\x00hash, code", 18);
+  tree.write("prefix/" + compiled, by_hash);
+  tree.write("prefix/" + modules + "__pycache__/b.cpython-312.pyc",
+             std::string("\xcb\x0d\x0d\x0a\x00\x00\x00\x00time, code", 18));
+  tree.write("prefix/" + modules + "__pycache__/c.cpython-311.pyc",
+             std::string("\xa7\x0d\x0d\x0a\x03\x00\x00\x00hash, code", 18));
   tree.write("prefix/" + modules + "a.cpython-312.pyc", "");
   fs::create_symlink("a.py", tree / ("prefix/" + modules + "same.py"));
   fs::create_symlink(tree / "outside/id_rsa", tree / ("prefix/" + modules + "key.py"));
@@ -22,7 +29,8 @@ TEST(PythonTree, LinksThatLeadOutAreLeftOut) {
   PythonFiles files;
   const auto left_out = collect_python_modules(tree / "prefix", files);
   ASSERT_TRUE(left_out);
-  EXPECT_EQ(files, (PythonFiles{{modules + "a.py", "a"}, {modules + "same.py", "a"}}));
+  EXPECT_EQ(files, (PythonFiles{
+                       {compiled, by_hash}, {modules + "a.py", "a"}, {modules + "same.py", "a"}}));
   EXPECT_EQ(*left_out,
             (LeftOut{modules + "key.py" + kLeadsElsewhere, modules + "more" + kLeadsElsewhere}));
 

@@ -91,8 +91,9 @@ export class PythonImages {
   /** What a node begins with; undefined: with nothing. Never rejects. */
   async take(node: SiteNode, environment: Readonly<Record<string, string>>): Promise<ImageOfStart> {
     const { program } = this;
-    if (node.kind === 'command' || program === undefined || program !== node.program || node.python === undefined || bootsByItself(environment)) return undefined;
+    if (node.kind === 'command' || program === undefined || program !== node.program || node.python === undefined) return undefined;
     this.asked.add(node.id);
+    if (bootsByItself(environment)) return undefined;
     if (this.made === undefined) {
       this.looked ??= this.keptOne(program).catch(() => undefined);
       const kept = await this.looked;

@@ -11,6 +11,7 @@ import { setTimeout as setTimer } from 'node:timers/promises';
 import { brotliCompressSync } from 'node:zlib';
 import type { Page } from 'playwright-core';
 import { makeSite } from '../e2e/runtime_site.ts';
+import { eventually } from '../support/eventually.ts';
 import { inBrowser } from './browser_site.ts';
 import { peerIsThere, peerRoundTrip, peerThroughput, places } from './link.ts';
 import { machineLoad, OthersLoad } from './machine_load.ts';
@@ -107,10 +108,7 @@ async function fifthNode(page: Page, url: string): Promise<number> {
 }
 
 async function isKept(page: Page): Promise<void> {
-  await page.waitForFunction(async () => {
-    const kept = await caches.open('ros2wasm-kept');
-    return (await kept.keys()).length > 0;
-  }, null, TIMEOUT);
+  await eventually('an image is kept', () => page.evaluate(async () => (await (await caches.open('ros2wasm-kept')).keys()).length > 0));
   // And the site: what is still on its way would take a core.
   await page.waitForSelector('html[data-offline]', { timeout: TIMEOUT.timeout });
 }
@@ -276,7 +274,7 @@ async function benchPairs(context: BenchContext, folder: string): Promise<void> 
     await places(context, site, 'sink: done', (place, link, lines) => {
       for (const line of lines.filter((one) => one['bytes'] === bytes && one['per_second'] !== undefined)) {
         context.emit({
-          bench: 'python', what: `${what}, reliable, keep_all`, place, link, bytes, per_second: line['per_second'], aim_per_second: RATE_AIM,
+          bench: 'python', what: `${what}, reliable, keep_all`, place, link, bytes, per_second: line['per_second'], whole_per_second: line['whole'], aim_per_second: RATE_AIM,
           ...(peerRate === undefined ? {} : { peer: 'ddsperf pub/sub, loopback', peer_per_second: Math.round(peerRate) }), machine_load: machineLoad(),
         });
         if (link === 'shared') judge(context, others, `messages a second, ${what}, ${place}`, line['per_second'] ?? 0, RATE_AIM, true);

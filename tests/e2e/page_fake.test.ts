@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
+import { eventually } from '../support/eventually.ts';
 import { PageStage, expectAccessible, focused } from './page_stage.ts';
 
 let stage: PageStage;
@@ -236,14 +237,10 @@ test('copy puts the shown lines and a message\u2019s YAML on the clipboard', () 
     );
     await page.getByRole('button', { name: /^\/topic/ }).click();
     await page.getByRole('button', { name: 'Copy the last message of /topic as YAML' }).click();
-    await page.waitForFunction(async () =>
-      /^data: Hello, world! \d+\n$/.test(await navigator.clipboard.readText()),
-    );
+    await eventually('the message is copied', async () => /^data: Hello, world! \d+\n$/.test(await clipboard()));
     await page.getByRole('button', { name: 'About this page', exact: true }).click();
     await page.getByRole('button', { name: 'Copy a report' }).click();
-    await page.waitForFunction(async () =>
-      /^site: talker_listener 1\.0\.0 .*\nlink: shared/.test(await navigator.clipboard.readText()),
-    );
+    await eventually('the report is copied', async () => /^site: talker_listener 1\.0\.0 .*\nlink: shared/.test(await clipboard()));
   }));
 
 test('a report says of each node how it is, and how one that crashed ended', () =>

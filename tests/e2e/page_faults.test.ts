@@ -4,6 +4,7 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
+import { eventually } from '../support/eventually.ts';
 import { PageStage } from './page_stage.ts';
 
 let stage: PageStage;
@@ -75,7 +76,7 @@ test('a session that cannot start is explained', () =>
       /could not start.*error\[R2W0705\]: this browser can neither.*why.*Promise Integration.*fix.*open the page by itself/s,
     );
     await page.getByTitle('Copy this report').click();
-    await page.waitForFunction(async () => (await navigator.clipboard.readText()).startsWith('error['));
+    await eventually('the report is copied', async () => (await page.evaluate(() => navigator.clipboard.readText())).startsWith('error['));
     assert.match(
       await page.evaluate(() => navigator.clipboard.readText()),
       /^error\[R2W0705\]: this browser can neither.*\n {3}= why: .*Promise Integration.*\n {3}= fix: open the page by itself/,

@@ -9,6 +9,7 @@ import { fileURLToPath } from 'node:url';
 import { type Browser, type BrowserContext, chromium, type Page } from 'playwright-core';
 import { chromiumOptions } from './chromium.ts';
 import { makeSite } from './runtime_site.ts';
+import { eventually } from '../support/eventually.ts';
 import { ownPackage } from '../support/python_nodes.ts';
 import { serveFolder } from '../support/static_server.ts';
 
@@ -109,14 +110,6 @@ function keptSizes(page: Page): Promise<number[]> {
   });
 }
 
-async function until(what: string, holds: () => Promise<boolean>): Promise<void> {
-  const end = Date.now() + patience.timeout;
-  while (!await holds()) {
-    assert.ok(Date.now() < end, what);
-    await new Promise((resolve) => setTimeout(resolve, 50));
-  }
-}
-
 for (const [link, isolated] of [['shared', true], ['port', false]] as const) {
   test(`${link}, Chromium: an image is kept, one that is broken is dropped`, watchdog, async () => {
     assert.ok(browser);
@@ -126,7 +119,7 @@ for (const [link, isolated] of [['shared', true], ['port', false]] as const) {
       let since = Date.now();
       const first = await visit(context, host.url);
       check(first.nodes, true, since);
-      await until('it is kept', async () => (await keptSizes(first.page)).some((size) => size > 1 << 20));
+      await eventually('it is kept', async () => (await keptSizes(first.page)).some((size) => size > 1 << 20));
       await first.page.close();
       // As on another day.
       since = Date.now();
@@ -140,7 +133,7 @@ for (const [link, isolated] of [['shared', true], ['port', false]] as const) {
       await second.page.close();
       const third = await visit(context, host.url);
       check(third.nodes, false, since);
-      await until('it is dropped', async () => (await keptSizes(third.page)).length === 0);
+      await eventually('it is dropped', async () => (await keptSizes(third.page)).length === 0);
     } finally {
       await context.close();
       await host.close();
@@ -156,7 +149,7 @@ test('a node that is alone boots by itself at the first visit, and begins with a
   try {
     const first = await visit(context, host.url, 1);
     assert.equal(first.nodes[0]?.image, false);
-    await until('it is kept', async () => (await keptSizes(first.page)).some((size) => size > 1 << 20));
+    await eventually('it is kept', async () => (await keptSizes(first.page)).some((size) => size > 1 << 20));
     await first.page.close();
     const second = await visit(context, host.url, 1);
     assert.equal(second.nodes[0]?.image, true);

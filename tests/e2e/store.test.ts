@@ -6,6 +6,7 @@ import { appendFileSync, cpSync, existsSync, readdirSync, readFileSync, renameSy
 import { join, resolve } from 'node:path';
 import { after, before, test } from 'node:test';
 import { type Browser, chromium, type Page } from 'playwright-core';
+import { eventually } from '../support/eventually.ts';
 import { serveFolder } from '../support/static_server.ts';
 import { chromiumOptions } from './chromium.ts';
 import { PackWorkspace } from './pack_workspace.ts';
@@ -39,6 +40,7 @@ async function pack(name: string): Promise<string> {
 before(async () => {
   ws = new PackWorkspace('shared');
   cpSync(resolve(import.meta.dirname, '../packages/chatter_py'), join(ws.root, 'src/chatter_py'), { recursive: true });
+  appendFileSync(join(ws.root, 'src/chatter_py/chatter_py/__init__.py'), '\nimport ros2wasm.start\nprint(f"from an image: {ros2wasm.start.from_image}", flush=True)\n');
   ws.addPackage('quick', { hello: '#include <cstdio>\nint main() { std::puts("hello from the store"); }\n' });
   for (const name of ['one', 'two']) {
     ws.write(`${name}.yaml`, manifest(name, `The lab ${name}`));
@@ -113,6 +115,10 @@ for (const [host, isolated, serviceWorkers] of [
       await runs(page);
       const policy = await page.evaluate(() => document.querySelector('meta[http-equiv]')?.getAttribute('content') ?? '');
       assert.match(policy, /script-src 'self' 'wasm-unsafe-eval';/);
+      await shows(page, 'from an image: False');
+      await eventually('an image is kept', () => page.evaluate(async () => (await (await caches.open('ros2wasm-kept')).keys()).length > 0));
+      await page.reload();
+      await shows(page, 'from an image: True');
     } finally {
       await context.close();
       await served.close();

@@ -59,6 +59,8 @@ def house_rules() -> str | None:
                     errors.append(f"{name}:{number}: there is no code {code}")
             if REGISTRY_OR_MACHINE.search(line):
                 errors.append(f"{name}:{number}: names a package registry's host or a path of a machine")
+            if path.suffix == ".ts" and "waitForFunction(async" in line:
+                errors.append(f"{name}:{number}: a promise counts as true here; tests/support/eventually.ts waits for what it tells")
     return "\n".join(errors) or None
 
 

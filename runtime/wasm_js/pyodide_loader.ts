@@ -79,7 +79,7 @@ function startNothing(imports: WebAssembly.Imports): void {
 }
 
 /** As the time zone database has it where people have no letters for a zone: "-03", "+0530". */
-export function zoneName(minutesWest: number): string {
+function zoneName(minutesWest: number): string {
   if (minutesWest === 0) return 'UTC';
   const minutes = Math.abs(minutesWest);
   const two = (value: number): string => String(value).padStart(2, '0');

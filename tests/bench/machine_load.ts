@@ -17,6 +17,8 @@ export interface Ticks {
   readonly stolen: number;
   /** Of processes that are not ours, by their ids, with those that each has waited for. */
   readonly others: ReadonlyMap<number, number>;
+  /** Of these: who has lost the one that started it. */
+  readonly orphans: ReadonlySet<number>;
   /** This process and those that it started. */
   readonly ours: ReadonlySet<number>;
 }
@@ -28,7 +30,9 @@ export interface Ticks {
 export function othersShare(before: Ticks, after: Ticks): number {
   let others = after.stolen - before.stolen;
   for (const [pid, ticks] of after.others) {
-    if (!before.ours.has(pid)) others += Math.max(0, ticks - (before.others.get(pid) ?? 0));
+    // A process of an ended browser of ours lives on for a moment.
+    const mayBeOurs = before.ours.has(pid) || (after.orphans.has(pid) && !before.others.has(pid));
+    if (!mayBeOurs) others += Math.max(0, ticks - (before.others.get(pid) ?? 0));
   }
   return Math.max(0, others) / Math.max(1, after.all - before.all);
 }
@@ -37,14 +41,14 @@ const INIT = 1;
 /** Parent of the kernel's threads, which work for whoever asks them: us, mostly. */
 const KERNEL = 2;
 
-/** Ticks of a process, or undefined when it is the kernel's or has just ended. */
-function ticksOf(pid: number): number | undefined {
+/** Of a process, or undefined when it is the kernel's or has just ended. */
+function lookAt(pid: number): { readonly ticks: number; readonly orphan: boolean } | undefined {
   try {
     const fields = readFileSync(`/proc/${pid}/stat`, 'utf8').replace(/^.*\) /s, '').split(' ').map(Number);
     const [user = 0, system = 0, waitedUser = 0, waitedSystem = 0] = fields.slice(11, 15);
     if (pid === KERNEL || fields[1] === KERNEL) return undefined;
     // The first process waits for those that have lost their parent, ours too.
-    return user + system + (pid === INIT ? 0 : waitedUser + waitedSystem);
+    return { ticks: user + system + (pid === INIT ? 0 : waitedUser + waitedSystem), orphan: fields[1] === INIT };
   } catch {
     return undefined;
   }
@@ -55,11 +59,14 @@ export function ticksNow(): Ticks {
     (readFileSync('/proc/stat', 'utf8').split('\n')[0] ?? '').split(/\s+/).slice(1).map(Number);
   const ours = new Set(processTree(process.pid));
   const others = new Map<number, number>();
+  const orphans = new Set<number>();
   for (const pid of readdirSync('/proc').map(Number)) {
-    const ticks = Number.isNaN(pid) || ours.has(pid) ? undefined : ticksOf(pid);
-    if (ticks !== undefined) others.set(pid, ticks);
+    const found = Number.isNaN(pid) || ours.has(pid) ? undefined : lookAt(pid);
+    if (found === undefined) continue;
+    others.set(pid, found.ticks);
+    if (found.orphan) orphans.add(pid);
   }
-  return { all: user + nice + system + idle + waiting + irq + soft + stolen, stolen, others, ours };
+  return { all: user + nice + system + idle + waiting + irq + soft + stolen, stolen, others, orphans, ours };
 }
 
 /** What others take of the machine from now on. */

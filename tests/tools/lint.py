@@ -60,7 +60,7 @@ def house_rules() -> str | None:
             if REGISTRY_OR_MACHINE.search(line):
                 errors.append(f"{name}:{number}: names a package registry's host or a path of a machine")
             if path.suffix == ".ts" and "waitForFunction(async" in line:
-                errors.append(f"{name}:{number}: a promise counts as true here; tests/support/eventually.ts waits for what it tells")
+                errors.append(f"{name}:{number}: a promise counts as true here; use tests/support/eventually.ts")
     return "\n".join(errors) or None
 
 

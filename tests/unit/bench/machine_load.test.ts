@@ -5,8 +5,8 @@ import { once } from 'node:events';
 import { test } from 'node:test';
 import { OthersLoad, othersShare, ticksNow, type Ticks } from '../../bench/machine_load.ts';
 
-const ticks = (all: number, stolen: number, others: [number, number][], ours: number[] = [9]): Ticks =>
-  ({ all, stolen, others: new Map(others), ours: new Set(ours) });
+const ticks = (all: number, stolen: number, others: [number, number][], orphans: number[] = []): Ticks =>
+  ({ all, stolen, others: new Map(others), orphans: new Set(orphans), ours: new Set([9]) });
 
 test('others have what their processes used, and what was taken from the machine', () => {
   const before = ticks(1000, 10, [[1, 50], [5, 100]]);
@@ -14,6 +14,8 @@ test('others have what their processes used, and what was taken from the machine
   assert.equal(othersShare(before, ticks(1200, 10, [[1, 60], [5, 140]])), 0.25);
   assert.equal(othersShare(before, ticks(1200, 30, [[1, 60], [5, 120]])), 0.25);
   assert.equal(othersShare(before, ticks(1200, 10, [[1, 50], [5, 100], [7, 20]])), 0.1, 'a process that began meanwhile');
+  assert.equal(othersShare(before, ticks(1200, 10, [[1, 50], [5, 140]], [5])), 0.2, 'one that nobody has, as before');
+  assert.equal(othersShare(before, ticks(1200, 10, [[1, 50], [5, 100], [8, 80]], [8])), 0, 'one that began meanwhile and that nobody has');
   assert.equal(othersShare(before, ticks(1200, 10, [[1, 50], [5, 100], [9, 80]])), 0, 'one of ours that has lost its parent');
   assert.equal(othersShare(before, ticks(1200, 10, [[1, 50]])), 0, 'one that has ended');
 });

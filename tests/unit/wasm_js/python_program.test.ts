@@ -152,6 +152,7 @@ test('an archive that the worker has to fetch itself is the one that was packed,
   assert.equal((end as { code: unknown }).code, 'R2W0724');
 });
 
+// Compatibility, differs: `time.tzname`, and `%Z` of local times -> the distance of the zone, as `('+01', '+02')`; browsers know no letters of zones, Debian's `tzdata` does (`zoneinfo`)
 test("a zone's name is as the time zone database has it for those without letters", watchdog, async () => {
   const before = process.env['TZ'];
   try {

@@ -27,7 +27,7 @@ const library = join(root, 'runtime/libraries/pyodide');
 /** What `make` writes there, made once of these files. Tests run side by side: whoever is last puts the same bytes there. */
 function madeOnce(name: string, sources: readonly string[], make: (place: string) => void): string {
   const hash = createHash('sha256');
-  for (const file of sources) hash.update(file.slice(root.length)).update('\0').update(readFileSync(file));
+  for (const file of [join(pyodide, 'package.json'), ...sources]) hash.update(file.slice(root.length)).update('\0').update(readFileSync(file));
   const made = join(tmpdir(), `ros2wasm-${name}-${hash.digest('hex')}`);
   if (!existsSync(made)) {
     const beside = `${made}.${process.pid}`;

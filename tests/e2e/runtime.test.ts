@@ -137,14 +137,11 @@ test('a site of which a file does not come is not said to be kept', watchdog, as
 
 test('a page in which no service worker is installed tells that it is not kept', watchdog, async () => {
   const host = await serveFolder(folder, { isolated: true });
-  const context = await browser?.newContext({ serviceWorkers: 'block' });
-  assert.ok(context);
   try {
-    const page = await context.newPage();
+    const page = await open({ serviceWorkers: 'block' });
     await page.goto(host.url);
     await page.waitForFunction(() => document.documentElement.dataset['offline'] === 'not_kept', null, { timeout: 120_000 });
   } finally {
-    await context.close();
     await host.close();
   }
 });

@@ -307,12 +307,13 @@ export class Peer {
     return this.link.graph();
   }
 
-  async waitGraph(endpoints: number): Promise<GraphSnapshot> {
+  /** Until there are so many endpoints and, when given, so many nodes: those of a worker that dies leave one after the other. */
+  async waitGraph(endpoints: number, nodes = -1): Promise<GraphSnapshot> {
     for (;;) {
       const token = this.link.wakeToken();
       this.link.graphVersion();
       const graph = this.link.graph();
-      if (graph.endpoints.length === endpoints) return graph;
+      if (graph.endpoints.length === endpoints && (nodes < 0 || graph.nodes.length === nodes)) return graph;
       await this.link.wait(token, -1);
     }
   }

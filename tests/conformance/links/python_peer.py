@@ -255,12 +255,12 @@ class Peer:
             'endpoints': [plain_endpoint(one, nodes) for one in endpoints],
         }
 
-    def waitGraph(self, endpoints: int) -> dict[str, Any]:
+    def waitGraph(self, endpoints: int, nodes: int = -1) -> dict[str, Any]:
         while True:
             token = host.wake_token()
             host.graph_version()
             graph = self.graph()
-            if len(graph['endpoints']) == endpoints:
+            if len(graph['endpoints']) == endpoints and (nodes < 0 or len(graph['nodes']) == nodes):
                 return graph
             host.wait(token, -1)
 

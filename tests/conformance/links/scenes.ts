@@ -419,7 +419,7 @@ export const scenes: readonly Scene[] = [
     async run(world) {
       const { a, b, sub } = await pair(world, '/vanish');
       equal((await b.call('waitGraph', 2)).nodes.length, 2, 'nodes');
-      const waiting = await b.begin('waitGraph', 1);
+      const waiting = await b.begin('waitGraph', 1, 1);
       await a.terminate();
       const graph = await waiting.result;
       equal(graph.nodes.map((node) => node.name), ['listener'], 'nodes left');

@@ -83,7 +83,7 @@ for (const kind of ['shared', 'port'] as const) {
       await a.call('waitMatched', sub, 0);
       const status = await a.call('status', sub, StatusKind.livelinessChanged);
       assert.equal(status?.totalCount, 1);
-      assert.deepEqual((await a.call('waitGraph', 1)).nodes.map(({ name }) => name), ['a']);
+      assert.deepEqual((await a.call('waitGraph', 1, 1)).nodes.map(({ name }) => name), ['a']);
     } finally {
       await world.close();
     }

@@ -55,13 +55,17 @@ std::string configured(const fs::path& emscripten, const EnvironmentVariables& v
   return std::regex_search(*text, match, line) ? std::string(match[1]) : std::string();
 }
 
-/// An SDK has clang beside Emscripten's folder; distributions say in the configuration where it is.
+/// An SDK has clang beside Emscripten's folder; distributions say in the configuration where it is,
+/// and which of several versions: Debian alone has clang-14 there, and clang only with a package
+/// that nothing asks for.
 fs::path find_clang(const fs::path& emscripten, const EnvironmentVariables& variables) {
   const std::string root = configured(emscripten, variables, "LLVM_ROOT");
+  const std::string version = configured(emscripten, variables, "CLANG_ADD_VERSION");
+  const std::string name = version.empty() ? "clang" : "clang-" + version;
   std::error_code error;
   for (const fs::path& folder : {fs::path(root), emscripten.parent_path() / "bin"}) {
-    if (!folder.empty() && fs::exists(folder / "clang", error))
-      return fs::canonical(folder / "clang", error);
+    if (!folder.empty() && fs::exists(folder / name, error))
+      return fs::canonical(folder / name, error);
   }
   return {};
 }

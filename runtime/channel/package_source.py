@@ -1,6 +1,7 @@
 """Finds the ROS packages under runtime/ and reads what the channel needs of their package.xml."""
 from __future__ import annotations
 
+import re
 import xml.etree.ElementTree as ElementTree
 from dataclasses import dataclass
 from pathlib import Path
@@ -16,7 +17,8 @@ class PackageSource:
     """One folder with a package.xml. Dependencies name packages of ours only.
 
     A library that others made has in <export> its name in channels (<conda_name>), as it is no ROS package,
-    and the folders that it is packed from (<host_folder>): of this machine, or below the repository.
+    and the folders that it is packed from (<host_folder>): of this machine, or below the repository. One that a machine
+    updates has no version of ours: the first line of <version_file> says it.
     <any_compiler/> marks WebAssembly that does not care which Emscripten made the rest of a site.
     """
 
@@ -68,7 +70,7 @@ def _read(folder: Path, root: ElementTree.Element, names: set[str]) -> PackageSo
 
     return PackageSource(
         name=_text(root, "name"),
-        version=_text(root, "version"),
+        version=_version(root),
         description=" ".join(_text(root, "description").split()),
         license=_text(root, "license"),
         folder=folder,
@@ -78,6 +80,17 @@ def _read(folder: Path, root: ElementTree.Element, names: set[str]) -> PackageSo
         host_folders=tuple(str(ROOT / (element.text or "")) for element in root.findall("export/host_folder")),
         any_compiler=root.find("export/any_compiler") is not None,
     )
+
+
+def _version(root: ElementTree.Element) -> str:
+    file = root.findtext("export/version_file")
+    if file is None or not Path(file).exists():
+        return _text(root, "version")
+    with Path(file).open(encoding="utf-8") as lines:
+        said = re.search(r"version (\w[\w.]*)", lines.readline())
+    if said is None:
+        raise ValueError(f"the first line of {file} says no version")
+    return said[1]
 
 
 def _text(root: ElementTree.Element, tag: str) -> str:

@@ -3,6 +3,10 @@ Executors: they wait for work and call back.
 
 One turn: read the wake token, look what is ready (tasks, timers, subscriptions, services, clients, waitables), else
 wait until the token changes or a timer is due. No turn polls.
+
+A turn is called by a function that is not Python's (call_afresh), so that it begins a frame of the interpreter's own.
+An engine compiles the interpreter better while that runs, and uses the better code for frames that begin from then on:
+one that goes round for ever would stay in what it began with.
 """
 from __future__ import annotations
 
@@ -12,6 +16,7 @@ import warnings
 from collections import deque
 from collections.abc import Callable, Coroutine
 from functools import partial
+from operator import call as call_afresh
 from types import TracebackType
 from typing import Any, NamedTuple
 
@@ -438,14 +443,14 @@ class Executor:
 
     def spin_once(self, timeout_sec: float | None = None) -> None:
         """Call back once."""
-        self._spin_once_impl(timeout_sec)
+        call_afresh(self._spin_once_impl, timeout_sec)
 
     def spin_once_until_future_complete(
         self, future: Future, timeout_sec: float | TimeoutObject | None = None
     ) -> None:
         """Call back once, unless the future is done before."""
         seconds = timeout_sec.timeout if isinstance(timeout_sec, TimeoutObject) else timeout_sec
-        self._spin_once_impl(seconds, future.done)
+        call_afresh(self._spin_once_impl, seconds, future.done)
 
     def _spin_once_impl(
         self, timeout_sec: float | None = None, condition: Callable[[], bool] = lambda: False

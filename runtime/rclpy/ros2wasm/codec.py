@@ -1,7 +1,7 @@
 """Makes the functions that turn messages into CDR (XCDR1, little endian) and back: Python text, compiled at first use.
 
 Fixed parts of a message, also of messages within it, become one struct format, so that a message of numbers costs one
-call. A message begins at a multiple of 8 in its buffer, so that places in the buffer tell the alignment.
+call. A message begins at one place in its buffer, so that places in the buffer tell the alignment.
 """
 from __future__ import annotations
 
@@ -23,6 +23,9 @@ CODES = {**NUMBERS, 'boolean': '?', 'octet': 'c'}
 SIZES = {code: struct.calcsize('<' + code) for code in CODES.values()}
 TRUTH = {False: False, True: True}
 WIDEST = 8
+#: Where a message begins in a buffer: behind its CDR header. The header begins the buffer, as it begins what is sent:
+#: an engine copies between memories by words only where both places are equally far from a multiple of 8.
+PAYLOAD_AT = 4
 ZEROS = tuple(bytes(n) for n in range(WIDEST))
 
 
@@ -37,7 +40,7 @@ class Writer:
         self.lines: list[str] = []
         self.names: dict[str, Any] = {}
         self.depth = 1
-        #: `at` is a multiple of `modulus` plus `rest`.
+        #: `at` is PAYLOAD_AT, a multiple of `modulus`, and `rest`.
         self.modulus, self.rest = modulus, 0
         self.format = ''
         self.values: list[str] = []
@@ -89,7 +92,7 @@ class Writer:
                 self.emit_padding(str(padding))
             self.rest = (self.rest + padding) % self.modulus
         elif size > 1:
-            self.line(f'gap = -at & {size - 1}')
+            self.line(f'gap = {PAYLOAD_AT % size} - at & {size - 1}')
             self.line('if gap:')
             self.depth += 1
             self.emit_padding('gap')
@@ -358,14 +361,14 @@ class Codec:
 
     @cached_property
     def write(self) -> Callable[[Any, memoryview, int], int]:
-        """(message, buffer, place) -> place behind it. The place is a multiple of 8."""
+        """(message, buffer, PAYLOAD_AT) -> place behind it."""
         return self._writer(WIDEST)
 
     @cached_property
     def read(self) -> Callable[['array[int]', int], tuple[Any, int]]:
         """
-        (bytes, place) -> message, place behind it. The place is a multiple of 8; the bytes are an array, whose slices
-        are copies. Whether the place behind it is beyond the message's end is for the caller to see.
+        (bytes, PAYLOAD_AT) -> message, place behind it. The bytes are an array, whose slices are copies. Whether the
+        place behind it is beyond the message's end is for the caller to see.
         """
         return self._reader(WIDEST)
 

@@ -17,7 +17,7 @@ from typing import Any, NamedTuple, NoReturn
 import ros2wasm_host
 from pyodide.ffi import can_run_sync, run_sync
 
-from ros2wasm.codec import CdrError
+from ros2wasm.codec import PAYLOAD_AT, CdrError
 from ros2wasm.constants import (
     ENDPOINT_DESC_FORMAT, ENDPOINT_STATUS_FORMAT, SAMPLE_INFO_FORMAT, EndpointKind, ErrorCode, StatusKind, TerminalMode,
     WaitResult,
@@ -32,8 +32,6 @@ SLICE_OVER = 1
 #: What js.input_is_there says.
 INPUT, INPUT_STOP = 1, 2
 NOTHING = int(ErrorCode.NOTHING)
-#: A message begins behind the 4 bytes of its CDR header, at a multiple of 8.
-HEADER_AT, PAYLOAD_AT = 4, 8
 CDR_HEADER = b'\x00\x01\x00\x00'
 INFO_SIZE = struct.calcsize(SAMPLE_INFO_FORMAT)
 NO_INFO = bytes(INFO_SIZE)
@@ -103,7 +101,7 @@ _info = Buffer(INFO_SIZE)
 _looked = Buffer(4 * (LOOK_WORDS + MOST_READY))
 _looked_words = _looked.view.cast('i')
 _info_struct = struct.Struct(SAMPLE_INFO_FORMAT)
-_out.view[HEADER_AT:PAYLOAD_AT] = CDR_HEADER
+_out.view[:PAYLOAD_AT] = CDR_HEADER
 
 
 class SampleInfo(NamedTuple):
@@ -318,8 +316,7 @@ def _tell_places() -> None:
 
     Beside them lies what is known about it.
     """
-    struct.pack_into('<IIII', _looked.view, 8, _in.address + HEADER_AT, _in.capacity - HEADER_AT, _info.address,
-                     _out.address + HEADER_AT)
+    struct.pack_into('<IIII', _looked.view, 8, _in.address, _in.capacity, _info.address, _out.address)
 
 
 _tell_places()
@@ -327,7 +324,7 @@ _tell_places()
 
 def _words(*texts: str) -> list[int]:
     """Lay texts down for the host: address and length of each."""
-    places, at = [], PAYLOAD_AT
+    places, at = [], 0
     for text in texts:
         data = text.encode()
         _in.view[at:at + len(data)] = data
@@ -370,7 +367,7 @@ class Endpoint:
         desc = struct.pack(
             ENDPOINT_DESC_FORMAT, kind, node, *texts, qos.reliability, qos.durability, qos.history, qos.depth,
             qos.liveliness, flags, 0, 0, qos.deadline_ns, qos.lifespan_ns, qos.lease_ns, 0, 0, 0)
-        at = (PAYLOAD_AT + sum(texts[1::2]) + 7) & -8
+        at = (sum(texts[1::2]) + 7) & -8
         _in.view[at:at + len(desc)] = desc
         self.handle = _checked(f'{name} cannot be made', js.endpoint_create(_in.address + at))
         js.endpoint_gid(self.handle, _info.address)
@@ -412,7 +409,7 @@ class Endpoint:
         """Serialise and send a message."""
         end = encode(codec, message)
         _info_struct.pack_into(_info.view, 0, 0, 0, 0, 0, related_sequence, related_gid, bytes(16))
-        return self._send(_out.address + HEADER_AT, end - HEADER_AT)
+        return self._send(end)
 
     def publish(self, codec: Any, message: Any) -> None:
         """As write, for messages that are not part of an exchange."""
@@ -420,7 +417,7 @@ class Endpoint:
             end = codec.write(message, _out.view, PAYLOAD_AT)
         except Exception:
             end = encode(codec, message)
-        result = self._publish(end - HEADER_AT)
+        result = self._publish(end)
         if result:
             self._published(result)
 
@@ -435,17 +432,17 @@ class Endpoint:
 
     def write_bytes(self, data: bytes) -> SampleInfo:
         """Send what is serialised already."""
-        if len(data) + HEADER_AT > _out.capacity:
-            _grow(_out, len(data) + HEADER_AT)
-        _out.view[HEADER_AT:HEADER_AT + len(data)] = data
+        if len(data) > _out.capacity:
+            _grow(_out, len(data))
+        _out.view[:len(data)] = data
         _info.view[:] = NO_INFO
         try:
-            return self._send(_out.address + HEADER_AT, len(data))
+            return self._send(len(data))
         finally:
-            _out.view[HEADER_AT:PAYLOAD_AT] = CDR_HEADER
+            _out.view[:PAYLOAD_AT] = CDR_HEADER
 
-    def _send(self, address: int, length: int) -> SampleInfo:
-        result = _settled(js.write(self.handle, address, length, _info.address))
+    def _send(self, length: int) -> SampleInfo:
+        result = _settled(js.write(self.handle, _out.address, length, _info.address))
         if result < 0:
             self._refused(result)
         return SampleInfo(*_info_struct.unpack_from(_info.view))
@@ -462,8 +459,8 @@ class Endpoint:
 
     def take_message(self, codec: Any) -> Any:
         """As take, without what is known about the message."""
-        length = js.take(self.handle, _in.address + HEADER_AT, _in.capacity - HEADER_AT, _info.address)
-        if length > _in.capacity - HEADER_AT:
+        length = js.take(self.handle, _in.address, _in.capacity, _info.address)
+        if length > _in.capacity:
             length = self._take()
         return None if length < 0 else _taken(codec, length)
 
@@ -477,10 +474,10 @@ class Endpoint:
         if result >= 0:
             return None, _seen(result)
         data = _in.bytes
-        if data[HEADER_AT + 1] != LITTLE_ENDIAN:
+        if data[1] != LITTLE_ENDIAN:
             _refuse_encoding()
         message, end = codec.read(data, PAYLOAD_AT)
-        if end > HEADER_AT + ~result:
+        if end > ~result:
             _refuse_length()
         return message, None
 
@@ -488,23 +485,23 @@ class Endpoint:
         length = self._take()
         if length < 0:
             return None
-        return bytes(_in.view[HEADER_AT:HEADER_AT + length]), SampleInfo(*_info_struct.unpack_from(_info.view))
+        return bytes(_in.view[:length]), SampleInfo(*_info_struct.unpack_from(_info.view))
 
     def _take(self) -> int:
         while True:
-            length: int = js.take(self.handle, _in.address + HEADER_AT, _in.capacity - HEADER_AT, _info.address)
-            if length <= _in.capacity - HEADER_AT:
+            length: int = js.take(self.handle, _in.address, _in.capacity, _info.address)
+            if length <= _in.capacity:
                 return length
-            _grow(_in, length + HEADER_AT)
+            _grow(_in, length)
 
 
 def _taken(codec: Any, length: int) -> Any:
     """The message that was taken."""
     data = _in.bytes
-    if data[HEADER_AT + 1] != LITTLE_ENDIAN:
+    if data[1] != LITTLE_ENDIAN:
         _refuse_encoding()
     message, end = codec.read(data, PAYLOAD_AT)
-    if end > HEADER_AT + length:
+    if end > length:
         _refuse_length()
     return message
 
@@ -518,9 +515,9 @@ def _refuse_length() -> NoReturn:
 
 
 def _grow(buffer: Buffer, least: int) -> None:
-    buffer.reserve(max(2 * buffer.capacity, least + PAYLOAD_AT))
+    buffer.reserve(max(2 * buffer.capacity, least))
     if buffer is _out:
-        _out.view[HEADER_AT:PAYLOAD_AT] = CDR_HEADER
+        _out.view[:PAYLOAD_AT] = CDR_HEADER
     _tell_places()
 
 
@@ -568,15 +565,15 @@ def _largest(codec: Any, message: Any) -> int:
 def serialize(codec: Any, message: Any) -> bytes:
     # The buffer may be another one when it had to grow.
     end = encode(codec, message)
-    return bytes(_out.view[HEADER_AT:end])
+    return bytes(_out.view[:end])
 
 
 def decode(codec: Any, data: bytes) -> Any:
     """A message out of its bytes, which begin with the CDR header."""
     if data[:2] != CDR_HEADER[:2]:
         _refuse_encoding()
-    message, end = codec.read(array('B', bytes(HEADER_AT) + data), PAYLOAD_AT)
-    if end > HEADER_AT + len(data):
+    message, end = codec.read(array('B', data), PAYLOAD_AT)
+    if end > len(data):
         _refuse_length()
     return message
 

@@ -9,6 +9,7 @@ import js
 from pyodide.ffi import to_js
 
 from ros2wasm import graph_snapshot, host
+from ros2wasm.codec import PAYLOAD_AT
 from ros2wasm.constants import Durability, EndpointKind, History, Liveliness, Reliability, StatusKind
 
 MS = 1_000_000
@@ -23,9 +24,8 @@ class RawCodec:
 
     @staticmethod
     def write(message: bytes, view: memoryview, _at: int) -> int:
-        end = host.HEADER_AT + len(message)
-        view[host.HEADER_AT:end] = message
-        return end
+        view[:len(message)] = message
+        return len(message)
 
 
 def plain_sample(data: bytes, info: host.SampleInfo) -> dict[str, Any]:
@@ -112,7 +112,7 @@ class Peer:
             info = self.of(handle).write(
                 RawCodec, bytes(data), about.get('relatedSequence', 0), bytes(about.get('relatedGid', bytes(16))))
         finally:
-            host._out.view[host.HEADER_AT:host.PAYLOAD_AT] = host.CDR_HEADER
+            host._out.view[:PAYLOAD_AT] = host.CDR_HEADER
         return info.sequence
 
     def writeMany(self, handle: int, first: int, count: int, size: int = 4) -> int:

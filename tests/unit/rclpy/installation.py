@@ -13,6 +13,8 @@ from unittest import mock
 
 ROOT = Path(__file__).resolve().parents[3]
 WOKEN, TIMEOUT = 0, 1
+#: Where a message begins in a buffer: behind its CDR header.
+PAYLOAD_AT = 4
 
 
 class FakeHost(types.ModuleType):

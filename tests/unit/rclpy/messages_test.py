@@ -7,7 +7,7 @@ from array import array
 from typing import Any
 from unittest import mock
 
-from tests.unit.rclpy.installation import ROOT, install
+from tests.unit.rclpy.installation import PAYLOAD_AT, ROOT, install
 
 
 class MessagesTest(unittest.TestCase):
@@ -20,10 +20,10 @@ class MessagesTest(unittest.TestCase):
 
     def encode(self, message: Any) -> bytes:
         view = memoryview(bytearray(1 << 12))
-        return bytes(view[8:message._codec.write(message, view, 8)])
+        return bytes(view[PAYLOAD_AT:message._codec.write(message, view, PAYLOAD_AT)])
 
     def decode(self, cls: Any, data: bytes) -> Any:
-        return cls._codec.read(array('B', bytes(8) + data), 8)[0]
+        return cls._codec.read(array('B', bytes(PAYLOAD_AT) + data), PAYLOAD_AT)[0]
 
     def test_a_message_is_as_upstreams(self) -> None:
         message = self.types.find_message('std_msgs/msg/String')

@@ -8,7 +8,7 @@ import unittest
 from array import array
 from typing import Any
 
-from tests.unit.rclpy.installation import ROOT, install
+from tests.unit.rclpy.installation import PAYLOAD_AT, ROOT, install
 
 SEED = 20250
 FORMATS = {
@@ -110,9 +110,9 @@ class RandomMessagesTest(unittest.TestCase):
                     plain = Cdr()
                     plain.message(self.types.find_structure(name), message, self.types.find_structure)
                     view = memoryview(bytearray(1 << 18))
-                    data = bytes(view[8:message._codec.write(message, view, 8)])
+                    data = bytes(view[PAYLOAD_AT:message._codec.write(message, view, PAYLOAD_AT)])
                     self.assertEqual(data.hex(), plain.out.hex(), name)
-                    back = message._codec.read(array('B', bytes(8) + data), 8)[0]
+                    back = message._codec.read(array('B', bytes(PAYLOAD_AT) + data), PAYLOAD_AT)[0]
                     self.assertEqual(back, message, name)
                     count += 1
         self.assertGreater(count, 900)

@@ -107,6 +107,25 @@ TEST(Compiler, WhereADistributionHasItsClang) {
   EXPECT_EQ(find_compiler_parts(home, {{"EM_LLVM_ROOT", "/nowhere"}}).clang_version, "");
 }
 
+TEST(Compiler, WhichOfSeveralClangsADistributionMeans) {
+  const testing::TemporaryTree tree;
+  const fs::path home = install(tree, "share/emscripten", "3.1.6");
+  const std::string root = (tree / "bin").string();
+  for (const char* version : {"14", "16"}) {
+    const std::string folder = "llvm-" + std::string(version);
+    tree.write(folder + "/bin/clang", "a program");
+    tree.write(folder + "/lib/clang/" + version + ".0.6/include/stddef.h", "");
+    fs::create_directories(tree / "bin");
+    fs::create_symlink(tree / (folder + "/bin/clang"),
+                       tree / ("bin/clang-" + std::string(version)));
+  }
+  tree.write("share/emscripten/.emscripten",
+             "LLVM_ROOT = '" + root + "'\nLLVM_ADD_VERSION = '15'\nCLANG_ADD_VERSION = '14'");
+  EXPECT_EQ(find_compiler_parts(home, {}).clang_version, "14.0.6");
+  EXPECT_EQ(find_compiler_parts(home, {{"EM_CLANG_ADD_VERSION", "16"}}).clang_version, "16.0.6");
+  EXPECT_EQ(find_compiler_parts(home, {{"EM_CLANG_ADD_VERSION", "17"}}).clang_version, "");
+}
+
 TEST(Compiler, ToolsBesideItComeFirstInALink) {
   const EnvironmentVariables variables = {{"PATH", "/home/me/bin:/usr/bin"}};
   EXPECT_EQ(tool_environment(variables, "/opt/sdk/em++").at("PATH"),

@@ -56,6 +56,17 @@ class FindPackages(Scratch):
         self.assertEqual(found["a"].use_needs, ("b",))
         self.assertEqual(found["b"].description, "Two words")
 
+    def test_what_a_machine_updates_says_its_version_itself(self) -> None:
+        said = self.root / "zones"
+        text = package_xml("a").replace("</package>", f"<export><version_file>{said}</version_file></export></package>")
+        self.add("a", text)
+        self.assertEqual(find_packages(self.root / "runtime")["a"].version, "1.2.3")
+        said.write_text("# version 2026b\n# version 1\n", encoding="utf-8")
+        self.assertEqual(find_packages(self.root / "runtime")["a"].version, "2026b")
+        said.write_text("# zones\n# version 1\n", encoding="utf-8")
+        with self.assertRaisesRegex(ValueError, "says no version"):
+            find_packages(self.root / "runtime")
+
     def test_what_most_waits_for_is_built_first(self) -> None:
         self.add("a", package_xml("a"))
         self.add("z", package_xml("z"))

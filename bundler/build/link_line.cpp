@@ -111,7 +111,8 @@ std::vector<std::string> link_command(const LinkLine& line, LinkKind kind,
       "-Wl,--export-if-defined=ros2wasm_thread_stack",
       "-Wl,--export-if-defined=ros2wasm_timed_waits", "-Wl,--export-if-defined=ros2wasm_fd_read",
       "-Wl,--export-if-defined=ros2wasm_fd_write", "-Wl,--export-if-defined=ros2wasm_fd_seek",
-      "-Wl,--export-if-defined=ros2wasm_fd_close", "-Wl,--export-if-defined=ros2wasm_fd_is_open"};
+      "-Wl,--export-if-defined=ros2wasm_fd_close", "-Wl,--export-if-defined=ros2wasm_fd_is_open",
+      "-Wl,--export-if-defined=ros2wasm_files_rest"};
   switch (kind) {
     case LinkKind::kSingle:
       command.insert(command.end(), {"-sSTANDALONE_WASM", "-sERROR_ON_UNDEFINED_SYMBOLS=0",
@@ -122,6 +123,8 @@ std::vector<std::string> link_command(const LinkLine& line, LinkKind kind,
       command.insert(
           command.end(),
           {"-pthread", "-sMAXIMUM_MEMORY=1GB", "-sWASM_BIGINT", "-Wno-pthreads-mem-growth",
+           // Destructors of what is static, and what was not flushed: at the end, as natively.
+           "-sEXIT_RUNTIME=1",
            // What the programs import from "ros2wasm" is not known to the glue writer.
            "-sERROR_ON_UNDEFINED_SYMBOLS=0", "-sWARN_ON_UNDEFINED_SYMBOLS=0", line.thread_support});
       break;

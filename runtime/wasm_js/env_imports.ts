@@ -24,6 +24,8 @@ export interface EnvHost {
   readonly exports: () => Exports;
   readonly startThread: (request: ThreadRequest) => void;
   readonly leave: Leave;
+  /** Before a program with threads leaves: what it has registered for its end. */
+  readonly farewell: () => void;
   readonly threaded: boolean;
   readonly clock: SiteClock;
   readonly random: (bytes: Uint8Array) => void;
@@ -69,7 +71,10 @@ export function envImports(host: EnvHost): Record<string, EnvFunction> {
       memory().u8[out + text.length] = 0;
     },
     abort: (): never => host.leave(new WebAssembly.RuntimeError('abort() was called (SIGABRT, exit code 134)')),
-    exit: (code: number): never => host.leave(new ProgramExit(code)),
+    exit: (code: number): never => {
+      host.farewell();
+      return host.leave(new ProgramExit(code));
+    },
     emscripten_memcpy_big: (to: number, from: number, length: number): number => {
       memory().u8.copyWithin(to >>> 0, from >>> 0, (from >>> 0) + (length >>> 0));
       return to;

@@ -7,6 +7,7 @@ import { hostImports, suspendingHost } from './host_imports.ts';
 import { LineWriter } from './line_writer.ts';
 import type { Link } from './link.ts';
 import type { SentMessage } from './message_trace.ts';
+import { outputGate } from './output_gate.ts';
 import { ProgramMemory } from './program_memory.ts';
 import { fileImports, type ReadNow, type SiteFiles } from './site_files.ts';
 import type { ThreadMemory } from './thread_waits.ts';
@@ -69,9 +70,11 @@ interface ProgramExports extends FileExports {
   readonly emscripten_tls_init?: () => void;
   readonly pthread_self?: () => number;
   readonly ros2wasm_timed_waits?: () => number;
+  readonly ros2wasm_files_rest?: () => void;
   readonly ros2wasm_thread_stack?: (thread: number, out: number) => number;
   readonly ros2wasm_exception_what?: (exception: number, out: number, capacity: number) => number;
-  readonly exit?: (code: number) => void;
+  readonly __funcs_on_exit?: () => void;
+  readonly __stdio_exit?: () => void;
 }
 
 export type Exports = ProgramExports;
@@ -165,6 +168,7 @@ export async function runProgram(
     return instance.exports as unknown as ProgramExports;
   };
 
+  const gate = outputGate(host);
   let left: ProgramExit | Error | undefined;
   const leave: Leave = (reason) => {
     left = reason;
@@ -204,6 +208,7 @@ export async function runProgram(
   let detached = false;
   const env = envImports({
     leave,
+    farewell: () => farewell(exports()),
     memory: getMemory,
     exports,
     startThread: (request) => host.startThread(request, getMemory().memory),
@@ -222,7 +227,7 @@ export async function runProgram(
   const imports: WebAssembly.Imports = {
     ros2wasm: wrap({
       ...hostImports(host.link, getMemory, host.idle, host.terminal, host.sent),
-      ...fileImports(host.files, host.readNow, getMemory, host.give),
+      ...fileImports(host.files, host.readNow, getMemory, host.give, gate),
     }, suspendingHost),
     wasi_snapshot_preview1: wrap(wasi, suspendingWasi),
     env: env as WebAssembly.ModuleImports,
@@ -254,6 +259,10 @@ export async function runProgram(
   } catch (error) {
     end = explain(left ?? error, instance === undefined ? undefined : exports(), memory);
   }
+  if (end.kind === 'exit') {
+    gate.end();
+    exports().ros2wasm_files_rest?.();
+  }
   out.stdout.flush();
   out.stderr.flush();
   return end;
@@ -275,8 +284,14 @@ function runMain(exports: ProgramExports, memory: ProgramMemory, args: readonly 
   });
   memory.set(argv + 4 * texts.length, 0);
   const code = exports.main(texts.length, argv);
-  exports.exit?.(code);
+  farewell(exports);
   throw new ProgramExit(code);
+}
+
+/** As exit() of a C library does: what atexit() was told, then what was not flushed. */
+function farewell(exports: ProgramExports): void {
+  exports.__funcs_on_exit?.();
+  exports.__stdio_exit?.();
 }
 
 /** Thrown by emscripten_unwind_to_js_event_loop: the thread is done. */

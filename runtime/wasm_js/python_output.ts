@@ -1,5 +1,5 @@
-// The files that a Python program writes below its home: each is handed to the page when it is closed, as bags are. Whoever
-// opens and closes one for each line has it handed over now and then, and at the end.
+// The files that a Python program writes: what it closes, and what it puts in another's place, is handed to the page.
+import type { OutputGate } from './output_gate.ts';
 
 /** The part of Emscripten's file system that is used here. */
 export interface WatchedSystem {
@@ -13,52 +13,33 @@ export interface WatchedSystem {
   readonly stat: (path: string) => { readonly size: number };
 }
 
-/** A larger one stays where it is. */
-export const mostFileBytes = 2 ** 26;
-/** One is handed over as often. */
-const leastMs = 1000;
-
-export interface OutputPlace {
-  /** With "/" at the end. Names that begin with a dot are nobody's affair, below it too. */
-  readonly home: string;
-  readonly give: (path: string, bytes: Uint8Array<ArrayBuffer>) => void;
-  readonly now: () => number;
-  /** A file is too large. */
-  readonly refused: (path: string) => void;
-}
-
 /** `rest` hands over what is left, at the program's end. */
-export function watchOutput(system: WatchedSystem, { home, give, now, refused }: OutputPlace): { readonly rest: () => void } {
+export function watchOutput(
+  system: WatchedSystem, gate: OutputGate, give: (path: string, bytes: Uint8Array<ArrayBuffer>) => void,
+): { readonly rest: () => void } {
   const changed = new Set<string>();
-  const given = new Map<string, number>();
-  const told = new Set<string>();
-  // Bags are handed over by those that write them, wherever they lie.
-  const counts = (path: string): boolean => path.startsWith(home) && !path.includes('/.', home.length - 1) && !path.endsWith('.mcap');
-  const handOver = (path: string): void => {
-    changed.delete(path);
+  const offer = (path: string): void => {
     try {
-      if (system.stat(path).size > mostFileBytes) {
-        if (!told.has(path)) refused(path);
-        told.add(path);
-        return;
-      }
+      if (!gate.passes(path, system.stat(path).size)) return;
+      changed.delete(path);
       give(path, system.readFile(path).slice());
-      given.set(path, now());
     } catch {
       // It is gone, or a folder.
+      changed.delete(path);
     }
   };
   Object.assign(system.trackingDelegate, {
     onWriteToFile: (path: string): void => {
-      if (counts(path)) changed.add(path);
+      if (gate.counts(path)) changed.add(path);
     },
     onCloseFile: (path: string): void => {
-      if (changed.has(path) && now() - (given.get(path) ?? -Infinity) >= leastMs) handOver(path);
+      if (changed.has(path)) offer(path);
     },
-    // As one is put in place of another.
     onMovePath: (from: string, to: string): void => {
       changed.delete(from);
-      if (counts(to)) handOver(to);
+      if (!gate.counts(to)) return;
+      changed.add(to);
+      offer(to);
     },
     willDeletePath: (path: string): void => {
       changed.delete(path);
@@ -66,7 +47,8 @@ export function watchOutput(system: WatchedSystem, { home, give, now, refused }:
   } satisfies WatchedSystem['trackingDelegate']);
   return {
     rest: () => {
-      for (const path of [...changed]) handOver(path);
+      gate.end();
+      for (const path of [...changed]) offer(path);
     },
   };
 }

@@ -9,6 +9,7 @@ import type { RunLaunch } from './launch_python.ts';
 import { type FileSystem, lateFile } from './late_file.ts';
 import { LineWriter } from './line_writer.ts';
 import type { Link } from './link.ts';
+import { outputGate } from './output_gate.ts';
 import { type ProgramEnd, type ProgramHost, promiseIntegration } from './program.ts';
 import type { ProgramMemory } from './program_memory.ts';
 import type { PythonParts } from './python_files.ts';
@@ -293,12 +294,7 @@ export const runPython: RunPython = async (module, start, host, files, reports) 
     python.setStdout(writer('stdout'));
     python.setStderr(writer('stderr'));
     mountShare(python, host);
-    output = watchOutput(python['FS'] as unknown as WatchedSystem, {
-      home: `${host.environment['HOME'] ?? ''}/`,
-      give: host.give,
-      now: () => performance.now(),
-      refused: (path) => host.line('stderr', `${path} is too large to be handed to the page`),
-    });
+    output = watchOutput(python['FS'] as unknown as WatchedSystem, outputGate(host), host.give);
     const { run } = startModule(python);
     const args = python.toPy(host.arguments) as PyProxy;
     // A stop that came meanwhile: nothing of the user's has begun.

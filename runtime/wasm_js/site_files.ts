@@ -3,6 +3,7 @@
 
 import { ErrorCode } from '../protocol/generated/constants.ts';
 import type { HostFunction } from './host_imports.ts';
+import type { OutputGate } from './output_gate.ts';
 import type { ProgramMemory } from './program_memory.ts';
 import type { SiteDescription } from './session.ts';
 
@@ -43,7 +44,7 @@ export function siteEnvironment(site: SiteDescription): Readonly<Record<string, 
 
 export function fileImports(
   { prefix, place, files }: SiteFiles, readNow: ReadNow, memory: () => ProgramMemory,
-  give: (path: string, bytes: Uint8Array<ArrayBuffer>) => void,
+  give: (path: string, bytes: Uint8Array<ArrayBuffer>) => void, gate: OutputGate,
 ): Record<string, HostFunction> {
   let encoded: Uint8Array | undefined;
   return {
@@ -62,6 +63,12 @@ export function fileImports(
     },
     file_give: (path: number, length: number, data: number, size: number): void => {
       give(memory().text(path, length), memory().slice(data, size));
+    },
+    file_closed: (path: number, length: number, data: number, size: number): number => {
+      const name = memory().text(path, length);
+      if (!gate.passes(name, size >>> 0)) return 0;
+      give(name, memory().slice(data, size));
+      return 1;
     },
   };
 }

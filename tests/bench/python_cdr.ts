@@ -18,12 +18,13 @@ from builtin_interfaces.msg import Time
 from geometry_msgs.msg import Point, PointStamped
 from std_msgs.msg import Header
 import ros2wasm_host
+from ros2wasm.codec import PAYLOAD_AT
 message = PointStamped(header=Header(frame_id='map'), point=Point(x=1.0, y=2.0, z=3.0))
 codec = PointStamped._codec
 out = memoryview(bytearray(256))
-end = codec.write(message, out, 8)
+end = codec.write(message, out, PAYLOAD_AT)
 data = array('B', bytes(out))
-assert codec.read(data, 8) == (message, end)
+assert codec.read(data, PAYLOAD_AT) == (message, end)
 place = ros2wasm_host.address(data)
 by_javascript, write_by_javascript = ros2wasm_host.read, ros2wasm_host.write
 
@@ -51,14 +52,14 @@ def write():
     write_by_javascript(place, s._sec, s._nanosec, h._frame_id, p._x, p._y, p._z)
 
 write()
-assert codec.read(data, 8) == (message, end)
+assert codec.read(data, PAYLOAD_AT) == (message, end)
 
 def per_second(call, count=500):
     return round(count / min(timeit.repeat(call, number=count, repeat=200)))
 
 import json
-json.dumps({'in_per_second': per_second(lambda: codec.read(data, 8)), 'in_by_javascript_per_second': per_second(read_by_javascript),
-            'made_only_per_second': per_second(make), 'out_per_second': per_second(lambda: codec.write(message, out, 8)),
+json.dumps({'in_per_second': per_second(lambda: codec.read(data, PAYLOAD_AT)), 'in_by_javascript_per_second': per_second(read_by_javascript),
+            'made_only_per_second': per_second(make), 'out_per_second': per_second(lambda: codec.write(message, out, PAYLOAD_AT)),
             'out_by_javascript_per_second': per_second(write)})
 `;
 
@@ -79,8 +80,9 @@ export async function benchCdr(context: BenchContext, site: string): Promise<voi
   };
   const decoder = new TextDecoder();
   const encoder = new TextEncoder();
-  const base = 8;
-  const wide = (at: number): number => (at + 7) & -8;
+  // Behind the CDR header.
+  const base = 4;
+  const wide = (at: number): number => base + ((at - base + 7) & -8);
   const read = (at: number): object => {
     const from = view(at);
     const length = from.getUint32(base + 8, true);

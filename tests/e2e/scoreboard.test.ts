@@ -48,7 +48,8 @@ test('in Chromium: files of a package and of a program, standard input, and a la
   const { code, rows, output } = await board(['--chromium', '--only', 'file_checks', '--only', 'key_reader', '--only', 'countdown/launch']);
   assert.equal(code, 0, output);
   assert.deepEqual(rows.map((row) => `${row.package}/${row.executable}`),
-    ['countdown/launch/countdown.launch.xml', 'file_checks/own_files', 'file_checks/plain', 'file_checks/share', 'file_checks/threads_write', 'key_reader/keys']);
+    ['countdown/launch/countdown.launch.xml', 'file_checks/own_files', 'file_checks/plain', 'file_checks/share', 'file_checks/threads_write', 'file_checks/written',
+      'file_checks/written_in_a_thread', 'key_reader/keys']);
 });
 
 // Compatibility, works: fifteen packages written after ROS 2's documentation, five of C++ (from it alone) and ten of Python: topics

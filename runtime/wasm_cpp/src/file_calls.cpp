@@ -6,12 +6,14 @@
 #include <stdarg.h>
 #include <stdint.h>
 #include <string.h>
+#include <sys/ioctl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <mutex>
 #include <new>
+#include <utility>
 #include <vector>
 
 #include "file_tree.hpp"
@@ -158,6 +160,7 @@ long open_file(long folder, long path, long flags, uint32_t mode) {
     return -ENOTDIR;
   }
   if ((flags & O_TRUNC) != 0 && writes) {
+    file->written = file->written || file->size() > 0;
     file->in_site.clear();
     file->bytes.clear();
     file->changed_ns = ros2wasm::time_of_day_ns();
@@ -228,6 +231,13 @@ long remove_path(long folder, long path, bool is_folder) {
   return 0;
 }
 
+/// To whoever runs the site.
+void offer(const File& file) {
+  if (file->written) {
+    FileTree::offer(*file, FileTree::path_of(file));
+  }
+}
+
 long rename_path(long from_folder, long from, long to_folder, long to) {
   Files& all = files();
   const Lock lock(all.mutex);
@@ -239,7 +249,13 @@ long rename_path(long from_folder, long from, long to_folder, long to) {
   if (!place.folder || !old.folder) {
     return place.error != 0 ? -place.error : -EBUSY;
   }
-  return -all.tree.move(old, place);
+  const int error = all.tree.move(old, place);
+  if (error == 0 && old.file->kind == FileKind::kFile) {
+    // As one is put in place of another.
+    old.file->written = true;
+    offer(old.file);
+  }
+  return -error;
 }
 
 long access_path(long folder, long path) {
@@ -263,6 +279,7 @@ long resize(ros2wasm::FileNode& file, int64_t size) {
   } catch (const std::bad_alloc&) {
     return -ENOSPC;
   }
+  file.written = true;
   file.changed_ns = ros2wasm::time_of_day_ns();
   return 0;
 }
@@ -375,6 +392,24 @@ long __syscall_openat(long folder, long path, long flags, ...) {
   const uint32_t mode = (flags & O_CREAT) != 0 ? va_arg(rest, mode_t) : 0;
   va_end(rest);
   return within_memory([&] { return open_file(folder, path, flags, mode); });
+}
+/// The console is a terminal of the usual size, files are none. Weak: programs without threads have
+/// one of Emscripten's.
+__attribute__((weak)) long __syscall_ioctl(long fd, long request, ...) {
+  Files& all = files();
+  const Lock lock(all.mutex);
+  const File file = file_of(all, fd);
+  if (!file) {
+    return -EBADF;
+  }
+  if (file->kind != FileKind::kConsole || request != TIOCGWINSZ) {
+    return -ENOTTY;
+  }
+  va_list rest;
+  va_start(rest, request);
+  *va_arg(rest, winsize*) = {24, 80, 0, 0};
+  va_end(rest);
+  return 0;
 }
 long __syscall_stat64(long path, long out) {
   return describe_path(AT_FDCWD, path, out);
@@ -545,6 +580,7 @@ int ros2wasm_fd_write(int fd, const Vector* vectors, uint32_t count, uint32_t* o
     memcpy(file.bytes.data() + open->position, vectors[i].bytes, vectors[i].length);
     open->position += vectors[i].length;
   }
+  file.written = true;
   file.changed_ns = ros2wasm::time_of_day_ns();
   return kSuccess;
 }
@@ -578,8 +614,25 @@ int ros2wasm_fd_close(int fd) {
   if (open == nullptr) {
     return kBadFile;
   }
+  const File file = std::move(open->file);
   *open = {};
+  try {
+    offer(file);
+  } catch (const std::bad_alloc&) {
+    // There is no room for its path: it is offered again at the end.
+  }
   return kSuccess;
+}
+
+/// At the program's end.
+void ros2wasm_files_rest() {
+  Files& all = files();
+  const Lock lock(all.mutex);
+  try {
+    all.tree.offer_rest();
+  } catch (const std::bad_alloc&) {
+    // What is left has no room for its path.
+  }
 }
 
 int ros2wasm_fd_is_open(int fd) {

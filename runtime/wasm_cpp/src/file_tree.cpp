@@ -183,6 +183,7 @@ File FileTree::make(const Found& found, FileKind kind) {
 }
 
 void FileTree::remove(const Found& found) {
+  found.file->parent.reset();
   found.folder->children.erase(place_of(found.folder, found.name));
   found.folder->changed_ns = time_of_day_ns();
 }
@@ -237,6 +238,30 @@ int FileTree::load(FileNode& file) {
   file.bytes = std::move(bytes);
   file.in_site.clear();
   return 0;
+}
+
+void FileTree::offer(FileNode& file, const std::string& path) {
+  if (!file.written || file.parent.expired() || load(file) != 0) {
+    return;
+  }
+  if (ros2wasm_file_closed(path.data(), path.size(), file.bytes.data(), file.bytes.size()) != 0) {
+    file.written = false;
+  }
+}
+
+void FileTree::offer_rest() const {
+  offer_below(*root_, "");
+}
+
+void FileTree::offer_below(const FileNode& folder, const std::string& path) {
+  for (const File& file : folder.children) {
+    const std::string place = path + "/" + file->name;
+    if (file->is_folder()) {
+      offer_below(*file, place);
+    } else {
+      offer(*file, place);
+    }
+  }
 }
 
 std::string FileTree::path_of(const File& file) {

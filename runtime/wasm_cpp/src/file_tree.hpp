@@ -26,6 +26,7 @@ struct FileNode {
   uint32_t number = 0;     ///< st_ino
   int64_t changed_ns = 0;  ///< since 1970
   uint32_t mode = 0;       ///< who may do what: told to who asks, and kept to by nobody
+  bool written = false;    ///< since whoever runs the site got it
 
   [[nodiscard]] bool is_folder() const { return kind == FileKind::kFolder; }
   [[nodiscard]] size_t size() const { return in_site.empty() ? bytes.size() : size_in_site; }
@@ -57,11 +58,16 @@ class FileTree {
   /// Reads it from the site if that was not done yet. 0, or an errno.
   [[nodiscard]] static int load(FileNode& file);
   [[nodiscard]] static std::string path_of(const File& file);
+  /// Has whoever runs the site take a file that was closed, when it changed and stands somewhere.
+  static void offer(FileNode& file, const std::string& path);
+  /// Offers all that changed and was not taken yet.
+  void offer_rest() const;
 
   File here;                     ///< the working directory
   std::array<File, 3> consoles;  ///< what the descriptors 0 to 2 are of
 
  private:
+  static void offer_below(const FileNode& folder, const std::string& path);
   File add(const File& folder, std::string name, FileKind kind);
   File folder_at(std::string_view path);
   void add_site_files();

@@ -19,7 +19,7 @@ test('a call that is not there fails with ENOSYS and is told once, system() with
     exports: unused,
     startThread: unused,
     leave: unused,
-    threaded: false,
+    farewell: () => undefined, threaded: false,
     clock: new SiteClock(),
     random: unused,
     program: 'lab',

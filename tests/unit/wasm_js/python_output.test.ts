@@ -2,7 +2,8 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { mostFileBytes, type WatchedSystem, watchOutput } from '../../../runtime/wasm_js/python_output.ts';
+import { mostFileBytes, OutputGate } from '../../../runtime/wasm_js/output_gate.ts';
+import { type WatchedSystem, watchOutput } from '../../../runtime/wasm_js/python_output.ts';
 import { WrittenFiles } from '../../../runtime/wasm_js/written_files.ts';
 
 function world() {
@@ -19,10 +20,8 @@ function world() {
     stat: (path) => ({ size: size(path) }),
     readFile: (path) => new Uint8Array(size(path)),
   };
-  const { rest } = watchOutput(system, {
-    home: '/home/user/', now: () => time.ms,
-    give: (path, bytes) => said.push(`${path} ${bytes.length}`), refused: (path) => said.push(`${path} refused`),
-  });
+  const gate = new OutputGate({ home: '/home/user/', now: () => time.ms, refused: (path) => said.push(`${path} refused`) });
+  const { rest } = watchOutput(system, gate, (path, bytes) => said.push(`${path} ${bytes.length}`));
   const write = (path: string, bytes: number): void => {
     sizes.set(path, bytes);
     system.trackingDelegate.onWriteToFile?.(path);

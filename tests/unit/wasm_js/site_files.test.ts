@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import { ErrorCode } from '../../../runtime/protocol/generated/constants.ts';
+import { OutputGate } from '../../../runtime/wasm_js/output_gate.ts';
 import { ProgramMemory } from '../../../runtime/wasm_js/program_memory.ts';
 import { fileImports } from '../../../runtime/wasm_js/site_files.ts';
 import { placeOf, WrittenFiles } from '../../../runtime/wasm_js/written_files.ts';
@@ -16,13 +17,15 @@ function imports(asked: string[]) {
     return path.endsWith('a.txt') ? new Uint8Array([1, 2, 3]) : undefined;
   };
   const given: (readonly [string, Uint8Array])[] = [];
-  const { file_list: list, file_read: read, file_give: give } = fileImports(files, answer, () => memory, (...file) => given.push(file));
+  const gate = new OutputGate({ home: '/home/user/', now: () => 0, refused: () => undefined });
+  const { file_list: list, file_read: read, file_give: give, file_closed: closed } =
+    fileImports(files, answer, () => memory, (...file) => given.push(file), gate);
   const call = (path: string, size: number): number => {
     const bytes = memory.encode(path);
     memory.u8.set(bytes, 0);
     return (read as (...args: number[]) => number)(0, bytes.length, 1000, size);
   };
-  return { memory, given, give: give as (...args: number[]) => void, list: list as (buffer: number, capacity: number) => number, read: call };
+  return { memory, given, gate, closed: closed as (...args: number[]) => number, give: give as (...args: number[]) => void, list: list as (buffer: number, capacity: number) => number, read: call };
 }
 
 test('the list is written where it fits, else its size is told', () => {
@@ -54,6 +57,17 @@ test('a file that a program gives away is copied', () => {
   give(0, 14, 14, 3);
   memory.u8.fill(9, 0, 20);
   assert.deepEqual(given, [['/home/user/bag', new Uint8Array([1, 2, 3])]]);
+});
+
+test('a file that a program closes is taken now and then, and at the end', () => {
+  const { memory, given, gate, closed } = imports([]);
+  memory.u8.set([...memory.encode('/home/user/a.csv'), 1, 2, 3], 0);
+  assert.equal(closed(0, 16, 16, 2), 1);
+  assert.equal(closed(0, 16, 16, 3), 0);
+  assert.equal(closed(1, 15, 16, 3), 0);
+  gate.end();
+  assert.equal(closed(0, 16, 16, 3), 1);
+  assert.deepEqual(given, [['/home/user/a.csv', new Uint8Array([1, 2])], ['/home/user/a.csv', new Uint8Array([1, 2, 3])]]);
 });
 
 test('files that programs have written are kept until they are taken, and not without end', () => {

@@ -1,8 +1,9 @@
 // Files that a program writes: its own, for as long as it runs.
 
 // Compatibility, differs: files that a node writes -> live in its memory as long as it runs; no other node sees them, and
-// the share files of packages are as packed again at its next start; the page gets the bags that it closes. The mode of a
-// file is kept, and nobody asks for it
+// the share files of packages are as packed again at its next start; the page gets copies of those below the node's home
+// when they are closed (not more often than once a second, and at its end), and of bags. The mode of a file is kept, and
+// nobody asks for it
 
 #include <fcntl.h>
 #include <sys/stat.h>

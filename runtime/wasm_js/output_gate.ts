@@ -1,0 +1,64 @@
+// Which of the files that a program closes are handed to whoever runs the site, and when: those below its home, each now
+// and then, as some programs open and close one for each line, and at the end as it is then. Bags are no affair of this:
+// who writes one hands it over, wherever it lies.
+
+/** A larger one stays where it is. */
+export const mostFileBytes = 2 ** 26;
+/** One is handed over as often. */
+const leastMs = 1000;
+
+export interface OutputPlace {
+  /** With "/" at the end. Names that begin with a dot are nobody's affair, below it too. */
+  readonly home: string;
+  readonly now: () => number;
+  /** A file is too large; said once. */
+  readonly refused: (path: string) => void;
+}
+
+export class OutputGate {
+  private readonly place: OutputPlace;
+  private readonly given = new Map<string, number>();
+  private readonly told = new Set<string>();
+  private ends = false;
+
+  constructor(place: OutputPlace) {
+    this.place = place;
+  }
+
+  counts(path: string): boolean {
+    const { home } = this.place;
+    return path.startsWith(home) && !path.includes('/.', home.length - 1) && !path.endsWith('.mcap');
+  }
+
+  /** Whether one of that many bytes goes out now; what does not may be asked about again. */
+  passes(path: string, size: number): boolean {
+    if (!this.counts(path)) return false;
+    const { now, refused } = this.place;
+    if (size > mostFileBytes) {
+      if (!this.told.has(path)) refused(path);
+      this.told.add(path);
+      return false;
+    }
+    const time = now();
+    if (!this.ends && time - (this.given.get(path) ?? -Infinity) < leastMs) return false;
+    this.given.set(path, time);
+    return true;
+  }
+
+  /** The program is at its end: nothing waits any more. */
+  end(): void {
+    this.ends = true;
+  }
+}
+
+/** Of a program, by its environment and with its console. */
+export function outputGate({ environment, line }: {
+  readonly environment: Readonly<Record<string, string>>;
+  readonly line: (stream: 'stderr', text: string) => void;
+}): OutputGate {
+  return new OutputGate({
+    home: `${environment['HOME'] ?? ''}/`,
+    now: () => performance.now(),
+    refused: (path) => line('stderr', `${path} is too large to be handed to the page`),
+  });
+}

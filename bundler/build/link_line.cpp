@@ -124,7 +124,7 @@ std::vector<std::string> link_command(const LinkLine& line, LinkKind kind,
           command.end(),
           {"-pthread", "-sMAXIMUM_MEMORY=1GB", "-sWASM_BIGINT", "-Wno-pthreads-mem-growth",
            // Destructors of what is static, and what was not flushed: at the end, as natively.
-           "-sEXIT_RUNTIME=1",
+           "-sEXIT_RUNTIME=1", "-Wl,--export=fflush",
            // What the programs import from "ros2wasm" is not known to the glue writer.
            "-sERROR_ON_UNDEFINED_SYMBOLS=0", "-sWARN_ON_UNDEFINED_SYMBOLS=0", line.thread_support});
       break;

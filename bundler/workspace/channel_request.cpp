@@ -17,6 +17,8 @@ namespace {
 /// Parts of the C++ library that the site's compiler lacks. Every package may use them, and none
 /// names them.
 constexpr std::string_view kLibraryParts = "ros2wasm_std";
+/// What a C++ program has files, clocks and sleep from, whether it knows of ROS or not.
+constexpr std::string_view kCore = "ros2wasm_core";
 /// Brings Pyodide, and the kernel of notebooks.
 constexpr std::string_view kPythonClient = "rclpy";
 
@@ -215,10 +217,16 @@ Outcome<ChannelRequest> channel_request(const Manifest& manifest,
   for (const NodeEntry& node : manifest.nodes) want(node.package);
   for (const ProgramEntry& program : manifest.programs) want(program.package);
   append_notebook(manifest, notebook_modules, is_local, known, request.specs);
-  const std::string parts = conda_name(kLibraryParts, manifest.distro);
-  if (!packages.empty() && has(known.names, parts))
-    request.specs.push_back(
-        {.text = parts, .origin = "the toolchain of sites", .span = std::nullopt});
+  const auto want_for_builds = [&](std::string_view package) {
+    const std::string name = conda_name(package, manifest.distro);
+    if (has(known.names, name))
+      request.specs.push_back(
+          {.text = name, .origin = "the toolchain of sites", .span = std::nullopt});
+  };
+  if (!packages.empty()) want_for_builds(kLibraryParts);
+  if (std::any_of(packages.begin(), packages.end(),
+                  [](const LocalPackage& one) { return one.xml.build_type != kPythonBuildType; }))
+    want_for_builds(kCore);
   if (!compiler_version.empty() && has(known.names, kCompilerPackage)) {
     request.specs.push_back({.text = std::string(kCompilerPackage) + " " + compiler_version + ".*",
                              .origin = "Emscripten " + compiler_version + " of this machine",

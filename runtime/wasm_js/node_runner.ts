@@ -57,8 +57,12 @@ interface Run {
   readonly threads: Set<WorkerHandle>;
   readonly start: WorkerStart;
   readonly startedAt: number;
+  /** When each of its files was written that has come. */
+  readonly written: Map<string, number>;
   /** Of a program with threads, once it is loaded. */
   memory: ThreadMemory | undefined;
+  /** One of its workers has said how it ended: what others say of that later is of no account. */
+  ended: boolean;
   over: boolean;
 }
 
@@ -154,7 +158,7 @@ export class NodeRunner extends ProcessRunner<ProgramNode> {
         traced: this.host.sent !== undefined,
       };
       this.used.clear();
-      this.run = { participant, main, threads: new Set(), start, startedAt, memory: undefined, over: false };
+      this.run = { participant, main, threads: new Set(), start, startedAt, written: new Map(), memory: undefined, ended: false, over: false };
       main.post({ t: 'start', start }, transfer);
     } catch (error) {
       if (this.attempt !== attempt) return;
@@ -232,6 +236,10 @@ export class NodeRunner extends ProcessRunner<ProgramNode> {
         this.host.event?.(report.event);
         return;
       case 'file':
+        this.host.broker.consoleSeen(participant);
+        // Of a file that several threads have closed the newest counts, whosever report comes last.
+        if (report.at < (run?.written.get(report.path) ?? 0)) return;
+        run?.written.set(report.path, report.at);
         this.host.wrote(this.node, report.path, report.bytes);
         return;
       case 'thread': {
@@ -246,7 +254,8 @@ export class NodeRunner extends ProcessRunner<ProgramNode> {
         if (report.end.kind === 'thread') {
           run?.threads.delete(handle);
           void handle.terminate();
-        } else {
+        } else if (run?.ended !== true) {
+          if (run !== undefined) run.ended = true;
           void this.onEnd(report.end, report.closed);
         }
         return;

@@ -2,6 +2,7 @@
 
 import { TerminalMode } from '../protocol/generated/constants.ts';
 import type { WorkerFile } from './carried_files.ts';
+import { realNanoseconds } from './clock.ts';
 import { ConsoleSender, type SentLine } from './console_sender.ts';
 import type { ThreadRequest } from './env_imports.ts';
 import type { Link } from './link.ts';
@@ -43,8 +44,8 @@ export type WorkerReport =
   /** What the program makes of its standard input. */
   | { readonly t: 'terminal'; readonly mode: TerminalMode }
   | { readonly t: 'lines'; readonly lines: readonly SentLine[]; readonly dropped: number }
-  /** The program has written a file and closed it. */
-  | { readonly t: 'file'; readonly path: string; readonly bytes: Uint8Array<ArrayBuffer> }
+  /** The program has written a file and closed it. `at`: when, by the time that all workers share, in ns. */
+  | { readonly t: 'file'; readonly path: string; readonly bytes: Uint8Array<ArrayBuffer>; readonly at: number }
   /** What the kernel of a notebook says, as JSON. */
   | { readonly t: 'event'; readonly event: string }
   | { readonly t: 'thread'; readonly request: ThreadRequest; readonly memory: WebAssembly.Memory }
@@ -162,7 +163,10 @@ export function serveWorker(
         post({ t: 'event', event });
         return link.consoleCredit.ahead();
       },
-      give: (path, bytes) => post({ t: 'file', path, bytes }),
+      give: (path, bytes) => {
+        link.consoleCredit.posted();
+        post({ t: 'file', path, bytes, at: realNanoseconds() });
+      },
       sent: start.traced ? (message) => post({ t: 'sent', message }) : undefined,
       loaded: (memory) => post({ t: 'memory', memory }),
       stepped: start.stepped !== undefined,

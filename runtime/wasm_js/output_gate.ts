@@ -30,19 +30,19 @@ export class OutputGate {
     return path.startsWith(home) && !path.includes('/.', home.length - 1) && !path.endsWith('.mcap');
   }
 
-  /** Whether one of that many bytes goes out now; what does not may be asked about again. */
-  passes(path: string, size: number): boolean {
-    if (!this.counts(path)) return false;
+  /** Whether one of that many bytes goes out now; later: it is to be asked about again. */
+  passes(path: string, size: number): 'now' | 'later' | 'never' {
+    if (!this.counts(path)) return 'never';
     const { now, refused } = this.place;
     if (size > mostFileBytes) {
       if (!this.told.has(path)) refused(path);
       this.told.add(path);
-      return false;
+      return 'never';
     }
     const time = now();
-    if (!this.ends && time - (this.given.get(path) ?? -Infinity) < leastMs) return false;
+    if (!this.ends && time - (this.given.get(path) ?? -Infinity) < leastMs) return 'later';
     this.given.set(path, time);
-    return true;
+    return 'now';
   }
 
   /** The program is at its end: nothing waits any more. */

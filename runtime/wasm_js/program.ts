@@ -70,11 +70,11 @@ interface ProgramExports extends FileExports {
   readonly emscripten_tls_init?: () => void;
   readonly pthread_self?: () => number;
   readonly ros2wasm_timed_waits?: () => number;
-  readonly ros2wasm_files_rest?: () => void;
+  readonly ros2wasm_files_rest?: (waits: number) => void;
   readonly ros2wasm_thread_stack?: (thread: number, out: number) => number;
   readonly ros2wasm_exception_what?: (exception: number, out: number, capacity: number) => number;
   readonly __funcs_on_exit?: () => void;
-  readonly __stdio_exit?: () => void;
+  readonly fflush?: (file: number) => number;
 }
 
 export type Exports = ProgramExports;
@@ -259,9 +259,13 @@ export async function runProgram(
   } catch (error) {
     end = explain(left ?? error, instance === undefined ? undefined : exports(), memory);
   }
-  if (end.kind === 'exit') {
+  if (end.kind !== 'thread') {
     gate.end();
-    exports().ros2wasm_files_rest?.();
+    try {
+      instance === undefined || exports().ros2wasm_files_rest?.(end.kind === 'exit' ? 1 : 0);
+    } catch {
+      // There is no memory for a copy, or the program has left its own in disorder.
+    }
   }
   out.stdout.flush();
   out.stderr.flush();
@@ -288,10 +292,13 @@ function runMain(exports: ProgramExports, memory: ProgramMemory, args: readonly 
   throw new ProgramExit(code);
 }
 
-/** As exit() of a C library does: what atexit() was told, then what was not flushed. */
+/**
+ * As exit() of a C library does: what atexit() was told, then what was not flushed. Not by musl's __stdio_exit, which
+ * waits for whoever reads standard input.
+ */
 function farewell(exports: ProgramExports): void {
   exports.__funcs_on_exit?.();
-  exports.__stdio_exit?.();
+  exports.fflush?.(0);
 }
 
 /** Thrown by emscripten_unwind_to_js_event_loop: the thread is done. */

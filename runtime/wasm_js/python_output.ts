@@ -20,9 +20,10 @@ export function watchOutput(
   const changed = new Set<string>();
   const offer = (path: string): void => {
     try {
-      if (!gate.passes(path, system.stat(path).size)) return;
+      const passes = gate.passes(path, system.stat(path).size);
+      if (passes === 'later') return;
       changed.delete(path);
-      give(path, system.readFile(path).slice());
+      if (passes === 'now') give(path, system.readFile(path).slice());
     } catch {
       // It is gone, or a folder.
       changed.delete(path);

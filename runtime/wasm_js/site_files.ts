@@ -66,8 +66,9 @@ export function fileImports(
     },
     file_closed: (path: number, length: number, data: number, size: number): number => {
       const name = memory().text(path, length);
-      if (!gate.passes(name, size >>> 0)) return 0;
-      give(name, memory().slice(data, size));
+      const passes = gate.passes(name, size >>> 0);
+      if (passes === 'later') return 0;
+      if (passes === 'now') give(name, memory().slice(data, size));
       return 1;
     },
   };

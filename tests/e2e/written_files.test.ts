@@ -41,7 +41,7 @@ after(async () => {
 async function runWithBags(site: string, link: string): Promise<{ readonly out: string; readonly files: Readonly<Record<string, string>> }> {
   const kept = mkdtempSync(join(tmpdir(), 'ros2wasm-output-'));
   try {
-    const child = spawn(process.execPath, [headless, site, '--link', link, '--bags', kept], { stdio: ['ignore', 'pipe', 'inherit'] });
+    const child = spawn(process.execPath, [headless, site, '--link', link, '--bags', kept], { stdio: ['pipe', 'pipe', 'inherit'] });
     let out = '';
     child.stdout.on('data', (bytes: Buffer) => { out += bytes.toString(); });
     await new Promise((resolve) => child.on('close', resolve));

@@ -231,13 +231,6 @@ long remove_path(long folder, long path, bool is_folder) {
   return 0;
 }
 
-/// To whoever runs the site.
-void offer(const File& file) {
-  if (file->written) {
-    FileTree::offer(*file, FileTree::path_of(file));
-  }
-}
-
 long rename_path(long from_folder, long from, long to_folder, long to) {
   Files& all = files();
   const Lock lock(all.mutex);
@@ -250,10 +243,8 @@ long rename_path(long from_folder, long from, long to_folder, long to) {
     return place.error != 0 ? -place.error : -EBUSY;
   }
   const int error = all.tree.move(old, place);
-  if (error == 0 && old.file->kind == FileKind::kFile) {
-    // As one is put in place of another.
-    old.file->written = true;
-    offer(old.file);
+  if (error == 0) {
+    FileTree::offer_moved(old.file);
   }
   return -error;
 }
@@ -617,17 +608,25 @@ int ros2wasm_fd_close(int fd) {
   const File file = std::move(open->file);
   *open = {};
   try {
-    offer(file);
+    if (file->written) {
+      FileTree::offer(*file, FileTree::path_of(file));
+    }
   } catch (const std::bad_alloc&) {
     // There is no room for its path: it is offered again at the end.
   }
   return kSuccess;
 }
 
-/// At the program's end.
-void ros2wasm_files_rest() {
+/// At the program's end. Who does not wait may have a thread that ended with the files in its
+/// hands.
+void ros2wasm_files_rest(int waits) {
   Files& all = files();
-  const Lock lock(all.mutex);
+  std::unique_lock<std::mutex> lock(all.mutex, std::defer_lock);
+  if (waits != 0) {
+    lock.lock();
+  } else if (!lock.try_lock()) {
+    return;
+  }
   try {
     all.tree.offer_rest();
   } catch (const std::bad_alloc&) {

@@ -183,7 +183,9 @@ File FileTree::make(const Found& found, FileKind kind) {
 }
 
 void FileTree::remove(const Found& found) {
-  found.file->parent.reset();
+  if (!found.file->is_folder()) {
+    found.file->parent.reset();
+  }
   found.folder->children.erase(place_of(found.folder, found.name));
   found.folder->changed_ns = time_of_day_ns();
 }
@@ -250,17 +252,20 @@ void FileTree::offer(FileNode& file, const std::string& path) {
 }
 
 void FileTree::offer_rest() const {
-  offer_below(*root_, "");
+  offer_below(*root_, "", false);
 }
 
-void FileTree::offer_below(const FileNode& folder, const std::string& path) {
-  for (const File& file : folder.children) {
-    const std::string place = path + "/" + file->name;
-    if (file->is_folder()) {
-      offer_below(*file, place);
-    } else {
-      offer(*file, place);
-    }
+void FileTree::offer_moved(const File& file) {
+  offer_below(*file, path_of(file), true);
+}
+
+void FileTree::offer_below(FileNode& file, const std::string& path, bool moved) {
+  if (file.kind == FileKind::kFile) {
+    file.written = file.written || moved;
+    offer(file, path);
+  }
+  for (const File& one : file.children) {
+    offer_below(*one, path + "/" + one->name, moved);
   }
 }
 

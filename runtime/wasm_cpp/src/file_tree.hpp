@@ -60,6 +60,8 @@ class FileTree {
   [[nodiscard]] static std::string path_of(const File& file);
   /// Has whoever runs the site take a file that was closed, when it changed and stands somewhere.
   static void offer(FileNode& file, const std::string& path);
+  /// Offers what stands at another place now, a file or all that is in a folder.
+  static void offer_moved(const File& file);
   /// Offers all that changed and was not taken yet.
   void offer_rest() const;
 
@@ -67,7 +69,7 @@ class FileTree {
   std::array<File, 3> consoles;  ///< what the descriptors 0 to 2 are of
 
  private:
-  static void offer_below(const FileNode& folder, const std::string& path);
+  static void offer_below(FileNode& file, const std::string& path, bool moved);
   File add(const File& folder, std::string name, FileKind kind);
   File folder_at(std::string_view path);
   void add_site_files();

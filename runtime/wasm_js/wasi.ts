@@ -1,5 +1,5 @@
 // The part of WASI that a node program needs: arguments, environment, clocks, random, console, standard input, exit.
-// Descriptors beyond 2 are files, which the program keeps itself (wasm_cpp/src/file_calls.cpp).
+// Descriptors beyond 2 are files, which the program keeps itself (wasm_cpp/src/fd_calls.cpp).
 
 import { WaitResult } from '../protocol/generated/constants.ts';
 import { putNanoseconds, type SiteClock } from './clock.ts';

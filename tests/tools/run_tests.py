@@ -169,8 +169,8 @@ def with_report(suite: Suite, command: list[str], report: Path) -> list[str]:
         return [
             *command[:2], "--test-reporter=junit", f"--test-reporter-destination={report}",
             "--test-reporter=spec", "--test-reporter-destination=stdout",
-            # A watchdog for tests that have none, and for files in which one left a server open: --test-force-exit would
-            # end them at once, now and then before their last results are told.
+            # A watchdog for tests that have none, and for files in which one left a server open: --test-force-exit
+            # would end them at once, now and then before their last results are told.
             "--test-timeout=600000", *command[2:],
         ]
     return command

@@ -104,22 +104,24 @@ def create_node(
 def spin_once(node: Any, *, executor: Executor | None = None, timeout_sec: float | None = None) -> None:
     """Call back once, or return when the time is over."""
     executor = get_global_executor() if executor is None else executor
+    added = executor.add_node(node)
     try:
-        executor.add_node(node)
         executor.spin_once(timeout_sec=timeout_sec)
     finally:
-        executor.remove_node(node)
+        if added:
+            executor.remove_node(node)
 
 
 def spin(node: Any, executor: Executor | None = None) -> None:
     """Call back until the end."""
     executor = get_global_executor() if executor is None else executor
+    added = executor.add_node(node)
     try:
-        executor.add_node(node)
         while executor.context.ok():
             executor.spin_once()
     finally:
-        executor.remove_node(node)
+        if added:
+            executor.remove_node(node)
 
 
 def spin_until_future_complete(
@@ -127,8 +129,9 @@ def spin_until_future_complete(
 ) -> None:
     """Call back until the future is done or the time is over."""
     executor = get_global_executor() if executor is None else executor
+    added = executor.add_node(node)
     try:
-        executor.add_node(node)
         executor.spin_until_future_complete(future, timeout_sec)
     finally:
-        executor.remove_node(node)
+        if added:
+            executor.remove_node(node)

@@ -107,6 +107,7 @@ class Executor:
         #: Tasks that are not done, with entity and node.
         self._tasks: list[tuple[Task, Any, Any]] = []
         self._is_shutdown = False
+        self._is_spinning = False
         self._queue: deque[tuple[Any, Any]] = deque()
         self._seen = -1
         self._readers: dict[int, tuple[Any, Any]] = {}
@@ -426,31 +427,71 @@ class Executor:
 
     # ---- spinning
 
+    def _wake_for(self, _: Future) -> None:
+        self.wake()
+
+    def _enter_spin(self) -> None:
+        """One stack spins at a time; a callback that spins the executor that called it would wait for itself."""
+        if self._is_spinning:
+            raise RuntimeError('Executor is already spinning')
+        self._is_spinning = True
+
+    def _exit_spin(self) -> None:
+        self._is_spinning = False
+
     def spin(self) -> None:
         """Call back until the end."""
-        while self._context.ok() and not self._is_shutdown:
-            self.spin_once()
+        if type(self).spin_once is not Executor.spin_once:
+            # An executor of the user's own, with turns of its own.
+            while self._context.ok() and not self._is_shutdown:
+                self.spin_once()
+            return
+        self._enter_spin()
+        try:
+            while self._context.ok() and not self._is_shutdown:
+                call_afresh(self._spin_once_impl)
+        finally:
+            self._exit_spin()
 
     def spin_until_future_complete(self, future: Future, timeout_sec: float | None = None) -> None:
         """Call back until the future is done or the time is over."""
-        future.add_done_callback(lambda _: self.wake())
+        if self._wake_for not in future._callbacks:
+            future.add_done_callback(self._wake_for)
         end = None if timeout_sec is None or timeout_sec < 0 else time.monotonic() + timeout_sec
-        while self._context.ok() and not future.done() and not self._is_shutdown:
-            left = None if end is None else end - time.monotonic()
-            if left is not None and left < 0:
-                return
-            self.spin_once_until_future_complete(future, left)
+        own = type(self).spin_once_until_future_complete is not Executor.spin_once_until_future_complete
+        if not own:
+            self._enter_spin()
+        try:
+            while self._context.ok() and not future.done() and not self._is_shutdown:
+                left = None if end is None else end - time.monotonic()
+                if left is not None and left < 0:
+                    return
+                if own:
+                    self.spin_once_until_future_complete(future, left)
+                else:
+                    call_afresh(self._spin_once_impl, left, future.done)
+        finally:
+            if not own:
+                self._exit_spin()
 
     def spin_once(self, timeout_sec: float | None = None) -> None:
         """Call back once."""
-        call_afresh(self._spin_once_impl, timeout_sec)
+        self._enter_spin()
+        try:
+            call_afresh(self._spin_once_impl, timeout_sec)
+        finally:
+            self._exit_spin()
 
     def spin_once_until_future_complete(
         self, future: Future, timeout_sec: float | TimeoutObject | None = None
     ) -> None:
         """Call back once, unless the future is done before."""
         seconds = timeout_sec.timeout if isinstance(timeout_sec, TimeoutObject) else timeout_sec
-        call_afresh(self._spin_once_impl, seconds, future.done)
+        self._enter_spin()
+        try:
+            call_afresh(self._spin_once_impl, seconds, future.done)
+        finally:
+            self._exit_spin()
 
     def _spin_once_impl(
         self, timeout_sec: float | None = None, condition: Callable[[], bool] = lambda: False

@@ -258,7 +258,7 @@ class Kernel:
         while True:
             for node in list(self.nodes):
                 for _ in range(MOST_CALLBACKS):
-                    if is_spun(node) or not node.context.ok():
+                    if is_spun(node) or not node.context.ok() or rclpy.get_global_executor()._is_spinning:
                         break
                     rclpy.spin_once(node, timeout_sec=0)
                     if not host.ready():

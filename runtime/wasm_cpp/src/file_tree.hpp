@@ -1,6 +1,6 @@
 // The files of one program: those of the site below /opt/ros/DISTRO, read when they are first
 // opened, and those that the program writes, which live as long as it runs. Not for several threads
-// at once: file_calls.cpp holds the lock.
+// at once: who calls holds the lock (open_files.hpp).
 #pragma once
 
 #include <array>

@@ -102,6 +102,55 @@ class ExecutorTest(unittest.TestCase):
         executor.spin_once(timeout_sec=0)
         self.assertEqual(depths, [0, 1, 2])
 
+    def test_who_spins_an_executor_that_spins_is_told(self) -> None:
+        # Compatibility, works: `RuntimeError: Executor is already spinning`, as since rclpy 7.1.9
+        said: list[str] = []
+        future = self.rclpy.task.Future(executor=self.executor)
+
+        def nested() -> None:
+            for spin in (self.executor.spin, self.executor.spin_once, lambda: self.spin(future)):
+                with self.assertRaisesRegex(RuntimeError, '^Executor is already spinning$'):
+                    spin()
+            other = self.rclpy.executors.SingleThreadedExecutor(context=self.executor.context)
+            other.create_task(said.append, 'in another')
+            other.spin_once(timeout_sec=0)
+            raise ValueError('nested')
+        self.executor.create_task(nested)
+        with self.assertRaisesRegex(ValueError, 'nested'):
+            self.executor.spin_once(timeout_sec=0)
+        self.assertEqual(said, ['in another'])
+        # Whatever came of it, it can be spun again.
+        self.executor.create_task(future.set_result, 1)
+        self.assertTrue(self.spin(future))
+
+    def test_an_executor_of_the_users_own_has_its_own_turns(self) -> None:
+        turns: list[str] = []
+
+        class Own(self.rclpy.executors.Executor):  # type: ignore[name-defined, misc]
+            def spin_once(self, timeout_sec: float | None = None) -> None:
+                turns.append('turn')
+                super().spin_once(0)
+                if len(turns) == 3:
+                    self.shutdown()
+        Own(context=self.executor.context).spin()
+        self.assertEqual(turns, ['turn'] * 3)
+
+    def test_a_future_that_is_waited_for_again_and_again_knows_it_once(self) -> None:
+        future = self.rclpy.task.Future(executor=self.executor)
+        for _ in range(3):
+            self.executor.spin_until_future_complete(future, 0)
+        self.assertEqual(len(future._callbacks), 1)
+
+    def test_the_executor_of_events_calls_back(self) -> None:
+        from_package = importlib.import_module('rclpy.experimental').EventsExecutor
+        module = importlib.import_module('rclpy.experimental.events_executor')
+        executor = module.EventsExecutor(context=self.executor.context)
+        self.assertIsInstance(executor, from_package)
+        said: list[int] = []
+        executor.create_task(said.append, 1)
+        executor.spin_once(timeout_sec=0)
+        self.assertEqual(said, [1])
+
     def test_a_sleep_lasts_to_its_end_whatever_wakes_it(self) -> None:
         start = importlib.import_module('ros2wasm.start')
         now, slept = [0], list[int]()

@@ -102,7 +102,8 @@ int32_t ros2wasm_file_read(const char* path, uint32_t path_len, void* buffer, ui
 /** A file that the program has written, whole: whoever runs the site may keep it. */
 ROS2WASM_IMPORT("file_give")
 void ros2wasm_file_give(const char* path, uint32_t path_len, const void* data, uint32_t size);
-/** The same, of any that it has closed or put in another's place. 0: not now; it may be offered again. */
+/** The same, of any that it has closed or put in another's place. 0: not now; it may be offered
+ * again. */
 ROS2WASM_IMPORT("file_closed")
 int32_t ros2wasm_file_closed(const char* path, uint32_t path_len, const void* data, uint32_t size);
 

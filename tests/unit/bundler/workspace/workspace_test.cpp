@@ -189,10 +189,10 @@ TEST(ChannelRequest, HasPackagesNodesAndTheCompiler) {
   ASSERT_TRUE(request);
   std::vector<std::string> texts;
   for (const RequestedSpec& spec : request->specs) texts.push_back(spec.text);
-  EXPECT_EQ(texts, (std::vector<std::string>{"emscripten-abi 3.1.6.*", "ros-jazzy-demo-nodes",
-                                             "ros-jazzy-nav-msgs >=5", "ros-jazzy-ros2wasm-core",
-                                             "ros-jazzy-ros2wasm-std", "ros-jazzy-std-msgs",
-                                             "zlib"}));
+  EXPECT_EQ(texts,
+            (std::vector<std::string>{"emscripten-abi 3.1.6.*", "ros-jazzy-demo-nodes",
+                                      "ros-jazzy-nav-msgs >=5", "ros-jazzy-ros2wasm-core",
+                                      "ros-jazzy-ros2wasm-std", "ros-jazzy-std-msgs", "zlib"}));
   ASSERT_EQ(request->warnings.size(), 1U);
   EXPECT_EQ(request->warnings[0].severity, Severity::kWarning);
 }

@@ -90,6 +90,14 @@ test('example 06: all cells run on the graph of the site', async () => {
     await notebook.getByRole('button', { name: 'Interrupt' }).click();
     await cellOf(page, 12).locator('.outputs').getByText('KeyboardInterrupt').waitFor();
 
+    // Text with math is what it is in outputs too.
+    await rewrite(page, 12, 'from IPython.display import Latex, Markdown, display\n'
+      + 'display(Markdown(r"a **bold** $\\frac{1}{T}$"), Latex(r"$$\\sqrt{2}$$"))');
+    await page.keyboard.press('Control+Enter');
+    await cellOf(page, 12).locator('.outputs math msqrt').waitFor();
+    assert.equal(await cellOf(page, 12).locator('.outputs math mfrac').count(), 1);
+    assert.equal(await cellOf(page, 12).locator('.outputs strong').innerText(), 'bold');
+
     // Hostile outputs do nothing but stand there.
     await rewrite(page, 12, hostile);
     await page.keyboard.press('Control+Enter');

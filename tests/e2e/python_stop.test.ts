@@ -1,9 +1,9 @@
 // A stop ends a Python node wherever it waits, long before it would be killed, and it can be started again: on both links,
 // in Node.js and in Chromium.
 
-// Compatibility, works: a stop of a Python node in `rclpy.spin`, `time.sleep`, `input`, `Rate.sleep`, `Client.call`,
-// `asyncio.run`, a publish that waits for a slow reader, `Event.wait`, `Thread.join`, `Queue.get`, or
-// while it computes on the shared link
+// Compatibility, works: a stop of a Python node in `rclpy.spin`, `spin_until_future_complete`, `wait_for_message`, `time.sleep`,
+// `input`, `Rate.sleep`, `Client.call`, `wait_for_service`, `asyncio.run`, a publish that waits for a slow reader, `Event.wait`,
+// `Thread.join`, `Queue.get`, or while it computes on the shared link
 
 // Compatibility, differs: a Python node that computes without end, in a page without shared memory -> a stop is not heard:
 // it is killed after five seconds
@@ -28,7 +28,7 @@ const killed = 137;
 const blockedMs = 1000;
 
 /** Ways to wait of tests/packages/chatter_py/scripts/waits; the first is whom `publish` waits for. */
-const ways = ['deaf', 'spin', 'sleep', 'ask', 'rate', 'call', 'loop', 'publish', 'event', 'join', 'get', 'compute'];
+const ways = ['deaf', 'spin', 'sleep', 'ask', 'rate', 'call', 'loop', 'publish', 'event', 'join', 'get', 'service', 'future', 'message', 'compute'];
 const idOf = (way: string): string => `${way}-${ways.indexOf(way) + 1}`;
 const waiting = /^waits for ever$/;
 

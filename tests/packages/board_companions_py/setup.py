@@ -10,7 +10,6 @@ setup(
         ('share/ament_index/resource_index/packages', ['resource/board_companions_py']),
     ],
     entry_points={'console_scripts': [
-        'blackboard = board_companions_py.blackboard:main', 'manage = board_companions_py.manage:main',
-        'pictures = board_companions_py.pictures:main',
+        'manage = board_companions_py.manage:main', 'pictures = board_companions_py.pictures:main',
     ]},
 )

@@ -3,8 +3,10 @@ from __future__ import annotations
 
 import importlib
 import math
+import sys
 import threading
 import unittest
+import unittest.mock
 from functools import partial
 from typing import Any
 
@@ -34,6 +36,17 @@ class IdiomsTest(BusTest):
                 found = getattr(found, part)
         importlib.import_module('rclpy.action.server').ServerGoalHandle
         importlib.import_module('rclpy.action.client').ClientGoalHandle
+
+    def test_utilities(self) -> None:
+        utilities = importlib.import_module('rclpy.utilities')
+        self.assertEqual(
+            utilities.remove_ros_args(['prog', '--name', 'x', '--ros-args', '-r', '__node:=n', '-p', 'a:=1', '--', '--last']),
+            ['prog', '--name', 'x', '--last'])
+        self.assertEqual(utilities.remove_ros_args(['prog', '--ros-args', '--log-level', 'debug']), ['prog'])
+        self.assertEqual(utilities.remove_ros_args([]), [])
+        with unittest.mock.patch.object(sys, 'argv', ['prog', '--ros-args', '-p', 'a:=1', '--', 'more']):
+            self.assertEqual(utilities.remove_ros_args(), ['prog', 'more'])
+        self.assertEqual([utilities.timeout_sec_to_nsec(one) for one in (None, -1, 0, 0.5)], [-1, -1, 0, 500_000_000])
 
     def test_parameters(self) -> None:
         rclpy, own = self.rclpy, self.own

@@ -25,6 +25,18 @@ class MessagesTest(unittest.TestCase):
     def decode(self, cls: Any, data: bytes) -> Any:
         return cls._codec.read(array('B', bytes(PAYLOAD_AT) + data), PAYLOAD_AT)[0]
 
+    # Compatibility, differs: arrays of fixed length (`covariance`) of a node whose site has no numpy -> `array.array`; where
+    # a node imports numpy they are numpy's, as natively
+    def test_fixed_arrays_without_numpy_are_arrays(self) -> None:
+        find = self.types.find_message
+        with mock.patch.object(importlib.import_module('ros2wasm.codec'), 'find_numpy', lambda: None), \
+                mock.patch.object(importlib.import_module('ros2wasm.message_class'), 'find_numpy', lambda: None):
+            message = find('geometry_msgs/msg/AccelWithCovariance')()
+            message.covariance[35] = 2.5
+            self.assertIsInstance(message.covariance, array)
+            back = self.decode(type(message), self.encode(message))
+            self.assertEqual((type(back.covariance), list(back.covariance)), (array, [0.0] * 35 + [2.5]))
+
     def test_a_message_is_as_upstreams(self) -> None:
         message = self.types.find_message('std_msgs/msg/String')
         self.assertEqual(message.get_fields_and_field_types(), {'data': 'string'})

@@ -1,6 +1,9 @@
 // Nodes that cannot start: no place on the bus, a worker whose script breaks, an engine that cannot suspend; and one
 // that is slow to start.
 
+// Compatibility, cannot: nodes, of Python too, in a browser that suspends no programs (no JSPI), on a page without shared memory -> each
+// says so (R2W0705); on a page with shared memory it runs there
+
 import assert from 'node:assert/strict';
 import { rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';

@@ -39,9 +39,8 @@ class IdiomsTest(BusTest):
 
     def test_utilities(self) -> None:
         utilities = importlib.import_module('rclpy.utilities')
-        self.assertEqual(
-            utilities.remove_ros_args(['prog', '--name', 'x', '--ros-args', '-r', '__node:=n', '-p', 'a:=1', '--', '--last']),
-            ['prog', '--name', 'x', '--last'])
+        args = ['prog', '--name', 'x', '--ros-args', '-r', '__node:=n', '-p', 'a:=1', '--', '--last']
+        self.assertEqual(utilities.remove_ros_args(args), ['prog', '--name', 'x', '--last'])
         self.assertEqual(utilities.remove_ros_args(['prog', '--ros-args', '--log-level', 'debug']), ['prog'])
         self.assertEqual(utilities.remove_ros_args([]), [])
         with unittest.mock.patch.object(sys, 'argv', ['prog', '--ros-args', '-p', 'a:=1', '--', 'more']):

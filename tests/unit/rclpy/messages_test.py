@@ -25,8 +25,8 @@ class MessagesTest(unittest.TestCase):
     def decode(self, cls: Any, data: bytes) -> Any:
         return cls._codec.read(array('B', bytes(PAYLOAD_AT) + data), PAYLOAD_AT)[0]
 
-    # Compatibility, differs: arrays of fixed length (`covariance`) of a node whose site has no numpy -> `array.array`; where
-    # a node imports numpy they are numpy's, as natively
+    # Compatibility, differs: arrays of fixed length (`covariance`) of a node whose site has no numpy -> `array.array`;
+    # where a node imports numpy they are numpy's, as natively
     def test_fixed_arrays_without_numpy_are_arrays(self) -> None:
         find = self.types.find_message
         with mock.patch.object(importlib.import_module('ros2wasm.codec'), 'find_numpy', lambda: None), \

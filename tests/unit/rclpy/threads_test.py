@@ -12,8 +12,9 @@ from typing import Any
 
 from tests.unit.rclpy.fake_bus import BusTest
 
-# Compatibility, differs: threads of a Python node -> one runs at a time: who waits lets the next go on, who computes is
-# interrupted after 5 ms, between two bytecodes; they gain no time. A publish that waits for a slow reader keeps all waiting
+# Compatibility, differs: threads of a Python node -> one runs at a time: who waits lets the next go on, who computes
+# is interrupted after 5 ms, between two bytecodes; they gain no time. A publish that waits for a slow reader keeps all
+# waiting
 
 #: Looks of a thread that computes, after which somebody should have ended it.
 MANY = 1000

@@ -38,6 +38,7 @@ const sides: Readonly<Record<string, readonly [Start, Start]>> = {
   TypeScript: [start, start],
   'Python to TypeScript': [startPython, start],
   'TypeScript to Python': [start, startPython],
+  'Python to Python': [startPython, startPython],
 };
 
 /** Undefined when the link did what it must, else what it did instead. */

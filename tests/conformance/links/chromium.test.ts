@@ -51,7 +51,9 @@ const left = new Set([tooLarge, ...killScenes.map(({ name }) => name)]);
 const forPython = allScenes.filter(({ name }) => !left.has(name));
 
 for (const kind of ['shared', 'port'] as const) {
-  for (const [between, scenes] of [['TypeScript', allScenes], ['Python to TypeScript', forPython], ['TypeScript to Python', forPython]] as const) {
+  for (const [between, scenes] of [
+    ['TypeScript', allScenes], ['Python to TypeScript', forPython], ['TypeScript to Python', forPython], ['Python to Python', forPython],
+  ] as const) {
     for (const { name } of scenes) {
       test(`Chromium, ${kind}, ${between}: ${name}`, { timeout: watchdogMs }, async () => {
         const outcome = await page.evaluate(([k, n, b]) => {

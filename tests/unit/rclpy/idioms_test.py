@@ -37,8 +37,8 @@ class IdiomsTest(BusTest):
         importlib.import_module('rclpy.action.server').ServerGoalHandle
         importlib.import_module('rclpy.action.client').ClientGoalHandle
 
-    # Compatibility, differs: content filters of rclpy's subscriptions (since rclpy 7.1.8), and the look at the signature
-    # of parameter callbacks (since 7.1.4) -> missing; rclcpp's content filters are there
+    # Compatibility, differs: content filters of rclpy's subscriptions (since rclpy 7.1.8), and the look at the
+    # signature of parameter callbacks (since 7.1.4) -> missing; rclcpp's content filters are there
     def test_what_is_newer_in_rclpy_is_missing_by_its_name(self) -> None:
         self.assertFalse(hasattr(self.rclpy.subscription.Subscription, 'set_content_filter'))
         self.own.add_on_set_parameters_callback(lambda: None)

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "bundler/io/process.hpp"
 #include "cli/arguments.hpp"
 #include "cli/command_table.hpp"
 #include "cli/console.hpp"
@@ -31,10 +32,14 @@ std::map<std::string, std::string> environment_variables() {
   return variables;
 }
 
+/// A container may have no /proc: there it is what a shell has found by that name.
 std::filesystem::path own_executable(const char* argv0) {
   std::error_code error;
-  const auto path = std::filesystem::read_symlink("/proc/self/exe", error);
-  return error ? std::filesystem::absolute(argv0, error) : path;
+  auto path = std::filesystem::read_symlink("/proc/self/exe", error);
+  if (!error) return path;
+  path = find_program(argv0).value_or(argv0);
+  const auto whole = std::filesystem::canonical(path, error);
+  return error ? std::filesystem::absolute(path, error) : whole;
 }
 
 std::size_t terminal_columns() {

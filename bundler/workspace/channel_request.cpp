@@ -17,7 +17,7 @@ namespace {
 /// Parts of the C++ library that the site's compiler lacks. Every package may use them, and none
 /// names them.
 constexpr std::string_view kLibraryParts = "ros2wasm_std";
-/// What a C++ program has files, clocks and sleep from, whether it knows of ROS or not.
+/// What a C++ program has files from, whether it knows of ROS or not.
 constexpr std::string_view kCore = "ros2wasm_core";
 /// Brings Pyodide, and the kernel of notebooks.
 constexpr std::string_view kPythonClient = "rclpy";

@@ -259,10 +259,10 @@ export async function runProgram(
   } catch (error) {
     end = explain(left ?? error, instance === undefined ? undefined : exports(), memory);
   }
-  if (end.kind !== 'thread') {
+  if (end.kind !== 'thread' && instance !== undefined) {
     gate.end();
     try {
-      instance === undefined || exports().ros2wasm_files_rest?.(end.kind === 'exit' ? 1 : 0);
+      exports().ros2wasm_files_rest?.(end.kind === 'exit' ? 1 : 0);
     } catch {
       // There is no memory for a copy, or the program has left its own in disorder.
     }

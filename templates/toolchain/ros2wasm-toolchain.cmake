@@ -80,7 +80,7 @@ foreach(_prefix IN LISTS CMAKE_PREFIX_PATH)
   endif()
 endforeach()
 set(CMAKE_CXX_FLAGS_INIT "${_ros2wasm_flags}")
-# Programs that use nothing of ROS have files, clocks and sleep from the core too; the others name it themselves.
+# Programs that use nothing of ROS have files from the core too, and all that it wraps; the others name it themselves.
 foreach(_prefix IN LISTS CMAKE_PREFIX_PATH)
   if(EXISTS "${_prefix}/share/ros2wasm_core/link_options")
     file(STRINGS "${_prefix}/share/ros2wasm_core/link_options" _ros2wasm_options)

@@ -3,6 +3,9 @@
 // Compatibility, works: files that nodes write below their home (CSV, images, maps; up to 64 MiB each): the panel Bag offers
 // them for download, and `ros2wasm run SITE --bags DIR` writes them to disk
 
+// Compatibility, works: C++ programs that use nothing of ROS: files, standard streams, threads, sleep by the site's time, what is
+// static destroyed and what was not flushed written at the end
+
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { cpSync, mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
@@ -91,6 +94,37 @@ ${nodes.map((name) => `  - {package: file_checks, executable: ${name.replace(/-.
       const all = { ...wanted, 'read_later.txt': 'not yet, but now' };
       assert.deepEqual(files, Object.assign({}, ...nodes.map((name) => ofNode(name, all))));
     }
+  } finally {
+    workspace.close();
+  }
+});
+
+test('a C++ program that uses nothing of ROS sleeps by the time of the site', { timeout: 500_000 }, async () => {
+  const workspace = new PackWorkspace('shared');
+  try {
+    workspace.addPackage('sleeper', {
+      hour: `#include <chrono>
+#include <cstdio>
+#include <thread>
+int main() {
+  std::this_thread::sleep_for(std::chrono::hours(1));
+  std::puts("an hour later");
+}
+`,
+    });
+    workspace.write('w.yaml', `schema: 1
+name: sleeper
+title: Sleeper
+distro: jazzy
+packages: [src/sleeper]
+launch:
+  - {package: sleeper, executable: hour}
+`);
+    const packed = await workspace.run(['pack', 'w.yaml', '--output', 'site']);
+    assert.equal(packed.code, 0, packed.stderr);
+    const ran = await workspace.run(['run', 'site', '--stepped', '--for', '120m']);
+    assert.equal(ran.code, 0, ran.stderr);
+    assert.match(ran.stdout, /^\[hour-1\] an hour later$/m);
   } finally {
     workspace.close();
   }

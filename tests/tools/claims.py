@@ -25,7 +25,8 @@ PAGES = {
 }
 # Its table is written by hand; the tests that it names must be there.
 THREATS = "SECURITY.md"
-COMMENT = re.compile(r"^\s*(?://|#)\s?(.*)$")
+# In C++ a "#" begins no comment but a directive, which has no space behind it.
+COMMENT = re.compile(r"^\s*(?://\s?|#(?:\s|$))(.*)$")
 CLAIM = re.compile(r"^(?:Compatibility|Guarantee), ([a-z ]+): (.*)$")
 KINDS = [kind for kinds in PAGES.values() for kind in kinds]
 # These speak of claims; and what a fuzzer made is no test's word.

@@ -1,7 +1,5 @@
 // Writes files in the ways that programs of courses do: closed, kept open to the end, line by line, one in another's place.
 
-// Compatibility, works: programs that use nothing of ROS: files, standard streams, threads, time and sleep by the site's
-// clock, what is static destroyed and what was not flushed written at the end
 #include <cstdio>
 #include <filesystem>
 #include <fstream>

@@ -1,12 +1,8 @@
 """The executor that events wake. All of ours are: none looks at what nothing has happened to."""
 from __future__ import annotations
 
-from rclpy.context import Context
 from rclpy.executors import SingleThreadedExecutor
 
 
 class EventsExecutor(SingleThreadedExecutor):
     """One callback after the other."""
-
-    def __init__(self, *, context: Context | None = None) -> None:
-        super().__init__(context=context)

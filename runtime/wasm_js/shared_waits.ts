@@ -4,12 +4,9 @@ import { BusParticipant, WaitResult } from '../protocol/generated/constants.ts';
 import type { Bus } from './bus.ts';
 import type { SiteClock } from './clock.ts';
 import type { SharedStatuses } from './shared_statuses.ts';
+import { SpinPolicy, spinMs } from './spin_policy.ts';
 import type { Turns } from './turns.ts';
 
-/** Who is woken sooner than this after falling asleep is in the middle of an exchange. */
-const briskMs = 0.2;
-/** Longer than Chromium takes to wake a sleeper (55 us): else both sides of an exchange sleep just before each answer. */
-const spinMs = 0.12;
 /** In a stepped run, who only looks lets time go on by this: else nobody would get further. */
 const lookNs = 1000;
 const looksPerRound = 16;
@@ -34,8 +31,7 @@ export class SharedWaits {
   private readonly turns: Turns | undefined;
   private readonly sync: () => void;
   private stopsTold = 0;
-  /** The last wait was over so soon that it is worth a look or two before the thread sleeps. */
-  private brisk = false;
+  private readonly policy = new SpinPolicy();
 
   constructor({ bus, participant, clock, statuses, turns, sync }: SharedWaitsOptions) {
     this.bus = bus;
@@ -119,13 +115,16 @@ export class SharedWaits {
     let woken = Atomics.load(bus.i32, word + BusParticipant.wake) !== token;
     if (!woken && timeoutMs > 0) {
       const begin = performance.now();
-      woken = this.brisk && this.spin(token, Math.min(timeoutMs, spinMs));
+      if (this.policy.spinsNow()) {
+        woken = this.spin(token, Math.min(timeoutMs, spinMs));
+        this.policy.spun(woken);
+      }
       if (!woken) {
         Atomics.add(bus.i32, sleepers, 1);
         woken = Atomics.wait(bus.i32, word + BusParticipant.wake, token, timeoutMs) !== 'timed-out';
         Atomics.sub(bus.i32, sleepers, 1);
       }
-      this.brisk = woken && performance.now() - begin < briskMs;
+      this.policy.waited(woken, performance.now() - begin);
     }
     if (!woken) return WaitResult.timeout;
     return this.tellStop() ? WaitResult.stop : WaitResult.woken;

@@ -41,14 +41,14 @@ function jsonLines(text: string): Line[] {
   return [...text.matchAll(/\{"bytes".*?\}/g)].map(([json]) => JSON.parse(json) as Line);
 }
 
-function inNode(context: BenchContext, site: string, link: Link, until: string): Line[] {
+export function inNode(context: BenchContext, site: string, link: Link, until: string): Line[] {
   const command = ['run', site, '--link', link, '--until', until, '--for', `${WATCHDOG_MS / 1000}s`];
   const run = spawnSync(join(context.build, 'ros2wasm'), command, { encoding: 'utf8' });
   if (run.status !== 0) throw new Error(`run failed: ${run.stdout}${run.stderr}`);
   return jsonLines(run.stdout);
 }
 
-async function inChromium(site: string, link: Link, until: string): Promise<Line[]> {
+export async function inChromium(site: string, link: Link, until: string): Promise<Line[]> {
   const server = await serveFolder(site, { isolated: link === 'shared' });
   // Without service workers the page cannot become isolated, and takes the port link.
   const browser = await chromium.launch(wholeChromium());

@@ -16,6 +16,7 @@ import { benchSolve } from './solve.ts';
 import { benchBytes } from './site_bytes.ts';
 import { benchSoak } from './soak.ts';
 import { benchStart } from './site_start.ts';
+import { benchWaits } from './waits.ts';
 import { benchWorkspace } from './workspace.ts';
 
 export interface BenchContext {
@@ -27,6 +28,8 @@ export interface BenchContext {
   readonly minutes: number | undefined;
   /** Folder of ROS 2 packages of others, when it was said. */
   readonly source: string | undefined;
+  /** The title of the landing whose ratios are to be recorded, when one was given. */
+  readonly record: string | undefined;
   /** Prints one result line. */
   emit(line: Readonly<Record<string, unknown>>): void;
   /** Says that an aim was missed. */
@@ -46,14 +49,15 @@ const BENCHES: Readonly<Record<string, (context: BenchContext) => Promise<void> 
   soak: benchSoak,
   solve: benchSolve,
   start: benchStart,
+  waits: benchWaits,
   workspace: benchWorkspace,
 };
-/** Run only when named: an hour, twice ten minutes, and sources of others. */
-const WHEN_NAMED: readonly string[] = ['soak', 'busy', 'workspace'];
+/** Run only when named: an hour, twice ten minutes, forty times six runs, and sources of others. */
+const WHEN_NAMED: readonly string[] = ['soak', 'busy', 'waits', 'workspace'];
 
-const USAGE = `./dev bench [--minutes N] [--source DIR] [NAME ...]: one JSON object a line on standard output.
+const USAGE = `./dev bench [--minutes N] [--source DIR] [--record TITLE] [NAME ...]: one JSON object a line on standard output.
 NAME is one of ${Object.keys(BENCHES).join(', ')}; all but ${WHEN_NAMED.join(', ')} when none is named. --minutes says how long soak and busy last,
---source where the packages of workspace are.`;
+--source where the packages of workspace are, --record under which title waits adds its ratios to tests/bench/ratios.json.`;
 
 const { values, positionals: names } = parseArgs({
   allowPositionals: true,
@@ -61,6 +65,7 @@ const { values, positionals: names } = parseArgs({
     build: { type: 'string', default: 'build' },
     help: { type: 'boolean', short: 'h', default: false },
     minutes: { type: 'string' },
+    record: { type: 'string' },
     source: { type: 'string' },
   },
 });
@@ -77,6 +82,7 @@ const context: BenchContext = {
   build: resolve(values.build),
   minutes: values.minutes === undefined ? undefined : Number(values.minutes),
   source: values.source,
+  record: values.record,
   root: resolve(import.meta.dirname, '../..'),
   emit: (line) => console.log(JSON.stringify(line)),
   fail: (why) => {

@@ -1,5 +1,5 @@
 // Publishes messages of several sizes as fast as they are taken: reliable and keep_all, so nothing is lost.
-// Parameter `sinks`: how many subscriptions to wait for.
+// Parameters: `sinks`, how many subscriptions to wait for; `largest`, above which sizes are skipped, as in the sinks.
 #include <chrono>
 #include <cstdio>
 #include <cstring>
@@ -18,7 +18,9 @@ int main(int argc, char ** argv)
   // What comes first is not counted: a page is busy with itself when it has just started.
   const std::pair<std::uint64_t, std::uint64_t> cases[] = {
     {9, 400000}, {8, 400000}, {1000, 400000}, {64000, 20000}, {6000000, 200}};
+  const auto largest = static_cast<std::uint64_t>(node->declare_parameter("largest", 6000000));
   for (const auto & [size, count] : cases) {
+    if (size > largest) {break;}
     auto publisher = node->create_publisher<Bytes>("flood_" + std::to_string(size), rclcpp::QoS(rclcpp::KeepAll()));
     while (rclcpp::ok() && publisher->get_subscription_count() < sinks) {
       rclcpp::sleep_for(std::chrono::milliseconds(1));

@@ -1,6 +1,6 @@
 // Measures round trips of several sizes, one message under way at a time, and of each the way there: from `publish` to
 // the callback in the ponger, whose steady clock is the same. One JSON line per size: bytes of the payload, round trips,
-// medians and 99th percentiles in microseconds.
+// medians and 99th percentiles in microseconds. Parameter `largest`: sizes above it are skipped.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -35,7 +35,9 @@ int main(int argc, char ** argv)
   const Clock::time_point busy_until = Clock::now() + std::chrono::seconds(4);
   constexpr std::size_t warm_up = 100;
   const std::pair<std::size_t, std::size_t> cases[] = {{8, 4000}, {1000, 4000}, {64000, 1000}, {1000000, 200}};
+  const auto largest = static_cast<std::size_t>(node->declare_parameter("largest", 1000000));
   for (const auto & [size, count] : cases) {
+    if (size > largest) {break;}
     Bytes bytes;
     bytes.data.assign(size, 42);
     std::vector<double> trips;

@@ -1,5 +1,5 @@
 // Takes what a flooder publishes. One JSON line per size: bytes of a payload, messages taken, messages lost, and
-// messages per second between the first and the last.
+// messages per second between the first and the last. Parameter `largest`: sizes above it are skipped.
 #include <chrono>
 #include <cstdio>
 #include <cstring>
@@ -15,7 +15,9 @@ int main(int argc, char ** argv)
 {
   rclcpp::init(argc, argv);
   auto node = std::make_shared<rclcpp::Node>("sink");
+  const auto largest = static_cast<std::uint64_t>(node->declare_parameter("largest", 6000000));
   for (const std::uint64_t size : {9ULL, 8ULL, 1000ULL, 64000ULL, 6000000ULL}) {
+    if (size > largest) {break;}
     std::uint64_t taken = 0;
     std::uint64_t expected = 0;
     bool over = false;

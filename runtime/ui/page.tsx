@@ -38,7 +38,7 @@ export function Page({ session, store, offline, embed }: PageProps) {
   const [aboutOpen, setAboutOpen] = useState(false);
   const [said, setSaid] = useState('');
   const announce = useCallback((text: string) => setSaid(text), []);
-  const control = useLayout(session, embed === null ? store : null, wide || narrow, announce, embed);
+  const control = useLayout(session, embed === null ? store : null, wide || narrow, narrow, announce, embed);
   useEmbedHost(embed, session);
   useEmbedTheme(embed, store, session.site.ui['theme']);
   useNodeNews(session, announce);
@@ -79,6 +79,7 @@ export function Page({ session, store, offline, embed }: PageProps) {
               announce,
               instance: tab.key,
               state: tab.state,
+              justAdded: control.justAdded(tab.key),
               setState: (state) => control.setState(tab.key, state),
               open: (panel, state) => control.open(tab.key, panel, state),
             }}

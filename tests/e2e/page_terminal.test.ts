@@ -93,8 +93,12 @@ test('what lab sheets write: sequences, grep, programs with windows, what needs 
     await output(page).getByText('mode: idle').waitFor();
     await command(page).press('Control+c');
     await page.waitForFunction(() => heard('/sine') === 0);
+    // A program with windows opens beside the terminal, which goes on with the keyboard.
     await type(page, 'rqt_graph');
     await page.locator('.panel-graph').waitFor();
+    assert.ok(await command(page).isVisible());
+    await page.keyboard.type('echo still here\n');
+    await output(page).getByText('still here', { exact: true }).waitFor();
     await type(page, 'ros2 run rviz2 rviz2');
     await output(page).getByText('rviz2: the panel \u201c3D view\u201d of this page is open').waitFor();
     await page.locator('.panel-scene').waitFor();
@@ -102,6 +106,23 @@ test('what lab sheets write: sequences, grep, programs with windows, what needs 
     assert.ok(!(await whole()).some((line) => line.includes('value: 0.5')));
     await page.screenshot({ path: fileURLToPath(new URL('../output/terminal_shell.png', import.meta.url)) });
   }, /GL Driver Message/));
+
+test('the terminal takes the keyboard when it opens, and after a click anywhere in it', () =>
+  stage.on(kScene, {}, async (page) => {
+    await output(page).click();
+    await page.keyboard.type('echo clicked\n');
+    await output(page).getByText('clicked', { exact: true }).waitFor();
+    // The output can be scrolled by keyboard; what is typed goes to the input all the same.
+    await output(page).focus();
+    await page.keyboard.type('echo typed\n');
+    await output(page).getByText('typed', { exact: true }).waitFor();
+    await page.getByRole('button', { name: 'Open a panel here' }).first().click();
+    await page.getByRole('menuitem', { name: 'Terminal' }).click();
+    await page.locator('#tab-panel-terminal-2 .terminal').waitFor();
+    await page.waitForFunction(() => document.activeElement?.closest('#tab-panel-terminal-2 .terminal') !== null);
+    await page.keyboard.type('echo second\n');
+    await page.locator('#tab-panel-terminal-2').getByText('second', { exact: true }).waitFor();
+  }));
 
 test('Tab completes and lets go, the arrow keys recall', () =>
   stage.on(kScene, {}, async (page) => {

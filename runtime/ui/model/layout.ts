@@ -202,13 +202,39 @@ export function setPanelState(layout: Layout, key: string, state: Json): Layout 
   return { ...layout, root };
 }
 
-/** The group with the most room; one other than the caller's when there is one. */
-export function roomiest(layout: Layout, caller: string | null): Group | undefined {
+/**
+ * Where a panel that `caller` asks for goes without covering what a visitor looks at: behind the tabs of the largest other
+ * group whose front tab may be covered, else below the largest other group, else into the only one.
+ */
+export function placeBeside(
+  layout: Layout,
+  caller: string | null,
+  mayCover: (tab: PanelTab) => boolean,
+): DropTarget | undefined {
   const rooms = areas(layout.root, 1).toSorted((a, b) => b.area - a.area);
   const others = rooms.filter(
     ({ group }) => caller === null || !group.tabs.some((tab) => tab.key === caller),
   );
-  return (others[0] ?? rooms[0])?.group;
+  const coverable = others.find(({ group }) => {
+    const front = group.tabs.find((tab) => tab.key === group.front);
+    return front === undefined || mayCover(front);
+  });
+  if (coverable !== undefined) return { group: coverable.group.key, zone: 'into' };
+  const [largest] = others.length > 0 ? others : rooms;
+  return largest === undefined ? undefined : { group: largest.group.key, zone: 'below' };
+}
+
+/** Whether showing the tab would hide the tab that asks for it, or one that a visitor looks at. */
+export function wouldCover(
+  layout: Layout,
+  key: string,
+  caller: string | null,
+  mayCover: (tab: PanelTab) => boolean,
+): boolean {
+  const group = groupOf(layout, key);
+  if (group === undefined || group.front === key) return false;
+  const front = group.tabs.find((tab) => tab.key === group.front);
+  return group.front === caller || (front !== undefined && !mayCover(front));
 }
 
 /** Which part of a box a point is over: near an edge it means the half beside that edge. */

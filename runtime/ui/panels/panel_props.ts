@@ -26,6 +26,8 @@ export interface PanelProps {
    */
   readonly state: Json;
   readonly setState: (state: Json) => void;
+  /** The visitor has just opened it by the "+" menu: it may take the keyboard. */
+  readonly justAdded: boolean;
   /**
    * Shows a panel: with a state, the one that has it, or else a new one with it; without, any of its kind, or else a
    * new one. False when there is no panel of that id.
@@ -44,6 +46,8 @@ export interface PanelRow {
   readonly many?: boolean;
   /** Goes on while another tab is in front of it, once it was seen. */
   readonly keeps?: boolean;
+  /** A visitor looks at it while using other panels: one that opens does not cover it. */
+  readonly watched?: boolean;
   /** Part of the usual layout of some sites: a text to read first, something to look at above the consoles, or a list. */
   readonly usual?: {
     readonly place: 'guide' | 'stage' | 'list';

@@ -71,7 +71,7 @@ class Screen {
   }
 }
 
-export function TerminalPanel({ session, announce, open, state, store }: PanelProps) {
+export function TerminalPanel({ session, announce, open, state, store, justAdded }: PanelProps) {
   const [version, setVersion] = useState(0);
   const screen = useRef<Screen | null>(null);
   screen.current ??= new Screen(session, () => setVersion((before) => before + 1));
@@ -98,6 +98,10 @@ export function TerminalPanel({ session, announce, open, state, store }: PanelPr
   const [taking, setTaking] = useState(false);
   /** The command reads each key at once. */
   const [keys, setKeys] = useState<KeyMode | undefined>(undefined);
+
+  useEffect(() => {
+    if (justAdded) input.current?.focus();
+  }, []);
 
   useEffect(() => {
     session.interfaces().then(
@@ -265,7 +269,16 @@ export function TerminalPanel({ session, announce, open, state, store }: PanelPr
 
   const field = keys === undefined ? undefined : keyFieldProps({ mode: keys, send: (text) => taker.current?.(text), interrupt: stop });
 
+  /** A click anywhere gives the input the keyboard, unless it selected text or pressed something. */
+  const onClick = (event: MouseEvent): void => {
+    const pressed = event.target instanceof Element && event.target.closest('button, a, input') !== null;
+    if (!pressed && document.getSelection()?.isCollapsed !== false) input.current?.focus();
+  };
+
   const onKey = (event: KeyboardEvent): void => {
+    // The output has the keyboard after text was selected in it: what is typed goes to the input, as in any terminal.
+    const types = event.key.length === 1 && event.key !== ' ' && !event.ctrlKey && !event.altKey && !event.metaKey;
+    if (types && event.target !== input.current) input.current?.focus();
     // The field has sent it.
     if (field !== undefined && event.target === input.current) return;
     const control = event.ctrlKey && !event.altKey && !event.metaKey;
@@ -326,7 +339,7 @@ export function TerminalPanel({ session, announce, open, state, store }: PanelPr
   );
   return (
     <PanelFrame id="terminal" title={texts.panels.terminal} icon="console" tools={tools}>
-      <div class="terminal" onKeyDown={onKey}>
+      <div class="terminal" onKeyDown={onKey} onClick={onClick}>
         <LineScroller list={list} version={version} label={panelTexts.terminal.output} empty={panelTexts.terminal.empty} />
         <label class="terminal-input">
           <span aria-hidden="true">$</span>

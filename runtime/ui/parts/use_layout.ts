@@ -9,7 +9,7 @@ import type { EmbedView } from '../model/embed_link.ts';
 import { readJson } from '../model/json.ts';
 import type { Json } from '../model/json.ts';
 import * as layouts from '../model/layout.ts';
-import type { DropTarget, Layout } from '../model/layout.ts';
+import type { DropTarget, Layout, PanelTab } from '../model/layout.ts';
 import { parseLayout, readLayout, writeLayout } from '../model/layout_text.ts';
 import type { ReadLayout } from '../model/layout_text.ts';
 import { autorunField, changedFragment, readFragment, siteHash } from '../model/link.ts';
@@ -27,6 +27,8 @@ export interface LayoutControl {
   readonly resize: (split: string, index: number, first: number) => void;
   /** Opens a panel in that group; one that is open once only is shown instead. */
   readonly add: (group: string, panel: string) => void;
+  /** Whether the visitor has just opened that tab by `add`, and expects to use it at once. */
+  readonly justAdded: (key: string) => boolean;
   readonly setState: (key: string, state: Json) => void;
   /** As PanelProps.open, asked by the panel of that key. */
   readonly open: (caller: string | null, panel: string, state?: Json) => boolean;
@@ -55,6 +57,8 @@ export function useLayout(
   store: Store | null,
   /** The usual layout is the one of three columns, or their order on a phone. */
   wide: boolean,
+  /** All panels stand behind each other: showing one always covers another. */
+  narrow: boolean,
   announce: (text: string) => void,
   /** The page stands in another one: the layout is what its address says, and leaves no trace. */
   embed: EmbedView | null = null,
@@ -74,6 +78,7 @@ export function useLayout(
     [chosen, usual, front],
   );
   const [large, setLarge] = useState<string | null>(null);
+  const added = useRef('');
   const latest = useRef(layout);
   latest.current = layout;
   const { notice, dismiss } = useLinkNotice(session, embed, setChosen);
@@ -128,8 +133,10 @@ export function useLayout(
         change((now) =>
           layouts.addTab(now, { key, panel, state: null }, { group, zone: 'into' }),
         );
+        added.current = key;
         focusTab(key);
       },
+      justAdded: (key) => added.current === key,
       setState: (key, state) => {
         const kept = readJson(state, kMostState);
         if (kept !== undefined) change((now) => layouts.setPanelState(now, key, kept));
@@ -141,17 +148,19 @@ export function useLayout(
         const open = layouts.tabsOf(latest.current.root).filter((tab) => tab.panel === panel);
         const same = open.find((tab) => wanted === undefined || JSON.stringify(tab.state) === wanted);
         const only = row.many === true ? same : (same ?? open[0]);
+        const target = layouts.placeBeside(latest.current, caller, mayCover);
+        if (target === undefined) return false;
         if (only !== undefined) {
           if (state !== undefined && only !== same)
             change((now) => layouts.setPanelState(now, only.key, state));
+          const covers = !narrow && layouts.wouldCover(latest.current, only.key, caller, mayCover);
+          if (covers) change((now) => layouts.moveTab(now, only.key, target));
           reveal(only.key);
           return true;
         }
-        const group = layouts.roomiest(latest.current, caller);
         const kept = readJson(state ?? null, kMostState);
-        if (group === undefined || kept === undefined) return false;
+        if (kept === undefined) return false;
         const key = layouts.freshKey(latest.current, panel);
-        const target: DropTarget = { group: group.key, zone: 'into' };
         change((now) => layouts.addTab(now, { key, panel, state: kept }, target));
         return true;
       },
@@ -179,10 +188,14 @@ export function useLayout(
       },
       whole: () => wholeAddress(location.href, JSON.stringify(writeLayout(latest.current))),
     };
-  }, [session, layout, notice, large, change, announce]);
+  }, [session, layout, notice, large, narrow, change, announce]);
 }
 
 const kNothing: Layout = { root: layouts.makeGroup('pane-1', []), front: '' };
+
+function mayCover(tab: PanelTab): boolean {
+  return panelRow(tab.panel)?.watched !== true;
+}
 
 function isKnown(panel: string): boolean {
   return panelRow(panel) !== undefined;

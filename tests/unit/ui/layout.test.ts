@@ -11,11 +11,12 @@ import {
   kMostPanels,
   moveTab,
   numberOf,
+  placeBeside,
   resizePair,
   reveal,
-  roomiest,
   setPanelState,
   tabsOf,
+  wouldCover,
   zoneAt,
 } from '../../../runtime/ui/model/layout.ts';
 import type { Layout } from '../../../runtime/ui/model/layout.ts';
@@ -119,8 +120,8 @@ test('keys, numbers, states and room', () => {
   const seen = reveal(layout, 'console');
   assert.equal(groupOf(seen, 'console')?.front, 'console');
   assert.equal(reveal(seen, 'console').root, seen.root);
-  assert.equal(roomiest(layout, null)?.key, center.group);
-  assert.notEqual(roomiest(layout, 'plot')?.key, center.group);
+  assert.deepEqual(placeBeside(layout, null, () => true), { group: center.group, zone: 'into' });
+  assert.notEqual(placeBeside(layout, 'plot', () => true)?.group, center.group);
   const wider = resizePair(layout, layout.root.key, 0, 0.5);
   assert.deepEqual(wider.root.kind === 'row' ? wider.root.sizes : [], [0.375, 0.375, 0.25]);
   for (let i = 0; i < 2 * kMostPanels; i += 1)
@@ -178,4 +179,19 @@ test('a fragment keeps the fields of others', () => {
   assert.equal(readFragment(fragment).get('layout'), '"nodes"');
   assert.equal(changedFragment('#layout=1', { layout: null }), '');
   assert.equal(readFragment(`#layout=${'x'.repeat(200_000)}`).get('layout'), null);
+});
+
+test('a panel that is asked for covers neither its caller nor what a visitor looks at', () => {
+  const known = ['text', 'turtlesim', 'plot', 'nodes', 'graph'];
+  const panes = { row: ['text', { tabs: ['turtlesim', 'plot'] }, { tabs: ['nodes', 'graph'] }], sizes: [2, 5, 1] };
+  const layout = readLayout(panes, (panel) => known.includes(panel)).layout ?? assert.fail('no layout');
+  const groupKey = (key: string): string => groupOf(layout, key)?.key ?? assert.fail(key);
+  const isList = (tab: { readonly panel: string }): boolean => ['nodes', 'graph'].includes(tab.panel);
+  assert.deepEqual(placeBeside(layout, 'text', isList), { group: groupKey('nodes'), zone: 'into' });
+  // The only group that may be covered is the caller's own: the largest other one gives room.
+  assert.deepEqual(placeBeside(layout, 'nodes', isList), { group: groupKey('turtlesim'), zone: 'below' });
+  assert.equal(wouldCover(layout, 'plot', 'text', isList), true);
+  assert.equal(wouldCover(layout, 'graph', 'text', isList), false);
+  assert.equal(wouldCover(layout, 'graph', 'nodes', isList), true);
+  assert.equal(wouldCover(layout, 'turtlesim', 'text', isList), false);
 });

@@ -66,6 +66,8 @@ export const texts = {
     enlarged: 'It fills the page',
     restored: 'All panels are shown again',
     add: 'Open a panel here',
+    search: 'Find a panel',
+    groups: { run: 'Running', see: 'Seeing', act: 'Acting', files: 'Files' },
     more: (title: string): string => `Move or close ${title}`,
     close: (title: string): string => `Close ${title}`,
     closed: 'Closed',

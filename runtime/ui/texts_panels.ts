@@ -62,6 +62,8 @@ export const panelTexts = {
     unread: (reason: string): string => `Could not be read: ${reason}`,
     changing: 'they changed while they were read',
     more: (shown: number, all: number): string => `The first ${shown} of ${all}. The filter finds the others.`,
+    showUsual: (count: number): string => `${count} more that every node has`,
+    hideUsual: 'Hide those that every node has',
     refused: (value: string, reason: string): string =>
       reason === '' ? `The node refused ${value} without a reason` : `The node refused ${value}: ${reason}`,
     notSet: (value: string, reason: string): string => `Not set to ${value}: ${reason}`,

@@ -61,6 +61,18 @@ test('joints are set by sliders, keys and numbers, and published ten times a sec
     await panel.getByRole('button', { name: 'Center' }).click();
     await until(page, (found) => found.join(' ') === '0 0.4 -0.4 0');
     await publish.uncheck();
+    // While the panel does not publish, its sliders follow whoever does; moving one goes on from there.
+    await page.waitForFunction(() => {
+      // The panel subscribes when the topic is there: said again until it is heard.
+      send('/joint_states', 'sensor_msgs/msg/JointState', {
+        header: { stamp: { sec: 0, nanosec: 0 }, frame_id: '' }, name: ['finger', 'nobody', 'turn'], position: [0.5, 3, -0.75], velocity: [], effort: [],
+      });
+      return document.querySelector<HTMLInputElement>('.panel-joints input[type="number"]')?.value === '-0.75';
+    });
+    assert.equal(await panel.getByRole('spinbutton', { name: 'Position of finger in m' }).inputValue(), '0.5');
+    await panel.getByRole('slider', { name: 'turn' }).press('Home');
+    await until(page, ([turn, finger]) => turn === -1 && finger === 0.5);
+    await publish.uncheck();
     await page.evaluate(() => send('/robot_description', 'std_msgs/msg/String', { data: '<html/>' }));
-    await panel.getByRole('alert').getByText('What came on /robot_description is no robot description.').waitFor();
+    await panel.getByRole('alert').getByText('The message on /robot_description is not a robot description.').waitFor();
   }));

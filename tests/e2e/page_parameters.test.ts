@@ -58,8 +58,11 @@ test('every type has an editor, and what is typed is set', () =>
   stage.on(scene(), {}, async (page) => {
     const field = (name: string) => page.getByRole('textbox', { name: `${name} of /robot`, exact: true });
     await says(page, 'speed of /robot', '1.5');
-    // What every node has stands last.
-    assert.equal((await page.locator('.topic', { hasText: '/robot' }).first().locator('.parameter-name').allTextContents()).at(-1), 'use_sim_time');
+    // Parameters that every node has come last, on request.
+    const names = page.locator('.topic', { hasText: '/robot' }).first().locator('.parameter-name');
+    assert.ok(!(await names.allTextContents()).includes('use_sim_time'));
+    await page.getByRole('button', { name: '1 more that every node has' }).click();
+    assert.equal((await names.allTextContents()).at(-1), 'use_sim_time');
     await field('wheels.radius').fill('2');
     await field('wheels.radius').press('Enter');
     await has(page, 'wheels.radius', '2');

@@ -70,6 +70,7 @@ export const kWorldTopics: readonly (Pick<TopicView, 'name' | 'type'> & Partial<
   { name: '/camera/compressed', type: 'sensor_msgs/msg/CompressedImage' },
   { name: '/map_updates', type: 'map_msgs/msg/OccupancyGridUpdate' },
   { name: '/words', type: 'std_msgs/msg/String' },
+  { name: '/joint_states', type: 'sensor_msgs/msg/JointState', publishers: 0 },
 ];
 
 /** Below share/meshes: tests answer for them. */

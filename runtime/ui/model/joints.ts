@@ -1,6 +1,7 @@
 // The joints of a robot description (URDF) that can be set, as joint_state_publisher_gui has them: revolute, continuous
 // and prismatic ones, and those that mimic others. Pure. The text may be anything.
 
+import { member } from './json.ts';
 import { readXml } from './xml.ts';
 import type { XmlElement } from './xml.ts';
 
@@ -72,6 +73,17 @@ export function jointPositions(joints: readonly Joint[], set: ReadonlyMap<string
     return joint.mimic.factor * at(followed, depth + 1) + joint.mimic.offset;
   };
   return joints.map((joint) => at(joint, 0));
+}
+
+/** The positions of a sensor_msgs/msg/JointState, by joint. A message may carry velocities only. */
+export function readJointState(message: unknown): readonly (readonly [string, number])[] {
+  const names = member(message, 'name');
+  const positions = member(message, 'position');
+  if (!Array.isArray(names) || !(Array.isArray(positions) || positions instanceof Float64Array)) return [];
+  return (names as readonly unknown[]).slice(0, kMostJoints).flatMap((name, index): readonly (readonly [string, number])[] => {
+    const position: unknown = positions[index];
+    return typeof name === 'string' && typeof position === 'number' && Number.isFinite(position) ? [[name, position]] : [];
+  });
 }
 
 function childOf(element: XmlElement, name: string): XmlElement | undefined {

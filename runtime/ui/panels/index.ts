@@ -1,38 +1,43 @@
-// The panels of the page, one row each, in the order of the "+" menu.
+// The panels of the page, one row each, in the order of their groups in the "+" menu.
 
 import type { SiteDescription } from '../../wasm_js/session.ts';
 import { textMember } from '../model/json.ts';
 import { texts } from '../texts.ts';
 import { ConsolePanel } from './console.tsx';
 import { NodesPanel } from './nodes.tsx';
-import type { PanelRow } from './panel_props.ts';
+import type { PanelGroup, PanelRow } from './panel_props.ts';
 import { TopicsPanel } from './topics.tsx';
 
 const kMostOpened = 4;
+const kGroups: readonly PanelGroup[] = ['run', 'see', 'act', 'files'];
 
 export const panels: readonly PanelRow[] = [
   {
     id: 'nodes',
     title: texts.panels.nodes,
     icon: 'nodes',
+    group: 'run',
     source: { kind: 'ready', component: NodesPanel },
   },
   {
     id: 'console',
     title: texts.panels.console,
     icon: 'console',
+    group: 'run',
     source: { kind: 'ready', component: ConsolePanel },
   },
   {
     id: 'topics',
     title: texts.panels.topics,
     icon: 'topics',
+    group: 'see',
     source: { kind: 'ready', component: TopicsPanel },
   },
   {
     id: 'plot',
     title: texts.panels.plot,
     icon: 'plot',
+    group: 'see',
     watched: true,
     many: true,
     keeps: true,
@@ -42,18 +47,21 @@ export const panels: readonly PanelRow[] = [
     id: 'graph',
     title: texts.panels.graph,
     icon: 'graph',
+    group: 'see',
     source: { kind: 'lazy', load: () => import('./graph.tsx').then((file) => file.GraphPanel) },
   },
   {
     id: 'frames',
     title: texts.panels.frames,
     icon: 'frames',
+    group: 'see',
     source: { kind: 'lazy', load: () => import('./frames.tsx').then((file) => file.FramesPanel) },
   },
   {
     id: 'diagnostics',
     title: texts.panels.diagnostics,
     icon: 'health',
+    group: 'run',
     keeps: true,
     source: { kind: 'lazy', load: () => import('./diagnostics.tsx').then((file) => file.DiagnosticsPanel) },
   },
@@ -61,12 +69,14 @@ export const panels: readonly PanelRow[] = [
     id: 'lifecycle',
     title: texts.panels.lifecycle,
     icon: 'lifecycle',
+    group: 'run',
     source: { kind: 'lazy', load: () => import('./lifecycle.tsx').then((file) => file.LifecyclePanel) },
   },
   {
     id: 'timeline',
     title: texts.panels.timeline,
     icon: 'timeline',
+    group: 'see',
     many: true,
     keeps: true,
     source: { kind: 'lazy', load: () => import('./timeline.tsx').then((file) => file.TimelinePanel) },
@@ -75,7 +85,9 @@ export const panels: readonly PanelRow[] = [
     id: 'checks',
     title: texts.panels.checks,
     icon: 'check',
+    group: 'run',
     watched: true,
+    fits: (site) => site.checks.length > 0,
     usual: { place: 'list', when: (site) => site.checks.length > 0 },
     source: { kind: 'lazy', plain: true, load: () => import('./checks.tsx').then((file) => file.ChecksPanel) },
   },
@@ -83,6 +95,7 @@ export const panels: readonly PanelRow[] = [
     id: 'terminal',
     title: texts.panels.terminal,
     icon: 'console',
+    group: 'act',
     watched: true,
     many: true,
     keeps: true,
@@ -95,6 +108,7 @@ export const panels: readonly PanelRow[] = [
     id: 'publish',
     title: texts.panels.publish,
     icon: 'publish',
+    group: 'act',
     watched: true,
     many: true,
     keeps: true,
@@ -104,6 +118,7 @@ export const panels: readonly PanelRow[] = [
     id: 'teleop',
     title: texts.panels.teleop,
     icon: 'drive',
+    group: 'act',
     watched: true,
     many: true,
     source: { kind: 'lazy', load: () => import('./teleop.tsx').then((file) => file.TeleopPanel) },
@@ -112,6 +127,7 @@ export const panels: readonly PanelRow[] = [
     id: 'source',
     title: texts.panels.source,
     icon: 'code',
+    group: 'files',
     watched: true,
     keeps: true,
     source: { kind: 'lazy', load: () => import('./source.tsx').then((file) => file.SourcePanel) },
@@ -120,7 +136,9 @@ export const panels: readonly PanelRow[] = [
     id: 'text',
     title: texts.panels.text,
     icon: 'text',
+    group: 'files',
     watched: true,
+    fits: (site) => typeof site.ui['text'] === 'string',
     usual: { place: 'guide', when: (site) => typeof site.ui['text'] === 'string' },
     source: { kind: 'lazy', load: () => import('./text.tsx').then((file) => file.TextPanel) },
   },
@@ -128,7 +146,9 @@ export const panels: readonly PanelRow[] = [
     id: 'notebook',
     title: texts.panels.notebook,
     icon: 'notebook',
+    group: 'files',
     watched: true,
+    fits: (site) => site.notebook !== undefined,
     usual: { place: 'guide', when: (site) => site.notebook !== undefined },
     source: { kind: 'lazy', load: () => import('./notebook.tsx').then((file) => file.NotebookPanel) },
   },
@@ -136,6 +156,7 @@ export const panels: readonly PanelRow[] = [
     id: 'log',
     title: texts.panels.log,
     icon: 'log',
+    group: 'run',
     many: true,
     keeps: true,
     source: { kind: 'lazy', load: () => import('./log.tsx').then((file) => file.LogPanel) },
@@ -144,6 +165,7 @@ export const panels: readonly PanelRow[] = [
     id: 'image',
     title: texts.panels.image,
     icon: 'image',
+    group: 'see',
     watched: true,
     many: true,
     source: { kind: 'lazy', load: () => import('./image.tsx').then((file) => file.ImagePanel) },
@@ -152,6 +174,7 @@ export const panels: readonly PanelRow[] = [
     id: 'scene',
     title: texts.panels.scene,
     icon: 'scene',
+    group: 'see',
     watched: true,
     many: true,
     keeps: true,
@@ -161,6 +184,7 @@ export const panels: readonly PanelRow[] = [
     id: 'joints',
     title: texts.panels.joints,
     icon: 'sliders',
+    group: 'act',
     watched: true,
     many: true,
     keeps: true,
@@ -170,6 +194,7 @@ export const panels: readonly PanelRow[] = [
     id: 'services',
     title: texts.panels.services,
     icon: 'call',
+    group: 'act',
     keeps: true,
     source: { kind: 'lazy', load: () => import('./services.tsx').then((file) => file.ServicesPanel) },
   },
@@ -177,6 +202,7 @@ export const panels: readonly PanelRow[] = [
     id: 'parameters',
     title: texts.panels.parameters,
     icon: 'sliders',
+    group: 'act',
     keeps: true,
     source: { kind: 'lazy', load: () => import('./parameters.tsx').then((file) => file.ParametersPanel) },
   },
@@ -184,6 +210,7 @@ export const panels: readonly PanelRow[] = [
     id: 'bag',
     title: texts.panels.bag,
     icon: 'bag',
+    group: 'files',
     keeps: true,
     source: { kind: 'lazy', load: () => import('./bag.tsx').then((file) => file.BagPanel) },
   },
@@ -191,8 +218,10 @@ export const panels: readonly PanelRow[] = [
     id: 'turtlesim',
     title: texts.panels.turtlesim,
     icon: 'turtle',
+    group: 'see',
     watched: true,
     many: true,
+    fits: (site) => site.packages.includes('turtlesim'),
     usual: {
       place: 'stage',
       when: (site) =>
@@ -201,6 +230,11 @@ export const panels: readonly PanelRow[] = [
     source: { kind: 'lazy', load: () => import('./turtlesim.tsx').then((file) => file.TurtlesimPanel) },
   },
 ];
+
+/** What the "+" menu of a site offers, group by group. */
+export function offeredPanels(site: SiteDescription): readonly PanelRow[] {
+  return kGroups.flatMap((group) => panels.filter((row) => row.group === group && row.fits?.(site) !== false));
+}
 
 export function panelRow(id: string): PanelRow | undefined {
   return panels.find((row) => row.id === id);

@@ -1,10 +1,11 @@
 // Sliders for the joints of a robot description, published as sensor_msgs/msg/JointState ten times a second, as
-// joint_state_publisher_gui does. State: {topic, description, on}.
+// joint_state_publisher_gui does; while they are not published, they follow what others publish on the topic.
+// State: {topic, description, on}.
 
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { stampOf } from '../model/draft_value.ts';
 import { flagMember, member, textMember } from '../model/json.ts';
-import { jointPositions, readJoints } from '../model/joints.ts';
+import { jointPositions, readJointState, readJoints } from '../model/joints.ts';
 import type { Joint } from '../model/joints.ts';
 import { IconButton } from '../parts/button.tsx';
 import { feed, useCodec } from '../parts/message_feed.ts';
@@ -32,6 +33,8 @@ export function JointsPanel({ session, state, setState }: PanelProps) {
   const [joints, setJoints] = useState<readonly Joint[]>([]);
   const [problem, setProblem] = useState('');
   const [set, setSet] = useState<ReadonlyMap<string, number>>(new Map());
+  /** Positions by the last messages of others, by joint. */
+  const [heard, setHeard] = useState<ReadonlyMap<string, number>>(new Map());
   const publishing = useRef(false);
   // While somebody else says where the joints are, nothing is said over them unasked.
   const isOn = flagMember(state, 'on', publishing.current || others === 0);
@@ -50,6 +53,27 @@ export function JointsPanel({ session, state, setState }: PanelProps) {
   }, [session, ready, description]);
 
   const hasJoints = joints.length > 0;
+  useEffect(() => {
+    if (ready === null || isOn || !hasJoints) return undefined;
+    const positions = new Map<string, number>();
+    let frame = 0;
+    const close = feed(session, ready, topic, ({ decoded }) => {
+      if (decoded.kind === 'failed') return;
+      for (const [joint, position] of readJointState(decoded.value)) positions.set(joint, position);
+      // Once per picture: a robot says it a hundred times a second.
+      if (frame === 0) {
+        frame = requestAnimationFrame(() => {
+          frame = 0;
+          setHeard(new Map(positions));
+        });
+      }
+    });
+    return () => {
+      close();
+      cancelAnimationFrame(frame);
+    };
+  }, [session, ready, topic, isOn, hasJoints]);
+
   useEffect(() => {
     if (ready === null || !isOn || !hasJoints) return undefined;
     const publisher = session.node().publisher(topic, kType);
@@ -74,12 +98,13 @@ export function JointsPanel({ session, state, setState }: PanelProps) {
     };
   }, [session, ready, topic, isOn, hasJoints]);
 
+  const shown = isOn ? set : heard;
   const move = (positions: ReadonlyMap<string, number>): void => {
     setSet(positions);
     if (!isOn) setState({ topic, description, on: true });
   };
   const free = joints.filter(({ mimic }) => mimic === null);
-  const positions = jointPositions(joints, set);
+  const positions = jointPositions(joints, shown);
   const isAlone = others - (isOn ? kOwnNode : 0) <= 0;
   return (
     <PanelFrame
@@ -115,14 +140,14 @@ export function JointsPanel({ session, state, setState }: PanelProps) {
     >
       {problem === '' ? null : <p class="hint" role="alert">{problem}</p>}
       {!hasJoints && problem === '' ? <p class="hint">{sceneTexts.joints.waiting(description)}</p> : null}
-      {hasJoints && !isAlone ? <p class="hint">{sceneTexts.joints.others(topic)}</p> : null}
+      {hasJoints && !isAlone ? <p class="hint">{isOn ? sceneTexts.joints.others(topic) : sceneTexts.joints.follows(topic)}</p> : null}
       <div class="joints">
         {joints.map((joint, index) => (
           <JointRow
             key={joint.name}
             joint={joint}
             position={positions[index] ?? 0}
-            move={(position) => move(new Map(set).set(joint.name, position))}
+            move={(position) => move(new Map(shown).set(joint.name, position))}
           />
         ))}
       </div>

@@ -37,11 +37,17 @@ export interface PanelProps {
 
 export type PanelComponent = ComponentType<PanelProps>;
 
+export type PanelGroup = 'run' | 'see' | 'act' | 'files';
+
 export interface PanelRow {
   /** Small letters and underscores. It stands in links and manifests, and never changes. */
   readonly id: string;
   readonly title: string;
   readonly icon: IconName;
+  /** Where it stands in the "+" menu. */
+  readonly group: PanelGroup;
+  /** Whether this site can use it; every site can without. The "+" menu has only those. */
+  readonly fits?: (site: SiteDescription) => boolean;
   /** May be open more than once, each with a state of its own. */
   readonly many?: boolean;
   /** Goes on while another tab is in front of it, once it was seen. */

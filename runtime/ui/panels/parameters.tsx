@@ -23,7 +23,7 @@ import type { PanelProps } from './panel_props.ts';
 const kMostRows = 200;
 const kMostClosed = 100;
 const kLongestText = 200;
-/** Stand behind what this node is about. */
+/** Every node has them: shown on request, or when the filter asks for them. */
 const kOfEveryNode = /^(use_sim_time$|start_type_description_service$|qos_overrides\.)/;
 
 export function ParametersPanel({ session, state, setState, announce, instance }: PanelProps) {
@@ -42,10 +42,11 @@ export function ParametersPanel({ session, state, setState, announce, instance }
   const wanted = text.trim().toLowerCase();
   const found = nodes.flatMap((node) => {
     const all = [...node.parameters];
-    const rows = [...all.filter(([name]) => !kOfEveryNode.test(name)), ...all.filter(([name]) => kOfEveryNode.test(name))];
-    if (wanted === '' || node.name.toLowerCase().includes(wanted)) return [{ node, rows }];
-    const some = rows.filter(([name]) => name.toLowerCase().includes(wanted));
-    return some.length === 0 ? [] : [{ node, rows: some }];
+    const own = all.filter(([name]) => !kOfEveryNode.test(name));
+    const usual = all.filter(([name]) => kOfEveryNode.test(name));
+    if (wanted === '' || node.name.toLowerCase().includes(wanted)) return [{ node, rows: own, usual }];
+    const some = [...own, ...usual].filter(([name]) => name.toLowerCase().includes(wanted));
+    return some.length === 0 ? [] : [{ node, rows: some, usual: [] }];
   });
   const tools = (
     <>
@@ -64,11 +65,12 @@ export function ParametersPanel({ session, state, setState, announce, instance }
       {ready && nodes.length === 0 ? <p class="hint">{panelTexts.parameters.none}</p> : null}
       {nodes.length > 0 && found.length === 0 ? <p class="hint">{panelTexts.parameters.noneMatch}</p> : null}
       <ul class="topics" role="list">
-        {found.map(({ node, rows }) => (
+        {found.map(({ node, rows, usual }) => (
           <NodeSection
             key={node.name}
             node={node}
             rows={rows}
+            usual={usual}
             open={wanted !== '' || !closed.includes(node.name)}
             onToggle={() =>
               change({
@@ -90,12 +92,16 @@ export function ParametersPanel({ session, state, setState, announce, instance }
 interface NodeSectionProps extends Pick<PanelProps, 'announce' | 'instance'> {
   readonly node: NodeParameters;
   readonly rows: readonly (readonly [string, KnownParameter])[];
+  /** Parameters that every node has; behind "more". */
+  readonly usual: readonly (readonly [string, KnownParameter])[];
   readonly open: boolean;
   readonly onToggle: () => void;
   readonly store: ParameterStore | null;
 }
 
-function NodeSection({ node, rows, open, onToggle, store, announce, instance }: NodeSectionProps) {
+function NodeSection({ node, rows: own, usual, open, onToggle, store, announce, instance }: NodeSectionProps) {
+  const [all, setAll] = useState(false);
+  const rows = all ? [...own, ...usual] : own;
   const inside = `parameters-${instance}-${encodeURIComponent(node.name)}`;
   const values = (): Map<string, KnownParameter['value']> =>
     new Map([...node.parameters].map(([name, { value }]) => [name, value]));
@@ -156,6 +162,11 @@ function NodeSection({ node, rows, open, onToggle, store, announce, instance }: 
                 />
               ))}
             </ul>
+          ) : null}
+          {usual.length > 0 ? (
+            <button type="button" class="button parameters-more" aria-expanded={all} onClick={() => setAll(!all)}>
+              {all ? panelTexts.parameters.hideUsual : panelTexts.parameters.showUsual(usual.length)}
+            </button>
           ) : null}
           {rows.length > kMostRows ? <p class="hint">{panelTexts.parameters.more(kMostRows, rows.length)}</p> : null}
         </div>

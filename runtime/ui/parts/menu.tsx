@@ -1,8 +1,10 @@
-// A button that opens a menu: arrow keys, first letters, Home, End and Escape work as menus do everywhere.
+// A button that opens a menu: arrow keys, first letters, Home, End and Escape work as menus do everywhere. A long menu
+// has groups with headings, and a field to search its items.
 
 import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { Icon } from './icon.tsx';
 import type { IconName } from './icon.tsx';
+import { SearchField } from './search_field.tsx';
 
 export interface MenuItem {
   readonly id: string;
@@ -11,6 +13,8 @@ export interface MenuItem {
   readonly disabled?: boolean;
   /** A line above it. */
   readonly apart?: boolean;
+  /** Heading of the group that it belongs to; items of one group follow each other. */
+  readonly group?: string;
   readonly choose: () => void;
 }
 
@@ -19,11 +23,13 @@ export interface MenuButtonProps {
   readonly label: string;
   readonly items: readonly MenuItem[];
   readonly class?: string;
+  /** Label of a field that searches the items; no field without it. */
+  readonly search?: string;
 }
 
 const kMargin = 8;
 
-export function MenuButton({ icon, label, items, class: extra }: MenuButtonProps) {
+export function MenuButton({ icon, label, items, class: extra, search }: MenuButtonProps) {
   const [open, setOpen] = useState(false);
   const button = useRef<HTMLButtonElement>(null);
   const close = (focus: boolean): void => {
@@ -49,7 +55,7 @@ export function MenuButton({ icon, label, items, class: extra }: MenuButtonProps
       >
         <Icon name={icon} />
       </button>
-      {open ? <Menu label={label} items={items} anchor={button.current} close={close} /> : null}
+      {open ? <Menu label={label} items={items} search={search} anchor={button.current} close={close} /> : null}
     </>
   );
 }
@@ -57,12 +63,15 @@ export function MenuButton({ icon, label, items, class: extra }: MenuButtonProps
 interface MenuProps {
   readonly label: string;
   readonly items: readonly MenuItem[];
+  readonly search: string | undefined;
   readonly anchor: HTMLElement | null;
   readonly close: (focus: boolean) => void;
 }
 
-function Menu({ label, items, anchor, close }: MenuProps) {
+function Menu({ label, items, search, anchor, close }: MenuProps) {
   const list = useRef<HTMLDivElement>(null);
+  const [sought, setSought] = useState('');
+  const found = items.filter(({ words }) => words.toLowerCase().includes(sought.trim().toLowerCase()));
   const entries = (): HTMLElement[] => [
     ...(list.current?.querySelectorAll<HTMLElement>('[role="menuitem"]') ?? []),
   ];
@@ -109,6 +118,13 @@ function Menu({ label, items, anchor, close }: MenuProps) {
       close(true);
       return;
     }
+    const writes = event.target instanceof HTMLInputElement;
+    if (writes && event.key === 'Enter') {
+      event.preventDefault();
+      all[0]?.click();
+      return;
+    }
+    if (writes && event.key !== 'ArrowDown' && event.key !== 'ArrowUp') return;
     const letter = event.key.length === 1 ? event.key.toLowerCase() : '';
     const after = [...all.slice(at + 1), ...all.slice(0, at + 1)];
     const target =
@@ -121,26 +137,40 @@ function Menu({ label, items, anchor, close }: MenuProps) {
     target.focus();
   };
 
+  const entry = (item: MenuItem) => (
+    <button
+      type="button"
+      role="menuitem"
+      key={item.id}
+      class={item.apart === true ? 'menu-apart' : ''}
+      tabIndex={-1}
+      aria-disabled={item.disabled === true ? 'true' : undefined}
+      onClick={() => {
+        if (item.disabled === true) return;
+        close(true);
+        item.choose();
+      }}
+    >
+      {item.icon === undefined ? null : <Icon name={item.icon} />}
+      {item.words}
+    </button>
+  );
+  const groups = [...new Set(found.map(({ group }) => group))];
   return (
-    <div class="menu" role="menu" aria-label={label} ref={list} onKeyDown={onKeyDown}>
-      {items.map((item) => (
-        <button
-          type="button"
-          role="menuitem"
-          key={item.id}
-          class={item.apart === true ? 'menu-apart' : ''}
-          tabIndex={-1}
-          aria-disabled={item.disabled === true ? 'true' : undefined}
-          onClick={() => {
-            if (item.disabled === true) return;
-            close(true);
-            item.choose();
-          }}
-        >
-          {item.icon === undefined ? null : <Icon name={item.icon} />}
-          {item.words}
-        </button>
-      ))}
+    <div class={`menu ${groups.length > 1 ? 'menu-grouped' : ''}`} ref={list} onKeyDown={onKeyDown}>
+      {search === undefined ? null : <SearchField value={sought} label={search} onText={setSought} />}
+      <div class="menu-items" role="menu" aria-label={label}>
+        {groups.map((group) => {
+          const own = found.filter((item) => item.group === group).map(entry);
+          if (group === undefined) return own;
+          return (
+            <div key={group} class="menu-group" role="group" aria-label={group}>
+              <span class="menu-heading" aria-hidden="true">{group}</span>
+              {own}
+            </div>
+          );
+        })}
+      </div>
     </div>
   );
 }

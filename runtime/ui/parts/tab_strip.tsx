@@ -4,7 +4,7 @@
 import { useLayoutEffect, useRef } from 'preact/hooks';
 import { groupsOf } from '../model/layout.ts';
 import type { Group } from '../model/layout.ts';
-import { panelRow, panels } from '../panels/index.ts';
+import { offeredPanels, panelRow } from '../panels/index.ts';
 import { texts } from '../texts.ts';
 import { IconButton } from './button.tsx';
 import { Icon } from './icon.tsx';
@@ -33,7 +33,22 @@ export function TabStrip({ group, control, narrow, bare, beginDrag }: TabStripPr
     if (left < strip.scrollLeft) strip.scrollLeft = left;
     else if (right > strip.scrollLeft + strip.clientWidth)
       strip.scrollLeft = right - strip.clientWidth;
+    showEnds(strip);
   });
+  useLayoutEffect(() => {
+    const strip = bar.current;
+    if (strip === null) return undefined;
+    const watch = new ResizeObserver(() => showEnds(strip));
+    watch.observe(strip);
+    return () => watch.disconnect();
+  }, [group.tabs.length === 0]);
+  /** A mouse has one wheel only. */
+  const onWheel = (event: WheelEvent): void => {
+    const strip = bar.current;
+    if (strip === null || strip.scrollWidth <= strip.clientWidth || event.deltaX !== 0) return;
+    event.preventDefault();
+    strip.scrollLeft += event.deltaY;
+  };
   const at = group.tabs.findIndex((tab) => tab.key === group.front);
   const onKeyDown = (event: KeyboardEvent): void => {
     const count = group.tabs.length;
@@ -64,6 +79,8 @@ export function TabStrip({ group, control, narrow, bare, beginDrag }: TabStripPr
           aria-label={texts.panelTabs}
           ref={bar}
           onKeyDown={onKeyDown}
+          onWheel={onWheel}
+          onScroll={(event) => showEnds(event.currentTarget)}
         >
           {group.tabs.map((tab) => (
             <button
@@ -91,7 +108,7 @@ export function TabStrip({ group, control, narrow, bare, beginDrag }: TabStripPr
           {control.large === group.key && !narrow ? (
             <IconButton icon="fit" pressed label={texts.layout.restore} onClick={() => control.enlarge(null)} />
           ) : null}
-          <MenuButton icon="plus" label={texts.layout.add} items={panelItems(group, control)} />
+          <MenuButton icon="plus" label={texts.layout.add} search={texts.layout.search} items={panelItems(group, control)} />
           {front === undefined ? null : (
             <MenuButton
               icon="more"
@@ -105,11 +122,18 @@ export function TabStrip({ group, control, narrow, bare, beginDrag }: TabStripPr
   );
 }
 
+/** Marks the ends behind which there are more tabs: they fade. */
+function showEnds(strip: HTMLElement): void {
+  strip.classList.toggle('tabs-before', strip.scrollLeft > 1);
+  strip.classList.toggle('tabs-after', strip.scrollLeft + strip.clientWidth < strip.scrollWidth - 1);
+}
+
 function panelItems(group: Group, control: LayoutControl): readonly MenuItem[] {
-  return panels.map((row) => ({
+  return offeredPanels(control.site).map((row) => ({
     id: row.id,
     words: row.title,
     icon: row.icon,
+    group: texts.layout.groups[row.group],
     choose: () => control.add(group.key, row.id),
   }));
 }

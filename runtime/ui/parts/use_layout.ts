@@ -2,7 +2,7 @@
 // room there is. Kept in the browser once the visitor changed it.
 
 import { useCallback, useEffect, useMemo, useRef, useState } from 'preact/hooks';
-import type { Session } from '../../wasm_js/session.ts';
+import type { Session, SiteDescription } from '../../wasm_js/session.ts';
 import { setParameters } from '../../ros2cli/set_parameters.ts';
 import { embeddedLayout, wholeAddress } from '../model/embed_link.ts';
 import type { EmbedView } from '../model/embed_link.ts';
@@ -20,6 +20,7 @@ import { texts } from '../texts.ts';
 import { changedFiles } from './source_links.ts';
 
 export interface LayoutControl {
+  readonly site: SiteDescription;
   readonly layout: Layout;
   readonly reveal: (key: string) => void;
   readonly close: (key: string) => void;
@@ -104,6 +105,7 @@ export function useLayout(
   return useMemo<LayoutControl>(() => {
     const reveal = (key: string): void => change((now) => layouts.reveal(now, key));
     return {
+      site: session.site,
       layout,
       notice,
       dismiss,

@@ -1,7 +1,7 @@
 // The joints of a robot description that can be set, where they are at first, and those that mimic others.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { jointPositions, readJoints } from '../../../runtime/ui/model/joints.ts';
+import { jointPositions, readJoints, readJointState } from '../../../runtime/ui/model/joints.ts';
 
 test('joints have their limits, zeros and those that they mimic', () => {
   const joints = readJoints(`<robot name="r">
@@ -26,4 +26,11 @@ test('what is no robot has no joints, and mimics in a ring come to an end', () =
   assert.equal(many?.length, 500);
   const ring = readJoints('<robot><joint name="a" type="continuous"><mimic joint="b"/></joint><joint name="b" type="continuous"><mimic joint="a" multiplier="1e300"/></joint></robot>');
   assert.ok(jointPositions(ring ?? [], new Map([['a', 1]])).every(Number.isFinite));
+});
+
+test('positions are read from a joint state, whatever it lacks', () => {
+  assert.deepEqual(readJointState({ name: ['a', 'b'], position: new Float64Array([1, -2]) }), [['a', 1], ['b', -2]]);
+  assert.deepEqual(readJointState({ name: ['a', 'b', 'c'], position: [1, Number.NaN] }), [['a', 1]]);
+  for (const wrong of [null, {}, { name: ['a'], position: [] }, { name: 'a', position: [1] }, { name: [7], position: [1] }, { name: ['a'] }])
+    assert.deepEqual(readJointState(wrong), []);
 });

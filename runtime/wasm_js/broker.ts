@@ -90,7 +90,7 @@ export class SharedBroker implements Broker {
     const participant = this.bus.claimParticipant();
     if (participant < 0) return undefined;
     this.conductor?.expect(participant);
-    return { participant, ticket: { kind: 'shared', sab: this.bus.sab, participant }, transfer: [] };
+    return { participant, ticket: { kind: 'shared', memory: this.bus.memory, participant }, transfer: [] };
   }
 
   setTime(law: TimeLaw): void {
@@ -123,9 +123,8 @@ export class SharedBroker implements Broker {
   /** Workers of the participant may run on for seconds: nothing of theirs is freed here. */
   end(participant: number): void {
     const { bus } = this;
-    const { i32 } = bus;
-    Atomics.store(i32, bus.participantWord(participant) + BusParticipant.state, BusParticipantState.ended);
-    Atomics.store(i32, bus.participantWord(participant) + BusParticipant.graphInterest, 0);
+    bus.store(bus.participantWord(participant) + BusParticipant.state, BusParticipantState.ended);
+    bus.store(bus.participantWord(participant) + BusParticipant.graphInterest, 0);
     this.rested();
     this.depart(participant, false);
   }
@@ -141,24 +140,23 @@ export class SharedBroker implements Broker {
   /** Takes what the participant has out of the graph; when it is `gone`, frees what it had in hand. */
   private depart(participant: number, gone: boolean): void {
     const { bus } = this;
-    const { i32 } = bus;
     const mine = (participant + 1) << 8;
-    const endpoints = Atomics.load(i32, BusHeader.endpointHigh);
+    const endpoints = bus.load(BusHeader.endpointHigh);
     for (let index = 0; index < bus.endpointCount; index += 1) {
       const word = bus.endpointWord(index);
-      const state = Atomics.load(i32, word);
+      const state = bus.load(word);
       if (state === 0 && index >= endpoints) break;
       if ((state & ~255) !== mine) continue;
-      const generation = Atomics.load(i32, word + BusEndpoint.generation);
+      const generation = bus.load(word + BusEndpoint.generation);
       if ((state & 255) === BusPhase.claimed) {
         if (!gone) continue;
         // It died while it made or freed this one: nobody else has seen it.
         if (generation !== 0) {
           bus.freeAll(endpointKey(index, generation));
           bus.freeAll(endpointKey(index, previousGeneration(generation)));
-          bumpGeneration(i32, word);
+          bumpGeneration(bus, word);
         }
-        Atomics.store(i32, word, BusPhase.free);
+        bus.store(word, BusPhase.free);
         logChange(bus, index);
       } else {
         const record = readEndpoint(bus, index)?.record;
@@ -170,18 +168,18 @@ export class SharedBroker implements Broker {
         }
       }
     }
-    const nodes = Atomics.load(i32, BusHeader.nodeHigh);
+    const nodes = bus.load(BusHeader.nodeHigh);
     for (let index = 0; index < bus.nodeCount; index += 1) {
       const word = bus.nodeWord(index);
-      const state = Atomics.load(i32, word + BusNode.state);
+      const state = bus.load(word + BusNode.state);
       if (state === 0 && index >= nodes) break;
       if ((state & ~255) !== mine) continue;
-      if (gone) Atomics.store(i32, word + BusNode.state, BusPhase.free);
-      else if ((state & 255) === BusPhase.live) Atomics.compareExchange(i32, word + BusNode.state, state, mine | BusPhase.departed);
+      if (gone) bus.store(word + BusNode.state, BusPhase.free);
+      else if ((state & 255) === BusPhase.live) bus.compareExchange(word + BusNode.state, state, mine | BusPhase.departed);
       logChange(bus, nodeBit | index);
     }
     for (let other = 0; other < bus.participantCount; other += 1) {
-      const state = Atomics.load(i32, bus.participantWord(other) + BusParticipant.state);
+      const state = bus.load(bus.participantWord(other) + BusParticipant.state);
       if (state === BusParticipantState.live) bus.bump(other);
     }
     this.conductor?.leaves(participant);
@@ -191,15 +189,15 @@ export class SharedBroker implements Broker {
   private tellDeath(writer: EndpointRecord): void {
     const { bus } = this;
     const length = bus.i32[bus.endpointWord(keyIndex(writer.key)) + BusEndpoint.nameLength];
-    for (let index = 0; index < Atomics.load(bus.i32, BusHeader.endpointHigh); index += 1) {
+    for (let index = 0; index < bus.load(BusHeader.endpointHigh); index += 1) {
       const word = bus.endpointWord(index);
-      if ((Atomics.load(bus.i32, word) & 255) !== BusPhase.live) continue;
+      if ((bus.load(word) & 255) !== BusPhase.live) continue;
       if (bus.i32[word + BusEndpoint.kind] !== EndpointKind.subscription) continue;
       // Saves reading the names of most.
       if (bus.i32[word + BusEndpoint.nameLength] !== length) continue;
       const reader = readEndpoint(bus, index)?.record;
       if (reader === undefined || relate(reader, writer).kind !== 'match') continue;
-      Atomics.add(bus.i32, word + BusEndpoint.died, 1);
+      bus.add(word + BusEndpoint.died, 1);
       bus.noteStatus(reader.participant);
     }
   }
@@ -219,24 +217,23 @@ export class SharedBroker implements Broker {
 
   private release(participant: number): boolean {
     const { bus } = this;
-    const { i32 } = bus;
     const departed = ((participant + 1) << 8) | BusPhase.departed;
-    const endpoints = Atomics.load(i32, BusHeader.endpointHigh);
+    const endpoints = bus.load(BusHeader.endpointHigh);
     let left = 0;
     for (let index = 0; index < endpoints; index += 1) {
       const word = bus.endpointWord(index);
-      if (Atomics.load(i32, word) !== departed) continue;
-      const key = endpointKey(index, Atomics.load(i32, word + BusEndpoint.generation));
+      if (bus.load(word) !== departed) continue;
+      const key = endpointKey(index, bus.load(word + BusEndpoint.generation));
       if (unread(bus, key)) left += 1;
       else releaseEndpoint(bus, key, participant);
     }
     if (left > 0) return false;
-    Atomics.store(i32, bus.participantWord(participant) + BusParticipant.state, BusParticipantState.free);
+    bus.store(bus.participantWord(participant) + BusParticipant.state, BusParticipantState.free);
     return true;
   }
 
   consoleSeen(participant: number): void {
-    Atomics.add(this.bus.i32, this.bus.participantWord(participant) + BusParticipant.consoleSeen, 1);
+    this.bus.add(this.bus.participantWord(participant) + BusParticipant.consoleSeen, 1);
   }
 
   consoleAhead(participant: number): number {

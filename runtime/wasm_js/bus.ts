@@ -1,10 +1,11 @@
-// The shared bus: one growable SharedArrayBuffer with fixed tables and 4 KiB pages. Memory, pages and wake words;
+// The shared bus: one shared WebAssembly memory with fixed tables and 4 KiB pages. Memory, pages and wake words;
 // knows nothing of samples. Every structure has one writer or is changed by compare-and-exchange only, so that a
 // worker that is terminated at any instruction leaves nothing locked. Layout: protocol/SPEC.md section 4.
 
 import {
   BusHeader, BusParticipant, BusParticipantState, BusSizes, BusTime, ErrorCode, protocolVersion, timeRateOne,
 } from '../protocol/generated/constants.ts';
+import { atomicsOf, type BusAtomics } from './bus_atomics.ts';
 import type { TimeLaw } from './clock.ts';
 import { decodeUtf8 } from './utf8.ts';
 
@@ -27,9 +28,21 @@ function roundUp(value: number, unit: number): number {
   return Math.ceil(value / unit) * unit;
 }
 
+/** Bytes by which the memory grows at least. */
+const wasmPage = 1 << 16;
+
 /** A bus in the calling thread's hands. Offsets are bytes, `word` arguments are Int32 indices. */
 export class Bus {
-  readonly sab: SharedArrayBuffer;
+  readonly memory: WebAssembly.Memory;
+  /** Atomic accesses; `i32` is for plain ones. */
+  readonly load: BusAtomics['load'];
+  readonly store: BusAtomics['store'];
+  readonly add: BusAtomics['add'];
+  readonly sub: BusAtomics['sub'];
+  readonly or: BusAtomics['or'];
+  readonly exchange: BusAtomics['exchange'];
+  readonly compareExchange: BusAtomics['compareExchange'];
+  private readonly size: BusAtomics['size'];
   i32: Int32Array;
   u8: Uint8Array;
   /** The tables only; they never move. */
@@ -46,12 +59,22 @@ export class Bus {
   private readonly pageTable: number;
   private readonly pages: number;
 
-  constructor(sab: SharedArrayBuffer) {
-    this.sab = sab;
-    this.i32 = new Int32Array(sab, 0, sab.byteLength >> 2);
-    this.u8 = new Uint8Array(sab, 0, sab.byteLength);
-    this.i64 = new BigInt64Array(sab, 0, sab.byteLength >> 3);
-    const header = (word: number): number => Atomics.load(this.i32, word);
+  constructor(memory: WebAssembly.Memory) {
+    this.memory = memory;
+    const atomics = atomicsOf(memory);
+    this.load = atomics.load;
+    this.store = atomics.store;
+    this.add = atomics.add;
+    this.sub = atomics.sub;
+    this.or = atomics.or;
+    this.exchange = atomics.exchange;
+    this.compareExchange = atomics.compareExchange;
+    this.size = atomics.size;
+    const { buffer } = memory;
+    this.i32 = new Int32Array(buffer);
+    this.u8 = new Uint8Array(buffer);
+    this.i64 = new BigInt64Array(buffer);
+    const header = (word: number): number => this.load(word);
     if (header(BusHeader.magic) !== magic || header(BusHeader.version) !== protocolVersion) {
       throw new RangeError('not a bus of this protocol version');
     }
@@ -94,26 +117,27 @@ export class Bus {
   }
 
   private renew(): void {
-    const length = this.sab.byteLength;
-    this.i32 = new Int32Array(this.sab, 0, length >> 2);
-    this.u8 = new Uint8Array(this.sab, 0, length);
+    const { memory } = this;
+    // An engine may show a thread the old buffer for a while after another thread has grown the memory.
+    if (memory.buffer.byteLength < this.size() * wasmPage) memory.grow(0);
+    this.i32 = new Int32Array(memory.buffer);
+    this.u8 = new Uint8Array(memory.buffer);
   }
 
   private pagesNow(): number {
-    return Math.floor((this.sab.byteLength - this.pages) / BusSizes.page);
+    return Math.min(this.pageLimit, Math.floor((this.size() * wasmPage - this.pages) / BusSizes.page));
   }
 
   /** First page of a free run that now belongs to `owner` (not 0), or ErrorCode.outOfMemory. */
   allocate(count: number, owner: number): number {
-    const i32 = this.i32;
-    const hint = Atomics.load(i32, BusHeader.pageHint);
+    const hint = this.load(BusHeader.pageHint);
     for (;;) {
       const total = this.pagesNow();
       const from = hint < total ? hint : 0;
       let page = this.claimRun(from, total, count, owner);
       if (page < 0 && from > 0) page = this.claimRun(0, Math.min(total, from + count), count, owner);
       if (page >= 0) {
-        Atomics.store(i32, BusHeader.pageHint, page + count);
+        this.store(BusHeader.pageHint, page + count);
         this.reach(this.pageOffset(page + count));
         return page;
       }
@@ -122,17 +146,16 @@ export class Bus {
   }
 
   private claimRun(from: number, to: number, count: number, owner: number): number {
-    const i32 = this.i32;
     const table = this.pageTable;
     let start = from;
     let held = 0;
     while (start + count <= to) {
-      if (Atomics.compareExchange(i32, table + start + held, 0, owner) === 0) {
+      if (this.compareExchange(table + start + held, 0, owner) === 0) {
         held += 1;
         if (held === count) return start;
         continue;
       }
-      for (let i = 0; i < held; i += 1) Atomics.store(i32, table + start + i, 0);
+      for (let i = 0; i < held; i += 1) this.store(table + start + i, 0);
       start += held + 1;
       held = 0;
     }
@@ -140,12 +163,12 @@ export class Bus {
   }
 
   private grow(total: number, count: number): boolean {
-    const step = Math.max(count, Math.min(Math.max(64, total), Atomics.load(this.i32, BusHeader.growPages)));
+    const step = Math.max(count, Math.min(Math.max(64, total), this.load(BusHeader.growPages)));
     for (const more of [step, count]) {
       const wanted = Math.min(total + more, this.pageLimit);
       if (wanted <= total) return false;
       try {
-        this.sab.grow(this.pageOffset(wanted));
+        this.memory.grow(Math.ceil(this.pageOffset(wanted) / wasmPage) - this.size());
       } catch {
         // Another thread grew further, or the machine has no more memory.
       }
@@ -159,8 +182,8 @@ export class Bus {
 
   /** Gives back pages that the caller owns. */
   free(page: number, count: number): void {
-    for (let i = 0; i < count; i += 1) Atomics.store(this.i32, this.pageTable + page + i, 0);
-    if (page < Atomics.load(this.i32, BusHeader.pageHint)) Atomics.store(this.i32, BusHeader.pageHint, page);
+    for (let i = 0; i < count; i += 1) this.store(this.pageTable + page + i, 0);
+    if (page < this.load(BusHeader.pageHint)) this.store(BusHeader.pageHint, page);
   }
 
   /** Gives back all pages of an owner. */
@@ -168,12 +191,12 @@ export class Bus {
     const total = this.pagesNow();
     let lowest = -1;
     for (let page = 0; page < total; page += 1) {
-      if (Atomics.load(this.i32, this.pageTable + page) !== owner) continue;
-      Atomics.store(this.i32, this.pageTable + page, 0);
+      if (this.load(this.pageTable + page) !== owner) continue;
+      this.store(this.pageTable + page, 0);
       if (lowest < 0) lowest = page;
     }
-    if (lowest >= 0 && lowest < Atomics.load(this.i32, BusHeader.pageHint)) {
-      Atomics.store(this.i32, BusHeader.pageHint, lowest);
+    if (lowest >= 0 && lowest < this.load(BusHeader.pageHint)) {
+      this.store(BusHeader.pageHint, lowest);
     }
   }
 
@@ -181,20 +204,20 @@ export class Bus {
   usage(): { used: number; total: number } {
     const total = this.pagesNow();
     let used = 0;
-    for (let page = 0; page < total; page += 1) if (Atomics.load(this.i32, this.pageTable + page) !== 0) used += 1;
+    for (let page = 0; page < total; page += 1) if (this.load(this.pageTable + page) !== 0) used += 1;
     return { used, total };
   }
 
   /** A status of one of the participant's endpoints changed; the event is the caller's. */
   noteStatus(participant: number): void {
-    Atomics.add(this.i32, this.participantWord(participant) + BusParticipant.status, 1);
+    this.add(this.participantWord(participant) + BusParticipant.status, 1);
   }
 
   /** An event for a participant: whoever sleeps there wakes. */
   bump(participant: number): void {
     const word = this.participantWord(participant);
-    Atomics.add(this.i32, word + BusParticipant.wake, 1);
-    if (Atomics.load(this.i32, word + BusParticipant.sleepers) > 0) {
+    this.add(word + BusParticipant.wake, 1);
+    if (this.load(word + BusParticipant.sleepers) > 0) {
       Atomics.notify(this.i32, word + BusParticipant.wake);
     }
   }
@@ -202,34 +225,34 @@ export class Bus {
   /** Asks a participant to stop, as SIGINT does. */
   requestStop(participant: number): void {
     const word = this.participantWord(participant);
-    Atomics.add(this.i32, word + BusParticipant.stop, 1);
+    this.add(word + BusParticipant.stop, 1);
     this.rouse(participant);
   }
 
   /** All sleeps and waits of a participant look again whether they are over. */
   private rouse(participant: number): void {
     const word = this.participantWord(participant);
-    Atomics.add(this.i32, word + BusParticipant.rouse, 1);
+    this.add(word + BusParticipant.rouse, 1);
     Atomics.notify(this.i32, word + BusParticipant.rouse);
     this.bump(participant);
   }
 
   /** Time follows another law from now on; who waits is told by rouseAll. Only the page does this. */
   setTime({ realNs, siteNs, rate, limitNs }: TimeLaw): void {
-    const { i32, i64 } = this;
+    const { i64 } = this;
     const time = BusHeader.siteTime;
     const put = (word: number, ns: number): void => void Atomics.store(i64, (time + word) >> 1, BigInt(ns));
-    Atomics.add(i32, time + BusTime.version, 1);
-    Atomics.store(i32, time + BusTime.rate, Math.round(rate * timeRateOne));
+    this.add(time + BusTime.version, 1);
+    this.store(time + BusTime.rate, Math.round(rate * timeRateOne));
     put(BusTime.real, realNs);
     put(BusTime.site, siteNs);
     put(BusTime.limit, limitNs === Infinity ? -1 : limitNs);
-    Atomics.add(i32, time + BusTime.version, 1);
+    this.add(time + BusTime.version, 1);
   }
 
   rouseAll(): void {
     for (let index = 0; index < this.participantCount; index += 1) {
-      const state = Atomics.load(this.i32, this.participantWord(index) + BusParticipant.state);
+      const state = this.load(this.participantWord(index) + BusParticipant.state);
       if (state === BusParticipantState.live) this.rouse(index);
     }
   }
@@ -239,14 +262,14 @@ export class Bus {
     for (let index = 0; index < this.participantCount; index += 1) {
       const word = this.participantWord(index);
       const { free, live } = BusParticipantState;
-      if (Atomics.compareExchange(this.i32, word + BusParticipant.state, free, live) !== free) continue;
-      Atomics.add(this.i32, word + BusParticipant.generation, 1);
-      Atomics.store(this.i32, word + BusParticipant.stop, 0);
-      Atomics.store(this.i32, word + BusParticipant.graphInterest, 0);
-      Atomics.store(this.i32, word + BusParticipant.sleepers, 0);
-      Atomics.store(this.i32, word + BusParticipant.status, 0);
-      Atomics.store(this.i32, word + BusParticipant.consolePosted, 0);
-      Atomics.store(this.i32, word + BusParticipant.consoleSeen, 0);
+      if (this.compareExchange(word + BusParticipant.state, free, live) !== free) continue;
+      this.add(word + BusParticipant.generation, 1);
+      this.store(word + BusParticipant.stop, 0);
+      this.store(word + BusParticipant.graphInterest, 0);
+      this.store(word + BusParticipant.sleepers, 0);
+      this.store(word + BusParticipant.status, 0);
+      this.store(word + BusParticipant.consolePosted, 0);
+      this.store(word + BusParticipant.consoleSeen, 0);
       return index;
     }
     return ErrorCode.tableFull;
@@ -269,8 +292,10 @@ export function createBus(options: BusOptions = {}): Bus {
   if (pageCount < 64) throw new RangeError(`a bus of ${ceiling} bytes has no room for its tables`);
   const pagesAt = roundUp(pageTableAt + pageCount * 4, BusSizes.page);
   const first = pagesAt + Math.min(64, pageCount) * BusSizes.page;
-  const sab = new SharedArrayBuffer(first, { maxByteLength: pagesAt + pageCount * BusSizes.page });
-  const i32 = new Int32Array(sab);
+  const memory = new WebAssembly.Memory({
+    initial: Math.ceil(first / wasmPage), maximum: Math.ceil((pagesAt + pageCount * BusSizes.page) / wasmPage), shared: true,
+  });
+  const i32 = new Int32Array(memory.buffer);
   const set = (word: number, value: number): void => {
     i32[word] = value;
   };
@@ -290,8 +315,8 @@ export function createBus(options: BusOptions = {}): Bus {
   const session = options.session ?? crypto.getRandomValues(new Int32Array(2));
   set(BusHeader.session0, session[0] ?? 0);
   set(BusHeader.session1, session[1] ?? 0);
-  Atomics.store(i32, BusHeader.magic, magic);
-  return new Bus(sab);
+  atomicsOf(memory).store(BusHeader.magic, magic);
+  return new Bus(memory);
 }
 
 /** Text in a slot. */

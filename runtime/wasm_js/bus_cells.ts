@@ -5,13 +5,13 @@ import type { Bus } from './bus.ts';
 import type { TimeCells } from './timing.ts';
 
 export class BusCells implements TimeCells {
-  private readonly i32: Int32Array;
+  private readonly bus: Bus;
   private readonly i64: BigInt64Array;
   private readonly word: number;
 
-  /** The tables never move, so the views of the bus as it is now reach them for ever. */
+  /** The tables never move, so a view of the bus as it is now reaches them for ever. */
   constructor(bus: Bus, endpointWord: number) {
-    this.i32 = bus.i32;
+    this.bus = bus;
     this.i64 = bus.i64;
     this.word = endpointWord;
   }
@@ -33,26 +33,26 @@ export class BusCells implements TimeCells {
   }
 
   missed(): number {
-    return Atomics.load(this.i32, this.word + BusEndpoint.deadlineTotal);
+    return this.bus.load(this.word + BusEndpoint.deadlineTotal);
   }
 
   addMissed(count: number): void {
-    Atomics.add(this.i32, this.word + BusEndpoint.deadlineTotal, count);
+    this.bus.add(this.word + BusEndpoint.deadlineTotal, count);
   }
 
   lost(): number {
-    return Atomics.load(this.i32, this.word + BusEndpoint.livelinessTotal);
+    return this.bus.load(this.word + BusEndpoint.livelinessTotal);
   }
 
   addLost(count: number): void {
-    Atomics.add(this.i32, this.word + BusEndpoint.livelinessTotal, count);
+    this.bus.add(this.word + BusEndpoint.livelinessTotal, count);
   }
 
   watched(): number {
-    return Atomics.load(this.i32, this.word + BusEndpoint.watched);
+    return this.bus.load(this.word + BusEndpoint.watched);
   }
 
   watch(status: StatusKind): void {
-    Atomics.or(this.i32, this.word + BusEndpoint.watched, 1 << status);
+    this.bus.or(this.word + BusEndpoint.watched, 1 << status);
   }
 }

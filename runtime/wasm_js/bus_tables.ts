@@ -14,23 +14,23 @@ export const nodeBit = 0x8000;
 export function claimSlot(bus: Bus, participant: number, count: number, wordOf: (index: number) => number): number {
   const claimed = ((participant + 1) << 8) | BusPhase.claimed;
   for (let index = 0; index < count; index += 1) {
-    if (Atomics.compareExchange(bus.i32, wordOf(index), BusPhase.free, claimed) === BusPhase.free) return index;
+    if (bus.compareExchange(wordOf(index), BusPhase.free, claimed) === BusPhase.free) return index;
   }
   return -1;
 }
 
 /** Makes a counter at least `value`; true when it was less. */
 export function raise(bus: Bus, word: number, value: number): boolean {
-  for (let now = Atomics.load(bus.i32, word); now < value; now = Atomics.load(bus.i32, word)) {
-    if (Atomics.compareExchange(bus.i32, word, now, value) === now) return true;
+  for (let now = bus.load(word); now < value; now = bus.load(word)) {
+    if (bus.compareExchange(word, now, value) === now) return true;
   }
   return false;
 }
 
 /** Writes an entry of the graph log; the change itself must be in the table before. Returns the version. */
 export function logChange(bus: Bus, entry: number): number {
-  const version = (Atomics.add(bus.i32, BusHeader.graphVersion, 1) + 1) | 0;
-  Atomics.store(bus.i32, bus.graphLog + (version & bus.graphLogMask), (version << 16) | entry);
+  const version = (bus.add(BusHeader.graphVersion, 1) + 1) | 0;
+  bus.store(bus.graphLog + (version & bus.graphLogMask), (version << 16) | entry);
   return version;
 }
 
@@ -70,35 +70,35 @@ export function fillEndpoint(bus: Bus, record: EndpointRecord): void {
     i32[word + length] = bytes.length;
     bus.u8.set(bytes, (word << 2) + at);
   }
-  Atomics.store(i32, word + BusEndpoint.signal, 1);
-  Atomics.store(i32, word + BusEndpoint.born, (Atomics.load(i32, BusHeader.graphVersion) + 1) | 0);
+  bus.store(word + BusEndpoint.signal, 1);
+  bus.store(word + BusEndpoint.born, (bus.load(BusHeader.graphVersion) + 1) | 0);
 }
 
 /** Takes an endpoint out of the graph; what it wrote can still be read. False when someone else did so. */
 export function departEndpoint(bus: Bus, key: number, participant: number): boolean {
   const word = bus.endpointWord(keyIndex(key));
   const live = ((participant + 1) << 8) | BusPhase.live;
-  if (Atomics.load(bus.i32, word + BusEndpoint.generation) !== key >>> 13) return false;
-  Atomics.store(bus.i32, word + BusEndpoint.gone, (Atomics.load(bus.i32, BusHeader.graphVersion) + 1) | 0);
+  if (bus.load(word + BusEndpoint.generation) !== key >>> 13) return false;
+  bus.store(word + BusEndpoint.gone, (bus.load(BusHeader.graphVersion) + 1) | 0);
   const gone = (live & ~255) | BusPhase.departed;
-  if (Atomics.compareExchange(bus.i32, word, live, gone) !== live) return false;
+  if (bus.compareExchange(word, live, gone) !== live) return false;
   logChange(bus, keyIndex(key));
   return true;
 }
 
 /** Was a reader there before a writer left? If not, the writer has nothing for it. Words of their entries. */
-export function metBefore({ i32 }: Bus, reader: number, writer: number): boolean {
-  return ((Atomics.load(i32, writer + BusEndpoint.gone) - Atomics.load(i32, reader + BusEndpoint.born)) | 0) > 0;
+export function metBefore(bus: Bus, reader: number, writer: number): boolean {
+  return ((bus.load(writer + BusEndpoint.gone) - bus.load(reader + BusEndpoint.born)) | 0) > 0;
 }
 
 /** Reads an endpoint slot; undefined when it is neither live nor departed, or changed meanwhile. */
 export function readEndpoint(bus: Bus, index: number): { record: EndpointRecord; departed: boolean } | undefined {
   const { i32 } = bus;
   const word = bus.endpointWord(index);
-  const state = Atomics.load(i32, word);
+  const state = bus.load(word);
   const phase = state & 255;
   if (phase !== BusPhase.live && phase !== BusPhase.departed) return undefined;
-  const generation = Atomics.load(i32, word + BusEndpoint.generation);
+  const generation = bus.load(word + BusEndpoint.generation);
   const at = word << 2;
   const record: EndpointRecord = {
     key: endpointKey(index, generation),
@@ -121,7 +121,7 @@ export function readEndpoint(bus: Bus, index: number): { record: EndpointRecord;
     flags: i32[word + BusEndpoint.flags]!,
     gid: i32.slice(word + BusEndpoint.gid, word + BusEndpoint.gid + 4),
   };
-  if (Atomics.load(i32, word) !== state || Atomics.load(i32, word + BusEndpoint.generation) !== generation) {
+  if (bus.load(word) !== state || bus.load(word + BusEndpoint.generation) !== generation) {
     return undefined;
   }
   return { record, departed: phase === BusPhase.departed };
@@ -130,10 +130,10 @@ export function readEndpoint(bus: Bus, index: number): { record: EndpointRecord;
 /** Publishers that departed, and are not freed yet. */
 export function departedPublishers(bus: Bus): EndpointRecord[] {
   const records: EndpointRecord[] = [];
-  const endpoints = Atomics.load(bus.i32, BusHeader.endpointHigh);
+  const endpoints = bus.load(BusHeader.endpointHigh);
   for (let index = 0; index < endpoints; index += 1) {
     const word = bus.endpointWord(index);
-    if ((Atomics.load(bus.i32, word) & 255) !== BusPhase.departed) continue;
+    if ((bus.load(word) & 255) !== BusPhase.departed) continue;
     if (bus.i32[word + BusEndpoint.kind] !== EndpointKind.publisher) continue;
     const record = readEndpoint(bus, index)?.record;
     if (record !== undefined && (record.flags & flagHidden) === 0) records.push(record);
@@ -142,23 +142,22 @@ export function departedPublishers(bus: Bus): EndpointRecord[] {
 }
 
 /** A claimed slot's next generation, within the bits that a key has for it. */
-export function bumpGeneration(i32: Int32Array, word: number): void {
-  Atomics.store(i32, word + BusEndpoint.generation, nextGeneration(Atomics.load(i32, word + BusEndpoint.generation)));
+export function bumpGeneration(bus: Bus, word: number): void {
+  bus.store(word + BusEndpoint.generation, nextGeneration(bus.load(word + BusEndpoint.generation)));
 }
 
 /** Frees the slot and the pages of an endpoint that departed. */
 export function releaseEndpoint(bus: Bus, key: number, participant: number): void {
   const word = bus.endpointWord(keyIndex(key));
-  const { i32 } = bus;
-  if (Atomics.load(i32, word + BusEndpoint.generation) !== key >>> 13) return;
+  if (bus.load(word + BusEndpoint.generation) !== key >>> 13) return;
   const departed = ((participant + 1) << 8) | BusPhase.departed;
   const claimed = (departed & ~255) | BusPhase.claimed;
-  if (Atomics.compareExchange(i32, word, departed, claimed) !== departed) return;
-  const pages = Atomics.load(i32, word + BusEndpoint.ring) !== 0 || Atomics.load(i32, word + BusEndpoint.table) !== 0;
-  bumpGeneration(i32, word);
-  Atomics.store(i32, word + BusEndpoint.ring, 0);
-  Atomics.store(i32, word + BusEndpoint.hazard, 0);
+  if (bus.compareExchange(word, departed, claimed) !== departed) return;
+  const pages = bus.load(word + BusEndpoint.ring) !== 0 || bus.load(word + BusEndpoint.table) !== 0;
+  bumpGeneration(bus, word);
+  bus.store(word + BusEndpoint.ring, 0);
+  bus.store(word + BusEndpoint.hazard, 0);
   if (pages) bus.freeAll(key);
-  Atomics.store(i32, word, BusPhase.free);
+  bus.store(word, BusPhase.free);
   logChange(bus, keyIndex(key));
 }

@@ -17,13 +17,9 @@ const steadyZero = 1.7e12;
 
 /** Real time that all workers of a page share, monotonic, in ns. */
 export function realNanoseconds(): number {
-  return realAt(performance.timeOrigin);
+  return (performance.timeOrigin - steadyZero + performance.now()) * 1e6;
 }
 
-/** The same, where the worker's own start is at hand: to ask for it costs as much as to ask for the time. */
-function realAt(origin: number): number {
-  return (origin - steadyZero + performance.now()) * 1e6;
-}
 
 /** How site time follows real time: it was `siteNs` at `realNs`, grows by `rate`, and stands still at `limitNs`. */
 export interface TimeLaw {
@@ -42,13 +38,15 @@ export class SiteClock {
   private current: TimeLaw = ordinaryTime;
   private version = 0;
   private newest = 0;
-  private readonly origin = performance.timeOrigin;
-  /** The tables never move, so the views of the bus as it is now reach them for ever. */
-  private readonly i32: Int32Array | undefined;
+  /** At hand: to ask the global object for them costs as much as to ask for the time. */
+  private readonly timer = performance;
+  private readonly origin = performance.timeOrigin - steadyZero;
+  private readonly bus: Bus | undefined;
+  /** The tables never move, so a view of the bus as it is now reaches them for ever. */
   private readonly i64: BigInt64Array | undefined;
 
   constructor(bus?: Bus) {
-    this.i32 = bus?.i32;
+    this.bus = bus;
     this.i64 = bus?.i64;
   }
 
@@ -71,7 +69,7 @@ export class SiteClock {
   steadyNs(): number {
     this.keepUp();
     const { realNs, siteNs, rate, limitNs } = this.current;
-    const now = Math.min(siteNs + (realAt(this.origin) - realNs) * rate, limitNs);
+    const now = Math.min(siteNs + ((this.origin + this.timer.now()) * 1e6 - realNs) * rate, limitNs);
     if (now > this.newest) this.newest = now;
     return this.newest;
   }
@@ -89,18 +87,18 @@ export class SiteClock {
   }
 
   private keepUp(): void {
-    const { i32, i64 } = this;
-    if (i32 === undefined || i64 === undefined) return;
-    if (Atomics.load(i32, BusHeader.siteTime + BusTime.version) === this.version) return;
+    const { bus, i64 } = this;
+    if (bus === undefined || i64 === undefined) return;
+    if (bus.load(BusHeader.siteTime + BusTime.version) === this.version) return;
     for (;;) {
-      const version = Atomics.load(i32, BusHeader.siteTime + BusTime.version);
+      const version = bus.load(BusHeader.siteTime + BusTime.version);
       // Odd: the page is about to finish it.
       if ((version & 1) !== 0) continue;
-      const rate = Atomics.load(i32, BusHeader.siteTime + BusTime.rate) / timeRateOne;
+      const rate = bus.load(BusHeader.siteTime + BusTime.rate) / timeRateOne;
       const realNs = Number(Atomics.load(i64, (BusHeader.siteTime + BusTime.real) >> 1));
       const siteNs = Number(Atomics.load(i64, (BusHeader.siteTime + BusTime.site) >> 1));
       const limit = Number(Atomics.load(i64, (BusHeader.siteTime + BusTime.limit) >> 1));
-      if (Atomics.load(i32, BusHeader.siteTime + BusTime.version) !== version) continue;
+      if (bus.load(BusHeader.siteTime + BusTime.version) !== version) continue;
       this.current = { realNs, siteNs, rate, limitNs: limit < 0 ? Infinity : limit };
       this.version = version;
       return;

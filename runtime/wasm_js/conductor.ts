@@ -102,7 +102,7 @@ export class Conductor {
         this.last = next;
         this.resting.set(next, undefined);
         const word = this.bus.participantWord(next) + BusParticipant.turn;
-        Atomics.add(this.bus.i32, word, 1);
+        this.bus.add(word, 1);
         Atomics.notify(this.bus.i32, word);
         return;
       }
@@ -142,10 +142,10 @@ export class Conductor {
     const rest = this.resting.get(participant);
     if (rest === undefined) return false;
     const word = this.bus.participantWord(participant);
-    const { i32 } = this.bus;
+    const { bus } = this;
     return rest.untilNs <= this.nowNs
-      || Atomics.load(i32, word + BusParticipant.stop) !== rest.stops
-      || (rest.token !== undefined && Atomics.load(i32, word + BusParticipant.wake) !== rest.token);
+      || bus.load(word + BusParticipant.stop) !== rest.stops
+      || (rest.token !== undefined && bus.load(word + BusParticipant.wake) !== rest.token);
   }
 
   private setTime(): void {

@@ -46,13 +46,13 @@ export class SharedCredit implements ConsoleCredit {
   }
 
   posted(): void {
-    Atomics.add(this.bus.i32, this.word + BusParticipant.consolePosted, 1);
+    this.bus.add(this.word + BusParticipant.consolePosted, 1);
   }
 
   ahead(): number {
-    const { i32 } = this.bus;
-    const posted = Atomics.load(i32, this.word + BusParticipant.consolePosted);
-    return (posted - Atomics.load(i32, this.word + BusParticipant.consoleSeen)) | 0;
+    const { bus } = this;
+    const posted = bus.load(this.word + BusParticipant.consolePosted);
+    return (posted - bus.load(this.word + BusParticipant.consoleSeen)) | 0;
   }
 }
 

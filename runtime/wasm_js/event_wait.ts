@@ -26,14 +26,14 @@ export async function nextEvent(link: BridgeLink, token: number, soon: boolean):
   const { waitAsync } = Atomics as { waitAsync?: WaitAsync };
   if (waitAsync === undefined) return await pause();
   const word = bus.participantWord(participant);
-  Atomics.add(bus.i32, word + BusParticipant.sleepers, 1);
+  bus.add(word + BusParticipant.sleepers, 1);
   try {
     const { async, value } = waitAsync(bus.i32, word + BusParticipant.wake, token, soon ? lookMs : undefined);
     // An event that came at once: what the channel brought must come in too.
     if (async) await value;
     else await turn();
   } finally {
-    Atomics.sub(bus.i32, word + BusParticipant.sleepers, 1);
+    bus.sub(word + BusParticipant.sleepers, 1);
   }
 }
 

@@ -34,7 +34,7 @@ const ceilings = [1 << 30, 512 << 20, 256 << 20, 128 << 20];
 
 /** A bus as large as the machine allows, or undefined. */
 function sharedBroker(options: SharedBrokerOptions = {}): SharedBroker | undefined {
-  if (typeof SharedArrayBuffer === 'undefined' || !('grow' in SharedArrayBuffer.prototype)) return undefined;
+  if (typeof SharedArrayBuffer === 'undefined') return undefined;
   for (const ceiling of ceilings) {
     try {
       return new SharedBroker({ ...options, ceiling });

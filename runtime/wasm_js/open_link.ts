@@ -8,7 +8,7 @@ import { type Rest, Turns } from './turns.ts';
 
 /** What a worker needs to join; goes there by postMessage. */
 export type LinkTicket =
-  | { readonly kind: 'shared'; readonly sab: SharedArrayBuffer; readonly participant: number }
+  | { readonly kind: 'shared'; readonly memory: WebAssembly.Memory; readonly participant: number }
   | ({ readonly kind: 'port' } & PortTicket);
 
 /** Joins the graph from within a worker; in a stepped run `rest` tells the page that it waits. */
@@ -16,7 +16,7 @@ export function openLink(ticket: LinkTicket, mayBlock: boolean, rest?: (rest: Re
   switch (ticket.kind) {
     case 'shared': {
       const { participant } = ticket;
-      const bus = new Bus(ticket.sab);
+      const bus = new Bus(ticket.memory);
       const turns = rest === undefined ? undefined : new Turns(bus, participant, rest);
       return new SharedLink({ bus, participant, mayBlock, turns });
     }

@@ -156,11 +156,11 @@ export class Sampler {
   private countOf(record: EndpointRecord): WriterCount {
     const { link } = this.broker;
     if (link.kind === 'port') return link.sampled().get(record.key) ?? nothing;
-    const { i32 } = link.bus;
+    const { bus } = link;
     const word = link.bus.endpointWord(keyIndex(record.key));
-    if (Atomics.load(i32, word + BusEndpoint.generation) !== record.key >>> 13) return nothing;
+    if (bus.load(word + BusEndpoint.generation) !== record.key >>> 13) return nothing;
     const wide = (low: number, high: number): number =>
-      (Atomics.load(i32, word + low) >>> 0) + Atomics.load(i32, word + high) * 2 ** 32;
+      (bus.load(word + low) >>> 0) + bus.load(word + high) * 2 ** 32;
     return {
       count: wide(BusEndpoint.head, BusEndpoint.headHigh),
       bytes: wide(BusEndpoint.bytesLow, BusEndpoint.bytesHigh),
@@ -218,28 +218,28 @@ function readNewest<T>(
   const word = bus.endpointWord(keyIndex(record.key));
   const hazard = BusHeader.observers;
   for (let attempt = 0; attempt < 8; attempt += 1) {
-    const head = Atomics.load(bus.i32, word + BusEndpoint.head);
-    const ring = Atomics.load(bus.i32, word + BusEndpoint.ring);
+    const head = bus.load(word + BusEndpoint.head);
+    const ring = bus.load(word + BusEndpoint.ring);
     if (ring === 0) return undefined;
     const slot = slotWord(bus, ring, head);
     bus.reach((slot << 2) + BusSizes.slot);
-    const frame = Atomics.load(bus.i32, slot + 1);
-    const length = Atomics.load(bus.i32, slot + 2);
-    const holds = (): boolean => Atomics.load(bus.i32, slot) === head
-      && Atomics.load(bus.i32, word + BusEndpoint.ring) === ring
-      && Atomics.load(bus.i32, word + BusEndpoint.generation) === record.key >>> 13;
+    const frame = bus.load(slot + 1);
+    const length = bus.load(slot + 2);
+    const holds = (): boolean => bus.load(slot) === head
+      && bus.load(word + BusEndpoint.ring) === ring
+      && bus.load(word + BusEndpoint.generation) === record.key >>> 13;
     if (!holds()) continue;
-    Atomics.add(bus.i32, BusHeader.observing, 1);
-    Atomics.store(bus.i32, hazard, frame);
+    bus.add(BusHeader.observing, 1);
+    bus.store(hazard, frame);
     const held = holds();
     const offset = frame * unit;
     if (held) bus.reach(offset + BusSizes.align + length);
     const seen = held ? look(offset, length) : undefined;
-    Atomics.store(bus.i32, hazard, 0);
-    Atomics.sub(bus.i32, BusHeader.observing, 1);
-    if (Atomics.load(bus.i32, word + BusEndpoint.blocked) !== 0) bus.bump(record.participant);
+    bus.store(hazard, 0);
+    bus.sub(BusHeader.observing, 1);
+    if (bus.load(word + BusEndpoint.blocked) !== 0) bus.bump(record.participant);
     // The pages of a writer that departed may have been given to another one meanwhile.
-    if (held && Atomics.load(bus.i32, word + BusEndpoint.generation) === record.key >>> 13) return seen;
+    if (held && bus.load(word + BusEndpoint.generation) === record.key >>> 13) return seen;
   }
   return undefined;
 }

@@ -111,9 +111,9 @@ export class SharedLink implements Link {
     bus.i32[word + BusNode.nameLength] = nameBytes.length;
     bus.u8.set(namespaceBytes, (word << 2) + BusNode.namespaceBytes);
     bus.u8.set(nameBytes, (word << 2) + BusNode.nameBytes);
-    Atomics.add(bus.i32, word + BusNode.generation, 1);
+    bus.add(word + BusNode.generation, 1);
     raise(bus, BusHeader.nodeHigh, index + 1);
-    Atomics.store(bus.i32, word, ((this.participant + 1) << 8) | BusPhase.live);
+    bus.store(word, ((this.participant + 1) << 8) | BusPhase.live);
     logChange(bus, nodeBit | index);
     if (this.ended()) {
       this.nodeDestroy(index);
@@ -129,9 +129,9 @@ export class SharedLink implements Link {
     const live = ((this.participant + 1) << 8) | BusPhase.live;
     // Free only when it is logged: until then the broker can tell whose it was.
     const departed = (live & ~255) | BusPhase.departed;
-    if (Atomics.compareExchange(bus.i32, bus.nodeWord(node), live, departed) !== live) return;
+    if (bus.compareExchange(bus.nodeWord(node), live, departed) !== live) return;
     logChange(bus, nodeBit | node);
-    Atomics.store(bus.i32, bus.nodeWord(node), BusPhase.free);
+    bus.store(bus.nodeWord(node), BusPhase.free);
     this.wakeInterested([]);
   }
 
@@ -143,10 +143,9 @@ export class SharedLink implements Link {
     const index = claimSlot(bus, this.participant, bus.endpointCount, (i) => bus.endpointWord(i));
     if (index < 0) return ErrorCode.tableFull;
     const word = bus.endpointWord(index);
-    const { i32 } = bus;
-    if (Atomics.load(i32, word + BusEndpoint.generation) === 0) Atomics.store(i32, word + BusEndpoint.generation, 1);
-    const key = endpointKey(index, Atomics.load(i32, word + BusEndpoint.generation));
-    const session = [Atomics.load(i32, BusHeader.session0), Atomics.load(i32, BusHeader.session1)];
+    if (bus.load(word + BusEndpoint.generation) === 0) bus.store(word + BusEndpoint.generation, 1);
+    const key = endpointKey(index, bus.load(word + BusEndpoint.generation));
+    const session = [bus.load(BusHeader.session0), bus.load(BusHeader.session1)];
     const { node, ...rest } = description;
     const gid = new Int32Array([...session, key, this.participant + 1]);
     const record = { ...rest, key, gid, participant: this.participant, nodeKey: node };
@@ -154,12 +153,12 @@ export class SharedLink implements Link {
     if (manualLease(record) !== 0) new BusCells(bus, word).exchangeAsserted(this.clock.steadyNs());
     if (reads(record.kind) && !this.placeCursors(record)) {
       bus.freeAll(key);
-      bumpGeneration(i32, word);
-      Atomics.store(i32, word, BusPhase.free);
+      bumpGeneration(bus, word);
+      bus.store(word, BusPhase.free);
       return ErrorCode.outOfMemory;
     }
     raise(bus, BusHeader.endpointHigh, index + 1);
-    Atomics.store(i32, word, ((this.participant + 1) << 8) | BusPhase.live);
+    bus.store(word, ((this.participant + 1) << 8) | BusPhase.live);
     logChange(bus, index);
     if (this.ended()) {
       departEndpoint(bus, key, this.participant);
@@ -172,7 +171,7 @@ export class SharedLink implements Link {
 
   /** A browser lets a terminated worker run on for a while: the broker has ended it, and nobody may see more of it. */
   private ended(): boolean {
-    return Atomics.load(this.bus.i32, this.word + BusParticipant.state) !== BusParticipantState.live;
+    return this.bus.load(this.word + BusParticipant.state) !== BusParticipantState.live;
   }
 
   /** Before a reader is visible: notes where the writers that are there already stand. False when there is no room. */
@@ -187,7 +186,7 @@ export class SharedLink implements Link {
 
   private ownsNode(node: number): boolean {
     if (node < 0 || node >= this.bus.nodeCount) return false;
-    return Atomics.load(this.bus.i32, this.bus.nodeWord(node)) === (((this.participant + 1) << 8) | BusPhase.live);
+    return this.bus.load(this.bus.nodeWord(node)) === (((this.participant + 1) << 8) | BusPhase.live);
   }
 
   endpointDestroy(endpoint: number): void {
@@ -245,7 +244,7 @@ export class SharedLink implements Link {
   }
 
   wakeToken(): number {
-    return Atomics.load(this.bus.i32, this.word + BusParticipant.wake);
+    return this.bus.load(this.word + BusParticipant.wake);
   }
 
   wait(token: number, timeoutMs: number): WaitResult {
@@ -267,11 +266,11 @@ export class SharedLink implements Link {
   }
 
   stops(): number {
-    return Atomics.load(this.bus.i32, this.word + BusParticipant.stop);
+    return this.bus.load(this.word + BusParticipant.stop);
   }
 
   stopRequested(): boolean {
-    return Atomics.load(this.bus.i32, this.word + BusParticipant.stop) !== 0;
+    return this.bus.load(this.word + BusParticipant.stop) !== 0;
   }
 
   matched(endpoint: number): number {
@@ -298,8 +297,8 @@ export class SharedLink implements Link {
   }
 
   graphVersion(): number {
-    Atomics.store(this.bus.i32, this.word + BusParticipant.graphInterest, 1);
-    return Atomics.load(this.bus.i32, BusHeader.graphVersion);
+    this.bus.store(this.word + BusParticipant.graphInterest, 1);
+    return this.bus.load(BusHeader.graphVersion);
   }
 
   graph(): GraphSnapshot {
@@ -332,15 +331,15 @@ export class SharedLink implements Link {
 
   /** Brings the replica up to the table; false, and one load, when nothing changed. */
   private sync(): boolean {
-    const { i32 } = this.bus;
-    const now = Atomics.load(i32, BusHeader.graphVersion);
+    const { bus } = this;
+    const now = bus.load(BusHeader.graphVersion);
     if (now === this.version) return false;
     const behind = (now - this.version) | 0;
     const known = this.version;
     this.version = now;
     if (known >= 0 && behind > 0 && behind < this.bus.graphLogMask) {
       for (let v = (known + 1) | 0; ; v = (v + 1) | 0) {
-        const entry = Atomics.load(i32, this.bus.graphLog + (v & this.bus.graphLogMask));
+        const entry = bus.load(this.bus.graphLog + (v & this.bus.graphLogMask));
         if ((entry >>> 16) !== (v & 0xffff)) {
           this.syncAll();
           break;
@@ -360,24 +359,24 @@ export class SharedLink implements Link {
   /** Without any writer no deadline runs; one that took the place of the last has perhaps written already. */
   private endDeadlines(): void {
     const now = this.clock.steadyNs();
-    if (Atomics.load(this.bus.i32, BusHeader.graphVersion) !== this.version) return;
+    if (this.bus.load(BusHeader.graphVersion) !== this.version) return;
     for (const own of this.alone) if (own.matched.size === 0) own.timing.pause(now);
     this.alone.clear();
   }
 
   private syncAll(): void {
-    const { i32 } = this.bus;
-    const nodes = Atomics.load(i32, BusHeader.nodeHigh);
+    const { bus } = this;
+    const nodes = bus.load(BusHeader.nodeHigh);
     for (let index = 0; index < nodes; index += 1) this.syncNode(index);
-    const endpoints = Atomics.load(i32, BusHeader.endpointHigh);
+    const endpoints = bus.load(BusHeader.endpointHigh);
     for (let index = 0; index < endpoints; index += 1) this.syncEndpoint(index);
   }
 
   private syncNode(index: number): void {
     const { bus } = this;
     const word = bus.nodeWord(index);
-    const state = Atomics.load(bus.i32, word);
-    const generation = Atomics.load(bus.i32, word + BusNode.generation);
+    const state = bus.load(word);
+    const generation = bus.load(word + BusNode.generation);
     const live = (state & 255) === BusPhase.live;
     const seen = this.seenNodes[index]!;
     if (seen === (live ? generation : 0)) return;
@@ -399,9 +398,9 @@ export class SharedLink implements Link {
     const { bus } = this;
     const word = bus.endpointWord(index);
     const seen = this.seen[index]!;
-    const phase = Atomics.load(bus.i32, word) & 255;
+    const phase = bus.load(word) & 255;
     const present = phase === BusPhase.live || phase === BusPhase.departed;
-    const key = present ? endpointKey(index, Atomics.load(bus.i32, word + BusEndpoint.generation)) : 0;
+    const key = present ? endpointKey(index, bus.load(word + BusEndpoint.generation)) : 0;
     if (seen !== 0 && seen !== key) {
       this.dropEndpoint(seen);
       this.seen[index] = 0;
@@ -477,7 +476,7 @@ export class SharedLink implements Link {
         if (departed || own.strangers.has(other.key)) return;
         own.strangers.add(other.key);
         own.incompatible += 1;
-        Atomics.store(this.bus.i32, own.word + BusEndpoint.incompatiblePolicy, relation.policy);
+        this.bus.store(own.word + BusEndpoint.incompatiblePolicy, relation.policy);
         if (raise(this.bus, own.word + BusEndpoint.incompatibleTotal, own.incompatible)) this.statuses.note();
         return;
       case 'wrong_type':
@@ -493,7 +492,7 @@ export class SharedLink implements Link {
     const total = (this.totals.get(own.record.key) ?? 0) + gained;
     this.totals.set(own.record.key, total);
     const grew = raise(this.bus, own.word + BusEndpoint.matchedTotal, total);
-    const before = Atomics.exchange(this.bus.i32, own.word + BusEndpoint.matchedCurrent, own.matched.size);
+    const before = this.bus.exchange(own.word + BusEndpoint.matchedCurrent, own.matched.size);
     if (grew || before !== own.matched.size) this.statuses.note();
   }
 
@@ -547,7 +546,7 @@ export class SharedLink implements Link {
     const { bus } = this;
     const set = new Set(also);
     for (let i = 0; i < bus.participantCount; i += 1) {
-      if (Atomics.load(bus.i32, bus.participantWord(i) + BusParticipant.graphInterest) !== 0) set.add(i);
+      if (bus.load(bus.participantWord(i) + BusParticipant.graphInterest) !== 0) set.add(i);
     }
     for (const participant of set) bus.bump(participant);
   }

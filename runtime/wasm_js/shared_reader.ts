@@ -80,17 +80,17 @@ export class SharedReader {
 
   /** Before this endpoint is visible: where to begin with a writer that is there already. False: no room for it. */
   startAt(writer: EndpointRecord): boolean {
-    const head = Atomics.load(this.bus.i32, this.bus.endpointWord(keyIndex(writer.key)) + BusEndpoint.head);
+    const head = this.bus.load(this.bus.endpointWord(keyIndex(writer.key)) + BusEndpoint.head);
     return this.addPair(writer.key, (head - heritage(this.record, writer, head)) | 0) >= 0;
   }
 
   hasData(): boolean {
-    const { i32 } = this.bus;
+    const { bus } = this;
     this.foundFrom = undefined;
     for (;;) {
       // In this order: what is drained never gets ahead of the signals.
-      const drained = Atomics.load(i32, this.word + BusEndpoint.drained);
-      const signal = Atomics.load(i32, this.word + BusEndpoint.signal);
+      const drained = bus.load(this.word + BusEndpoint.drained);
+      const signal = bus.load(this.word + BusEndpoint.signal);
       if (signal === drained) return false;
       if (this.find(false)) {
         this.foundFrom = this.writers.length === 1 && this.at !== undefined ? this.cursor(this.at) : undefined;
@@ -106,10 +106,10 @@ export class SharedReader {
    */
   private settle(drained: number, signal: number, move: boolean): boolean {
     const { bus, word } = this;
-    if (Atomics.compareExchange(bus.i32, word + BusEndpoint.drained, drained, signal) !== drained) return false;
+    if (bus.compareExchange(word + BusEndpoint.drained, drained, signal) !== drained) return false;
     this.sync();
     if (!this.find(move)) return true;
-    Atomics.add(bus.i32, word + BusEndpoint.signal, 1);
+    bus.add(word + BusEndpoint.signal, 1);
     bus.bump(this.record.participant);
     return false;
   }
@@ -120,17 +120,17 @@ export class SharedReader {
     const writer = this.at;
     this.foundFrom = undefined;
     if (from === undefined || writer === undefined || this.writers.length !== 1 || writer.pair < 0) return false;
-    const { i32 } = this.bus;
+    const { bus, bus: { i32 } } = this;
     if (i32[writer.pair] !== writer.key || i32[writer.pair + 1] !== from) return false;
-    return this.all || ((Atomics.load(i32, writer.word + BusEndpoint.head) - this.sequence) | 0) < this.depth;
+    return this.all || ((bus.load(writer.word + BusEndpoint.head) - this.sequence) | 0) < this.depth;
   }
 
   take(heap: Heap, address: number, capacity: number, info: number): number {
     const { bus, word } = this;
     for (;;) {
       if (!this.keepsFound()) {
-        const drained = Atomics.load(bus.i32, word + BusEndpoint.drained);
-        const signal = Atomics.load(bus.i32, word + BusEndpoint.signal);
+        const drained = bus.load(word + BusEndpoint.drained);
+        const signal = bus.load(word + BusEndpoint.signal);
         if (signal === drained) return ErrorCode.nothing;
         if (!this.find(true)) {
           if (this.settle(drained, signal, true)) return ErrorCode.nothing;
@@ -144,7 +144,7 @@ export class SharedReader {
       const frame = bus.i32[slot + 1]!;
       const length = bus.i32[slot + 2]!;
       // From here to the release no writer touches the frame: it looks at the hazard before it writes.
-      Atomics.store(bus.i32, word + BusEndpoint.hazard, frame);
+      bus.store(word + BusEndpoint.hazard, frame);
       const held = this.holds(writer);
       if (!held || length > capacity) {
         this.release(writer, sequence, sequence);
@@ -168,11 +168,11 @@ export class SharedReader {
 
   /** Lets go of the frame, and wakes a writer that waits for that, or for the cursor to come as far as it has now. */
   private release(writer: WriterRef, before: number, after: number): void {
-    const { bus, bus: { i32 } } = this;
-    Atomics.store(i32, this.word + BusEndpoint.hazard, 0);
-    const blocked = Atomics.load(i32, writer.word + BusEndpoint.blocked);
+    const { bus } = this;
+    bus.store(this.word + BusEndpoint.hazard, 0);
+    const blocked = bus.load(writer.word + BusEndpoint.blocked);
     if (blocked === BusBlocked.no) return;
-    const room = Atomics.load(i32, writer.word + BusEndpoint.roomAt);
+    const room = bus.load(writer.word + BusEndpoint.roomAt);
     if (blocked === BusBlocked.room && (((before - room) | 0) >= 0 || ((after - room) | 0) < 0)) return;
     bus.bump(writer.participant);
   }
@@ -184,15 +184,15 @@ export class SharedReader {
 
   /** Still the sample that find() saw? */
   private holds(writer: WriterRef): boolean {
-    const i32 = this.bus.i32;
-    return Atomics.load(i32, this.slot) === this.sequence
-      && Atomics.load(i32, writer.word + BusEndpoint.ring) === this.ring
-      && Atomics.load(i32, writer.word + BusEndpoint.generation) === writer.generation;
+    const { bus } = this;
+    return bus.load(this.slot) === this.sequence
+      && bus.load(writer.word + BusEndpoint.ring) === this.ring
+      && bus.load(writer.word + BusEndpoint.generation) === writer.generation;
   }
 
   /** Finds the oldest sample that is due; with `move`, cursors pass over what is not. */
   private find(move: boolean): boolean {
-    const i32 = this.bus.i32;
+    const { bus } = this;
     for (;;) {
       let total = 0;
       let best: WriterRef | undefined;
@@ -202,8 +202,8 @@ export class SharedReader {
       let bestOrder = 0;
       for (let i = 0; i < this.writers.length; i += 1) {
         const writer = this.writers[i]!;
-        const head = Atomics.load(i32, writer.word + BusEndpoint.head);
-        if (Atomics.load(i32, writer.word + BusEndpoint.generation) !== writer.generation) {
+        const head = bus.load(writer.word + BusEndpoint.head);
+        if (bus.load(writer.word + BusEndpoint.generation) !== writer.generation) {
           if (move) i = this.forget(i);
           continue;
         }
@@ -244,7 +244,7 @@ export class SharedReader {
     const behind = (head - cursor) | 0;
     let sequence = (behind < 0 || behind > this.depth ? head - this.depth + 1 : cursor + 1) | 0;
     while (((head - sequence) | 0) >= 0) {
-      const ring = Atomics.load(bus.i32, writer.word + BusEndpoint.ring);
+      const ring = bus.load(writer.word + BusEndpoint.ring);
       if (ring === 0) return undefined;
       const size = 1 << ringLog2(ring);
       const oldest = (head - size + 1) | 0;
@@ -253,14 +253,14 @@ export class SharedReader {
       }
       const slot = slotWord(bus, ring, sequence);
       bus.reach((slot << 2) + BusSizes.slot);
-      if (Atomics.load(bus.i32, slot) === sequence) {
+      if (bus.load(slot) === sequence) {
         const target = this.filter ? bus.i32[slot + 4]! : 0;
         if (target === 0 || target === this.record.key) {
           this.slot = slot;
           this.ring = ring;
           return sequence;
         }
-      } else if (Atomics.load(bus.i32, writer.word + BusEndpoint.ring) !== ring) {
+      } else if (bus.load(writer.word + BusEndpoint.ring) !== ring) {
         // The writer has moved: these slots may be anything by now.
         continue;
       }
@@ -280,18 +280,18 @@ export class SharedReader {
     const lost = this.all ? (sequence - before - taken) | 0 : 0;
     this.setCursor(writer, sequence);
     if (lost <= 0) return before;
-    Atomics.add(this.bus.i32, this.word + BusEndpoint.lostTotal, lost);
+    this.bus.add(this.word + BusEndpoint.lostTotal, lost);
     this.bus.noteStatus(this.record.participant);
     this.bus.bump(this.record.participant);
     return before;
   }
 
   private cursor(writer: WriterRef): number {
-    const i32 = this.bus.i32;
-    if (writer.pair < 0 || Atomics.load(i32, writer.pair) !== writer.key) {
+    const { bus } = this;
+    if (writer.pair < 0 || bus.load(writer.pair) !== writer.key) {
       writer.pair = findCursor(this.bus, this.word, writer.key);
     }
-    return writer.pair < 0 ? 0 : Atomics.load(this.bus.i32, writer.pair + 1);
+    return writer.pair < 0 ? 0 : this.bus.load(writer.pair + 1);
   }
 
   /** For the taker: nobody else changes the places meanwhile, so they are read plainly. */
@@ -304,7 +304,7 @@ export class SharedReader {
   private setCursor(writer: WriterRef, sequence: number): boolean {
     this.findPair(writer);
     if (writer.pair < 0) writer.pair = this.addPair(writer.key, sequence);
-    else Atomics.store(this.bus.i32, writer.pair + 1, sequence);
+    else this.bus.store(writer.pair + 1, sequence);
     return writer.pair >= 0;
   }
 
@@ -315,9 +315,9 @@ export class SharedReader {
       const { word, entries } = cursorTable(bus, this.word);
       for (let i = 0; i < entries; i += 1) {
         const pair = word + 2 * i;
-        if (Atomics.load(bus.i32, pair) !== 0) continue;
-        Atomics.store(bus.i32, pair + 1, cursor);
-        Atomics.store(bus.i32, pair, key);
+        if (bus.load(pair) !== 0) continue;
+        bus.store(pair + 1, cursor);
+        bus.store(pair, key);
         return pair;
       }
       if (!this.growTable(word, entries)) return -1;
@@ -332,9 +332,9 @@ export class SharedReader {
     if (page < 0) return false;
     const to = bus.pageOffset(page) >> 2;
     bus.i32.fill(0, to, to + pages * (BusSizes.page >> 2));
-    for (let i = 0; i < 2 * entries; i += 1) Atomics.store(bus.i32, to + i, Atomics.load(bus.i32, from + i));
-    Atomics.store(bus.i32, this.word + BusEndpoint.table, (pages << 20) | page);
-    for (let i = 0; i < entries; i += 1) Atomics.store(bus.i32, from + 2 * i, 0);
+    for (let i = 0; i < 2 * entries; i += 1) bus.store(to + i, bus.load(from + i));
+    bus.store(this.word + BusEndpoint.table, (pages << 20) | page);
+    for (let i = 0; i < entries; i += 1) bus.store(from + 2 * i, 0);
     for (const writer of this.writers) writer.pair = -1;
     return true;
   }
@@ -344,7 +344,7 @@ export class SharedReader {
     const [writer] = this.writers.splice(index, 1);
     if (writer !== undefined) {
       const pair = findCursor(this.bus, this.word, writer.key);
-      if (pair >= 0) Atomics.store(this.bus.i32, pair, 0);
+      if (pair >= 0) this.bus.store(pair, 0);
     }
     return index - 1;
   }

@@ -62,7 +62,7 @@ export function keyIndex(key: number): number {
 
 /** Where a reader's (writer key, cursor) pairs lie, and how many fit. */
 export function cursorTable(bus: Bus, endpoint: number): { word: number; entries: number } {
-  const table = Atomics.load(bus.i32, endpoint + BusEndpoint.table);
+  const table = bus.load(endpoint + BusEndpoint.table);
   if (table === 0) return { word: endpoint + BusEndpoint.inlineTable, entries: BusEndpoint.inlineEntries };
   const pages = table >>> 20;
   const offset = bus.pageOffset(table & 0xfffff);
@@ -74,16 +74,16 @@ export function cursorTable(bus: Bus, endpoint: number): { word: number; entries
 export function findCursor(bus: Bus, reader: number, writerKey: number): number {
   const { word, entries } = cursorTable(bus, reader);
   for (let i = 0; i < entries; i += 1) {
-    if (Atomics.load(bus.i32, word + 2 * i) === writerKey) return word + 2 * i;
+    if (bus.load(word + 2 * i) === writerKey) return word + 2 * i;
   }
   return -1;
 }
 
 /** True when someone outside the reader lists (the page's sampler) is reading the frame. */
 export function observed(bus: Bus, frameUnit: number, units: number): boolean {
-  if (Atomics.load(bus.i32, BusHeader.observing) === 0) return false;
+  if (bus.load(BusHeader.observing) === 0) return false;
   for (let i = 0; i < BusHeader.observerCount; i += 1) {
-    const hazard = Atomics.load(bus.i32, BusHeader.observers + i);
+    const hazard = bus.load(BusHeader.observers + i);
     if (hazard >= frameUnit && hazard < frameUnit + units) return true;
   }
   return false;

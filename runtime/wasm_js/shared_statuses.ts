@@ -46,19 +46,19 @@ class SharedCounts implements StatusCounts {
   }
 
   now(count: EventCount): number {
-    return Atomics.load(this.bus.i32, this.word + countWords[count]);
+    return this.bus.load(this.word + countWords[count]);
   }
 
   gained(count: EventCount | DerivedCount, now: number): number {
-    return (now - Atomics.exchange(this.bus.i32, this.word + readWords[count], now)) | 0;
+    return (now - this.bus.exchange(this.word + readWords[count], now)) | 0;
   }
 
   policy(): number {
-    return Atomics.load(this.bus.i32, this.word + BusEndpoint.incompatiblePolicy);
+    return this.bus.load(this.word + BusEndpoint.incompatiblePolicy);
   }
 
   takeDied(): number {
-    return Atomics.exchange(this.bus.i32, this.word + BusEndpoint.died, 0);
+    return this.bus.exchange(this.word + BusEndpoint.died, 0);
   }
 }
 
@@ -83,7 +83,7 @@ export class SharedStatuses {
   /** Changes with every status of the participant. */
   version(): number {
     this.tick();
-    return Atomics.load(this.bus.i32, this.bus.participantWord(this.participant) + BusParticipant.status);
+    return this.bus.load(this.bus.participantWord(this.participant) + BusParticipant.status);
   }
 
   note(): void {

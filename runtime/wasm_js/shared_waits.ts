@@ -44,7 +44,7 @@ export class SharedWaits {
 
   /** A stop is told once to each thread, also one that came before the wait. */
   private tellStop(): boolean {
-    const stops = Atomics.load(this.bus.i32, this.word + BusParticipant.stop);
+    const stops = this.bus.load(this.word + BusParticipant.stop);
     if (stops === this.stopsTold) return false;
     this.stopsTold = stops;
     return true;
@@ -52,12 +52,12 @@ export class SharedWaits {
 
   /** Looks for an event for a moment: falling asleep and being woken costs more than most answers take. */
   private spin(token: number, durationMs: number): boolean {
-    const { i32 } = this.bus;
+    const { bus } = this;
     const wake = this.word + BusParticipant.wake;
     const end = performance.now() + durationMs;
     do {
       for (let i = 0; i < looksPerRound; i += 1) {
-        if (Atomics.load(i32, wake) !== token) return true;
+        if (bus.load(wake) !== token) return true;
         pauseProcessor();
       }
     } while (performance.now() < end);
@@ -96,7 +96,7 @@ export class SharedWaits {
   /** Others get their turn also when there is something to do already. */
   private rest(turns: Turns, token: number, untilNs: number): WaitResult {
     if (this.tellStop()) return WaitResult.stop;
-    const came = (): boolean => Atomics.load(this.bus.i32, this.word + BusParticipant.wake) !== token;
+    const came = (): boolean => this.bus.load(this.word + BusParticipant.wake) !== token;
     turns.give(came() ? 0 : untilNs, token, this.stopsTold);
     if (!came()) return WaitResult.timeout;
     return this.tellStop() ? WaitResult.stop : WaitResult.woken;
@@ -112,7 +112,7 @@ export class SharedWaits {
     const { bus, word } = this;
     if (this.tellStop()) return WaitResult.stop;
     const sleepers = word + BusParticipant.sleepers;
-    let woken = Atomics.load(bus.i32, word + BusParticipant.wake) !== token;
+    let woken = bus.load(word + BusParticipant.wake) !== token;
     if (!woken && timeoutMs > 0) {
       const begin = performance.now();
       if (this.policy.spinsNow()) {
@@ -120,9 +120,9 @@ export class SharedWaits {
         this.policy.spun(woken);
       }
       if (!woken) {
-        Atomics.add(bus.i32, sleepers, 1);
+        bus.add(sleepers, 1);
         woken = Atomics.wait(bus.i32, word + BusParticipant.wake, token, timeoutMs) !== 'timed-out';
-        Atomics.sub(bus.i32, sleepers, 1);
+        bus.sub(sleepers, 1);
       }
       this.policy.waited(woken, performance.now() - begin);
     }
@@ -135,7 +135,7 @@ export class SharedWaits {
     const end = this.endOf(durationMs);
     for (;;) {
       // Read before the stops and the time: what changes them changes it afterwards.
-      const token = Atomics.load(bus.i32, word + BusParticipant.rouse);
+      const token = bus.load(word + BusParticipant.rouse);
       if (this.tellStop()) return WaitResult.stop;
       const left = clock.realMsUntil(end);
       if (left === 0) return WaitResult.woken;

@@ -140,11 +140,11 @@ export class SharedWriter {
     const i32 = bus.i32;
     i32[slot + 1] = frame;
     i32[slot + 2] = length;
-    i32[slot + 3] = Atomics.add(i32, BusHeader.order, 1);
+    i32[slot + 3] = bus.add(BusHeader.order, 1);
     i32[slot + 4] = target;
-    Atomics.store(i32, slot, sequence);
+    bus.store(slot, sequence);
     this.count(length);
-    Atomics.store(i32, word + BusEndpoint.head, sequence);
+    bus.store(word + BusEndpoint.head, sequence);
     // A reader that became visible meanwhile has either seen this head or is seen by this look.
     this.sync();
     if (this.timing.ticks) this.noteTime();
@@ -157,7 +157,7 @@ export class SharedWriter {
     const revived = this.timing.wrote(now);
     for (const { deadline, word, generation } of this.readers) {
       if (deadline === undefined) continue;
-      if (Atomics.load(this.bus.i32, word + BusEndpoint.generation) !== generation) continue;
+      if (this.bus.load(word + BusEndpoint.generation) !== generation) continue;
       noteSample(deadline.cells, deadline.ns, now);
     }
     if (revived) this.bumpReaders();
@@ -182,7 +182,7 @@ export class SharedWriter {
     const slot = slotWord(bus, ring, sequence);
     // Nobody expects sequence + 1 in this slot: from here on the old sample is not there. Readers that came since
     // the last look might have it in their hands, so look again.
-    Atomics.store(bus.i32, slot, (sequence + 1) | 0);
+    bus.store(slot, (sequence + 1) | 0);
     this.sync();
     return this.frameFor(ring, slot, sequence, length);
   }
@@ -190,16 +190,16 @@ export class SharedWriter {
   /** At the ceiling: gives back the pages of samples that nobody needs any more. False when there were none. */
   private reclaim(sequence: number): boolean {
     const { bus, word } = this;
-    const ring = Atomics.load(bus.i32, word + BusEndpoint.ring);
+    const ring = bus.load(word + BusEndpoint.ring);
     if (ring === 0) return false;
     let freed = false;
     for (let age = 2; age <= 1 << ringLog2(ring); age += 1) {
       const s = (sequence - age) | 0;
       const slot = slotWord(bus, ring, s);
       if (bus.i32[slot + 5] === 0) continue;
-      const held = Atomics.load(bus.i32, slot) === s;
-      if (held && this.wanted(s, age, Atomics.load(bus.i32, slot + 4))) continue;
-      if (held) Atomics.store(bus.i32, slot, (s + 1) | 0);
+      const held = bus.load(slot) === s;
+      if (held && this.wanted(s, age, bus.load(slot + 4))) continue;
+      if (held) bus.store(slot, (s + 1) | 0);
       this.releaseExtent(slot);
       freed = true;
     }
@@ -208,7 +208,7 @@ export class SharedWriter {
 
   /** How many samples the slowest reliable keep_all reader elsewhere has not read. */
   private lag(): number {
-    const head = Atomics.load(this.bus.i32, this.word + BusEndpoint.head);
+    const head = this.bus.load(this.word + BusEndpoint.head);
     let furthest = 0;
     for (const reader of this.readers) {
       if (!reader.reliable || reader.local || reader.depth !== Infinity) continue;
@@ -220,7 +220,7 @@ export class SharedWriter {
   /** At the ceiling, a writer that may wait does so until the slowest reader, `lag` behind, has come one sample further. */
   private awaitSlowest(lag: number): number {
     if (!this.mayBlock) return ErrorCode.outOfMemory;
-    const head = Atomics.load(this.bus.i32, this.word + BusEndpoint.head);
+    const head = this.bus.load(this.word + BusEndpoint.head);
     const next = (head - lag + 1) | 0;
     if (lag > 0) return this.blockWhile(BusBlocked.release, () => this.keepAllWants(next, false));
     if (this.retired.length === 0) return ErrorCode.outOfMemory;
@@ -229,13 +229,13 @@ export class SharedWriter {
 
   /** Tells the readers that had nothing to read; the others look again before they rest. */
   private signal(target: number): void {
-    const { bus, bus: { i32 } } = this;
+    const { bus } = this;
     for (let i = 0; i < this.readers.length; i += 1) {
       const reader = this.readers[i]!;
       if (target !== 0 && reader.key !== target) continue;
       const signal = reader.word + BusEndpoint.signal;
-      if (Atomics.load(i32, signal) !== Atomics.load(i32, reader.word + BusEndpoint.drained)) continue;
-      Atomics.add(i32, signal, 1);
+      if (bus.load(signal) !== bus.load(reader.word + BusEndpoint.drained)) continue;
+      bus.add(signal, 1);
       bus.bump(reader.participant);
     }
   }
@@ -243,7 +243,7 @@ export class SharedWriter {
   private count(length: number): void {
     const { bus, word } = this;
     const low = bus.i32[word + BusEndpoint.bytesLow]! >>> 0;
-    if (low + length > 0xffffffff) Atomics.add(bus.i32, word + BusEndpoint.bytesHigh, 1);
+    if (low + length > 0xffffffff) bus.add(word + BusEndpoint.bytesHigh, 1);
     bus.i32[word + BusEndpoint.bytesLow] = (low + length) | 0;
   }
 
@@ -255,7 +255,7 @@ export class SharedWriter {
     const offset = frame * unit;
     bus.reach(offset + BusSizes.align + length);
     const { i32 } = bus;
-    if (sequence === 0) Atomics.add(i32, word + BusEndpoint.headHigh, 1);
+    if (sequence === 0) bus.add(word + BusEndpoint.headHigh, 1);
     const high = i32[word + BusEndpoint.headHigh]!;
     const source = info >> 2;
     const h = offset >> 2;
@@ -318,7 +318,7 @@ export class SharedWriter {
       if (!this.keepAllWants(old, false)) return this.keepAllWants(old, true) ? ErrorCode.outOfMemory : 0;
       const outcome = this.awaitRoom(old);
       if (outcome < 0) return outcome;
-      ring = Atomics.load(bus.i32, word + BusEndpoint.ring);
+      ring = bus.load(word + BusEndpoint.ring);
     }
   }
 
@@ -368,41 +368,41 @@ export class SharedWriter {
   /** Sleeps until the readers that it waits for have read `old`, and a moment. 0 or an ErrorCode. */
   private awaitRoom(old: number): number {
     const { bus, word } = this;
-    Atomics.store(bus.i32, word + BusEndpoint.roomAt, old);
+    bus.store(word + BusEndpoint.roomAt, old);
     const outcome = this.blockWhile(BusBlocked.room, () => this.keepAllWants(old, false));
     if (outcome < 0) return outcome;
     const wake = bus.participantWord(this.record.participant) + BusParticipant.wake;
-    return this.pause(Atomics.load(bus.i32, wake), momentMs) === 'stop' ? ErrorCode.stopped : 0;
+    return this.pause(bus.load(wake), momentMs) === 'stop' ? ErrorCode.stopped : 0;
   }
 
   /** Sleeps while it is needed and no reader lets go of pages that were taken out of the slots. 0 or an ErrorCode. */
   private blockWhile(tell: number, needed: () => boolean): number {
     const { bus, word } = this;
     const wake = bus.participantWord(this.record.participant) + BusParticipant.wake;
-    Atomics.store(bus.i32, word + BusEndpoint.blocked, tell);
+    bus.store(word + BusEndpoint.blocked, tell);
     for (;;) {
-      const token = Atomics.load(bus.i32, wake);
+      const token = bus.load(wake);
       this.sync();
       if (this.releaseRetired() || !needed()) break;
       const outcome = this.pause(token, Infinity);
       if (outcome === 'again') continue;
-      Atomics.store(bus.i32, word + BusEndpoint.blocked, BusBlocked.no);
+      bus.store(word + BusEndpoint.blocked, BusBlocked.no);
       return outcome === 'stop' ? ErrorCode.stopped : ErrorCode.wouldBlock;
     }
-    Atomics.store(bus.i32, word + BusEndpoint.blocked, BusBlocked.no);
+    bus.store(word + BusEndpoint.blocked, BusBlocked.no);
     return 0;
   }
 
   /** How far a reader has come. A reader without a place here has read nothing; one that ended is not waited for. */
   private cursor(reader: ReaderRef): number {
-    const { i32 } = this.bus;
+    const { bus } = this;
     let cursor = 0;
-    if (reader.pair < 0 || Atomics.load(i32, reader.pair) !== this.record.key) {
+    if (reader.pair < 0 || bus.load(reader.pair) !== this.record.key) {
       reader.pair = findCursor(this.bus, reader.word, this.record.key);
     }
-    if (reader.pair >= 0) cursor = Atomics.load(this.bus.i32, reader.pair + 1);
-    if (Atomics.load(i32, reader.word + BusEndpoint.generation) !== reader.generation) {
-      return Atomics.load(i32, this.word + BusEndpoint.head);
+    if (reader.pair >= 0) cursor = this.bus.load(reader.pair + 1);
+    if (bus.load(reader.word + BusEndpoint.generation) !== reader.generation) {
+      return bus.load(this.word + BusEndpoint.head);
     }
     return cursor;
   }
@@ -415,18 +415,18 @@ export class SharedWriter {
     if (page < 0) return page;
     const base = bus.pageOffset(page);
     const ring = packRing(page, log2, ringGeneration(old) + 1);
-    Atomics.store(bus.i32, (base >> 2) + BusRing.stride, stride);
-    Atomics.store(bus.i32, (base >> 2) + BusRing.pages, pages);
+    bus.store((base >> 2) + BusRing.stride, stride);
+    bus.store((base >> 2) + BusRing.pages, pages);
     const size = 1 << log2;
     for (let i = 0; i < size; i += 1) {
       const slot = slotWord(bus, ring, i);
       bus.i32.fill(0, slot, slot + slotWords);
-      Atomics.store(bus.i32, slot, (i + 1) | 0);
+      bus.store(slot, (i + 1) | 0);
     }
     if (old !== 0) this.moveSamples(old, ring, sequence);
-    Atomics.store(bus.i32, word + BusEndpoint.ring, ring);
+    bus.store(word + BusEndpoint.ring, ring);
     if (old !== 0) {
-      const oldPages = Atomics.load(bus.i32, (bus.pageOffset(ringPage(old)) >> 2) + BusRing.pages);
+      const oldPages = bus.load((bus.pageOffset(ringPage(old)) >> 2) + BusRing.pages);
       this.retire(ringPage(old), oldPages);
     }
     return ring;
@@ -443,7 +443,7 @@ export class SharedWriter {
       const extent = i32[from + 5]!;
       i32[to + 5] = extent;
       i32[to + 6] = i32[from + 6]!;
-      if (Atomics.load(i32, from) !== s) continue;
+      if (bus.load(from) !== s) continue;
       const frame = i32[from + 1]!;
       const length = i32[from + 2]!;
       let moved = frame;
@@ -452,11 +452,11 @@ export class SharedWriter {
         const bytes = BusSizes.align + length;
         bus.u8.copyWithin(moved * unit, frame * unit, frame * unit + bytes);
       }
-      Atomics.store(i32, to + 1, moved);
-      Atomics.store(i32, to + 2, length);
-      Atomics.store(i32, to + 3, i32[from + 3]!);
-      Atomics.store(i32, to + 4, i32[from + 4]!);
-      Atomics.store(i32, to, s);
+      bus.store(to + 1, moved);
+      bus.store(to + 2, length);
+      bus.store(to + 3, i32[from + 3]!);
+      bus.store(to + 4, i32[from + 4]!);
+      bus.store(to, s);
     }
   }
 
@@ -507,16 +507,16 @@ export class SharedWriter {
 
   /** Takes the extent of a sample that nobody needs any more, so that large messages cycle through few pages. */
   private borrowExtent(ring: number, slot: number, sequence: number, pages: number): void {
-    const { i32 } = this.bus;
+    const { bus, bus: { i32 } } = this;
     const size = 1 << ringLog2(ring);
     const steps = Math.min(size, searchLimit);
     for (let age = 2; age < steps; age += 1) {
       const s = (sequence - age) | 0;
-      const other = slotWord(this.bus, ring, s);
-      const held = Atomics.load(i32, other) === s;
-      if (i32[other + 5] === 0 || (held && this.wanted(s, age, Atomics.load(i32, other + 4)))) continue;
+      const other = slotWord(bus, ring, s);
+      const held = bus.load(other) === s;
+      if (i32[other + 5] === 0 || (held && this.wanted(s, age, bus.load(other + 4)))) continue;
       if (held) {
-        Atomics.store(i32, other, (s + 1) | 0);
+        bus.store(other, (s + 1) | 0);
         this.sync();
       }
       if (!this.extentFits(other, pages)) continue;
@@ -570,9 +570,9 @@ export class SharedWriter {
 
   /** Does a reader have a frame of this range in its hands? */
   private inUse(frame: number, units: number): boolean {
-    const { i32 } = this.bus;
+    const { bus } = this;
     for (let i = 0; i < this.readers.length; i += 1) {
-      const hazard = Atomics.load(i32, this.readers[i]!.word + BusEndpoint.hazard);
+      const hazard = bus.load(this.readers[i]!.word + BusEndpoint.hazard);
       if (hazard >= frame && hazard < frame + units) return true;
     }
     return observed(this.bus, frame, units);

@@ -27,9 +27,9 @@ export class Turns {
 
   /** Blocks until the page gives the next turn. */
   give(untilNs: number, token: number | undefined, stops: number): void {
-    const { i32 } = this.bus;
-    const turn = Atomics.load(i32, this.word + BusParticipant.turn);
+    const { bus } = this;
+    const turn = bus.load(this.word + BusParticipant.turn);
     this.post({ untilNs: Math.ceil(untilNs), token, stops });
-    Atomics.wait(i32, this.word + BusParticipant.turn, turn);
+    Atomics.wait(bus.i32, this.word + BusParticipant.turn, turn);
   }
 }

@@ -10,22 +10,22 @@ import { findCursor, keyIndex, ringLog2, slotWord } from './shared_ring.ts';
 export function unread(bus: Bus, key: number): boolean {
   const { i32 } = bus;
   const word = bus.endpointWord(keyIndex(key));
-  const head = Atomics.load(i32, word + BusEndpoint.head);
-  if (head === 0 || Atomics.load(i32, word + BusEndpoint.ring) === 0) return false;
+  const head = bus.load(word + BusEndpoint.head);
+  if (head === 0 || bus.load(word + BusEndpoint.ring) === 0) return false;
   const writer = readEndpoint(bus, keyIndex(key))?.record;
   if (writer === undefined) return false;
   const length = i32[word + BusEndpoint.nameLength];
-  const endpoints = Atomics.load(i32, BusHeader.endpointHigh);
+  const endpoints = bus.load(BusHeader.endpointHigh);
   for (let index = 0; index < endpoints; index += 1) {
     const reader = bus.endpointWord(index);
-    if ((Atomics.load(i32, reader) & 255) !== BusPhase.live) continue;
+    if ((bus.load(reader) & 255) !== BusPhase.live) continue;
     if (!metBefore(bus, reader, word)) continue;
     // Saves reading the names of most.
     if (i32[reader + BusEndpoint.nameLength] !== length) continue;
     const record = readEndpoint(bus, index)?.record;
     if (record === undefined || relate(writer, record).kind !== 'match') continue;
     const pair = findCursor(bus, reader, key);
-    const cursor = pair < 0 ? 0 : Atomics.load(bus.i32, pair + 1);
+    const cursor = pair < 0 ? 0 : bus.load(pair + 1);
     if (cursor === head) continue;
     if (record.kind !== EndpointKind.client || hasReply(bus, writer, record.key, cursor, head)) return true;
   }
@@ -42,7 +42,7 @@ export function freeDeparted(
   let published = 0;
   const before = departed.size;
   for (const [key, { record }] of [...departed].reverse()) {
-    const ring = Atomics.load(bus.i32, bus.endpointWord(keyIndex(key)) + BusEndpoint.ring);
+    const ring = bus.load(bus.endpointWord(keyIndex(key)) + BusEndpoint.ring);
     if (ring !== 0 && record.kind === EndpointKind.publisher && (record.flags & flagHidden) === 0) {
       published += 1;
       if (published <= kept) continue;
@@ -56,13 +56,13 @@ export function freeDeparted(
 
 /** Of a server's replies a client reads its own only. */
 function hasReply(bus: Bus, server: EndpointRecord, client: number, cursor: number, head: number): boolean {
-  const ring = Atomics.load(bus.i32, bus.endpointWord(keyIndex(server.key)) + BusEndpoint.ring);
+  const ring = bus.load(bus.endpointWord(keyIndex(server.key)) + BusEndpoint.ring);
   const count = Math.min((head - cursor) >>> 0, 1 << ringLog2(ring));
   for (let age = 0; age < count; age += 1) {
     const sequence = (head - age) | 0;
     const slot = slotWord(bus, ring, sequence);
     bus.reach((slot << 2) + BusSizes.slot);
-    if (Atomics.load(bus.i32, slot) === sequence && Atomics.load(bus.i32, slot + 4) === client) return true;
+    if (bus.load(slot) === sequence && bus.load(slot + 4) === client) return true;
   }
   return false;
 }

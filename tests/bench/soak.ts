@@ -28,7 +28,7 @@ const LEAST_SAMPLES = 12;
 interface Noted {
   reports: SoakReport[];
   frames: number[];
-  bus: SharedArrayBuffer | undefined;
+  bus: WebAssembly.Memory | undefined;
 }
 
 function note(): void {
@@ -43,7 +43,7 @@ function note(): void {
     }
 
     override postMessage(message: unknown, transfer: StructuredSerializeOptions | Transferable[] = []): void {
-      noted.bus ??= (message as { start?: { ticket?: { sab?: SharedArrayBuffer } } }).start?.ticket?.sab;
+      noted.bus ??= (message as { start?: { ticket?: { memory?: WebAssembly.Memory } } }).start?.ticket?.memory;
       super.postMessage(message, transfer as Transferable[]);
     }
   };
@@ -66,7 +66,7 @@ interface PageFigures {
 /** Takes what was noted since the last time. */
 function drain([table, first]: readonly [number, number]): PageFigures {
   const { noted } = globalThis as unknown as { noted: Noted };
-  const words = new Int32Array(noted.bus ?? new ArrayBuffer(0));
+  const words = new Int32Array(noted.bus?.buffer ?? new ArrayBuffer(0));
   let busPages = 0;
   const [from, pages] = [words[table] ?? 0, words[first] ?? 0];
   const total = Math.floor((words.byteLength - pages) / 4096);

@@ -5,7 +5,7 @@
 import type { Process, Stepper } from './stepper.ts';
 
 export interface Run {
-  readonly buffer: SharedArrayBuffer;
+  readonly memory: WebAssembly.Memory;
   readonly processes: Process[];
   /** Who may die, and who then comes to life (the broker, clearing up); indices of processes. */
   readonly mortal: ReadonlyMap<number, number>;
@@ -55,7 +55,7 @@ class Execution {
     this.stepper = stepper;
     this.run = run;
     this.limits = limits;
-    stepper.begin(run.buffer, run.processes);
+    stepper.begin(run.processes);
     for (const process of run.processes) if (process.state === 'ready') this.advance(process);
     if (run.lead === undefined) return;
     const leader = run.processes[run.lead.process]!;
@@ -156,11 +156,11 @@ class Beginning {
   constructor(make: () => Run) {
     this.make = make;
     this.run = make();
-    this.size = this.run.buffer.byteLength;
+    this.size = this.run.memory.buffer.byteLength;
   }
 
   begin(): Run {
-    if (this.run.buffer.byteLength !== this.size) this.run = this.make();
+    if (this.run.memory.buffer.byteLength !== this.size) this.run = this.make();
     this.run.restore();
     return this.run;
   }

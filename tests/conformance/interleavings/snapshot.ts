@@ -10,7 +10,7 @@ export class Snapshot {
   private readonly copy: Int32Array;
 
   /** Everything that can be reached from the roots, closures apart; and the shared memory. */
-  constructor(roots: readonly object[], buffer: SharedArrayBuffer) {
+  constructor(roots: readonly object[], buffer: ArrayBufferLike) {
     for (const root of roots) this.walk(root);
     this.shared = new Int32Array(buffer);
     this.copy = this.shared.slice();
@@ -28,7 +28,7 @@ export class Snapshot {
   private walk(value: unknown): void {
     if (typeof value !== 'object' || value === null || this.seen.has(value)) return;
     this.seen.add(value);
-    if (value instanceof SharedArrayBuffer || value instanceof ArrayBuffer) return;
+    if (value instanceof SharedArrayBuffer || value instanceof ArrayBuffer || value instanceof WebAssembly.Memory) return;
     if (ArrayBuffer.isView(value)) {
       if (value.buffer instanceof SharedArrayBuffer) return;
       const view = value as Int32Array;

@@ -13,6 +13,8 @@ const viewNames = new Set(['i32', 'u8', 'words', 'from', 'to', 'fromWords', 'toW
 /** Parameters under which functions that reach shared memory are handed over. */
 const calledBack = ['look', 'needed'];
 const callbackMethods = new Set(['some', 'every', 'filter', 'map', 'forEach']);
+/** Atomic accesses of runtime/wasm_js/bus.ts, by the word's index. */
+const busMethods = new Set(['load', 'store', 'add', 'sub', 'or', 'exchange', 'compareExchange']);
 const rangeMethods = new Set(['fill', 'set', 'slice', 'copyWithin']);
 
 interface Context {
@@ -54,6 +56,13 @@ function isAtomics(node: AnyNode): boolean {
   return node.type === 'CallExpression' && node.callee.type === 'MemberExpression' && lastName(node.callee.object) === 'Atomics';
 }
 
+/** `bus.load(word)` and its kin; inside the class Bus, `this.load(word)`. */
+function isBusAccess(node: AnyNode): boolean {
+  if (node.type !== 'CallExpression' || node.callee.type !== 'MemberExpression' || node.callee.computed) return false;
+  const of = node.callee.object;
+  return busMethods.has(lastName(node.callee)) && (of.type === 'ThisExpression' || lastName(of) === 'bus');
+}
+
 function isElement(node: AnyNode): boolean {
   return node.type === 'MemberExpression' && node.computed && isView(node.object);
 }
@@ -67,13 +76,16 @@ function isFunction(node: AnyNode): boolean {
   return node.type === 'FunctionDeclaration' || node.type === 'FunctionExpression' || node.type === 'ArrowFunctionExpression';
 }
 
+/** `this.size()` of the class Bus, and `memory.grow(pages)`. */
 function isSize(node: AnyNode): boolean {
-  return node.type === 'MemberExpression' && (lastName(node) === 'byteLength' || lastName(node) === 'grow') && lastName(node.object) === 'sab';
+  if (node.type !== 'CallExpression' || node.callee.type !== 'MemberExpression') return false;
+  const { object } = node.callee;
+  return lastName(node.callee) === 'grow' ? lastName(object) === 'memory' : lastName(node.callee) === 'size' && object.type === 'ThisExpression';
 }
 
 /** Does what lies directly in the node (functions inside it apart) reach shared memory? */
 function reaches(node: AnyNode, names: ReadonlySet<string>): boolean {
-  if (isAtomics(node) || isElement(node) || isRange(node) || isSize(node)) return true;
+  if (isAtomics(node) || isBusAccess(node) || isElement(node) || isRange(node) || isSize(node)) return true;
   if (node.type === 'CallExpression') {
     if (names.has(lastName(node.callee))) return true;
     if (callbackMethods.has(lastName(node.callee)) && node.arguments.some((each) => isFunction(each) && reachesInside(each, names))) return true;
@@ -131,18 +143,19 @@ function emit(node: AnyNode, context: Context): string {
     if (isRange(node) && node.callee.type === 'MemberExpression') {
       return `(yield* S.${lastName(node.callee)}(${[node.callee.object, ...node.arguments].map(inner).join(', ')}))`;
     }
-    const name = lastName(node.callee);
-    if (name === 'grow' && node.callee.type === 'MemberExpression' && lastName(node.callee.object) === 'sab') {
-      return `(S.enter(S.resize, ${inner(node.callee.object)}, 0, ${node.arguments.map(inner).join(', ')}) && (yield), S.perform())`;
+    if (isBusAccess(node) && node.callee.type === 'MemberExpression') {
+      return point(lastName(node.callee), `${inner(node.callee.object)}.i32`, ...node.arguments.map(inner));
     }
+    if (isSize(node) && node.callee.type === 'MemberExpression') {
+      const of = inner(node.callee.object);
+      return lastName(node.callee) === 'grow' ? point('resize', of, '0', ...node.arguments.map(inner)) : point('size', `${of}.memory`, '0');
+    }
+    const name = lastName(node.callee);
     const callback = node.arguments.some((each) => isFunction(each) && reachesInside(each, reaching));
     if (callback && callbackMethods.has(name) && node.callee.type === 'MemberExpression') {
       return `(yield* S.each.${name}(${[node.callee.object, ...node.arguments].map(inner).join(', ')}))`;
     }
     if (reaching.has(name) || callback) return `(S.follows(S.called = ${splice(node, context)}) ? yield* S.called : S.called)`;
-  }
-  if (node.type === 'MemberExpression' && lastName(node) === 'byteLength' && lastName(node.object) === 'sab') {
-    return `(S.enter(S.size, ${inner(node.object)}, 0) && (yield), S.perform())`;
   }
   if (node.type === 'AssignmentExpression' && isElement(node.left) && node.left.type === 'MemberExpression') {
     if (node.operator !== '=') throw new Error(`no rule for ${text.slice(node.start, node.end)}`);

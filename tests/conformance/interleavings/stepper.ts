@@ -1,6 +1,13 @@
 // What stepped code (stepped_code.ts) runs on: processes that yield before they touch a word that others touch too,
 // and a memory whose every change goes into a hash. Single-threaded, so that a run is exactly its list of choices.
 
+const wasmPage = 1 << 16;
+
+/** Programs have plain memory; all that is shared is the bus, also after it has grown into another buffer. */
+function isShared(array: Int32Array | Uint8Array | WebAssembly.Memory): boolean {
+  return array instanceof WebAssembly.Memory || array.buffer instanceof SharedArrayBuffer;
+}
+
 export type Step = Generator<unknown, unknown, unknown>;
 
 export type ProcessState = 'ready' | 'asleep' | 'done' | 'dead' | 'unborn';
@@ -17,7 +24,7 @@ export class Process {
   private readonly start: () => Step;
   private step: Step | undefined;
   operation = 0;
-  array: Int32Array | Uint8Array | SharedArrayBuffer | undefined;
+  array: Int32Array | Uint8Array | WebAssembly.Memory | undefined;
   at = 0;
   a = 0;
   b = 0;
@@ -102,6 +109,7 @@ export class Stepper {
   readonly put = 8;
   readonly size = 9;
   readonly resize = 10;
+  readonly or = 11;
   called: unknown;
   current: Process | undefined;
   processes: Process[] = [];
@@ -111,7 +119,6 @@ export class Stepper {
   memoryToo = 0;
   readonly timers: (() => unknown)[] = [];
   private readonly outside = new Process(31, 'setup', function* () { /* Runs in drive(). */ }, false);
-  private buffer: SharedArrayBuffer | undefined;
   /** Blocks of 1024 words that the run has changed. */
   readonly changed = new Set<number>();
   private readonly views = new WeakMap<object, Int32Array>();
@@ -121,8 +128,7 @@ export class Stepper {
   }
 
   /** A new run. */
-  begin(buffer: SharedArrayBuffer, processes: Process[]): void {
-    this.buffer = buffer;
+  begin(processes: Process[]): void {
     this.processes = processes;
     this.current = undefined;
     this.memory = 0;
@@ -156,12 +162,12 @@ export class Stepper {
     return process.clock;
   }
 
-  private wordOf(array: Int32Array | Uint8Array | SharedArrayBuffer, at: number): number {
+  private wordOf(array: Int32Array | Uint8Array | WebAssembly.Memory, at: number): number {
     return array instanceof Int32Array ? at : at >> 2;
   }
 
   /** Announces an access. True when others could get in between: the caller yields. */
-  enter(operation: number, array: Int32Array | Uint8Array | SharedArrayBuffer, at: number, a = 0, b = 0): boolean {
+  enter(operation: number, array: Int32Array | Uint8Array | WebAssembly.Memory, at: number, a = 0, b = 0): boolean {
     const process = this.current ?? this.outside;
     process.operation = operation;
     process.array = array;
@@ -169,10 +175,9 @@ export class Stepper {
     process.a = a;
     process.b = b;
     if (this.current === undefined) return false;
-    const shared = array === this.buffer || (array as Int32Array).buffer === this.buffer;
-    if (!shared) return false;
+    if (!isShared(array)) return false;
     const word = this.wordOf(array, at);
-    const changes = (operation >= this.store && operation <= this.exchange) || operation === this.put || operation === this.resize;
+    const changes = (operation >= this.store && operation <= this.exchange) || operation === this.put || operation === this.resize || operation === this.or;
     this.accesses.note(word, process.index, changes);
     if (this.accesses.contended[word] === 0) return false;
     // Of a frame's plain words one in a line is enough: whoever tears a frame tears it there as well.
@@ -183,13 +188,13 @@ export class Stepper {
   perform(): number {
     const process = this.current ?? this.outside;
     const { operation, at, a, b } = process;
-    if (operation === this.size) return this.read((process.array as SharedArrayBuffer).byteLength);
+    if (operation === this.size) return this.read((process.array as WebAssembly.Memory).buffer.byteLength / wasmPage);
     if (operation === this.resize) {
-      (process.array as SharedArrayBuffer).grow(a);
+      (process.array as WebAssembly.Memory).grow(a);
       return 0;
     }
     const array = process.array as Int32Array;
-    if (this.current === undefined || array.buffer !== (this.buffer as unknown)) return this.plainly(operation, array, at, a, b);
+    if (this.current === undefined || !isShared(array)) return this.plainly(operation, array, at, a, b);
     const old = array[at]!;
     switch (operation) {
       case this.load:
@@ -204,6 +209,9 @@ export class Stepper {
         return this.read(old);
       case this.sub:
         this.change(array, at, old, old - a);
+        return this.read(old);
+      case this.or:
+        this.change(array, at, old, old | a);
         return this.read(old);
       case this.exchange:
         this.change(array, at, old, a);
@@ -221,10 +229,11 @@ export class Stepper {
 
   private plainly(operation: number, array: Int32Array, at: number, a: number, b: number): number {
     const old = array[at]!;
-    if (array.buffer === (this.buffer as unknown)) this.changed.add(at >> 10);
+    if (isShared(array)) this.changed.add(at >> 10);
     if (operation === this.store || operation === this.put || operation === this.exchange) array[at] = a;
     else if (operation === this.add) array[at] = old + a;
     else if (operation === this.sub) array[at] = old - a;
+    else if (operation === this.or) array[at] = old | a;
     else if (operation === this.compareExchange && old === a) array[at] = b;
     return operation === this.store || operation === this.put ? a : old;
   }
@@ -262,7 +271,7 @@ export class Stepper {
   /** One point for a range that is read or changed at once. */
   private range(array: Int32Array | Uint8Array, from: number, to: number, changes: boolean): boolean {
     const process = this.current;
-    if (array.buffer !== (this.buffer as unknown)) return false;
+    if (!isShared(array)) return false;
     if (changes) for (let block = this.wordOf(array, from) >> 10; block <= this.wordOf(array, to) >> 10; block += 1) this.changed.add(block);
     if (process === undefined) return false;
     let contended = false;
@@ -274,7 +283,7 @@ export class Stepper {
   }
 
   private observed(array: Int32Array | Uint8Array): boolean {
-    return this.current !== undefined && array.buffer === (this.buffer as unknown);
+    return this.current !== undefined && isShared(array);
   }
 
   *fill(array: Int32Array | Uint8Array, value: number, from: number, to: number): Generator<undefined, unknown> {
@@ -304,7 +313,7 @@ export class Stepper {
           i += 3;
           continue;
         }
-        const value = given.buffer === (this.buffer as unknown) ? this.read(given[i]!) : given[i]!;
+        const value = isShared(given) ? this.read(given[i]!) : given[i]!;
         if (this.observed(array)) this.change(array, to + i, array[to + i]!, value);
         else array[to + i] = value;
       }
@@ -317,7 +326,7 @@ export class Stepper {
     if (array instanceof Int32Array || ((to | source) & 3) !== 0 || array.byteOffset !== 0) return false;
     const words = this.wordsOf(array);
     const value = this.wordsOf(given)[source >> 2]!;
-    if (given.buffer === (this.buffer as unknown)) this.read(value);
+    if (isShared(given)) this.read(value);
     if (this.observed(array)) this.change(words, to >> 2, words[to >> 2]!, value);
     else words[to >> 2] = value;
     return true;

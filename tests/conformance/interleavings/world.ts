@@ -21,11 +21,14 @@ const words = 1 << 20;
 export const keepAllLimit = 8;
 const heapBytes = 1 << 18;
 
+/** Atomics themselves, or the bus's own functions in their place. */
+const reaching = /\bAtomics\b|\bbus\.(load|store|add|sub|or|exchange|compareExchange)\(/;
+
 /** Every file of the runtime that reaches shared memory, and the programs. */
 function steppedFiles(): string[] {
   const folder = fileURLToPath(new URL('../../../runtime/wasm_js/', import.meta.url));
   const files = readdirSync(folder).filter((file) => file.endsWith('.ts')).map((file) => join(folder, file));
-  return [...files.filter((file) => /\bAtomics\b/.test(readFileSync(file, 'utf8'))), programsFile];
+  return [...files.filter((file) => reaching.test(readFileSync(file, 'utf8'))), programsFile];
 }
 
 /** Evaluates the stepped code with a stepper in the place of Atomics and of the clocks. */
@@ -97,7 +100,7 @@ export class SceneWorld {
   /** One more thread of a participant. */
   thread({ participant }: { participant: number }): programs.Hands {
     const { laboratory, broker } = this;
-    const bus = new laboratory.code.Bus(broker.bus.sab);
+    const bus = new laboratory.code.Bus(broker.bus.memory);
     const link = new laboratory.code.SharedLink({ bus, participant, mayBlock: true });
     const buffer = new ArrayBuffer(heapBytes);
     const heap = { u8: new Uint8Array(buffer), i32: new Int32Array(buffer) };
@@ -181,10 +184,10 @@ export class SceneWorld {
 
   /** The scene as it is now is where every run begins. */
   run(): Run {
-    const snapshot = new Snapshot([this.state, this.broker, this.processes], this.broker.bus.sab);
+    const snapshot = new Snapshot([this.state, this.broker, this.processes], this.broker.bus.memory.buffer);
     return {
       restore: () => snapshot.restore(this.laboratory.stepper.changed),
-      buffer: this.broker.bus.sab,
+      memory: this.broker.bus.memory,
       processes: this.processes,
       lead: this.lead,
       mortal: this.mortal,

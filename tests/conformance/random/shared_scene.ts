@@ -19,7 +19,7 @@ export class SharedScene extends RandomScene {
 
   protected admit(): { index: number; link: SharedLink } {
     const index = this.broker.bus.claimParticipant();
-    return { index, link: new SharedLink({ bus: new Bus(this.broker.bus.sab), participant: index, mayBlock: false }) };
+    return { index, link: new SharedLink({ bus: new Bus(this.broker.bus.memory), participant: index, mayBlock: false }) };
   }
 
   protected end(person: Participant, dies: boolean): void {

@@ -102,7 +102,7 @@ export function Page({ session, store, offline, embed }: PageProps) {
             {texts.skipToConsole}
           </a>
           <PageHeader session={session} store={store} onAbout={() => setAboutOpen(true)}>
-            <LayoutMenu control={control} announce={announce} />
+            <LayoutMenu control={control} store={store} announce={announce} />
           </PageHeader>
         </>
       ) : null}

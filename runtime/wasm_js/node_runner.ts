@@ -23,6 +23,8 @@ import { type ThreadMemory, tellThreads } from './thread_waits.ts';
 const namesMs = 3000;
 /** A program that reads lines for a moment between two keys still reads keys. */
 const betweenKeysMs = 200;
+/** Reports that only a program's own code brings about. */
+const signsOfCode: ReadonlySet<WorkerReport['t']> = new Set(['waits', 'lines', 'source', 'event', 'file', 'thread', 'end']);
 /** A thread that was about to wait when time changed is told again. */
 const retellMs = 1;
 /** What the threads of a program that is over have written is waited for, as long as this. */
@@ -69,6 +71,8 @@ interface Run {
 export class NodeRunner extends ProcessRunner<ProgramNode> {
   private readonly host: RunnerHost;
   private run: Run | undefined;
+  /** Code of the program has run. */
+  private begun = false;
   private terminal: TerminalMode = TerminalMode.cooked;
   private terminalTimer: ReturnType<typeof setTimeout> | undefined;
   /** Of the newest run: the sources that it has read, and whether they were changed. */
@@ -84,6 +88,7 @@ export class NodeRunner extends ProcessRunner<ProgramNode> {
     return {
       ...super.view(),
       ...(this.run === undefined ? {} : { startedAt: this.run.startedAt }),
+      ...(this.node.python === undefined || this.begun || this.run === undefined ? {} : { loading: true as const }),
       ...(this.terminal === TerminalMode.cooked ? {} : { terminal: this.terminal === TerminalMode.raw ? 'raw' : 'cbreak' }),
       ...(this.used.size === 0 ? {} : { usedSources: [...this.used.keys()] }),
       ...(changed.length === 0 ? {} : { changedSources: changed }),
@@ -95,6 +100,7 @@ export class NodeRunner extends ProcessRunner<ProgramNode> {
   }
 
   protected override begin(afterMs: number): void {
+    this.begun = false;
     if (!this.active()) this.host.resetInput(this.node.id);
     super.begin(afterMs);
   }
@@ -196,6 +202,10 @@ export class NodeRunner extends ProcessRunner<ProgramNode> {
 
   private onReport(report: WorkerReport, handle: WorkerHandle, participant: number): void {
     const { run } = this;
+    if (!this.begun && signsOfCode.has(report.t)) {
+      this.begun = true;
+      this.host.changed();
+    }
     switch (report.t) {
       case 'running':
         this.runs();

@@ -263,6 +263,8 @@ export interface NodeView {
   /** ms since 1970. */
   readonly startedAt?: number;
   readonly source?: SourcePlace;
+  /** Its interpreter is loaded: none of its own code has run yet. */
+  readonly loading?: true;
   /** It reads each key at once, not lines; `raw`: Ctrl-C too. */
   readonly terminal?: KeyMode;
   /** Numbers of the other tabs of the graph in which it runs. */

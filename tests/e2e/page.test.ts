@@ -78,6 +78,10 @@ test('the listener hears the talker, in the exact format', () =>
         /^\[INFO\] \[\d{10}\.\d{9}\] \[minimal_subscriber\]: I heard: 'Hello, world! \d+'$/,
       );
     await page.getByText('2 of 2 running').waitFor();
+    // For authors, on request.
+    assert.equal(await page.getByText('workspace.yaml:14:17').isVisible(), false);
+    await page.getByRole('button', { name: 'Layout of the page' }).click();
+    await page.getByRole('menuitem', { name: 'Show where the manifest declares nodes' }).click();
     await page.getByText('workspace.yaml:14:17').waitFor();
   }));
 

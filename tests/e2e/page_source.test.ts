@@ -127,6 +127,19 @@ for (const [link, isolated] of [['shared', true], ['port', false]] as const) {
     assert.match(await badge.getAttribute('title') ?? '', /src\/lab_py\/lab_py\/words\.py$/);
     assert.equal(await badge.count(), 1);
 
+    // A mistake is marked at its line, and said below the editor with what the node printed, until it is mended.
+    await write(page, `${words}\n\ndef broken(:\n    pass\n`);
+    await page.keyboard.press('Control+s');
+    await page.locator('.source-trouble').getByText(/^\/talk, line 5: SyntaxError/).waitFor();
+    assert.match(await page.locator('.source-editor .cm-trouble').innerText(), /def broken/);
+    assert.match(await page.locator('.source-output').innerText(), /SyntaxError/);
+    await expectAccessible(page);
+    if (isolated) await page.screenshot({ path: join(kOutput, 'source_trouble.png') });
+    await write(page, words.replace('packed', 'my own'));
+    await page.keyboard.press('Control+s');
+    await page.locator('.source-trouble').waitFor({ state: 'detached' });
+    await page.getByText('/talk runs it changed.').waitFor();
+
     await page.reload();
     await consoleOf(page, 'hear').getByText('heard my own words').first().waitFor();
     assert.equal(await consoleOf(page, 'hear').getByText('heard packed words').count(), 0);

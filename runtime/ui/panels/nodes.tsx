@@ -126,7 +126,7 @@ function NodeRow({ node, now, focused, onFocus, session, announce }: NodeRowProp
         </div>
       </div>
       <p class="node-state">
-        <StateBadge state={node.state} />
+        <StateBadge node={node} />
         {changed[0] === undefined ? null : (
           <button
             type="button"

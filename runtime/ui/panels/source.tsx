@@ -3,9 +3,12 @@
 
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import type { NodeView, Sources, SourceView } from '../../wasm_js/session.ts';
+import { stripAnsi } from '../model/ansi.ts';
 import { numberMember, textMember } from '../model/json.ts';
 import { lineChanges } from '../model/line_diff.ts';
 import { makePatch } from '../model/patch.ts';
+import { nodeTrouble } from '../model/node_trouble.ts';
+import type { NodeTrouble } from '../model/node_trouble.ts';
 import { problemOf } from '../model/problem.ts';
 import type { Problem } from '../model/problem.ts';
 import { CopyButton } from '../parts/button.tsx';
@@ -17,6 +20,8 @@ import { PanelFrame } from '../parts/panel.tsx';
 import { ProblemView } from '../parts/problem_view.tsx';
 import { SearchField } from '../parts/search_field.tsx';
 import { SourceSearch } from '../parts/source_search.tsx';
+import { useNodeOutput } from '../parts/use_node_output.ts';
+import type { NodeOutput } from '../parts/use_node_output.ts';
 import { useNodes } from '../parts/watch.ts';
 import { texts } from '../texts.ts';
 import { sourceTexts } from '../texts_source.ts';
@@ -24,6 +29,8 @@ import type { PanelProps } from './panel_props.ts';
 
 const kMostLine = 1_000_000;
 const kShownHash = 12;
+/** Lines of output below the editor. */
+const kShownLines = 6;
 /** After the last key: what is typed is kept then. */
 const kKeepMs = 300;
 
@@ -102,6 +109,11 @@ function SourceFile({ session, state, setState, announce, sources, list }: Sourc
       }),
     );
   const isChanged = source?.state === 'changed';
+  const outputs = useNodeOutput(session, users);
+  const troubles = outputs.flatMap(({ node, lines }) => {
+    const trouble = source === undefined ? null : nodeTrouble(lines, source.path);
+    return trouble === null ? [] : [{ node, ...trouble }];
+  });
   const editor = useRef<EditorHandle | null>(null);
   const begun = useRef(false);
   useEffect(() => {
@@ -169,6 +181,7 @@ function SourceFile({ session, state, setState, announce, sources, list }: Sourc
           packed={text}
           sources={sources}
           line={line}
+          trouble={troubles[0]?.line ?? null}
           takesFocus={begun.current}
           handle={editor}
           onLine={(now) => setState({ file: source.file, line: now })}
@@ -176,6 +189,9 @@ function SourceFile({ session, state, setState, announce, sources, list }: Sourc
           onUnkept={setUnkept}
           say={setSaid}
         />
+      )}
+      {source === undefined ? null : (
+        <SourceRun outputs={outputs} troubles={troubles} goTo={(at) => editor.current?.goTo(at)} />
       )}
       {source === undefined ? null : <SourceFacts source={source} users={users} said={said} />}
     </PanelFrame>
@@ -217,6 +233,7 @@ interface EditorHandle {
   readonly keep: () => boolean;
   /** Back to the packed text; what was typed is not kept any more. */
   readonly reset: () => void;
+  readonly goTo: (line: number) => void;
 }
 
 interface SourceEditorProps {
@@ -225,6 +242,8 @@ interface SourceEditorProps {
   readonly sources: Sources;
   /** To be shown; 0: none. */
   readonly line: number;
+  /** Where a node's last error arose; null: nowhere. */
+  readonly trouble: number | null;
   /** Not at first: a page that is opened leaves the keyboard where it is. */
   readonly takesFocus: boolean;
   readonly handle: { current: EditorHandle | null };
@@ -302,6 +321,7 @@ function SourceEditor(props: SourceEditorProps) {
         show(latest.current.packed);
         latest.current.say('');
       },
+      goTo: (at) => made.goTo(at, true),
     };
     addEventListener('pagehide', keep);
     return () => {
@@ -327,7 +347,36 @@ function SourceEditor(props: SourceEditorProps) {
     editor.current?.goTo(line, latest.current.takesFocus);
   }, [line]);
 
+  useEffect(() => editor.current?.markTrouble(props.trouble), [props.trouble]);
+
   return <div class="source-editor" ref={host} />;
+}
+
+interface SourceRunProps {
+  readonly outputs: readonly NodeOutput[];
+  readonly troubles: readonly (NodeTrouble & { readonly node: NodeView })[];
+  readonly goTo: (line: number) => void;
+}
+
+/** What the nodes that use the file have printed last, and the errors that lead into it. */
+function SourceRun({ outputs, troubles, goTo }: SourceRunProps) {
+  const printed = outputs.filter(({ lines }) => lines.length > 0);
+  if (printed.length === 0) return null;
+  return (
+    <div class="source-run">
+      {troubles.map(({ node, line, words }) => (
+        <p key={node.id} class="source-trouble" role="alert">
+          <button type="button" class="link" onClick={() => goTo(line)}>{sourceTexts.troubleAt(node.label, line)}</button>
+          {` ${words}`}
+        </p>
+      ))}
+      {printed.map(({ node, lines }) => (
+        <pre key={node.id} class="source-output" tabIndex={0} aria-label={sourceTexts.output(node.label)}>
+          {lines.slice(-kShownLines).map((text) => `${printed.length > 1 ? `[${node.label}] ` : ''}${stripAnsi(text)}`).join('\n')}
+        </pre>
+      ))}
+    </div>
+  );
 }
 
 interface SourceFactsProps {
@@ -350,17 +399,21 @@ function SourceFacts({ source, users, said }: SourceFactsProps) {
     <div class="source-facts">
       <p>
         <strong class={`source-${state}`}>{sourceTexts.state[state]}</strong>
-        {': '}
-        <span title={sha256}>{sourceTexts.packedHash(sha256.slice(0, kShownHash))}</span>
-        {changedSha256 === undefined ? null : (
-          <>
-            {', '}
-            <span title={changedSha256}>{sourceTexts.changedHash(changedSha256.slice(0, kShownHash))}</span>
-          </>
-        )}
+        {`. ${used.length === 0 ? sourceTexts.notYet : `${used.join(', ')}.`}`}
       </p>
-      <p>{used.length === 0 ? sourceTexts.notYet : `${used.join(', ')}.`}</p>
-      <p>{`${sourceTexts.keys} ${sourceTexts.keptHere}`}</p>
+      <details>
+        <summary>{sourceTexts.more}</summary>
+        <p>{`${sourceTexts.keys} ${sourceTexts.keptHere}`}</p>
+        <p>
+          <span title={sha256}>{sourceTexts.packedHash(sha256.slice(0, kShownHash))}</span>
+          {changedSha256 === undefined ? null : (
+            <>
+              {', '}
+              <span title={changedSha256}>{sourceTexts.changedHash(changedSha256.slice(0, kShownHash))}</span>
+            </>
+          )}
+        </p>
+      </details>
       {said === '' ? null : <p class="source-said">{said}</p>}
     </div>
   );

@@ -24,6 +24,8 @@ export interface CodeEditor {
   replace(text: string): void;
   /** Lines that are other than packed, from 1. */
   mark(lines: readonly number[]): void;
+  /** The line in which a node's last error arose, from 1; null: none. */
+  markTrouble(line: number | null): void;
   /** Into sight, with the cursor, and the keyboard too if so. */
   goTo(line: number, focus: boolean): void;
   close(): void;
@@ -40,6 +42,23 @@ const marks = StateField.define<DecorationSet>({
       if (!effect.is(setMarks)) continue;
       const lines = effect.value.filter((line) => line >= 1 && line <= state.doc.lines);
       now = Decoration.set(lines.map((line) => markOf.range(state.doc.line(line).from)), true);
+    }
+    return now;
+  },
+  provide: (field) => EditorView.decorations.from(field),
+});
+
+const setTrouble = StateEffect.define<number | null>();
+const troubleOf = Decoration.line({ class: 'cm-trouble' });
+
+const trouble = StateField.define<DecorationSet>({
+  create: () => Decoration.none,
+  update(before, { state, changes, effects }) {
+    let now = before.map(changes);
+    for (const effect of effects) {
+      if (!effect.is(setTrouble)) continue;
+      const line = effect.value;
+      now = line === null || line > state.doc.lines ? Decoration.none : Decoration.set([troubleOf.range(state.doc.line(line).from)]);
     }
     return now;
   },
@@ -66,6 +85,7 @@ const theme = EditorView.theme({
   '.cm-gutters': { color: 'var(--text-soft)', backgroundColor: 'var(--sunken)', borderRight: '1px solid var(--line)' },
   '.cm-activeLine, .cm-activeLineGutter': { backgroundColor: 'color-mix(in srgb, var(--hover) 60%, transparent)', color: 'inherit' },
   '.cm-changed': { boxShadow: 'inset 3px 0 var(--warn)' },
+  '.cm-trouble': { backgroundColor: 'color-mix(in srgb, var(--bad) 16%, transparent)', textDecoration: 'underline wavy var(--bad)', textDecorationSkipInk: 'none' },
   '&.cm-focused > .cm-scroller > .cm-selectionLayer .cm-selectionBackground, .cm-selectionBackground': { backgroundColor: 'var(--accent-faint)' },
   '&.cm-focused .cm-matchingBracket': { backgroundColor: 'var(--accent-faint)' },
 });
@@ -100,6 +120,7 @@ function extensions(events: CodeEditorEvents, text: string): Extension {
     syntaxHighlighting(colours),
     theme,
     marks,
+    trouble,
     keymap.of([
       { key: 'Mod-s', preventDefault: true, run: () => (events.apply(), true) },
       indentWithTab,
@@ -126,6 +147,7 @@ export function openCodeEditor(host: HTMLElement, text: string, label: string, e
       if (text !== whole(view.state)) view.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: view.state.toText(text) } });
     },
     mark: (lines) => view.dispatch({ effects: setMarks.of(lines) }),
+    markTrouble: (line) => view.dispatch({ effects: setTrouble.of(line) }),
     goTo: (line, focus) => {
       const { doc } = view.state;
       const { from } = doc.line(Math.max(1, Math.min(line, doc.lines)));

@@ -77,7 +77,7 @@ export function ConsoleTile({
     <article class="tile" aria-label={title}>
       <header class="tile-head">
         <h3 class="tile-title">{only === undefined ? heading : label}</h3>
-        {only === undefined ? null : <StateBadge state={only.state} />}
+        {only === undefined ? null : <StateBadge node={only} />}
         <div class="tile-tools">
           {only === undefined || only.command === true ? null : (
             <IconButton
@@ -120,8 +120,9 @@ export function ConsoleTile({
 
 function emptyWords(lines: number, nodes: readonly NodeView[]): string {
   if (lines > 0) return texts.console.emptyFiltered(formatCount(lines));
-  const mayPrint = nodes.some((node) => isAlive(node.state));
-  return mayPrint ? texts.console.empty : texts.console.emptyForGood;
+  const alive = nodes.filter((node) => isAlive(node.state));
+  if (alive.length > 0 && alive.every(({ loading }) => loading === true)) return texts.console.loading;
+  return alive.length > 0 ? texts.console.empty : texts.console.emptyForGood;
 }
 
 interface Lines {

@@ -74,7 +74,7 @@ function NodeDetails({ node, session, hidden, onSelect, showConsole }: GraphDeta
           <span class="hint">{viewTexts.graph.elsewhere}</span>
         ) : (
           <>
-            <StateBadge state={process.state} />
+            <StateBadge node={process} />
             <button type="button" class="button" onClick={() => showConsole(process.id)}>
               {viewTexts.graph.showConsole}
             </button>

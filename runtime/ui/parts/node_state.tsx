@@ -1,6 +1,6 @@
 // A node's state as people see it: a shape, a word and a colour that say the same.
 
-import type { NodeMoment, NodeState } from '../../wasm_js/session.ts';
+import type { NodeMoment, NodeState, NodeView } from '../../wasm_js/session.ts';
 import { unreachable } from '../../wasm_js/session.ts';
 import { texts } from '../texts.ts';
 import { Icon } from './icon.tsx';
@@ -50,13 +50,16 @@ export function stateLook(state: NodeState): StateLook {
   }
 }
 
+/** Its worker runs, its interpreter does not yet. */
+const kLoading: StateLook = { words: texts.state.loading, icon: 'arc', tone: 'busy' };
+
 /** Whether stopping makes sense. */
 export function isAlive(state: NodeState): boolean {
   return state.kind === 'starting' || state.kind === 'running';
 }
 
-export function StateBadge({ state }: { readonly state: NodeState }) {
-  const look = stateLook(state);
+export function StateBadge({ node: { state, loading } }: { readonly node: Pick<NodeView, 'state' | 'loading'> }) {
+  const look = state.kind === 'running' && loading === true ? kLoading : stateLook(state);
   return (
     <span class={`state state-${look.tone}`}>
       <Icon name={look.icon} class={look.tone === 'busy' ? 'turning' : ''} />

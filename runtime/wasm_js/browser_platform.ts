@@ -5,6 +5,7 @@ import { ExpectedFiles } from './expected_files.ts';
 import { keptBytes } from './kept_bytes.ts';
 import { keptTexts } from './kept_texts.ts';
 import type { HoldOrder, WorkerReport } from './node_worker.ts';
+import { answerForList } from './own_list.ts';
 import type { Platform, WorkerEvents, WorkerHandle } from './platform.ts';
 import { SiteError } from './site_error.ts';
 import { lifeOver, newLife } from './worker_life.ts';
@@ -78,8 +79,10 @@ export function browserPlatform(base: URL, script: string, early?: string): Brow
     place: base.href,
     json: async (path) => {
       const response = await get(path, base);
+      const text = await response.text();
+      if (path === 'site.json') answerForList(text);
       try {
-        return await response.json() as unknown;
+        return JSON.parse(text) as unknown;
       } catch (error) {
         throw new SiteError('R2W0700', `${path}: ${error instanceof Error ? error.message : String(error)}`);
       }
@@ -107,7 +110,7 @@ export function browserPlatform(base: URL, script: string, early?: string): Brow
       return module;
     },
     bytes,
-    kept: keptBytes(base),
+    kept: keptBytes(base, keptTexts('ros2wasm.kept ')),
     texts: keptTexts(`ros2wasm.source ${base.pathname} `),
     startWorker: (name, events) => new BrowserWorker(scriptUrl, name, events),
     frame: (task) => {

@@ -20,6 +20,7 @@ export function serveHeadlessWorker(): void {
       run: (await import('./python_program.ts')).runPython, makeImage: (await import('./python_image.ts')).makeImage,
       runLaunch: (await import('./launch_python.ts')).runLaunch,
     }),
+    openChannel: (name) => new BroadcastChannel(name),
   });
   port.on('message', (order: WorkerOrder) => handle(order));
 }

@@ -101,6 +101,8 @@ export interface WorkerPlace {
   readonly files: WorkerFiles;
   /** Fetched only for a node that is a Python program. `base`: as in PythonStart. */
   readonly python: (base: string) => Promise<PythonRuntime>;
+  /** A way to other tabs; for orders to bridge alone. */
+  readonly openChannel: (name: string) => BroadcastChannel;
 }
 
 /** Connects the worker's messages with a program. Returns what to call with each message. */
@@ -222,7 +224,7 @@ export function serveWorker(
         void run(order.start);
         return;
       case 'bridge':
-        void bridgeTabs(order.ticket, order.channel);
+        void bridgeTabs(order.ticket, place.openChannel(order.channel));
         return;
     }
   };

@@ -6,8 +6,12 @@ import { fetchNow, joinedBytes } from './fetch_now.ts';
 import { type HoldOrder, serveWorker, type WorkerOrder } from './node_worker.ts';
 import type { PythonRuntime } from './python_program.ts';
 import { holdLife } from './worker_life.ts';
+import { closeRealm, type KeptDoors } from './worker_realm.ts';
 
 const scope = self as unknown as DedicatedWorkerGlobalScope;
+
+/** undefined before anything of the site runs. */
+let doors: KeptDoors | undefined = closeRealm(scope);
 
 let elsewhere: ReadonlyMap<string, WorkerFile> | undefined;
 const made = new Map<string, string>();
@@ -27,7 +31,8 @@ const loaded = new Set<string>();
 function load(url: string): void {
   if (loaded.has(url)) return;
   try {
-    scope.importScripts(...addressesOf(url));
+    if (doors === undefined) throw new Error('the program has begun');
+    doors.importScripts(...addressesOf(url));
     loaded.add(url);
   } catch (error) {
     throw new Error(`the site's file ${url} cannot be loaded: ${error instanceof Error ? error.message : String(error)}`);
@@ -40,6 +45,8 @@ const handle = serveWorker((report) => scope.postMessage(report), fetchNow(addre
       load(`${home}pyodide.js`);
       // Pyodide would load it later, and from its own folder, where it need not be.
       load(`${home}pyodide.asm.js`);
+      // The last script; what runs now may be of the site.
+      doors = undefined;
       return (scope as unknown as { loadPyodide: typeof loadPyodide }).loadPyodide;
     },
     bytes: async (place) => {
@@ -55,11 +62,24 @@ const handle = serveWorker((report) => scope.postMessage(report), fetchNow(addre
     load(`${base}python_worker.js`);
     return (scope as unknown as { ros2wasmPython: PythonRuntime }).ros2wasmPython;
   },
+  openChannel: (name) => {
+    if (doors?.openChannel === undefined) throw new Error('this browser has no way between tabs');
+    return doors.openChannel(name);
+  },
 });
 let held = Promise.resolve();
-scope.onmessage = ({ data: order }: MessageEvent<HoldOrder | WorkerOrder>) => {
+scope.onmessage = ({ data: order, isTrusted }: MessageEvent<HoldOrder | WorkerOrder>) => {
+  // A program can make events itself.
+  if (!isTrusted) return;
   if (order.t === 'hold') {
     elsewhere = order.files;
-    held = holdLife(order.life);
-  } else void held.then(() => handle(order));
+    held = holdLife(order.life, doors?.locks);
+    return;
+  }
+  // It loads what runs Python, and then one order is carried out.
+  if (order.t !== 'python') scope.onmessage = null;
+  void held.then(() => {
+    if (order.t === 'start' && order.start.python === undefined) doors = undefined;
+    handle(order);
+  });
 };

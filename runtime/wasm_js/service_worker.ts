@@ -2,7 +2,10 @@
 // response, worker scripts too; keeps the site for visits without a network, by content: site.json names the sha256 of
 // each file, and a file is taken from the cache only under the hash that a site.json gives it: for a page that is open the one
 // that it was opened with, so that it goes on as it is when the site is packed anew, and the newest one for the next visit.
+// Every page of the origin can write to the cache. So nothing that lies there is believed: a file is hashed each time it is
+// taken out, and a list that this worker did not fetch itself counts only when the host or the open page has the same one.
 
+import { askForList } from './own_list.ts';
 import { type ListedPlace, placesOf, readStore } from './site_places.ts';
 
 const scope = self as unknown as ServiceWorkerGlobalScope;
@@ -19,8 +22,14 @@ const headers: readonly (readonly [string, string])[] = [
   ['X-Content-Type-Options', 'nosniff'],
 ];
 
-/** Absolute URL of a file, or of a part of one -> its sha256, by the newest site.json. */
+/** Absolute URL of a file, or of a part of one -> its sha256, by a site.json. */
 type Manifest = ReadonlyMap<string, string>;
+
+/** A site.json that can be believed, and what it lists. */
+interface SiteList {
+  readonly text: string;
+  readonly files: Manifest;
+}
 
 function withHeaders(response: Response): Response {
   if (response.type === 'opaque' || response.type === 'error' || response.status === 0) return response;
@@ -51,67 +60,115 @@ function parseManifest(text: string): Manifest {
   return map;
 }
 
-let manifest: Promise<Manifest> | undefined;
+function listOf(text: string): SiteList {
+  return { text, files: parseManifest(text) };
+}
 
-/** The newest site.json: from the network, without it from the cache. Renews the manifest. */
+function listResponse({ text }: SiteList): Response {
+  return new Response(text, { headers: { 'content-type': 'application/json' } });
+}
+
+/** By this worker's own memory, which nobody else can write to. */
+let newest: Promise<SiteList> | undefined;
+
+/** Asks the host. `list`: undefined when it does not give one. Throws without a network. Renews the newest list. */
+async function fetchList(): Promise<{ readonly response: Response; readonly list: SiteList | undefined }> {
+  const response = await fetch(siteUrl(), { cache: 'no-cache' });
+  if (!response.ok) return { response, list: undefined };
+  const list = listOf(await response.text());
+  newest = Promise.resolve(list);
+  await (await caches.open(cacheName)).put(siteUrl(), listResponse(list));
+  return { response: listResponse(list), list };
+}
+
+/** Of an earlier visit, for one without a network. */
+async function cachedList(url: string): Promise<SiteList | undefined> {
+  const cached = await (await caches.open(cacheName)).match(url);
+  return cached === undefined ? undefined : listOf(await cached.text());
+}
+
+/** The newest site.json: from the network, without it from the cache. */
 async function freshSite(): Promise<Response> {
-  const cache = await caches.open(cacheName);
   try {
-    const response = await fetch(siteUrl(), { cache: 'no-cache' });
-    if (response.ok) {
-      const text = await response.clone().text();
-      manifest = Promise.resolve(parseManifest(text));
-      await cache.put(siteUrl(), response.clone());
-    }
-    return response;
+    return (await fetchList()).response;
   } catch (error) {
-    const kept = await cache.match(siteUrl());
-    if (kept === undefined) throw error;
-    manifest = Promise.resolve(parseManifest(await kept.clone().text()));
-    return kept;
+    const cached = await cachedList(siteUrl());
+    if (cached === undefined) throw error;
+    newest = Promise.resolve(cached);
+    return listResponse(cached);
   }
 }
 
-/** Where the site.json lies that a page was opened with. */
+/** What this worker knows, else as freshSite() has it. */
+function currentList(): Promise<SiteList> {
+  newest ??= (async () => {
+    const { list } = await fetchList().catch(() => ({ list: undefined }));
+    return list ?? await cachedList(siteUrl()) ?? listOf('{}');
+  })();
+  return newest;
+}
+
+/** Where the site.json is cached that a page was opened with. */
 function ownSiteUrl(client: string): string {
   return `${siteUrl()}?client=${encodeURIComponent(client)}`;
 }
 
+/** The lists of open pages; undefined: of those that were not opened by way of this worker. */
+const own = new Map<string, Promise<SiteList | undefined>>();
+
 /** The newest site.json is that page's from now on. */
 async function remember(client: string): Promise<void> {
-  const cache = await caches.open(cacheName);
-  const newest = await cache.match(siteUrl());
-  if (client !== '' && newest !== undefined) await cache.put(ownSiteUrl(client), newest);
+  if (client === '' || newest === undefined) return;
+  const list = await newest;
+  own.set(client, Promise.resolve(list));
+  await (await caches.open(cacheName)).put(ownSiteUrl(client), listResponse(list));
 }
 
-async function ownSite(client: string): Promise<Response | undefined> {
-  return client === '' ? undefined : (await caches.open(cacheName)).match(ownSiteUrl(client));
+/** A page that does not answer is about to start, or is gone. */
+const answerMs = 3000;
+
+/** Whether the open page says that this is the list that it was opened with. */
+async function vouched(client: string, { text }: SiteList): Promise<boolean> {
+  const page = await scope.clients.get(client);
+  if (page === undefined) return false;
+  const channel = new MessageChannel();
+  const answer = new Promise<unknown>((resolve) => {
+    channel.port1.onmessage = ({ data }: MessageEvent<unknown>) => resolve(data);
+    setTimeout(() => resolve(undefined), answerMs);
+  });
+  page.postMessage(askForList, [channel.port2]);
+  const said = await answer;
+  channel.port1.close();
+  return said === await digest(new TextEncoder().encode(text));
 }
 
-const own = new Map<string, Promise<Manifest>>();
+/** The list of a page that an earlier life of this worker has opened. The cache alone is not believed. */
+async function cachedOwnList(client: string): Promise<SiteList | undefined> {
+  const cached = await cachedList(ownSiteUrl(client));
+  if (cached === undefined) return undefined;
+  const current = await currentList();
+  if (current.text === cached.text || await vouched(client, cached)) return cached;
+  await (await caches.open(cacheName)).delete(ownSiteUrl(client));
+  return undefined;
+}
+
+/** undefined: it was not opened by way of this worker. */
+function ownList(client: string): Promise<SiteList | undefined> {
+  if (client === '') return Promise.resolve(undefined);
+  const known = own.get(client) ?? cachedOwnList(client);
+  own.set(client, known);
+  void known.then((list) => {
+    if (list === undefined && own.get(client) === known) own.delete(client);
+  });
+  return known;
+}
 
 /** Of the page that asks, or the newest one. */
-function manifestOf(client: string): Promise<Manifest> {
-  const known = own.get(client);
-  if (known !== undefined) return known;
-  const read = ownSite(client).then(async (site) => {
-    if (site !== undefined) return parseManifest(await site.text());
-    own.delete(client);
-    return currentManifest();
-  });
-  own.set(client, read);
-  return read;
+async function manifestOf(client: string): Promise<Manifest> {
+  return (await ownList(client) ?? await currentList()).files;
 }
 
-async function currentManifest(): Promise<Manifest> {
-  manifest ??= (async () => {
-    const kept = await (await caches.open(cacheName)).match(siteUrl());
-    return kept === undefined ? new Map<string, string>() : parseManifest(await kept.text());
-  })();
-  return manifest;
-}
-
-async function digest(bytes: ArrayBuffer): Promise<string> {
+async function digest(bytes: ArrayBuffer | Uint8Array<ArrayBuffer>): Promise<string> {
   const hash = new Uint8Array(await crypto.subtle.digest('SHA-256', bytes));
   return Array.from(hash, (byte) => byte.toString(16).padStart(2, '0')).join('');
 }
@@ -129,11 +186,27 @@ async function keep(url: string, sha256: string, response: Response): Promise<bo
   return true;
 }
 
+/** A file from the cache, when its bytes have that hash; others are dropped. */
+async function cachedFile(url: string, sha256: string): Promise<Response | undefined> {
+  const cache = await caches.open(cacheName);
+  const cached = await cache.match(keyOf(url, sha256));
+  if (cached === undefined) return undefined;
+  const bytes = await cached.arrayBuffer();
+  // What else stands in the head is not in the hash.
+  const type = cached.headers.get('content-type');
+  if (await digest(bytes) === sha256) return new Response(bytes, { headers: type === null ? {} : { 'content-type': type } });
+  await cache.delete(keyOf(url, sha256));
+  return undefined;
+}
+
 async function answer(event: FetchEvent): Promise<Response> {
   const { request } = event;
   const url = request.url.replace(/[?#].*$/, '');
   const client = event.clientId;
-  if (url === siteUrl()) return withHeaders(await ownSite(client) ?? await freshSite());
+  if (url === siteUrl()) {
+    const list = await ownList(client);
+    return withHeaders(list === undefined ? await freshSite() : listResponse(list));
+  }
   const folder = url === scope.registration.scope;
   const file = folder ? new URL('index.html', url).href : url;
   // A visit begins with what the site is now.
@@ -142,13 +215,12 @@ async function answer(event: FetchEvent): Promise<Response> {
     // A page in a frame within is no visit of the site.
     if (file === new URL('index.html', scope.registration.scope).href) await remember(event.resultingClientId);
   }
-  const manifestNow = request.mode === 'navigate' ? currentManifest() : manifestOf(client);
-  const sha256 = (await manifestNow).get(file);
+  const files = request.mode === 'navigate' ? (await currentList()).files : await manifestOf(client);
+  const sha256 = files.get(file);
   // Not of this site.
   if (sha256 === undefined && !url.startsWith(scope.registration.scope)) return fetch(request);
-  const cache = await caches.open(cacheName);
-  const kept = sha256 === undefined ? undefined : await cache.match(keyOf(file, sha256));
-  if (kept !== undefined) return withHeaders(kept);
+  const cached = sha256 === undefined ? undefined : await cachedFile(file, sha256);
+  if (cached !== undefined) return withHeaders(cached);
   // The host may let the browser keep files for long: the site was packed anew since, so ask.
   const response = sha256 === undefined ? await fetch(request) : await fetch(request, { cache: 'no-cache' });
   if (sha256 !== undefined && response.ok && response.type === 'basic') {
@@ -170,19 +242,20 @@ async function fetchAndKeep(url: string, sha256: string): Promise<boolean> {
 /** Fetches all files of the site that are not kept yet, and drops those of older versions that no open page needs. Throws when one did not come. */
 async function keepAll(client: string): Promise<void> {
   // One that was there before this worker: it has just fetched the newest.
-  if (await ownSite(client) === undefined) {
+  if (await ownList(client) === undefined) {
     await freshSite();
     await remember(client);
   }
   const cache = await caches.open(cacheName);
   const wanted = new Set([siteUrl()]);
   for (const { id } of await scope.clients.matchAll({ includeUncontrolled: true })) {
-    if (await ownSite(id) === undefined) continue;
+    const list = await ownList(id);
+    if (list === undefined) continue;
     wanted.add(ownSiteUrl(id));
-    for (const [url, sha256] of await manifestOf(id)) wanted.add(keyOf(url, sha256));
+    for (const [url, sha256] of list.files) wanted.add(keyOf(url, sha256));
   }
   const missing: string[] = [];
-  for (const [url, sha256] of await currentManifest()) {
+  for (const [url, sha256] of (await currentList()).files) {
     const key = keyOf(url, sha256);
     wanted.add(key);
     // Names of functions are for crash reports: kept once they were asked for.

@@ -45,8 +45,7 @@ interface Group {
 }
 
 /** The bridges of two tabs meet on a broadcast channel that nobody else knows. */
-export function tabChannel(name: string): BridgeChannel {
-  const channel = new BroadcastChannel(name);
+export function tabChannel(channel: BroadcastChannel): BridgeChannel {
   return {
     post: (message) => channel.postMessage(message),
     listen: (listener) => {
@@ -57,7 +56,7 @@ export function tabChannel(name: string): BridgeChannel {
 }
 
 /** Carries until the worker is terminated. */
-export async function bridgeTabs(ticket: LinkTicket, channel: string): Promise<void> {
+export async function bridgeTabs(ticket: LinkTicket, channel: BroadcastChannel): Promise<void> {
   await new TabBridge(openLink(ticket, false), tabChannel(channel)).run();
 }
 

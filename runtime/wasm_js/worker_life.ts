@@ -14,13 +14,12 @@ export function newLife(): string {
 }
 
 /** In the worker, before it runs anything: resolves when the lock is held, which it is as long as the worker lives. */
-export function holdLife(life: string): Promise<void> {
+export function holdLife(life: string, locks: LockManager | undefined): Promise<void> {
   return new Promise((resolve) => {
     const held = (): Promise<never> => {
       resolve();
       return new Promise(() => undefined);
     };
-    const locks = lockManager();
     // Some pages may not lock (file:, a sandbox): then the page waits for a time instead.
     if (locks === undefined) resolve();
     else locks.request(life, held).catch(() => resolve());

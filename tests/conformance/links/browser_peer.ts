@@ -7,6 +7,6 @@ const scope = self as unknown as DedicatedWorkerGlobalScope;
 const handle = servePeer((message) => scope.postMessage(message));
 let held = Promise.resolve();
 scope.onmessage = ({ data }: MessageEvent<{ life?: string }>) => {
-  if (data.life !== undefined) held = holdLife(data.life);
+  if (data.life !== undefined) held = holdLife(data.life, navigator.locks);
   else void held.then(() => handle(data));
 };

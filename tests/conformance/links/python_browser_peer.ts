@@ -22,6 +22,6 @@ const handle = servePythonPeer((message) => scope.postMessage(message), {
 });
 let held = Promise.resolve();
 scope.onmessage = ({ data }: MessageEvent<{ life?: string }>) => {
-  if (data.life !== undefined) held = holdLife(data.life);
+  if (data.life !== undefined) held = holdLife(data.life, navigator.locks);
   else void held.then(() => handle(data));
 };

@@ -17,7 +17,7 @@ let pairs = 0;
 
 function half(broker: Broker, channel: string): Half {
   const { participant, ticket } = broker.admit()!;
-  const bridge = new TabBridge(openLink(ticket, false), tabChannel(channel));
+  const bridge = new TabBridge(openLink(ticket, false), tabChannel(new BroadcastChannel(channel)));
   void bridge.run();
   return { broker, participant, bridge };
 }

@@ -17,13 +17,32 @@ before(async () => {
 
 const sha256 = (text: string): string => createHash('sha256').update(text).digest('hex');
 
+interface OpenPage {
+  /** The site.json that it says it was opened with; undefined: it does not answer. */
+  readonly list: string | undefined;
+}
+
+interface Asked {
+  readonly text: string;
+  readonly headers: Headers;
+}
+
 /** A host with a site, a browser's cache, and the service worker between them. */
 class Stage {
   readonly files = new Map<string, string>();
-  private readonly cache = new Map<string, Response>();
-  private readonly listeners = new Map<string, (event: unknown) => void>();
+  readonly pages = new Map<string, OpenPage>();
+  /** Whoever is on the origin may write to it. */
+  readonly cache = new Map<string, Response>();
+  online = true;
+  private listeners = new Map<string, (event: unknown) => void>();
 
   constructor() {
+    this.restart();
+  }
+
+  /** The browser has ended it, and what it knew is gone. */
+  restart(): void {
+    this.listeners = new Map();
     const addEventListener = (kind: string, listener: (event: unknown) => void): void => void this.listeners.set(kind, listener);
     const cache = {
       put: async (url: string, response: Response) => void this.cache.set(url, response),
@@ -31,12 +50,40 @@ class Stage {
       keys: async () => [...this.cache.keys()].map((url) => ({ url })),
       delete: async (url: string) => this.cache.delete(url),
     };
-    const host = async (url: string): Promise<Response> => {
-      const text = this.files.get(url.slice(scope.length));
-      return text === undefined ? new Response('', { status: 404 }) : new Response(text);
+    const host = async (asked: string | { readonly url: string }): Promise<Response> => {
+      if (!this.online) throw new TypeError('no network');
+      const path = (typeof asked === 'string' ? asked : asked.url).slice(scope.length);
+      const text = this.files.get(path === '' ? 'index.html' : path);
+      const response = text === undefined ? new Response('', { status: 404 }) : new Response(text);
+      Object.defineProperty(response, 'type', { value: 'basic' });
+      return response;
     };
+    const page = (id: string): unknown => {
+      const open = this.pages.get(id);
+      return open === undefined ? undefined : {
+        id,
+        postMessage: (_question: unknown, [port]: readonly MessagePort[]) => {
+          if (open.list !== undefined) port?.postMessage(sha256(open.list));
+          else port?.postMessage('nothing');
+        },
+      };
+    };
+    const clients = { matchAll: async () => [...this.pages.keys()].map(page), get: async (id: string) => page(id) };
     const start = new Function('self', 'caches', 'fetch', code);
-    start({ registration: { scope }, clients: { matchAll: async () => [] }, addEventListener }, { open: async () => cache }, host);
+    start({ registration: { scope }, clients, addEventListener }, { open: async () => cache }, host);
+  }
+
+  /** What a page gets. `opens`: it is a visit of the site, by the page of that id. */
+  async ask(path: string, client = '', opens = false): Promise<Asked> {
+    const { promise, resolve, reject } = Promise.withResolvers<Asked>();
+    this.listeners.get('fetch')?.({
+      request: { url: scope + path, method: 'GET', mode: opens ? 'navigate' : 'cors', cache: 'default' },
+      clientId: opens ? '' : client, resultingClientId: opens ? client : '', waitUntil: () => undefined,
+      respondWith: (answer: Promise<Response>) => void answer.then(
+        async (response) => resolve({ text: await response.text(), headers: response.headers }), reject,
+      ),
+    });
+    return promise;
   }
 
   /** The host gets another version of the site; what is in `altered` comes otherwise than site.json says. */
@@ -82,4 +129,110 @@ test('a file that does not come is no reason to keep old ones', async () => {
   stage.files.delete('a.js');
   assert.equal(await stage.keep(), 'failed');
   assert.deepEqual(stage.kept(), ['b.js', 'site.json']);
+});
+
+/** As somebody else of the origin does it: under the names that the service worker has. */
+function plant(stage: Stage, path: string, text: string, planted: string): void {
+  stage.cache.set(`${scope}${path}?sha256=${sha256(text)}`, new Response(planted));
+}
+
+// Guarantee, hostile input: what another page of the origin writes into the cache of a site is never run while there is a network: bytes are hashed when they are taken out
+test('what another one of the origin put into the cache is dropped and fetched anew', async () => {
+  const stage = new Stage();
+  stage.publish({ 'index.html': 'page', 'a.js': 'a' });
+  plant(stage, 'index.html', 'page', 'mine');
+  plant(stage, 'a.js', 'a', 'mine');
+  assert.equal((await stage.ask('', 'p', true)).text, 'page');
+  assert.equal((await stage.ask('a.js', 'p')).text, 'a');
+  assert.equal(await stage.keep(), 'kept');
+  // Between two answers, too: what was right before is hashed again.
+  plant(stage, 'a.js', 'a', 'mine');
+  assert.equal((await stage.ask('a.js', 'p')).text, 'a');
+  // Without a network there is no file rather than another one.
+  plant(stage, 'a.js', 'a', 'mine');
+  stage.online = false;
+  await assert.rejects(stage.ask('a.js', 'p'));
+});
+
+test('only the bytes of a cached file count, not the headers that lie with them', async () => {
+  const stage = new Stage();
+  stage.publish({ 'a.js': 'a' });
+  await stage.ask('', 'p', true);
+  const headers = { 'content-type': 'text/javascript', refresh: '0;url=/other/', link: '</other.css>; rel=stylesheet' };
+  stage.cache.set(`${scope}a.js?sha256=${sha256('a')}`, new Response('a', { headers }));
+  const { headers: given } = await stage.ask('a.js', 'p');
+  assert.equal(given.get('content-type'), 'text/javascript');
+  assert.equal(given.get('refresh'), null);
+  assert.equal(given.get('link'), null);
+});
+
+const lists = (files: Readonly<Record<string, string>>): string =>
+  JSON.stringify({ files: Object.entries(files).map(([path, text]) => ({ path, sha256: sha256(text) })) });
+
+test('a page goes on as it was opened after the site was packed anew and the service worker began again', async () => {
+  const stage = new Stage();
+  stage.publish({ 'index.html': 'page', 'a.js': 'a1' });
+  await stage.ask('', 'p', true);
+  const list = (await stage.ask('site.json', 'p')).text;
+  stage.pages.set('p', { list });
+  await stage.keep();
+  stage.publish({ 'index.html': 'page', 'a.js': 'a2' });
+  stage.restart();
+  assert.equal((await stage.ask('a.js', 'p')).text, 'a1');
+  assert.equal((await stage.ask('site.json', 'p')).text, list);
+  // Without a network the page's word is enough.
+  stage.online = false;
+  stage.restart();
+  assert.equal((await stage.ask('a.js', 'p')).text, 'a1');
+  // The next visit has the new one.
+  stage.online = true;
+  await stage.ask('', 'q', true);
+  assert.equal((await stage.ask('a.js', 'q')).text, 'a2');
+});
+
+test('a list in the cache is believed only with the host or the open page', async () => {
+  const stage = new Stage();
+  stage.publish({ 'index.html': 'page', 'a.js': 'a' });
+  await stage.ask('', 'p', true);
+  const list = (await stage.ask('site.json', 'p')).text;
+  await stage.keep();
+  const planted = lists({ 'index.html': 'mine', 'a.js': 'mine' });
+  const attack = (): void => {
+    stage.cache.set(`${scope}site.json`, new Response(planted));
+    stage.cache.set(`${scope}site.json?client=p`, new Response(planted));
+    plant(stage, 'a.js', 'mine', 'mine');
+    plant(stage, 'index.html', 'mine', 'mine');
+  };
+  for (const page of [{ list }, { list: undefined }]) {
+    stage.pages.set('p', page);
+    attack();
+    stage.restart();
+    assert.equal((await stage.ask('a.js', 'p')).text, 'a');
+    assert.equal((await stage.ask('site.json', 'p')).text, list);
+    assert.equal((await stage.ask('a.js', 'worker')).text, 'a');
+    attack();
+    assert.equal((await stage.ask('', 'q', true)).text, 'page');
+    assert.equal((await stage.ask('site.json', 'q')).text, list);
+  }
+});
+
+test('two lives of the service worker at once, as when it is updated, answer alike', async () => {
+  const stage = new Stage();
+  stage.publish({ 'index.html': 'page', 'a.js': 'a1' });
+  await stage.ask('', 'p', true);
+  const early = stage.ask('a.js', 'p');
+  const keeping = stage.keep();
+  stage.publish({ 'index.html': 'page', 'a.js': 'a2' });
+  stage.restart();
+  stage.pages.set('p', { list: lists({ 'index.html': 'page', 'a.js': 'a1' }) });
+  const late = await stage.ask('', 'q', true);
+  assert.equal(late.text, 'page');
+  assert.match((await early).text, /^a[12]$/);
+  await keeping;
+  // Whatever came meanwhile: under a hash lie the bytes of that hash.
+  for (const [url, response] of stage.cache) {
+    const wanted = new URL(url).searchParams.get('sha256');
+    if (wanted !== null) assert.equal(sha256(await response.clone().text()), wanted);
+  }
+  assert.equal((await stage.ask('a.js', 'q')).text, 'a2');
 });

@@ -1,19 +1,41 @@
 // Cross-origin isolation, which shared memory needs: given by the host's headers, or else by our service worker, which
 // adds them; the page then loads once more. Also asks the service worker to keep the site for use without a network.
 
-const marker = 'ros2wasm-isolation-tried';
 const takeoverMs = 4000;
 
-/** Storage is refused in some frames; then there is no second try either. */
-function remember(value: string | undefined): string | null | undefined {
+/**
+ * The reload is noted in the entry of the page's history: that belongs to this address in this tab, and the browser hands it to the
+ * process that has the page. Storage of the tab would be that of all sites of the origin, of which another process may have an old copy.
+ */
+const mark = 'ros2wasm reloads to be isolated';
+
+function hasReloaded(): boolean {
+  const [entry] = performance.getEntriesByType('navigation') as PerformanceNavigationTiming[];
+  // A copy of the tab has the note too, but was not reloaded.
+  return isMarked(history.state) && (entry === undefined || entry.type === 'reload');
+}
+
+function isMarked(state: unknown): boolean {
+  return typeof state === 'object' && state !== null && mark in state;
+}
+
+/** False: it cannot be noted, so that the page might reload for ever. */
+function remember(): boolean {
+  const state: unknown = history.state;
   try {
-    const old = sessionStorage.getItem(marker);
-    if (value === undefined) sessionStorage.removeItem(marker);
-    else sessionStorage.setItem(marker, value);
-    return old;
+    history.replaceState({ ...(typeof state === 'object' ? state : {}), [mark]: true }, '');
+    return isMarked(history.state);
   } catch {
-    return undefined;
+    return false;
   }
+}
+
+/** A reload by the visitor is a new try. */
+function forget(): void {
+  const state: unknown = history.state;
+  if (!isMarked(state)) return;
+  const { [mark]: _marked, ...rest } = state as Record<string, unknown>;
+  history.replaceState(Object.keys(rest).length === 0 ? null : rest, '');
 }
 
 function serviceWorkers(): ServiceWorkerContainer | undefined {
@@ -40,14 +62,14 @@ function controlled(container: ServiceWorkerContainer): Promise<boolean> {
  */
 export async function isolate(script: URL): Promise<'yes' | 'no' | 'reloading'> {
   if (globalThis.crossOriginIsolated) {
-    remember(undefined);
+    forget();
     return 'yes';
   }
   const container = serviceWorkers();
   // A frame in a foreign page is isolated only when that page is.
   if (container === undefined || window.top !== window.self) return 'no';
-  if (remember('tried') !== null) {
-    remember(undefined);
+  if (hasReloaded()) {
+    forget();
     return 'no';
   }
   try {
@@ -57,6 +79,7 @@ export async function isolate(script: URL): Promise<'yes' | 'no' | 'reloading'> 
   } catch {
     return 'no';
   }
+  if (!remember()) return 'no';
   location.reload();
   return 'reloading';
 }

@@ -9,8 +9,13 @@
 #include "bundler/io/files.hpp"
 #include "bundler/io/installation.hpp"
 #include "bundler/launch/import_check.hpp"
+#include "bundler/launch/python_syntax.hpp"
+#include "bundler/launch_tools.hpp"
 #include "bundler/run/node_js.hpp"
+#include "bundler/store/build_place.hpp"
+#include "bundler/store/store.hpp"
 #include "bundler/workspace/discovery.hpp"
+#include "bundler/workspace/python_imports.hpp"
 #include "bundler/workspace/python_sources.hpp"
 
 namespace ros2wasm {
@@ -75,10 +80,50 @@ Outcome<PythonInput> read_python(BuiltWorkspace& workspace) {
   return input;
 }
 
+bool is_python(const std::string& path, const std::string& text) {
+  return path.ends_with(".py") || is_python_script(text);
+}
+
+/// Files of the workspace that are not valid Python.
+struct InvalidFiles {
+  std::map<std::string, Diagnostic> by_path;  ///< R2W0528, by installed path
+  std::set<std::string> reached;              ///< those that a node imports
+};
+
+Outcome<InvalidFiles> invalid_files(const PackRequest& request,
+                                                         const BuiltWorkspace& workspace,
+                                                         const PythonInput& python,
+                                                         const Cancellation& cancellation) {
+  std::vector<std::string> paths;
+  std::vector<std::string> texts;
+  for (const auto& [path, text] : python.workspace) {
+    if (!is_python(path, text)) continue;
+    paths.push_back(path);
+    texts.push_back(text);
+  }
+  const auto mistakes = python_mistakes(
+      texts, kept_launch_place(default_cache_directory(request.variables)),
+      [&] {
+        return find_launch_tools(request.executable, request.variables, workspace.environment,
+                                 cancellation);
+      },
+      cancellation);
+  if (!mistakes) return mistakes.errors();
+  InvalidFiles result;
+  for (const PythonMistake& one : *mistakes) {
+    const std::string& path = paths[one.text];
+    Diagnostic found = invalid_python(one, source_of(workspace, python, path), texts[one.text]);
+    found.span->file = path;
+    result.by_path.emplace(path, std::move(found));
+  }
+  return result;
+}
+
 /// `because`: why a node is left out for what it misses; empty: it is not, which is an error.
 Outcome<Done> check_python_imports(BuiltWorkspace& workspace, const PythonInput& python,
-                                   const InterfaceTexts& interfaces, const std::string& because,
-                                   std::vector<LaunchNode>& nodes) {
+                                   const InterfaceTexts& interfaces,
+                                   InvalidFiles& invalid,
+                                   const std::string& because, std::vector<LaunchNode>& nodes) {
   const PythonWorld world{.workspace = python.workspace,
                           .channels = python.channels,
                           .wheels = python.wheels,
@@ -96,6 +141,12 @@ Outcome<Done> check_python_imports(BuiltWorkspace& workspace, const PythonInput&
     ImportReport report = check_imports(python_script(node), world);
     node.compiled_modules.assign(report.compiled.begin(), report.compiled.end());
     bool can_run = true;
+    for (const std::string& file : report.own_files) {
+      const auto found = invalid.by_path.find(file);
+      if (found == invalid.by_path.end()) continue;
+      invalid.reached.insert(file);
+      report.missing.push_back(found->second);
+    }
     for (Diagnostic& one : report.missing) {
       can_run = can_run && one.severity != Severity::kError;
       if (!told.emplace(one.span->file, one.span->line, one.message).second) continue;
@@ -165,7 +216,8 @@ bool has_python(const std::vector<LaunchNode>& nodes) {
 
 }  // namespace
 
-Outcome<Done> add_python(BuiltWorkspace& workspace, PlanInput& input) {
+Outcome<Done> add_python(const PackRequest& request, BuiltWorkspace& workspace, PlanInput& input,
+                         const Cancellation& cancellation) {
   const bool is_needed = has_python(input.nodes) || input.notebook;
   if (!is_needed && !has_python(input.more_nodes)) return Done{};
   auto python = read_python(workspace);
@@ -179,12 +231,21 @@ Outcome<Done> add_python(BuiltWorkspace& workspace, PlanInput& input) {
     }
     return Done{};
   }
+  auto invalid = invalid_files(request, workspace, *python, cancellation);
+  if (!invalid) return std::move(invalid).errors();
   const auto check = [&](const char* because, std::vector<LaunchNode>& nodes) {
-    return check_python_imports(workspace, *python, input.interfaces, because, nodes);
+    return check_python_imports(workspace, *python, input.interfaces, *invalid, because, nodes);
   };
   const char* by_default = workspace.nodes_by_default ? "as the manifest names no nodes" : "";
   if (auto met = check(by_default, input.nodes); !met) return met;
   if (auto met = check("as it does not run from the start", input.more_nodes); !met) return met;
+  for (auto& [path, one] : invalid->by_path) {
+    if (invalid->reached.contains(path)) continue;
+    one.severity = Severity::kWarning;
+    one.span->file = source_of(workspace, *python, path);
+    one.why.emplace_back("no node of the site imports it");
+    workspace.warnings.push_back(std::move(one));
+  }
   if (input.notebook) {
     auto compiled = check_notebook_imports(workspace, *python, input.interfaces);
     if (!compiled) return std::move(compiled).errors();

@@ -14,7 +14,10 @@
 #include "bundler/launch/left_out.hpp"
 #include "bundler/launch/parameter_file.hpp"
 #include "bundler/launch/parameter_sources.hpp"
+#include "bundler/launch/python_syntax.hpp"
 #include "bundler/launch_tools.hpp"
+#include "bundler/store/build_place.hpp"
+#include "bundler/store/store.hpp"
 #include "bundler/workspace/build_order.hpp"
 #include "bundler/workspace/channel_request.hpp"
 #include "bundler/workspace/page_bags.hpp"
@@ -104,6 +107,46 @@ Diagnostics check_launch_file(const CheckRequest& request, CheckReport& report,
   return {};
 }
 
+/// R2W0528: errors in packages whose programs run, else warnings, as nobody may import the file.
+Diagnostics check_python(const CheckRequest& request, CheckReport& report, const fs::path& folder,
+                         const Cancellation& cancellation) {
+  std::vector<std::string> texts;
+  std::vector<std::pair<std::string, bool>> files;  // as messages name it; does its package run?
+  for (const LocalPackage& package : report.packages) {
+    const auto is_own = [&](const NodeEntry& node) {
+      return node.package.value == package.xml.name.value;
+    };
+    const bool runs = std::any_of(report.manifest.nodes.begin(), report.manifest.nodes.end(), is_own) ||
+                      std::any_of(report.launched.begin(), report.launched.end(), is_own);
+    for (const fs::path& file : package.python_files) {
+      auto text = read_file(file);
+      if (!text) continue;  // discovery has read it
+      files.emplace_back(shown_path(file, folder, request.manifest.parent_path()), runs);
+      texts.push_back(*std::move(text));
+    }
+  }
+  const auto mistakes = python_mistakes(
+      texts, kept_launch_place(default_cache_directory(request.variables)),
+      [&] { return find_launch_tools(request.executable, request.variables, {}, cancellation); },
+      cancellation);
+  Diagnostics errors;
+  if (!mistakes) {
+    // Without Node.js or Pyodide everything else is checked all the same.
+    for (Diagnostic one : mistakes.errors()) {
+      one.severity = Severity::kWarning;
+      report.warnings.push_back(std::move(one));
+    }
+    return errors;
+  }
+  for (const PythonMistake& one : *mistakes) {
+    const auto& [file, runs] = files[one.text];
+    Diagnostic found = invalid_python(one, file, texts[one.text]);
+    if (!runs) found.severity = Severity::kWarning;
+    (runs ? errors : report.warnings).push_back(std::move(found));
+  }
+  return errors;
+}
+
 }  // namespace
 
 Outcome<CheckReport> check_workspace(const CheckRequest& request,
@@ -143,6 +186,7 @@ Outcome<CheckReport> check_workspace(const CheckRequest& request,
     if (!notebook) append(errors, std::move(notebook).errors());
   }
   append(errors, check_launch_file(request, report, folder, cancellation));
+  append(errors, check_python(request, report, folder, cancellation));
 
   // A program without its channel says so when it packs; the manifest is not to blame.
   const bool names_are_known = packages && order && channels && embedded_only(*channels);

@@ -48,7 +48,7 @@ int check(Context& context, const Options& options) {
   context.console.result(path.generic_string() + ": good (schema " +
                          std::to_string(manifest.schema) + ", " + manifest.distro + ", " +
                          counted(report->packages.size(), "local package") + ", " +
-                         counted(manifest.nodes.size(), "node") + ")");
+                         counted(manifest.nodes.size() + report->launched.size(), "node") + ")");
   return 0;
 }
 

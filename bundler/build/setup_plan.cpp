@@ -72,12 +72,14 @@ std::optional<EntryPoint> entry_point(const std::string& line) {
   std::string_view target = std::string_view(line).substr(equals + 1);
   target = target.substr(0, target.find('['));  // extras
   const auto colon = target.find(':');
-  if (colon == std::string_view::npos) return std::nullopt;
+  const bool has_function = colon != std::string_view::npos;
   EntryPoint entry{.name = std::string(trimmed(std::string_view(line).substr(0, equals))),
                    .module = std::string(trimmed(target.substr(0, colon))),
-                   .function = std::string(trimmed(target.substr(colon + 1)))};
+                   .function = {}};
+  if (has_function) entry.function = std::string(trimmed(target.substr(colon + 1)));
   const bool is_file_name = stays_below(entry.name) && entry.name.find('/') == std::string::npos;
-  if (!is_file_name || !is_dotted_name(entry.module) || !is_dotted_name(entry.function))
+  if (!is_file_name || !is_dotted_name(entry.module) ||
+      (has_function && !is_dotted_name(entry.function)))
     return std::nullopt;
   return entry;
 }
@@ -122,7 +124,7 @@ Outcome<SetupPlan> read_setup_plan(std::string_view json, const BuildPlace& plac
         } else {
           errors.push_back(
               refused(place, "setup.py", 0,
-                      "the entry point `" + line + "` is not `NAME = MODULE:FUNCTION`"));
+                      "the entry point `" + line + "` is not `NAME = MODULE:FUNCTION` or `NAME = MODULE`"));
         }
       }
     }
@@ -132,6 +134,12 @@ Outcome<SetupPlan> read_setup_plan(std::string_view json, const BuildPlace& plac
 }
 
 std::string entry_point_script(const EntryPoint& entry, const std::string& package) {
+  if (entry.function.empty()) {
+    // As natively: the package installs, and the program fails when it runs.
+    return "#!/usr/bin/env python3\n# The entry point `" + entry.name + " = " + entry.module +
+           "` of " + package + ", which names no function.\nimport sys\n\nimport " + entry.module +
+           "\n\nsys.exit(" + entry.module + "())\n";
+  }
   const auto dot = entry.function.find('.');
   const std::string first = entry.function.substr(0, dot);
   return "#!/usr/bin/env python3\n# The entry point `" + entry.name + " = " + entry.module + ":" +

@@ -21,7 +21,7 @@ struct SetupFile {
 struct EntryPoint {
   std::string name;
   std::string module;
-  std::string function;  ///< may have dots
+  std::string function;  ///< may have dots; empty: the entry names the module only
 };
 
 struct SetupPlan {

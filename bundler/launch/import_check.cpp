@@ -48,6 +48,8 @@ class Walk {
     } else if (world_.channels.contains(script)) {
       visit_channel(script);
     }
+    for (const auto& [path, needed] : visited_)
+      if (world_.workspace.contains(path)) report_.own_files.insert(path);
     return std::move(report_);
   }
 

@@ -25,7 +25,8 @@ struct ImportReport {
   /// R2W0518: errors, and warnings for what a program can do without. R2W0526: warnings for what
   /// Python has and what does not work in a site. Files are named as they are installed.
   Diagnostics missing;
-  std::set<std::string> compiled;  ///< top-level modules with compiled parts, of the channels
+  std::set<std::string> own_files;  ///< of the workspace: what the program may import, and itself
+  std::set<std::string> compiled;   ///< top-level modules with compiled parts, of the channels
 };
 
 /// Top-level modules of the channels that have compiled parts: "numpy".

@@ -120,6 +120,17 @@ std::vector<fs::path> python_sources(const fs::path& folder, std::set<std::strin
   return files;
 }
 
+std::vector<fs::path> python_files(const fs::path& folder) {
+  std::set<std::string> names;
+  std::vector<fs::path> files = python_sources(folder, names);
+  std::erase_if(files, [](const fs::path& file) {
+    if (file.has_extension()) return false;
+    const auto text = read_file(file);
+    return !text || !is_python_script(*text);
+  });
+  return files;
+}
+
 std::vector<Spanned<std::string>> python_modules(const fs::path& folder, const fs::path& base,
                                                  const fs::path& shown_base) {
   std::vector<Spanned<std::string>> result;
@@ -238,6 +249,7 @@ Outcome<std::vector<LocalPackage>> discover_packages(
                                                            shown_path(lists, base, shown_base)),
                           .has_cmake_lists = cmake && !cmake->empty(),
                           .python_modules = python_modules(folder, base, shown_base),
+                          .python_files = python_files(folder),
                           .launch_packages = packages_of_launch_files(folder, base, shown_base)});
     } else {
       errors.insert(errors.end(), xml.errors().begin(), xml.errors().end());

@@ -20,6 +20,8 @@ struct LocalPackage {
   bool has_cmake_lists = false;
   /// What its Python files need that neither Python nor its own folder has: top-level modules.
   std::vector<Spanned<std::string>> python_modules;
+  /// Modules and scripts that a node may run, sorted; not those of tests, and not setup.py.
+  std::vector<std::filesystem::path> python_files;
   /// What its launch files start or look up.
   std::vector<Spanned<std::string>> launch_packages;
 };

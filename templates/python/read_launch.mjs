@@ -5,45 +5,13 @@
 // first line: {"folders": [{"at": PATH, "from": PATH}], "modules": [PATH]}; then requests, see ros2wasm_launch/reader.py,
 // or "seen": what was looked at in the folders so far, path -> what was there
 
-import { readSync, writeSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 
+import { receive, send } from './lines.mjs';
 import { mountedFiles } from './mounted_files.mjs';
 import { startPython } from './pyodide.mjs';
 
-const input = 0;
-const output = 1;
-const bufferSize = 1 << 16;
-const again = 'EAGAIN';
 const tools = '/tools';
-
-let pending = Buffer.alloc(0);
-
-/** The next line; nothing at the end. */
-function receive() {
-  const pieces = [];
-  for (;;) {
-    const end = pending.indexOf('\n');
-    if (end >= 0) {
-      pieces.push(pending.subarray(0, end));
-      pending = pending.subarray(end + 1);
-      return Buffer.concat(pieces).toString();
-    }
-    pieces.push(pending);
-    const buffer = Buffer.alloc(bufferSize);
-    let count;
-    try { count = readSync(input, buffer); } catch (error) { if (error.code === again) continue; throw error; }
-    if (count === 0) return undefined;
-    pending = buffer.subarray(0, count);
-  }
-}
-
-function send(text) {
-  let bytes = Buffer.from(`${text}\n`);
-  while (bytes.length > 0) {
-    try { bytes = bytes.subarray(writeSync(output, bytes)); } catch (error) { if (error.code !== again) throw error; }
-  }
-}
 
 const { folders, modules } = JSON.parse(receive());
 const python = await startPython(process.argv[2]);

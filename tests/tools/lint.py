@@ -17,6 +17,9 @@ REGISTRY_OR_MACHINE = re.compile(
 )
 LAUNCH_MODULES = "templates/python/launch_modules"
 CODE = re.compile(r"R2W\d{4}")
+# Included by projects that may not have called cmake_minimum_required() yet.
+CMAKE_MODULE = re.compile(r"(templates/toolchain/modules|runtime/\w+/cmake)/[^/]+\.cmake(\.in)?$")
+CMAKE_CODE = re.compile(r"^\s*(function|macro|if)\(", re.MULTILINE)
 NO_CODE = "R2W9999"  # stands for one that does not exist
 
 
@@ -53,6 +56,8 @@ def house_rules() -> str | None:
         upstreams = "/include/" in name  # public headers stand at the paths that user code includes
         if not upstreams and path.stem in {"util", "utils", "helper", "helpers", "common", "misc"}:
             errors.append(f"{name}: a name that says nothing")
+        if CMAKE_MODULE.match(name) and CMAKE_CODE.search(text) and "cmake_policy(VERSION" not in text:
+            errors.append(f"{name}: a module sets its policies itself: cmake_policy(VERSION ...)")
         for number, line in enumerate(text.splitlines(), 1):
             for code in CODE.findall(line):
                 if code != NO_CODE and not (ROOT / "cli/explain" / f"{code}.md").is_file():

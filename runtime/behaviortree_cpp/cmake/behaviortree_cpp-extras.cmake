@@ -1,4 +1,5 @@
 # Who finds this package may have libraries of nodes, which are linked into programs.
+cmake_policy(VERSION 3.20)  # whatever the project that includes this has set, or not yet
 if(NOT DEFINED _BEHAVIORTREE_CPP_HOOK_REGISTERED)
   set(_BEHAVIORTREE_CPP_HOOK_REGISTERED TRUE)
   find_package(ament_cmake_core QUIET REQUIRED)

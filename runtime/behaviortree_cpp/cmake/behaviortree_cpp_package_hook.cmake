@@ -1,5 +1,6 @@
 # At ament_package(): a library of nodes (BT_PLUGIN_EXPORT) knows its file's name, and a program that links
 # one has all of it, as one that loads a shared library. Programs that link none get all of their package.
+cmake_policy(VERSION 3.20)  # whatever the project that includes this has set, or not yet
 get_property(_targets DIRECTORY PROPERTY BUILDSYSTEM_TARGETS)
 set(_bt_plugins)
 foreach(_target IN LISTS _targets)

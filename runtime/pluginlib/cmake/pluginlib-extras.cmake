@@ -1,4 +1,5 @@
 # The functions of this package, for those that find it.
+cmake_policy(VERSION 3.20)  # whatever the project that includes this has set, or not yet
 
 macro(_pluginlib_register_package_hook)
   if(NOT DEFINED _PLUGINLIB_PACKAGE_HOOK_REGISTERED)

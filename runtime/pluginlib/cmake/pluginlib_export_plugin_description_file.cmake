@@ -1,5 +1,6 @@
 # pluginlib_export_plugin_description_file(<package of the base class> <file>)
 # Installs the description of the package's plugins and notes it in the index, for that package.
+cmake_policy(VERSION 3.20)  # whatever the project that includes this has set, or not yet
 macro(pluginlib_export_plugin_description_file plugin_category relative_filename)
   set(_file "${relative_filename}")
   cmake_path(ABSOLUTE_PATH _file BASE_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}")

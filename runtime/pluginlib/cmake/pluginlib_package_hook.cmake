@@ -1,5 +1,6 @@
 # At ament_package(): writes the descriptions into the package's index, and how each library that they
 # name is linked into a program (its kit, see bundler/build/link_kit.hpp).
+cmake_policy(VERSION 3.20)  # whatever the project that includes this has set, or not yet
 list(REMOVE_DUPLICATES _PLUGINLIB_CATEGORIES)
 foreach(_category IN LISTS _PLUGINLIB_CATEGORIES)
   ament_index_register_resource("${_category}__pluginlib__plugin"

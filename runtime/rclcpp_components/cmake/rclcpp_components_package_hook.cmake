@@ -2,6 +2,7 @@
 # RCLCPP_COMPONENTS_NO_CONTAINER; programs that load libraries
 # of classes at run time, and link none of the package's themselves, get all of them, since nothing
 # can be loaded later; writes the components into the package's index.
+cmake_policy(VERSION 3.20)  # whatever the project that includes this has set, or not yet
 list(REMOVE_DUPLICATES _RCLCPP_COMPONENTS_LIBRARIES)
 _rclcpp_components_keep_once(${_RCLCPP_COMPONENTS_LIBRARIES})
 if(NOT RCLCPP_COMPONENTS_NO_CONTAINER)

@@ -1,6 +1,7 @@
 # rclcpp_components_register_node(<library> PLUGIN <class> EXECUTABLE <name>
 #                                 [EXECUTOR <class>] [RESOURCE_INDEX <name>])
 # Notes the component in the package's index and makes a program that runs it alone.
+cmake_policy(VERSION 3.20)  # whatever the project that includes this has set, or not yet
 macro(rclcpp_components_register_node target)
   cmake_parse_arguments(ARGS "" "PLUGIN;EXECUTABLE;EXECUTOR;RESOURCE_INDEX" "" ${ARGN})
   if(ARGS_UNPARSED_ARGUMENTS)

@@ -1,5 +1,6 @@
 # rclcpp_components_register_nodes(<library> <class>... [RESOURCE_INDEX <name>])
 # Notes components in the package's index.
+cmake_policy(VERSION 3.20)  # whatever the project that includes this has set, or not yet
 macro(rclcpp_components_register_nodes target)
   if(NOT TARGET ${target})
     message(FATAL_ERROR

@@ -1,5 +1,6 @@
 # Users of messages need the headers only. Who generates messages calls this macro, after
 # find_package(rosidl_generator_cpp), whose extension has to run first.
+cmake_policy(VERSION 3.20)  # whatever the project that includes this has set, or not yet
 set(rosidl_typesupport_wasm_cpp_GENERATOR "${rosidl_typesupport_wasm_cpp_DIR}/../generator")
 
 macro(rosidl_typesupport_wasm_cpp_register)

@@ -1,6 +1,7 @@
 # Extension of rosidl_generate_interfaces(): generates type support and makes these targets:
 #   <target>__rosidl_typesupport_cpp  static library with the type support of all interfaces
 #   <package>::<target>               the library and the headers, for target_link_libraries()
+cmake_policy(VERSION 3.20)  # whatever the project that includes this has set, or not yet
 find_package(rosidl_runtime_cpp REQUIRED)
 find_package(rosidl_typesupport_wasm_cpp REQUIRED)
 find_package(Python3 REQUIRED COMPONENTS Interpreter)

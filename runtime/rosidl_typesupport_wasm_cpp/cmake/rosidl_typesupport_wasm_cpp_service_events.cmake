@@ -1,5 +1,6 @@
 # Extension of rosidl_generate_interfaces(): services, and actions with theirs, have event messages, which hold
 # one of service_msgs. A package with any needs that package, and so does who uses it.
+cmake_policy(VERSION 3.20)  # whatever the project that includes this has set, or not yet
 set(_wasm_cpp_has_services FALSE)
 foreach(_idl_file ${rosidl_generate_interfaces_ABS_IDL_FILES})
   if(_idl_file MATCHES "/(srv|action)/[^/]+$")

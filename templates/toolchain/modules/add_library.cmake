@@ -1,6 +1,7 @@
 # add_library(), which marks what natively would be a shared library: in its archive lies an object with
 # nothing in it. When a definition stands twice on a link line, `ros2wasm link-program` goes by it
 # (bundler/build/wasm_object.hpp).
+cmake_policy(VERSION 3.20)  # whatever the project that includes this has set, or not yet
 include_guard(GLOBAL)
 
 function(add_library name)

@@ -1,11 +1,13 @@
 # Runs after each project() call. Gives the interpreter's target without FindPython3's probing,
 # which needs development files that a site build never uses.
+cmake_policy(VERSION 3.20)  # whatever the project that includes this has set, or not yet
 if(Python3_EXECUTABLE AND NOT TARGET Python3::Interpreter)
   add_executable(Python3::Interpreter IMPORTED)
   set_target_properties(Python3::Interpreter PROPERTIES IMPORTED_LOCATION "${Python3_EXECUTABLE}")
 endif()
 
 include("${ROS2WASM_TOOLCHAIN_DIR}/modules/add_library.cmake")
+include("${ROS2WASM_TOOLCHAIN_DIR}/modules/not_found.cmake")
 
 # Programs that include what nothing gives: a first build found that out.
 if(ROS2WASM_MISSING_HEADERS)

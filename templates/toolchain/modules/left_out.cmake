@@ -1,6 +1,7 @@
 # Libraries that no site has. What links one of them is neither built nor installed; in place of a program
 # stands a note that says why, for whoever names it in a manifest, and in place of an exported library one
 # that is absent too, for the packages that link it.
+cmake_policy(VERSION 3.20)  # whatever the project that includes this has set, or not yet
 get_property(_ros2wasm_exports_are_ours GLOBAL PROPERTY ROS2WASM_EXPORTS_ARE_OURS)
 if(COMMAND ament_export_libraries AND NOT _ros2wasm_exports_are_ours)
   set_property(GLOBAL PROPERTY ROS2WASM_EXPORTS_ARE_OURS TRUE)

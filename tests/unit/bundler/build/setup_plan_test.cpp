@@ -55,11 +55,24 @@ TEST(SetupPlan, RefusesWhatLeavesItsFolderOrIsNoEntryPoint) {
   EXPECT_EQ(refused(R"("modules": [["/etc/passwd", "x"]])"),
             "`/etc/passwd` leads out of its folder");
   for (const char* line :
-       {"talk", "talk = demo", "../talk = demo:main", "talk = demo:main()", " = a:b"}) {
+       {"talk", "talk = demo:", "talk = demo main", "../talk = demo:main", "talk = demo:main()", " = a:b"}) {
     EXPECT_EQ(refused(R"("entry_points": {"console_scripts": [")" + std::string(line) + R"("]})"),
-              "the entry point `" + std::string(line) + "` is not `NAME = MODULE:FUNCTION`");
+              "the entry point `" + std::string(line) + "` is not `NAME = MODULE:FUNCTION` or `NAME = MODULE`");
   }
   EXPECT_EQ(refused(R"("data": [["a", "share/demo/a"]])"), "");
+}
+
+TEST(SetupPlan, AnEntryPointWithoutFunctionFailsWhenItRuns) {
+  const auto plan = read_setup_plan(
+      R"({"name": "demo", "version": "1", "script_folder": "lib/demo",
+          "entry_points": {"console_scripts": ["talk = demo.talk", "hear = demo.hear:main"]}})",
+      kPlace);
+  ASSERT_TRUE(plan);
+  ASSERT_EQ(plan->programs.size(), 2U);
+  EXPECT_EQ(plan->programs[0].function, "");
+  const std::string script = entry_point_script(plan->programs[0], "demo");
+  EXPECT_NE(script.find("\nimport demo.talk\n\nsys.exit(demo.talk())\n"), std::string::npos);
+  EXPECT_EQ(plan->programs[1].function, "main");
 }
 
 TEST(SetupPlan, RefusesNamesAndVersionsThatAreNoPartOfAFolderName) {

@@ -116,7 +116,7 @@ class Sources {
   }
 
   void add_file(const std::string& name, const fs::path& file) {
-    auto bytes = read_file(file);
+    auto bytes = read_file(file, kMostOfData);
     if (!bytes) {
       const Diagnostics& faults = bytes.errors();
       errors_.insert(errors_.end(), faults.begin(), faults.end());

@@ -49,7 +49,7 @@ std::string title_of(const SitePlan& plan) {
 Outcome<std::map<std::string, std::string>> files_of_site(const fs::path& folder,
                                                           const std::string& name) {
   const fs::path file = folder / name / kSiteJsonName;
-  const auto text = read_file(file);
+  const auto text = read_file(file, kMostOfSiteJson);
   if (!text) return text.errors();
   const auto list = read_site_list(*text, file.string());
   if (!list) return list.errors();
@@ -137,7 +137,7 @@ Outcome<Done> archive(const fs::path& folder, const fs::path& file,
   for (const TreeEntry& one : *tree) {
     if (cancellation.requested()) return interrupted();
     if (one.kind != FileKind::kFile) continue;
-    const auto bytes = read_file(folder / one.path);
+    const auto bytes = read_file(folder / one.path, kMostOfData);
     if (!bytes) return bytes.errors();
     zip.member(one.path, *bytes);
   }
@@ -222,7 +222,7 @@ Outcome<CourseReport> pack_course(const CourseRequest& request, const Cancellati
   std::error_code error;
   fs::path file = request.pack.input.empty() ? fs::path(".") : fs::path(request.pack.input);
   if (fs::is_directory(file, error)) file = (file / kCourseName).lexically_normal();
-  const auto text = read_file(file);
+  const auto text = read_file(file, kMostOfText);
   if (!text) return text.errors();
   const auto course = read_course(*text, file.string());
   if (!course) return course.errors();
@@ -244,7 +244,7 @@ Outcome<CourseReport> pack_course(const CourseRequest& request, const Cancellati
     return into(output);
   }
   if (auto refusal = refuse_zip(output)) return *refusal;
-  auto place = TemporaryDirectory::make(fs::temp_directory_path(), "ros2wasm-course-");
+  auto place = TemporaryDirectory::make("ros2wasm-course-");
   if (!place) return std::move(place).errors();
   auto report = into(place->path() / "course");
   if (!report) return report;

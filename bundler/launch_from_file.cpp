@@ -130,7 +130,7 @@ std::string package_around(const BuiltWorkspace& workspace, const std::string& f
   for (;; below = below.parent_path()) {
     const fs::path described = workspace.folder / below / "package.xml";
     if (std::error_code none; fs::exists(described, none)) {
-      const auto text = read_file(described);
+      const auto text = read_file(described, kMostOfList);
       const auto xml = text ? parse_package_xml(*text, described.string(),
                                                 ros_condition_variables(workspace.manifest.distro))
                             : Outcome<PackageXml>(text.errors());

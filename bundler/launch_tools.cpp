@@ -27,7 +27,9 @@ Outcome<fs::path> own_pyodide(const fs::path& executable,
                               const std::map<std::string, std::string>& variables,
                               const Cancellation& cancellation) {
   Manifest nothing;
-  auto channels = workspace_channels(nothing, fs::current_path(), executable, variables);
+  const auto here = absolute_path(".");
+  if (!here) return here.errors();
+  auto channels = workspace_channels(nothing, *here, executable, variables);
   if (!channels) return std::move(channels).errors();
   auto& [roots, addresses] = *channels;
   roots.network.offline = true;
@@ -55,8 +57,9 @@ fs::path kept_place(const LaunchEvaluationAsked& asked) {
     if (const auto hash = hash_of_tree(*templates)) key.add("reader", *hash);
   }
   Manifest nothing;
+  const auto here = absolute_path(".");
   const auto channels =
-      workspace_channels(nothing, fs::current_path(), asked.executable, asked.variables);
+      here ? workspace_channels(nothing, *here, asked.executable, asked.variables) : here.errors();
   if (channels) {
     const auto index = hash_file(channels->roots.embedded / "noarch" / "repodata.json");
     if (index) key.add("channel", index->sha256);
@@ -80,7 +83,7 @@ fs::path kept_place(const LaunchEvaluationAsked& asked) {
 KeptPython kept_talk(const fs::path& place, const std::vector<LaunchFolder>& folders) {
   std::error_code error;
   if (!fs::is_regular_file(place, error)) return {};
-  const auto text = read_file(place);
+  const auto text = read_file(place, kMostOfList);
   auto kept = text ? read_kept_python(*text) : std::nullopt;
   if (!kept) return {};
   for (const auto& [path, state] : kept->seen)
@@ -100,7 +103,7 @@ Outcome<PythonFiles> launch_modules(const fs::path& executable) {
   PythonFiles result;
   for (const TreeEntry& entry : *tree) {
     if (entry.kind != FileKind::kFile || !entry.path.ends_with(".py")) continue;
-    auto bytes = read_file(*folder / entry.path);
+    auto bytes = read_file(*folder / entry.path, kMostOfList);
     if (!bytes) return std::move(bytes).errors();
     result.emplace(entry.path, std::move(*bytes));
   }

@@ -197,6 +197,8 @@ Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& ca
   const auto toolchain = find_own_data(
       request.executable, "templates/toolchain/ros2wasm-toolchain.cmake", "the CMake toolchain");
   if (!toolchain) return toolchain.errors();
+  const auto real_toolchain = real_path(*toolchain);
+  if (!real_toolchain) return real_toolchain.errors();
   workspace->cache = build_place(request.built.empty() ? roots.cache : request.built);
   workspace->environment = environment->prefix;
   // One of the user's own, such as ccache, keeps its place.
@@ -206,7 +208,7 @@ Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& ca
       .compiler = compiler,
       .compiler_environment = compiler_environment(request.variables),
       .tool_environment = tool_environment(request.variables, compiler.cxx),
-      .toolchain = fs::canonical(*toolchain),
+      .toolchain = *real_toolchain,
       .cli = request.executable,
       .jobs = request.jobs != 0 ? request.jobs : std::max(1U, std::thread::hardware_concurrency()),
       .tool_calls = tool_calls_folder(workspace->cache, compiler),

@@ -16,11 +16,11 @@ Outcome<Done> read_programs(const PackRequest& request, const BuiltWorkspace& wo
       exceptions != workspace.manifest.site.end() && exceptions->second == "standard";
   for (const LaunchNode& node : nodes) {
     if (node.kind != ProgramKind::kWasm || input.programs.contains(node.program)) continue;
-    auto bytes = read_file(node.program);
+    auto bytes = read_file(node.program, kMostOfData);
     const fs::path names = fs::path(node.program).replace_extension(".names");
     std::error_code error;
     if (fs::is_regular_file(names, error)) {
-      auto text = read_file(names);
+      auto text = read_file(names, kMostOfData);
       if (!text) return std::move(text).errors();
       input.names[node.program] = std::move(text).value();
     } else if (auto split = bytes ? split_names(*bytes) : std::nullopt) {  // a channel's program

@@ -73,7 +73,7 @@ Outcome<PythonInput> read_python(BuiltWorkspace& workspace) {
   if (!fs::is_directory(pyodide, error)) return no_pyodide("nodes of the site are Python programs");
   for (const char* name : {"pyodide.asm.js", "pyodide.asm.wasm", "pyodide-lock.json", "pyodide.js",
                            "python_stdlib.zip"}) {
-    auto bytes = read_file(pyodide / name);
+    auto bytes = read_file(pyodide / name, kMostOfData);
     if (!bytes) return std::move(bytes).errors();
     input.pyodide.emplace(name, std::move(bytes).value());
   }
@@ -266,8 +266,10 @@ Outcome<Done> add_python_tools(const PackRequest& request, BuildTools& tools,
   const auto templates =
       find_own_data(request.executable, "templates/python", "the reader of setup.py files");
   if (!templates) return templates.errors();
+  auto real = real_path(*templates);
+  if (!real) return std::move(real).errors();
   tools.node_js = std::move(*node);
-  tools.python_templates = fs::canonical(*templates);
+  tools.python_templates = std::move(*real);
   return Done{};
 }
 

@@ -29,6 +29,7 @@ constexpr const char* kManifestName = "workspace.yaml";
 /// Step 1: read the manifest, or make one up for a folder that has none.
 Outcome<BuiltWorkspace> read_workspace(const PackRequest& request) {
   const fs::path input = request.input.empty() ? fs::path(".") : fs::path(request.input);
+  if (auto whole = absolute_path(input); !whole) return std::move(whole).errors();
   std::error_code error;
   fs::path file = input;
   if (fs::is_directory(input, error)) {
@@ -45,7 +46,7 @@ Outcome<BuiltWorkspace> read_workspace(const PackRequest& request) {
     }
     file = file.lexically_normal();
   }
-  const auto text = read_file(file);
+  const auto text = read_file(file, kMostOfText);
   if (!text) return text.errors();
   auto manifest = read_manifest(*text, file.string());
   if (!manifest) return std::move(manifest).errors();

@@ -69,7 +69,7 @@ Outcome<RebuildReport> rebuild(const RebuildRequest& request, const Cancellation
                                const ProgressSink& progress) {
   const auto limits = extract_limits_of(request.archive_limits, request.variables);
   if (!limits) return limits.errors();
-  auto scratch = TemporaryDirectory::make(fs::temp_directory_path(), "ros2wasm-rebuild-");
+  auto scratch = TemporaryDirectory::make("ros2wasm-rebuild-");
   if (!scratch) return std::move(scratch).errors();
 
   // 1. the site, every byte of it

@@ -13,7 +13,7 @@ Outcome<Done> keep_budget(const Manifest& manifest, const SitePlan& plan,
   std::error_code error;
   std::optional<std::string> old_text;
   if (std::filesystem::exists(file, error)) {
-    auto text = read_file(file);
+    auto text = read_file(file, kMostOfText);
     if (!text) return std::move(text).errors();
     old_text = std::move(*text);
   }

@@ -127,7 +127,7 @@ std::vector<fs::path> license_files(const fs::path& folder) {
 std::vector<std::string> license_texts(const fs::path& folder, bool whatever_name) {
   std::vector<std::string> texts;
   for (const fs::path& file : license_paths(folder, whatever_name)) {
-    auto text = read_file(file);
+    auto text = read_file(file, kMostOfText);
     if (text && is_license_text(*text)) texts.push_back(std::move(text).value());
   }
   return texts;

@@ -151,14 +151,16 @@ Diagnostics check_python(const CheckRequest& request, CheckReport& report, const
 
 Outcome<CheckReport> check_workspace(const CheckRequest& request,
                                      const Cancellation& cancellation) {
-  const auto text = read_file(request.manifest);
+  const auto text = read_file(request.manifest, kMostOfText);
   if (!text) return text.errors();
   auto manifest = read_manifest(*text, request.manifest.generic_string());
   if (!manifest) return std::move(manifest).errors();
   CheckReport report{
       .manifest = std::move(*manifest), .packages = {}, .launched = {}, .warnings = {}};
   report.warnings = report.manifest.warnings;
-  const fs::path folder = fs::absolute(request.manifest).parent_path();
+  const auto place = absolute_path(request.manifest);
+  if (!place) return place.errors();
+  const fs::path folder = place->parent_path();
 
   Diagnostics errors;
   auto packages =

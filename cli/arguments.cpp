@@ -99,6 +99,14 @@ CLI::Validator one_of(const std::vector<std::string>& words) {
           ""};
 }
 
+/// An empty value is most often a variable of a script that is not set.
+CLI::Validator not_empty() {
+  return {[](const std::string& text) -> std::string {
+            return text.empty() ? "its value is empty" : "";
+          },
+          ""};
+}
+
 void declare_global(CLI::App& root, GlobalOptions& global) {
   root.add_flag("-q,--quiet", global.quiet, "No remarks and no progress; errors stay");
   root.add_flag("--json", global.json, "Result, diagnostics and progress as JSON");
@@ -128,6 +136,11 @@ void Arguments::flag(const std::string& names, bool& target, const std::string& 
 
 void Arguments::value(const std::string& names, std::string& target, const std::string& placeholder,
                       const std::string& help) {
+  app_.add_option(names, target, help)->option_text(placeholder)->check(not_empty());
+}
+
+void Arguments::text(const std::string& names, std::string& target, const std::string& placeholder,
+                     const std::string& help) {
   app_.add_option(names, target, help)->option_text(placeholder);
 }
 
@@ -135,7 +148,8 @@ void Arguments::value(const std::string& names, std::optional<std::string>& targ
                       const std::string& placeholder, const std::string& help) {
   app_.add_option_function<std::string>(
           names, [&target](const std::string& text) { target = text; }, help)
-      ->option_text(placeholder);
+      ->option_text(placeholder)
+      ->check(not_empty());
 }
 
 void Arguments::number(const std::string& names, int& target, const std::string& placeholder,
@@ -178,11 +192,11 @@ void Arguments::values_if_any(const std::string& names, std::vector<std::string>
 }
 
 void Arguments::required(const std::string& name, std::string& target, const std::string& help) {
-  app_.add_option(name, target, help)->option_text(" ")->required();
+  app_.add_option(name, target, help)->option_text(" ")->check(not_empty())->required();
 }
 
 void Arguments::optional(const std::string& name, std::string& target, const std::string& help) {
-  app_.add_option(name, target, help)->option_text(" ");
+  app_.add_option(name, target, help)->option_text(" ")->check(not_empty());
 }
 
 void Arguments::rest(const std::string& name, std::vector<std::string>& target,

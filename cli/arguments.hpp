@@ -30,6 +30,9 @@ class Arguments {
              const std::string& help);
   void value(const std::string& names, std::optional<std::string>& target,
              const std::string& placeholder, const std::string& help);
+  /// As value(), which refuses an empty one.
+  void text(const std::string& names, std::string& target, const std::string& placeholder,
+            const std::string& help);
   void number(const std::string& names, int& target, const std::string& placeholder, int least,
               int most, const std::string& help);
   void number(const std::string& names, std::optional<int>& target, const std::string& placeholder,

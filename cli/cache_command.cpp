@@ -91,7 +91,7 @@ int prune(Context& context, const std::filesystem::path& cache, bool everything)
 /// Everything that a lock names, so that later commands need no network.
 int fetch(Context& context, const std::filesystem::path& cache, const std::string& lock_file) {
   const std::filesystem::path file = lock_file.empty() ? kLockFileName : lock_file;
-  const auto text = read_file(file);
+  const auto text = read_file(file, kMostOfList);
   if (!text) return context.console.fail(text.errors());
   const auto lock = read_lock(*text, file.string());
   if (!lock) return context.console.fail(lock.errors());

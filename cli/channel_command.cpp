@@ -53,7 +53,7 @@ std::vector<std::string> text_list(const JsonValue& json, std::string_view key) 
 
 /// What a metadata file says: the keys are CondaPackage's members.
 Outcome<CondaPackage> read_metadata(const std::string& file) {
-  const auto text = read_file(file);
+  const auto text = read_file(file, kMostOfList);
   if (!text) return text.errors();
   const auto json = parse_json(*text, file, "R2W0205");
   if (!json) return json.errors();
@@ -213,17 +213,17 @@ CommandBody channel_command(Arguments& arguments) {
                   "JSON with name, version, build, build_number, subdir, depends, noarch ...");
   arguments.value("--name", options->name, "NAME", "Package name");
   arguments.value("--version", options->version, "VERSION", "Package version");
-  arguments.value("--build", options->build, "STRING", "Build string");
+  arguments.text("--build", options->build, "STRING", "Build string");
   arguments.value("--build-number", options->build_number, "N", "Build number");
   arguments.values("--depends", options->depends, "SPEC", "A package that this one needs");
   arguments.values("--constrains", options->constrains, "SPEC",
                    "What another package must be if it is there");
-  arguments.value("--license", options->license, "SPDX", "License expression");
+  arguments.text("--license", options->license, "SPDX", "License expression");
   arguments.values("--license-file", options->license_files, "FILE", "A file for info/licenses");
-  arguments.value("--summary", options->summary, "TEXT", "One line about the package");
+  arguments.text("--summary", options->summary, "TEXT", "One line about the package");
   arguments.value("--subdir", options->subdir, "SUBDIR",
                   "emscripten-wasm32 (the default) or another platform");
-  arguments.value(
+  arguments.text(
       "--placeholder", options->placeholder, "PATH",
       "The prefix that the files were installed for; it is replaced where text files name it");
   arguments.flag("--noarch", options->noarch, "The package is for every platform");

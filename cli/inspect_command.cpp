@@ -191,7 +191,7 @@ int inspect_archive(Context& context, const InspectOptions& options) {
 
 /// The packages of a lock, ours or another tool's.
 Outcome<std::vector<PackageRecord>> locked_packages(const InspectOptions& options) {
-  const auto text = read_file(options.file);
+  const auto text = read_file(options.file, kMostOfList);
   if (!text) return text.errors();
   if (std::filesystem::path(options.file).filename() == kLockFileName) {
     auto lock = read_lock(*text, options.file);

@@ -46,7 +46,7 @@ Diagnostic refused(std::string message, std::vector<std::string> why) {
 Outcome<Manifest> manifest_of(const fs::path& folder, const fs::path& shown) {
   std::error_code error;
   if (!fs::is_regular_file(folder / "workspace.yaml", error)) return Manifest{};
-  const auto text = read_file(folder / "workspace.yaml");
+  const auto text = read_file(folder / "workspace.yaml", kMostOfText);
   if (!text) return text.errors();
   return read_manifest(*text, (shown / "workspace.yaml").lexically_normal().generic_string());
 }
@@ -67,10 +67,12 @@ Outcome<std::vector<LocalPackage>> packages_of(const fs::path& folder, const fs:
 int run(Context& context, const LaunchOptions& options) {
   const auto given = launch_arguments_of(options.given);
   if (!given) return context.console.fail(given.errors());
-  std::error_code error;
-  const fs::path folder = fs::canonical(options.workspace, error);
-  const fs::path file = fs::weakly_canonical(fs::absolute(options.file), error);
-  const fs::path inside = file.lexically_relative(folder);
+  const auto workspace = real_path(options.workspace);
+  if (!workspace) return context.console.fail(workspace.errors());
+  const auto file = real_path(options.file);
+  if (!file) return context.console.fail(file.errors());
+  const fs::path& folder = *workspace;
+  const fs::path inside = file->lexically_relative(folder);
   if (inside.empty() || *inside.begin() == "..")
     return context.console.fail(
         {refused("`" + options.file + "` is not in the workspace `" + options.workspace + "`",

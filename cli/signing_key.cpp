@@ -89,7 +89,7 @@ Outcome<std::shared_ptr<const SiteSigner>> read_signer(const SigningChoice& choi
                       .fix = {"add --sign KEYFILE"}};
   }
   if (auto fine = check_trusted_comment(choice.comment); !fine) return std::move(fine).errors();
-  auto text = read_file(choice.key_file);
+  auto text = read_file(choice.key_file, kMostOfText);
   if (!text) return std::move(text).errors();
   const auto wanted = wants_password(*text, choice.key_file);
   if (!wanted) return wanted.errors();

@@ -39,7 +39,7 @@ Outcome<PublicKey> key_of(const std::string& given) {
   std::error_code error;
   if (given.starts_with("RW") && given.size() == 56 && !std::filesystem::exists(given, error))
     return read_public_key(given, given);
-  const auto text = read_file(given);
+  const auto text = read_file(given, kMostOfText);
   if (!text) return text.errors();
   return read_public_key(*text, given);
 }

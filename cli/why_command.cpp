@@ -94,9 +94,11 @@ int why(Context& context, const std::string& word) {
     return context.console.fail(
         not_in_site(word, {"there is no site.json in the folders above it"}));
   }
+  const auto whole = absolute_path(word);
+  if (!whole) return context.console.fail(whole.errors());
   const std::string relative =
-      fs::absolute(word).lexically_normal().lexically_relative(folder).generic_string();
-  const auto text = read_file(folder / kSiteJsonName);
+      whole->lexically_normal().lexically_relative(folder).generic_string();
+  const auto text = read_file(folder / kSiteJsonName, kMostOfSiteJson);
   if (!text) return context.console.fail(text.errors());
   const auto list = read_site_list(*text, (folder / kSiteJsonName).string());
   if (!list) return context.console.fail(list.errors());

@@ -10,6 +10,8 @@ namespace ros2wasm {
 namespace {
 
 constexpr std::size_t kDeepest = 200;
+/// A value takes up to 80 bytes of memory, and may be two of text: `0,`.
+constexpr std::size_t kMostValues = 2'000'000;
 
 /// Builds JsonValues as the library reports what it reads.
 class Builder : public nlohmann::json_sax<nlohmann::json> {
@@ -52,6 +54,10 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
 
  private:
   bool put(JsonValue value) {
+    if (++values_ > kMostValues) {
+      error_ = "it has more than " + std::to_string(kMostValues) + " values";
+      return false;
+    }
     if (open_.empty()) {
       root_ = std::move(value);
       return true;
@@ -83,6 +89,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
   }
 
   JsonValue root_;
+  std::size_t values_ = 0;
   std::vector<JsonValue> open_;
   std::vector<std::string> keys_;  ///< the key that waits for its value, one per open container
   std::string error_;
@@ -176,11 +183,14 @@ Outcome<JsonValue> parse_json(std::string_view text, const std::string& file,
   }
   if (read) return builder.take();
   if (failure.empty()) failure = builder.error();
-  return Diagnostic{.code = code,
-                    .message = "`" + file + "` is not valid JSON",
-                    .span = place_of(text, builder.error_at(), file),
-                    .label = "here",
-                    .why = {failure}};
+  Diagnostic error{
+      .code = code, .message = "`" + file + "` is not valid JSON", .why = {std::move(failure)}};
+  // A limit has no place.
+  if (builder.error_at() != 0) {
+    error.span = place_of(text, builder.error_at(), file);
+    error.label = "here";
+  }
+  return error;
 }
 
 }  // namespace ros2wasm

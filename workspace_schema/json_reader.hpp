@@ -52,7 +52,8 @@ class JsonValue {
   State state_ = nullptr;
 };
 
-/// `code` and `file` go into the diagnostic, which has line and column. Nesting is limited to 200.
+/// `code` and `file` go into the diagnostic, which has line and column. Nesting is limited to 200,
+/// the number of values to 2,000,000.
 [[nodiscard]] Outcome<JsonValue> parse_json(std::string_view text, const std::string& file,
                                             const std::string& code);
 

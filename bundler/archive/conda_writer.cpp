@@ -192,7 +192,7 @@ Outcome<Done> add_entries(const fs::path& prefix, const std::vector<TreeEntry>& 
     }
     switch (entry.kind) {
       case FileKind::kFile: {
-        const auto bytes = read_file(prefix / entry.path);
+        const auto bytes = read_file(prefix / entry.path, kMostOfData);
         if (!bytes) return bytes.errors();
         payload.add_file(entry, *bytes);
         break;
@@ -205,7 +205,7 @@ Outcome<Done> add_entries(const fs::path& prefix, const std::vector<TreeEntry>& 
         std::error_code error;
         std::optional<std::string> target;
         if (fs::is_regular_file(prefix / entry.path, error)) {
-          auto bytes = read_file(prefix / entry.path);
+          auto bytes = read_file(prefix / entry.path, kMostOfData);
           if (!bytes) return std::move(bytes).errors();
           target = std::move(bytes).value();
         }
@@ -233,7 +233,7 @@ Outcome<std::map<std::string, std::string>> info_files(const CondaPackage& packa
     members["info/link.json"] = link_json(package);
   }
   for (const fs::path& license : package.license_files) {
-    auto bytes = read_file(license);
+    auto bytes = read_file(license, kMostOfData);
     if (!bytes) return std::move(bytes).errors();
     members["info/licenses/" + license.filename().string()] = std::move(bytes).value();
   }

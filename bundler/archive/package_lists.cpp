@@ -14,7 +14,7 @@ Outcome<PackageLists> read_package_lists(const std::filesystem::path& folder) {
         std::pair("info/has_prefix", &lists.has_prefix)}) {
     std::error_code error;
     if (!std::filesystem::is_regular_file(folder / name, error)) continue;
-    auto read = read_file(folder / name);
+    auto read = read_file(folder / name, kMostOfList);
     if (!read) return std::move(read).errors();
     *text = std::move(*read);
   }

@@ -48,7 +48,7 @@ std::string configured(const fs::path& emscripten, const EnvironmentVariables& v
   const fs::path file = named.empty() ? emscripten / ".emscripten" : fs::path(named);
   std::error_code error;
   if (!fs::is_regular_file(file, error)) return {};
-  const auto text = read_file(file);
+  const auto text = read_file(file, kMostOfData);
   if (!text) return {};
   const std::regex line("(?:^|\\n)" + key + R"( *= *['"]([^'"\n]+)['"])");
   std::smatch match;
@@ -129,7 +129,7 @@ std::string abi_build(const CompilerParts& parts, const fs::path& cache) {
   const fs::path kept = cache / "compilers" / sha256_hex(stamp_of(parts)).substr(0, 16);
   std::error_code error;
   if (!cache.empty() && fs::exists(kept, error))
-    if (const auto known = read_file(kept); known && known->starts_with(kBuildPrefix))
+    if (const auto known = read_file(kept, kMostOfData); known && known->starts_with(kBuildPrefix))
       return *known;
   const std::string hash = hash_of(parts.libraries);
   if (hash.empty()) return {};

@@ -121,7 +121,7 @@ Diagnostics all_findings(const CommandFindings& findings) {
 
 CommandFindings read_command_findings(const fs::path& work) {
   CommandFindings result;
-  const auto text = read_file(work / kOfCommands);
+  const auto text = read_file(work / kOfCommands, kMostOfList);
   const auto json = text ? parse_json(*text, kOfCommands, "R2W0506") : text.errors();
   if (!json) return result;
   for (const JsonValue& item : json->items()) {
@@ -152,7 +152,7 @@ Outcome<Done> keep_findings(const fs::path& prefix, const Diagnostics& findings)
 Diagnostics kept_findings(const fs::path& prefix, const BuildPlace& place) {
   std::error_code error;
   if (!fs::exists(prefix / kOfPackage, error)) return {};
-  const auto text = read_file(prefix / kOfPackage);
+  const auto text = read_file(prefix / kOfPackage, kMostOfList);
   if (!text) return text.errors();
   Diagnostics result = diagnostics_from_json(*text);
   for (Diagnostic& one : result)

@@ -138,7 +138,7 @@ std::vector<std::string> direct_compile_command(
   question.insert(question.end(), words->manner.begin(), words->manner.end());
   const fs::path answer = kept / (sha256_hex(as_text(question)).substr(0, 16) + ".compile");
   std::vector<std::string> call;
-  if (const auto known = read_file(answer)) {
+  if (const auto known = read_file(answer, kMostOfData)) {
     call = lines_of(*known);
   } else {
     if (!make_directories(kept)) return command;

@@ -56,7 +56,7 @@ std::string key_of(const DirectLink& link) {
                          .thread_support = link.line.thread_support};
   std::string key = std::string(kFormat) + "\n" + as_text(link_command(nothing, link.kind, {}));
   if (link.kind == LinkKind::kThreads) {
-    if (const auto source = read_file(link.line.thread_support)) key += *source;
+    if (const auto source = read_file(link.line.thread_support, kMostOfData)) key += *source;
   }
   return sha256_hex(key).substr(0, 16);
 }
@@ -105,7 +105,7 @@ std::optional<ToolCalls> calls_from(const std::string& text) {
 std::optional<ToolCalls> tool_calls(const DirectLink& link, const std::string& marker,
                                     const Cancellation& cancellation) {
   const fs::path kept = link.kept / key_of(link);
-  if (const auto known = read_file(kept)) {
+  if (const auto known = read_file(kept, kMostOfData)) {
     if (auto calls = calls_from(*known)) return calls;
   }
   LinkLine probe{.compiler = link.line.compiler,
@@ -244,7 +244,7 @@ bool optimize_directly(const DirectLink& link, const Cancellation& cancellation)
   const auto calls = marker ? tool_calls(link, *marker, cancellation) : std::nullopt;
   if (!calls) return false;
   const std::string program = link.stem + ".wasm";
-  const auto bytes = read_file(program);
+  const auto bytes = read_file(program, kMostOfData);
   const auto stripped = bytes ? without_debug_data(*bytes) : std::nullopt;
   if (!stripped || !write_file(program, *stripped)) return false;
   std::vector<std::string> command = calls->optimizer;

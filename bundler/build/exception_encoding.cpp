@@ -26,7 +26,7 @@ Outcome<std::string> with_standard_exceptions(std::string_view program, const fs
                                               const fs::path& cache,
                                               const Cancellation& cancellation) {
   const fs::path kept = cache / "exnref" / (sha256_hex(program) + ".wasm");
-  if (auto known = read_file(kept)) return std::move(known).value();
+  if (auto known = read_file(kept, kMostOfData)) return std::move(known).value();
   const auto tool = find_npm_tool(executable, "wasm-opt");
   if (!tool) {
     return Diagnostic{
@@ -55,7 +55,7 @@ Outcome<std::string> with_standard_exceptions(std::string_view program, const fs
                       .message = "wasm-opt cannot translate a program's exceptions",
                       .detail = result->output};
   }
-  auto translated = read_file(output);
+  auto translated = read_file(output, kMostOfData);
   if (translated) fs::rename(output, kept, error);  // the cache is a help, not a must
   return translated;
 }

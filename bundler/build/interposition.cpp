@@ -35,7 +35,7 @@ Outcome<LinkLine> with_interposition(const LinkLine& line, const fs::path& folde
     const bool is_archive = argument.ends_with(".a");
     if (!is_archive && !argument.ends_with(".o") && !argument.ends_with(".obj")) continue;
     if (argument.starts_with('-') || !seen.insert(real_path(argument)).second) continue;
-    auto bytes = read_file(argument);
+    auto bytes = read_file(argument, kMostOfData);
     if (!bytes) continue;  // the linker says so
     auto symbols = is_archive ? archive_definitions(*bytes) : strong_definitions(*bytes);
     if (!symbols) continue;

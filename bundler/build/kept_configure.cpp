@@ -64,7 +64,7 @@ Outcome<std::string> configure_key(const fs::path& work, const fs::path& sources
   bool all_contents = false;
   for (const SeenSource& file : *files) {
     if (!is_cmake(file.path)) continue;
-    auto text = read_file(sources / file.path);
+    auto text = read_file(sources / file.path, kMostOfList);
     if (!text) return text.errors();
     all_contents = all_contents || may_read_files(*std::move(text));
   }
@@ -84,7 +84,7 @@ void forget_configure(const fs::path& work) {
 
 bool reuse_configure(const fs::path& work, const std::string& key, const fs::path& prefix) {
   const fs::path kept = work / kKept;
-  const auto text = read_file(kept);
+  const auto text = read_file(kept, kMostOfList);
   forget_configure(work);
   if (!text) return false;
   std::istringstream lines(*text);
@@ -95,7 +95,7 @@ bool reuse_configure(const fs::path& work, const std::string& key, const fs::pat
   for (std::string name; std::getline(lines, name);) {
     list += name + "\n";
     if (before == prefix) continue;
-    const auto file = read_file(work / name);
+    const auto file = read_file(work / name, kMostOfList);
     if (!file) return false;
     if (!write_file(work / name, with_replaced(*file, before, prefix.string()))) return false;
   }
@@ -109,7 +109,7 @@ Outcome<Done> keep_configure(const fs::path& work, const std::string& key, const
        it.increment(error)) {
     std::error_code gone;
     if (!it->is_regular_file(gone) || is_built(it->path())) continue;
-    const auto text = read_file(it->path());
+    const auto text = read_file(it->path(), kMostOfList);
     if (!text) return text.errors();
     if (text->find(prefix.string()) != std::string::npos)
       list += it->path().lexically_relative(work).string() + "\n";

@@ -56,7 +56,7 @@ class Scan {
   explicit Scan(const std::vector<fs::path>& folders) : folders_(folders) {}
 
   Beginning of(const fs::path& file, int depth) {
-    const auto text = read_file(file);
+    const auto text = read_file(file, kMostOfData);
     if (!text || depth > kDeepestInclude) return Beginning::kOther;
     std::istringstream lines(*text);
     bool in_comment = false;

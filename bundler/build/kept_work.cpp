@@ -44,7 +44,7 @@ Outcome<Done> forget_what_times_hide(const fs::path& work, const fs::path& sourc
                                      const fs::path& workspace) {
   const auto tree = source_tree(sources, workspace);
   if (!tree) return tree.errors();
-  const auto before = read_file(work / kList);
+  const auto before = read_file(work / kList, kMostOfList);
   const std::set<std::string> known = before ? lines_of(*before) : std::set<std::string>();
   const auto newest = newest_below(work);
   bool is_hidden = false;
@@ -69,7 +69,7 @@ Outcome<Done> forget_what_times_hide(const fs::path& work, const fs::path& sourc
 }
 
 Outcome<std::vector<SeenSource>> seen_sources(const fs::path& work) {
-  const auto list = read_file(work / kList);
+  const auto list = read_file(work / kList, kMostOfList);
   if (!list) return list.errors();
   std::vector<SeenSource> result;
   std::istringstream lines(*list);

@@ -26,7 +26,8 @@ std::vector<std::string> expanded(const std::vector<std::string>& command) {
   std::vector<std::string> result;
   for (const std::string& argument : command) {
     const bool is_file = argument.starts_with('@');
-    const auto text = is_file ? read_file(argument.substr(1)) : Outcome<std::string>(argument);
+    const auto text =
+        is_file ? read_file(argument.substr(1), kMostOfData) : Outcome<std::string>(argument);
     if (is_file && text) {
       for (std::string& inner : split_response_file(*text)) result.push_back(std::move(inner));
     } else {
@@ -44,7 +45,8 @@ std::string target_of(const LinkLine& line) {
 TlsBase tls_base_of(const LinkLine& line) {
   for (const std::string& argument : line.arguments) {
     const bool is_object = argument.ends_with(".o") || argument.ends_with(".obj");
-    const auto object = is_object ? read_file(argument) : Outcome<std::string>(std::string());
+    const auto object =
+        is_object ? read_file(argument, kMostOfData) : Outcome<std::string>(std::string());
     if (is_object && object) return tls_base_for(*object);
   }
   return TlsBase::kZero;
@@ -142,7 +144,9 @@ Outcome<LinkReport> link_program(const LinkRequest& request, const Cancellation&
     if (auto made = write_file(line.output, ""); !made) return std::move(made).errors();
     return LinkReport{.program = line.output};
   }
-  const fs::path output = fs::absolute(line.output);
+  const auto whole = absolute_path(line.output);
+  if (!whole) return whole.errors();
+  const fs::path& output = *whole;
   const auto folder =
       TemporaryDirectory::make(output.parent_path(), output.stem().string() + ".link-");
   if (!folder) return folder.errors();
@@ -193,7 +197,7 @@ Outcome<LinkReport> link_program(const LinkRequest& request, const Cancellation&
   if (!linked) return std::move(linked).errors();
   if (linked->exit_code != 0) return link_failed(request, line, without_trace(linked->output));
   const std::string printed = linked->output;
-  const auto bytes = read_file(stem + ".wasm");
+  const auto bytes = read_file(stem + ".wasm", kMostOfData);
   const auto module = bytes ? read_wasm_module(*bytes) : std::nullopt;
   if (!module) return link_failed(request, line, "the linker wrote no WebAssembly module");
 
@@ -204,7 +208,7 @@ Outcome<LinkReport> link_program(const LinkRequest& request, const Cancellation&
     linked = link(LinkKind::kThreads);
     if (!linked) return std::move(linked).errors();
     if (linked->exit_code != 0) return link_failed(request, line, linked->output);
-    const auto threaded = read_file(stem + ".wasm");
+    const auto threaded = read_file(stem + ".wasm", kMostOfData);
     const auto found = threaded ? read_wasm_module(*threaded) : std::nullopt;
     if (!found) return link_failed(request, line, "the linker wrote no WebAssembly module");
     // The C library for threads has functions that the other one lacks, of scheduling for example.

@@ -26,7 +26,7 @@ fs::path index_entry(const std::string& base, const std::string& package) {
 }
 
 Outcome<Done> copied(const fs::path& from, const fs::path& to) {
-  const auto bytes = read_file(from);
+  const auto bytes = read_file(from, kMostOfData);
   if (!bytes) return bytes.errors();
   return write_file(to, *bytes);
 }
@@ -44,7 +44,7 @@ Outcome<std::string> kept_argument(const std::string& argument, std::size_t inde
 }
 
 Outcome<LinkKit> read_kit(const fs::path& folder) {
-  const auto text = read_file(folder / kArguments);
+  const auto text = read_file(folder / kArguments, kMostOfData);
   if (!text) return text.errors();
   LinkKit kit{.name = folder.filename().string(), .base = {}, .arguments = {}};
   std::istringstream lines(*text);
@@ -93,7 +93,7 @@ bool is_container(const LinkLine& line) {
 
 /// A kit may be left from a time when the sources said otherwise: only what is named counts.
 Outcome<std::vector<std::string>> named_kits(const fs::path& folder) {
-  const auto text = read_file(folder / kNamed);
+  const auto text = read_file(folder / kNamed, kMostOfData);
   if (!text) return text.errors();
   std::vector<std::string> result;
   std::istringstream lines(*text);

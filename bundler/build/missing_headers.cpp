@@ -105,7 +105,7 @@ Outcome<Done> write_missing_headers(const fs::path& prefix,
 Diagnostics left_out_programs(const fs::path& prefix, const BuildPlace& place) {
   std::error_code error;
   if (!fs::exists(prefix / kMissingHeaders, error)) return {};
-  const auto text = read_file(prefix / kMissingHeaders);
+  const auto text = read_file(prefix / kMissingHeaders, kMostOfList);
   if (!text) return text.errors();
   Diagnostics warnings;
   Diagnostics errors;

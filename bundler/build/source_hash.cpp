@@ -30,7 +30,8 @@ std::string hash_elsewhere(const fs::path& folder) {
     const std::uintmax_t size = fs::file_size(file, error);
     // Files of the kernel have no size, and no end.
     const bool can_be_read = !error && size > 0 && size <= left;
-    const auto bytes = can_be_read ? read_file(file) : Outcome<std::string>(std::string());
+    const auto bytes =
+        can_be_read ? read_file(file, kMostOfData) : Outcome<std::string>(std::string());
     if (can_be_read && bytes) {
       left -= size;
       hash.add(entry.path, sha256_hex(*bytes));
@@ -62,7 +63,7 @@ Outcome<std::string> hash_of_tree(const fs::path& folder, const fs::path& worksp
     std::error_code error;
     const bool executable =
         (fs::status(file, error).permissions() & fs::perms::owner_exec) != fs::perms::none;
-    const auto bytes = read_file(file);
+    const auto bytes = read_file(file, kMostOfData);
     if (!bytes) return bytes.errors();
     hash.add(entry.path, (executable ? "x" : "-") + sha256_hex(*bytes));
   }

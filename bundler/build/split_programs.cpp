@@ -12,7 +12,7 @@ Outcome<Done> split_programs(const fs::path& prefix, const std::string& package)
   for (fs::directory_iterator it(prefix / "lib" / package, error), end; !error && it != end;
        it.increment(error)) {
     if (it->path().extension() != ".wasm") continue;
-    const auto bytes = read_file(it->path());
+    const auto bytes = read_file(it->path(), kMostOfData);
     if (!bytes) return bytes.errors();
     const auto split = split_names(*bytes);
     if (!split) continue;

@@ -158,7 +158,7 @@ Outcome<fs::path> copy_to_channel(const fs::path& channel, const fs::path& archi
   const std::string subdir = json->text_of("subdir");
   if (!is_subdir(subdir)) return misplaced(archive, "it does not say which platform it is for");
   if (const auto record = record_of(archive, subdir, *there); !record) return record.errors();
-  const auto bytes = read_file(archive);
+  const auto bytes = read_file(archive, kMostOfData);
   if (!bytes) return bytes.errors();
   fs::path place = channel / subdir / archive.filename();
   if (auto done = write_file(place, *bytes); !done) return std::move(done).errors();

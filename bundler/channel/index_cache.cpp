@@ -41,7 +41,7 @@ struct Copy {
 Copy copy_of(const std::string& url, const ChannelRoots& roots) {
   Copy copy{
       .url = url, .folder = roots.cache / "index" / sha256_hex(url).substr(0, 32), .state = {}};
-  const auto text = read_file(copy.folder / "state.json");
+  const auto text = read_file(copy.folder / "state.json", kMostOfText);
   if (!text) return copy;
   auto state = read_copy_state(*text);
   if (!state || state->url != url) return copy;

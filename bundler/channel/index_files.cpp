@@ -155,7 +155,7 @@ std::vector<Outcome<std::optional<IndexFile>>> bring_index_files(
 }
 
 Outcome<std::string> bzip2_text(const std::filesystem::path& file, const std::string& url) {
-  auto bytes = read_file(file);
+  auto bytes = read_file(file, kMostOfData);
   if (!bytes) return bytes;
   return bzip2_decompressed(*bytes, kLargestIndex, url);
 }

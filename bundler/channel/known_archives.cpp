@@ -44,7 +44,7 @@ KnownArchives::KnownArchives() : began_ns_(now_ns()) {}
 
 KnownArchives KnownArchives::of(const fs::path& folder) {
   KnownArchives known;
-  const auto text = read_file(folder / kFileName);
+  const auto text = read_file(folder / kFileName, kMostOfList);
   if (!text || text->size() <= kHashSize) return known;
   const std::string_view body = std::string_view(*text).substr(kHashSize + 1);
   if (!text->starts_with(sha256_hex(body))) return known;

@@ -27,7 +27,7 @@ class ShardIndex : public SubdirIndex {
       : source_(std::move(source)), roots_(roots) {}
 
   [[nodiscard]] Outcome<Done> open() {
-    const auto bytes = read_file(source_.file);
+    const auto bytes = read_file(source_.file, kMostOfData);
     if (!bytes) return bytes.errors();
     auto list = read_shard_list(*bytes, source_.url);
     if (!list) return std::move(list).errors();
@@ -110,7 +110,7 @@ class ShardIndex : public SubdirIndex {
   /// Runs on several threads.
   Outcome<Done> read(const Shard& shard, const std::filesystem::path& file, SpecTable& specs,
                      RepoIndex& into) const {
-    const auto bytes = read_file(file);
+    const auto bytes = read_file(file, kMostOfData);
     if (!bytes) return bytes.errors();
     if (sha256_hex(*bytes) != shard.sha256) return wrong_shard(shard);
     return read_shard(*bytes, shard.url, source_.place, specs, into);

@@ -62,7 +62,8 @@ struct Beside {
 };
 
 std::string beside_prefix(const fs::path& clean) {
-  return "." + clean.filename().string() + "-new-";
+  constexpr std::size_t kMostOfName = 200;  // the rest of what a name may have is for the ending
+  return "." + clean.filename().string().substr(0, kMostOfName) + "-new-";
 }
 
 /// Some file systems lock no folders: then there is no lock, and nothing is swept away.
@@ -97,7 +98,7 @@ void sweep_beside(const fs::path& clean) {
 
 /// What it was before stays beside the site, for links that name it. `old` is where it lies now.
 void keep_earlier(const fs::path& old, const fs::path& site, const std::string& sha256) {
-  const auto text = read_file(old / kSiteJsonName);
+  const auto text = read_file(old / kSiteJsonName, kMostOfSiteJson);
   if (!text) return;
   const auto list = read_site_list(*text, kSiteJsonName);
   if (!list || list->store.objects.empty() || list->hash == sha256) return;
@@ -172,13 +173,16 @@ Outcome<Done> emit_folder(const SitePlan& plan, const fs::path& folder,
   if (auto refusal = refuse_folder(folder)) return *refusal;
   std::error_code error;
   // A link to the folder stays a link: what it leads to is replaced.
-  const fs::path place = fs::exists(folder, error) ? fs::canonical(folder, error)
-                                                   : fs::absolute(folder).lexically_normal();
+  const auto whole = absolute_path(folder);
+  if (!whole) return whole.errors();
+  const fs::path place =
+      fs::exists(folder, error) ? fs::canonical(folder, error) : whole->lexically_normal();
   if (error) return cannot_write(folder, error.value());
   const fs::path clean = place.has_filename() ? place : place.parent_path();
   if (auto made = make_directories(clean.parent_path()); !made) return made;
   const fs::space_info space = fs::space(clean.parent_path(), error);
-  if (!error) {
+  // One such as /proc says that it has no space at all; that it takes no files is the reason then.
+  if (!error && space.capacity != 0) {
     if (auto refusal = refuse_size(folder, total_size(plan) + channel_size(plan), space.available))
       return *refusal;
   }

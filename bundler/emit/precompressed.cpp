@@ -43,7 +43,7 @@ Outcome<Done> remove_compressed(const fs::path& file) {
 }
 
 Outcome<Done> precompress_file(const fs::path& file, const std::set<fs::path>& taken) {
-  const auto bytes = read_file(file);
+  const auto bytes = read_file(file, kMostOfData);
   if (!bytes) return bytes.errors();
   const std::string ending = file.extension().string();
   const bool worth = bytes->size() >= kLeastBytes &&
@@ -54,7 +54,7 @@ Outcome<Done> precompress_file(const fs::path& file, const std::set<fs::path>& t
     std::error_code error;
     // Of an object that another site brought.
     if (worth && fs::exists(place, error)) {
-      const auto old = read_file(place);
+      const auto old = read_file(place, kMostOfData);
       const auto inside =
           old ? unpacked(form, *old, bytes->size(), place.string()) : Outcome<std::string>("");
       if (inside && *inside == *bytes) continue;
@@ -68,7 +68,7 @@ Outcome<Done> precompress_file(const fs::path& file, const std::set<fs::path>& t
 }
 
 Outcome<Done> precompress_site(const fs::path& folder, const Cancellation& cancellation) {
-  const auto text = read_file(folder / kSiteJsonName);
+  const auto text = read_file(folder / kSiteJsonName, kMostOfSiteJson);
   if (!text) return text.errors();
   const auto list = read_site_list(*text, (folder / kSiteJsonName).string());
   if (!list) return list.errors();
@@ -96,7 +96,7 @@ std::optional<std::string> wrong_compressed(const fs::path& file, std::uint64_t 
     // A link, a device, or one that is larger than what it should hold is not read.
     if (!fs::is_regular_file(status) || fs::file_size(place, error) > size || error)
       return std::string(form.ending);
-    const auto packed = read_file(place);
+    const auto packed = read_file(place, kMostOfData);
     const auto bytes = packed ? unpacked(form, *packed, size, place.string())
                               : Outcome<std::string>(packed.errors());
     if (!bytes || sha256_hex(*bytes) != sha256) return std::string(form.ending);

@@ -4,6 +4,7 @@
 #include "bundler/emit/folder_output.hpp"
 #include "bundler/emit/page_output.hpp"
 #include "bundler/emit/zip_output.hpp"
+#include "bundler/io/files.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -41,14 +42,16 @@ Outcome<std::string> store_address(const std::filesystem::path& output,
   };
   if (&form_of(output) != &kFolder)
     return cannot("an archive or a page has all its files in it, and lies anywhere");
+  const auto site = real_path(output);
+  if (!site) return site.errors();
+  const auto objects = real_path(store);
+  if (!objects) return objects.errors();
   std::error_code error;
-  const fs::path site = fs::weakly_canonical(fs::absolute(output, error), error);
-  const fs::path objects = fs::weakly_canonical(fs::absolute(store, error), error);
-  if (fs::exists(objects, error) && !fs::is_directory(objects, error))
+  if (fs::exists(*objects, error) && !fs::is_directory(*objects, error))
     return cannot("it is not a folder");
-  const std::string address = (objects / "")
+  const std::string address = (*objects / "")
                                   .lexically_normal()
-                                  .lexically_relative((site / "").lexically_normal().parent_path())
+                                  .lexically_relative((*site / "").lexically_normal().parent_path())
                                   .generic_string();
   if (!is_store_address(address)) {
     return cannot("seen from the site it is `" + address +

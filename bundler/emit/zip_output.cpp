@@ -79,7 +79,7 @@ Outcome<Done> emit_zip(const SitePlan& plan, const fs::path& file,
   }
   for (const ChannelFile& one : plan.channel) {
     const auto bytes =
-        one.copy_of.empty() ? Outcome<std::string>(one.bytes) : read_file(one.copy_of);
+        one.copy_of.empty() ? Outcome<std::string>(one.bytes) : read_file(one.copy_of, kMostOfData);
     if (!bytes) return bytes.errors();
     if (auto added = add(one.path, *bytes); !added) return added;
   }

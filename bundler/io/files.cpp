@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
+#include <new>
 #include <system_error>
+#include <utility>
 
 #include "bundler/io/replaced_file.hpp"
 
@@ -36,6 +38,26 @@ std::string system_reason(int errno_value) {
   return std::error_code(errno_value, std::generic_category()).message();
 }
 
+/// Only of what is neither a regular file nor a folder.
+std::string kind_of_file(mode_t mode) {
+  if (S_ISFIFO(mode)) return "it is a pipe, not a file";
+  if (S_ISSOCK(mode)) return "it is a socket, not a file";
+  return "it is a device, not a file";
+}
+
+std::string too_large(std::uint64_t at_most, std::uint64_t size) {
+  return "it has " + std::to_string(size) + " bytes or more; of such a file at most " +
+         std::to_string(at_most) + " are read";
+}
+
+/// Sockets cannot be opened at all; say so.
+Diagnostic cannot_open(const fs::path& path, int errno_value) {
+  struct stat status {};
+  if (errno_value == ENXIO && ::stat(path.c_str(), &status) == 0)
+    return cannot_read(path, kind_of_file(status.st_mode));
+  return cannot_read(path, errno_value);
+}
+
 /// A directory that may not be written cannot lose entries: give the right back before removing.
 void make_removable(const fs::path& path) {
   std::error_code ignored;
@@ -51,11 +73,15 @@ void make_removable(const fs::path& path) {
 
 }  // namespace
 
-Diagnostic cannot_read(const fs::path& path, int errno_value) {
+Diagnostic cannot_read(const fs::path& path, std::string reason) {
   return Diagnostic{.code = "R2W0210",
                     .kind = FailureKind::kEnvironment,
                     .message = "cannot read `" + path.string() + "`",
-                    .why = {system_reason(errno_value)}};
+                    .why = {std::move(reason)}};
+}
+
+Diagnostic cannot_read(const fs::path& path, int errno_value) {
+  return cannot_read(path, system_reason(errno_value));
 }
 
 Diagnostic cannot_write(const fs::path& path, int errno_value) {
@@ -65,24 +91,40 @@ Diagnostic cannot_write(const fs::path& path, int errno_value) {
                     .why = {system_reason(errno_value)}};
 }
 
-Outcome<std::string> read_file(const fs::path& path) {
-  Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (file.get() < 0) return cannot_read(path, errno);
+Outcome<int> open_file_to_read(const fs::path& path) {
+  // A pipe without a writer must not be waited for.
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  if (file < 0) return cannot_open(path, errno);
+  struct stat status {};
+  if (::fstat(file, &status) == 0 && S_ISREG(status.st_mode)) return file;
+  ::close(file);
+  return S_ISDIR(status.st_mode) ? cannot_read(path, EISDIR)
+                                 : cannot_read(path, kind_of_file(status.st_mode));
+}
+
+Outcome<std::string> read_file(const fs::path& path, std::uint64_t at_most) {
+  const auto opened = open_file_to_read(path);
+  if (!opened) return opened.errors();
+  const Descriptor file(*opened);
   struct stat status {};
   if (::fstat(file.get(), &status) != 0) return cannot_read(path, errno);
-  if (S_ISDIR(status.st_mode)) return cannot_read(path, EISDIR);
+  const auto size = static_cast<std::uint64_t>(std::max<off_t>(status.st_size, 0));
+  if (size > at_most) return cannot_read(path, too_large(at_most, size));
   std::string bytes;
-  std::size_t used = 0;
-  bytes.resize(static_cast<std::size_t>(std::max<off_t>(status.st_size, 0)) + 1);
-  for (;;) {
-    if (used == bytes.size()) bytes.resize(bytes.size() * 2);
-    const ssize_t got = ::read(file.get(), bytes.data() + used, bytes.size() - used);
-    if (got < 0) {
-      if (errno == EINTR) continue;
-      return cannot_read(path, errno);
+  std::uint64_t used = 0;
+  try {
+    bytes.resize(size + 1);  // one more, so that the end is seen
+    for (;;) {
+      if (used > at_most) return cannot_read(path, too_large(at_most, used));
+      if (used == bytes.size()) bytes.resize(std::min(bytes.size() * 2, at_most + 1));
+      const ssize_t got = ::read(file.get(), bytes.data() + used, bytes.size() - used);
+      if (got < 0 && errno == EINTR) continue;
+      if (got < 0) return cannot_read(path, errno);
+      if (got == 0) break;
+      used += static_cast<std::uint64_t>(got);
     }
-    if (got == 0) break;
-    used += static_cast<std::size_t>(got);
+  } catch (const std::bad_alloc&) {
+    return cannot_read(path, ENOMEM);
   }
   bytes.resize(used);
   return bytes;
@@ -91,7 +133,7 @@ Outcome<std::string> read_file(const fs::path& path) {
 Outcome<Done> write_file(const fs::path& path, std::string_view bytes) {
   std::error_code error;
   if (fs::is_regular_file(path, error) && fs::file_size(path, error) == bytes.size() && !error) {
-    const auto old = read_file(path);
+    const auto old = read_file(path, bytes.size());
     if (old && *old == bytes) return Done{};
   }
   auto file = ReplacedFile::begin(path);
@@ -105,6 +147,26 @@ Outcome<Done> make_directories(const fs::path& path) {
   fs::create_directories(path, error);
   if (error) return cannot_write(path, error.value());
   return Done{};
+}
+
+Outcome<fs::path> absolute_path(const fs::path& path) {
+  if (path.empty()) return cannot_read(path, ENOENT);
+  if (path.is_absolute()) return path;
+  std::error_code error;
+  const fs::path here = fs::current_path(error);
+  if (error == std::errc::no_such_file_or_directory)
+    return cannot_read(path, "it is relative, and the current folder has been removed");
+  if (error) return cannot_read(path, error.value());
+  return here / path;
+}
+
+Outcome<fs::path> real_path(const fs::path& path) {
+  const auto whole = absolute_path(path);
+  if (!whole) return whole;
+  std::error_code error;
+  fs::path real = fs::weakly_canonical(*whole, error);
+  if (error) return cannot_read(path, error.value());
+  return real;
 }
 
 Outcome<Done> remove_tree(const fs::path& path) {
@@ -130,8 +192,7 @@ Outcome<std::vector<TreeEntry>> list_tree(const fs::path& root) {
     if (error) return cannot_read(path, error.value());
     switch (status.type()) {
       case fs::file_type::directory:
-        if (!fs::is_empty(path, error)) continue;
-        if (error) return cannot_read(path, error.value());
+        if (const bool empty = fs::is_empty(path, error); !empty && !error) continue;
         entry.kind = FileKind::kDirectory;
         break;
       case fs::file_type::symlink:
@@ -169,9 +230,18 @@ std::optional<fs::path> path_within(const fs::path& root, const fs::path& path) 
 Outcome<TemporaryDirectory> TemporaryDirectory::make(const fs::path& parent,
                                                      const std::string& prefix) {
   if (auto made = make_directories(parent); !made) return std::move(made).errors();
-  std::string path = (parent / (prefix + "XXXXXX")).string();
+  constexpr std::string_view kRandom = "XXXXXX";
+  const std::string name = prefix.substr(0, kLongestName - kRandom.size());
+  std::string path = (parent / (name + std::string(kRandom))).string();
   if (::mkdtemp(path.data()) == nullptr) return cannot_write(parent, errno);
   return TemporaryDirectory(path);
+}
+
+Outcome<TemporaryDirectory> TemporaryDirectory::make(const std::string& prefix) {
+  std::error_code error;
+  const fs::path parent = fs::temp_directory_path(error);
+  if (error) return cannot_write("$TMPDIR", error.value());
+  return make(parent, prefix);
 }
 
 TemporaryDirectory::~TemporaryDirectory() {

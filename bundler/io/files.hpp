@@ -2,6 +2,7 @@
 // cannot write (both say what the system said). Nothing here knows what the bytes mean.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -12,8 +13,21 @@
 
 namespace ros2wasm {
 
-/// The whole file as bytes. R2W0210.
-[[nodiscard]] Outcome<std::string> read_file(const std::filesystem::path& path);
+/// Limits of read_file() in bytes, by who writes such files: people (manifests, package.xml,
+/// CMakeLists.txt), programs (locks, lists, indexes, sources that are generated), and anybody (what
+/// is copied whole into a site or a package).
+inline constexpr std::uint64_t kMostOfText = std::uint64_t{16} << 20U;
+inline constexpr std::uint64_t kMostOfList = std::uint64_t{256} << 20U;
+inline constexpr std::uint64_t kMostOfData = std::uint64_t{16} << 30U;
+
+/// The whole file as bytes. Only regular files are read: a pipe would block, a device never end.
+/// R2W0210, also when it has more than `at_most` bytes.
+[[nodiscard]] Outcome<std::string> read_file(const std::filesystem::path& path,
+                                             std::uint64_t at_most);
+
+/// Opens for reading what read_file() would read, and gives its descriptor, which the caller
+/// closes. R2W0210.
+[[nodiscard]] Outcome<int> open_file_to_read(const std::filesystem::path& path);
 
 /// Writes beside and renames, so that readers see the old bytes or the new ones, never half. Parent
 /// directories are made. Writes nothing when the file has these bytes already. R2W0211.
@@ -21,6 +35,13 @@ namespace ros2wasm {
 
 /// `mkdir -p`. R2W0211.
 [[nodiscard]] Outcome<Done> make_directories(const std::filesystem::path& path);
+
+/// The path from the root of the file system; links are not followed. R2W0210: it is empty, or it
+/// is relative and the current folder has been removed.
+[[nodiscard]] Outcome<std::filesystem::path> absolute_path(const std::filesystem::path& path);
+
+/// As absolute_path(), with the links followed of what exists of it.
+[[nodiscard]] Outcome<std::filesystem::path> real_path(const std::filesystem::path& path);
 
 /// Removes a file or a whole tree, read-only directories too; absent is fine. R2W0211.
 [[nodiscard]] Outcome<Done> remove_tree(const std::filesystem::path& path);
@@ -44,12 +65,17 @@ struct TreeEntry {
 [[nodiscard]] std::optional<std::filesystem::path> path_within(const std::filesystem::path& root,
                                                                const std::filesystem::path& path);
 
+/// The longest name of a file in most file systems, in bytes.
+inline constexpr std::size_t kLongestName = 255;
+
 /// A new empty directory `<parent>/<prefix>XXXXXX` which removes itself, unless it was renamed
-/// away.
+/// away. Of a long prefix only the beginning is taken.
 class TemporaryDirectory {
  public:
   [[nodiscard]] static Outcome<TemporaryDirectory> make(const std::filesystem::path& parent,
                                                         const std::string& prefix);
+  /// In the system's folder for temporary files.
+  [[nodiscard]] static Outcome<TemporaryDirectory> make(const std::string& prefix);
   ~TemporaryDirectory();
   TemporaryDirectory(TemporaryDirectory&& other) noexcept;
   TemporaryDirectory& operator=(TemporaryDirectory&& other) noexcept;
@@ -62,6 +88,7 @@ class TemporaryDirectory {
 };
 
 /// Diagnostics of this file, for the other edges to the disk. `errno_value` gives the reason.
+[[nodiscard]] Diagnostic cannot_read(const std::filesystem::path& path, std::string reason);
 [[nodiscard]] Diagnostic cannot_read(const std::filesystem::path& path, int errno_value);
 [[nodiscard]] Diagnostic cannot_write(const std::filesystem::path& path, int errno_value);
 

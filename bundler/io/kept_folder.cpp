@@ -9,7 +9,7 @@ namespace fs = std::filesystem;
 bool is_kept(const fs::path& folder, std::string_view key) {
   std::error_code error;
   if (!fs::is_regular_file(folder / kKeptStamp, error)) return false;
-  const auto stamp = read_file(folder / kKeptStamp);
+  const auto stamp = read_file(folder / kKeptStamp, kMostOfText);
   return stamp && *stamp == key;
 }
 

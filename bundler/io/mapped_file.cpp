@@ -23,8 +23,9 @@ Outcome<FileIdentity> identity_of(const std::filesystem::path& path) {
 }
 
 Outcome<MappedFile> MappedFile::open(const std::filesystem::path& path) {
-  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (file < 0) return cannot_read(path, errno);
+  const auto opened = open_file_to_read(path);
+  if (!opened) return opened.errors();
+  const int file = *opened;
   MappedFile mapped;
   struct stat status {};
   int fault = ::fstat(file, &status) == 0 ? 0 : errno;

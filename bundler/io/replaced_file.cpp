@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "bundler/io/files.hpp"
@@ -19,7 +20,10 @@ Outcome<ReplacedFile> ReplacedFile::begin(const std::filesystem::path& path) {
     if (auto made = make_directories(path.parent_path()); !made) return std::move(made).errors();
   }
   ReplacedFile writer(path);
-  std::string pattern = path.string() + ".XXXXXX";
+  // A name may be as long as a file system allows; the temporary one must not be longer.
+  constexpr std::string_view kRandom = ".XXXXXX";
+  const std::string name = path.filename().string().substr(0, kLongestName - kRandom.size());
+  std::string pattern = (path.parent_path() / (name + std::string(kRandom))).string();
   writer.file_ = ::mkostemp(pattern.data(), O_CLOEXEC);
   if (writer.file_ < 0) return cannot_write(path, errno);
   writer.beside_ = pattern;

@@ -48,8 +48,9 @@ std::string sha256_hex(std::string_view bytes) {
 }
 
 Outcome<FileHashes> hash_file(const std::filesystem::path& path, bool with_md5) {
-  const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (fd < 0) return cannot_read(path, errno);
+  const auto opened = open_file_to_read(path);
+  if (!opened) return opened.errors();
+  const int fd = *opened;
   Hasher sha256;
   Hasher md5(HashKind::kMd5);
   FileHashes hashes;

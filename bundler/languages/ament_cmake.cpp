@@ -167,7 +167,8 @@ std::vector<LinkFindings> link_findings(const fs::path& folder) {
   std::sort(files.begin(), files.end());
   std::vector<LinkFindings> result;
   for (const fs::path& file : files) {
-    if (const auto text = read_file(file)) result.push_back(link_findings_from_json(*text));
+    if (const auto text = read_file(file, kMostOfList))
+      result.push_back(link_findings_from_json(*text));
   }
   return result;
 }
@@ -217,7 +218,7 @@ Outcome<Done> remember_findings(std::string_view ninja_output,
   for (const LinkFindings& link : links)
     for (const Diagnostic& one : link.diagnostics)
       if (one.severity != Severity::kError) fresh[link.output].push_back(one);
-  const auto build = read_file(request.work / "build.ninja");
+  const auto build = read_file(request.work / "build.ninja", kMostOfList);
   if (!build) return build.errors();
   return write_command_findings(request.work, current_findings(read_command_findings(request.work),
                                                                std::move(fresh), *build));

@@ -58,7 +58,7 @@ Outcome<Done> put_all(const std::vector<SetupFile>& files, const PackageBuild& r
                                    "` leads out of the workspace",
                         .why = {"what is installed comes into the site, which others read"}};
     }
-    const auto bytes = read_file(from);
+    const auto bytes = read_file(from, kMostOfData);
     if (!bytes) return bytes.errors();
     if (auto done = put(to / file.to, *bytes, are_programs); !done) return done;
   }
@@ -93,8 +93,8 @@ Outcome<Done> copy_package(const PackageBuild& request, const fs::path& to) {
     } else {
       std::error_code error;
       const bool is_large = fs::file_size(source / entry.path, error) > kLargestCopied;
-      const auto bytes =
-          is_large ? Outcome<std::string>(std::string()) : read_file(source / entry.path);
+      const auto bytes = is_large ? Outcome<std::string>(std::string())
+                                  : read_file(source / entry.path, kMostOfData);
       if (!bytes) return bytes.errors();
       made = write_file(copy, *bytes);
     }
@@ -155,7 +155,7 @@ Outcome<Done> install(const SetupPlan& plan, const PackageBuild& request) {
     if (auto done = put(index, ""); !done) return done;
   }
   if (!fs::exists(manifest, error)) {
-    const auto xml = read_file(source / "package.xml");
+    const auto xml = read_file(source / "package.xml", kMostOfText);
     if (!xml) return xml.errors();
     return put(manifest, *xml);
   }

@@ -37,7 +37,7 @@ void each_file(const fs::path& prefix, const fs::path& folder, Visit visit) {
 bool runs_python(const fs::directory_entry& entry) {
   std::error_code error;
   if ((entry.status(error).permissions() & fs::perms::owner_exec) == fs::perms::none) return false;
-  const auto text = read_file(entry.path());
+  const auto text = read_file(entry.path(), kMostOfList);
   return text && is_python_script(*text);
 }
 
@@ -58,7 +58,7 @@ std::vector<InstalledProgram> installed_programs(const fs::path& prefix,
     const bool is_wasm = file.extension() == ".wasm";
     const bool is_note = file.extension() == ".left_out";
     const fs::path name = is_wasm || is_note ? file.stem() : file.filename();
-    const Outcome<std::string> note = is_note ? read_file(file) : std::string();
+    const Outcome<std::string> note = is_note ? read_file(file, kMostOfList) : std::string();
     const auto kind = is_wasm              ? ProgramKind::kWasm
                       : runs_python(entry) ? ProgramKind::kPython
                                            : ProgramKind::kNone;
@@ -97,7 +97,7 @@ void collect_interfaces(const fs::path& prefix, const std::string& package, Inte
       if (file.extension() != "." + std::string(kind)) return;
       const std::string type = package + "/" + std::string(kind) + "/" + file.stem().string();
       if (into.contains(type)) return;
-      if (auto text = read_file(file)) into.emplace(type, std::move(text).value());
+      if (auto text = read_file(file, kMostOfList)) into.emplace(type, std::move(text).value());
     });
   }
 }

@@ -40,7 +40,7 @@ Outcome<fs::path> checked_path(const Inside& place, const std::string& shown) {
 Outcome<std::string> read_within(const Inside& place, const std::string& shown) {
   const auto real = checked_path(place, shown);
   if (!real) return real.errors();
-  auto text = read_file(*real);
+  auto text = read_file(*real, kMostOfList);
   if (!text) return unreadable_launch_path(shown, text.errors().front().message);
   return text;
 }

@@ -10,7 +10,7 @@ Diagnostics read_parameter_files(const std::vector<NodeEntry>& entries,
   Diagnostics errors;
   for (const NodeEntry& node : entries) {
     for (const auto& file : node.parameter_files) {
-      auto text = read_file(folder / file.value);
+      auto text = read_file(folder / file.value, kMostOfText);
       if (text) {
         files[file.value] = std::move(text).value();
       } else {

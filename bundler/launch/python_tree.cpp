@@ -34,7 +34,7 @@ Outcome<LeftOut> collect(const fs::path& prefix, const std::string& folder, Pyth
       left_out.push_back(path + kLeadsElsewhere);
       continue;
     }
-    auto bytes = read_file(prefix / path);
+    auto bytes = read_file(prefix / path, kMostOfData);
     if (!bytes) return std::move(bytes).errors();
     if (path.ends_with(".pyc") && !bytes->starts_with(kCheckedByHash)) continue;
     into.emplace(path, std::move(bytes).value());

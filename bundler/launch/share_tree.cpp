@@ -61,7 +61,7 @@ Outcome<Done> add_file(const fs::path& prefix, const std::string& path, SharedFi
     left_out.push_back(path + ", whose name with a backslash is no address");
     return Done{};
   }
-  auto bytes = read_file(prefix / path);
+  auto bytes = read_file(prefix / path, kMostOfData);
   if (!bytes) return std::move(bytes).errors();
   into.emplace(path, std::move(bytes).value());
   return Done{};

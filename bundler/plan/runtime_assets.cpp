@@ -23,7 +23,7 @@ Diagnostic damaged(const std::filesystem::path& file, const std::string& why) {
 }  // namespace
 
 Outcome<std::vector<RuntimeAsset>> read_runtime_assets(const std::filesystem::path& list) {
-  const auto text = read_file(list);
+  const auto text = read_file(list, kMostOfList);
   if (!text) return text.errors();
   const auto json = parse_json(*text, list.string(), "R2W0604");
   if (!json) return json.errors();
@@ -34,7 +34,7 @@ Outcome<std::vector<RuntimeAsset>> read_runtime_assets(const std::filesystem::pa
   for (const JsonValue& item : assets->items()) {
     RuntimeAsset asset{.file = item.text_of("file"), .role = item.text_of("role"), .bytes = {}};
     const auto file = list.parent_path() / asset.file;
-    auto bytes = read_file(file);
+    auto bytes = read_file(file, kMostOfData);
     if (!bytes) {
       errors.insert(errors.end(), bytes.errors().begin(), bytes.errors().end());
       continue;

@@ -15,8 +15,6 @@ namespace ros2wasm {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::uint64_t kMostOfSiteJson = 256'000'000;
-
 std::uint32_t number_at(std::string_view header, std::size_t at, int bytes) {
   std::uint32_t value = 0;
   for (int i = 0; i < bytes; ++i)
@@ -27,6 +25,8 @@ std::uint32_t number_at(std::string_view header, std::size_t at, int bytes) {
 /// The first member of an archive of ours, when it has that name; else empty.
 std::string first_member(const fs::path& file, std::string_view name) {
   constexpr std::size_t kHeader = 30;
+  std::error_code error;
+  if (!fs::is_regular_file(file, error)) return {};
   std::ifstream in(file, std::ios::binary);
   std::string header(kHeader + name.size(), '\0');
   if (!in.read(header.data(), static_cast<std::streamsize>(header.size()))) return {};
@@ -50,14 +50,14 @@ bool is_site_json_of_ours(std::string_view text) {
 bool is_site_of_ours(const fs::path& folder) {
   std::error_code error;
   if (!fs::is_regular_file(folder / "site.json", error)) return false;
-  const auto text = read_file(folder / "site.json");
+  const auto text = read_file(folder / "site.json", kMostOfSiteJson);
   return text && is_site_json_of_ours(*text);
 }
 
 bool is_course_of_ours(const fs::path& folder) {
   std::error_code error;
   if (!fs::is_regular_file(folder / kCourseJsonName, error)) return false;
-  const auto text = read_file(folder / kCourseJsonName);
+  const auto text = read_file(folder / kCourseJsonName, kMostOfList);
   return text && is_site_json_of_ours(*text);
 }
 
@@ -67,6 +67,8 @@ bool is_site_archive_of_ours(const fs::path& file) {
 }
 
 bool is_site_page_of_ours(const fs::path& file) {
+  std::error_code error;
+  if (!fs::is_regular_file(file, error)) return false;
   std::ifstream in(file, std::ios::binary);
   std::string first(64, '\0');
   return in.read(first.data(), static_cast<std::streamsize>(first.size())) &&

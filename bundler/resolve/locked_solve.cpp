@@ -123,7 +123,7 @@ Outcome<Lock> read_lock_file(const std::filesystem::path& file) {
                       .why = {"`ros2wasm lock` and `ros2wasm pack` write it"},
                       .fix = {"ros2wasm lock"}};
   }
-  const auto text = read_file(file);
+  const auto text = read_file(file, kMostOfList);
   if (!text) return text.errors();
   return read_lock(*text, file.string());
 }
@@ -140,7 +140,7 @@ Outcome<LockedSolution> solve_with_lock(const std::vector<RequestedSpec>& specs,
   std::vector<LockedWheel> old_wheels;
   std::vector<std::string> strangers;  // to choose anew, but not in the lock
   if (std::filesystem::exists(lock_file, error)) {
-    auto text = read_file(lock_file);
+    auto text = read_file(lock_file, kMostOfList);
     if (!text) return std::move(text).errors();
     old_text = std::move(text).value();
     auto lock = read_lock(old_text, lock_file.filename().string());

@@ -11,7 +11,7 @@ namespace {
 
 /// Takes the name only: the whole list is checked when a site is packed.
 Outcome<std::string> headless_name(const std::filesystem::path& list, std::string_view role) {
-  const auto text = read_file(list);
+  const auto text = read_file(list, kMostOfList);
   if (!text) return text.errors();
   const auto parsed = parse_json(*text, list.string(), "R2W0604");
   if (!parsed) return parsed.errors();

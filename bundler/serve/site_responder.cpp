@@ -161,11 +161,11 @@ HttpResponse file_response(const HttpRequest& request, const std::filesystem::pa
 std::optional<HttpResponse> watched_response(const SiteServing& serving, const std::string& path) {
   const bool description = path == "site.json";
   if (!description && !path.empty() && path != "index.html") return std::nullopt;
-  const auto page = read_file(serving.folder / "index.html");
+  const auto page = read_file(serving.folder / "index.html", kMostOfData);
   if (!page) return std::nullopt;
   std::string text = with_reload_script(*page, serving.reload->state().version);
   if (description) {
-    const auto packed = read_file(serving.folder / "site.json");
+    const auto packed = read_file(serving.folder / "site.json", kMostOfSiteJson);
     if (!packed) return std::nullopt;
     text = with_page_hash(*packed, *page, text);
   }
@@ -261,7 +261,7 @@ Outcome<Done> check_site(const std::filesystem::path& folder, CourseToo course_t
 }
 
 ServedPlace served_place(const std::filesystem::path& site) {
-  const auto text = read_file(site / kSiteJsonName);
+  const auto text = read_file(site / kSiteJsonName, kMostOfSiteJson);
   const auto list = text ? read_site_list(*text, kSiteJsonName) : Outcome<SiteList>(SiteList());
   if (!list || list->store.objects.empty()) return {.folder = site, .site = {}};
   std::error_code error;
@@ -277,7 +277,7 @@ ServedPlace served_place(const std::filesystem::path& site) {
 }
 
 std::string site_version(const std::filesystem::path& folder) {
-  const auto description = read_file(folder / "site.json");
+  const auto description = read_file(folder / "site.json", kMostOfSiteJson);
   return description ? sha256_hex(*description).substr(0, 16) : std::string("none");
 }
 

@@ -84,7 +84,7 @@ std::string fault_of_shard(const fs::path& file) {
 
 /// `state` is the state.json of an index.
 std::optional<IndexCopyState> state_at(const fs::path& state) {
-  const auto text = read_file(state);
+  const auto text = read_file(state, kMostOfList);
   return text ? read_copy_state(*text) : std::nullopt;
 }
 

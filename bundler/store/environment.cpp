@@ -145,7 +145,7 @@ class Installer {
 
   Outcome<Done> place_with_prefix(const fs::path& source, const fs::path& target,
                                   const std::string& path, const PathEntry& entry) {
-    const auto bytes = read_file(source);
+    const auto bytes = read_file(source, kMostOfData);
     if (!bytes) return bytes.errors();
     Outcome<std::string> moved =
         entry.mode == PrefixMode::kText
@@ -212,7 +212,7 @@ Outcome<Environment> make_environment(const Store& store, const std::vector<Pack
   if (is_kept(prefix, key)) {
     const auto is = tree_seal(prefix, kKeptStamp, cancellation);
     if (!is && cancellation.requested()) return is.errors();
-    const auto was = read_file(seal_file);
+    const auto was = read_file(seal_file, kMostOfData);
     if (is && was && *is == *was)
       return Environment{
           .prefix = prefix, .key = key, .overwritten = {}, .without_hashes = {}, .cached = true};

@@ -73,7 +73,7 @@ Diagnostics refused_link_scripts(const fs::path& prefix, const std::vector<LinkS
           return ascii_lower(name) == ascii_lower(script.package);
         }))
       continue;
-    const auto text = read_file(prefix / script.path);
+    const auto text = read_file(prefix / script.path, kMostOfText);
     errors.push_back(Diagnostic{
         .code = "R2W0227",
         .message = "`" + script.package + "` has a link script, `" + script.path +

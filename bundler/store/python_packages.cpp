@@ -49,8 +49,8 @@ Outcome<std::string> site_packages_of(const std::vector<PackageRecord>& records,
                      "workspace.yaml it can be asked for");
   }
   const std::string stem = distribution_name(*python);
-  const auto text =
-      read_file(folders[static_cast<std::size_t>(python - records.begin())] / "info/index.json");
+  const auto text = read_file(
+      folders[static_cast<std::size_t>(python - records.begin())] / "info/index.json", kMostOfList);
   if (!text) return text.errors();
   const auto json = parse_json(*text, "info/index.json of " + stem, "R2W0221");
   if (!json) return json.errors();

@@ -132,7 +132,7 @@ std::string package_fault(const fs::path& folder) {
   const auto lists = read_package_lists(folder);
   const auto entries = lists ? package_paths(*lists, folder.filename().string()) : lists.errors();
   if (!entries) return "info/paths.json is damaged";
-  const auto kept = read_file(package_seal_place(folder));
+  const auto kept = read_file(package_seal_place(folder), kMostOfList);
   const auto seal = seal_of(folder);
   if (!kept || !seal || *kept != *seal)
     return lists->has_hashes() ? "info is not as it was unpacked" : "it is not as it was unpacked";
@@ -200,7 +200,8 @@ Outcome<fs::path> Store::unpack(const PackageRecord& record, const fs::path& arc
   std::error_code error;
   fs::rename(unfinished, folder, error);
   // Somebody else was faster: the same bytes are there.
-  if (error && !fs::is_directory(folder)) return cannot_write(folder, error.value());
+  if (std::error_code ignored; error && !fs::is_directory(folder, ignored))
+    return cannot_write(folder, error.value());
   return folder;
 }
 

@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 Outcome<SiteCheck> check_course_folder(const fs::path& folder, const Cancellation& cancellation,
                                        const ProgressSink& progress) {
-  const auto text = read_file(folder / kCourseJsonName);
+  const auto text = read_file(folder / kCourseJsonName, kMostOfList);
   if (!text) return text.errors();
   const auto course = read_course_list(*text, (folder / kCourseJsonName).string());
   if (!course) return course.errors();

@@ -10,7 +10,7 @@ namespace ros2wasm {
 namespace fs = std::filesystem;
 
 Outcome<OpenSite> open_site(const fs::path& folder) {
-  auto text = read_file(folder / kSiteJsonName);
+  auto text = read_file(folder / kSiteJsonName, kMostOfSiteJson);
   if (!text) return std::move(text).errors();
   auto list = read_site_list(*text, (folder / kSiteJsonName).string());
   if (!list) return std::move(list).errors();
@@ -28,7 +28,7 @@ Outcome<std::string> site_bytes(const OpenSite& site, const std::string& path) {
         place.starts_with("../") ? site.folder / site.list.store.objects : site.folder;
     const auto file = path_within(root, site.folder / place);
     if (!file) return cannot_read(site.folder / place, ENOENT);
-    auto part = read_file(*file);
+    auto part = read_file(*file, kMostOfData);
     if (!part) return part;
     bytes += *part;
   }

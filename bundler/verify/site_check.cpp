@@ -19,7 +19,6 @@ namespace ros2wasm {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::uint64_t kLargestSiteJson = std::uint64_t{64} << 20;
 constexpr std::uint64_t kLargestSignature = 16'384;
 constexpr const char* kStep = "verify";
 
@@ -49,7 +48,7 @@ Outcome<FileHashes> hash_parts(const std::vector<fs::path>& parts) {
   Hasher hasher;
   FileHashes hashes;
   for (const fs::path& part : parts) {
-    const auto bytes = read_file(part);
+    const auto bytes = read_file(part, kMostOfData);
     if (!bytes) return bytes.errors();
     hasher.add(*bytes);
     hashes.size += bytes->size();
@@ -135,7 +134,7 @@ Outcome<Answer> answer_of(const std::string& base, const char* name, std::uint64
   if (!brought.front()) return std::move(brought.front()).errors();
   Answer answer{.status = static_cast<int>(brought.front()->status), .text = {}};
   if (answer.status != 200) return answer;
-  auto text = read_file(file);
+  auto text = read_file(file, limit_bytes);
   if (!text) return std::move(text).errors();
   answer.text = std::move(*text);
   return answer;
@@ -150,7 +149,7 @@ void report(const ProgressSink& progress, std::uint64_t done, std::uint64_t tota
 
 Outcome<SiteCheck> check_site_folder(const fs::path& folder, const Cancellation& cancellation,
                                      const ProgressSink& progress) {
-  const auto text = read_file(folder / kSiteJsonName);
+  const auto text = read_file(folder / kSiteJsonName, kMostOfSiteJson);
   if (!text) return text.errors();
   auto list = read_site_list(*text, (folder / kSiteJsonName).string());
   if (!list) return std::move(list).errors();
@@ -163,8 +162,9 @@ Outcome<SiteCheck> check_site_folder(const fs::path& folder, const Cancellation&
   SiteCheck check{.list = std::move(*list), .faults = {}, .unlisted = {}, .site_json = *text};
   for (const TreeEntry& entry : *tree) {
     if (entry.path != kSignatureName || entry.kind != FileKind::kFile) continue;
-    auto signature = entry.size > kLargestSignature ? Outcome<std::string>(std::string())
-                                                    : read_file(folder / kSignatureName);
+    auto signature = entry.size > kLargestSignature
+                         ? Outcome<std::string>(std::string())
+                         : read_file(folder / kSignatureName, kLargestSignature);
     if (!signature) return std::move(signature).errors();
     check.signature = std::move(*signature);
   }
@@ -213,11 +213,11 @@ Outcome<SiteCheck> check_site_folder(const fs::path& folder, const Cancellation&
 
 Outcome<SiteCheck> check_site_page(const fs::path& file, const Cancellation& cancellation,
                                    const ProgressSink& progress) {
-  const auto page = read_file(file);
+  const auto page = read_file(file, kMostOfData);
   if (!page) return page.errors();
   const auto carried = read_carried_page(*page, file.string());
   if (!carried) return carried.errors();
-  const auto text = unpacked(carried->files.front(), kLargestSiteJson);
+  const auto text = unpacked(carried->files.front(), kMostOfSiteJson);
   if (!text) return text.errors();
   auto list = read_site_list(*text, file.string());
   if (!list) return std::move(list).errors();
@@ -265,10 +265,10 @@ Outcome<SiteCheck> check_site_address(const std::string& url, const ChannelNetwo
                                       bool signature, const Cancellation& cancellation,
                                       const ProgressSink& progress) {
   const std::string base = folder_of(url);
-  auto place = TemporaryDirectory::make(fs::temp_directory_path(), "ros2wasm-verify-");
+  auto place = TemporaryDirectory::make("ros2wasm-verify-");
   if (!place) return std::move(place).errors();
   auto answer =
-      answer_of(base, kSiteJsonName, kLargestSiteJson, network, place->path(), cancellation);
+      answer_of(base, kSiteJsonName, kMostOfSiteJson, network, place->path(), cancellation);
   if (!answer) return std::move(answer).errors();
   if (answer->status != 200) {
     return Diagnostic{

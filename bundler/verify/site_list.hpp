@@ -12,6 +12,8 @@
 namespace ros2wasm {
 
 inline constexpr const char* kSiteJsonName = "site.json";
+/// Bytes; a site of 100,000 files has less.
+inline constexpr std::uint64_t kMostOfSiteJson = std::uint64_t{64} << 20U;
 
 struct ListedFile {
   std::string path;  ///< relative to the site, with `/`; leads nowhere else

@@ -136,7 +136,7 @@ std::vector<Spanned<std::string>> python_modules(const fs::path& folder, const f
   std::vector<Spanned<std::string>> result;
   std::set<std::string> known;
   for (const fs::path& file : python_sources(folder, known)) {
-    const auto text = read_file(file);
+    const auto text = read_file(file, kMostOfText);
     if (!text || (!file.has_extension() && !is_python_script(*text))) continue;
     for (PythonImport& one : python_imports(*text, shown_path(file, base, shown_base))) {
       std::string name = one.module.substr(0, one.module.find('.'));
@@ -177,7 +177,7 @@ std::vector<Spanned<std::string>> packages_of_launch_files(const fs::path& folde
   std::vector<Spanned<std::string>> result;
   std::set<std::string> known;
   for (const fs::path& file : launch_files(folder)) {
-    const auto text = read_file(file);
+    const auto text = read_file(file, kMostOfText);
     if (!text) continue;
     for (Spanned<std::string>& one : launch_packages(*text, shown_path(file, base, shown_base))) {
       if (known.insert(one.value).second) result.push_back(std::move(one));
@@ -237,12 +237,13 @@ Outcome<std::vector<LocalPackage>> discover_packages(
   std::vector<LocalPackage> packages;
   for (const auto& [real, folder] : folders) {
     const fs::path file = folder / "package.xml";
-    const auto text = read_file(file);
+    const auto text = read_file(file, kMostOfText);
     auto xml = text ? parse_package_xml(*text, shown_path(file, base, shown_base), variables)
                     : text.errors();
     if (xml) {
       const fs::path lists = folder / "CMakeLists.txt";
-      const auto cmake = fs::exists(lists, error) ? read_file(lists) : Outcome<std::string>("");
+      const auto cmake =
+          fs::exists(lists, error) ? read_file(lists, kMostOfText) : Outcome<std::string>("");
       packages.push_back({.xml = std::move(xml).value(),
                           .directory = folder,
                           .cmake_packages = cmake_packages(cmake ? *cmake : "",

@@ -65,7 +65,7 @@ DraftPackage draft_package(const LocalPackage& package, const fs::path& base) {
       .folder = relative_text(package.directory, base),
       .programs = {}};
   if (draft.build_type == "ament_cmake") {
-    if (const auto lists = read_file(package.directory / "CMakeLists.txt"))
+    if (const auto lists = read_file(package.directory / "CMakeLists.txt", kMostOfText))
       draft.programs = installed_program_names(*lists);
   }
   return draft;
@@ -118,7 +118,7 @@ Outcome<InitReport> init_from_workspace(const fs::path& workspace, const fs::pat
   const fs::path folder = fs::canonical(workspace, error);
   Diagnostic no_package{.code = "R2W0631",
                         .message = "`" + workspace.string() + "` has no ROS 2 package"};
-  if (error || !fs::is_directory(folder)) {
+  if (error || !fs::is_directory(folder, error)) {
     no_package.why.push_back(error ? "there is no such folder" : "it is not a folder");
     return no_package;
   }
@@ -131,7 +131,9 @@ Outcome<InitReport> init_from_workspace(const fs::path& workspace, const fs::pat
   const auto packages =
       discover_packages(folder, folder, made.packages, ros_condition_variables(made.distro));
   if (!packages) return packages.errors();
-  const fs::path base = fs::weakly_canonical(fs::absolute(output)).parent_path();
+  const auto place = real_path(output);
+  if (!place) return place.errors();
+  const fs::path base = place->parent_path();
   auto launches = launch_files(*packages, base);
   if (!launches) return launches.errors();
   DraftInput input{.name = made.name.value,
@@ -158,12 +160,14 @@ Outcome<InitReport> init_from_workspace(const fs::path& workspace, const fs::pat
 
 Outcome<InitReport> init_from_environment(const fs::path& file, const fs::path& output,
                                           const std::string& environment) {
-  const auto text = read_file(file);
+  const auto text = read_file(file, kMostOfText);
   if (!text) return text.errors();
   const auto read = read_foreign_environment(*text, file.string(), environment);
   if (!read) return read.errors();
   const fs::path manifest_file = output.empty() ? file.parent_path() / "workspace.yaml" : output;
-  const fs::path base = fs::weakly_canonical(fs::absolute(manifest_file)).parent_path();
+  const auto place = real_path(manifest_file);
+  if (!place) return place.errors();
+  const fs::path base = place->parent_path();
   const Manifest made = default_manifest(base);
   DraftInput input{
       .name = made.name.value, .title = made.title, .packages = {}, .launch_files = {}};
@@ -205,11 +209,13 @@ Outcome<InitReport> init_from_environment(const fs::path& file, const fs::path& 
 Outcome<InitReport> init_from_template(const fs::path& template_folder, const fs::path& target) {
   const auto tree = list_tree(template_folder);
   if (!tree) return tree.errors();
-  const fs::path folder = (fs::absolute(target) / "").lexically_normal().parent_path();
+  const auto place = absolute_path(target);
+  if (!place) return place.errors();
+  const fs::path folder = (*place / "").lexically_normal().parent_path();
   const std::string name = default_manifest(folder).name.value;
   std::vector<NewFile> files;
   for (const TreeEntry& entry : *tree) {
-    auto text = read_file(template_folder / entry.path);
+    auto text = read_file(template_folder / entry.path, kMostOfText);
     if (!text) return std::move(text).errors();
     const std::string named = with_replaced(*text, "@NAME@", name);
     const fs::path path = entry.path;
@@ -224,7 +230,7 @@ Outcome<InitReport> init_from_template(const fs::path& template_folder, const fs
 
 Outcome<InitReport> init_workflow(const fs::path& template_file, const fs::path& folder,
                                   const fs::path& target) {
-  const auto text = read_file(template_file);
+  const auto text = read_file(template_file, kMostOfText);
   if (!text) return text.errors();
   InitReport report;
   std::error_code error;
@@ -233,7 +239,7 @@ Outcome<InitReport> init_workflow(const fs::path& template_file, const fs::path&
     report.remarks.push_back("there is no " + file.string() +
                              ": change WORKSPACE in the workflow to where the manifest is");
   } else {
-    const auto manifest_text = read_file(file);
+    const auto manifest_text = read_file(file, kMostOfText);
     if (!manifest_text) return manifest_text.errors();
     const auto manifest = read_manifest(*manifest_text, file.string());
     if (!manifest) return manifest.errors();

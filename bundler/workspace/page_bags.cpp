@@ -39,7 +39,7 @@ Outcome<std::vector<PageFile>> read_page_bags(const fs::path& folder,
     size += fs::file_size(*real, error);
     if (error || size > kMostBytes)
       return page_file_refused(bag, path, "the bags have more than 512 MiB together");
-    auto bytes = read_file(*real);
+    auto bytes = read_file(*real, kMostOfData);
     if (!bytes) return bytes.errors().front();
     if (!std::string_view(*bytes).starts_with(kMagic))
       return page_file_refused(bag, path, "it is no MCAP file, which is what the page plays");

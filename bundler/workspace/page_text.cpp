@@ -240,7 +240,7 @@ Outcome<std::vector<PageFile>> read_with_images(const fs::path& folder,
       return page_file_refused(file, path,
                                image ? "the text and its images have more than 16 MiB together"
                                      : "it has more than " + std::to_string(most >> 20) + " MiB");
-    auto bytes = read_file(*real);
+    auto bytes = read_file(*real, kMostOfData);
     if (!bytes) return bytes.errors().front();
     size += bytes->size();
     files.push_back({.path = path, .bytes = std::move(*bytes)});

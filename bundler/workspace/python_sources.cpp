@@ -83,7 +83,7 @@ PythonSources python_sources(const PythonFiles& installed, const std::vector<fs:
       const Candidate one{.agrees = common_end(it->second, path),
                           .path = it->second.lexically_relative(workspace).generic_string()};
       if (one.path.empty() || !one.is_better_than(best)) continue;
-      const auto text = read_file(it->second);
+      const auto text = read_file(it->second, kMostOfData);
       if (text && *text == bytes) best = one;
     }
     if (!best.path.empty()) sources.emplace(path, best.path);

@@ -80,6 +80,7 @@ def checks() -> dict[str, object]:
     return {
         "format": lambda: run("clang-format", "--dry-run", "--Werror", *native_files()),
         "layers": lambda: run(sys.executable, "tests/tools/layers.py"),
+        "files": lambda: run(sys.executable, "tests/tools/file_calls.py"),
         "house": house_rules,
         "types": lambda: run("node_modules/.bin/tsc", "--noEmit", "-p", "tsconfig.json"),
         "words": lambda: run("node", "tests/tools/page_texts.ts"),

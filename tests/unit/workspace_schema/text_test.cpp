@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "workspace_schema/json_reader.hpp"
 #include "workspace_schema/json_writer.hpp"
 #include "workspace_schema/replaced_text.hpp"
 #include "workspace_schema/source_text.hpp"
@@ -74,6 +75,17 @@ TEST(Suggestion, NameList) {
   EXPECT_EQ(name_list(names, 4), "a, b, c, d");
   EXPECT_EQ(name_list(names, 3), "a, b, c, d");  // "(and 1 more)" would be no shorter
   EXPECT_EQ(name_list(names, 2), "a, b (and 2 more)");
+}
+
+// Guarantee, hostile input: a JSON text of more than two million values is refused before it takes
+// the memory
+TEST(JsonReader, RefusesMoreValuesThanItsLimit) {
+  std::string text = "[";
+  for (int i = 0; i < 1'999'998; ++i) text += "[],";
+  EXPECT_TRUE(parse_json(text + "0]", "x.json", "R2W0605"));
+  const auto more = parse_json(text + "0,0]", "x.json", "R2W0605");
+  ASSERT_FALSE(more);
+  EXPECT_EQ(more.errors().front().why.front(), "it has more than 2000000 values");
 }
 
 TEST(JsonWriter, Nests) {

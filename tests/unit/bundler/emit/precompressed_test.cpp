@@ -36,9 +36,11 @@ TEST(Precompressed, LeavesTheFilesOfASiteThatHaveItsNames) {
   const TemporaryTree tree;
   write_site(tree / "site");
   ASSERT_TRUE(precompress_site(tree / "site", {}));
-  EXPECT_EQ(*read_file(tree / "site/map.txt.gz"), kOther);
-  EXPECT_EQ(*brotli_unpacked(*read_file(tree / "site/map.txt.br"), kText.size(), "br"), kText);
-  EXPECT_EQ(*gunzipped(*read_file(tree / "site/map.txt.gz.gz"), kOther.size(), "gz"), kOther);
+  EXPECT_EQ(*read_file(tree / "site/map.txt.gz", kMostOfData), kOther);
+  EXPECT_EQ(*brotli_unpacked(*read_file(tree / "site/map.txt.br", kMostOfData), kText.size(), "br"),
+            kText);
+  EXPECT_EQ(*gunzipped(*read_file(tree / "site/map.txt.gz.gz", kMostOfData), kOther.size(), "gz"),
+            kOther);
   const std::set<fs::path> files{tree / "site/map.txt", tree / "site/map.txt.gz"};
   const std::string sum = sha256_hex(kText);
   EXPECT_FALSE(wrong_compressed(tree / "site/map.txt", kText.size(), sum, files));

@@ -69,6 +69,13 @@ const PlannedFile* file_of(const SitePlan& plan, const std::string& path) {
   return nullptr;
 }
 
+TEST(EmitFolder, APlaceThatTakesNoFilesIsNotSaidToBeFull) {
+  const auto done = emit_folder(plan_of(), "/proc/site", Cancellation());
+  ASSERT_FALSE(done);
+  EXPECT_EQ(done.errors().front().code, "R2W0211");
+  EXPECT_EQ(done.errors().front().message, "cannot write `/proc`");
+}
+
 TEST(SitePlan, EveryFileHasAReasonAndTheHeadlessEntryStaysOut) {
   const SitePlan plan = plan_of();
   std::vector<std::string> paths;

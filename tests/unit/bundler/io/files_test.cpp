@@ -2,8 +2,15 @@
 #include "bundler/io/files.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/un.h>
+#include <unistd.h>
 
+#include <cstdio>
+#include <cstdlib>
+
+#include "bundler/io/mapped_file.hpp"
 #include "bundler/io/sha256.hpp"
 #include "unit/bundler/support/temporary_tree.hpp"
 
@@ -15,10 +22,81 @@ namespace fs = std::filesystem;
 TEST(Files, AreReadWhole) {
   const testing::TemporaryTree tree;
   const std::string bytes("a\0b\nc", 5);
-  EXPECT_EQ(*read_file(tree.write("x", bytes)), bytes);
-  EXPECT_EQ(*read_file(tree.write("empty", "")), "");
-  EXPECT_EQ(read_file(tree / "absent").errors().front().code, "R2W0210");
-  EXPECT_EQ(read_file(tree.root()).errors().front().code, "R2W0210");
+  EXPECT_EQ(*read_file(tree.write("x", bytes), kMostOfData), bytes);
+  EXPECT_EQ(*read_file(tree.write("empty", ""), kMostOfData), "");
+  EXPECT_EQ(read_file(tree / "absent", kMostOfData).errors().front().code, "R2W0210");
+  EXPECT_EQ(read_file(tree.root(), kMostOfData).errors().front().code, "R2W0210");
+}
+
+std::string why_not_read(const fs::path& path, std::uint64_t at_most = kMostOfText) {
+  const auto text = read_file(path, at_most);
+  return text ? "it was read"
+              : text.errors().front().code + ": " + text.errors().front().why.front();
+}
+
+// Guarantee, hostile input: a pipe, socket or device in the place of a file is neither waited for
+// nor read without end, and a file that is larger than one of its kind can be is not read
+TEST(Files, OnlyRegularFilesAreRead) {
+  const testing::TemporaryTree tree;
+  ASSERT_EQ(::mkfifo((tree / "pipe").c_str(), 0600), 0);
+  fs::create_symlink("/dev/zero", tree / "zero");
+  fs::create_symlink("loop", tree / "loop");
+  const int listening = ::socket(AF_UNIX, SOCK_STREAM, 0);
+  sockaddr_un address{.sun_family = AF_UNIX, .sun_path = {}};
+  const std::string place = (tree / "socket").string();
+  ASSERT_LT(place.size(), sizeof address.sun_path);
+  place.copy(address.sun_path, place.size());
+  ASSERT_EQ(::bind(listening, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+  EXPECT_EQ(why_not_read(tree / "pipe"), "R2W0210: it is a pipe, not a file");
+  EXPECT_EQ(why_not_read(tree / "socket"), "R2W0210: it is a socket, not a file");
+  EXPECT_EQ(why_not_read(tree / "zero"), "R2W0210: it is a device, not a file");
+  EXPECT_EQ(why_not_read(tree.root()), "R2W0210: Is a directory");
+  EXPECT_EQ(why_not_read(tree / "loop"), "R2W0210: Too many levels of symbolic links");
+  ::close(listening);
+  for (const char* name : {"pipe", "zero", "socket"}) {
+    EXPECT_FALSE(hash_file(tree / name)) << name;
+    EXPECT_FALSE(MappedFile::open(tree / name)) << name;
+  }
+}
+
+TEST(Files, AreReadUpToALimit) {
+  const testing::TemporaryTree tree;
+  EXPECT_EQ(why_not_read(tree.write("x", "12345"), 5), "it was read");
+  EXPECT_EQ(why_not_read(tree / "x", 4),
+            "R2W0210: it has 5 bytes or more; of such a file at most 4 are read");
+  fs::resize_file(tree / "x", std::uintmax_t{1} << 40U);  // takes no place on the disk
+  EXPECT_EQ(why_not_read(tree / "x").substr(0, 35), "R2W0210: it has 1099511627776 bytes");
+  // Files of the kernel do not say how long they are.
+  EXPECT_EQ(why_not_read("/proc/self/status"), "it was read");
+  EXPECT_EQ(why_not_read("/proc/self/status", 10).substr(0, 19), "R2W0210: it has 11 ");
+}
+
+TEST(Files, NamesMayBeAsLongAsAFileSystemAllows) {
+  const testing::TemporaryTree tree;
+  const std::string longest(kLongestName, 'n');
+  ASSERT_TRUE(write_file(tree / longest, "x").ok());
+  EXPECT_EQ(tree.read(longest), "x");
+  EXPECT_EQ(write_file(tree / (longest + "n"), "x").errors().front().why.front(),
+            "File name too long");
+  EXPECT_TRUE(TemporaryDirectory::make(tree.root(), longest).ok());
+}
+
+TEST(Files, APathIsMadeWholeOnlyWhereThereIsACurrentFolder) {
+  const testing::TemporaryTree tree;
+  EXPECT_EQ(*absolute_path("/a/../b"), "/a/../b");
+  EXPECT_FALSE(absolute_path(""));
+  fs::create_directory_symlink("/usr", tree / "link");
+  EXPECT_EQ(*real_path(tree / "link/absent"), "/usr/absent");
+  EXPECT_DEATH_IF_SUPPORTED(
+      {
+        fs::create_directory(tree / "gone");
+        fs::current_path(tree / "gone");
+        fs::remove(tree / "gone");
+        const auto path = absolute_path("x");
+        std::fputs(path ? "a path" : path.errors().front().why.front().c_str(), stderr);
+        std::abort();
+      },
+      "it is relative, and the current folder has been removed");
 }
 
 TEST(Files, AreReplacedWholeOrNotAtAll) {
@@ -70,6 +148,22 @@ TEST(Files, TreesAreListedInOrder) {
   for (const TreeEntry& entry : *entries)
     text += entry.path + " " + std::to_string(entry.size) + entry.link_target + "\n";
   EXPECT_EQ(text, "a 2\nb/link 0../a\nb/x 1\nempty/inside 0\n");
+}
+
+TEST(Files, AFolderThatCannotBeReadIsNamed) {
+  if (::geteuid() == 0) {
+    // Nothing is closed to root but what is gone: a folder of the kernel whose entries cannot be
+    // read.
+    EXPECT_EQ(list_tree("/proc/self/absent").errors().front().message,
+              "cannot read `/proc/self/absent`");
+    return;
+  }
+  const testing::TemporaryTree tree;
+  tree.write("closed/x", "1");
+  fs::permissions(tree / "closed", fs::perms::none);
+  EXPECT_EQ(list_tree(tree.root()).errors().front().message,
+            "cannot read `" + (tree / "closed").string() + "`");
+  fs::permissions(tree / "closed", fs::perms::owner_all);
 }
 
 TEST(Files, TemporaryDirectoriesRemoveThemselves) {

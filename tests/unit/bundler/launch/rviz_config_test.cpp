@@ -45,8 +45,8 @@ Visualization Manager:
 }
 
 TEST(RvizConfig, KindsAreThoseOfThePage) {
-  const auto text =
-      read_file(std::filesystem::path(ROS2WASM_SOURCE_DIR) / "tests/support/rviz/kinds.rviz");
+  const auto text = read_file(
+      std::filesystem::path(ROS2WASM_SOURCE_DIR) / "tests/support/rviz/kinds.rviz", kMostOfData);
   ASSERT_TRUE(text);
   const RvizDisplays found = rviz_displays(*text);
   const auto begin_with = [](const Names& names, std::string_view word) {

@@ -83,7 +83,7 @@ Outcome<std::string> course_hash_list(const fs::path& folder, const CourseReport
 Outcome<Done> prune(const fs::path& folder, CourseReport& report) {
   auto tree = list_tree(folder);
   if (!tree) return std::move(tree).errors();
-  std::set<std::string> wanted{kHashList};
+  std::set<std::string> wanted{kHashList, std::string(kObjects) + "/" + kStoreMarker};
   for (const char* own : {kCourseJsonName, "index.html", "course.css"}) wanted.insert(own);
   for (const PackedLab& lab : report.labs) {
     const auto files = files_of_site(folder, lab.name);

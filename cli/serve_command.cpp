@@ -4,13 +4,16 @@
 
 #include <memory>
 
+#include "bundler/io/files.hpp"
 #include "bundler/serve/site_responder.hpp"
+#include "bundler/verify/site_list.hpp"
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/watched_pack.hpp"
 
 namespace ros2wasm {
+namespace fs = std::filesystem;
 namespace {
 
 constexpr int kUsualPort =
@@ -74,8 +77,11 @@ int serve(Context& context, const Options& options) {
   if (const auto site = check_site(options.site, CourseToo::kYes); !site)
     return failure != 0 ? failure : context.console.fail(site.errors());
   std::error_code error;
-  const ServedPlace place = served_place(std::filesystem::absolute(options.site, error));
-  SiteServing serving{.folder = place.folder,
+  const fs::path folder = fs::absolute(options.site, error);
+  if (error) return context.console.fail(cannot_read(options.site, error.value()));
+  const ServedPlace place = served_place(folder);
+  if (place.warning) context.console.report(*place.warning);
+  SiteServing serving{.place = place,
                       .isolation = !options.no_isolation,
                       .only_local_hosts = is_loopback(options.host),
                       .reload = std::nullopt};
@@ -83,7 +89,7 @@ int serve(Context& context, const Options& options) {
   const auto server = start_server(
       options, [serving](const HttpRequest& request) { return site_response(serving, request); });
   if (!server) return context.console.fail(server.errors());
-  say_what_is_served(context, options, server->port(), place.site);
+  say_what_is_served(context, options, server->port(), percent_encoded(place.address));
   while (!context.cancellation.requested()) {
     wait_for_stop(context.cancellation, watched ? watched->interval_ms() : -1);
     if (watched && !context.cancellation.requested()) watched->look();

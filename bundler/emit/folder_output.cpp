@@ -110,6 +110,10 @@ void keep_earlier(const fs::path& old, const fs::path& site, const std::string& 
 /// `folder`: what the site is in now, `clean`: where it will be.
 Outcome<Done> write_planned(const SitePlan& plan, const fs::path& folder, const fs::path& clean,
                             const Cancellation& cancellation) {
+  if (!plan.store.objects.empty()) {
+    const fs::path marker = (clean / plan.store.objects / kStoreMarker).lexically_normal();
+    if (auto written = write_file(marker, kStoreMarkerText); !written) return written;
+  }
   for (const PlannedFile& file : plan.files) {
     if (auto refusal = refuse_site_path(file.path)) return *refusal;
     std::size_t at = 0;

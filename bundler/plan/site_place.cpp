@@ -8,9 +8,18 @@ namespace {
 
 constexpr std::size_t kMostFolders = 8;
 constexpr std::size_t kMostOfEnding = 8;
+constexpr std::size_t kHexOfSha256 = 64;
 
 bool is_small(char letter) {
   return (letter >= 'a' && letter <= 'z') || (letter >= '0' && letter <= '9');
+}
+
+bool is_hex_digit(char letter) {
+  return (letter >= '0' && letter <= '9') || (letter >= 'a' && letter <= 'f');
+}
+
+bool is_alphanumeric(char letter) {
+  return is_small(letter) || (letter >= 'A' && letter <= 'Z');
 }
 
 bool is_plain_name(std::string_view name) {
@@ -56,6 +65,29 @@ std::vector<std::string> site_places(const std::string& path, const std::string&
   if (!stored || kept == Kept::kBeside) return {path};
   if (kept == Kept::kScript) return {store.objects + store.scripts + "/" + path};
   return {store.objects + sha256 + ending(path)};
+}
+
+bool is_store_name(std::string_view name) {
+  constexpr std::size_t kMostEndings = 3;  // the last one is random while the file is written
+  if (name.size() < kHexOfSha256 ||
+      !std::all_of(name.begin(), name.begin() + kHexOfSha256, is_hex_digit))
+    return false;
+  name.remove_prefix(kHexOfSha256);
+  for (std::size_t i = 0; !name.empty(); ++i) {
+    const std::size_t end = std::min(name.find('.', 1), name.size());
+    const std::string_view one = name.substr(0, end);
+    if (i == kMostEndings || one.front() != '.' || one.size() < 2 ||
+        one.size() > kMostOfEnding + 1 || !std::all_of(one.begin() + 1, one.end(), is_alphanumeric))
+      return false;
+    name.remove_prefix(end);
+  }
+  return true;
+}
+
+bool is_store_path(std::string_view path) {
+  const std::size_t slash = path.find('/');
+  if (slash == std::string_view::npos) return is_store_name(path);
+  return slash == kHexOfSha256 && is_store_name(path.substr(0, slash)) && slash + 1 < path.size();
 }
 
 std::string_view word_of(Kept kept) {

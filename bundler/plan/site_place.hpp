@@ -31,6 +31,18 @@ struct FilePart {
                                                    const std::vector<FilePart>& parts,
                                                    const SiteStore& store);
 
+/// Beside the objects of a store: it proves that `pack` made the folder.
+inline constexpr const char* kStoreMarker = "store.json";
+/// The bytes of that file: the same whatever sites are in the store.
+inline constexpr std::string_view kStoreMarkerText = "{\"generator\":\"ros2wasm\",\"store\":1}\n";
+
+/// A name that site_places() gives to something directly in a store: 64 hex digits, which an ending
+/// such as `.wasm`, `.part` or `.wasm.br` may follow.
+[[nodiscard]] bool is_store_name(std::string_view name);
+
+/// A place in a store, relative to it: an object, or a module in a folder of modules.
+[[nodiscard]] bool is_store_path(std::string_view path);
+
 /// As site.json says it; empty for what lies beside it.
 [[nodiscard]] std::string_view word_of(Kept kept);
 

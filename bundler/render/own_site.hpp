@@ -1,5 +1,5 @@
-// Which folders, archives and pages are sites that ros2wasm made: they may be replaced, and are no
-// sources.
+// Which folders, archives and pages ros2wasm made: they may be replaced, and are not sources. Which
+// stores it made: those may be served.
 #pragma once
 
 #include <filesystem>
@@ -15,6 +15,10 @@ namespace ros2wasm {
 
 /// By its course.json.
 [[nodiscard]] bool is_course_of_ours(const std::filesystem::path& folder);
+
+/// By its marker (kStoreMarker). Stores of early versions have none: there, every name is one that
+/// only a store has.
+[[nodiscard]] bool is_store_of_ours(const std::filesystem::path& folder);
 
 /// By its first member, which emit_zip() makes the site.json.
 [[nodiscard]] bool is_site_archive_of_ours(const std::filesystem::path& file);

@@ -15,6 +15,7 @@
 #include "bundler/render/own_site.hpp"
 #include "bundler/serve/mime_types.hpp"
 #include "bundler/serve/request_rules.hpp"
+#include "bundler/serve/site_policy.hpp"
 #include "bundler/verify/site_list.hpp"
 
 namespace ros2wasm {
@@ -29,28 +30,11 @@ struct OpenFile {
   std::string etag;
 };
 
-enum class Lookup { kFile, kFolder, kNothing };
-
-struct Found {
-  Lookup kind = Lookup::kNothing;
-  std::filesystem::path path;  ///< real, inside the site
-};
-
 HttpResponse text_response(int status, std::string text) {
   return HttpResponse{.status = status,
                       .headers = {},
                       .content_type = "text/plain; charset=utf-8",
                       .body = std::move(text)};
-}
-
-/// Follows links, and finds nothing when they lead out of the site.
-Found find_in_site(const std::filesystem::path& folder, const std::string& path) {
-  std::error_code error;
-  const auto real = path_within(folder, folder / path);
-  if (!real) return {};
-  if (std::filesystem::is_directory(*real, error)) return {.kind = Lookup::kFolder, .path = *real};
-  if (std::filesystem::is_regular_file(*real, error)) return {.kind = Lookup::kFile, .path = *real};
-  return {};
 }
 
 std::optional<OpenFile> open_file(const std::filesystem::path& path) {
@@ -159,13 +143,14 @@ HttpResponse file_response(const HttpRequest& request, const std::filesystem::pa
 
 /// What differs in watch mode: the start page has the reload script, and site.json its new hash.
 std::optional<HttpResponse> watched_response(const SiteServing& serving, const std::string& path) {
+  if (!serving.place.address.empty()) return std::nullopt;
   const bool description = path == "site.json";
   if (!description && !path.empty() && path != "index.html") return std::nullopt;
-  const auto page = read_file(serving.folder / "index.html", kMostOfData);
+  const auto page = read_file(serving.place.folder / "index.html", kMostOfData);
   if (!page) return std::nullopt;
   std::string text = with_reload_script(*page, serving.reload->state().version);
   if (description) {
-    const auto packed = read_file(serving.folder / "site.json", kMostOfSiteJson);
+    const auto packed = read_file(serving.place.folder / "site.json", kMostOfSiteJson);
     if (!packed) return std::nullopt;
     text = with_page_hash(*packed, *page, text);
   }
@@ -196,12 +181,17 @@ HttpResponse path_response(const SiteServing& serving, const HttpRequest& reques
     if (auto special = reload_response(*serving.reload, path)) return std::move(*special);
     if (auto special = watched_response(serving, path)) return std::move(*special);
   }
+  if (path.empty() && !serving.place.address.empty()) {
+    HttpResponse redirect = text_response(307, "The site is below this address.\n");
+    redirect.headers.emplace_back("Location", "/" + percent_encoded(serving.place.address));
+    return redirect;
+  }
   const bool wants_folder = path.empty() || path.ends_with('/');
-  const Found found = find_in_site(serving.folder, wants_folder ? path + "index.html" : path);
+  const Found found = find_served(serving.place, wants_folder ? path + "index.html" : path);
   if (found.kind == Lookup::kFile) return file_response(request, found.path);
   // A folder's page has relative links, which need the slash.
   if (found.kind == Lookup::kFolder && !wants_folder &&
-      find_in_site(serving.folder, path + "/index.html").kind == Lookup::kFile) {
+      find_served(serving.place, path + "/index.html").kind == Lookup::kFile) {
     HttpResponse redirect = text_response(308, "This page is a folder.\n");
     const std::string_view sent =
         std::string_view(request.target).substr(0, request.target.find_first_of("?#"));
@@ -260,22 +250,6 @@ Outcome<Done> check_site(const std::filesystem::path& folder, CourseToo course_t
   return problem;
 }
 
-ServedPlace served_place(const std::filesystem::path& site) {
-  const auto text = read_file(site / kSiteJsonName, kMostOfSiteJson);
-  const auto list = text ? read_site_list(*text, kSiteJsonName) : Outcome<SiteList>(SiteList());
-  if (!list || list->store.objects.empty()) return {.folder = site, .site = {}};
-  std::error_code error;
-  std::filesystem::path folder = std::filesystem::weakly_canonical(site, error);
-  if (!folder.has_filename()) folder = folder.parent_path();
-  const std::filesystem::path real = folder;
-  constexpr std::string_view kUp = "../";
-  for (std::string_view left = list->store.objects; left.starts_with(kUp);
-       left.remove_prefix(kUp.size()))
-    folder = folder.parent_path();
-  return {.folder = folder,
-          .site = percent_encoded(real.lexically_relative(folder).generic_string()) + "/"};
-}
-
 std::string site_version(const std::filesystem::path& folder) {
   const auto description = read_file(folder / "site.json", kMostOfSiteJson);
   return description ? sha256_hex(*description).substr(0, 16) : std::string("none");
@@ -286,6 +260,7 @@ HttpResponse site_response(const SiteServing& serving, const HttpRequest& reques
   const bool live = std::holds_alternative<TextStream>(response.body);
   response.headers.emplace_back("Cache-Control", live ? "no-store" : "no-cache");
   response.headers.emplace_back("X-Content-Type-Options", "nosniff");
+  response.headers.emplace_back("Content-Security-Policy", std::string(site_policy()));
   if (serving.isolation) {
     response.headers.emplace_back("Cross-Origin-Opener-Policy", "same-origin");
     response.headers.emplace_back("Cross-Origin-Embedder-Policy", "require-corp");

@@ -67,6 +67,7 @@ describe('headers', WATCHDOG, () => {
     assert.equal(page.headers['cross-origin-resource-policy'], 'same-origin');
     assert.equal(page.headers['cache-control'], 'no-cache');
     assert.equal(page.headers['x-content-type-options'], 'nosniff');
+    assert.match(String(page.headers['content-security-policy']), /^default-src 'none'; script-src 'self' 'wasm-unsafe-eval';.*form-action 'none'$/);
     const kinds: Record<string, string> = {
       '/main.js': 'text/javascript; charset=utf-8',
       '/inside.js': 'text/javascript; charset=utf-8',
@@ -178,6 +179,52 @@ describe('files', WATCHDOG, () => {
       const answer = await ask(server, path);
       assert.equal(answer.status, 404, path);
       assert.doesNotMatch(answer.body.toString(), /secret|root:/);
+    }
+  });
+
+  // Guarantee, hostile input: whatever folder a site.json names as its store, `serve` answers with files of the site and with objects of a store
+  // that `pack` made, and with no other file of the machine
+  test('a site that names another folder as its store widens nothing', async () => {
+    using scratch = new Scratch();
+    scratch.file('secret.txt', 'secret');
+    scratch.file('evil/index.html', 'evil');
+    scratch.file('sibling/index.html', 'secret');
+    for (const objects of [`${'../'.repeat(8)}x/`, `${'../'.repeat(8)}etc/`, '../sibling/', '../../', '../../tmp/']) {
+      const store = { objects, scripts: 'a'.repeat(64) };
+      scratch.file('evil/site.json', JSON.stringify({ generator: 'ros2wasm 1.0.0', store, files: [] }));
+      await using server = await ServedSite.start([join(scratch.path, 'evil'), '--port', '0']);
+      assert.equal((await ask(server, '/')).body.toString(), 'evil', objects);
+      for (const path of ['/etc/passwd', join(scratch.path, 'secret.txt'), '/secret.txt', '/sibling/', '/sibling/index.html']) {
+        const answer = await ask(server, path);
+        assert.equal(answer.status, 404, `${objects} ${path}`);
+        assert.doesNotMatch(answer.body.toString(), /secret|root:/);
+      }
+      if (objects !== '../../') assert.match(server.errors, /warning\[R2W0613\]: files of `\S+evil` are not served/, objects);
+    }
+  });
+
+  test('of a store elsewhere only names that a store has are answered', async () => {
+    using scratch = new Scratch();
+    const object = 'c'.repeat(64);
+    const scripts = 'a'.repeat(64);
+    scratch.file('deep/sites/one/index.html', 'one');
+    scratch.file('deep/sites/one/site.json', JSON.stringify({ generator: 'ros2wasm 1.0.0', store: { objects: '../../../STORE/objects/', scripts }, files: [] }));
+    scratch.file('STORE/objects/store.json', '{"generator":"ros2wasm","store":1}\n');
+    scratch.file(`STORE/objects/${object}.wasm`, 'object');
+    scratch.file(`STORE/objects/${scripts}/start.js`, 'script');
+    for (const path of ['STORE/objects/notes.txt', 'STORE/secret.txt', 'deep/secret.txt', 'deep/sites/two/index.html']) scratch.file(path, 'secret');
+    symlinkSync('../secret.txt', join(scratch.path, `STORE/objects/${'d'.repeat(64)}`));
+    await using server = await ServedSite.start([join(scratch.path, 'deep/sites/one'), '--port', '0']);
+    assert.match(server.url, /:\d+\/deep\/sites\/one\/$/);
+    assert.equal((await ask(server, '/deep/sites/one/')).body.toString(), 'one');
+    assert.equal((await ask(server, `/STORE/objects/${object}.wasm`)).body.toString(), 'object');
+    assert.equal((await ask(server, `/STORE/objects/${scripts}/start.js`)).body.toString(), 'script');
+    assert.equal((await ask(server, '/')).headers.location, '/deep/sites/one/');
+    assert.equal((await ask(server, '/deep/sites/one')).headers.location, './one/');
+    for (const path of ['/STORE/objects/notes.txt', '/STORE/objects/', '/STORE/secret.txt', '/deep/secret.txt', '/deep/sites/two/', `/STORE/objects/${'d'.repeat(64)}`, `/STORE/objects/${scripts}/../notes.txt`]) {
+      const answer = await ask(server, path);
+      assert.equal(answer.status, 404, path);
+      assert.doesNotMatch(answer.body.toString(), /secret/);
     }
   });
 

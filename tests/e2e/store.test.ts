@@ -63,7 +63,7 @@ test('a site of a store has what is its own; the rest lies in the store, under i
   for (const [path, bytes] of files) {
     const [, name] = /^objects\/([0-9a-f]{64})(?:\.[a-z0-9]+)?$/.exec(path) ?? [];
     if (name !== undefined) assert.equal(createHash('sha256').update(bytes, 'latin1').digest('hex'), name, path);
-    else if (path.startsWith('objects/')) scripts.push(path);
+    else if (path.startsWith('objects/') && path !== 'objects/store.json') scripts.push(path);
   }
   // The page's modules find each other by name: they lie together, under the sha256 of their list.
   assert.equal(new Set(scripts.map((path) => path.split('/')[1])).size, 1);
@@ -204,6 +204,10 @@ test('serve gives the store too', watchdog, async () => {
   await page.close();
   const verified = await ws.run(['verify', served.url, '--hash', hashes.get('one') ?? '']);
   assert.equal(verified.code, 0, verified.stderr);
+  // The lab beside it is not asked for, and what proves the store is not an object.
+  for (const path of ['two/', 'two/site.json', 'objects/store.json', 'objects/']) {
+    assert.equal((await fetch(new URL(`../${path}`, served.url))).status, 404, path);
+  }
 });
 
 test('a store that cannot be shared is refused, and nothing is written', async () => {

@@ -6,9 +6,11 @@ add_executable(bundler_serve_test
   serve/mime_types_test.cpp
   serve/reload_test.cpp
   serve/request_rules_test.cpp
+  serve/served_place_test.cpp
   serve/workspace_watch_test.cpp
   workspace/manifest_draft_test.cpp
 )
 compile_in_groups(bundler_serve_test 2)
+target_compile_definitions(bundler_serve_test PRIVATE ROS2WASM_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 target_link_libraries(bundler_serve_test PRIVATE bundler GTest::gtest_main)
 gtest_discover_tests(bundler_serve_test TEST_PREFIX bundler. DISCOVERY_TIMEOUT 60)

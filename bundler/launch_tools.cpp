@@ -13,6 +13,7 @@
 #include "bundler/resolve/solve.hpp"
 #include "bundler/run/node_js.hpp"
 #include "bundler/store/build_place.hpp"
+#include "bundler/store/cache_place.hpp"
 #include "bundler/store/environment.hpp"
 #include "bundler/workspace/workspace_channels.hpp"
 
@@ -49,8 +50,10 @@ Outcome<fs::path> own_pyodide(const fs::path& executable,
 }
 
 /// Another place for everything that is not among the files that the interpreter looks at: its own
-/// parts, where the folders are, and what is asked of it.
+/// parts, where the folders are, and what is asked of it. Empty when there is no cache.
 fs::path kept_place(const LaunchEvaluationAsked& asked) {
+  const auto cache = cache_directory(asked.variables);
+  if (!cache) return {};
   HashBuilder key;
   const auto templates = find_own_data(asked.executable, "templates/python", kReader);
   if (templates) {
@@ -68,15 +71,14 @@ fs::path kept_place(const LaunchEvaluationAsked& asked) {
   for (const auto& [name, value] : asked.given) key.add("argument", name).add("value", value);
   std::error_code error;
   // What is built lies in another folder after each change; what it holds was looked at.
-  const fs::path cache = default_cache_directory(asked.variables);
-  const std::string built = fs::absolute(build_area(cache), error).string() + "/";
+  const std::string built = fs::absolute(build_area(*cache), error).string() + "/";
   for (const LaunchFolder& folder : asked.folders) {
     const std::string from = fs::absolute(folder.from, error).string();
     key.add("at", folder.at).add("from", from.starts_with(built) ? "a build" : from);
     key.add("is", fs::is_directory(folder.from, error) ? "there" : "absent");
     key.add("holds", folder.holds_modules ? "modules" : "files");
   }
-  return kept_launch_place(cache) / (key.finish() + ".json");
+  return kept_launch_place(*cache) / (key.finish() + ".json");
 }
 
 /// Nothing when there is none, or when something of what it was made of is not as it was.
@@ -157,7 +159,7 @@ LaunchInterpreter launch_interpreter(const LaunchEvaluationAsked& asked,
     return (*transcript)->ask(request, reply);
   };
   result.keep = [=] {
-    if (!*transcript || !(*transcript)->end() || !(*transcript)->is_live() ||
+    if (!*transcript || place->empty() || !(*transcript)->end() || !(*transcript)->is_live() ||
         (*transcript)->has_failed())
       return;
     auto seen = host->seen();

@@ -4,6 +4,7 @@
 #include "bundler/io/files.hpp"
 #include "bundler/resolve/locked_solve.hpp"
 #include "bundler/store/cache_care.hpp"
+#include "bundler/store/cache_place.hpp"
 #include "bundler/store/store.hpp"
 #include "bundler/store/wheel_files.hpp"
 #include "cli/arguments.hpp"
@@ -119,11 +120,12 @@ int fetch(Context& context, const std::filesystem::path& cache, const std::strin
 }
 
 int run(Context& context, const CacheOptions& options) {
-  const auto cache = default_cache_directory(context.environment);
-  if (options.action == "verify") return verify(context, cache);
-  if (options.action == "fetch") return fetch(context, cache, options.lock);
-  if (options.action == "prune") return prune(context, cache, options.everything);
-  return info(context, cache);
+  const auto cache = cache_directory(context.environment);
+  if (!cache) return context.console.fail(cache.errors());
+  if (options.action == "verify") return verify(context, *cache);
+  if (options.action == "fetch") return fetch(context, *cache, options.lock);
+  if (options.action == "prune") return prune(context, *cache, options.everything);
+  return info(context, *cache);
 }
 
 }  // namespace

@@ -3,15 +3,17 @@
 
 #include <filesystem>
 
-#include "bundler/store/store.hpp"
+#include "bundler/store/cache_place.hpp"
 
 namespace ros2wasm {
 Outcome<OpenChannels> open_chosen_channels(const ChannelChoice& choice,
                                            std::span<std::string> specs, const Context& context) {
   std::error_code error;
+  auto cache = cache_directory(context.environment);
+  if (!cache) return std::move(cache).errors();
   ChannelRoots roots{.working_directory = std::filesystem::current_path(error),
                      .embedded = {},
-                     .cache = default_cache_directory(context.environment),
+                     .cache = std::move(*cache),
                      .network = network_of(context.environment)};
   roots.network.offline = choice.offline;
   if (!choice.platform.empty()) roots.platform = choice.platform;

@@ -3,19 +3,35 @@
 #include <memory>
 
 #include "bundler/verify/open_site.hpp"
+#include "bundler/verify/site_check.hpp"
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
+#include "workspace_schema/diagnostic_list.hpp"
 #include "workspace_schema/json_writer.hpp"
 
 namespace ros2wasm {
 namespace {
 namespace fs = std::filesystem;
 
+/// Lists are compared, so they must tell the truth: what files are not as site.json lists them.
+Outcome<Done> check_files(Context& context, const fs::path& site) {
+  auto check = check_site_folder(site, context.cancellation, {});
+  if (!check) return std::move(check).errors();
+  for (Diagnostic& fault : check->faults)
+    fault.why.push_back("so `" + site.string() + "` is not the site that its site.json describes");
+  if (!check->faults.empty()) return check->faults;
+  return Done{};
+}
+
 int diff(Context& context, const fs::path& first, const fs::path& second) {
   const auto a = open_site(first);
   if (!a) return context.console.fail(a.errors());
   const auto b = open_site(second);
   if (!b) return context.console.fail(b.errors());
+  Diagnostics faults;
+  for (const fs::path& site : {first, second})
+    if (auto fine = check_files(context, site); !fine) append(faults, fine.errors());
+  if (!faults.empty()) return context.console.fail(faults);
   const auto differences = site_differences(compared(*a), compared(*b));
   if (!differences) return context.console.fail(differences.errors());
   if (context.json) {

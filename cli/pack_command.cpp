@@ -108,7 +108,7 @@ int run_course(Context& context, const CourseRequest& request) {
 }
 
 /// R2W0902: options that do not go together.
-std::optional<Diagnostic> unsuited(const Options& options, bool is_signed) {
+std::optional<Diagnostic> unsuited(const Options& options) {
   const auto refused = [](std::string message, std::string why, std::string fix) {
     return Diagnostic{.code = "R2W0902",
                       .kind = FailureKind::kCommandLine,
@@ -119,7 +119,7 @@ std::optional<Diagnostic> unsuited(const Options& options, bool is_signed) {
   const bool courses = is_course(options.input);
   const std::string form = std::filesystem::path(options.output).extension().string();
   const std::string folder = "choose a name with -o that does not end in " + form;
-  if (courses && is_signed) {
+  if (courses && !options.signing.key_file.empty()) {
     return refused("--sign is for sites",
                    "a course has many, and its list of them would not be signed",
                    "sign each lab: `minisign -S -m COURSE/LAB/site.json`");
@@ -138,6 +138,8 @@ std::optional<Diagnostic> unsuited(const Options& options, bool is_signed) {
 }
 
 int run(Context& context, const Options& options) {
+  // Before a password is asked for.
+  if (const auto refused = unsuited(options)) return context.console.fail(*refused);
   const auto signer = read_signer(options.signing, context);
   if (!signer) return context.console.fail(signer.errors());
   const PackRequest request{
@@ -158,8 +160,6 @@ int run(Context& context, const Options& options) {
       .precompress = options.precompress,
       .archive_limits = options.archive_limits,
       .signer = *signer};
-  if (const auto refused = unsuited(options, *signer != nullptr))
-    return context.console.fail(*refused);
   if (is_course(options.input))
     return run_course(context, {.pack = request, .prune = options.prune});
   const auto report = pack(request, context.cancellation, context.progress);

@@ -17,13 +17,14 @@ namespace {
 constexpr const char* kVariable = "ROS2WASM_KEY_PASSWORD";
 constexpr std::size_t kMostOfAPassword = 1024;
 
-/// Up to a line's end. Nothing when it cannot be read.
-std::optional<std::string> line_of(int fd) {
+/// Up to a line's end. Nothing when it cannot be read, or when the program should end.
+std::optional<std::string> line_of(int fd, const Cancellation& cancellation) {
   std::string line;
   line.reserve(kMostOfAPassword);
   char letter = 0;
   for (;;) {
     const ssize_t got = ::read(fd, &letter, 1);
+    if (got < 0 && errno == EINTR && !cancellation.requested()) continue;
     if (got < 0) return std::nullopt;
     if (got == 0 || letter == '\n') break;
     if (line.size() == kMostOfAPassword) return std::nullopt;
@@ -34,7 +35,7 @@ std::optional<std::string> line_of(int fd) {
 }
 
 /// Asks on the terminal, which shows nothing of what is typed.
-std::optional<std::string> asked(const std::string& question) {
+std::optional<std::string> asked(const std::string& question, const Cancellation& cancellation) {
   const int terminal = ::open("/dev/tty", O_RDWR | O_CLOEXEC | O_NOCTTY);
   if (terminal < 0) return std::nullopt;
   termios usual{};
@@ -44,7 +45,7 @@ std::optional<std::string> asked(const std::string& question) {
     silent.c_lflag &= ~static_cast<tcflag_t>(ECHO);
     ::tcsetattr(terminal, TCSAFLUSH, &silent);
     [[maybe_unused]] ssize_t written = ::write(terminal, question.data(), question.size());
-    line = line_of(terminal);
+    line = line_of(terminal, cancellation);
     ::tcsetattr(terminal, TCSAFLUSH, &usual);
     written = ::write(terminal, "\n", 1);
   }
@@ -62,7 +63,8 @@ Diagnostic no_password(const std::string& file, std::string why) {
 
 Outcome<std::string> password_for(const SigningChoice& choice, const Context& context) {
   if (choice.password_fd) {
-    auto line = line_of(*choice.password_fd);
+    auto line = line_of(*choice.password_fd, context.cancellation);
+    if (context.cancellation.requested()) return interrupted();
     if (!line)
       return no_password(choice.key_file, "no password came from file descriptor " +
                                               std::to_string(*choice.password_fd));
@@ -70,7 +72,8 @@ Outcome<std::string> password_for(const SigningChoice& choice, const Context& co
   }
   if (const auto found = context.environment.find(kVariable); found != context.environment.end())
     return found->second;
-  auto line = asked("Password of " + choice.key_file + ": ");
+  auto line = asked("Password of " + choice.key_file + ": ", context.cancellation);
+  if (context.cancellation.requested()) return interrupted();
   if (!line)
     return no_password(choice.key_file, "it has a password, and no terminal is there to ask");
   return std::move(*line);

@@ -50,6 +50,27 @@ std::vector<SetupFile> files_of(const JsonValue& json, std::string_view key,
   return result;
 }
 
+Diagnostics warnings_of(const JsonValue& json, const BuildPlace& place) {
+  Diagnostics result;
+  const JsonValue* list = json.find("warnings");
+  if (list == nullptr) return result;
+  for (const JsonValue& one : list->items()) {
+    const JsonValue* line = one.find("line");
+    const std::string file = one.text_of("file");
+    result.push_back(Diagnostic{
+        .code = "R2W0527",
+        .severity = Severity::kWarning,
+        .message = "a line of " + file + " of package `" + place.package + "` is skipped",
+        .span = SourceSpan{.file = file,
+                           .line = line == nullptr
+                                       ? 0U
+                                       : static_cast<std::uint32_t>(line->integer().value_or(0)),
+                           .line_text = {}},
+        .why = {one.text_of("message")}});
+  }
+  return result;
+}
+
 /// What a name or a version consists of: both become part of a folder's name.
 bool is_plain(std::string_view text) {
   return std::all_of(text.begin(), text.end(), [](char c) {
@@ -103,7 +124,8 @@ Outcome<SetupPlan> read_setup_plan(std::string_view json, const BuildPlace& plac
                  .scripts = files_of(*parsed, "scripts", place, errors),
                  .script_folder = parsed->text_of("script_folder"),
                  .programs = {},
-                 .entry_points = {}};
+                 .entry_points = {},
+                 .warnings = warnings_of(*parsed, place)};
   for (const auto& [what, text] : {std::pair("name", &plan.name), {"version", &plan.version}}) {
     if (is_plain(*text)) continue;
     errors.push_back(refused(place, "setup.py", 0,

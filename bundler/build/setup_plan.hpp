@@ -33,6 +33,7 @@ struct SetupPlan {
   std::string script_folder;       ///< where programs go, below the prefix
   std::vector<EntryPoint> programs;
   std::map<std::string, std::vector<std::string>> entry_points;  ///< all groups, as they stand
+  Diagnostics warnings;  ///< R2W0527; places are below the package's folder
 };
 
 /// R2W0516 setup.py failed, or wants what cannot be: with its file and line.

@@ -3,6 +3,7 @@
 // a part in it.
 #include <chrono>
 
+#include "bundler/build/compiler_warnings.hpp"
 #include "bundler/build/setup_plan.hpp"
 #include "bundler/build/source_tree.hpp"
 #include "bundler/io/files.hpp"
@@ -183,7 +184,8 @@ Outcome<Done> build_with_setup_py(const PackageBuild& request, const BuildTools&
   if (!json) return json.errors();
   const auto plan = read_setup_plan(*json, request.place);
   if (!plan) return plan.errors();
-  return install(*plan, request);
+  if (auto installed = install(*plan, request); !installed) return installed;
+  return keep_findings(request.install, plan->warnings);
 }
 
 }  // namespace ros2wasm

@@ -91,11 +91,25 @@ PythonValue of_numbers(std::string_view op, double a, double b) {
   return {divided(a, b, op == "//")};
 }
 
+/// Letters and values, also of lists in lists: a copy takes as much again.
+std::size_t size_of_copy(const PythonList& items) {
+  std::size_t size = items.size();
+  for (const PythonValue& one : items) {
+    if (const auto* text = as<std::string>(one)) size += text->size();
+    if (const PythonList* inner = python_items(one)) size += size_of_copy(*inner);
+  }
+  return size;
+}
+
+std::size_t size_of_copy(const std::string& text) {
+  return text.size();
+}
+
 template <typename T>
 T repeated(const T& one, std::int64_t times) {
   T result;
   if (times <= 0 || one.empty()) return result;
-  if (static_cast<std::uint64_t>(times) > kPythonLongest / one.size())
+  if (static_cast<std::uint64_t>(times) > kPythonLongest / size_of_copy(one))
     python_fault("MemoryError: the result is too long");
   for (std::int64_t i = 0; i < times; ++i) result.insert(result.end(), one.begin(), one.end());
   return result;

@@ -119,15 +119,6 @@ fs::path package_seal_place(const fs::path& folder) {
   return folder.string() + ".seal";
 }
 
-fs::path default_cache_directory(const std::map<std::string, std::string>& variables) {
-  const auto xdg = variables.find("XDG_CACHE_HOME");
-  if (xdg != variables.end() && fs::path(xdg->second).is_absolute())
-    return fs::path(xdg->second) / "ros2wasm";
-  const auto home = variables.find("HOME");
-  const bool homeless = home == variables.end() || home->second.empty();
-  return fs::path(homeless ? "/tmp" : home->second) / ".cache" / "ros2wasm";
-}
-
 std::string package_fault(const fs::path& folder) {
   const auto lists = read_package_lists(folder);
   const auto entries = lists ? package_paths(*lists, folder.filename().string()) : lists.errors();

@@ -18,10 +18,6 @@
 
 namespace ros2wasm {
 
-/// $XDG_CACHE_HOME/ros2wasm, else $HOME/.cache/ros2wasm. `variables` are those of the environment.
-[[nodiscard]] std::filesystem::path default_cache_directory(
-    const std::map<std::string, std::string>& variables);
-
 /// What is wrong with an unpacked package: the first file that is not what its info/paths.json
 /// lists, or an info/ that is not as it came. Empty when all are right.
 [[nodiscard]] std::string package_fault(const std::filesystem::path& folder);

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "bundler/channel/transport.hpp"
-#include "bundler/store/store.hpp"
+#include "bundler/store/cache_place.hpp"
 #include "workspace_schema/diagnostic_list.hpp"
 
 namespace ros2wasm {
@@ -48,9 +48,11 @@ Outcome<WorkspaceChannels> workspace_channels(Manifest& manifest,
                                               const std::filesystem::path& folder,
                                               const std::filesystem::path& executable,
                                               const std::map<std::string, std::string>& variables) {
+  auto cache = cache_directory(variables);
+  if (!cache) return std::move(cache).errors();
   WorkspaceChannels result{.roots = {.working_directory = folder,
                                      .embedded = {},
-                                     .cache = default_cache_directory(variables),
+                                     .cache = std::move(*cache),
                                      .network = network_of(variables)},
                            .addresses = {}};
   if (auto embedded = embedded_channel(executable)) result.roots.embedded = std::move(*embedded);

@@ -26,7 +26,9 @@ const [pyodide, source] = process.argv.slice(2);
 const python = await startPython(pyodide);
 copy(python.FS, source, root);
 copy(python.FS, fileURLToPath(new URL('stand_in', import.meta.url)), tools);
-python.FS.writeFile('/read_setup.py', readFileSync(new URL('read_setup.py', import.meta.url)));
+for (const name of ['manifest_in.py', 'read_setup.py']) {
+  python.FS.writeFile(`/${name}`, readFileSync(new URL(name, import.meta.url)));
+}
 const read = python.runPython(`
 import sys
 sys.path[:0] = ['${tools}', '/']

@@ -1,7 +1,8 @@
 """Runs a package's setup.py against a stand-in of setuptools, and says what it would install.
 
 The result is JSON. `modules`, `data`: pairs of a file of the package and its place below the folder of modules or below
-the prefix; `scripts`: the same for programs; `entry_points`: group -> lines; or only `error`.
+the prefix; `scripts`: the same for programs; `entry_points`: group -> lines; `warnings`: lines that are not followed;
+or only `error`.
 """
 from __future__ import annotations
 
@@ -19,8 +20,9 @@ import runpy
 import sys
 import traceback
 import types
-from collections.abc import Iterator
 from typing import Any
+
+import manifest_in
 
 SETUP = 'setup.py'
 CONFIG = 'setup.cfg'
@@ -83,11 +85,13 @@ def attribute(name: str, package_dir: dict[str, str]) -> Any:
                     return ast.literal_eval(statement.value)  # type: ignore[attr-defined]
                 except (TypeError, ValueError):
                     break
+    # The module may change the path itself, so what it had before is what it has after.
+    before = list(sys.path)
     sys.path.insert(0, os.path.abspath(package_dir.get('', '.')))
     try:
         return getattr(importlib.import_module(module or '__init__'), wanted)
     finally:
-        sys.path.pop(0)
+        sys.path[:] = before
 
 
 def version_of(value: str, package_dir: dict[str, str]) -> str:
@@ -178,21 +182,25 @@ def placed(package: str) -> str:
     return package.replace('.', '/')
 
 
-def modules_of(arguments: dict[str, Any]) -> list[tuple[str, str]]:
+def modules_of(arguments: dict[str, Any], manifest: manifest_in.Selection) -> list[tuple[str, str]]:
     """Every module, and the data that stands among modules."""
     result: list[tuple[str, str]] = []
+    excluded = arguments.get('exclude_package_data') or {}
     package_dir = {key: str(value) for key, value in (arguments.get('package_dir') or {}).items()}
     package_data = arguments.get('package_data') or {}
     for package in lines_of(arguments.get('packages')):
         folder = folder_of(package, package_dir)
         if not os.path.isdir(folder):
             raise SetupError(f"package directory '{folder}' does not exist")
-        wanted = sorted(glob.glob(f'{glob.escape(folder)}/*.py'))
+        modules = sorted(glob.glob(f'{glob.escape(folder)}/*.py'))
+        wanted = []
         for pattern in [one for key in ('', '*', package) for one in lines_of(package_data.get(key))]:
             wanted += sorted(glob.glob(posixpath.join(glob.escape(folder), pattern), recursive=True))
         if arguments.get('include_package_data'):
-            wanted += [path for path in in_manifest() if path.startswith(f'{folder}/')]
-        for path in wanted:
+            wanted += [path for path in manifest.files if path.startswith(f'{folder}/')]
+        for pattern in [one for key in ('', '*', package) for one in lines_of(excluded.get(key))]:
+            wanted = [path for path in wanted if not fnmatch.fnmatchcase(path, posixpath.join(folder, pattern))]
+        for path in modules + wanted:
             if os.path.isfile(path) and path != SETUP:
                 result.append((below_root(path), posixpath.join(placed(package), posixpath.relpath(path, folder))))
     root = below_root(package_dir.get('', '.'))
@@ -202,38 +210,6 @@ def modules_of(arguments: dict[str, Any]) -> list[tuple[str, str]]:
             raise SetupError(f"file '{path}' (for module {module}) not found")
         result.append((path, placed(module) + '.py'))
     return sorted(set(result))
-
-
-def folders_once(root: str) -> Iterator[tuple[str, list[str]]]:
-    """All folders with their files. Links are followed; a folder that several lead to comes once."""
-    seen: set[str] = set()
-    for parent, folders, names in os.walk(root, followlinks=True):
-        real = os.path.realpath(parent)
-        if real in seen:
-            folders.clear()
-            continue
-        seen.add(real)
-        folders.sort()
-        yield parent, names
-
-
-def in_manifest() -> list[str]:
-    """Files that MANIFEST.in names: `include`, `recursive-include`, `graft`."""
-    if not os.path.exists('MANIFEST.in'):
-        return []
-    files = sorted(posixpath.normpath(f'{parent}/{name}') for parent, names in folders_once('.') for name in names)
-    found: list[str] = []
-    with open('MANIFEST.in', encoding='utf-8') as stream:
-        rows = [line.split() for line in stream if line.strip() and not line.startswith('#')]
-    for command, *words in rows:
-        if command == 'include':
-            found += [path for path in files for word in words if fnmatch.fnmatch(path, word)]
-        elif command == 'recursive-include' and words:
-            below = [path for path in files if path.startswith(words[0].rstrip('/') + '/')]
-            found += [path for path in below for word in words[1:] if fnmatch.fnmatch(posixpath.basename(path), word)]
-        elif command == 'graft' and words:
-            found += [path for path in files if path.startswith(words[0].rstrip('/') + '/')]
-    return found
 
 
 def data_of(arguments: dict[str, Any]) -> list[tuple[str, str]]:
@@ -278,6 +254,7 @@ def planned(arguments: dict[str, Any], config: dict[str, dict[str, str]]) -> dic
     if arguments.get('ext_modules'):
         raise SetupError('modules in C (ext_modules) cannot be built for sites')
     folder = redirected(arguments, script_folder(config))
+    manifest = manifest_in.selection(arguments.get('include_package_data'))
     scripts = []
     for script in lines_of(arguments.get('scripts')):
         if not os.path.isfile(script):
@@ -286,11 +263,13 @@ def planned(arguments: dict[str, Any], config: dict[str, dict[str, str]]) -> dic
     return {
         'name': str(arguments.get('name') or 'UNKNOWN'),
         'version': str(arguments.get('version') or '0.0.0'),
-        'modules': modules_of(arguments),
+        'modules': modules_of(arguments, manifest),
         'data': data_of(arguments),
         'scripts': scripts,
         'script_folder': folder,
         'entry_points': entry_points_of(arguments.get('entry_points')),
+        'warnings': [
+            {'file': manifest_in.NAME, 'line': line, 'message': message} for line, message in manifest.warnings],
     }
 
 

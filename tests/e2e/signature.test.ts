@@ -116,6 +116,34 @@ sys.exit(status)
   signed('terminal');
 });
 
+// Guarantee, ci: Ctrl-C at the question for a password ends with 130, and the terminal shows again what is typed
+test('an interrupt while a password is asked for', async () => {
+  const asked = spawnSync('python3', ['-c', `
+import os, pty, sys, termios
+child, terminal = pty.fork()
+if child == 0:
+    os.execv(sys.argv[1], sys.argv[1:])
+seen = b''
+while b'Password of locked.key: ' not in seen:
+    seen += os.read(terminal, 4096)
+os.write(terminal, bytes([3]))
+while True:
+    try:
+        part = os.read(terminal, 4096)
+    except OSError:
+        break
+    if not part:
+        break
+    seen += part
+status = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
+sys.stdout.buffer.write(seen)
+sys.exit(status)
+`, CLI, 'pack', '-o', 'no', '--sign', 'locked.key'], { cwd: ws.root, env: { ...process.env, XDG_CACHE_HOME: join(ws.root, 'cache') }, encoding: 'utf8', timeout: 60_000 });
+  assert.equal(asked.status, 130, asked.stdout);
+  assert.match(asked.stdout, /interrupted/);
+  assert.doesNotMatch(asked.stdout, /no terminal/);
+});
+
 test('another password, and none where nobody can be asked', async () => {
   const wrong = await ws.run(['pack', '-o', 'no', '--sign', 'locked.key'], { ROS2WASM_KEY_PASSWORD: 'battery' });
   assert.equal(wrong.code, 1);

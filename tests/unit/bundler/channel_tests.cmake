@@ -19,6 +19,7 @@ add_executable(bundler_channel_test
   ${PROJECT_SOURCE_DIR}/tests/property/solve_property_test.cpp
   resolve/solve_test.cpp
   store/environment_test.cpp
+  store/cache_place_test.cpp
   store/store_test.cpp
   workspace/foreign_environment_test.cpp
 )

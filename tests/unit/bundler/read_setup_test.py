@@ -100,6 +100,65 @@ setup(name='demo', packages=['demo'], package_dir={'demo': os.path.join(here, 'd
         self.assertEqual(plan['scripts'], [['tools/run', 'bin/run']])
         self.assertEqual(plan['modules'], [[path, path] for path in ('demo/__init__.py', 'demo/table.csv')])
 
+    def selected(self, *lines: str) -> list[str]:
+        """Files that are installed because MANIFEST.in says so."""
+        self.write('MANIFEST.in', '\n'.join(lines) + '\n')
+        return sorted(path for path, _ in self.read()['modules'] if path != 'demo/__init__.py')
+
+    def test_each_command_of_manifest_in_selects_what_setuptools_selects(self) -> None:
+        for path in ('demo/__init__.py', 'demo/a.csv', 'demo/b.txt', 'demo/.hidden', 'demo/maps/a.csv',
+                     'demo/maps/old/b.csv', 'demo/maps/old/c.pgm', 'demo/.svn/entries', 'tests/a.csv'):
+            self.write(path)
+        self.write('setup.py', 'from setuptools import setup\n'
+                   "setup(name='demo', packages=['demo'], include_package_data=True)\n")
+        maps = ['demo/maps/a.csv', 'demo/maps/old/b.csv']
+        # Right values are those of setuptools 65.5.
+        self.assertEqual(self.selected('include demo/*.csv'), ['demo/a.csv'])
+        self.assertEqual(self.selected('include demo/[a-b].*'), ['demo/a.csv', 'demo/b.txt'])
+        self.assertEqual(self.selected('recursive-include demo *.csv'), ['demo/a.csv', *maps])
+        self.assertEqual(self.selected('global-include *.csv'), ['demo/a.csv', *maps])
+        self.assertEqual(self.selected('graft demo/maps/'), [*maps, 'demo/maps/old/c.pgm'])
+        self.assertEqual(self.selected('graft demo', 'exclude demo/*.csv'),
+                         ['demo/.hidden', 'demo/b.txt', *maps, 'demo/maps/old/c.pgm'])
+        self.assertEqual(self.selected('graft demo/maps', 'recursive-exclude demo *.csv'), ['demo/maps/old/c.pgm'])
+        self.assertEqual(self.selected('graft demo', 'global-exclude *.csv .*'), ['demo/b.txt', 'demo/maps/old/c.pgm'])
+        self.assertEqual(self.selected('graft demo/maps', 'prune demo/maps/old'), ['demo/maps/a.csv'])
+        # The order counts, comments and joined lines are as in setuptools.
+        self.assertEqual(self.selected('prune demo/maps/old', 'graft demo/maps'), [*maps, 'demo/maps/old/c.pgm'])
+        self.assertEqual(self.selected('# maps', 'recursive-include demo \\', '  *.pgm  # those', ''),
+                         ['demo/maps/old/c.pgm'])
+        self.assertEqual(self.read()['warnings'], [])
+
+    def test_a_line_of_manifest_in_that_is_not_followed_is_named(self) -> None:
+        self.write('demo/__init__.py')
+        self.write('demo/a.csv')
+        self.write('setup.py', 'from setuptools import setup\n'
+                   "setup(name='demo', packages=['demo'], include_package_data=True)\n")
+        selected = self.selected('include demo/*.csv', 'includes demo/*.txt', 'graft', 'prune a b')
+        self.assertEqual(selected, ['demo/a.csv'])
+        warnings = self.read()['warnings']
+        self.assertEqual({one['file'] for one in warnings}, {'MANIFEST.in'})
+        self.assertEqual([one['line'] for one in warnings], [2, 3, 4])
+        self.assertIn('`includes` is not a command of MANIFEST.in', warnings[0]['message'])
+        self.assertEqual(warnings[1]['message'], '`graft` expects one folder')
+
+    def test_package_data_that_is_excluded_is_not_installed(self) -> None:
+        for path in ('demo/__init__.py', 'demo/a.csv', 'demo/b.csv'):
+            self.write(path)
+        self.write('setup.py', "from setuptools import setup\nsetup(name='demo', packages=['demo'],\n"
+                   "      package_data={'demo': ['*.csv']}, exclude_package_data={'demo': ['b.*']})\n")
+        self.assertEqual(self.read()['modules'], [[path, path] for path in ('demo/__init__.py', 'demo/a.csv')])
+
+    def test_the_path_of_modules_is_as_before_whatever_an_imported_one_does_to_it(self) -> None:
+        self.write('demo/__init__.py',
+                   'import sys\nsys.path.insert(0, "/put/in/front")\n__version__ = ".".join(["4", "2"])\n')
+        self.assertEqual(self.version('attr: demo.__version__'), '4.2')
+        program = ('import os, sys; from read_setup import attribute; os.chdir(sys.argv[1]); before = list(sys.path); '
+                   'attribute("demo.__version__", {}); print(sys.path == before)')
+        done = subprocess.run([sys.executable, '-B', '-c', program, str(self.package)], capture_output=True, text=True,
+                              check=True, env={'PYTHONPATH': str(TEMPLATES)})
+        self.assertEqual(done.stdout, 'True\n')
+
     def test_an_end_by_sys_exit_is_told(self) -> None:
         self.write('setup.py', 'import sys\nsys.exit("needs a newer setuptools")\n')
         self.assertEqual(self.failure(), ('setup.py', 2, 'it ends itself: needs a newer setuptools'))

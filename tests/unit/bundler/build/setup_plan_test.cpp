@@ -32,6 +32,20 @@ TEST(SetupPlan, HasFilesProgramsAndEntryPoints) {
             "[console_scripts]\ntalk = demo.a:Talker.main [extra]\n\n[demo.plugins]\nx = demo.x\n");
 }
 
+TEST(SetupPlan, NamesLinesThatAreSkipped) {
+  const auto plan = read_setup_plan(
+      R"({"name": "demo", "version": "1.2", "script_folder": "bin",
+          "warnings": [{"file": "MANIFEST.in", "line": 3, "message": "`graft` expects one folder"}]})",
+      kPlace);
+  ASSERT_TRUE(plan);
+  ASSERT_EQ(plan->warnings.size(), 1U);
+  EXPECT_EQ(plan->warnings[0].code, "R2W0527");
+  EXPECT_EQ(plan->warnings[0].severity, Severity::kWarning);
+  EXPECT_EQ(plan->warnings[0].message, "a line of MANIFEST.in of package `demo` is skipped");
+  EXPECT_EQ(plan->warnings[0].span->line, 3U);
+  EXPECT_EQ(plan->warnings[0].why.front(), "`graft` expects one folder");
+}
+
 TEST(SetupPlan, TellsWhereSetupFailed) {
   const auto plan = read_setup_plan(
       R"({"error": {"file": "setup.py", "line": 7, "message": "NameError: name 'x' is not defined"}})",

@@ -155,6 +155,8 @@ TEST(Xacro, HostileDocumentsEnd) {
   refused("${[a for a in range(99999) for b in range(99999)]}", "too much work");
   refused("${'a' * 99999999}", "MemoryError");
   refused("${[0] * 9999999999}", "MemoryError");
+  refused("${[[0] * 100000] * 100000}", "MemoryError");
+  refused("${[['a' * 1000000]] * 100000}", "MemoryError");
   refused("${range(999999999)}", "MemoryError");
   refused("${9**9**9}", "OverflowError");
   refused("${'%999999999d' % 1}", "too large");

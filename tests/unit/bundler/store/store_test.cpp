@@ -139,13 +139,5 @@ TEST_F(StoreTest, ManyAtOnceGetTheSameFolder) {
   EXPECT_EQ(left_behind(channel_), 0U);
 }
 
-TEST(StorePlace, FollowsXdg) {
-  EXPECT_EQ(default_cache_directory({{"XDG_CACHE_HOME", "/x"}, {"HOME", "/home/me"}}),
-            "/x/ros2wasm");
-  EXPECT_EQ(default_cache_directory({{"HOME", "/home/me"}}), "/home/me/.cache/ros2wasm");
-  EXPECT_EQ(default_cache_directory({{"XDG_CACHE_HOME", "relative"}, {"HOME", "/home/me"}}),
-            "/home/me/.cache/ros2wasm");
-}
-
 }  // namespace
 }  // namespace ros2wasm

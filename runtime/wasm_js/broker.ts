@@ -48,6 +48,8 @@ export interface Broker {
   end(participant: number, closed: boolean): void;
   /** After `end`: none of its workers runs any more, so what they had may be given to others. */
   gone(participant: number): void;
+  /** Called when a participant has sent what no program of ours sends. */
+  onStrange(call: (participant: number) => void): void;
   /** A batch of console lines of the participant was dealt with. */
   consoleSeen(participant: number): void;
   /** Batches that threads of the participant may have posted and that were not dealt with yet. */
@@ -110,6 +112,9 @@ export class SharedBroker implements Broker {
   wrote(): void {
     this.conductor?.conduct();
   }
+
+  /** Nobody can tell who wrote into shared memory. */
+  onStrange(): void {}
 
   after(ms: number, then: () => void): () => void {
     return this.conductor === undefined ? afterRealTime(ms, then) : this.conductor.after(ms * 1e6, then);
@@ -304,6 +309,10 @@ export class PortBroker implements Broker {
       if (participant === 0) this.link.setTime(law);
       else port.postMessage({ t: 'time', law });
     }
+  }
+
+  onStrange(call: (participant: number) => void): void {
+    this.link.strange = call;
   }
 
   rests(): void {}

@@ -4,11 +4,12 @@ import { fetchOfSite, setPlaces, type WorkerFile, workerFiles } from './carried_
 import { ExpectedFiles } from './expected_files.ts';
 import { keptBytes } from './kept_bytes.ts';
 import { keptTexts } from './kept_texts.ts';
-import type { HoldOrder, WorkerReport } from './node_worker.ts';
+import type { HoldOrder } from './node_worker.ts';
 import { answerForList } from './own_list.ts';
 import type { Platform, WorkerEvents, WorkerHandle } from './platform.ts';
 import { SiteError } from './site_error.ts';
 import { lifeOver, newLife } from './worker_life.ts';
+import { strangeReport, takeReport } from './worker_reports.ts';
 
 async function get(path: string, base: URL, cache: RequestCache = 'default'): Promise<Response> {
   const url = new URL(path, base);
@@ -140,9 +141,9 @@ class BrowserWorker implements WorkerHandle {
     script.then(({ url, files }) => {
       if (this.ended) return;
       const worker = new Worker(url, { name });
-      worker.onmessage = (event: MessageEvent<WorkerReport>) => events.report(event.data);
+      worker.onmessage = (event: MessageEvent<unknown>) => takeReport(event.data, events);
       worker.onerror = (event) => events.failed(event.message === undefined || event.message === '' ? 'the worker did not start' : event.message);
-      worker.onmessageerror = () => events.failed('the worker sent what cannot be read');
+      worker.onmessageerror = () => events.failed(strangeReport.message, strangeReport.code);
       this.worker = worker;
       worker.postMessage({ t: 'hold', life: this.life, files } satisfies HoldOrder);
       for (const order of this.early) order();

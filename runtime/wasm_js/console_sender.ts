@@ -10,7 +10,8 @@ import type { Link } from './link.ts';
 export type SentLine = readonly [stream: 1 | 2, time: number, text: string];
 
 const batchesAhead = 8;
-const mostLines = 10_000;
+/** Of one batch. */
+export const mostLines = 10_000;
 
 /** How many batches were sent and the page has not dealt with yet; shared by the threads of a program. */
 export interface ConsoleCredit {

@@ -8,12 +8,12 @@ import { pathToFileURL } from 'node:url';
 import { Worker } from 'node:worker_threads';
 import type { loadPyodide } from 'pyodide';
 import { ExpectedFiles } from './expected_files.ts';
-import type { WorkerReport } from './node_worker.ts';
 import type { Platform, WorkerEvents, WorkerHandle } from './platform.ts';
 import { plainFolder } from './plain_folder.ts';
 import type { WorkerFiles } from './python_program.ts';
 import { SiteError } from './site_error.ts';
 import type { ReadNow } from './site_files.ts';
+import { strangeReport, takeReport } from './worker_reports.ts';
 
 /** What a worker thread finds in workerData when it is to serve a node. */
 export const workerMark = 'ros2wasm node worker';
@@ -104,7 +104,8 @@ export function nodePlatform(folder: string, entry: URL): Platform & { close(): 
     startWorker: (name, events: WorkerEvents): WorkerHandle => {
       const worker = new Worker(entry, { workerData: workerMark, name });
       workers.add(worker);
-      worker.on('message', (report: WorkerReport) => events.report(report));
+      worker.on('message', (data: unknown) => takeReport(data, events));
+      worker.on('messageerror', () => events.failed(strangeReport.message, strangeReport.code));
       worker.on('error', (error) => events.failed(error instanceof Error ? error.message : String(error)));
       worker.on('exit', () => {
         workers.delete(worker);

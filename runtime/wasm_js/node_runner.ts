@@ -18,6 +18,7 @@ import { SiteError } from './site_error.ts';
 import type { SourceFiles } from './source_files.ts';
 import type { SiteFiles } from './site_files.ts';
 import { type ThreadMemory, tellThreads } from './thread_waits.ts';
+import { strangeReport } from './worker_reports.ts';
 
 /** A crash is told without function names when they do not come in time. */
 const namesMs = 3000;
@@ -116,6 +117,10 @@ export class NodeRunner extends ProcessRunner<ProgramNode> {
     this.signal();
   }
 
+  override strange(): void {
+    if (this.active()) this.finish({ kind: 'crashed', ...strangeReport });
+  }
+
   /** The threads that wait in the program's own memory are told here: the bus does not reach them. */
   override timeChanged(): void {
     const { run } = this;
@@ -190,14 +195,34 @@ export class NodeRunner extends ProcessRunner<ProgramNode> {
     const events: WorkerEvents = {
       report: (report) => {
         const own = participant();
-        if (this.attempt === attempt && own !== undefined) this.onReport(report, handle, own);
+        if (this.attempt !== attempt || own === undefined) return;
+        if (this.mayBe(report)) this.onReport(report, handle, own);
+        else events.failed(strangeReport.message, strangeReport.code);
       },
-      failed: (message) => {
-        if (this.attempt === attempt) this.finish({ kind: 'crashed', code: 'R2W0708', message });
+      failed: (message, code = 'R2W0708') => {
+        if (this.attempt === attempt) this.finish({ kind: 'crashed', code, message });
       },
     };
     const handle = python === undefined ? platform.startWorker(id, events) : pythonWorkers.start(program, id, events);
     return handle;
+  }
+
+  /** Whether a program of this kind, started as it was, reports that. */
+  private mayBe({ t }: WorkerReport): boolean {
+    switch (t) {
+      case 'image':
+      case 'launch':
+        return false;
+      case 'thread':
+      case 'memory':
+        return this.node.python === undefined && this.host.broker.kind === 'shared';
+      case 'rest':
+        return this.host.stepped !== undefined;
+      case 'sent':
+        return this.host.sent !== undefined;
+      default:
+        return true;
+    }
   }
 
   private onReport(report: WorkerReport, handle: WorkerHandle, participant: number): void {
@@ -224,11 +249,13 @@ export class NodeRunner extends ProcessRunner<ProgramNode> {
         this.host.sent?.(this.node, report.message);
         return;
       case 'image':
+      case 'launch':
         return;
       case 'broken_image':
         this.host.images?.broken(run?.start.python?.image);
         return;
       case 'source':
+        if (run?.start.python?.sources?.watched.includes(report.path) !== true) return;
         this.used.set(report.path, run?.start.python?.sources?.changed.has(report.path) === true);
         this.host.changed();
         return;

@@ -13,8 +13,8 @@ export interface WorkerHandle {
 
 export interface WorkerEvents {
   readonly report: (report: WorkerReport) => void;
-  /** The worker could not start, or its script broke. */
-  readonly failed: (message: string) => void;
+  /** The worker could not start, its script broke, or it sent what is no report (`code`, else R2W0708). */
+  readonly failed: (message: string, code?: string) => void;
 }
 
 export interface Platform {

@@ -12,9 +12,10 @@ import { fillHeader } from './frame_header.ts';
 import { type EndpointRecord, Graph, reads, relate, writes } from './graph.ts';
 import type { EndpointDescription, EndpointStatus, GraphSnapshot, Heap, Link } from './link.ts';
 import { EventCounters } from './event_counters.ts';
+import { readPeer } from './peer_reader.ts';
 import type { ControlMessage, PeerMessage, PeerPort, PeerRecords, PortTicket, WriterSample } from './port_messages.ts';
 import { PortSamples } from './port_samples.ts';
-import { PortReader } from './port_reader.ts';
+import { type Arrivals, PortReader } from './port_reader.ts';
 import { PortWaits, unref } from './port_waits.ts';
 import { type Frame, PortWriter, windowBytes, windowFrames } from './port_writer.ts';
 import { readStatus } from './statuses.ts';
@@ -32,21 +33,14 @@ interface Own {
   readonly counters: EventCounters;
 }
 
-/** Frames that came from one writer and were not acknowledged yet. */
-interface Arrivals {
-  readonly participant: number;
-  newest: number;
-  frames: number;
-  bytes: number;
-  acknowledged: number;
-}
-
 export class PortLink implements Link {
   readonly kind = 'port';
   readonly participant: number;
   private readonly session: readonly [number, number];
   private readonly control: MessagePort;
   readonly consoleCredit = new LocalCredit();
+  /** Called when a peer sent what is no message of the link; it is not heard any more. */
+  strange: (participant: number) => void = () => undefined;
   private readonly peers = new Map<number, MessagePort>();
   readonly graphReplica = new Graph();
   private readonly own = new Map<number, Own>();
@@ -463,11 +457,16 @@ export class PortLink implements Link {
   }
 
   private onPeer(participant: number, data: unknown): void {
-    if (data instanceof ArrayBuffer) {
-      if (data.byteLength >= frameHeaderSize) this.deliver(participant, new Int32Array(data, 0, 16)[14]!, data);
+    const message = readPeer(participant, data);
+    if (message === undefined) {
+      this.dropPeer(participant, true);
+      this.strange(participant);
       return;
     }
-    const message = data as PeerMessage;
+    if (message instanceof ArrayBuffer) {
+      this.deliver(participant, new Int32Array(message, 0, 16)[14]!, message);
+      return;
+    }
     switch (message.t) {
       case 'node+':
         this.graphReplica.nodes.set(message.node.key, message.node);

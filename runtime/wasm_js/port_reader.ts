@@ -19,6 +19,15 @@ interface Source {
   newest: number | undefined;
 }
 
+/** Frames that came from one writer and were not acknowledged yet. */
+export interface Arrivals {
+  readonly participant: number;
+  newest: number;
+  frames: number;
+  bytes: number;
+  acknowledged: number;
+}
+
 export class PortReader {
   readonly record: EndpointRecord;
   /** Wants every sample: the writer is told when one is taken, not when it comes. */

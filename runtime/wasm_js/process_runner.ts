@@ -61,6 +61,9 @@ export abstract class ProcessRunner<Node extends SiteNode = SiteNode> {
     return undefined;
   }
 
+  /** Its program has sent others what no program sends. */
+  strange(): void {}
+
   /** Time of the site follows another law. */
   timeChanged(): void {}
 

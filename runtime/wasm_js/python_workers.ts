@@ -40,9 +40,9 @@ export class PythonWorkers {
       if (this.closed || this.spare !== undefined) return;
       const worker = this.begun(program, 'python', {
         report: (report) => spare.events?.report(report),
-        failed: (message) => {
+        failed: (message, code) => {
           if (this.spare === spare) this.spare = undefined;
-          spare.events?.failed(message);
+          spare.events?.failed(message, code);
         },
       });
       const spare: Spare = { program, worker, events: undefined };

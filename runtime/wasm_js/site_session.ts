@@ -103,6 +103,10 @@ export class SiteSession implements Session {
       this.notebook?.runner.timeChanged();
       this.page?.timeChanged();
     });
+    broker.onStrange((participant) => {
+      const all = [...this.runners.values(), ...(this.notebook === undefined ? [] : [this.notebook.runner])];
+      all.find((runner) => runner.participant() === participant)?.strange();
+    });
     const trace = new MessageTrace();
     const traced = stepped?.time !== undefined;
     this.stepped = !traced ? undefined : {

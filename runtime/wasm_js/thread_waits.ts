@@ -9,14 +9,21 @@ export interface ThreadMemory {
 
 const entry = { address: 0, version: 1, next: 2 };
 
+/** More are no list of ours: the program has written over it, maybe so that it has no end. */
+const mostWaits = 4096;
+
 /** Wakes those that went to wait under an older law than `version`. True when there were none. */
 export function tellThreads({ memory, waits }: ThreadMemory, version: number): boolean {
   const words = new Int32Array(memory.buffer);
-  const load = (address: number): number => Atomics.load(words, address >>> 2);
+  /** 0 beyond the memory. */
+  const load = (address: number): number => address >>> 2 < words.length ? Atomics.load(words, address >>> 2) : 0;
   let told = true;
+  let left = mostWaits;
   for (let at = load(waits); at !== 0; at = load(at + 4 * entry.next)) {
+    left -= 1;
+    if (left < 0) return true;
     const address = load(at + 4 * entry.address);
-    if (address === 0 || load(at + 4 * entry.version) === version) continue;
+    if (address === 0 || address >>> 2 >= words.length || load(at + 4 * entry.version) === version) continue;
     Atomics.notify(words, address >>> 2);
     told = false;
   }

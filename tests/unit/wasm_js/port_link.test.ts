@@ -6,9 +6,11 @@ import { EndpointKind, flagHidden, History, keepAllLimit, Reliability, WaitResul
 import { PortBroker } from '../../../runtime/wasm_js/broker.ts';
 import { SiteClock } from '../../../runtime/wasm_js/clock.ts';
 import { PortLink } from '../../../runtime/wasm_js/port_link.ts';
+import { readPeer } from '../../../runtime/wasm_js/peer_reader.ts';
 import { windowFrames } from '../../../runtime/wasm_js/port_writer.ts';
 import { defaultQos, type EndpointQos } from '../../../runtime/wasm_js/qos.ts';
 import { PortWaits } from '../../../runtime/wasm_js/port_waits.ts';
+import { eventually } from '../../support/eventually.ts';
 
 const watchdog = { timeout: 240_000 };
 const thirtyDaysMs = 30 * 86_400_000;
@@ -157,5 +159,76 @@ test('the page hears of a program that publishes and ends before it ever waits, 
     if (taken.length < 3) await page.wait(token, -1);
   }
   assert.deepEqual(taken, [1, 2, 3]);
+  broker.close();
+});
+
+const record = {
+  key: (1 << 20) | 2, participant: 1, nodeKey: (1 << 20) | 1, kind: EndpointKind.publisher, name: '/x', type: 't', hash: '',
+  qos: defaultQos, flags: 0, gid: new Int32Array(4),
+};
+const node = { key: (1 << 20) | 1, participant: 1, namespace: '/', name: 'n' };
+
+/** A frame whose header names that writer. */
+function frameOf(writer: number, bytes = 64): ArrayBuffer {
+  const frame = new ArrayBuffer(bytes);
+  if (bytes >= 60) new Int32Array(frame, 0, 15)[14] = writer;
+  return frame;
+}
+
+test('what comes through a port is read: only what its sender may say', () => {
+  const good: readonly unknown[] = [
+    { t: 'node+', node }, { t: 'node-', key: node.key }, { t: 'ep+', record }, { t: 'ep-', key: record.key },
+    { t: 'ep-', key: record.key, last: { key: record.key, count: 1, bytes: 2, time: 0.5, payload: undefined } },
+    { t: 'match', mine: record.key, yours: 5, after: 0 }, { t: 'late', reader: 5, frames: [frameOf(record.key)] },
+    { t: 'ack', writer: 5, sequence: -1 }, { t: 'alive', writer: record.key }, { t: 'sample', topics: ['/x'] },
+    { t: 'samples', writers: [{ key: record.key, count: 1, bytes: 2, time: 3, payload: new Uint8Array(1) }] }, { t: 'bye' },
+    frameOf(record.key), frameOf(record.key, 100),
+  ];
+  for (const [i, message] of good.entries()) assert.equal(readPeer(1, message), message, `number ${i}`);
+  const other = (2 << 20) | 2;
+  const bad: readonly unknown[] = [
+    undefined, null, 3, 'bye', [], {}, { t: 'constructor' }, { t: 'gone', participant: 2 }, new Uint8Array(64), frameOf(record.key, 8), frameOf(other),
+    { t: 'node+' }, { t: 'node+', node: { ...node, key: other } }, { t: 'node+', node: { ...node, name: '' } }, { t: 'node+', node: { ...node, participant: 2 } },
+    { t: 'node-', key: other }, { t: 'node-', key: 'x' }, { t: 'ep+', record: null }, { t: 'ep+', record: { ...record, key: other } },
+    { t: 'ep+', record: { ...record, qos: undefined } }, { t: 'ep+', record: { ...record, qos: { ...defaultQos, lifespan: 5 } } },
+    { t: 'ep+', record: { ...record, gid: [1, 2, 3, 4] } }, { t: 'ep+', record: { ...record, kind: 9 } }, { t: 'ep+', record: { ...record, name: {} } },
+    { t: 'ep-', key: other }, { t: 'ep-', key: record.key, last: { key: other } }, { t: 'match', mine: other, yours: 5, after: 0 },
+    { t: 'match', mine: record.key, yours: NaN, after: 0 }, { t: 'late', reader: 5, frames: [frameOf(other)] }, { t: 'late', reader: 5 },
+    { t: 'ack', writer: {}, sequence: 1 }, { t: 'alive', writer: other }, { t: 'sample' }, { t: 'samples', writers: [{ key: other }] },
+  ];
+  for (const [i, message] of bad.entries()) assert.equal(readPeer(1, message), undefined, `number ${i}`);
+});
+
+// Guarantee, hostile input: a program that sends junk through the ports to the page and to other programs is not heard any more, and the page ends it (R2W0727); the others go on
+test('who sends junk to its peers is dropped by each, and the page is told who it was', watchdog, async () => {
+  const broker = new PortBroker();
+  const strangers: number[] = [];
+  broker.onStrange((participant) => strangers.push(participant));
+  const admission = broker.admit();
+  assert.ok(admission?.ticket.kind === 'port');
+  const a = join(broker);
+  const b = join(broker);
+  const make = (link: PortLink, kind: number): number => link.endpointCreate({
+    kind, node: link.nodeCreate('n', '/'), name: '/x', type: 't', hash: '', flags: 0, qos: defaultQos,
+  });
+  const [writer, reader] = [make(a.link, EndpointKind.publisher), make(b.link, EndpointKind.subscription)];
+  await eventually('they match', async () => a.link.matched(writer) === 1 && b.link.matched(reader) === 1);
+  // It plays by no rules: its ports are used as they are. Those to who came later come through its control port.
+  const ports = admission.ticket.peers.map(({ port }) => port);
+  admission.ticket.control.addEventListener('message', (event) => {
+    const { t, peer } = (event as MessageEvent<{ readonly t: string; readonly peer?: { readonly port: MessagePort } }>).data;
+    if (t === 'peer' && peer !== undefined) ports.push(peer.port);
+  });
+  admission.ticket.control.start();
+  await eventually('it has a port to each', async () => ports.length === 3);
+  for (const port of ports) port.postMessage(null);
+  await eventually('the page knows who it was', async () => strangers.length > 0);
+  assert.deepEqual(strangers, [admission.participant]);
+  const buffer = new ArrayBuffer(256);
+  const heap = { u8: new Uint8Array(buffer), i32: new Int32Array(buffer) };
+  assert.equal(await a.link.write(writer, heap, 128, 4, 0), 0);
+  await eventually('the others go on', async () => b.link.ready().includes(reader));
+  a.link.close();
+  b.link.close();
   broker.close();
 });

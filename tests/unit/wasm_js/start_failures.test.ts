@@ -1,5 +1,5 @@
-// Nodes that cannot start: no place on the bus, a worker whose script breaks, an engine that cannot suspend; and one
-// that is slow to start.
+// Nodes that cannot start: no place on the bus, a worker whose script breaks or that sends what is no report, an engine
+// that cannot suspend; and one that is slow to start.
 
 // Compatibility, cannot: nodes, of Python too, in a browser that suspends no programs (no JSPI), on a page without shared memory -> each
 // says so (R2W0705); on a page with shared memory it runs there
@@ -51,6 +51,21 @@ test('R2W0708: a worker whose script breaks', watchdog, async () => {
     kind: 'crashed', code: 'R2W0708', message: 'the script broke',
   });
 });
+
+for (const [name, sent] of [
+  ['nothing', 'null'], ['lines without lines', "{ t: 'lines' }"], ['an end without an end', "{ t: 'end' }"],
+  ['what another kind of worker reports', "{ t: 'launch', answer: 1 }"],
+  ['a thread of a program that a link without threads runs', "{ t: 'memory', memory: { memory: new WebAssembly.Memory({ initial: 1, maximum: 1, shared: true }), waits: 0 } }"],
+] as const) {
+  // Guarantee, hostile input: what a program sends to the page in its worker's place ends that node (R2W0727), and no other one
+  test(`R2W0727: a worker that sends ${name}`, watchdog, async () => {
+    const forge = "import { parentPort } from 'node:worker_threads';\nconst send = parentPort.postMessage.bind(parentPort);\n"
+      + `parentPort.postMessage = (report) => { send(report); if (report.t === 'running') send(${sent}); };`;
+    assert.deepEqual(await endOf(new PortBroker(), forge), {
+      kind: 'crashed', code: 'R2W0727', message: 'the program sends the page what is no report of a node',
+    });
+  });
+}
 
 test('R2W0705: neither shared memory nor an engine that suspends', watchdog, async () => {
   assert.deepEqual(await endOf(new PortBroker(), 'delete WebAssembly.Suspending;'), {

@@ -34,6 +34,8 @@ export class Recorder {
   private readonly writer: BagWriter;
   private readonly definitions: ReadonlyMap<string, string>;
   private readonly followed = new Map<string, Followed>();
+  /** Topics that the page could not subscribe to: not tried again at each change of the graph. */
+  private readonly refused = new Set<string>();
   private readonly unwatch: () => void;
   private stopping: Promise<void> | undefined;
   /** ms since 1970. */
@@ -102,7 +104,7 @@ export class Recorder {
   }
 
   private follow(name: string, type: string, offers: readonly GraphEndpointView[], known: Followed | undefined): void {
-    if (offers.length === 0 || (known === undefined && this.followed.size >= mostTopics)) return;
+    if (offers.length === 0 || (known === undefined && (this.followed.size >= mostTopics || this.refused.has(name)))) return;
     const request = requestFor(offers.map(({ qos }) => qos));
     const asked = `${request.reliability} ${request.durability}`;
     // What was asked for hears a publisher that offers more, too.
@@ -116,14 +118,20 @@ export class Recorder {
       known.subscription.close();
       known.asked = asked;
       known.subscription = subscribe();
+      if (known.subscription.problem !== undefined) known.subscription.close();
       return;
     }
+    const subscription = subscribe();
+    if (subscription.problem !== undefined) {
+      this.refused.add(name);
+      subscription.close();
+      return;
+    }
+    // In the bag before anything that comes.
     this.writer.addTopic({
       name, type, hash: offers.find(({ hash }) => hash !== '')?.hash ?? '',
       schema: gatherSchema(type, this.definitions), offered: offers.map(({ qos }) => qos),
     });
-    const subscription = subscribe();
-    if (subscription.problem !== undefined) return;
     this.followed.set(name, { type, asked, subscription });
     this.options.onTopic?.(name);
   }

@@ -2,8 +2,10 @@
 // fields, indices, numbers, texts, comparisons (also chained), arithmetic, `and`, `or`, `not`, `in`, `is`, `x if c else y`, some of
 // the built-in functions and of the methods of texts. Pure; nothing but the message can be reached.
 
-import { isList, isMessage } from '../decode/yaml.ts';
+import { isMessage } from '../decode/yaml.ts';
 import { CommandError } from './command.ts';
+import { filterFunctions, filterMethods } from './filter_functions.ts';
+import { compared, item, kindOf, numeric, reckon, truth } from './filter_values.ts';
 
 type Evaluation = (message: unknown) => unknown;
 
@@ -15,10 +17,18 @@ interface Token {
   readonly text: string;
 }
 
-/** True for the messages that pass. Throws for what is no such expression, as each call does for what cannot be reckoned. */
+/** True for the messages that pass. Throws a CommandError for what is no such expression, as each call does for what cannot be reckoned. */
 export function filterOf(text: string): (message: unknown) => boolean {
   const evaluation = new Parser(tokensOf(text)).whole();
-  return (message) => truth(evaluation(message));
+  return (message) => {
+    try {
+      return truth(evaluation(message));
+    } catch (error) {
+      if (error instanceof CommandError) throw error;
+      // As for want of memory: whoever reads a topic shows it once, and ends.
+      throw new CommandError(error instanceof Error ? `${error.name}: ${error.message}` : String(error));
+    }
+  };
 }
 
 function tokensOf(text: string): readonly Token[] {
@@ -140,13 +150,13 @@ class Parser {
 
   private sum(): Evaluation {
     let left = this.product();
-    for (let sign = this.take('+', '-'); sign !== undefined; sign = this.take('+', '-')) left = reckoned(sign, left, this.product());
+    for (let sign = this.take('+', '-'); sign !== undefined; sign = this.take('+', '-')) left = between(sign, left, this.product());
     return left;
   }
 
   private product(): Evaluation {
     let left = this.signed();
-    for (let sign = this.take('*', '/', '//', '%'); sign !== undefined; sign = this.take('*', '/', '//', '%')) left = reckoned(sign, left, this.signed());
+    for (let sign = this.take('*', '/', '//', '%'); sign !== undefined; sign = this.take('*', '/', '//', '%')) left = between(sign, left, this.signed());
     return left;
   }
 
@@ -154,8 +164,8 @@ class Parser {
     let minus = false;
     for (let sign = this.take('-', '+'); sign !== undefined; sign = this.take('-', '+')) minus = minus !== (sign === '-');
     const value = this.reached();
-    const power = this.take('**') === undefined ? value : reckoned('**', value, this.signed());
-    return minus ? (m) => -number(power(m)) : power;
+    const power = this.take('**') === undefined ? value : between('**', value, this.signed());
+    return minus ? (m) => -numeric(power(m)) : power;
   }
 
   /** A value, and what is reached from it. */
@@ -202,7 +212,7 @@ class Parser {
     const { kind, text } = this.next;
     if (kind === 'number') {
       this.at += 1;
-      const value = Number(text);
+      const value = literal(text);
       return () => value;
     }
     if (kind === 'text') {
@@ -223,7 +233,7 @@ class Parser {
     this.at += 1;
     if (text === 'm') return (m) => m;
     if (kConstants.has(text)) return () => kConstants.get(text);
-    const call = kFunctions.get(text);
+    const call = filterFunctions.get(text);
     if (call === undefined) throw new CommandError(`NameError: name '${text}' is not defined`);
     this.expect('(');
     const given = this.list(')');
@@ -234,33 +244,10 @@ class Parser {
 const kWords: ReadonlySet<string> = new Set(['and', 'or', 'not', 'in', 'is', 'if', 'else', 'for', 'lambda']);
 const kConstants: ReadonlyMap<string, unknown> = new Map<string, unknown>([['True', true], ['False', false], ['None', null]]);
 
-const kFunctions: ReadonlyMap<string, (given: readonly unknown[]) => unknown> = new Map<string, (given: readonly unknown[]) => unknown>([
-  ['abs', ([value]) => Math.abs(number(value))],
-  ['all', ([list]) => items(list).every(truth)],
-  ['any', ([list]) => items(list).some(truth)],
-  ['bool', ([value]) => truth(value)],
-  ['float', ([value]) => Number(typeof value === 'string' ? value : number(value))],
-  ['int', ([value]) => Math.trunc(Number(typeof value === 'string' ? value : number(value)))],
-  ['len', ([value]) => (typeof value === 'string' ? [...value].length : items(value).length)],
-  ['max', (given) => Math.max(...(given.length === 1 ? items(given[0]) : given).map(number))],
-  ['min', (given) => Math.min(...(given.length === 1 ? items(given[0]) : given).map(number))],
-  ['round', ([value, digits]) => Number(number(value).toFixed(digits === undefined ? 0 : number(digits)))],
-  ['str', ([value]) => (typeof value === 'boolean' ? (value ? 'True' : 'False') : String(value))],
-  ['sum', ([list]) => items(list).reduce<number>((sum, one) => sum + number(one), 0)],
-]);
-
-const kMethods: ReadonlyMap<string, (text: string, given: readonly unknown[]) => unknown> = new Map<string, (text: string, given: readonly unknown[]) => unknown>([
-  ['endswith', (text, [end]) => text.endsWith(String(end))],
-  ['lower', (text) => text.toLowerCase()],
-  ['startswith', (text, [begin]) => text.startsWith(String(begin))],
-  ['strip', (text) => text.trim()],
-  ['upper', (text) => text.toUpperCase()],
-]);
-
 function method(value: unknown, name: string, given: readonly unknown[]): unknown {
-  const call = typeof value === 'string' ? kMethods.get(name) : undefined;
-  if (call === undefined || typeof value !== 'string') throw new CommandError(`AttributeError: ${kindOf(value)} has no method '${name}' here`);
-  return call(value, given);
+  const call = typeof value === 'string' ? filterMethods.get(name) : undefined;
+  if (call === undefined) throw new CommandError(`AttributeError: ${kindOf(value)} has no method '${name}' here`);
+  return call([value, ...given]);
 }
 
 function field(value: unknown, name: string): unknown {
@@ -268,84 +255,12 @@ function field(value: unknown, name: string): unknown {
   throw new CommandError(`AttributeError: ${kindOf(value)} has no attribute '${name}'`);
 }
 
-function item(value: unknown, index: unknown): unknown {
-  const list: ArrayLike<unknown> = typeof value === 'string' ? [...value] : items(value);
-  const at = number(index);
-  const found = at < 0 ? list.length + at : at;
-  if (!Number.isInteger(found) || found < 0 || found >= list.length) throw new CommandError('IndexError: list index out of range');
-  return list[found];
+function between(sign: string, left: Evaluation, right: Evaluation): Evaluation {
+  return (m) => reckon(sign, left(m), right(m));
 }
 
-function kindOf(value: unknown): string {
-  return isMessage(value) ? 'the message' : isList(value) ? 'a list' : value === null ? 'None' : `a ${typeof value === 'string' ? 'str' : typeof value === 'boolean' ? 'bool' : 'number'}`;
-}
-
-function items(value: unknown): readonly unknown[] {
-  if (isList(value)) return Array.from(value);
-  throw new CommandError(`TypeError: ${kindOf(value)} is no list`);
-}
-
-/** Flags count as 0 and 1; numbers of 64 bits as near as a double comes. */
-function number(value: unknown): number {
-  if (typeof value === 'number') return value;
-  if (typeof value === 'bigint' || typeof value === 'boolean') return Number(value);
-  throw new CommandError(`TypeError: ${kindOf(value)} is no number`);
-}
-
-function truth(value: unknown): boolean {
-  return isList(value) ? value.length > 0 : Boolean(value);
-}
-
-function same(left: unknown, right: unknown): boolean {
-  if (isList(left) && isList(right)) return left.length === right.length && Array.from(left).every((one, index) => same(one, right[index]));
-  if (typeof left === 'string' || typeof right === 'string' || left === null || right === null || isMessage(left) || isMessage(right) || isList(left) || isList(right))
-    return left === right;
-  // Loosely: 1, 1.0, True and a number of 64 bits are equal, as in Python.
-  return typeof left === 'bigint' && typeof right === 'bigint' ? left === right : number(left) === number(right);
-}
-
-function compared(sign: string, left: unknown, right: unknown): boolean {
-  switch (sign) {
-    case '==':
-    case 'is':
-      return same(left, right);
-    case '!=':
-    case 'is not':
-      return !same(left, right);
-    case 'in':
-    case 'not in': {
-      const within = typeof right === 'string' ? right.includes(String(left)) : items(right).some((one) => same(one, left));
-      return within === (sign === 'in');
-    }
-    default: {
-      const [a, b] = typeof left === 'string' && typeof right === 'string' ? [left, right] : [number(left), number(right)];
-      return sign === '<' ? a < b : sign === '>' ? a > b : sign === '<=' ? a <= b : a >= b;
-    }
-  }
-}
-
-function reckoned(sign: string, left: Evaluation, right: Evaluation): Evaluation {
-  return (m) => {
-    const [first, second] = [left(m), right(m)];
-    if (sign === '+' && typeof first === 'string' && typeof second === 'string') return first + second;
-    const [a, b] = [number(first), number(second)];
-    if (b === 0 && (sign === '/' || sign === '//' || sign === '%')) throw new CommandError('ZeroDivisionError: division by zero');
-    switch (sign) {
-      case '+':
-        return a + b;
-      case '-':
-        return a - b;
-      case '*':
-        return a * b;
-      case '/':
-        return a / b;
-      case '//':
-        return Math.floor(a / b);
-      case '%':
-        // The sign of the divisor, as in Python.
-        return a - b * Math.floor(a / b);
-      default:
-        return a ** b;
-    }
-  };
+/** Whole numbers beyond 2^53 are exact, as those of messages are. */
+function literal(text: string): number | bigint {
+  const value = Number(text);
+  return /^\d+$/.test(text) && !Number.isSafeInteger(value) ? BigInt(text) : value;
 }

@@ -47,6 +47,8 @@ class Endpoint {
 export class Publisher extends Endpoint implements PagePublisher {
   /** Under way while readers on the port link make room. */
   private waiting = false;
+  /** Why the message before was not sent after all. */
+  private lost: SiteError | undefined;
 
   publish(bytes: Uint8Array): SiteError | undefined {
     if (this.problem !== undefined) return this.problem;
@@ -54,12 +56,19 @@ export class Publisher extends Endpoint implements PagePublisher {
     if (this.waiting) {
       return new SiteError('R2W0718', 'the publisher cannot take more now', { why: 'a subscription that wants every message has not read the last ones' });
     }
+    const { lost } = this;
+    this.lost = undefined;
+    if (lost !== undefined) return lost;
     const result = this.page.write(this.handle, bytes, 'the publisher');
     if (result instanceof SiteError) return result;
     if (typeof result === 'object') {
       this.waiting = true;
-      void result.finally(() => {
+      void result.then((problem) => {
         this.waiting = false;
+        this.lost = problem;
+      }, (error: unknown) => {
+        this.waiting = false;
+        this.problem = new SiteError('R2W0718', `the publisher failed: ${error instanceof Error ? error.message : String(error)}`);
       });
     }
     return undefined;

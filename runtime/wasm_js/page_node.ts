@@ -61,7 +61,10 @@ interface PageEndpoint {
 }
 
 export interface PagePublisher extends PageEndpoint {
-  /** What kept it from being sent; undefined: nothing. After close() too. */
+  /**
+   * What kept it from being sent; undefined: nothing. After close() too. A message that waits for room may yet not be
+   * sent: the next call tells why, in place of sending its own.
+   */
   publish(bytes: Uint8Array): SiteError | undefined;
 }
 

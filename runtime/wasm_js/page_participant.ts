@@ -99,9 +99,9 @@ export class PageParticipant implements PageNode {
     return this.keep(timer);
   }
 
-  /** Forgets it when it is closed. */
-  private keep<T extends { close(): void }>(made: T): T {
-    this.open.add(made);
+  /** Forgets it when it is closed; one that could not be made is nothing to close. */
+  private keep<T extends { close(): void; readonly problem?: SiteError | undefined }>(made: T): T {
+    if (made.problem === undefined) this.open.add(made);
     return made;
   }
 
@@ -161,24 +161,15 @@ export class PageParticipant implements PageNode {
     return { bytes: this.heap.u8.slice(frameHeaderSize, frameHeaderSize + length), words: this.heap.i32.slice(0, 16) };
   }
 
-  /** Sends one sample; its sequence number (low word), what kept it, or a promise: it waits for room. */
-  write(handle: number, bytes: Uint8Array, name: string): number | SiteError | Promise<void> {
+  /** Sends one sample; its sequence number (low word), what kept it, or a promise of what will: it waits for room. */
+  write(handle: number, bytes: Uint8Array, name: string): number | SiteError | Promise<SiteError | undefined> {
     const { link } = this.broker;
     const heap = scratch(frameHeaderSize + bytes.length);
     heap.u8.set(bytes, frameHeaderSize);
     const result = link.write(handle, heap, frameHeaderSize, bytes.length, 0);
-    if (typeof result !== 'number') return result.then(() => undefined);
+    if (typeof result !== 'number') return result.then((code) => code >= 0 ? undefined : refused(code, bytes.length, name));
     this.broker.wrote();
-    if (result >= 0) return heap.i32[2]!;
-    switch (result) {
-      case ErrorCode.wouldBlock:
-        return new SiteError('R2W0718', `\`${name}\` cannot take more now`, { why: 'a subscription that wants every message has not read the last ones' });
-      case ErrorCode.outOfMemory:
-      case ErrorCode.tooLarge:
-        return new SiteError('R2W0718', `the message for \`${name}\` (${bytes.length} bytes) does not fit into the memory of the bus`);
-      default:
-        return closedError(name);
-    }
+    return result >= 0 ? heap.i32[2]! : refused(result, bytes.length, name);
   }
 
   /** The session ends: nobody answers any more. */
@@ -273,6 +264,18 @@ export function guarded(call: () => void): void {
     queueMicrotask(() => {
       throw error;
     });
+  }
+}
+
+function refused(code: number, size: number, name: string): SiteError {
+  switch (code) {
+    case ErrorCode.wouldBlock:
+      return new SiteError('R2W0718', `\`${name}\` cannot take more now`, { why: 'a subscription that wants every message has not read the last ones' });
+    case ErrorCode.outOfMemory:
+    case ErrorCode.tooLarge:
+      return new SiteError('R2W0718', `the message for \`${name}\` (${size} bytes) does not fit into the memory of the bus`);
+    default:
+      return closedError(name);
   }
 }
 

@@ -195,7 +195,10 @@ class EmbedHost {
     if (publisher === undefined) {
       if (this.publishers.size >= kMostPublishers) throw tooMany(words.publishers(kMostPublishers));
       publisher = this.session.node().publisher(topic, type);
-      if (publisher.problem !== undefined) throw publisher.problem;
+      if (publisher.problem !== undefined) {
+        publisher.close();
+        throw publisher.problem;
+      }
       this.publishers.set(key, publisher);
       await matched(publisher);
     }
@@ -229,7 +232,11 @@ class EmbedHost {
     let missed = 0;
     let timer: ReturnType<typeof setTimeout> | undefined;
     this.subscriptions.set(number, () => clearTimeout(timer));
-    const codec = await codecOf(this.session);
+    const codec = await codecOf(this.session).catch((error: unknown) => {
+      // Whoever asked has no number to end it with.
+      this.subscriptions.delete(number);
+      throw error;
+    });
     const tell = (): void => {
       timer = undefined;
       if (newest === undefined) return;

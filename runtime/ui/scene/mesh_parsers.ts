@@ -90,7 +90,7 @@ function nodesOf(root: XmlElement): number {
   const all: XmlElement[] = [root];
   for (let each = all.pop(); each !== undefined; each = all.pop()) {
     if (each.name === 'node') byId.set(each.attributes.get('id') ?? '', each);
-    all.push(...each.children);
+    for (const child of each.children) all.push(child);
   }
   const counts = new Map<XmlElement, number>();
   const count = (node: XmlElement, depth: number): number => {

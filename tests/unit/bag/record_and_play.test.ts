@@ -9,6 +9,9 @@ import { MessageReader } from '@foxglove/rosmsg2-serialization';
 import { openBag, type Bag } from '../../../runtime/bag/bag_file.ts';
 import { BagPlayer } from '../../../runtime/bag/player.ts';
 import { Recorder, recordsAll, type RecordOptions } from '../../../runtime/bag/recorder.ts';
+import { EndpointKind } from '../../../runtime/protocol/generated/constants.ts';
+import { PortLink } from '../../../runtime/wasm_js/port_link.ts';
+import { defaultQos } from '../../../runtime/wasm_js/qos.ts';
 import type { SiteError } from '../../../runtime/wasm_js/site_error.ts';
 import { FakeSession, stringBytes } from '../ui/fake_session.ts';
 import { MemorySink, sourceOf, until } from './bag_parts.ts';
@@ -261,4 +264,25 @@ describe('playing', () => {
     player.close();
     session.close();
   });
+});
+
+test('a topic that the page cannot subscribe to is tried once, and is not in the bag', watchdog, async (context) => {
+  const session = newSession();
+  const admission = session.broker.admit();
+  assert.ok(admission?.ticket.kind === 'port');
+  const other = new PortLink(admission.ticket);
+  other.endpointCreate({
+    kind: EndpointKind.publisher, node: other.nodeCreate('odd', '/'), name: '/odd', type: 'no type', hash: '', flags: 0, qos: defaultQos,
+  });
+  session.node().publisher('/right', 'std_msgs/msg/String');
+  await until(() => session.graph().nodes.some(({ name }) => name === '/odd'));
+  const subscriptions = context.mock.method(session.node(), 'subscription');
+  const { recorder, sink } = await record(session);
+  for (let i = 0; i < 5; i += 1) session.graphChanged();
+  const asked = (name: string): number => subscriptions.mock.calls.filter(({ arguments: [topic] }) => topic === name).length;
+  assert.deepEqual([asked('/odd'), asked('/right')], [1, 1]);
+  await recorder.stop();
+  other.close();
+  session.close();
+  assert.deepEqual([...(await mcap(sink.bytes())).channelsById.values()].map(({ topic }) => topic), ['/right']);
 });

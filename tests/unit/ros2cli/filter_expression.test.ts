@@ -2,10 +2,12 @@
 
 // Compatibility, differs: `--filter EXPR` of `ros2 topic echo` and `ros2 topic hz` -> the expressions of Python that are made of fields,
 // indices, numbers, texts, comparisons, arithmetic, `and`, `or`, `not`, `in`, `x if c else y`, `abs`, `all`, `any`, `bool`, `float`,
-// `int`, `len`, `max`, `min`, `round`, `str`, `sum` and five methods of texts; what else Python has is refused
+// `int`, `len`, `max`, `min`, `round`, `str`, `sum` and five methods of texts; what else Python has is refused. A number that is whole is
+// an int and a float alike (`str(1.0)` is `1`)
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { CommandError } from '../../../runtime/ros2cli/command.ts';
 import { filterOf } from '../../../runtime/ros2cli/filter_expression.ts';
 
 const kMessage = {
@@ -42,4 +44,141 @@ test('what Python refuses is refused, with its name', () => {
     ['m.count / 0', /^ZeroDivisionError/], ["m.data > 1", /^TypeError: a str is no number/], ['len(3)', /^TypeError/], ['m.count[0]', /^TypeError/],
   ] as const)
     assert.throws(() => filterOf(text)(kMessage), { message: pattern }, text);
+});
+
+// Each was evaluated by CPython; what sum() makes of doubles is that of 3.12, which ROS 2 Jazzy has.
+test('numbers, texts and operators are as CPython has them', () => {
+  for (const text of [
+    'round(0.5) == 0',
+    'round(1.5) == 2',
+    'round(2.5) == 2',
+    'round(-2.5) == -2',
+    'round(2.675, 2) == 2.67',
+    'round(0.125, 2) == 0.12',
+    'round(0.375, 2) == 0.38',
+    'round(12345, -2) == 12300',
+    'round(15, -1) == 20',
+    'round(25, -1) == 20',
+    'round(-25, -1) == -20',
+    'round(1234.5678, -2) == 1200',
+    'round(1e300, -400) == 0',
+    'round(1.5, None) == 2',
+    'round(1e22) == 1e22',
+    'round(5e-324, 5) == 0',
+    'round(1.005, 2) == 1',
+    'round(True) == 1',
+    "int('12') == 12",
+    "int(' -1_000 ') == -1000",
+    "int('ff', 16) == 255",
+    "int('0x1F', 16) == 31",
+    'int(-2.7) == -2',
+    'int() == 0',
+    "int('9007199254740993') == 9007199254740993",
+    "float('1e3') == 1000",
+    "float(' -.5 ') == -0.5",
+    "float('inf') > 1e308",
+    "float('-Infinity') < 0",
+    "float('nan') != float('nan')",
+    "float('1_0.5') == 10.5",
+    'max([1, 3, 2]) == 3',
+    "max('abc') == 'c'",
+    "max('b', 'a') == 'b'",
+    'min(2, 1) == 1',
+    'max(True, 0) == True',
+    'sum([]) == 0',
+    'sum([1, 2], 10) == 13',
+    'sum([0.1, 0.1, 0.1, 0.1, 0.1, 0.1, 0.1, 0.1, 0.1, 0.1]) == 1',
+    'sum([True, True]) == 2',
+    'abs(-3) == 3',
+    'abs(True) == 1',
+    "len('😀') == 1",
+    '-7 // 2 == -4',
+    '7 // -2 == -4',
+    '-7 % 3 == 2',
+    '7 % -3 == -2',
+    '-7.5 % 2 == 0.5',
+    '5.5 // 2 == 2',
+    '-1 % 1e20 == 1e20',
+    '0.3 % 0.1 < 0.1',
+    '1 // 0.1 == 9',
+    "7 // float('inf') == 0",
+    "-7 // float('inf') == -1",
+    "(0 or 'x') == 'x'",
+    "('' or 0 or None) == None",
+    "(1 and 'y') == 'y'",
+    '(0 and 1) == 0',
+    '(3 or 1 // 0) == 3',
+    '1 < 2 < 3',
+    'not (1 < 3 < 2)',
+    '1 < 2 > 1 == 1',
+    'not (2 < 1 < 1 // 0)',
+    '1 == True != 2',
+    "'  x '.strip() == 'x'",
+    "'xxaxx'.strip('x') == 'a'",
+    "'abc'.startswith('')",
+    "not 'abc'.endswith('abcd')",
+    '9007199254740993 != 9007199254740992',
+    '9007199254740993 % 2 == 1',
+    '2 ** 0.5 > 1.41',
+    '2 ** -1 == 0.5',
+    "str(None) == 'None'",
+    `str([1, 'a']) == "[1, 'a']"`,
+    "str(float('inf')) == 'inf'",
+    "bool('') == False",
+    '1 in [True]',
+  ])
+    assert.equal(filterOf(text)(kMessage), true, text);
+});
+
+test('errors are those of CPython, by their names', () => {
+  for (const [text, name] of [
+    ["int('x')", 'ValueError'],
+    ["int('')", 'ValueError'],
+    ["int('1.5')", 'ValueError'],
+    ["int('12', 2)", 'ValueError'],
+    ["int(float('nan'))", 'ValueError'],
+    ["int(float('inf'))", 'OverflowError'],
+    ["float('x')", 'ValueError'],
+    ["float('0x10')", 'ValueError'],
+    ["float('')", 'ValueError'],
+    ['max([])', 'ValueError'],
+    ['min([])', 'ValueError'],
+    ['max(3)', 'TypeError'],
+    ["sum(['a'])", 'TypeError'],
+    ["sum('ab')", 'TypeError'],
+    ["abs('x')", 'TypeError'],
+    ['abs()', 'TypeError'],
+    ['len(3)', 'TypeError'],
+    ['len(1, 2)', 'TypeError'],
+    ["round(float('nan'))", 'ValueError'],
+    ["round(float('inf'))", 'OverflowError'],
+    ['round(1, 1.5)', 'TypeError'],
+    ["round('x')", 'TypeError'],
+    ["3 in 'abc'", 'TypeError'],
+    ["'abc'.startswith(3)", 'TypeError'],
+    ["'abc'.lower(1)", 'TypeError'],
+    ['0 ** -1', 'ZeroDivisionError'],
+    ['(-8) ** 0.5 < 1', 'TypeError'],
+    ['10.0 ** 400', 'OverflowError'],
+    ['1 % 0', 'ZeroDivisionError'],
+    ["'a' < 1", 'TypeError'],
+    ["'abc'[3]", 'IndexError'],
+    ['[1][1.5]', 'TypeError'],
+    ['all(3)', 'TypeError'],
+    ['float([1])', 'TypeError'],
+  ] as const)
+    assert.throws(() => filterOf(text)(kMessage), (error) => error instanceof CommandError && error.message.startsWith(`${name}: `), text);
+});
+
+test('lists of a million are reckoned with, and nothing but a CommandError comes out', () => {
+  const size = 1_000_000;
+  const data = Float64Array.from({ length: size }, (_, i) => i % 1000);
+  const message = { data, names: Array.from({ length: size }, () => 'a'), counts: new BigInt64Array(size).fill(2n ** 62n) };
+  for (const text of [
+    'max(m.data) == 999', 'min(m.data) == 0', `len(m.data) == ${size}`, 'sum(m.data) == 499500000', 'not all(m.data)', 'any(m.data)', '1e9 not in m.data',
+    'm.data[-1] == 999', "max(m.names) == 'a'", `sum(m.counts) == 4611686018427387904 * ${size}`, 'm.data == m.data', 'max(m.counts) == 4611686018427387904',
+  ])
+    assert.equal(filterOf(text)(message), true, text);
+  const broken = { get data(): never { throw new RangeError('out of memory'); } };
+  assert.throws(() => filterOf('m.data')(broken), (error) => error instanceof CommandError && error.message === 'RangeError: out of memory');
 });

@@ -4,7 +4,7 @@
 import assert from 'node:assert/strict';
 import { rmSync } from 'node:fs';
 import { test } from 'node:test';
-import { EndpointKind } from '../../../runtime/protocol/generated/constants.ts';
+import { EndpointKind, ErrorCode } from '../../../runtime/protocol/generated/constants.ts';
 import { type Broker, PortBroker, SharedBroker } from '../../../runtime/wasm_js/broker.ts';
 import { nodePlatform } from '../../../runtime/wasm_js/node_platform.ts';
 import type { GraphNodeView, MessageInfo } from '../../../runtime/wasm_js/page_node.ts';
@@ -61,7 +61,37 @@ async function codeOf(promise: Promise<unknown>): Promise<string> {
 
 const bytes = (...values: number[]): Uint8Array => Uint8Array.of(0, 1, 0, 0, ...values);
 
+test('port: a message that was to wait for room and was lost is told by the next call', watchdog, (context) =>
+  withScene('port', async ({ broker, session }) => {
+    const publisher = session.node().publisher('/all', string);
+    for (const [code, told] of [[ErrorCode.outOfMemory, /does not fit into the memory/], [ErrorCode.stopped, /was closed/]] as const) {
+      const write = context.mock.method(broker.link, 'write', () => Promise.resolve(code));
+      assert.equal(publisher.publish(bytes(1)), undefined);
+      assert.match(publisher.publish(bytes(2))?.message ?? '', /cannot take more now/);
+      await new Promise((resolve) => setImmediate(resolve));
+      write.mock.restore();
+      const problem = publisher.publish(bytes(3));
+      assert.equal(problem?.code, 'R2W0718');
+      assert.match(problem.message, told);
+      assert.equal(publisher.publish(bytes(4)), undefined);
+    }
+  }));
+
 for (const link of ['shared', 'port'] as const) {
+  test(`${link}: endpoints that cannot be made are not remembered`, watchdog, () =>
+    withScene(link, async ({ session }) => {
+      const node = session.node();
+      const { open } = node as unknown as { readonly open: ReadonlySet<unknown> };
+      const before = open.size;
+      for (let i = 0; i < 10; i += 1) {
+        assert.ok(node.publisher('/a b', string).problem);
+        assert.ok(node.subscription('/a b', string, {}, () => undefined).problem);
+        assert.ok(node.client('/a b', add).problem);
+        assert.ok(node.actionClient('/a b', count).problem);
+      }
+      assert.equal(open.size, before);
+    }));
+
   test(`${link}: messages go both ways; what is closed sends nothing and throws nothing`, watchdog, () =>
     withScene(link, async ({ session, peer }) => {
       const other = peer();

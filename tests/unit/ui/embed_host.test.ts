@@ -1,0 +1,84 @@
+// What a page that shows this one in a frame may have at once comes free again when it did not come about.
+
+import assert from 'node:assert/strict';
+import { after, test } from 'node:test';
+import { hostEmbedding } from '../../../runtime/ui/parts/embed_host.ts';
+import { SiteError } from '../../../runtime/wasm_js/site_error.ts';
+import { eventually } from '../../support/eventually.ts';
+import { FakeSession } from './fake_session.ts';
+
+const watchdog = { timeout: 30_000 };
+const listed = 'https://course.example';
+
+interface Answer {
+  readonly id?: number;
+  readonly ok?: boolean;
+  readonly event?: string;
+  readonly error?: { readonly code: string };
+  readonly result?: { readonly subscription: number };
+}
+
+/** The page around: what it was told. */
+const told: Answer[] = [];
+const parent = { postMessage: (what: Answer) => void told.push(what) };
+let listener: (event: unknown) => void = () => undefined;
+Object.assign(globalThis, {
+  window: { parent },
+  location: new URL('https://site.example/'),
+  addEventListener: (_kind: string, given: (event: unknown) => void) => {
+    listener = given;
+  },
+  removeEventListener: () => undefined,
+});
+after(() => {
+  Reflect.deleteProperty(globalThis, 'window');
+});
+
+let ids = 0;
+
+async function ask(order: Readonly<Record<string, unknown>>): Promise<Answer> {
+  const id = ids += 1;
+  listener({ source: parent, origin: listed, data: { ros2wasm: 1, id, ...order } });
+  let found: Answer | undefined;
+  await eventually('an answer', async () => {
+    found = told.find((one) => one.id === id);
+    return found !== undefined;
+  });
+  return found ?? assert.fail();
+}
+
+function newSession(): FakeSession {
+  const session = new FakeSession({ nodes: [], interfaces: new Map([['std_msgs/msg/String', 'string data\n']]) });
+  Object.assign(session.site, { embed: [listed] });
+  return session;
+}
+
+test('a subscription that fails for want of the definitions leaves its place free', watchdog, async (context) => {
+  const session = newSession();
+  const close = hostEmbedding(session);
+  const interfaces = context.mock.method(session, 'interfaces', () => Promise.reject(new SiteError('R2W0706', 'not there')));
+  for (let i = 0; i < 20; i += 1) {
+    const { ok, error } = await ask({ do: 'subscribe', topic: '/chatter' });
+    assert.deepEqual([ok, error?.code], [false, 'R2W0706']);
+  }
+  interfaces.mock.restore();
+  const { ok, result } = await ask({ do: 'subscribe', topic: '/chatter' });
+  assert.equal(ok, true);
+  assert.equal((await ask({ do: 'unsubscribe', subscription: result?.subscription })).ok, true);
+  close();
+  session.close();
+});
+
+test('publishers that cannot be made take no place', watchdog, async () => {
+  const session = newSession();
+  const close = hostEmbedding(session);
+  const { open } = session.node() as unknown as { readonly open: ReadonlySet<unknown> };
+  for (let i = 0; i < 20; i += 1) {
+    const { ok, error } = await ask({ do: 'publish', topic: `bad name ${i}`, type: 'std_msgs/msg/String', message: { data: 'x' } });
+    assert.deepEqual([ok, error?.code], [false, 'R2W0715']);
+  }
+  assert.equal(open.size, 0);
+  assert.equal((await ask({ do: 'publish', topic: '/good', type: 'std_msgs/msg/String', message: { data: 'x' } })).ok, true);
+  close();
+  session.close();
+});

@@ -146,7 +146,7 @@ export class SharedBroker implements Broker {
   private depart(participant: number, gone: boolean): void {
     const { bus } = this;
     const mine = (participant + 1) << 8;
-    const endpoints = bus.load(BusHeader.endpointHigh);
+    const endpoints = bus.used(BusHeader.endpointHigh, bus.endpointCount);
     for (let index = 0; index < bus.endpointCount; index += 1) {
       const word = bus.endpointWord(index);
       const state = bus.load(word);
@@ -173,7 +173,7 @@ export class SharedBroker implements Broker {
         }
       }
     }
-    const nodes = bus.load(BusHeader.nodeHigh);
+    const nodes = bus.used(BusHeader.nodeHigh, bus.nodeCount);
     for (let index = 0; index < bus.nodeCount; index += 1) {
       const word = bus.nodeWord(index);
       const state = bus.load(word + BusNode.state);
@@ -194,7 +194,7 @@ export class SharedBroker implements Broker {
   private tellDeath(writer: EndpointRecord): void {
     const { bus } = this;
     const length = bus.i32[bus.endpointWord(keyIndex(writer.key)) + BusEndpoint.nameLength];
-    for (let index = 0; index < bus.load(BusHeader.endpointHigh); index += 1) {
+    for (let index = 0; index < bus.used(BusHeader.endpointHigh, bus.endpointCount); index += 1) {
       const word = bus.endpointWord(index);
       if ((bus.load(word) & 255) !== BusPhase.live) continue;
       if (bus.i32[word + BusEndpoint.kind] !== EndpointKind.subscription) continue;
@@ -223,7 +223,7 @@ export class SharedBroker implements Broker {
   private release(participant: number): boolean {
     const { bus } = this;
     const departed = ((participant + 1) << 8) | BusPhase.departed;
-    const endpoints = bus.load(BusHeader.endpointHigh);
+    const endpoints = bus.used(BusHeader.endpointHigh, bus.endpointCount);
     let left = 0;
     for (let index = 0; index < endpoints; index += 1) {
       const word = bus.endpointWord(index);

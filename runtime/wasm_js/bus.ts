@@ -91,6 +91,22 @@ export class Bus {
     this.pages = header(BusHeader.pages);
   }
 
+  /** How many entries of a table were ever used, by the counter in the header: whatever stands there, it is within the table. */
+  used(counter: number, count: number): number {
+    const high = this.load(counter);
+    return high >= 0 && high < count ? high : count;
+  }
+
+  /** True for bytes that lie in pages that are there; makes the views reach them. */
+  holds(offset: number, length: number): boolean {
+    if (!(offset >= this.pages && length >= 0)) return false;
+    const end = offset + length;
+    if (end <= this.u8.length) return true;
+    if (end > this.size() * wasmPage) return false;
+    this.renew();
+    return true;
+  }
+
   participantWord(index: number): number {
     return this.participants + index * (BusSizes.participant >> 2);
   }
@@ -133,7 +149,7 @@ export class Bus {
     const hint = this.load(BusHeader.pageHint);
     for (;;) {
       const total = this.pagesNow();
-      const from = hint < total ? hint : 0;
+      const from = hint >= 0 && hint < total ? hint : 0;
       let page = this.claimRun(from, total, count, owner);
       if (page < 0 && from > 0) page = this.claimRun(0, Math.min(total, from + count), count, owner);
       if (page >= 0) {
@@ -182,6 +198,7 @@ export class Bus {
 
   /** Gives back pages that the caller owns. */
   free(page: number, count: number): void {
+    if (page < 0 || count < 0 || page + count > this.pagesNow()) return;
     for (let i = 0; i < count; i += 1) this.store(this.pageTable + page + i, 0);
     if (page < this.load(BusHeader.pageHint)) this.store(BusHeader.pageHint, page);
   }
@@ -319,7 +336,7 @@ export function createBus(options: BusOptions = {}): Bus {
   return new Bus(memory);
 }
 
-/** Text in a slot. */
-export function readText(bus: Bus, offset: number, length: number): string {
-  return decodeUtf8(bus.u8.slice(offset, offset + length));
+/** Text in a slot, of at most as many bytes as there is room for. */
+export function readText(bus: Bus, offset: number, length: number, most: number): string {
+  return decodeUtf8(bus.u8.slice(offset, offset + (length >= 0 && length <= most ? length : 0)));
 }

@@ -1,6 +1,6 @@
 // The node and endpoint tables of the bus: claiming, filling, reading and freeing slots, and the log of changes.
 
-import { BusEndpoint, BusHeader, BusPhase, EndpointKind, flagHidden } from '../protocol/generated/constants.ts';
+import { BusEndpoint, BusHeader, BusPhase, EndpointKind, flagHidden, maxHashLength, maxNameLength } from '../protocol/generated/constants.ts';
 import { type Bus, readText } from './bus.ts';
 import type { EndpointRecord } from './graph.ts';
 import { endpointKey, keyIndex, nextGeneration } from './shared_ring.ts';
@@ -100,14 +100,18 @@ export function readEndpoint(bus: Bus, index: number): { record: EndpointRecord;
   if (phase !== BusPhase.live && phase !== BusPhase.departed) return undefined;
   const generation = bus.load(word + BusEndpoint.generation);
   const at = word << 2;
+  const participant = (state >>> 8) - 1;
+  const kind = i32[word + BusEndpoint.kind]!;
+  // Nobody makes such ones: something has written over them.
+  if (participant < 0 || participant >= bus.participantCount || kind < EndpointKind.publisher || kind > EndpointKind.server) return undefined;
   const record: EndpointRecord = {
     key: endpointKey(index, generation),
-    participant: (state >>> 8) - 1,
+    participant,
     nodeKey: i32[word + BusEndpoint.node]!,
-    kind: i32[word + BusEndpoint.kind]!,
-    name: readText(bus, at + BusEndpoint.nameBytes, i32[word + BusEndpoint.nameLength]!),
-    type: readText(bus, at + BusEndpoint.typeBytes, i32[word + BusEndpoint.typeLength]!),
-    hash: readText(bus, at + BusEndpoint.hashBytes, i32[word + BusEndpoint.hashLength]!),
+    kind,
+    name: readText(bus, at + BusEndpoint.nameBytes, i32[word + BusEndpoint.nameLength]!, maxNameLength),
+    type: readText(bus, at + BusEndpoint.typeBytes, i32[word + BusEndpoint.typeLength]!, maxNameLength),
+    hash: readText(bus, at + BusEndpoint.hashBytes, i32[word + BusEndpoint.hashLength]!, maxHashLength),
     qos: {
       reliability: i32[word + BusEndpoint.reliability]!,
       durability: i32[word + BusEndpoint.durability]!,
@@ -130,7 +134,7 @@ export function readEndpoint(bus: Bus, index: number): { record: EndpointRecord;
 /** Publishers that departed, and are not freed yet. */
 export function departedPublishers(bus: Bus): EndpointRecord[] {
   const records: EndpointRecord[] = [];
-  const endpoints = bus.load(BusHeader.endpointHigh);
+  const endpoints = bus.used(BusHeader.endpointHigh, bus.endpointCount);
   for (let index = 0; index < endpoints; index += 1) {
     const word = bus.endpointWord(index);
     if ((bus.load(word) & 255) !== BusPhase.departed) continue;

@@ -33,11 +33,16 @@ export interface TimeLaw {
 
 export const ordinaryTime: TimeLaw = { realNs: 0, siteNs: 0, rate: 1, limitNs: Infinity };
 
+/** At a law that is being written: some hundredths of a second. */
+const mostLooks = 1_000_000;
+
 /** Site time in the hands of one thread: by the law on the bus, or by the one that was set last. */
 export class SiteClock {
   private current: TimeLaw = ordinaryTime;
   private version = 0;
   private newest = 0;
+  /** A version that nobody finishes. */
+  private stuck: number | undefined;
   /** At hand: to ask the global object for them costs as much as to ask for the time. */
   private readonly timer = performance;
   private readonly origin = performance.timeOrigin - steadyZero;
@@ -89,8 +94,9 @@ export class SiteClock {
   private keepUp(): void {
     const { bus, i64 } = this;
     if (bus === undefined || i64 === undefined) return;
-    if (bus.load(BusHeader.siteTime + BusTime.version) === this.version) return;
-    for (;;) {
+    const found = bus.load(BusHeader.siteTime + BusTime.version);
+    if (found === this.version || found === this.stuck) return;
+    for (let looks = 0; looks < mostLooks; looks += 1) {
       const version = bus.load(BusHeader.siteTime + BusTime.version);
       // Odd: the page is about to finish it.
       if ((version & 1) !== 0) continue;
@@ -103,5 +109,7 @@ export class SiteClock {
       this.version = version;
       return;
     }
+    // No page takes so long: a program has written over it. The law that was there goes on until there is another one.
+    this.stuck = bus.load(BusHeader.siteTime + BusTime.version);
   }
 }

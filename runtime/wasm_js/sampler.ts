@@ -9,7 +9,7 @@ import { qosView } from './qos_view.ts';
 import { noRate, type Rate, RateWindow } from './rate_window.ts';
 import type { LastMessage, QosView, TopicView } from './session.ts';
 import type { SharedLink } from './shared_link.ts';
-import { keyIndex, slotWord, unit } from './shared_ring.ts';
+import { frameFits, keyIndex, ringFits, slotWord, unit } from './shared_ring.ts';
 
 interface WriterCount {
   readonly count: number;
@@ -220,9 +220,8 @@ function readNewest<T>(
   for (let attempt = 0; attempt < 8; attempt += 1) {
     const head = bus.load(word + BusEndpoint.head);
     const ring = bus.load(word + BusEndpoint.ring);
-    if (ring === 0) return undefined;
+    if (ring === 0 || !ringFits(bus, ring)) return undefined;
     const slot = slotWord(bus, ring, head);
-    bus.reach((slot << 2) + BusSizes.slot);
     const frame = bus.load(slot + 1);
     const length = bus.load(slot + 2);
     const holds = (): boolean => bus.load(slot) === head
@@ -233,8 +232,7 @@ function readNewest<T>(
     bus.store(hazard, frame);
     const held = holds();
     const offset = frame * unit;
-    if (held) bus.reach(offset + BusSizes.align + length);
-    const seen = held ? look(offset, length) : undefined;
+    const seen = held && frameFits(bus, frame, length) ? look(offset, length) : undefined;
     bus.store(hazard, 0);
     bus.sub(BusHeader.observing, 1);
     if (bus.load(word + BusEndpoint.blocked) !== 0) bus.bump(record.participant);

@@ -2,7 +2,7 @@
 // Discovery is the endpoint table: whoever changes it bumps the graph version and wakes those concerned.
 
 import {
-  BusEndpoint, BusHeader, BusNode, BusParticipant, BusParticipantState, BusPhase, ErrorCode, flagHidden,
+  BusEndpoint, BusHeader, BusNode, BusParticipant, BusParticipantState, BusPhase, ErrorCode, flagHidden, maxNameLength,
   type StatusKind, WaitResult,
 } from '../protocol/generated/constants.ts';
 import { type Bus, readText } from './bus.ts';
@@ -365,15 +365,15 @@ export class SharedLink implements Link {
   }
 
   private syncAll(): void {
-    const { bus } = this;
-    const nodes = bus.load(BusHeader.nodeHigh);
+    const nodes = this.bus.used(BusHeader.nodeHigh, this.bus.nodeCount);
     for (let index = 0; index < nodes; index += 1) this.syncNode(index);
-    const endpoints = bus.load(BusHeader.endpointHigh);
+    const endpoints = this.bus.used(BusHeader.endpointHigh, this.bus.endpointCount);
     for (let index = 0; index < endpoints; index += 1) this.syncEndpoint(index);
   }
 
   private syncNode(index: number): void {
     const { bus } = this;
+    if (index >= bus.nodeCount) return;
     const word = bus.nodeWord(index);
     const state = bus.load(word);
     const generation = bus.load(word + BusNode.generation);
@@ -389,13 +389,14 @@ export class SharedLink implements Link {
     this.graphReplica.nodes.set(index, {
       key: index,
       participant: (state >>> 8) - 1,
-      namespace: readText(bus, at + BusNode.namespaceBytes, bus.i32[word + BusNode.namespaceLength]!),
-      name: readText(bus, at + BusNode.nameBytes, bus.i32[word + BusNode.nameLength]!),
+      namespace: readText(bus, at + BusNode.namespaceBytes, bus.i32[word + BusNode.namespaceLength]!, maxNameLength),
+      name: readText(bus, at + BusNode.nameBytes, bus.i32[word + BusNode.nameLength]!, maxNameLength),
     });
   }
 
   private syncEndpoint(index: number): void {
     const { bus } = this;
+    if (index >= bus.endpointCount) return;
     const word = bus.endpointWord(index);
     const seen = this.seen[index]!;
     const phase = bus.load(word) & 255;

@@ -6,7 +6,7 @@ import type { Bus } from './bus.ts';
 import type { SiteClock } from './clock.ts';
 import type { EndpointRecord } from './graph.ts';
 import type { Heap } from './link.ts';
-import { copyBytes, cursorTable, findCursor, keyIndex, ringLog2, slotWord, unit } from './shared_ring.ts';
+import { copyBytes, cursorTable, findCursor, frameFits, keyIndex, ringFits, ringLog2, slotWord, unit } from './shared_ring.ts';
 
 interface WriterRef {
   readonly key: number;
@@ -146,13 +146,17 @@ export class SharedReader {
       // From here to the release no writer touches the frame: it looks at the hazard before it writes.
       bus.store(word + BusEndpoint.hazard, frame);
       const held = this.holds(writer);
+      if (held && !frameFits(bus, frame, length)) {
+        // Another program has written over the slot: the sample is lost.
+        this.release(writer, this.passTo(writer, sequence, 0), sequence);
+        continue;
+      }
       if (!held || length > capacity) {
         this.release(writer, sequence, sequence);
         if (held) return length;
         continue;
       }
       const offset = frame * unit;
-      bus.reach(offset + BusSizes.align + length);
       const from = bus.i32;
       const header = offset >> 2;
       const target = info >> 2;
@@ -246,13 +250,13 @@ export class SharedReader {
     while (((head - sequence) | 0) >= 0) {
       const ring = bus.load(writer.word + BusEndpoint.ring);
       if (ring === 0) return undefined;
+      if (!ringFits(bus, ring)) break;
       const size = 1 << ringLog2(ring);
       const oldest = (head - size + 1) | 0;
       if (((oldest - sequence) | 0) > 0) {
         sequence = oldest;
       }
       const slot = slotWord(bus, ring, sequence);
-      bus.reach((slot << 2) + BusSizes.slot);
       if (bus.load(slot) === sequence) {
         const target = this.filter ? bus.i32[slot + 4]! : 0;
         if (target === 0 || target === this.record.key) {

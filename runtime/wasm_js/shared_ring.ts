@@ -1,7 +1,7 @@
 // Where a writer's samples lie on the bus, and where a reader keeps its place. Used by shared_writer and shared_reader.
 // Sequences and orders are Int32 that wrap: always compare through a difference.
 
-import { BusEndpoint, BusHeader, BusSizes } from '../protocol/generated/constants.ts';
+import { BusEndpoint, BusHeader, BusSizes, maxSampleLength } from '../protocol/generated/constants.ts';
 import type { Bus } from './bus.ts';
 
 export const slotWords = BusSizes.slot >> 2;
@@ -23,6 +23,20 @@ export function ringLog2(ring: number): number {
 
 export function ringGeneration(ring: number): number {
   return ring >>> 25;
+}
+
+/** A ring has at most 2 to this many slots. */
+export const maxLog2 = 15;
+
+/** Whether a ring word leads to a ring that lies in pages: another program may have written over it. Makes the views reach it. */
+export function ringFits(bus: Bus, ring: number): boolean {
+  const log2 = ringLog2(ring);
+  return log2 <= maxLog2 && bus.holds(bus.pageOffset(ringPage(ring)), ringFramesOffset(log2));
+}
+
+/** The same of a frame and its payload. `frame`: in units. */
+export function frameFits(bus: Bus, frame: number, length: number): boolean {
+  return length <= maxSampleLength && bus.holds(frame * unit, BusSizes.align + length) && length >= 0;
 }
 
 /** Word of the slot that holds a sequence. */
@@ -66,7 +80,7 @@ export function cursorTable(bus: Bus, endpoint: number): { word: number; entries
   if (table === 0) return { word: endpoint + BusEndpoint.inlineTable, entries: BusEndpoint.inlineEntries };
   const pages = table >>> 20;
   const offset = bus.pageOffset(table & 0xfffff);
-  bus.reach(offset + pages * BusSizes.page);
+  if (!bus.holds(offset, pages * BusSizes.page)) return { word: endpoint + BusEndpoint.inlineTable, entries: BusEndpoint.inlineEntries };
   return { word: offset >> 2, entries: (pages * BusSizes.page) >> 3 };
 }
 

@@ -12,8 +12,8 @@ import { putNanoseconds, type SiteClock } from './clock.ts';
 import type { EndpointRecord } from './graph.ts';
 import type { Heap } from './link.ts';
 import {
-  copyBytes, findCursor, keyIndex, observed, packRing, ringBytes, ringFramesOffset, ringGeneration, ringLog2, ringPage,
-  slotWord, slotWords, unit,
+  copyBytes, findCursor, keyIndex, maxLog2, observed, packRing, ringBytes, ringFits, ringFramesOffset, ringGeneration, ringLog2,
+  ringPage, slotWord, slotWords, unit,
 } from './shared_ring.ts';
 import { deadlineOf, noteSample, type Timing } from './timing.ts';
 
@@ -41,7 +41,6 @@ interface RetiredRun {
 /** What the thread does when a writer must wait for a reader: 'stop' ends the wait, 'cannot' forbids it. */
 export type Pause = (token: number, mostMs: number) => 'again' | 'stop' | 'cannot';
 
-const maxLog2 = 15;
 const firstLog2 = 3;
 const minStride = 128;
 const maxStride = 64 + 2048;
@@ -191,7 +190,7 @@ export class SharedWriter {
   private reclaim(sequence: number): boolean {
     const { bus, word } = this;
     const ring = bus.load(word + BusEndpoint.ring);
-    if (ring === 0) return false;
+    if (ring === 0 || !ringFits(bus, ring)) return false;
     let freed = false;
     for (let age = 2; age <= 1 << ringLog2(ring); age += 1) {
       const s = (sequence - age) | 0;
@@ -287,7 +286,8 @@ export class SharedWriter {
     const { bus, word } = this;
     const stride = Math.min(Math.max(minStride, (BusSizes.align + length + unit - 1) & -unit), maxStride);
     let ring = bus.i32[word + BusEndpoint.ring]!;
-    if (ring === 0) {
+    // One that another program has written over is none.
+    if (ring === 0 || !ringFits(bus, ring)) {
       const made = this.newRing(firstLog2, stride, 0, sequence);
       if (made < 0) return made;
       ring = made;
@@ -324,7 +324,8 @@ export class SharedWriter {
 
   private strideOf(ring: number): number {
     const { bus } = this;
-    return bus.i32[(bus.pageOffset(ringPage(ring)) >> 2) + BusRing.stride]!;
+    const stride = bus.i32[(bus.pageOffset(ringPage(ring)) >> 2) + BusRing.stride]!;
+    return Math.min(Math.max(minStride, stride & -unit), maxStride);
   }
 
   /** Another thread of the participant may have made the ring. */
@@ -502,7 +503,7 @@ export class SharedWriter {
     const { i32 } = this.bus;
     const frame = i32[slot + 5]!;
     const has = i32[slot + 6]!;
-    return frame !== 0 && has >= pages && has <= 4 * pages + 16 && !this.inUse(frame, has * (BusSizes.page / unit));
+    return frame !== 0 && has >= pages && has <= 4 * pages + 16 && this.bus.holds(frame * unit, has * BusSizes.page) && !this.inUse(frame, has * (BusSizes.page / unit));
   }
 
   /** Takes the extent of a sample that nobody needs any more, so that large messages cycle through few pages. */

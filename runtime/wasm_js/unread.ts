@@ -4,7 +4,7 @@ import { BusEndpoint, BusHeader, BusPhase, BusSizes, EndpointKind, flagHidden } 
 import type { Bus } from './bus.ts';
 import { metBefore, readEndpoint, releaseEndpoint } from './bus_tables.ts';
 import { type EndpointRecord, relate, writes } from './graph.ts';
-import { findCursor, keyIndex, ringLog2, slotWord } from './shared_ring.ts';
+import { findCursor, keyIndex, ringFits, ringLog2, slotWord } from './shared_ring.ts';
 
 /** Is there a living reader that was born before the writer left and has something of it to read? */
 export function unread(bus: Bus, key: number): boolean {
@@ -15,7 +15,7 @@ export function unread(bus: Bus, key: number): boolean {
   const writer = readEndpoint(bus, keyIndex(key))?.record;
   if (writer === undefined) return false;
   const length = i32[word + BusEndpoint.nameLength];
-  const endpoints = bus.load(BusHeader.endpointHigh);
+  const endpoints = bus.used(BusHeader.endpointHigh, bus.endpointCount);
   for (let index = 0; index < endpoints; index += 1) {
     const reader = bus.endpointWord(index);
     if ((bus.load(reader) & 255) !== BusPhase.live) continue;
@@ -57,6 +57,7 @@ export function freeDeparted(
 /** Of a server's replies a client reads its own only. */
 function hasReply(bus: Bus, server: EndpointRecord, client: number, cursor: number, head: number): boolean {
   const ring = bus.load(bus.endpointWord(keyIndex(server.key)) + BusEndpoint.ring);
+  if (!ringFits(bus, ring)) return false;
   const count = Math.min((head - cursor) >>> 0, 1 << ringLog2(ring));
   for (let age = 0; age < count; age += 1) {
     const sequence = (head - age) | 0;

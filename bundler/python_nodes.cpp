@@ -13,7 +13,7 @@
 #include "bundler/launch_tools.hpp"
 #include "bundler/run/node_js.hpp"
 #include "bundler/store/build_place.hpp"
-#include "bundler/store/store.hpp"
+#include "bundler/store/cache_place.hpp"
 #include "bundler/workspace/discovery.hpp"
 #include "bundler/workspace/python_imports.hpp"
 #include "bundler/workspace/python_sources.hpp"
@@ -90,10 +90,8 @@ struct InvalidFiles {
   std::set<std::string> reached;              ///< those that a node imports
 };
 
-Outcome<InvalidFiles> invalid_files(const PackRequest& request,
-                                                         const BuiltWorkspace& workspace,
-                                                         const PythonInput& python,
-                                                         const Cancellation& cancellation) {
+Outcome<InvalidFiles> invalid_files(const PackRequest& request, const BuiltWorkspace& workspace,
+                                    const PythonInput& python, const Cancellation& cancellation) {
   std::vector<std::string> paths;
   std::vector<std::string> texts;
   for (const auto& [path, text] : python.workspace) {
@@ -101,8 +99,10 @@ Outcome<InvalidFiles> invalid_files(const PackRequest& request,
     paths.push_back(path);
     texts.push_back(text);
   }
+  const auto cache = cache_directory(request.variables);
+  if (!cache) return cache.errors();
   const auto mistakes = python_mistakes(
-      texts, kept_launch_place(default_cache_directory(request.variables)),
+      texts, kept_launch_place(*cache),
       [&] {
         return find_launch_tools(request.executable, request.variables, workspace.environment,
                                  cancellation);
@@ -121,8 +121,7 @@ Outcome<InvalidFiles> invalid_files(const PackRequest& request,
 
 /// `because`: why a node is left out for what it misses; empty: it is not, which is an error.
 Outcome<Done> check_python_imports(BuiltWorkspace& workspace, const PythonInput& python,
-                                   const InterfaceTexts& interfaces,
-                                   InvalidFiles& invalid,
+                                   const InterfaceTexts& interfaces, InvalidFiles& invalid,
                                    const std::string& because, std::vector<LaunchNode>& nodes) {
   const PythonWorld world{.workspace = python.workspace,
                           .channels = python.channels,

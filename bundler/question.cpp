@@ -10,6 +10,7 @@
 #include "bundler/io/files.hpp"
 #include "bundler/notebook_files.hpp"
 #include "bundler/resolve/locked_solve.hpp"
+#include "bundler/workspace/bringup_file.hpp"
 #include "bundler/workspace/build_order.hpp"
 #include "bundler/workspace/channel_request.hpp"
 #include "bundler/workspace/default_manifest.hpp"
@@ -19,6 +20,7 @@
 #include "bundler/workspace/workspace_channels.hpp"
 #include "workspace_schema/diagnostic_list.hpp"
 #include "workspace_schema/manifest_reader.hpp"
+#include "workspace_schema/suggestion.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
@@ -57,6 +59,24 @@ Outcome<BuiltWorkspace> read_workspace(const PackRequest& request) {
   workspace.warnings = workspace.manifest.warnings;
   workspace.watched.push_back(fs::canonical(file, error));
   return workspace;
+}
+
+/// Without a manifest the launch file that starts the workspace says what runs, when one can be
+/// told from the others.
+void take_bringup(BuiltWorkspace& workspace, const std::vector<LocalPackage>& packages) {
+  std::vector<std::string> files;
+  for (const LocalPackage& package : packages)
+    for (const fs::path& file : package.launch_files)
+      files.push_back(file.lexically_relative(workspace.folder).generic_string());
+  const BringupChoice choice = bringup_file(files);
+  if (!choice.file.empty()) {
+    workspace.manifest.launch_file = Spanned<std::string>{
+        .value = choice.file, .span = {.file = workspace.folder.string(), .line_text = {}}};
+    workspace.remarks.push_back("it starts " + choice.file);
+  }
+  if (!choice.candidates.empty())
+    workspace.remarks.push_back("a workspace.yaml can start another launch file: " +
+                                name_list(choice.candidates, 12));
 }
 
 /// A new site takes the place of the old one, with all that lies in it. `channels`, or archives of
@@ -134,6 +154,7 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
   const auto notebook_needs = read_notebook(workspace);
   if (!notebook_needs) return notebook_needs.errors();
   if (!packages) return std::move(packages).errors();
+  if (!workspace.has_manifest) take_bringup(workspace, *packages);
   for (const LocalPackage& package : *packages) workspace.watched.push_back(package.directory);
   auto compiler = find_compiler(request.variables);
   if (!compiler && !std::all_of(packages->begin(), packages->end(), reads_setup_py))

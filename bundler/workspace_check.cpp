@@ -17,7 +17,7 @@
 #include "bundler/launch/python_syntax.hpp"
 #include "bundler/launch_tools.hpp"
 #include "bundler/store/build_place.hpp"
-#include "bundler/store/store.hpp"
+#include "bundler/store/cache_place.hpp"
 #include "bundler/workspace/build_order.hpp"
 #include "bundler/workspace/channel_request.hpp"
 #include "bundler/workspace/page_bags.hpp"
@@ -116,17 +116,20 @@ Diagnostics check_python(const CheckRequest& request, CheckReport& report, const
     const auto is_own = [&](const NodeEntry& node) {
       return node.package.value == package.xml.name.value;
     };
-    const bool runs = std::any_of(report.manifest.nodes.begin(), report.manifest.nodes.end(), is_own) ||
-                      std::any_of(report.launched.begin(), report.launched.end(), is_own);
+    const bool runs =
+        std::any_of(report.manifest.nodes.begin(), report.manifest.nodes.end(), is_own) ||
+        std::any_of(report.launched.begin(), report.launched.end(), is_own);
     for (const fs::path& file : package.python_files) {
-      auto text = read_file(file);
+      auto text = read_file(file, kMostOfText);
       if (!text) continue;  // discovery has read it
       files.emplace_back(shown_path(file, folder, request.manifest.parent_path()), runs);
       texts.push_back(*std::move(text));
     }
   }
+  const auto cache = cache_directory(request.variables);
+  if (!cache) return cache.errors();
   const auto mistakes = python_mistakes(
-      texts, kept_launch_place(default_cache_directory(request.variables)),
+      texts, kept_launch_place(*cache),
       [&] { return find_launch_tools(request.executable, request.variables, {}, cancellation); },
       cancellation);
   Diagnostics errors;

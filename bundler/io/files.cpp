@@ -75,13 +75,18 @@ void make_removable(const fs::path& path) {
 
 Diagnostic cannot_read(const fs::path& path, std::string reason) {
   return Diagnostic{.code = "R2W0210",
-                    .kind = FailureKind::kEnvironment,
                     .message = "cannot read `" + path.string() + "`",
                     .why = {std::move(reason)}};
 }
 
 Diagnostic cannot_read(const fs::path& path, int errno_value) {
-  return cannot_read(path, system_reason(errno_value));
+  Diagnostic result = cannot_read(path, system_reason(errno_value));
+  // A name that is mistyped is the caller's to mend: trying again, as CI does for disks and
+  // networks, does not help.
+  const bool is_name = errno_value == ENOENT || errno_value == ENOTDIR || errno_value == EISDIR ||
+                       errno_value == ELOOP || errno_value == ENAMETOOLONG;
+  if (!is_name) result.kind = FailureKind::kEnvironment;
+  return result;
 }
 
 Diagnostic cannot_write(const fs::path& path, int errno_value) {

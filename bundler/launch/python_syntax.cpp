@@ -50,10 +50,9 @@ Outcome<std::vector<PythonMistake>> read_answer(const std::string& text, std::si
 Outcome<std::string> ask_python(const std::vector<std::string>& texts, const PythonTools& tools,
                                 const Cancellation& cancellation) {
   const fs::path reader = tools.templates / kReader;
-  auto talk = Conversation::start(
-      python_sandbox(tools.node_js, {tools.pyodide, tools.templates},
-                     {reader.string(), tools.pyodide.string()}),
-      cancellation);
+  auto talk = Conversation::start(python_sandbox(tools.node_js, {tools.pyodide, tools.templates},
+                                                 {reader.string(), tools.pyodide.string()}),
+                                  cancellation);
   if (!talk) return std::move(talk).errors();
   JsonWriter question;
   question.begin_object().key("texts").begin_array();
@@ -93,7 +92,7 @@ Outcome<std::vector<PythonMistake>> python_mistakes(
   const fs::path place = place_of(texts, kept);
   std::error_code error;
   if (fs::is_regular_file(place, error)) {
-    const auto known = read_file(place);
+    const auto known = read_file(place, kMostOfText);
     auto answer = known ? read_answer(*known, texts.size()) : known.errors();
     if (answer) {
       // By that the cache sees which are in use.

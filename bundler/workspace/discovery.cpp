@@ -125,7 +125,7 @@ std::vector<fs::path> python_files(const fs::path& folder) {
   std::vector<fs::path> files = python_sources(folder, names);
   std::erase_if(files, [](const fs::path& file) {
     if (file.has_extension()) return false;
-    const auto text = read_file(file);
+    const auto text = read_file(file, kMostOfText);
     return !text || !is_python_script(*text);
   });
   return files;
@@ -251,6 +251,7 @@ Outcome<std::vector<LocalPackage>> discover_packages(
                           .has_cmake_lists = cmake && !cmake->empty(),
                           .python_modules = python_modules(folder, base, shown_base),
                           .python_files = python_files(folder),
+                          .launch_files = launch_files(folder),
                           .launch_packages = packages_of_launch_files(folder, base, shown_base)});
     } else {
       errors.insert(errors.end(), xml.errors().begin(), xml.errors().end());

@@ -22,6 +22,7 @@ struct LocalPackage {
   std::vector<Spanned<std::string>> python_modules;
   /// Modules and scripts that a node may run, sorted; not those of tests, and not setup.py.
   std::vector<std::filesystem::path> python_files;
+  std::vector<std::filesystem::path> launch_files;  ///< absolute, sorted; not those of tests
   /// What its launch files start or look up.
   std::vector<Spanned<std::string>> launch_packages;
 };

@@ -6,9 +6,11 @@
 #include <set>
 #include <utility>
 
+#include "bundler/workspace/bringup_file.hpp"
 #include "workspace_schema/json_writer.hpp"
 #include "workspace_schema/replaced_text.hpp"
 #include "workspace_schema/text_pattern.hpp"
+#include "workspace_schema/trimmed_text.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -107,6 +109,18 @@ std::vector<std::string> installed_targets(const CMakeCommand& command) {
   return below_lib ? std::vector<std::string>(first, last) : std::vector<std::string>();
 }
 
+/// The names of `install(PROGRAMS a.py ... DESTINATION lib/x)`.
+std::vector<std::string> installed_scripts(const CMakeCommand& command) {
+  const auto& words = command.words;
+  if (words.empty() || words.front() != "PROGRAMS") return {};
+  const auto end = std::find(words.begin(), words.end(), "DESTINATION");
+  if (end == words.end() || end + 1 == words.end() || !(end + 1)->starts_with("lib/")) return {};
+  std::vector<std::string> names;
+  for (auto word = words.begin() + 1; word != end; ++word)
+    names.push_back(word->substr(word->rfind('/') + 1));
+  return names;
+}
+
 /// As a YAML scalar: plain when that is surely read back as this text.
 std::string yaml_text(const std::string& text) {
   const auto safe = [](char c) {
@@ -152,6 +166,13 @@ std::string list_section(const std::string& key, const std::vector<std::string>&
 }
 
 std::string launch_section(const DraftInput& input) {
+  const BringupChoice choice = bringup_file(input.launch_files);
+  if (!choice.file.empty()) {
+    std::string text =
+        "# What runs: a launch file; or a list of nodes, each with package and executable.\n";
+    for (const std::string& file : choice.candidates) text += "# Another one: " + file + "\n";
+    return text + "launch: " + yaml_text(choice.file) + "\n";
+  }
   std::string nodes;
   for (const DraftPackage& package : input.packages) {
     for (const std::string& program : package.programs) {
@@ -161,9 +182,8 @@ std::string launch_section(const DraftInput& input) {
   }
   std::string text;
   if (!input.launch_files.empty()) {
-    text +=
-        "# The workspace has launch files, which are not read yet; list what they start below:\n";
-    for (const std::string& file : input.launch_files) text += "#   " + file + "\n";
+    text += "# Instead of a list, `launch:` may name one of the workspace's launch files:\n";
+    for (const std::string& file : input.launch_files) text += "#   launch: " + file + "\n";
   }
   if (nodes.empty()) {
     return text + "# What runs: put in the names of a package and of its program.\nlaunch:\n" +
@@ -173,7 +193,56 @@ std::string launch_section(const DraftInput& input) {
          "# name, namespace, remappings, parameters and arguments.\nlaunch:\n" + nodes;
 }
 
+/// The quoted texts from `at` to the closing bracket.
+std::vector<std::string> quoted_texts(std::string_view text, std::size_t at) {
+  std::vector<std::string> result;
+  while (at < text.size() && text[at] != ']') {
+    const char c = text[at];
+    if (c == '#') {
+      at = std::min(text.find('\n', at), text.size());
+    } else if (c == '\'' || c == '"') {
+      const auto end = text.find(c, at + 1);
+      if (end == std::string_view::npos) break;
+      result.emplace_back(text.substr(at + 1, end - at - 1));
+      at = end + 1;
+    } else {
+      ++at;
+    }
+  }
+  return result;
+}
+
+std::string name_before_equals(std::string_view line) {
+  const auto equals = line.find('=');
+  return equals == std::string_view::npos ? std::string()
+                                          : std::string(trimmed(line.substr(0, equals)));
+}
+
 }  // namespace
+
+std::vector<std::string> console_script_names(std::string_view setup_py,
+                                              std::string_view setup_cfg) {
+  constexpr std::string_view kGroup = "console_scripts";
+  std::set<std::string> names;
+  if (const auto group = setup_py.find(kGroup); group != std::string_view::npos) {
+    const auto open = setup_py.find('[', group);
+    if (open != std::string_view::npos) {
+      for (const std::string& entry : quoted_texts(setup_py, open + 1))
+        names.insert(name_before_equals(entry));
+    }
+  }
+  if (const auto group = setup_cfg.find(kGroup); group != std::string_view::npos) {
+    std::size_t at = setup_cfg.find('\n', group);
+    while (at != std::string_view::npos && at + 1 < setup_cfg.size() &&
+           (setup_cfg[at + 1] == ' ' || setup_cfg[at + 1] == '\t')) {
+      const std::size_t end = std::min(setup_cfg.find('\n', at + 1), setup_cfg.size());
+      names.insert(name_before_equals(setup_cfg.substr(at + 1, end - at - 1)));
+      at = end == setup_cfg.size() ? std::string_view::npos : end;
+    }
+  }
+  names.erase(std::string());
+  return {names.begin(), names.end()};
+}
 
 std::vector<std::string> installed_program_names(std::string_view cmake_lists) {
   std::string project;
@@ -193,6 +262,7 @@ std::vector<std::string> installed_program_names(std::string_view cmake_lists) {
       made.insert(words.front());
     } else if (command->name == "install") {
       for (const std::string& target : installed_targets(*command)) installed.insert(target);
+      for (const std::string& script : installed_scripts(*command)) programs.insert(script);
     } else if (command->name == "rclcpp_components_register_node") {
       const auto option = std::find(words.begin(), words.end(), "EXECUTABLE");
       if (option != words.end() && option + 1 != words.end()) programs.insert(*(option + 1));

@@ -32,6 +32,10 @@ struct DraftInput {
 /// together from variables other than PROJECT_NAME are not seen.
 [[nodiscard]] std::vector<std::string> installed_program_names(std::string_view cmake_lists);
 
+/// The same for a Python package: the names before `=` of console_scripts in setup.py or setup.cfg.
+[[nodiscard]] std::vector<std::string> console_script_names(std::string_view setup_py,
+                                                            std::string_view setup_cfg);
+
 /// The manifest's text, with comments on what a person may choose. A manifest says what runs: where
 /// no package has a program, a node stands in it for a person to fill in.
 [[nodiscard]] std::string draft_manifest(const DraftInput& input);

@@ -6,6 +6,7 @@
 #include "bundler/io/files.hpp"
 #include "bundler/resolve/locked_solve.hpp"
 #include "bundler/resolve/solve.hpp"
+#include "bundler/workspace/bringup_file.hpp"
 #include "bundler/workspace/default_manifest.hpp"
 #include "bundler/workspace/discovery.hpp"
 #include "bundler/workspace/foreign_environment.hpp"
@@ -46,12 +47,6 @@ Outcome<std::vector<fs::path>> write_new(const std::vector<NewFile>& files) {
   return written;
 }
 
-bool is_launch_file(const std::string& path) {
-  for (const std::string_view ending : {".launch.py", ".launch.xml", ".launch.yaml", ".launch.yml"})
-    if (path.ends_with(ending)) return true;
-  return path.ends_with(".launch");
-}
-
 std::string relative_text(const fs::path& path, const fs::path& base) {
   return path.lexically_relative(base).generic_string();
 }
@@ -64,43 +59,43 @@ DraftPackage draft_package(const LocalPackage& package, const fs::path& base) {
       .build_type = package.xml.build_type,
       .folder = relative_text(package.directory, base),
       .programs = {}};
-  if (draft.build_type == "ament_cmake") {
-    if (const auto lists = read_file(package.directory / "CMakeLists.txt", kMostOfText))
-      draft.programs = installed_program_names(*lists);
-  }
+  const auto text_of = [&](const char* file) {
+    const auto text = read_file(package.directory / file, kMostOfText);
+    return text ? *text : std::string();
+  };
+  draft.programs = draft.build_type == "ament_python"
+                       ? console_script_names(text_of("setup.py"), text_of("setup.cfg"))
+                       : installed_program_names(text_of("CMakeLists.txt"));
   return draft;
 }
 
-Outcome<std::vector<std::string>> launch_files(const std::vector<LocalPackage>& packages,
-                                               const fs::path& base) {
+std::vector<std::string> launch_files(const std::vector<LocalPackage>& packages,
+                                      const fs::path& base) {
   std::vector<std::string> found;
-  for (const LocalPackage& package : packages) {
-    const auto tree = list_tree(package.directory);
-    if (!tree) return tree.errors();
-    for (const TreeEntry& entry : *tree) {
-      if (is_launch_file(entry.path))
-        found.push_back(relative_text(package.directory / entry.path, base));
-    }
-  }
+  for (const LocalPackage& package : packages)
+    for (const fs::path& file : package.launch_files) found.push_back(relative_text(file, base));
   return found;
 }
 
 std::vector<std::string> draft_remarks(const DraftInput& input) {
   std::vector<std::string> names;
-  std::vector<std::string> left_out;
   std::size_t nodes = 0;
   for (const DraftPackage& package : input.packages) {
     names.push_back(package.name);
     nodes += package.programs.size();
-    if (package.build_type != "ament_cmake")
-      left_out.push_back(package.name + " (" + package.build_type + ")");
   }
   std::vector<std::string> remarks = {std::to_string(names.size()) +
                                       (names.size() == 1 ? " package: " : " packages: ") +
                                       name_list(names, 12)};
-  remarks.push_back(std::to_string(nodes) + (nodes == 1 ? " node" : " nodes") +
-                    " under `launch:`, one for each program");
-  if (!left_out.empty()) remarks.push_back("programs not looked for in " + name_list(left_out));
+  const BringupChoice choice = bringup_file(input.launch_files);
+  if (!choice.file.empty()) {
+    remarks.push_back("`launch:` starts " + choice.file);
+  } else {
+    remarks.push_back(std::to_string(nodes) + (nodes == 1 ? " node" : " nodes") +
+                      " under `launch:`, one for each program");
+  }
+  if (!choice.candidates.empty())
+    remarks.push_back("other launch files, for `launch:`: " + name_list(choice.candidates, 12));
   return remarks;
 }
 
@@ -134,17 +129,16 @@ Outcome<InitReport> init_from_workspace(const fs::path& workspace, const fs::pat
   const auto place = real_path(output);
   if (!place) return place.errors();
   const fs::path base = place->parent_path();
-  auto launches = launch_files(*packages, base);
-  if (!launches) return launches.errors();
+  std::vector<std::string> launches = launch_files(*packages, base);
   DraftInput input{.name = made.name.value,
                    .title = made.title,
                    .packages = {},
-                   .launch_files = std::move(*launches)};
+                   .launch_files = std::move(launches)};
   for (const LocalPackage& package : *packages)
     input.packages.push_back(draft_package(package, base));
   const bool runs = std::any_of(input.packages.begin(), input.packages.end(),
                                 [](const DraftPackage& each) { return !each.programs.empty(); });
-  if (!runs) {
+  if (!runs && bringup_file(input.launch_files).file.empty()) {
     return Diagnostic{
         .code = "R2W0632",
         .message = "no program to run is seen in the packages of `" + workspace.string() + "`",

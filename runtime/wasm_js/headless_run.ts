@@ -22,6 +22,8 @@ import { TraceFile } from './trace_file.ts';
 const usage = 'usage: node headless.js SITE [NAME:=VALUE ...] [--show-args] [--for TIME] [--until REGEX] [--json] [--link shared|port] '
   + '[--stepped [--seed N]] [--trace FILE] [--bags DIR] [--checks [--junit FILE]]';
 const interrupted = 130;
+/** Until a program's own code runs: an interpreter is loaded on a busy machine, too. */
+const longestStartMs = 120_000;
 
 interface Options {
   readonly site: string;
@@ -236,10 +238,27 @@ export async function runHeadless(options: Options, entry: URL, commands?: Comma
     finish(options.until === undefined && well ? 0 : 1);
   };
   const { forMs } = options;
-  const timer = forMs === undefined || options.stepped !== undefined ? undefined : setTimeout(timeIsOver, forMs);
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  let begun = false;
+  /** `--for` counts from the first node whose own code runs: what is loaded before that is no part of the run. */
+  const watchStart = (nodes: readonly NodeView[]): void => {
+    const runs = ({ state, loading }: NodeView): boolean => state.kind === 'exited' || state.kind === 'crashed' || (state.kind === 'running' && loading !== true);
+    if (begun || forMs === undefined || !(nodes.length === 0 || nodes.some(runs))) return;
+    begun = true;
+    clearTimeout(timer);
+    timer = setTimeout(timeIsOver, forMs);
+  };
+  if (forMs !== undefined && options.stepped === undefined) {
+    timer = setTimeout(() => {
+      process.stderr.write(`no node has begun to run within ${longestStartMs / 1000} s\n`);
+      finish(1);
+    }, longestStartMs);
+    session.onNodes(watchStart);
+  }
 
   if (checks !== undefined) watchChecks(checks, { json: options.json, event, finish });
   session.startAll();
+  if (options.stepped === undefined) watchStart(session.nodes());
   if (forMs !== undefined && broker instanceof SharedBroker) broker.conductor?.runUntil(forMs * 1e6, timeIsOver);
   let code = await finished;
   clearTimeout(timer);

@@ -1,0 +1,21 @@
+// Which launch file of a workspace without a manifest starts it. Pure: paths in, a choice out.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace ros2wasm {
+
+struct BringupChoice {
+  std::string file;                     ///< empty: nothing tells which
+  std::vector<std::string> candidates;  ///< the others, in their order
+};
+
+/// `files`: launch files of the packages, relative to the workspace, with `/`. The only one; else
+/// the only one whose name, or whose package's, says `bringup`.
+[[nodiscard]] BringupChoice bringup_file(const std::vector<std::string>& files);
+
+/// Is it named as launch files are?
+[[nodiscard]] bool is_launch_path(const std::string& path);
+
+}  // namespace ros2wasm

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "bundler/build/browser_limits.hpp"
+#include "bundler/build/long_width.hpp"
 #include "workspace_schema/suggestion.hpp"
 
 namespace ros2wasm {
@@ -139,6 +140,7 @@ Diagnostic compile_error(const FailedCommand& failed, const BuildPlace& place) {
   }
   explain_missing_features(result, place);
   explain_limits(result);
+  explain_long_width(result);
   explain_unnamed_package(result, failed, place);
   return result;
 }

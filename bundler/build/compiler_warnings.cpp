@@ -7,6 +7,7 @@
 #include <set>
 #include <tuple>
 
+#include "bundler/build/long_width.hpp"
 #include "bundler/io/files.hpp"
 #include "workspace_schema/diagnostic_list.hpp"
 #include "workspace_schema/json_reader.hpp"
@@ -61,7 +62,9 @@ Diagnostics compiler_warnings(std::string_view text, const BuildPlace& place) {
   Diagnostics result;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     std::smatch match;
-    if (lines[i].size() > kLongestLine || !std::regex_match(lines[i], match, kWarning)) continue;
+    if (lines[i].size() > kLongestLine || !std::regex_match(lines[i], match, kWarning) ||
+        !is_worth_saying(match[4]))
+      continue;
     Diagnostic warning{
         .code = kCompilerWarning,
         .severity = Severity::kWarning,
@@ -74,11 +77,18 @@ Diagnostics compiler_warnings(std::string_view text, const BuildPlace& place) {
       warning.span->line_text = lines[i + 1];
       i += 2;
     }
+    bool is_of_our_header =
+        false;  // where the check of a format is written, its user need not know
     while (i + 1 < lines.size() && !begins_another(lines[i + 1])) {
       const std::string& more = lines[++i];
+      if (more.find(": note: ") != std::string::npos)
+        is_of_our_header = more.find("from 'diagnose_if' attribute") != std::string::npos ||
+                           more.find("macro 'ROS2WASM_") != std::string::npos;
+      if (is_of_our_header) continue;
       const bool is_part_of_picture = more.find_first_not_of(" ~^") == std::string::npos;
       if (!warning.detail.empty() || !is_part_of_picture) warning.detail += more + "\n";
     }
+    explain_long_width(warning);
     if (fs::path(warning.span->file).is_relative()) result.push_back(std::move(warning));
   }
   return each_once(result);

@@ -71,14 +71,20 @@ set(EMSCRIPTEN 1)
 string(CONCAT _ros2wasm_flags "-fwasm-exceptions -pthread -finline-functions "
   "-include \"${ROS2WASM_TOOLCHAIN_DIR}/include/ros2wasm/exception_context.h\" "
   "\"-ffile-prefix-map=${CMAKE_SOURCE_DIR}=.\" \"-ffile-prefix-map=${CMAKE_BINARY_DIR}=build\"")
-set(CMAKE_C_FLAGS_INIT "${_ros2wasm_flags}")
-# Parts of C++20 that the compiler's library lacks stand before it.
+# `long` has 32 bits here. What that would change without a word is said: an argument that a format would read by half (in
+# C++ the overloads of ros2wasm_std read it whole, so this is about C and functions of the package with `...`) is an error,
+# a 64-bit value that a `long` takes a warning. What natively is a mere warning as well stays one.
+string(APPEND _ros2wasm_flags " -Werror=format -Wno-error=format-extra-args -Wno-error=format-zero-length"
+  " -Wno-error=format-security -Wno-error=format-insufficient-args -Wno-error=format-invalid-specifier"
+  " -Wformat-nonliteral -Wno-error=format-nonliteral -Wshorten-64-to-32 -Wno-error=shorten-64-to-32")
+# Headers that stand before those of the compiler: formats of 64-bit machines, and parts of C++20 that its library lacks.
 foreach(_prefix IN LISTS CMAKE_PREFIX_PATH)
   if(IS_DIRECTORY "${_prefix}/include/ros2wasm_std")
     string(APPEND _ros2wasm_flags " -isystem \"${_prefix}/include/ros2wasm_std\"")
     break()
   endif()
 endforeach()
+set(CMAKE_C_FLAGS_INIT "${_ros2wasm_flags}")
 set(CMAKE_CXX_FLAGS_INIT "${_ros2wasm_flags}")
 # Programs that use nothing of ROS have files from the core too, and all that it wraps; the others name it themselves.
 foreach(_prefix IN LISTS CMAKE_PREFIX_PATH)

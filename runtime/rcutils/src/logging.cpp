@@ -255,6 +255,12 @@ void log_with(const rcutils_log_location_t* location, int severity, const char* 
   }
 }
 
+struct LogCall {
+  const rcutils_log_location_t* location;
+  int severity;
+  const char* name;
+};
+
 }  // namespace
 
 extern "C" {
@@ -418,6 +424,26 @@ void rcutils_log(const rcutils_log_location_t* location, int severity, const cha
   log_with(location, severity, name, format, &args);
   va_end(args);
 }
+
+#ifdef ROS2WASM_LP64_FORMAT_HPP_
+void rcutils_lp64_log(const rcutils_log_location_t* location, int severity, const char* name,
+                      bool is_known_to_be_taken, const char* format,
+                      const ros2wasm::lp64::Slot* slots, int count) {
+  RCUTILS_LOGGING_AUTOINIT;
+  if (!is_known_to_be_taken && !rcutils_logging_logger_is_enabled_for(name, severity)) {
+    return;
+  }
+  const LogCall call{location, severity, name};
+  ros2wasm_lp64_arguments(
+      format, slots, count, false,
+      [](void* context, const char* text, va_list args) {
+        const LogCall* to = static_cast<const LogCall*>(context);
+        log_with(to->location, to->severity, to->name, text, &args);
+        return 0;
+      },
+      const_cast<LogCall*>(&call));
+}
+#endif
 
 void rcutils_logging_console_output_handler(const rcutils_log_location_t* location, int severity,
                                             const char* name, rcutils_time_point_value_t timestamp,

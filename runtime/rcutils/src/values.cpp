@@ -365,6 +365,17 @@ char* rcutils_format_string_limit(rcutils_allocator_t allocator, size_t limit, c
   return text;
 }
 
+#ifdef ROS2WASM_LP64_FORMAT_HPP_
+char* rcutils_lp64_format_string(rcutils_allocator_t allocator, size_t limit, const char* format,
+                                 const ros2wasm::lp64::Slot* slots, int count) {
+  char* text = static_cast<char*>(allocator.allocate(limit, allocator.state));
+  if (text != nullptr) {
+    ros2wasm_lp64_snprintf(text, limit, format, slots, count);
+  }
+  return text;
+}
+#endif
+
 size_t rcutils_findn(const char* text, char delimiter, size_t length) {
   const void* found = text == nullptr ? nullptr : std::memchr(text, delimiter, length);
   return found == nullptr ? SIZE_MAX : static_cast<size_t>(static_cast<const char*>(found) - text);

@@ -16,16 +16,22 @@ int refuse() {
   return -1;
 }
 
+/// Of a function that returns the error; callers print errno all the same.
+int refused() {
+  errno = ENOSYS;
+  return ENOSYS;
+}
+
 }  // namespace
 
 extern "C" {
 
 ROS2WASM_LACKING int pthread_setaffinity_np(pthread_t, size_t, const cpu_set_t*) {
-  return ENOSYS;
+  return refused();
 }
 
 ROS2WASM_LACKING int pthread_getaffinity_np(pthread_t, size_t, cpu_set_t*) {
-  return ENOSYS;
+  return refused();
 }
 
 ROS2WASM_LACKING int sched_setaffinity(pid_t, size_t, const cpu_set_t*) {
@@ -58,6 +64,41 @@ ROS2WASM_LACKING int sched_rr_get_interval(pid_t, timespec*) {
 
 ROS2WASM_LACKING int sched_getcpu() {
   return refuse();
+}
+
+/// A thread has the ordinary policy and nothing else. Strong: the C library's own say that any was
+/// taken.
+int pthread_setschedparam(pthread_t, int policy, const sched_param* parameters) {
+  return policy == SCHED_OTHER && parameters->sched_priority == 0 ? 0 : refused();
+}
+
+int pthread_getschedparam(pthread_t, int* policy, sched_param* parameters) {
+  *policy = SCHED_OTHER;
+  parameters->sched_priority = 0;
+  return 0;
+}
+
+int pthread_setschedprio(pthread_t, int priority) {
+  return priority == 0 ? 0 : refused();
+}
+
+/// What a program without threads lacks: attributes of threads that it does not make.
+ROS2WASM_LACKING int pthread_attr_setinheritsched(pthread_attr_t*, int) {
+  return 0;
+}
+ROS2WASM_LACKING int pthread_attr_setschedpolicy(pthread_attr_t*, int) {
+  return 0;
+}
+ROS2WASM_LACKING int pthread_attr_setschedparam(pthread_attr_t*, const sched_param*) {
+  return 0;
+}
+
+/// The range of Linux, by which programs choose what they ask for.
+ROS2WASM_LACKING int sched_get_priority_max(int policy) {
+  return policy == SCHED_FIFO || policy == SCHED_RR ? 99 : 0;
+}
+ROS2WASM_LACKING int sched_get_priority_min(int policy) {
+  return policy == SCHED_FIFO || policy == SCHED_RR ? 1 : 0;
 }
 
 /// The name is shown nowhere. Linux takes 15 characters.

@@ -2,6 +2,8 @@
 // what its namesake does with GCC's: programs use that without including it.
 #pragma once
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <atomic>

@@ -1,7 +1,8 @@
 // Threads: a multi-threaded executor with both kinds of groups, publishing from a thread.
 
 // Compatibility, differs: affinity and priority of threads (`pthread_setaffinity_np`,
-// `sched_setscheduler` ...) -> refused with `ENOSYS`, as where a system has none
+// `pthread_setschedparam`, `sched_setscheduler` ...) -> refused with `ENOSYS`, as where a system
+// has none; the policy that every thread has (SCHED_OTHER, priority 0) may be set and asked for
 
 // Compatibility, differs: CPU time of a process or a thread (`CLOCK_THREAD_CPUTIME_ID`,
 // `pthread_getcpuclockid`) -> the time that goes by: a browser counts no other
@@ -34,6 +35,17 @@ void check_scheduling(Checks& checks) {
   CHECK(sched_setaffinity(0, sizeof(cpus), &cpus) == -1 && errno == ENOSYS);
   sched_param parameters{};
   CHECK(sched_setscheduler(0, SCHED_FIFO, &parameters) == -1 && errno == ENOSYS);
+  // With the reason in errno, which programs print although the functions of threads return it.
+  errno = 0;
+  parameters.sched_priority = 10;
+  CHECK(pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters) == ENOSYS && errno == ENOSYS);
+  errno = 0;
+  CHECK(pthread_setaffinity_np(pthread_self(), sizeof(cpus), &cpus) == ENOSYS && errno == ENOSYS);
+  int policy = SCHED_FIFO;
+  CHECK(pthread_getschedparam(pthread_self(), &policy, &parameters) == 0 && policy == SCHED_OTHER);
+  CHECK(parameters.sched_priority == 0);
+  CHECK(pthread_setschedparam(pthread_self(), SCHED_OTHER, &parameters) == 0);
+  CHECK(sched_get_priority_max(SCHED_FIFO) == 99 && sched_get_priority_min(SCHED_FIFO) == 1);
   CHECK(pthread_setname_np(pthread_self(), "planner") == 0);
   CHECK(pthread_setname_np(pthread_self(), "sixteen_letters_") == ERANGE);
   // What stands for a thread's CPU time goes on.

@@ -44,6 +44,40 @@ TEST(CompilerWarnings, AreWholeAndOnlyThoseOfThePackage) {
   EXPECT_EQ(found[1].detail.find("generated"), std::string::npos);
 }
 
+std::string narrowing(const std::string& types) {
+  return "/ws/src/demo/src/a.cpp:3:12: warning: implicit conversion loses integer precision: " +
+         types + " [-Wshorten-64-to-32]\n  long l = f();\n           ^\n";
+}
+
+TEST(CompilerWarnings, TellOfNarrowingWhereLongIsWiderNatively) {
+  const std::string wide = "'int64_t' (aka 'long long')";
+  for (const char* target : {"'long'", "'unsigned long'", "'time_t' (aka 'long')", "'const long'",
+                             "'duration::rep' (aka 'unsigned long')"}) {
+    const Diagnostics found = compiler_warnings(narrowing(wide + " to " + target), kPlace);
+    ASSERT_EQ(found.size(), 1U) << target;
+    EXPECT_EQ(found[0].why.at(0), "`long` has 32 bits in a site, and 64 natively");
+    EXPECT_EQ(found[0].fix.size(), 1U);
+  }
+  for (const char* target :
+       {"'int'", "'int32_t' (aka 'int')", "'size_t' (aka 'unsigned long')", "'float'",
+        "'std::vector<int>::size_type' (aka 'unsigned long')", "'ptrdiff_t' (aka 'long')"})
+    EXPECT_TRUE(compiler_warnings(narrowing(wide + " to " + target), kPlace).empty()) << target;
+}
+
+TEST(CompilerWarnings, SayNothingOfTheHeaderThatChecksFormats) {
+  const Diagnostics found = compiler_warnings(
+      "/ws/src/demo/src/a.cpp:3:9: warning: the format has more or fewer conversions than there "
+      "are arguments [-Wuser-defined-warnings]\n  printf(\"%d\", 1, 2);\n        ^\n"
+      "/p/include/stdio.h:20:81: note: from 'diagnose_if' attribute on 'printf<int, int>':\n"
+      "inline int printf(const char* format, A... arguments) ROS2WASM_LP64_CHECKED(format) {\n"
+      "                                                      ^~~~\n"
+      "/p/include/lp64_format.hpp:126:18: note: expanded from macro 'ROS2WASM_LP64_CHECKED'\n"
+      "  diagnose_if(x)\n  ^\n",
+      kPlace);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].detail, "");
+}
+
 TEST(CompilerWarnings, OutliveRunsThatDoNotCompileTheirFileAgain) {
   const auto run = [](const std::string& more) {
     return command_findings(

@@ -21,7 +21,7 @@ const longS = 100;
 const speed = 1000;
 /** In the order of tests/packages/chatter_py/scripts/passes. */
 const ways = [
-  'time.sleep', 'Event.wait', 'Condition.wait', 'Lock.acquire', 'Queue.get', 'select', 'Clock.sleep_for', 'Clock.sleep_until', 'rate',
+  'time.sleep', 'Event.wait', 'Condition.wait', 'Lock.acquire', 'Queue.get', 'select', 'Clock.sleep_for', 'Clock.sleep_until',
   'timer', 'spin_until_future_complete', 'deadline', 'wait_for_service', 'wait_for_server', 'wait_for_message',
   'asyncio.sleep', 'asyncio.wait_for', 'call_later', "thread's sleep", "thread's Event.wait", 'three at once', 'threading.Timer',
   'future of a pool', 'timer of several threads', 'rate beside a spinning thread',

@@ -43,7 +43,7 @@ class Client:
         self._pending_requests: dict[int, Future] = {}
         self.callback_group = callback_group
         self._executor_event = False
-        #: The executor of the client's node, for calls that wait within a callback.
+        #: The executor of the client's node.
         self._find_executor = find_executor
         #: Set by the node, of what a user made.
         self._events: ServiceEvents | None = None
@@ -68,12 +68,13 @@ class Client:
         """
         Ask, and wait for the answer.
 
-        Callbacks of other groups run meanwhile, as they do natively in other threads. None after timeout_sec.
+        An executor must take it meanwhile, which that of the calling callback cannot do with one thread. None after
+        timeout_sec.
         """
         if not isinstance(request, self.srv_type.Request):
             raise TypeError()
         future = self.call_async(request)
-        if not wait_for_answer(future, self._receive, self.context, self._find_executor, timeout_sec):
+        if not wait_for_answer(future, self.context, self._find_executor(), self, 'Client.call', timeout_sec):
             self.remove_pending_request(future)
         return future.result()
 

@@ -14,7 +14,7 @@ from rclpy.exceptions import NotInitializedException
 from rclpy.impl.elsewhere import names_of
 from rclpy.time import Time
 from rclpy.utilities import get_default_context
-from ros2wasm import background, host
+from ros2wasm import host, meanwhile
 
 __all__ = ['Clock', 'ClockChange', 'ClockType', 'JumpHandle', 'JumpThreshold', 'ROSClock', 'TimeJump']
 
@@ -160,13 +160,13 @@ class Clock:
                 token = host.wake_token()
                 if not context.ok():
                     return False
-                background.run()
                 if changes:
                     return False
                 left = until.nanoseconds - self._now_ns()
                 if left <= 0:
                     return True
-                host.wait(token, -1 if self._is_told() else left)
+                if not meanwhile.give_way(token):
+                    host.wait(token, -1 if self._is_told() else left)
         finally:
             handle.unregister()
 

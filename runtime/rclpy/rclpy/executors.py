@@ -17,6 +17,7 @@ from collections import deque
 from collections.abc import Callable, Coroutine
 from functools import partial
 from operator import call as call_afresh
+from threading import get_ident
 from types import TracebackType
 from typing import Any, NamedTuple
 
@@ -29,7 +30,7 @@ from rclpy.subscription import Subscription
 from rclpy.task import Future, Task
 from rclpy.timer import Timer
 from rclpy.utilities import get_default_context, timeout_sec_to_nsec
-from ros2wasm import background, host
+from ros2wasm import host, meanwhile
 from ros2wasm.entities import changes
 
 __getattr__ = names_of(__name__, {
@@ -108,6 +109,8 @@ class Executor:
         self._tasks: list[tuple[Task, Any, Any]] = []
         self._is_shutdown = False
         self._is_spinning = False
+        #: The thread of the last spin.
+        self._spins_in = 0
         self._queue: deque[tuple[Any, Any]] = deque()
         self._seen = -1
         self._readers: dict[int, tuple[Any, Any]] = {}
@@ -272,8 +275,6 @@ class Executor:
             if found is not None:
                 if self.can_execute(found[0]):
                     self._queue.append(found)
-            elif handle in background.readers:
-                background.readers[handle]()
         if self._events:
             self._collect_events(version)
         else:
@@ -421,10 +422,6 @@ class Executor:
             if timeout_ns == 0 and result == host.TIMEOUT:
                 raise TimeoutException()
 
-    def _run_meanwhile(self, token: int) -> bool:
-        """For a callback that waits: execute one of another group. False: nothing is to do."""
-        return False
-
     # ---- spinning
 
     def _wake_for(self, _: Future) -> None:
@@ -435,6 +432,7 @@ class Executor:
         if self._is_spinning:
             raise RuntimeError('Executor is already spinning')
         self._is_spinning = True
+        self._spins_in = get_ident()
 
     def _exit_spin(self) -> None:
         self._is_spinning = False
@@ -556,7 +554,11 @@ class MultiThreadedExecutor(Executor):
         self, timeout_sec: float | None = None, condition: Callable[[], bool] = lambda: False
     ) -> None:
         if not self._in_threads:
-            super()._spin_once_impl(timeout_sec, condition)
+            meanwhile.spinning.append(self._run_meanwhile)
+            try:
+                super()._spin_once_impl(timeout_sec, condition)
+            finally:
+                meanwhile.spinning.remove(self._run_meanwhile)
             return
         try:
             work = self._next_work(timeout_sec_to_nsec(timeout_sec), condition)
@@ -575,7 +577,8 @@ class MultiThreadedExecutor(Executor):
         return done
 
     def _run_meanwhile(self, token: int) -> bool:
-        if self._in_threads or self._depth >= self._num_threads:
+        """For a callback that waits, in the only thread: execute one of another group. False: nothing is to do."""
+        if self._depth >= self._num_threads:
             return False
         self._refresh()
         work = self._pop()

@@ -6,7 +6,7 @@ from types import TracebackType
 from typing import Any
 
 from rclpy._rclpy_pybind11 import NodeNameNonExistentError as NodeNameNonExistentError  # noqa: F401
-from rclpy.callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
+from rclpy.callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup
 from rclpy.client import Client
 from rclpy.clock import Clock
 from rclpy.constants import S_TO_NS
@@ -43,6 +43,7 @@ __getattr__ = names_of(__name__, {
     'rcl_interfaces.msg': 'FloatingPointRange IntegerRange ListParametersResult Parameter=ParameterMsg '
                           'ParameterDescriptor ParameterEvent ParameterType ParameterValue SetParametersResult',
     'rcl_interfaces.srv': 'ListParameters',
+    'rclpy.callback_groups': 'ReentrantCallbackGroup',
     'rclpy.clock': 'ROSClock',
     'rclpy.exceptions': 'InvalidHandle InvalidParameterTypeException InvalidParameterValueException '
                         'InvalidTopicNameException NotInitializedException ParameterAlreadyDeclaredException '
@@ -315,10 +316,9 @@ class Node(NodeParameters, NodeGraph):
     def create_rate(self, frequency: float, clock: Clock | None = None) -> Rate:
         if frequency <= 0:
             raise ValueError('frequency must be > 0')
-        # The rate calls its timer itself, so that no executor knows of it.
-        timer = Timer(
-            None, ReentrantCallbackGroup(), int(1 / frequency * S_TO_NS), clock or self._clock, context=self._context)
-        rate = Rate(timer, context=self._context)
+        # A group of its own, so that other callbacks do not keep it from its beat.
+        timer = self.create_timer(1 / frequency, None, MutuallyExclusiveCallbackGroup(), clock)
+        rate = Rate(timer, context=self._context, find_executor=lambda: self.executor)
         self._rw_rates.append(rate)
         return rate
 
@@ -355,6 +355,7 @@ class Node(NodeParameters, NodeGraph):
         return self._rw_drop(self._guards, guard)
 
     def destroy_rate(self, rate: Rate) -> bool:
+        self._rw_drop(self._timers, rate._timer)
         return self._rw_drop(self._rw_rates, rate)
 
     def destroy_node(self) -> None:

@@ -1,4 +1,4 @@
-"""Lets clocks follow /clock while use_sim_time is set. It is read whenever the program waits, whoever waits."""
+"""Lets clocks follow /clock while use_sim_time is set. An executor reads it, as the node's other topics."""
 from __future__ import annotations
 
 from typing import Any
@@ -7,10 +7,8 @@ from rcl_interfaces.msg import SetParametersResult
 from rclpy.clock import ROSClock
 from rclpy.clock_type import ClockType
 from rclpy.parameter import Parameter
-from rclpy.qos import QoSProfile, ReliabilityPolicy, to_bus
+from rclpy.qos import QoSProfile, ReliabilityPolicy
 from rclpy.time import Time
-from ros2wasm import background, host
-from ros2wasm.constants import EndpointKind
 
 CLOCK_TOPIC = '/clock'
 USE_SIM_TIME_NAME = 'use_sim_time'
@@ -21,7 +19,7 @@ class TimeSource:
 
     def __init__(self, *, node: Any = None) -> None:
         self._node: Any = None
-        self._endpoint: host.Endpoint | None = None
+        self._clock_sub: Any = None
         self._associated_clocks: list[ROSClock] = []
         # 0: nobody has told the time yet.
         self._last_time_set = Time(clock_type=ClockType.ROS_TIME)
@@ -70,28 +68,15 @@ class TimeSource:
 
     def _subscribe(self) -> None:
         from rosgraph_msgs.msg import Clock
-        from ros2wasm.types import type_hash
-        if self._node is None or self._endpoint is not None:
+        if self._node is None or self._clock_sub is not None:
             return
-        name = self._node.resolve_topic_name(CLOCK_TOPIC)
-        endpoint = host.Endpoint(
-            EndpointKind.SUBSCRIPTION, self._node._rw_bus_node, name, 'rosgraph_msgs/msg/Clock',
-            type_hash('rosgraph_msgs/msg/Clock'),
-            to_bus(QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)))
-        self._endpoint = endpoint
-        codec = Clock._codec
-
-        def read() -> None:
-            taken = endpoint.take(codec)
-            if taken is not None:
-                self.clock_callback(taken[0])
-        background.add(endpoint.handle, read)
+        self._clock_sub = self._node.create_subscription(
+            Clock, CLOCK_TOPIC, self.clock_callback, QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT))
 
     def _unsubscribe(self) -> None:
-        if self._endpoint is not None:
-            background.remove(self._endpoint.handle)
-            self._endpoint.destroy()
-            self._endpoint = None
+        if self._clock_sub is not None:
+            self._node.destroy_subscription(self._clock_sub)
+            self._clock_sub = None
 
     def clock_callback(self, msg: Any) -> None:
         self._last_time_set = Time.from_msg(msg.clock)

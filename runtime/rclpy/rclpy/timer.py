@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from threading import get_ident
 from types import TracebackType
 from typing import Any
 
@@ -11,8 +12,9 @@ from rclpy.context import Context
 from rclpy.duration import Duration
 from rclpy.exceptions import InvalidHandle, ROSInterruptException
 from rclpy.impl.elsewhere import names_of
+from rclpy.impl.waiting import wait_until
 from rclpy.utilities import get_default_context
-from ros2wasm import background, host
+from ros2wasm import host, meanwhile
 from ros2wasm.entities import changes
 
 __getattr__ = names_of(__name__, {'typing': 'Optional'})
@@ -49,6 +51,8 @@ class Timer:
         self._next_ns = self._last_ns + self._period_ns
 
     def destroy(self) -> None:
+        if self._destroyed:
+            return
         self._destroyed = True
         self._jumps.unregister()
         changes.add()
@@ -133,13 +137,26 @@ class Timer:
 
 
 class Rate:
-    """Sleeps to the next beat."""
+    """Sleeps to the next beat: to the next call of its timer, which an executor of the node makes."""
 
-    def __init__(self, timer: Timer, *, context: Context) -> None:
+    def __init__(
+        self, timer: Timer, *, context: Context, find_executor: Callable[[], Any] = lambda: None
+    ) -> None:
         self._clock = timer.clock
         self._timer = timer
         self._context = context
+        self._find_executor = find_executor
         self._is_destroyed = False
+        #: Beats that nobody has slept to are one.
+        self._beat = False
+        #: The thread that made the last one.
+        self._beaten_by = 0
+        self._num_sleepers = 0
+        timer.callback = self._on_beat
+
+    def _on_beat(self) -> None:
+        self._beat, self._beaten_by = True, get_ident()
+        host.wake()
 
     def destroy(self) -> None:
         self._is_destroyed = True
@@ -155,13 +172,16 @@ class Rate:
     def sleep(self) -> None:
         """Sleep to the next beat. ROSInterruptException: the end came before."""
         self._presleep()
-        while True:
-            token = host.wake_token()
-            if not self._context.ok():
-                raise ROSInterruptException()
-            background.run()
-            if self._timer.is_ready():
-                self._timer.call()
-                return
-            wait = self._timer._wait_ns()
-            host.wait(token, -1 if wait is None else wait)
+        if self._beaten_by == get_ident() and not meanwhile.spinning:
+            # A callback of an executor of one thread: no other beat can come, and this one would only hide that.
+            self._beat = False
+        self._num_sleepers += 1
+        try:
+            wait_until(lambda: self._beat or self._is_destroyed, self._context, None, lambda: meanwhile.why_stuck(
+                'Rate.sleep', self._find_executor(), self._timer))
+        finally:
+            self._num_sleepers -= 1
+            if self._num_sleepers == 0:
+                self._beat = False
+        if not self._context.ok():
+            raise ROSInterruptException()

@@ -11,7 +11,7 @@ from asyncio import base_events, coroutines, events, transports
 from collections.abc import Callable
 from typing import Any
 
-from ros2wasm import background, host, terminal
+from ros2wasm import host, terminal
 
 NS = 1_000_000_000
 STDIN = 0
@@ -36,7 +36,6 @@ class LinkSelector:
             host.look_around()
             return [self.reader]
         if wait != 0:
-            background.run()
             host.wait(token, wait)
         else:
             host.look_around()

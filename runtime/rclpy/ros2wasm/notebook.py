@@ -24,7 +24,7 @@ from typing import Any
 
 import rclpy
 from rclpy.node import Node
-from ros2wasm import background, display, host
+from ros2wasm import display, host
 
 MOST_INPUT = 1 << 16
 NS = 1_000_000_000
@@ -168,7 +168,6 @@ class Kernel:
                 return self.orders.popleft()
             if self.over:
                 raise Stopped
-            background.run()
             ready, due = self.work()
             if ready or due == 0:
                 self.loop.call_soon(self.loop.stop)

@@ -75,7 +75,8 @@ class ActionTest(BusTest):
         client = self.ask()
         # As the other threads do that natively spin meanwhile.
         meanwhile = mock.patch.object(
-            type(self.executor), '_run_meanwhile', lambda executor, _: executor._spin_once_impl(0) or True)
+            importlib.import_module('ros2wasm.meanwhile'), 'spinning',
+            [lambda _: self.executor._spin_once_impl(0) or True])
         with meanwhile:
             done = client.send_goal(self.type.Goal(order=7))
             self.assertEqual((done.status, list(done.result.sequence)), (self.status.STATUS_SUCCEEDED, [7]))

@@ -239,9 +239,7 @@ class ActionClient(ActionEntity):
         return self._ask(self._result_client, request, answered)
 
     def _wait(self, future: Future) -> Any:
-        def receive() -> bool:
-            return any(client._receive() for client in self._clients)
-        wait_for_answer(future, receive, self._node.context, lambda: self._node.executor)
+        wait_for_answer(future, self._node.context, self._node.executor, self, 'an ActionClient')
         return future.result()
 
     def _generate_random_uuid(self) -> Any:

@@ -8,7 +8,7 @@ from typing import Any
 from rclpy._rclpy_pybind11 import NodeNameNonExistentError
 from rclpy.impl.node_base import NodeBase
 from rclpy.topic_endpoint_info import TopicEndpointInfo, TopicEndpointTypeEnum
-from ros2wasm import background, host, names
+from ros2wasm import host, meanwhile, names
 from ros2wasm.constants import EndpointKind
 from ros2wasm.graph_snapshot import GraphEndpoint
 
@@ -113,6 +113,6 @@ class NodeGraph(NodeBase):
             left = end - time.monotonic_ns()
             if left <= 0:
                 return False
-            background.run()
-            host.wait(token, left)
+            if not meanwhile.give_way(token):
+                host.wait(token, left)
         return False

@@ -1,4 +1,4 @@
-"""The loop of calls that wait: for a service, an action, an answer, a message."""
+"""The loop of calls that wait: for a service, an action, an answer, a message, a rate."""
 from __future__ import annotations
 
 import time
@@ -7,50 +7,47 @@ from typing import Any
 
 from rclpy.context import Context
 from rclpy.task import Future
-from ros2wasm import background, host
+from ros2wasm import host, meanwhile
 
 NS = 1_000_000_000
 
 
 def wait_until(
     ready: Callable[[], bool], context: Context, timeout_sec: float | None,
-    meanwhile: Callable[[int], bool] | None = None
+    why_stuck: Callable[[], str | None] | None = None
 ) -> bool:
     """
     Wait until something is so. False: the time was over, or the context shut down, before. None: without end.
 
-    `meanwhile` gets the link's token, and says whether it did something, after which it is worth to look again.
+    `why_stuck` gives the reason when nobody will make it so.
     """
     end = None if timeout_sec is None else time.monotonic_ns() + int(timeout_sec * NS)
+    help_at = None if why_stuck is None else time.monotonic_ns() + meanwhile.HELP_AFTER_NS
     while True:
         token = host.wake_token()
         if ready():
             return True
         if not context.ok():
             return False
-        left = -1 if end is None else end - time.monotonic_ns()
-        if end is not None and left <= 0:
+        now = time.monotonic_ns()
+        if end is not None and now >= end:
             return False
-        if meanwhile is None or not meanwhile(token):
-            background.run()
-            host.wait(token, left)
+        if help_at is not None and now >= help_at:
+            help_at = None
+            assert why_stuck is not None
+            meanwhile.help_once(why_stuck())
+        if not meanwhile.give_way(token):
+            moments = [moment for moment in (end, help_at) if moment is not None]
+            host.wait(token, min(moments) - now if moments else -1)
 
 
 def wait_for_answer(
-    future: Future, receive: Callable[[], bool], context: Context, find_executor: Callable[[], Any],
-    timeout_sec: float | None = None
+    future: Future, context: Context, executor: Any, client: Any, what: str, timeout_sec: float | None = None
 ) -> bool:
     """
-    Wait for a future that `receive` may complete. False: the time was over, or the context shut down, before.
+    Wait for the future of an answer. False: the time was over, or the context shut down, before.
 
-    The executor may run callbacks of other groups meanwhile.
+    Only an executor takes the answer, when the client's callback group allows it: a call in a callback of that group,
+    or of an executor of one thread, waits for ever, as in ROS 2.
     """
-    def done() -> bool:
-        while not future.done() and receive():
-            pass
-        return future.done()
-
-    def meanwhile(token: int) -> bool:
-        executor = find_executor()
-        return executor is not None and bool(executor._run_meanwhile(token))
-    return wait_until(done, context, timeout_sec, meanwhile)
+    return wait_until(future.done, context, timeout_sec, lambda: meanwhile.why_stuck(what, executor, client))

@@ -91,9 +91,13 @@ std::vector<std::string> node_arguments(const NodeEntry& entry,
       }
     }
   };
+  // As launch_ros writes them: for the node alone when its whole name is known, else for every node
+  // of the process, which matters beside files that name it.
+  std::string own;
+  if (entry.name && entry.name_space) own = node_label(entry) + ":";
   for (const ParameterEntry& parameter : entry.parameters) {
     add_files_up_to(parameter.files_before);
-    add("-p", parameter.name + ":=" + parameter_text(parameter.value));
+    add("-p", own + parameter.name + ":=" + parameter_text(parameter.value));
   }
   add_files_up_to(files.size());
   for (const auto& [from, to] : entry.remappings) add("-r", from + ":=" + to);

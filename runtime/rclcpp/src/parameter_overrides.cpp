@@ -107,24 +107,52 @@ std::string read_file(const std::string& path) {
   return text;
 }
 
+// What is said for one of the names that mean a node; rules for it that come later are added to it.
+struct Named {
+  std::string node;
+  Overrides values;
+};
+
+Overrides& values_of(const std::string& node, std::vector<Named>& all) {
+  for (Named& one : all) {
+    if (one.node == node) {
+      return one.values;
+    }
+  }
+  all.push_back({node, {}});
+  return all.back().values;
+}
+
+// rcl keeps node names in the order in which they appear first, in files as in rules, and rclcpp
+// goes through them in that order: of two that mean the node, the one that appeared last wins.
 void add_arguments(const ros2wasm::Arguments& arguments, const std::string& full_name,
                    const std::string& name, Overrides& out) {
+  std::vector<Named> all;
   for (const ros2wasm::ParameterSource& source : arguments.parameters) {
     try {
       if (source.is_file) {
         visit_document("", ros2wasm::parse_yaml(read_file(source.file)),
                        [&](const std::string& node, const YamlNode& parameters) {
                          if (matches(node, full_name)) {
-                           add_tree("", parameters, out);
+                           add_tree("", parameters, values_of(node, all));
                          }
                        });
-      } else if (source.rule.node.empty() || source.rule.node == name ||
-                 matches(absolute(source.rule.node), full_name)) {
-        out[source.rule.name] = to_value(ros2wasm::parse_yaml(source.rule.value));
+      } else {
+        const std::string& said = source.rule.node;
+        const std::string node = said.empty() ? "/**" : said == name ? full_name : absolute(said);
+        if (matches(node, full_name)) {
+          values_of(node, all)[source.rule.name] =
+              to_value(ros2wasm::parse_yaml(source.rule.value));
+        }
       }
     } catch (const std::runtime_error& error) {
       fail((source.is_file ? "parameter file '" + source.file : "parameter '" + source.rule.name) +
            "': " + error.what());
+    }
+  }
+  for (const Named& one : all) {
+    for (const auto& [parameter, value] : one.values) {
+      out[parameter] = value;
     }
   }
 }

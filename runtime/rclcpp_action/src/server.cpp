@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <random>
+#include <string>
 
 #include "rclcpp/exceptions.hpp"
 #include "rclcpp/node_interfaces/node_services.hpp"
@@ -56,6 +57,46 @@ GoalUUID make_goal_id() {
   return id;
 }
 
+namespace {
+
+/// As rcl writes them.
+const char* status_name(int8_t status) {
+  switch (status) {
+    case GoalStatus::STATUS_ACCEPTED:
+      return "ACCEPTED";
+    case GoalStatus::STATUS_EXECUTING:
+      return "EXECUTING";
+    case GoalStatus::STATUS_CANCELING:
+      return "CANCELING";
+    case GoalStatus::STATUS_SUCCEEDED:
+      return "SUCCEEDED";
+    case GoalStatus::STATUS_CANCELED:
+      return "CANCELED";
+    case GoalStatus::STATUS_ABORTED:
+      return "ABORTED";
+    default:
+      return "UNKNOWN";
+  }
+}
+
+}  // namespace
+
+const char* GoalState::event_name(Event event) {
+  switch (event) {
+    case Event::execute:
+      return "EXECUTE";
+    case Event::cancel_goal:
+      return "CANCEL_GOAL";
+    case Event::succeed:
+      return "SUCCEED";
+    case Event::abort:
+      return "ABORT";
+    case Event::canceled:
+      return "CANCELED";
+  }
+  return "UNKNOWN";
+}
+
 int8_t GoalState::status() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return status_;
@@ -91,8 +132,9 @@ void GoalState::change(Event event) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const int8_t changed = next(status_, event);
   if (changed == 0) {
-    rcutils_set_error_state("goal_handle attempted invalid transition from state", __FILE__,
-                            __LINE__);
+    const std::string text = std::string("goal_handle attempted invalid transition from state ") +
+                             status_name(status_) + " with event " + event_name(event);
+    rcutils_set_error_state(text.c_str(), __FILE__, __LINE__);
     rclcpp::exceptions::throw_from_rcl_error(RCL_RET_ERROR);
   }
   status_ = changed;

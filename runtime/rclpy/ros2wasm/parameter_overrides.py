@@ -52,19 +52,30 @@ def visit(path: str, tree: Any, found: Callable[[str, dict[str, Any]], None]) ->
 
 
 def overrides(sources: Sequence[Arguments], full_name: str) -> dict[str, Any]:
-    """Global arguments first, then the node's own: the later wins."""
-    out: dict[str, Any] = {}
+    """
+    Global arguments, then the node's own, by the node names that they say something for.
+
+    The later one wins for the same name; among names that mean the node its own wins, wherever it stands, else the one
+    that appeared last.
+    """
+    named: dict[str, dict[str, Any]] = {}
 
     def take(pattern: str, parameters: dict[str, Any]) -> None:
         if matches(pattern, full_name):
-            flatten(parameters, '', out)
+            flatten(parameters, '', named.setdefault(pattern, {}))
     for arguments in reversed(sources):
         for rule in arguments.parameters:
             if rule.file:
                 with open(rule.file, encoding='utf-8') as file:
                     visit('', parse(file.read()) or {}, take)
                 continue
-            node = rule.node if rule.node.startswith('/') or not rule.node else f'/{rule.node}'
-            if not node or matches(node, full_name) or node.rpartition('/')[2] == full_name.rpartition('/')[2]:
-                out[rule.name] = parse_value(rule.value)
-    return out
+            node = rule.node if rule.node.startswith('/') else f'/{rule.node or "**"}'
+            if '/' not in rule.node and rule.node == full_name.rpartition('/')[2]:
+                node = full_name
+            if matches(node, full_name):
+                named.setdefault(node, {})[rule.name] = parse_value(rule.value)
+    out: dict[str, Any] = {}
+    for pattern in named:
+        if pattern != full_name:
+            out |= named[pattern]
+    return out | named.get(full_name, {})

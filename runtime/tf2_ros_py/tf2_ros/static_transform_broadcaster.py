@@ -17,7 +17,11 @@ __getattr__ = names_of(__name__, {
 
 
 class StaticTransformBroadcaster:
-    """On /tf_static, kept for those who come later. Each message has all that was sent, of each frame the last."""
+    """
+    On /tf_static, kept for those who come later. Each message has all frames that were sent.
+
+    A frame that was sent stays where it was said first; that of C++ moves it.
+    """
 
     def __init__(self, node: Any, qos: QoSProfile | int | None = None) -> None:
         if qos is None:
@@ -28,9 +32,6 @@ class StaticTransformBroadcaster:
     def sendTransform(self, transform: Any) -> None:
         known = self.net_message.transforms
         for one in as_list(transform):
-            place = next((i for i, old in enumerate(known) if old.child_frame_id == one.child_frame_id), None)
-            if place is None:
+            if all(old.child_frame_id != one.child_frame_id for old in known):
                 known.append(one)
-            else:
-                known[place] = one
         self.pub_tf.publish(self.net_message)

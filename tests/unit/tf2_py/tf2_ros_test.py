@@ -124,7 +124,7 @@ class Tf2RosTest(unittest.TestCase):
         still.sendTransform([a])
         still.sendTransform(b)
         still.sendTransform(c)
-        self.assertEqual(node.published, [[a], [a, b], [c, b]])
+        self.assertEqual(node.published, [[a], [a, b], [a, b]])
         self.assertEqual([(topic, qos.depth, qos.durability.name) for topic, qos in node.made],
                          [('/tf', 100, 'VOLATILE'), ('/tf_static', 1, 'TRANSIENT_LOCAL')])
 

@@ -25,6 +25,7 @@ class GoalState {
  private:
   enum class Event { execute, cancel_goal, succeed, abort, canceled };
   void change(Event event);
+  static const char* event_name(Event event);
   static int8_t next(int8_t status, Event event);
 
   mutable std::mutex mutex_;

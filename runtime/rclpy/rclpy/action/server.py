@@ -115,7 +115,8 @@ class ServerGoalHandle:
     def _update_state(self, event: GoalEvent) -> None:
         after = TRANSITIONS.get((self._status, event))
         if after is None:
-            raise RuntimeError(
+            from rclpy._rclpy_pybind11 import RCLError
+            raise RCLError(
                 f'Failed to update goal state: goal_handle attempted invalid transition from state '
                 f'{self._action_server._state_name(self._status)} with event {event.name}')
         self._status = int(after)

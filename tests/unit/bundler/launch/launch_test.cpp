@@ -50,8 +50,8 @@ TEST(NodeArguments, AreThoseOfRos2Launch) {
   entry.remappings = {{"topic", "/b"}};
   EXPECT_EQ(node_arguments(entry, {{{.pattern = "/**", .name = "rate", .value = "1"}}}),
             (std::vector<std::string>{"--fast", "--ros-args", "-r", "__node:=chatter", "-r",
-                                      "__ns:=/a", "-p", "/**:rate:=1", "-p", "rate:=2.0", "-p",
-                                      "sub.label:='it''s'", "-r", "topic:=/b"}));
+                                      "__ns:=/a", "-p", "/**:rate:=1", "-p", "/a/chatter:rate:=2.0",
+                                      "-p", "/a/chatter:sub.label:='it''s'", "-r", "topic:=/b"}));
   EXPECT_EQ(node_label(entry), "/a/chatter");
   EXPECT_TRUE(node_arguments(node("demo", "talker"), {}).empty());
   EXPECT_EQ(node_label(node("demo", "talker")), "talker");

@@ -77,6 +77,8 @@ class LaunchEvaluator {
   void resolve_ends();
   /// For each of the first processes.
   void follow_any(const EventHandler& handler, std::size_t processes);
+  void choose_first_starts();
+  [[nodiscard]] std::int64_t once_of_several(const LaunchEntity& entity) const;
   /// Whether its process is known by now.
   bool event(const EventHandler& handler);
   void follow(const EventHandler& handler);
@@ -169,6 +171,8 @@ class LaunchEvaluator {
   LaunchLanguage language_ = LaunchLanguage::kXml;  ///< of the present file
   std::vector<EventHandler> handlers_;
   std::set<std::int64_t> forgotten_;  ///< handlers, by number
+  /// Handlers of several processes that are followed once, by number.
+  std::set<std::int64_t> of_several_once_;
   std::map<std::int64_t, std::size_t> processes_;
   std::map<std::int64_t, PassedOver> passed_over_;
   /// By index in the description's ends: the process, as Python numbers it.

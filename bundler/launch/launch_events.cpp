@@ -1,6 +1,10 @@
 // See launch_evaluator.hpp: what launch files in Python say beyond the others, and what is done
 // when processes start and end.
 #include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
+#include <tuple>
 #include <utility>
 
 #include "bundler/launch/launch_evaluator.hpp"
@@ -12,6 +16,17 @@ namespace ros2wasm {
 namespace {
 
 constexpr std::size_t kMostLines = 10'000;
+
+/// Whether a process starts before another one: those of the launch's own start in their order. One
+/// that is not known (behind the last) starts after all.
+bool starts_before(const std::vector<LaunchProcess>& all, std::size_t a, std::size_t b) {
+  const auto key = [&](std::size_t i) {
+    const bool is_known = i < all.size();
+    return std::tuple(!is_known, is_known && all[i].start_on.has_value(),
+                      is_known ? all[i].start_after_s : 0.0, i);
+  };
+  return key(a) < key(b);
+}
 
 }  // namespace
 
@@ -170,13 +185,15 @@ bool LaunchEvaluator::event(const EventHandler& handler) {
                              .change = {.transition = text(entity, "transition").value_or(""),
                                         .start_state = text(entity, "start_state").value_or(""),
                                         .goal_state = text(entity, "goal_state").value_or("")},
-                             .once = flag(entity, "once", false)};
+                             .once = flag(entity, "once", false),
+                             .handler = once_of_several(entity)};
   } else if (runs) {
     trigger_ = LaunchTrigger{.process = started->second,
                              .event = prints            ? LaunchEvent::kOutput
                                       : kind == "start" ? LaunchEvent::kStart
                                                         : LaunchEvent::kExit,
-                             .once = flag(entity, "once", false)};
+                             .once = flag(entity, "once", false),
+                             .handler = once_of_several(entity)};
   } else {
     // What no site runs is over as soon as it would have begun.
     trigger_ = passed->second.on;
@@ -189,12 +206,60 @@ bool LaunchEvaluator::event(const EventHandler& handler) {
 void LaunchEvaluator::follow_any(const EventHandler& handler, std::size_t processes) {
   const LaunchEvent event =
       text(handler.entity, "event") == "start" ? LaunchEvent::kStart : LaunchEvent::kExit;
-  if (forgotten_.contains(number(handler.entity, "handler"))) return;
-  for (std::size_t i = 0; i < processes && errors_.empty(); ++i) {
-    trigger_ =
-        LaunchTrigger{.process = i, .event = event, .once = flag(handler.entity, "once", false)};
+  const std::int64_t called = number(handler.entity, "handler");
+  if (forgotten_.contains(called) || processes == 0) return;
+  const bool once = flag(handler.entity, "once", false);
+  std::vector<std::size_t> meant(processes);
+  std::iota(meant.begin(), meant.end(), 0U);
+  if (once && event == LaunchEvent::kStart)
+    meant = {*std::min_element(meant.begin(), meant.end(), [&](std::size_t a, std::size_t b) {
+      return starts_before(description_.processes, a, b);
+    })};
+  for (const std::size_t i : meant) {
+    if (!errors_.empty()) break;
+    trigger_ = LaunchTrigger{.process = i,
+                             .event = event,
+                             .once = once,
+                             .handler = once && meant.size() > 1 ? called : -1};
     follow(handler);
   }
+}
+
+/// The number of a handler that looks at several processes and is followed once, or -1.
+std::int64_t LaunchEvaluator::once_of_several(const LaunchEntity& entity) const {
+  const std::int64_t called = number(entity, "handler");
+  return of_several_once_.contains(called) ? called : -1;
+}
+
+/// Of a handler that is followed once, and chose several processes whose start it looks at, the one
+/// that starts first is left; which of several ends first, a run shows.
+void LaunchEvaluator::choose_first_starts() {
+  std::map<std::int64_t, std::vector<std::size_t>> all;
+  for (std::size_t i = 0; i < handlers_.size(); ++i)
+    if (flag(handlers_[i].entity, "once", false))
+      all[number(handlers_[i].entity, "handler")].push_back(i);
+  const auto process_of = [&](std::size_t handler) {
+    const auto found = processes_.find(number(handlers_[handler].entity, "process"));
+    return found == processes_.end() ? description_.processes.size() : found->second;
+  };
+  std::set<std::size_t> left_out;
+  for (const auto& [called, of_it] : all) {
+    if (called < 0 || of_it.size() < 2) continue;
+    if (text(handlers_[of_it.front()].entity, "event") != "start") {
+      of_several_once_.insert(called);
+      continue;
+    }
+    const auto first =
+        *std::min_element(of_it.begin(), of_it.end(), [&](std::size_t a, std::size_t b) {
+          return starts_before(description_.processes, process_of(a), process_of(b));
+        });
+    for (const std::size_t one : of_it)
+      if (one != first) left_out.insert(one);
+  }
+  std::vector<EventHandler> kept;
+  for (std::size_t i = 0; i < handlers_.size(); ++i)
+    if (!left_out.contains(i)) kept.push_back(std::move(handlers_[i]));
+  handlers_ = std::move(kept);
 }
 
 /// What a function does with lines of which its tests, four values each, say so.
@@ -325,6 +390,7 @@ void LaunchEvaluator::resolve_transitions() {
 /// What one handler starts may be what another one looks at. Whose process never comes, a condition
 /// left out.
 void LaunchEvaluator::events() {
+  choose_first_starts();
   std::vector<EventHandler> of_any;
   for (bool went_on = true; went_on && errors_.empty();) {
     went_on = false;

@@ -46,7 +46,8 @@ class Moments {
                 .name = on->event == LaunchEvent::kTransition ? other->label : "",
                 .change = on->change,
                 .output = on->output,
-                .once = on->once};
+                .once = on->once,
+                .handler = on->handler};
       }
       const LaunchProcess& missing = all_[on->process];  // it stands before this one
       after_s += missing.start_after_s;

@@ -51,6 +51,8 @@ struct LaunchMoment {
   LaunchStateChange change;
   LaunchOutput output;  ///< of kOutput
   bool once = false;
+  std::int64_t handler =
+      -1;  ///< with `once`: the first moment of this number is the only one; or -1
 };
 
 enum class LaunchStepKind { kLog, kShutdown, kTransition, kEnd };

@@ -221,6 +221,7 @@ void write_trigger(JsonWriter& json, const char* key, const LaunchTrigger& trigg
   write_state_change(json, trigger.change);
   write_output(json, trigger.output);
   if (trigger.once) json.field_boolean("once", true);
+  if (trigger.handler >= 0) json.field_integer("handler", trigger.handler);
   json.end_object();
 }
 

@@ -26,6 +26,7 @@ void write_moment(JsonWriter& json, const char* key, const LaunchMoment& moment)
   write_state_change(json, moment.change);
   write_output(json, moment.output);
   if (moment.once) json.field_boolean("once", true);
+  if (moment.handler >= 0) json.field_integer("handler", moment.handler);
   json.end_object();
 }
 

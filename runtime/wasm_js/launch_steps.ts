@@ -88,6 +88,8 @@ export class LaunchSteps {
   /** Transitions that wait until their node runs. */
   private readonly waiting = new Map<Extract<LaunchStep, { do: 'transition' }>, string>();
   private readonly done = new Set<LaunchStep>();
+  /** Handlers that looked at several processes and are followed once, by number. */
+  private readonly over = new Set<number>();
   /** Nodes that were told to end by the launch, which is an end like any other. */
   private readonly ending = new Set<string>();
   /** Whose lines are looked at. */
@@ -123,6 +125,7 @@ export class LaunchSteps {
     this.begun = true;
     this.ended = false;
     this.done.clear();
+    this.over.clear();
     for (const step of this.host.steps) if (step.on === undefined) this.later(step);
   }
 
@@ -196,12 +199,20 @@ export class LaunchSteps {
     for (const { abandoned } of this.talks) abandoned.abort();
   }
 
-  private follow(isMeant: (on: LaunchMoment) => boolean, line?: string): void {
-    for (const { id, startOn, startAfter } of this.host.nodes) {
-      if (startOn !== undefined && isMeant(startOn) && this.host.state(id).kind === 'waiting') this.host.start(id, startAfter);
-    }
+  private follow(happens: (on: LaunchMoment) => boolean, line?: string): void {
+    // All that a handler says is done, and then the handler is gone.
+    const over = new Set<number>();
+    const isMeant = (on: LaunchMoment): boolean => {
+      if (!happens(on) || (on.handler !== undefined && this.over.has(on.handler))) return false;
+      if (on.handler !== undefined) over.add(on.handler);
+      return true;
+    };
+    const nodes = this.host.nodes.filter(({ startOn }) => startOn !== undefined && isMeant(startOn));
+    const steps = this.ended ? [] : this.host.steps.filter(({ on }) => on !== undefined && isMeant(on));
+    for (const handler of over) this.over.add(handler);
+    for (const { id, startAfter } of nodes) if (this.host.state(id).kind === 'waiting') this.host.start(id, startAfter);
     if (this.ended) return;
-    for (const step of this.host.steps) if (step.on !== undefined && isMeant(step.on)) this.later(step, line);
+    for (const step of steps) this.later(step, line);
   }
 
   private later(of: LaunchStep, line?: string): void {

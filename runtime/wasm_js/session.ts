@@ -75,9 +75,16 @@ export interface CommandNode extends LaunchedProcess {
 
 export type SiteNode = ProgramNode | CommandNode;
 
+/** Whether a moment counts each time. */
+export interface HowOften {
+  readonly once?: boolean;
+  /** Of moments with the same number only the first one counts. */
+  readonly handler?: number;
+}
+
 /** Something that happens to a node, by its id. */
 export type NodeMoment =
-  | { readonly event: 'start' | 'exit'; readonly node: string; readonly once?: boolean }
+  | (HowOften & { readonly event: 'start' | 'exit'; readonly node: string })
   | OutputMoment
   | StateMoment;
 
@@ -91,21 +98,20 @@ export interface LineTest {
 }
 
 /** A node prints a line that all tests fit. */
-export interface OutputMoment {
+export interface OutputMoment extends HowOften {
   readonly event: 'output';
   readonly node: string;
   readonly stream: 'stdout' | 'stderr';
   readonly tests: readonly LineTest[];
-  readonly once?: boolean;
 }
 
 /** The same, or the end of all. */
 export type LaunchMoment =
   | NodeMoment
-  | { readonly event: 'shutdown'; readonly node?: undefined; readonly once?: boolean };
+  | (HowOften & { readonly event: 'shutdown'; readonly node?: undefined });
 
 /** A change of a managed node's state, by labels; those that are left out may be any. */
-export interface StateMoment {
+export interface StateMoment extends HowOften {
   readonly event: 'transition';
   readonly node: string;
   /** Full, of the managed node. */
@@ -114,7 +120,6 @@ export interface StateMoment {
   readonly startState?: string;
   readonly goalState?: string;
   /** The first time only. */
-  readonly once?: boolean;
 }
 
 interface LaunchStepAt {

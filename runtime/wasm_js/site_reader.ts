@@ -33,7 +33,10 @@ function readLineTest(value: unknown, what: string): LineTest {
 function readMoment(value: unknown, what: string): LaunchMoment {
   const json = object(value, what);
   const event = text(json, 'event', what);
-  const once = flag(json, 'once') ? { once: true } : {};
+  const once = {
+    ...(flag(json, 'once') ? { once: true } : {}),
+    ...(json['handler'] === undefined ? {} : { handler: number(json, 'handler', what) }),
+  };
   if (event === 'shutdown') return { event, ...once };
   if (event !== 'start' && event !== 'exit' && event !== 'transition' && event !== 'output') {
     return fail(`${what}.event is ${event}: it is start, exit, transition, output or shutdown`);

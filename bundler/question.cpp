@@ -27,6 +27,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kManifestName = "workspace.yaml";
+/// The author of `ros2wasm init paper`.
+constexpr std::string_view kNobody = "Your name";
 
 /// Step 1: read the manifest, or make one up for a folder that has none.
 Outcome<BuiltWorkspace> read_workspace(const PackRequest& request) {
@@ -59,6 +61,18 @@ Outcome<BuiltWorkspace> read_workspace(const PackRequest& request) {
   workspace.warnings = workspace.manifest.warnings;
   workspace.watched.push_back(fs::canonical(file, error));
   return workspace;
+}
+
+/// R2W0125: an author that a template left to be filled in.
+std::optional<Diagnostic> placeholder_author(const Manifest& manifest) {
+  const auto found = std::find_if(manifest.authors.begin(), manifest.authors.end(),
+                                  [](const Author& author) { return author.name == kNobody; });
+  if (found == manifest.authors.end()) return std::nullopt;
+  return Diagnostic{.code = "R2W0125",
+                    .message = "`authors:` still has the template's `" + std::string(kNobody) + "`",
+                    .span = SourceSpan{.file = manifest.file, .line_text = {}},
+                    .why = {"the page, CITATION.cff and BibTeX entries would name that author"},
+                    .fix = {"authors:\n  - {name: Ada Lovelace}"}};
 }
 
 /// Without a manifest the launch file that starts the workspace says what runs, when one can be
@@ -144,6 +158,11 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
   if (!read) return std::move(read).errors();
   BuiltWorkspace workspace = std::move(read).value();
   const Manifest& manifest = workspace.manifest;
+  if (auto nobody = placeholder_author(manifest)) {
+    if (request.signer) return *std::move(nobody);
+    nobody->severity = Severity::kWarning;
+    workspace.warnings.push_back(*std::move(nobody));
+  }
 
   if (const auto page = read_page_files(workspace.folder, manifest); !page)
     return page.errors();  // told before anything is built

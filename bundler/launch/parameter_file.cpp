@@ -39,6 +39,14 @@ bool same_type(const std::vector<ParameterValue>& items) {
   });
 }
 
+/// `ros_parameters`, `ros__parameter`, `ros___parameters`: no node is called so.
+bool is_misspelt(std::string_view key) {
+  std::string letters;
+  for (const char c : key)
+    if (c != '_' && c != '-') letters += c;
+  return key != kParametersKey && (letters == "rosparameters" || letters == "rosparameter");
+}
+
 class Reader {
  public:
   explicit Reader(const SourceText& source) : source_(source) {}
@@ -50,7 +58,11 @@ class Reader {
       return;
     }
     for (const YamlEntry& entry : node.entries) {
-      if (entry.key != kParametersKey) {
+      if (is_misspelt(entry.key)) {
+        fail(entry.key_range, "`" + entry.key + "` is not a key of parameter files");
+        errors_.back().label = "two underscores: `ros__parameters`";
+        errors_.back().fix.emplace_back("ros__parameters:");
+      } else if (entry.key != kParametersKey) {
         const bool joins = name.empty() || entry.key.starts_with('/') || name.ends_with('/');
         nodes(entry.value, name + (joins ? "" : "/") + entry.key);
       } else if (name.empty()) {

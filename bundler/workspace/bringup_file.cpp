@@ -26,12 +26,6 @@ bool says_bringup(const std::string& name) {
 
 }  // namespace
 
-bool is_launch_path(const std::string& path) {
-  for (const std::string_view ending : {".launch.py", ".launch.xml", ".launch.yaml", ".launch.yml"})
-    if (path.ends_with(ending)) return true;
-  return path.ends_with(".launch");
-}
-
 BringupChoice bringup_file(const std::vector<std::string>& files) {
   const auto only = [&](auto&& is_it) -> std::string {
     const auto count = std::count_if(files.begin(), files.end(), is_it);

@@ -15,7 +15,4 @@ struct BringupChoice {
 /// the only one whose name, or whose package's, says `bringup`.
 [[nodiscard]] BringupChoice bringup_file(const std::vector<std::string>& files);
 
-/// Is it named as launch files are?
-[[nodiscard]] bool is_launch_path(const std::string& path);
-
 }  // namespace ros2wasm

@@ -260,8 +260,43 @@ std::vector<ExternalDependency> external_dependencies(const std::vector<LocalPac
   return result;
 }
 
+/// The distributions that the channels have the client library of, sorted.
+std::vector<std::string> distros_of(const std::vector<std::string>& conda_names) {
+  constexpr std::string_view kBegin = "ros-";
+  constexpr std::string_view kEnd = "-rclcpp";
+  std::vector<std::string> result;
+  for (const std::string& name : conda_names) {
+    if (!name.starts_with(kBegin) || !name.ends_with(kEnd) ||
+        name.size() <= kBegin.size() + kEnd.size())
+      continue;
+    result.push_back(name.substr(kBegin.size(), name.size() - kBegin.size() - kEnd.size()));
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+/// All packages lack for one reason: the channels are of another distribution.
+std::optional<Diagnostic> other_distro(const std::vector<ExternalDependency>& external,
+                                       const KnownNames& known, std::string_view distro) {
+  const auto is_needed = [](const ExternalDependency& one) { return !one.can_be_missing; };
+  const auto first = std::find_if(external.begin(), external.end(), is_needed);
+  if (known.of_lock || first == external.end() || !ros_names(known.names, distro).empty())
+    return std::nullopt;
+  const std::vector<std::string> distros = distros_of(known.names);
+  if (distros.empty()) return std::nullopt;
+  Diagnostic result{.code = "R2W0513",
+                    .message = "no channel has packages of ROS 2 `" + std::string(distro) + "`",
+                    .span = first->places.front(),
+                    .label = "the first package that is asked for",
+                    .why = {"the channels have those of " + name_list(distros),
+                            "workspace.yaml says `distro: " + std::string(distro) + "`"},
+                    .fix = {"distro: " + distros.back()}};
+  return result;
+}
+
 Diagnostics missing_dependencies(const std::vector<ExternalDependency>& external,
                                  const KnownNames& known, std::string_view distro) {
+  if (auto reason = other_distro(external, known, distro)) return {std::move(*reason)};
   Diagnostics result;
   for (const ExternalDependency& dependency : external) {
     const std::string wanted = conda_name(dependency.name, distro);

@@ -13,6 +13,12 @@ function inBibtex(words: string): string {
   return words.replace(/[\\{}%&#_$~^]/g, (char) => special[char] ?? char).replace(/\s+/g, ' ').trim();
 }
 
+/** A file, or a server of the reader's own machine, is nothing that others can open. */
+function isPublic(address: string): boolean {
+  const { protocol, hostname } = new URL(address);
+  return (protocol === 'https:' || protocol === 'http:') && !/^(localhost|127\..*|\[::1\])$|\.localhost$/.test(hostname);
+}
+
 /** Null for a site whose manifest has no `citation`. `hash`: the sha256 of site.json, null while unknown. */
 export function bibtex(site: SiteDescription, hash: string | null, address: string): string | null {
   const { citation } = site;
@@ -28,7 +34,7 @@ export function bibtex(site: SiteDescription, hash: string | null, address: stri
     ['month', months[Number(month) - 1] ?? ''],
     ['doi', citation.doi],
     // A DOI is an address by itself.
-    ['url', citation.doi === '' ? address : ''],
+    ['url', citation.doi === '' && isPublic(address) ? address : ''],
     ['note', hash === null ? '' : `sha256 of site.json: ${hash}`],
   ];
   const written = fields.filter(([, value]) => value !== '')

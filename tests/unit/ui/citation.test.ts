@@ -38,3 +38,8 @@ test('without a DOI the address of the page stands there; without `citation` the
   assert.match(entry, /^ {2}url = \{https:\/\/example\.org\/site\/\},?$/m);
   assert.doesNotMatch(entry, /note|doi/);
 });
+
+test('a local address is never cited', () => {
+  for (const address of ['file:///home/me/paper.html', 'http://localhost:8080/', 'http://127.0.0.1:9000/site/', 'http://[::1]/', 'http://lab.localhost/'])
+    assert.doesNotMatch(bibtex({ ...site, citation: { date: '2026-02-03', doi: '' } }, null, address) ?? assert.fail(), /url/);
+});

@@ -9,6 +9,39 @@ namespace ros2wasm {
 namespace {
 using Names = std::vector<std::string>;
 
+TEST(ManifestDraft, ConsoleScriptsOfSetupPyAndSetupCfg) {
+  EXPECT_EQ(console_script_names(R"(
+setup(name='demo', entry_points={
+    'console_scripts': [
+        'talk = demo.talk:main',  # 'not = this:one'
+        "hear=demo.hear:main",
+    ],
+    'other': ['x = y:z'],
+})
+)",
+                                 ""),
+            (Names{"hear", "talk"}));
+  EXPECT_EQ(console_script_names("setup()", R"([options.entry_points]
+console_scripts =
+  talk = demo.talk:main
+  hear = demo.hear:main
+other =
+  x = y:z
+)"),
+            (Names{"hear", "talk"}));
+  EXPECT_EQ(console_script_names("'console_scripts': ['a", ""), Names{});
+  EXPECT_EQ(console_script_names("", "console_scripts"), Names{});
+}
+
+TEST(ManifestDraft, ScriptsThatCMakeInstalls) {
+  EXPECT_EQ(installed_program_names(R"(
+project(demo)
+install(PROGRAMS scripts/talk.py scripts/hear DESTINATION lib/${PROJECT_NAME})
+install(PROGRAMS tools/x.py DESTINATION share/demo)
+)"),
+            (Names{"hear", "talk.py"}));
+}
+
 TEST(InstalledProgramNames, SeesTheTutorialsForm) {
   EXPECT_EQ(installed_program_names(R"(
 cmake_minimum_required(VERSION 3.8)
@@ -69,7 +102,7 @@ TEST(DraftManifest, IsReadBack) {
       {.name = "ws",
        .title = "My: \"workspace\"",
        .packages = {package("a", "src/a", {"talker", "true"}), package("b", "src/x/b", {})},
-       .launch_files = {"src/a/launch/demo.launch.py"}});
+       .launch_files = {"src/a/launch/demo.launch.py", "src/a/launch/other.launch.py"}});
   const auto manifest = read_manifest(text, "workspace.yaml");
   ASSERT_TRUE(manifest.ok()) << text;
   EXPECT_EQ(manifest->name.value, "ws");
@@ -81,7 +114,20 @@ TEST(DraftManifest, IsReadBack) {
   ASSERT_EQ(manifest->nodes.size(), 2U);
   EXPECT_EQ(manifest->nodes[0].executable.value, "talker");
   EXPECT_EQ(manifest->nodes[1].executable.value, "true");
-  EXPECT_NE(text.find("#   src/a/launch/demo.launch.py\n"), std::string::npos);
+  EXPECT_NE(text.find("#   launch: src/a/launch/demo.launch.py\n"), std::string::npos);
+}
+
+TEST(DraftManifest, StartsTheOnlyLaunchFile) {
+  const std::string text =
+      draft_manifest({.name = "ws",
+                      .title = "ws",
+                      .packages = {package("a", "src/a", {"talker"})},
+                      .launch_files = {"src/a/launch/demo.launch.py"}});
+  const auto manifest = read_manifest(text, "workspace.yaml");
+  ASSERT_TRUE(manifest.ok()) << text;
+  ASSERT_TRUE(manifest->launch_file);
+  EXPECT_EQ(manifest->launch_file->value, "src/a/launch/demo.launch.py");
+  EXPECT_TRUE(manifest->nodes.empty());
 }
 
 TEST(DraftManifest, NamesFoldersOutsideOfSrc) {

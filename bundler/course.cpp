@@ -8,6 +8,7 @@
 #include "bundler/archive/zip_writer.hpp"
 #include "bundler/emit/precompressed.hpp"
 #include "bundler/emit/zip_output.hpp"
+#include "bundler/io/file_lock.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/render/own_site.hpp"
 #include "bundler/verify/site_list.hpp"
@@ -197,6 +198,11 @@ Outcome<CourseReport> pack_into(const CourseRequest& request, const Course& cour
   if (!hashes) return hashes.errors();
   if (auto written = write_file(folder / kHashList, *hashes); !written)
     return std::move(written).errors();
+  // Others may pack into the store meanwhile: what they have written there and not yet named stays.
+  const auto store = report.labs.empty()
+                         ? Outcome<std::optional<FileLock>>(std::optional<FileLock>())
+                         : FileLock::take_folder(folder / kObjects, !request.prune, cancellation);
+  if (!store) return store.errors();
   if (request.prune) {
     if (auto done = prune(folder, report); !done) return std::move(done).errors();
   }

@@ -2,9 +2,11 @@
 #include "cli/signing_key.hpp"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <termios.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <utility>
 
@@ -23,8 +25,14 @@ std::optional<std::string> line_of(int fd, const Cancellation& cancellation) {
   line.reserve(kMostOfAPassword);
   char letter = 0;
   for (;;) {
+    // An interrupt between the question and the call would not end a call that waits.
+    std::array<pollfd, 2> ends{{{.fd = fd, .events = POLLIN, .revents = 0},
+                                {.fd = cancellation.wake_fd(), .events = POLLIN, .revents = 0}}};
+    const int ready = ::poll(ends.data(), ends.size(), -1);
+    if (cancellation.requested()) return std::nullopt;
+    if (ready < 0 && errno == EINTR) continue;
     const ssize_t got = ::read(fd, &letter, 1);
-    if (got < 0 && errno == EINTR && !cancellation.requested()) continue;
+    if (got < 0 && errno == EINTR) continue;
     if (got < 0) return std::nullopt;
     if (got == 0 || letter == '\n') break;
     if (line.size() == kMostOfAPassword) return std::nullopt;

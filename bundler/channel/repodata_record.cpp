@@ -12,6 +12,9 @@
 namespace ros2wasm {
 namespace {
 
+/// In a list of dependencies; real packages have a few hundred at most.
+constexpr std::size_t kMostSpecs = 10'000;
+
 /// A text that stands alone counts as one of a list.
 template <typename Take>
 void each_text(const RawMember& member, const Take& take) {
@@ -60,6 +63,8 @@ std::optional<std::string> read_specs(const RawRecord& raw, RecordMember member,
     return quoted() + (value != nullptr && value->is_array() ? " holds something that is not text"
                                                              : " is not a list");
   }
+  if (texts->size() > kMostSpecs)
+    return quoted() + " has more than " + std::to_string(kMostSpecs) + " items";
   specs.reserve(texts->size());
   for (const std::string_view text : *texts) {
     if (std::find(specs.begin(), specs.end(), text) != specs.end()) continue;

@@ -34,8 +34,11 @@ Outcome<Done> copy_to(const fs::path& place, const fs::path& source) {
   return Done{};
 }
 
-std::string megabytes(std::uint64_t bytes) {
-  return std::to_string((bytes + 999'999) / 1'000'000) + " MB";
+/// What is needed is rounded up and what is left down, so that what does not fit is seen not to
+/// fit.
+std::string megabytes(std::uint64_t bytes, bool is_needed) {
+  const std::uint64_t tenths = (bytes + (is_needed ? 99'999 : 0)) / 100'000;
+  return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " MB";
 }
 
 /// Puts `fresh` in the place of `folder` in one step; what was there ends up at `fresh`.
@@ -107,13 +110,20 @@ void keep_earlier(const fs::path& old, const fs::path& site, const std::string& 
   if (!fs::exists(fs::symlink_status(place, error))) fs::rename(old, place, error);
 }
 
+/// The store of the site, marked as one of ours. Until the site is in its place nobody may take
+/// away what it has in the store. Nothing when it has none.
+Outcome<std::optional<FileLock>> open_store(const SitePlan& plan, const fs::path& clean,
+                                            const Cancellation& cancellation) {
+  if (plan.store.objects.empty()) return std::optional<FileLock>();
+  const fs::path store = (clean / plan.store.objects).lexically_normal();
+  if (auto written = write_file(store / kStoreMarker, kStoreMarkerText); !written)
+    return std::move(written).errors();
+  return FileLock::take_folder(store, true, cancellation);
+}
+
 /// `folder`: what the site is in now, `clean`: where it will be.
 Outcome<Done> write_planned(const SitePlan& plan, const fs::path& folder, const fs::path& clean,
                             const Cancellation& cancellation) {
-  if (!plan.store.objects.empty()) {
-    const fs::path marker = (clean / plan.store.objects / kStoreMarker).lexically_normal();
-    if (auto written = write_file(marker, kStoreMarkerText); !written) return written;
-  }
   for (const PlannedFile& file : plan.files) {
     if (auto refusal = refuse_site_path(file.path)) return *refusal;
     std::size_t at = 0;
@@ -168,8 +178,8 @@ std::optional<Diagnostic> refuse_size(const fs::path& folder, std::uint64_t need
   return Diagnostic{.code = "R2W0602",
                     .kind = FailureKind::kEnvironment,
                     .message = "there is not enough space for the site at " + folder.string(),
-                    .why = {"the site needs " + megabytes(needed) + ", the disk has " +
-                            megabytes(available) + " left"}};
+                    .why = {"the site needs " + megabytes(needed, true) + ", the disk has " +
+                            megabytes(available, false) + " left"}};
 }
 
 Outcome<Done> emit_folder(const SitePlan& plan, const fs::path& folder,
@@ -194,6 +204,8 @@ Outcome<Done> emit_folder(const SitePlan& plan, const fs::path& folder,
   auto made = make_beside(clean);
   if (!made) return std::move(made).errors();
   const TemporaryDirectory* const beside = &made->folder;
+  const auto store = open_store(plan, clean, cancellation);
+  if (!store) return store.errors();
   if (auto written = write_planned(plan, beside->path(), clean, cancellation); !written)
     return written;
   for (const ChannelFile& file : plan.channel) {

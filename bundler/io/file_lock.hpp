@@ -19,6 +19,10 @@ class FileLock {
   /// `is_shared`: others may have it in this way too.
   [[nodiscard]] static std::optional<FileLock> of_folder(const std::filesystem::path& folder,
                                                          bool is_shared = false);
+  /// Waits until nobody has the folder, or with `is_shared` until nobody has it alone. Nothing
+  /// where the file system does not lock folders. R2W0210 the folder is not there.
+  [[nodiscard]] static Outcome<std::optional<FileLock>> take_folder(
+      const std::filesystem::path& folder, bool is_shared, const Cancellation& cancellation);
   /// Nothing when another process has it, or the file cannot be made.
   [[nodiscard]] static std::optional<FileLock> try_take(const std::filesystem::path& file);
   FileLock(FileLock&& other) noexcept;

@@ -57,6 +57,20 @@ TEST(Repodata, BadRecordsAreLeftOutWithAReason) {
     EXPECT_FALSE(record.reason.empty()) << record.file_name;
 }
 
+// Guarantee, hostile input: a record with more dependencies than any package has is left out, and
+// does not hold up the others
+TEST(Repodata, ARecordHasALimitOfDependencies) {
+  const auto record = [](int count) {
+    std::string specs;
+    for (int i = 0; i < count; ++i) specs += (i == 0 ? "\"q" : ",\"q") + std::to_string(i) + "\"";
+    return R"({"name":"a","version":"1","build":"0","depends":[)" + specs + "]}";
+  };
+  EXPECT_EQ(parsed("\"a-1-0.conda\":" + record(10'000)).records.size(), 1U);
+  const RepoIndex index = parsed("\"a-1-0.conda\":" + record(10'001));
+  ASSERT_EQ(index.left_out.size(), 1U);
+  EXPECT_EQ(index.left_out[0].reason, "`depends` has more than 10000 items");
+}
+
 TEST(Repodata, CondaIsPreferredAndRemovedIsLeftOut) {
   const std::string record = R"({"name":"a","version":"1","build":"0"})";
   const RepoIndex index =

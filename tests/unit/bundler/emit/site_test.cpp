@@ -304,10 +304,12 @@ TEST(EmitFolder, AnInterruptLeavesTheOldSite) {
 
 TEST(EmitFolder, TooLittleSpaceIsSaidBeforeWriting) {
   EXPECT_FALSE(refuse_size("/site", 100, 100));
+  EXPECT_EQ(refuse_size("/site", 2'790'001, 2'790'000)->why.front(),
+            "the site needs 2.8 MB, the disk has 2.7 MB left");
   const auto refusal = refuse_size("/site", 3'000'000, 1'000'000);
   ASSERT_TRUE(refusal);
   EXPECT_EQ(refusal->code, "R2W0602");
-  EXPECT_EQ(refusal->why.front(), "the site needs 3 MB, the disk has 1 MB left");
+  EXPECT_EQ(refusal->why.front(), "the site needs 3.0 MB, the disk has 1.0 MB left");
 }
 
 TEST(RuntimeAssets, AreChecked) {

@@ -44,6 +44,25 @@ TEST(FileLock, NoTwoHoldersMeet) {
   EXPECT_EQ(turns, 80);
 }
 
+TEST(FileLock, AFolderIsSharedOrHeldAlone) {
+  const testing::TemporaryTree tree;
+  const std::atomic<bool> stop = true;
+  const Cancellation at_once(stop);
+  const auto take = [&](bool is_shared) {
+    return FileLock::take_folder(tree.root(), is_shared, at_once);
+  };
+  {
+    const auto one = take(true);
+    const auto two = take(true);
+    ASSERT_TRUE(one && *one && two && *two);
+    EXPECT_EQ(take(false).errors().front().kind, FailureKind::kInterrupted);
+  }
+  const auto alone = take(false);
+  ASSERT_TRUE(alone && *alone);
+  EXPECT_EQ(take(true).errors().front().kind, FailureKind::kInterrupted);
+  EXPECT_EQ(FileLock::take_folder(tree / "absent", true, {}).errors().front().code, "R2W0210");
+}
+
 TEST(FileLock, OneThatCannotBeHadIsAnError) {
   const testing::TemporaryTree tree;
   tree.write("file", "");

@@ -5,7 +5,7 @@ import { test } from 'node:test';
 import { LaunchSteps } from '../../../runtime/wasm_js/launch_steps.ts';
 import { changeStateRequest, changeStateSucceeded, readTransitionEvent } from '../../../runtime/wasm_js/lifecycle_messages.ts';
 import type { MessageListener, PageNode } from '../../../runtime/wasm_js/page_node.ts';
-import type { LaunchStep, LineTest, NodeState, OutputMoment, SiteNode } from '../../../runtime/wasm_js/session.ts';
+import type { LaunchStep, LineTest, NodeMoment, NodeState, OutputMoment, SiteNode } from '../../../runtime/wasm_js/session.ts';
 import { SiteError } from '../../../runtime/wasm_js/site_error.ts';
 
 /** lifecycle_msgs/msg/TransitionEvent, little-endian. */
@@ -102,6 +102,20 @@ test('lines come with the launch, late, and after starts and ends', () => {
   host.steps.happened('a-1', 'exit');
   host.ring();
   assert.deepEqual(host.said.slice(1), ['started', 'ended', 'late'].map((text) => `INFO launch.user ${text}`));
+});
+
+test('of the moments of a handler that is followed once the first one counts, with all that it says', () => {
+  const on = (node: string): NodeMoment => ({ event: 'exit', node, once: true, handler: 3 });
+  const host = new Host([
+    log('a ended', { on: on('a-1') }), log('a, really', { on: on('a-1') }), log('b ended', { on: on('b-1') }),
+    log('each time', { on: { event: 'exit', node: 'b-1' } }),
+  ], [{ id: 'c-1', startOn: on('b-1'), startAfter: 0 }, { id: 'd-1', startOn: on('a-1'), startAfter: 0 }]);
+  for (const id of ['c-1', 'd-1']) host.states.set(id, 'waiting');
+  host.steps.launched();
+  host.steps.happened('a-1', 'exit');
+  host.steps.happened('b-1', 'exit');
+  assert.deepEqual(host.said, ['a ended', 'a, really', 'each time'].map((text) => `INFO launch.user ${text}`));
+  assert.deepEqual(host.done, ['start d-1 0']);
 });
 
 test('a shutdown tells its reason once, calls off what was to come, and nothing is followed after it', () => {

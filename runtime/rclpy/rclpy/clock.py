@@ -165,8 +165,7 @@ class Clock:
                 left = until.nanoseconds - self._now_ns()
                 if left <= 0:
                     return True
-                if not meanwhile.give_way(token):
-                    host.wait(token, -1 if self._is_told() else left)
+                meanwhile.wait(token, -1 if self._is_told() else left)
         finally:
             handle.unregister()
 

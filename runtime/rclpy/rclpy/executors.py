@@ -414,13 +414,17 @@ class Executor:
                 if wait <= 0 and timeout_ns != 0:
                     raise TimeoutException()
                 wait = max(wait, 0)
-            for timer, _ in self._timers:
-                until = None if timer._destroyed or not self.can_execute(timer) else timer._wait_ns()
-                if until is not None and (wait < 0 or until < wait):
-                    wait = until
-            result = host.wait(token, wait)
+            result = host.wait(token, self._until_timers(wait))
             if timeout_ns == 0 and result == host.TIMEOUT:
                 raise TimeoutException()
+
+    def _until_timers(self, wait_ns: int) -> int:
+        """How long to wait for a timer that can be called, and no longer than so long. Negative: without end."""
+        for timer, _ in self._timers:
+            until = None if timer._destroyed or not self.can_execute(timer) else timer._wait_ns()
+            if until is not None and (wait_ns < 0 or until < wait_ns):
+                wait_ns = until
+        return wait_ns
 
     # ---- spinning
 
@@ -554,11 +558,8 @@ class MultiThreadedExecutor(Executor):
         self, timeout_sec: float | None = None, condition: Callable[[], bool] = lambda: False
     ) -> None:
         if not self._in_threads:
-            meanwhile.spinning.append(self._run_meanwhile)
-            try:
+            with meanwhile.in_one_thread(self):
                 super()._spin_once_impl(timeout_sec, condition)
-            finally:
-                meanwhile.spinning.remove(self._run_meanwhile)
             return
         try:
             work = self._next_work(timeout_sec_to_nsec(timeout_sec), condition)

@@ -8,20 +8,37 @@ from __future__ import annotations
 
 import sys
 import threading
-from collections.abc import Callable
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Any
+
+from ros2wasm import host
 
 #: After so long somebody who waits is told why that may never end. By the site's time.
 HELP_AFTER_NS = 5_000_000_000
 
-#: Of each executor of several threads that spins in one: does something for the link's token. False: nothing is to do.
-spinning: list[Callable[[int], bool]] = []
+#: The executors of several threads that spin in one.
+spinning: list[Any] = []
 _told: set[str] = set()
 
 
-def give_way(token: int) -> bool:
-    """Let others run, if somebody can. False: nothing was to do."""
-    return any(run(token) for run in reversed(spinning))
+@contextmanager
+def in_one_thread(executor: Any) -> Iterator[None]:
+    """While an executor of several threads spins in one."""
+    spinning.append(executor)
+    try:
+        yield
+    finally:
+        spinning.remove(executor)
+
+
+def wait(token: int, timeout_ns: int) -> None:
+    """As host.wait, while others run, if somebody can; comes back after what they did. Negative: without end."""
+    if any(executor._run_meanwhile(token) for executor in reversed(spinning)):
+        return
+    for executor in spinning:
+        timeout_ns = executor._until_timers(timeout_ns)
+    host.wait(token, timeout_ns)
 
 
 def why_stuck(what: str, executor: Any, entity: Any) -> str | None:

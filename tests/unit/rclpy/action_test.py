@@ -76,7 +76,7 @@ class ActionTest(BusTest):
         # As the other threads do that natively spin meanwhile.
         meanwhile = mock.patch.object(
             importlib.import_module('ros2wasm.meanwhile'), 'spinning',
-            [lambda _: self.executor._spin_once_impl(0) or True])
+            [mock.Mock(_run_meanwhile=lambda _: self.executor._spin_once_impl(0) or True)])
         with meanwhile:
             done = client.send_goal(self.type.Goal(order=7))
             self.assertEqual((done.status, list(done.result.sequence)), (self.status.STATUS_SUCCEEDED, [7]))

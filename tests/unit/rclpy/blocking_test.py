@@ -115,6 +115,31 @@ class BlockingTest(BusTest):
         with self.assertRaisesRegex(RuntimeError, 'Rate cannot sleep because it has been destroyed'):
             rate.sleep()
 
+    def test_who_waits_is_back_for_the_timers_of_others(self) -> None:
+        node = self.node('timed')
+        executor = self.executors.MultiThreadedExecutor(2, context=node.context)
+        executor.add_node(node)
+        rate = node.create_rate(20.0)
+        waits: list[int] = []
+        host = importlib.import_module('ros2wasm.host')
+        wait = host.wait
+        ends: list[int] = []
+
+        def noted(token: int, timeout_ns: int) -> Any:
+            waits.append(timeout_ns)
+            return wait(token, timeout_ns)
+
+        def tick() -> None:
+            timer.cancel()
+            self.enterContext(mock.patch.object(host, 'wait', noted))
+            rate.sleep()
+            ends.append(1)
+        timer = node.create_timer(0.0, tick)
+        self.enterContext(mock.patch.object(self.meanwhile, 'HELP_AFTER_NS', 5_000_000_000))
+        self.spin_these(executor, lambda: bool(ends))
+        self.assertTrue(waits)
+        self.assertLessEqual(max(waits), 50_000_000)
+
     def test_a_rate_in_a_callback_of_a_single_thread(self) -> None:
         node = self.node('in_timer')
         rate = node.create_rate(1e6)

@@ -113,6 +113,5 @@ class NodeGraph(NodeBase):
             left = end - time.monotonic_ns()
             if left <= 0:
                 return False
-            if not meanwhile.give_way(token):
-                host.wait(token, left)
+            meanwhile.wait(token, left)
         return False

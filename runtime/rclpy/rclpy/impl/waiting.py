@@ -36,9 +36,8 @@ def wait_until(
             help_at = None
             assert why_stuck is not None
             meanwhile.help_once(why_stuck())
-        if not meanwhile.give_way(token):
-            moments = [moment for moment in (end, help_at) if moment is not None]
-            host.wait(token, min(moments) - now if moments else -1)
+        moments = [moment for moment in (end, help_at) if moment is not None]
+        meanwhile.wait(token, min(moments) - now if moments else -1)
 
 
 def wait_for_answer(

@@ -158,7 +158,8 @@ Outcome<SitePlan> plan(const PackRequest& request, BuiltWorkspace& workspace, La
     for (const std::string& one : *left_out) workspace.remarks.push_back("left out " + one);
   }
   for (const BuiltPackage& package : workspace.packages) input.packages.push_back(package.name);
-  if (auto added = add_python(request, workspace, input, cancellation); !added) return std::move(added).errors();
+  if (auto added = add_python(request, workspace, input, cancellation); !added)
+    return std::move(added).errors();
   if (auto added = add_sources(request, workspace, input); !added) return std::move(added).errors();
   return plan_site(std::move(input));
 }

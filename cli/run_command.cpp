@@ -82,9 +82,10 @@ CommandBody run_command(Arguments& arguments) {
   arguments.rest("NAME:=VALUE", options->given, "launch arguments");
   arguments.flag("--show-args", options->show_arguments,
                  "show the launch arguments of the site, and start nothing");
-  arguments.value("--for", options->limit, "TIME",
-                  "stop this time after the first node begins to run: 500ms, 5s, 2m; with --until, fail when "
-                  "it was not met");
+  arguments.value(
+      "--for", options->limit, "TIME",
+      "stop this time after the first node begins to run: 500ms, 5s, 2m; with --until, fail when "
+      "it was not met");
   arguments.value("--until", options->until, "REGEX",
                   "stop with exit code 0 when a line of output matches (JavaScript syntax)");
   arguments.choice("--link", options->link, {"shared", "port"},

@@ -144,9 +144,9 @@ Outcome<SetupPlan> read_setup_plan(std::string_view json, const BuildPlace& plac
         if (auto entry = entry_point(line)) {
           plan.programs.push_back(std::move(*entry));
         } else {
-          errors.push_back(
-              refused(place, "setup.py", 0,
-                      "the entry point `" + line + "` is not `NAME = MODULE:FUNCTION` or `NAME = MODULE`"));
+          errors.push_back(refused(
+              place, "setup.py", 0,
+              "the entry point `" + line + "` is not `NAME = MODULE:FUNCTION` or `NAME = MODULE`"));
         }
       }
     }

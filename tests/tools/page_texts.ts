@@ -19,8 +19,8 @@ function isWords(text: string): boolean {
 
 /** Three words one after the other that are no names, as keys of RViz's files are: `Min Color Value`. */
 const kSentence = /(?<![\p{L}\p{N}-])\p{L}{2,} \p{Ll}{2,} \p{Ll}{2,}(?![\p{L}\p{N}-])/u;
-/** What patch wants to read. */
-const kNotOurs = new Set(['\\ No newline at end of file']);
+/** What patch wants to read, and what Python prints. */
+const kNotOurs = new Set(['\\ No newline at end of file', 'Traceback (most recent call last)']);
 
 type Tree = Readonly<Record<string, unknown>>;
 

@@ -68,10 +68,11 @@ TEST(SetupPlan, RefusesWhatLeavesItsFolderOrIsNoEntryPoint) {
   EXPECT_EQ(refused(R"("data": [["a", "../x"]])"), "`../x` leads out of its folder");
   EXPECT_EQ(refused(R"("modules": [["/etc/passwd", "x"]])"),
             "`/etc/passwd` leads out of its folder");
-  for (const char* line :
-       {"talk", "talk = demo:", "talk = demo main", "../talk = demo:main", "talk = demo:main()", " = a:b"}) {
+  for (const char* line : {"talk", "talk = demo:", "talk = demo main", "../talk = demo:main",
+                           "talk = demo:main()", " = a:b"}) {
     EXPECT_EQ(refused(R"("entry_points": {"console_scripts": [")" + std::string(line) + R"("]})"),
-              "the entry point `" + std::string(line) + "` is not `NAME = MODULE:FUNCTION` or `NAME = MODULE`");
+              "the entry point `" + std::string(line) +
+                  "` is not `NAME = MODULE:FUNCTION` or `NAME = MODULE`");
   }
   EXPECT_EQ(refused(R"("data": [["a", "share/demo/a"]])"), "");
 }

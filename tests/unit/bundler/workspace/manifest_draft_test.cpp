@@ -118,11 +118,10 @@ TEST(DraftManifest, IsReadBack) {
 }
 
 TEST(DraftManifest, StartsTheOnlyLaunchFile) {
-  const std::string text =
-      draft_manifest({.name = "ws",
-                      .title = "ws",
-                      .packages = {package("a", "src/a", {"talker"})},
-                      .launch_files = {"src/a/launch/demo.launch.py"}});
+  const std::string text = draft_manifest({.name = "ws",
+                                           .title = "ws",
+                                           .packages = {package("a", "src/a", {"talker"})},
+                                           .launch_files = {"src/a/launch/demo.launch.py"}});
   const auto manifest = read_manifest(text, "workspace.yaml");
   ASSERT_TRUE(manifest.ok()) << text;
   ASSERT_TRUE(manifest->launch_file);

@@ -102,7 +102,7 @@ Outcome<InvalidFiles> invalid_files(const PackRequest& request, const BuiltWorks
   const auto cache = cache_directory(request.variables);
   if (!cache) return cache.errors();
   const auto mistakes = python_mistakes(
-      texts, kept_launch_place(*cache),
+      texts, kept_python_place(*cache),
       [&] {
         return find_launch_tools(request.executable, request.variables, workspace.environment,
                                  cancellation);

@@ -129,7 +129,7 @@ Diagnostics check_python(const CheckRequest& request, CheckReport& report, const
   const auto cache = cache_directory(request.variables);
   if (!cache) return cache.errors();
   const auto mistakes = python_mistakes(
-      texts, kept_launch_place(*cache),
+      texts, kept_python_place(*cache),
       [&] { return find_launch_tools(request.executable, request.variables, {}, cancellation); },
       cancellation);
   Diagnostics errors;

@@ -31,4 +31,14 @@ inline constexpr const char* kBuildFormat = "5";
   return launch_area(cache) / ROS2WASM_VERSION;
 }
 
+/// Of all versions: which Python texts were valid. `<cache>/python`.
+[[nodiscard]] inline std::filesystem::path python_area(const std::filesystem::path& cache) {
+  return cache / "python";
+}
+
+/// Of this ros2wasm.
+[[nodiscard]] inline std::filesystem::path kept_python_place(const std::filesystem::path& cache) {
+  return python_area(cache) / ROS2WASM_VERSION;
+}
+
 }  // namespace ros2wasm

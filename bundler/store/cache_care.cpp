@@ -259,11 +259,14 @@ Outcome<Pruned> prune_cache(const fs::path& cache, const PruneRequest& request,
   for (const fs::path& entry : entries_of(build_area(cache))) {
     if (entry != build_place(cache)) pruner.remove(entry);
   }
-  for (const fs::path& entry : entries_of(launch_area(cache))) {
-    if (entry != kept_launch_place(cache)) pruner.remove(entry);
+  for (const auto& [area, kept] : {std::pair(launch_area(cache), kept_launch_place(cache)),
+                                   {python_area(cache), kept_python_place(cache)}}) {
+    for (const fs::path& entry : entries_of(area)) {
+      if (entry != kept) pruner.remove(entry);
+    }
+    for (const fs::path& file : entries_of(kept))
+      pruner.remove_if_old(file, is_leftover_name(file) ? kLeftoverAge : kKeptLaunchAge);
   }
-  for (const fs::path& file : entries_of(kept_launch_place(cache)))
-    pruner.remove_if_old(file, is_leftover_name(file) ? kLeftoverAge : kKeptLaunchAge);
   for (const char* area : {"packages", "environments", "index"}) {
     for (const fs::path& entry : entries_of(cache / area / "unfinished"))
       pruner.remove_if_old(entry);

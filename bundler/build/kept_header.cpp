@@ -19,7 +19,9 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Raise it when a header is compiled otherwise.
-constexpr std::string_view kFormat = "1";
+constexpr std::string_view kFormat = "2";
+/// Headers that stand before those of the compiler in every compilation.
+constexpr std::string_view kLibraryParts = "ros2wasm_std";
 constexpr std::string_view kHeaderName = "rclcpp/rclcpp.hpp";
 constexpr std::string_view kHeaderPackage = "rclcpp";
 constexpr int kDeepestInclude = 32;
@@ -144,8 +146,8 @@ bool has_files(const fs::path& folder) {
          });
 }
 
-/// The packages' include folders, sorted. Nothing when one of a source's own folders stands before
-/// one of them.
+/// The include folders of the library's parts and of the packages, these sorted. Nothing when one
+/// of a source's own folders stands before one of them.
 std::optional<std::vector<fs::path>> package_folders(const HeaderUse& use) {
   std::vector<fs::path> folders;
   std::error_code error;
@@ -160,6 +162,8 @@ std::optional<std::vector<fs::path>> package_folders(const HeaderUse& use) {
   }
   if (error) return std::nullopt;
   std::sort(folders.begin(), folders.end());
+  const fs::path parts = use.packages / kLibraryParts;
+  if (fs::exists(parts, error)) folders.insert(folders.begin(), parts);
   return folders;
 }
 

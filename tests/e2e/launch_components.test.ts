@@ -89,7 +89,7 @@ test('the container of the package gets what the launch file says', () => {
     '--component-flag=use_intra_process_comms',
     '--component=composed_talkers::Missing',
     '--component=composed_talkers::Echo',
-    ...['--ros-args', '-r', '__node:=ear', '-r', '__ns:=/in', '-p', 'use_sim_time:=false', '-p', '/**:gain:=2.5', '-r', `${topic()}:=/numbers`]
+    ...['--ros-args', '-r', '__node:=ear', '-r', '__ns:=/in', '-p', '/in/ear:use_sim_time:=false', '-p', '/**:gain:=2.5', '-r', `${topic()}:=/numbers`]
       .map((word) => `--component-arg=${word}`),
     '--ros-args', '-r', '__node:=box', '-r', '__ns:=/c',
   ]);

@@ -37,7 +37,7 @@ struct LaunchTrigger {
   LaunchStateChange change = {};  ///< of kTransition
   LaunchOutput output = {};       ///< of kOutput
   bool once = false;              ///< is followed the first time only
-  /// Of a handler that looks at several processes and is followed `once`: its number, else -1.
+  /// The number of a handler that looks at several processes and is followed `once`; else -1.
   std::int64_t handler = -1;
 };
 

@@ -280,11 +280,10 @@ describe('what a node may not do', WATCHDOG, () => {
     scratch.file('plain/site/index.html', '<!doctype html><script src="start.js"></script>');
     scratch.file('plain/site/start.js', "new Worker('probe.js');");
     scratch.file('plain/site/probe.js', probeScript(foreign.url, 'plain'));
-    scratch.file('plain/site/site.json', '{}');
-    const plain = join(scratch.path, 'plain/site');
-    await using server = await ServedSite.start([plain, '--port', '0', '--no-isolation']);
+    // "ros2wasm serve" sends the policy with each page: another host does not.
+    const host = await serveFolder(join(scratch.path, 'plain/site'));
     await using visitor = await visit();
-    await visitor.page.goto(server.url);
+    await visitor.page.goto(host.url);
     // The foreign host does not allow its answer to be read, but it was asked.
     const found = { eval: 'allowed', construct: 'allowed', request: 'NetworkError' };
     assert.deepEqual(await probes(visitor.page, 1), [found]);
@@ -292,5 +291,6 @@ describe('what a node may not do', WATCHDOG, () => {
     await visitor.page.goto('http://elsewhere.invalid/').catch(() => undefined);
     assert.deepEqual(gate.asked, ['elsewhere.invalid']);
     assert.ok(foreign.requests.some((path) => path.includes('plain-request')));
+    await host.close();
   });
 });

@@ -23,7 +23,11 @@ test('each check says how far it is and what was seen, and is told when all are 
   stage.on(kScene, {}, async (page) => {
     const rows = page.locator('.check-row');
     await rows.nth(2).waitFor();
-    assert.match(await rows.nth(0).innerText(), /\/topic above 1 Hz\s+Seen\s+after 1 s\s+Seen: 2 Hz\s+workspace\.yaml:12:5/);
+    assert.match(await rows.nth(0).innerText(), /\/topic above 1 Hz\s+Seen\s+after 1 s\s+Seen: 2 Hz$/);
+    // Where it is declared is for authors, and shown on request.
+    await page.getByRole('button', { name: 'Layout of the page' }).click();
+    await page.getByRole('menuitem', { name: 'Show where the manifest declares nodes' }).click();
+    assert.match(await rows.nth(0).innerText(), /Seen: 2 Hz\s+workspace\.yaml:12:5$/);
     assert.match(await rows.nth(1).innerText(), /<img src=x.*Not seen within 5 s/s);
     assert.match(await rows.nth(2).innerText(), /Not seen yet, within 20 s\s+Seen: no line/);
     assert.match(await page.locator('.panel-checks').innerText(), /1 of 3 checks passed/);

@@ -219,7 +219,7 @@ test('keyboard, hostile names, links, a narrow page, axe-core in both themes', w
     await page.getByRole('combobox', { name: 'File' }).selectOption(files[3]?.[1] ?? '');
     await editorOf(page).getByText('</style><script>').waitFor();
     await write(page, 'print("<b>")\n');
-    await page.getByText('Changed:').waitFor();
+    await page.getByText('Changed.').waitFor();
     await page.getByText('No node has read this file.').waitFor();
     // Tab indents, and does not trap.
     await page.keyboard.press('Tab');

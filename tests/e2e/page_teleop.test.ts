@@ -31,9 +31,9 @@ after(() => stage.close());
 
 const pad = (page: Page) => page.locator('.drive-pad');
 
-/** The page knows who waits to be driven. */
+/** The panel knows who waits to be driven. */
 async function ready(page: Page): Promise<void> {
-  await page.waitForFunction(() => fake.graph().nodes.some(({ name }) => name === '/robot'));
+  await page.waitForFunction(() => document.querySelector<HTMLInputElement>('.panel-teleop input[list]')?.value === '/turtle1/cmd_vel');
   await pad(page).waitFor();
 }
 

@@ -54,9 +54,9 @@ export function TeleopPanel({ session, state, setState, instance }: PanelProps) 
     sender.current?.hold(now);
     setShown((before) => (before.ahead === now.ahead && before.turn === now.turn ? before : now));
   };
-  /** What is driven is not another robot because one more has come. */
+  /** A robot that comes later does not take over from the one that is driven. */
   const pin = (): void => {
-    if (written === '') change({ topic });
+    if (written === '' && drives.length > 0) change({ topic });
   };
   const hold = (source: string, stick: Stick): void => {
     if (isRest(stick)) {
@@ -90,6 +90,8 @@ export function TeleopPanel({ session, state, setState, instance }: PanelProps) 
     sender.current.limits = { linear, angular };
     sender.current.rateHz = rate;
     sender.current.pace();
+    // A key may be held since before the types were loaded.
+    tell();
   }, [session, codec, topic, stamped, frame, linear, angular, rate]);
   useLetGo(release);
   const pad = useGamepad(usesPad, (stick) => hold('gamepad', stick));

@@ -59,6 +59,10 @@ class Series {
     this.values.set(key, series);
   }
 
+  ours(key: string): readonly number[] {
+    return this.values.get(key)?.ours ?? [];
+  }
+
   entries(): IterableIterator<[string, { ours: number[]; peer: number[]; ratios: number[] }]> {
     return this.values.entries();
   }
@@ -84,16 +88,20 @@ async function run(context: BenchContext, figure: Figure, state: State, recorded
     });
   }
   const share = others.share();
-  for (const [where, { ours, peer, ratios }] of series.entries()) {
+  for (const [where, { peer, ratios }] of series.entries()) {
     const ratio = summary(ratios);
+    const ours = summary(series.ours(where));
     const worst = figure.what === 'round trip' ? ratio.max : ratio.min;
     context.emit({
-      bench: 'waits', what: figure.what, where, beside: state, runs: ratio.runs, unit: figure.unit, median: summary(ours).median,
+      bench: 'waits', what: figure.what, where, beside: state, runs: ratio.runs, unit: figure.unit, median: ours.median,
       peer: 'ddsperf, loopback, in the same state', peer_median: summary(peer).median,
       median_ratio: ratio.median, worst_ratio: worst, taken_by_others: Math.round(share * 100) / 100,
     });
     recorded.push({ line: `${figure.what}, ${where}, beside ${state}`, median: ratio.median, worst });
     if (!where.includes('shared')) continue;
+    const port = summary(series.ours(where.replace('shared', 'port'))).median;
+    if (figure.what === 'round trip' && ours.max > port) context.fail(`waits: ${where} beside ${state}: ${ours.max} us in the worst run, ${port} us on the port link`);
+    if (figure.what === 'throughput' && ours.median < port) context.fail(`waits: ${where} beside ${state}: ${ours.median} messages/s, ${port} on the port link`);
     if (figure.what === 'round trip' && worst > MOST_ROUND_TRIP) context.fail(`waits: ${where} beside ${state}: a round trip takes ${worst} times ddsperf's in the worst run`);
     if (figure.what === 'throughput' && ratio.median < LEAST_THROUGHPUT) context.fail(`waits: ${where} beside ${state}: ${ratio.median} times ddsperf's messages`);
   }

@@ -14,6 +14,7 @@ import { after, before, test } from 'node:test';
 import { type Browser, type BrowserContext, type Page, chromium } from 'playwright-core';
 import { taken } from '../../runtime/wasm_js/worker_realm.ts';
 import { eventually } from '../support/eventually.ts';
+import { Firefox } from '../support/firefox.ts';
 import { ownPackage } from '../support/python_nodes.ts';
 import { type StaticServer, serveFolder } from '../support/static_server.ts';
 import { chromiumOptions } from './chromium.ts';
@@ -69,7 +70,29 @@ function assertNothing({ scope, navigator }: Pick<Reached, 'scope' | 'navigator'
   assert.deepEqual(navigator.filter((name) => ['storage', 'locks', 'serviceWorker', 'storageBuckets'].includes(name)), []);
 }
 
+/** `text`: a page with the output of the node that tried. */
+function assertReachesNothing(text: string): void {
+  const reached = JSON.parse(/reaches (\{.*?\})/.exec(text)?.[1] ?? '') as Reached;
+  assertNothing(reached);
+  const { script, code, order, worker, cache } = reached;
+  assert.deepEqual({ script, code, worker, cache }, { script: 'JsException', code: 'JsException', worker: 'AttributeError', cache: 'AttributeError' });
+  assert.notEqual(order, 'done', 'the worker has no handler any more that an order could be given to');
+}
+
 for (const [link, isolated] of [['shared', true], ['port', false]] as const) {
+  test(`Firefox, ${link}: no node's worker has what leads to other sites`, watchdog, async () => {
+    const server = await serveFolder(host, { isolated });
+    const firefox = await Firefox.launch({ serviceWorkers: false });
+    try {
+      await firefox.goto(`${server.url}nodes/`);
+      await firefox.seen(/reaches \{[^]*\}/, patience.timeout);
+      assertReachesNothing(String(await firefox.evaluate('document.body.textContent')));
+    } finally {
+      await firefox.close();
+      await server.close();
+    }
+  });
+
   test(`${link}: no node's worker has what leads to other sites`, watchdog, async () => {
     const server = await serveFolder(host, { isolated });
     const context = await browser.newContext({ serviceWorkers: 'block' });
@@ -78,11 +101,7 @@ for (const [link, isolated] of [['shared', true], ['port', false]] as const) {
       await page.goto(`${server.url}nodes/`);
       await page.waitForFunction(() => /reaches \{.*\}/.test(document.body?.textContent ?? ''), null, patience);
       const text = await page.evaluate(() => document.body.textContent ?? '');
-      const reached = JSON.parse(/reaches (\{.*?\})/.exec(text)?.[1] ?? '') as Reached;
-      assertNothing(reached);
-      const { script, code, order, worker, cache } = reached;
-      assert.deepEqual({ script, code, worker, cache }, { script: 'JsException', code: 'JsException', worker: 'AttributeError', cache: 'AttributeError' });
-      assert.notEqual(order, 'done', 'the worker has no handler any more that an order could be given to');
+      assertReachesNothing(text);
       if (isolated) return;
       // Programs of C++ and threads; on the shared link they sleep where no debugger wakes them, in the same worker.
       await page.goto(`${server.url}victim/`);

@@ -17,6 +17,8 @@ import { makeSite } from './runtime_site.ts';
 const watchdog = { timeout: 240_000 };
 const waitMs = 100;
 const longS = 100;
+/** What a callback of the script `answers` takes. */
+const answerMs = 20;
 /** How much faster time goes for the long ones. */
 const speed = 1000;
 /** In the order of tests/packages/chatter_py/scripts/passes. */
@@ -31,7 +33,10 @@ let folder = '';
 before(() => {
   const entry = 'lib/chatter_py/passes';
   folder = makeSite([], {}, {}, {
-    nodes: [{ entry, executable: 'passes' }, { entry, executable: 'long', arguments: [String(longS)] }], packages: ownPackage('chatter_py'),
+    nodes: [{ entry, executable: 'passes' }, { entry, executable: 'long', arguments: [String(longS)] },
+      { entry: 'lib/chatter_py/answers', executable: 'serve', arguments: ['serve'] }, { entry: 'lib/chatter_py/answers', executable: 'ask', arguments: ['ask'] },
+    ],
+    packages: ownPackage('chatter_py'),
   });
 });
 after(() => rmSync(folder, { recursive: true }));
@@ -59,6 +64,11 @@ function line({ session }: HeadlessSite, id: string, text: string): Promise<stri
     return found;
   };
   return Promise.race([prints(session, id, starting(text)), ended()]);
+}
+
+/** As many answers have come. */
+function answered({ session }: HeadlessSite): number {
+  return session.console('ask-4').lines().filter(({ text }) => text.endsWith(' answered')).length;
 }
 
 const only = / (begins|ends after [\d.]+ ms)$|^passed$/;
@@ -106,6 +116,37 @@ for (const link of ['shared', 'port'] as const) {
         // A moment of this machine is many seconds: how much longer it takes says nothing.
         assert.ok(passed >= longS * 1000, `${way} took ${passed} ms`);
       }
+    } finally {
+      site.close();
+    }
+  });
+
+  test(`${link}: requests that are in flight while time is held, goes in steps and runs again get one answer each`, watchdog, async () => {
+    const site = await openHeadless(folder, link, new URL('../../runtime/wasm_js/headless.ts', import.meta.url));
+    const { session } = site;
+    try {
+      session.start('serve-3');
+      session.start('ask-4');
+      await line(site, 'ask-4', '3 answered');
+      session.time.pause();
+      // One more may have been ready. The others wait in the server, whose callback sleeps by held time.
+      await realTime(10 * answerMs);
+      const held = answered(site);
+      await realTime(10 * answerMs);
+      assert.equal(answered(site), held, 'no request is answered while time is held');
+      for (let step = 0; step < 20; step += 1) {
+        session.time.step(0.5 * answerMs * 1e6);
+        if (step % 5 === 0) {
+          session.time.resume();
+          session.time.pause();
+        }
+        await realTime(answerMs);
+      }
+      const stepped = answered(site);
+      assert.ok(stepped > held && stepped < 60, `${stepped} answers after steps, ${held} before`);
+      session.time.setRate(10);
+      session.time.resume();
+      await line(site, 'ask-4', 'each once');
     } finally {
       site.close();
     }

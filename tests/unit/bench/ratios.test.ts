@@ -20,5 +20,6 @@ test('a slower landing is found, whether less or more is better', () => {
 
 test('the newest recorded landing has not regressed', () => {
   const entries = JSON.parse(readFileSync(new URL('../../bench/ratios.json', import.meta.url), 'utf8')) as RatioEntry[];
+  assert.ok((entries.at(-1)?.ratios.length ?? 0) > 0, 'the newest landing has ratios');
   assert.deepEqual(regressions(entries), []);
 });

@@ -66,7 +66,8 @@ std::vector<InstalledPackage> all_installed(const std::vector<BuiltPackage>& bui
     result.push_back({.name = one.name,
                       .version = one.version,
                       .prefix = one.prefix,
-                      .programs = installed_programs(one.prefix, one.name)});
+                      .programs = installed_programs(one.prefix, one.name),
+                      .in_bin = programs_in_bin(one.prefix)});
   }
   for (InstalledPackage& one : installed_packages(environment)) {
     if (names.insert(one.name).second) result.push_back(std::move(one));

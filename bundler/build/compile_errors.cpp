@@ -145,6 +145,50 @@ Diagnostic compile_error(const FailedCommand& failed, const BuildPlace& place) {
   return result;
 }
 
+/// Where a line of CMake's says that something is.
+SourceSpan cmake_place(const std::string& named, const std::string& line, const BuildPlace& place) {
+  const fs::path file = fs::path(named).is_absolute() ? fs::path(named) : place.source / named;
+  return {.file = display_file(file.string(), place),
+          .line = static_cast<std::uint32_t>(std::stoul(line))};
+}
+
+bool is_of_package(const std::string& named, const BuildPlace& place) {
+  const fs::path file(named);
+  return file.is_relative() || !file.lexically_relative(place.source).native().starts_with("..");
+}
+
+/// The first error of CMake's output: its first paragraph, and where it is; when that is a module
+/// of others, where the package called it.
+std::optional<CompilerMessage> first_cmake_error(const std::vector<std::string>& lines,
+                                                 const BuildPlace& place) {
+  static const std::regex kError(R"(^CMake Error at (.+?):(\d+).*$)");
+  static const std::regex kCall(R"(^  (\S.*?):(\d+) \(.*\)$)");
+  const auto matches = [](const std::string& line, std::smatch& match, const std::regex& regex) {
+    return line.size() <= 4000 && std::regex_match(line, match, regex);
+  };
+  std::smatch match;
+  auto line = std::find_if(lines.begin(), lines.end(),
+                           [&](const std::string& one) { return matches(one, match, kError); });
+  if (line == lines.end()) return std::nullopt;
+  CompilerMessage result{.span = cmake_place(match[1], match[2], place), .text = {}};
+  bool is_found = is_of_package(match[1], place);
+  for (++line; line != lines.end() && line->empty();) ++line;
+  for (; line != lines.end() && line->starts_with("  "); ++line)
+    result.text += (result.text.empty() ? "" : " ") + line->substr(line->find_first_not_of(' '));
+  if (result.text.ends_with(':'))  // what it speaks of is the next paragraph
+    for (; line != lines.end() && (line->empty() || line->starts_with("  ")); ++line) {
+      if (line->empty()) continue;
+      result.text += " " + line->substr(line->find_first_not_of(' '));
+      break;
+    }
+  for (; line != lines.end() && !line->starts_with("CMake Error") && !is_found; ++line) {
+    if (!matches(*line, match, kCall) || !is_of_package(match[1], place)) continue;
+    result.span = cmake_place(match[1], match[2], place);
+    is_found = true;
+  }
+  return result;
+}
+
 }  // namespace
 
 std::vector<std::string> output_lines(std::string_view text) {
@@ -250,20 +294,13 @@ Diagnostics compile_errors(std::string_view ninja_output, const BuildPlace& plac
 }
 
 Diagnostics configure_errors(std::string_view cmake_output, const BuildPlace& place) {
-  static const std::regex kPlace(R"(^CMake Error at (.+?):(\d+).*$)");
   static const std::regex kNotFound(R"rx(package configuration file provided by\s+"([^"]+)")rx");
   Diagnostic result{.code = "R2W0503",
                     .message = "CMakeLists.txt of package `" + place.package + "` failed",
                     .detail = std::string(cmake_output)};
-  for (const std::string& line : output_lines(cmake_output)) {
-    std::smatch match;
-    if (line.size() > 4000 || !std::regex_match(line, match, kPlace)) continue;
-    const std::string file = match[1];
-    result.span =
-        SourceSpan{.file = display_file(
-                       fs::path(file).is_absolute() ? file : (place.source / file).string(), place),
-                   .line = static_cast<std::uint32_t>(std::stoul(match[2]))};
-    break;
+  if (auto first = first_cmake_error(output_lines(cmake_output), place)) {
+    if (!first->text.empty()) result.message += ": " + first->text;
+    result.span = std::move(first->span);
   }
   std::smatch match;
   const std::string text(cmake_output.substr(0, 200'000));

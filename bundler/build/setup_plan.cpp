@@ -5,7 +5,9 @@
 #include <filesystem>
 #include <optional>
 
+#include "workspace_schema/diagnostic_list.hpp"
 #include "workspace_schema/json_reader.hpp"
+#include "workspace_schema/suggestion.hpp"
 #include "workspace_schema/trimmed_text.hpp"
 
 namespace ros2wasm {
@@ -71,6 +73,35 @@ Diagnostics warnings_of(const JsonValue& json, const BuildPlace& place) {
   return result;
 }
 
+/// Every keyword of setup() that setuptools passes over.
+Diagnostics unknown_keywords(const JsonValue& json, const BuildPlace& place) {
+  static const std::vector<std::string> kMeant = {
+      "cmdclass",         "data_files",   "entry_points", "include_package_data",
+      "install_requires", "package_data", "package_dir",  "packages",
+      "py_modules",       "scripts",      "version"};
+  Diagnostics result;
+  const JsonValue* list = json.find("unknown");
+  if (list == nullptr) return result;
+  for (const JsonValue& one : list->items()) {
+    const JsonValue* line = one.find("line");
+    const std::string keyword = one.text_of("keyword");
+    Diagnostic warning{
+        .code = "R2W0527",
+        .severity = Severity::kWarning,
+        .message = "setup() of package `" + place.package + "` has no keyword `" + keyword + "`",
+        .span = SourceSpan{.file = "setup.py",
+                           .line = line == nullptr
+                                       ? 0U
+                                       : static_cast<std::uint32_t>(line->integer().value_or(0)),
+                           .line_text = {}},
+        .why = {"setuptools skips it too"}};
+    if (const auto similar = nearest(keyword, kMeant))
+      warning.fix.push_back("write `" + *similar + "=`");
+    result.push_back(std::move(warning));
+  }
+  return result;
+}
+
 /// What a name or a version consists of: both become part of a folder's name.
 bool is_plain(std::string_view text) {
   return std::all_of(text.begin(), text.end(), [](char c) {
@@ -126,6 +157,7 @@ Outcome<SetupPlan> read_setup_plan(std::string_view json, const BuildPlace& plac
                  .programs = {},
                  .entry_points = {},
                  .warnings = warnings_of(*parsed, place)};
+  append(plan.warnings, unknown_keywords(*parsed, place));
   for (const auto& [what, text] : {std::pair("name", &plan.name), {"version", &plan.version}}) {
     if (is_plain(*text)) continue;
     errors.push_back(refused(place, "setup.py", 0,

@@ -13,8 +13,10 @@
 #include "bundler/build/link_kit.hpp"
 #include "bundler/build/link_trace.hpp"
 #include "bundler/build/missing_headers.hpp"
+#include "bundler/build/older_cmake.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/process.hpp"
+#include "bundler/languages/c_messages.hpp"
 #include "bundler/languages/language.hpp"
 #include "workspace_schema/diagnostic_list.hpp"
 #include "workspace_schema/replaced_text.hpp"
@@ -24,6 +26,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kLinkDiagnostics = "link-diagnostics";
+constexpr const char* kConfigureFindings = "configure-findings.json";  ///< of the last configure
 
 std::string joined(const std::vector<fs::path>& paths) {
   std::string result;
@@ -62,10 +65,23 @@ EnvironmentVariables child_environment(const PackageBuild& request, const BuildT
   return result;
 }
 
+/// The sources that CMake reads.
+const fs::path& source_of(const PackageBuild& request) {
+  return request.copy.empty() ? request.place.source : request.copy;
+}
+
+/// Tool output with the sources where they are, not where a copy of them is.
+std::string with_own_paths(std::string_view output, const PackageBuild& request) {
+  return request.copy.empty()
+             ? std::string(output)
+             : with_replaced(output, request.copy.string(), request.place.source.string());
+}
+
 /// Tool output for people: the folder where it was built is of no use to them, and differs from run
 /// to run.
 std::string for_people(std::string_view output, const PackageBuild& request) {
-  std::string text = with_replaced(output, request.work.string(), "<build>");
+  std::string text =
+      with_replaced(with_own_paths(output, request), request.work.string(), "<build>");
   constexpr std::string_view kNoise =
       "Not searching for unused variables given on the command line.\n";
   const std::size_t noise = text.find(kNoise);
@@ -121,12 +137,10 @@ std::string told(const ProcessResult& result, const PackageBuild& request) {
   return for_people(result.output, request) + said_of_signal(result);
 }
 
-/// Unless the last one would be the same. `more`: arguments besides.
-Outcome<Done> configure(const PackageBuild& request, const BuildTools& tools,
-                        const Cancellation& cancellation,
-                        const std::vector<std::string>& more = {}) {
+std::vector<std::string> configure_arguments(const PackageBuild& request, const BuildTools& tools,
+                                             const std::vector<std::string>& more) {
   std::vector<std::string> arguments = {
-      "cmake", "-S", request.place.source.string(), "-B", request.work.string(), "-G", "Ninja",
+      "cmake", "-S", source_of(request).string(), "-B", request.work.string(), "-G", "Ninja",
       "-Wno-dev", "--no-warn-unused-cli",
       // kept_configure.hpp says when; times of files may lie.
       "-DCMAKE_SUPPRESS_REGENERATION=ON", "-DCMAKE_TOOLCHAIN_FILE=" + tools.toolchain.string(),
@@ -138,14 +152,32 @@ Outcome<Done> configure(const PackageBuild& request, const BuildTools& tools,
                         ";compile-source;--");
   }
   arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+/// Unless the last one would be the same. `more`: arguments besides. A package that asks for a
+/// newer CMake is configured as far as this one can: then `request` gets its copy.
+Outcome<Done> configure(PackageBuild& request, const BuildTools& tools,
+                        const Cancellation& cancellation,
+                        const std::vector<std::string>& more = {}) {
+  std::vector<std::string> arguments = configure_arguments(request, tools, more);
   std::vector<std::string> inputs = arguments;
+  const auto c_messages = included_c_messages(request);
+  if (!c_messages) return c_messages.errors();
+  inputs.insert(inputs.end(), c_messages->begin(), c_messages->end());
   // Where CMake looks for programs.
   if (const auto path = tools.tool_environment.find("PATH"); path != tools.tool_environment.end())
     inputs.push_back(path->second);
-  const auto key = configure_key(request.work, request.place.source, inputs);
+  const auto key = configure_key(request.work, source_of(request), inputs);
   if (!key) return key.errors();
   if (reuse_configure(request.work, *key, request.final_prefix)) return Done{};
   arguments.push_back("-DCMAKE_INSTALL_PREFIX=" + request.final_prefix.string());
+  if (!c_messages->empty()) {
+    if (auto done = make_c_messages(*c_messages, request, tools, cancellation); !done) return done;
+    for (const char* language : {"C", "CXX"})
+      arguments.push_back("-DCMAKE_" + std::string(language) +
+                          "_STANDARD_INCLUDE_DIRECTORIES=" + c_messages_folder(request).string());
+  }
   std::error_code ignored;
   fs::remove(request.work / "CMakeCache.txt", ignored);  // what it found may have moved
   const auto result = run_process({.arguments = std::move(arguments),
@@ -153,8 +185,20 @@ Outcome<Done> configure(const PackageBuild& request, const BuildTools& tools,
                                    .directory = request.work},
                                   cancellation);
   if (!result) return result.errors();
-  if (result->exit_code != 0) return configure_errors(told(*result, request), request.place);
-  return keep_configure(request.work, *key, request.final_prefix);
+  if (result->exit_code == 0) return keep_configure(request.work, *key, request.final_prefix);
+  const std::string output = told(*result, request);
+  const auto newer =
+      request.copy.empty() ? asks_for_newer_cmake(output, request.place) : std::nullopt;
+  if (!newer) return configure_errors(output, request.place);
+  auto copy = copy_for_older_cmake(request.work, request.place.source, newer->there);
+  if (!copy) return std::move(copy).errors();
+  request.copy = std::move(*copy);
+  auto done = configure(request, tools, cancellation, more);
+  if (done)
+    return write_file(request.work / kConfigureFindings, diagnostics_to_json({newer->warning}));
+  Diagnostics errors = std::move(done).errors();
+  for (Diagnostic& one : errors) one.why.push_back(newer->warning.message);
+  return errors;
 }
 
 /// What the link driver left, in the order of the files' names.
@@ -236,7 +280,8 @@ Outcome<Done> compile(const PackageBuild& request, const BuildTools& tools,
                                   cancellation);
   if (!result) return result.errors();
   const auto links = link_findings(request.work / kLinkDiagnostics);
-  if (auto kept = remember_findings(result->output, links, request); !kept) return kept;
+  if (auto kept = remember_findings(with_own_paths(result->output, request), links, request); !kept)
+    return kept;
   if (result->exit_code == 0) return Done{};
   const std::string output = told(*result, request);
   Diagnostics errors = compile_errors(output, request.place);
@@ -275,6 +320,12 @@ Outcome<Done> keep_all_findings(const PackageBuild& request, const ProgramLacks&
   for (const LinkFindings& link : lacks.limits)
     for (const Diagnostic& one : link.diagnostics)
       if (one.severity == Severity::kError) findings.push_back(left_out_for_limit(one));
+  std::error_code error;
+  if (fs::exists(request.work / kConfigureFindings, error)) {
+    const auto text = read_file(request.work / kConfigureFindings, kMostOfList);
+    if (!text) return text.errors();
+    append(findings, diagnostics_from_json(*text));
+  }
   append(findings, all_findings(read_command_findings(request.work)));
   if (auto kept = keep_findings(request.install, findings); !kept) return kept;
   if (lacks.headers.empty()) return Done{};
@@ -282,9 +333,8 @@ Outcome<Done> keep_all_findings(const PackageBuild& request, const ProgramLacks&
 }
 
 /// The package without the programs that lack something. Fails when they are not programs, or all.
-Outcome<Done> build_without(ProgramLacks lacks, const PackageBuild& request,
-                            const BuildTools& tools, const Cancellation& cancellation,
-                            const ProgressSink& progress) {
+Outcome<Done> build_without(ProgramLacks lacks, PackageBuild request, const BuildTools& tools,
+                            const Cancellation& cancellation, const ProgressSink& progress) {
   std::string lines = left_out_script(lacks.headers);
   for (const LinkFindings& link : lacks.limits) {
     const auto limit =
@@ -307,10 +357,13 @@ Outcome<Done> build_without(ProgramLacks lacks, const PackageBuild& request,
 
 }  // namespace
 
-Outcome<Done> build_with_cmake(const PackageBuild& request, const BuildTools& tools,
+Outcome<Done> build_with_cmake(const PackageBuild& asked, const BuildTools& tools,
                                const Cancellation& cancellation, const ProgressSink& progress) {
   if (!find_program("cmake")) return missing_tool("cmake", "cmake");
   if (!find_program("ninja")) return missing_tool("ninja", "ninja-build");
+  PackageBuild request = asked;
+  std::error_code ignored;
+  fs::remove(request.work / kConfigureFindings, ignored);  // of the configure that follows
   if (auto configured = configure(request, tools, cancellation); !configured) return configured;
   std::optional<ProgramLacks> lacks;
   if (auto compiled = compile(request, tools, cancellation, progress, lacks); !compiled) {

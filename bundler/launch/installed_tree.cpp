@@ -33,12 +33,14 @@ void each_file(const fs::path& prefix, const fs::path& folder, Visit visit) {
   });
 }
 
-/// As natively: who may not be run is none, whatever its first line says.
-bool runs_python(const fs::directory_entry& entry) {
-  std::error_code error;
-  if ((entry.status(error).permissions() & fs::perms::owner_exec) == fs::perms::none) return false;
+bool is_script(const fs::directory_entry& entry) {
   const auto text = read_file(entry.path(), kMostOfList);
   return text && is_python_script(*text);
+}
+
+bool may_be_run(const fs::directory_entry& entry) {
+  std::error_code error;
+  return (entry.status(error).permissions() & fs::perms::owner_exec) != fs::perms::none;
 }
 
 }  // namespace
@@ -59,19 +61,36 @@ std::vector<InstalledProgram> installed_programs(const fs::path& prefix,
     const bool is_note = file.extension() == ".left_out";
     const fs::path name = is_wasm || is_note ? file.stem() : file.filename();
     const Outcome<std::string> note = is_note ? read_file(file, kMostOfList) : std::string();
-    const auto kind = is_wasm              ? ProgramKind::kWasm
-                      : runs_python(entry) ? ProgramKind::kPython
-                                           : ProgramKind::kNone;
+    const bool runs_python = !is_wasm && !is_note && is_script(entry);
+    // As natively: who may not be run is none, whatever its first line says.
+    const auto kind = is_wasm                            ? ProgramKind::kWasm
+                      : runs_python && may_be_run(entry) ? ProgramKind::kPython
+                                                         : ProgramKind::kNone;
     result.push_back({.package = package,
                       .executable = name.string(),
                       .file = file,
                       .kind = kind,
-                      .left_out = note ? *note : "a library"});
+                      .left_out = note ? *note : "a library",
+                      .may_not_be_run = runs_python && kind == ProgramKind::kNone});
   });
   std::sort(result.begin(), result.end(), [](const InstalledProgram& a, const InstalledProgram& b) {
     return a.executable < b.executable;
   });
   return result;
+}
+
+std::vector<std::string> programs_in_bin(const fs::path& prefix) {
+  std::vector<std::string> names;
+  each_file(prefix, "bin", [&](const fs::directory_entry& entry) {
+    const fs::path& file = entry.path();
+    if (file.extension() == ".wasm") {
+      names.push_back(file.stem().string());
+    } else if (is_script(entry)) {
+      names.push_back(file.filename().string());
+    }
+  });
+  std::sort(names.begin(), names.end());
+  return names;
 }
 
 std::vector<InstalledPackage> installed_packages(const fs::path& prefix) {

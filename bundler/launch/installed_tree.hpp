@@ -24,6 +24,9 @@ inline constexpr const char* kLeadsElsewhere =
 [[nodiscard]] std::vector<InstalledProgram> installed_programs(const std::filesystem::path& prefix,
                                                                const std::string& package);
 
+/// Programs that a package with a prefix of its own put into bin/, where ROS does not look; sorted.
+[[nodiscard]] std::vector<std::string> programs_in_bin(const std::filesystem::path& prefix);
+
 /// The packages in share/ of `prefix` (those with a package.xml), sorted, with their programs.
 [[nodiscard]] std::vector<InstalledPackage> installed_packages(const std::filesystem::path& prefix);
 

@@ -22,11 +22,13 @@ const InstalledPackage* find_package(const std::vector<InstalledPackage>& instal
 std::optional<Diagnostic> left_out_package(const NodeEntry& entry, const LeftOutChains& left_out) {
   const auto chain = left_out.find(entry.package.value);
   if (chain == left_out.end()) return std::nullopt;
-  return Diagnostic{.code = "R2W0401",
-                    .message = "package `" + entry.package.value + "` is left out of the site",
-                    .span = entry.package.span,
-                    .label = "this node needs it",
-                    .why = chain->second};
+  const auto& causes = chain->second;
+  return Diagnostic{
+      .code = "R2W0401",
+      .message = "package `" + entry.package.value + "` is left out of the site: " + causes.back(),
+      .span = entry.package.span,
+      .label = "this node needs it",
+      .why = causes.size() == 1 ? std::vector<std::string>() : causes};
 }
 
 Diagnostic no_such_package(const NodeEntry& entry) {
@@ -62,23 +64,38 @@ Diagnostic no_such_executable(const NodeEntry& entry, const InstalledPackage& pa
                     .label = "no such executable in " + package.name + version};
   result.why.push_back(names.empty() ? "it installs nothing into lib/" + package.name
                                      : "its executables are: " + name_list(names));
-  if (const auto similar = nearest(entry.executable.value, names)) {
+  const auto& elsewhere = package.in_bin;
+  if (std::find(elsewhere.begin(), elsewhere.end(), entry.executable.value) != elsewhere.end()) {
+    result.why.push_back("it installs `" + entry.executable.value +
+                         "` into bin/, where `ros2 run` and launch files do not look");
+    result.fix.push_back(
+        "of a Python package: setup.cfg with `[install]` and the line "
+        "`install_scripts=$base/lib/" +
+        package.name + "`; of CMake: `DESTINATION lib/${PROJECT_NAME}`");
+  } else if (const auto similar = nearest(entry.executable.value, names)) {
     result.fix.push_back("write `executable: " + *similar + "`");
   }
   return result;
 }
 
 Diagnostic not_a_program(const NodeEntry& entry, const InstalledProgram& program) {
+  const std::string place = "lib/" + program.package + "/" + program.file.filename().string();
   const std::string why =
-      program.left_out.empty()
-          ? "lib/" + program.package + "/" + program.file.filename().string() +
-                " is neither a WebAssembly program nor a Python script"
+      program.may_not_be_run
+          ? place + " is not executable, so `ros2 run` and launch files do not find it"
+      : program.left_out.empty()
+          ? place + " is neither a WebAssembly program nor a Python script"
           : "it was left out of the build: it needs " + program.left_out + ", which no site has";
-  return Diagnostic{.code = "R2W0405",
-                    .message = "`" + program.executable + "` of package `" + program.package +
-                               "` is not a program that a site can run",
-                    .span = entry.executable.span,
-                    .why = {why}};
+  return Diagnostic{
+      .code = "R2W0405",
+      .message = "`" + program.executable + "` of package `" + program.package +
+                 "` is not a program that a site can run",
+      .span = entry.executable.span,
+      .why = {why},
+      .fix = program.may_not_be_run
+                 ? std::vector<std::string>{"in CMakeLists.txt: install(PROGRAMS ...), "
+                                            "which sets the mode"}
+                 : std::vector<std::string>()};
 }
 
 /// What the packages lack whose components are to be in a container too: they have one themselves.

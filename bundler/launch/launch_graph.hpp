@@ -30,7 +30,8 @@ struct InstalledProgram {
   std::string executable;  ///< name without `.wasm`
   std::filesystem::path file;
   ProgramKind kind = ProgramKind::kNone;
-  std::string left_out;  ///< the library without which it was not built; mostly empty
+  std::string left_out;         ///< the library without which it was not built; mostly empty
+  bool may_not_be_run = false;  ///< a Python script that is not executable
 };
 
 struct InstalledPackage {
@@ -38,6 +39,7 @@ struct InstalledPackage {
   std::string version;                     ///< as package.xml or the channel says; may be empty
   std::filesystem::path prefix;            ///< share/<name> is below
   std::vector<InstalledProgram> programs;  ///< sorted by executable
+  std::vector<std::string> in_bin = {};    ///< programs where ROS does not look, sorted
 };
 
 struct LaunchNode {

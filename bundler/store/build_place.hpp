@@ -9,7 +9,7 @@
 namespace ros2wasm {
 
 /// Part of every hash too: raise it when the same sources shall be built anew.
-inline constexpr const char* kBuildFormat = "5";
+inline constexpr const char* kBuildFormat = "6";
 
 /// Of all versions: `<cache>/build`.
 [[nodiscard]] inline std::filesystem::path build_area(const std::filesystem::path& cache) {

@@ -179,7 +179,7 @@ Outcome<ChannelRequest> channel_request(const Manifest& manifest,
       request.specs.push_back(spec_of(one, manifest.distro));
     const auto names = forgotten(package, packages, known, manifest.distro);
     if (names.empty()) continue;
-    request.warnings.push_back(forgotten_warning(package, names));
+    if (!package.is_plain_cmake) request.warnings.push_back(forgotten_warning(package, names));
     for (const auto& one : names) request.specs.push_back(spec_of(one, manifest.distro));
   }
   for (const LocalPackage& package : packages) {

@@ -176,4 +176,33 @@ std::vector<Spanned<std::string>> cmake_packages(std::string_view text, const st
   return found;
 }
 
+std::optional<CMakeProject> cmake_project(std::string_view text, const std::string& file) {
+  const std::string code = without_comments(std::string(text));
+  Variables variables;
+  for (std::size_t at = 0; at < code.size();) {
+    if (!is_name_character(code[at])) {
+      ++at;
+      continue;
+    }
+    const auto command = read_command(code, at);
+    if (!command) continue;
+    variables.follow(*command);
+    if (command->name != "project") continue;
+    const Words words = variables.expanded(command->words, 0);
+    if (words.empty()) return std::nullopt;
+    auto [name, place] = words.front();
+    if (name.size() > 2 && name.starts_with('"') && name.ends_with('"')) {
+      name = name.substr(1, name.size() - 2);
+      ++place;
+    }
+    if (!std::all_of(name.begin(), name.end(), is_name_character)) return std::nullopt;
+    CMakeProject project{.name = {.value = name, .span = span_at(text, place, name.size(), file)},
+                         .version = {}};
+    for (std::size_t i = 1; i + 1 < words.size(); ++i)
+      if (words[i].first == "VERSION") project.version = words[i + 1].first;
+    return project;
+  }
+  return std::nullopt;
+}
+
 }  // namespace ros2wasm

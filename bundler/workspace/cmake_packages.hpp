@@ -1,6 +1,8 @@
-// What a CMakeLists.txt asks find_package() for, as far as its text tells. Pure.
+// What a CMakeLists.txt asks find_package() for, and what it calls itself, as far as its text
+// tells. Pure.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,5 +17,15 @@ namespace ros2wasm {
 /// told. `file` is only for messages.
 [[nodiscard]] std::vector<Spanned<std::string>> cmake_packages(std::string_view text,
                                                                const std::string& file);
+
+/// What project() says.
+struct CMakeProject {
+  Spanned<std::string> name;
+  std::string version;  ///< may be empty
+};
+
+/// The first project() with a name that the text tells: letters, digits, `_`, `-`, `+` and `.`.
+[[nodiscard]] std::optional<CMakeProject> cmake_project(std::string_view text,
+                                                        const std::string& file);
 
 }  // namespace ros2wasm

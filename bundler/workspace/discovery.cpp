@@ -38,16 +38,35 @@ std::vector<fs::path> sorted_subfolders(const fs::path& folder) {
   return result;
 }
 
+bool has_package_xml(const fs::path& folder) {
+  std::error_code error;
+  return fs::is_regular_file(folder / "package.xml", error);
+}
+
+/// What the CMakeLists.txt of a folder says of itself, if there is one that names a project.
+std::optional<CMakeProject> project_of(const fs::path& folder, const std::string& shown) {
+  const fs::path lists = folder / "CMakeLists.txt";
+  std::error_code error;
+  if (!fs::is_regular_file(lists, error)) return std::nullopt;
+  const auto text = read_file(lists, kMostOfText);
+  return text ? cmake_project(*text, shown) : std::nullopt;
+}
+
 /// `visited` holds real paths, so that a link to a folder above does not lead round in circles.
 void search(const fs::path& folder, std::set<fs::path>& visited, std::vector<fs::path>& found) {
   std::error_code error;
   const fs::path real = fs::canonical(folder, error);
   if (error || !visited.insert(real).second || is_ignored(folder)) return;
-  if (fs::is_regular_file(folder / "package.xml", error)) {
+  if (has_package_xml(folder)) {
     found.push_back(folder);
     return;
   }
+  const std::size_t before = found.size();
   for (const fs::path& inner : sorted_subfolders(folder)) search(inner, visited, found);
+  const auto inner = found.begin() + static_cast<std::ptrdiff_t>(before);
+  if (std::any_of(inner, found.end(), has_package_xml) || !project_of(folder, {})) return;
+  found.erase(inner, found.end());  // projects inside are parts of this one
+  found.push_back(folder);
 }
 
 bool has_wildcard(std::string_view text) {
@@ -186,6 +205,61 @@ std::vector<Spanned<std::string>> packages_of_launch_files(const fs::path& folde
   return result;
 }
 
+/// `**` leads into packages too: a plain one inside another is a part of it.
+bool is_inside_another(const fs::path& real, const std::map<fs::path, fs::path>& folders) {
+  for (fs::path above = real.parent_path(); above != above.root_path(); above = above.parent_path())
+    if (has_package_xml(above) || folders.contains(above)) return true;
+  return false;
+}
+
+Outcome<PackageXml> read_package_xml(const fs::path& folder, const fs::path& base,
+                                     const fs::path& shown_base,
+                                     const ConditionVariables& variables) {
+  const fs::path file = folder / "package.xml";
+  const auto text = read_file(file, kMostOfText);
+  if (!text) return text.errors();
+  return parse_package_xml(*text, shown_path(file, base, shown_base), variables);
+}
+
+/// What stands for the package.xml of a plain CMake package.
+Outcome<PackageXml> plain_package(const fs::path& folder, const fs::path& base,
+                                  const fs::path& shown_base) {
+  PackageXml xml{.file = shown_path(folder / "CMakeLists.txt", base, shown_base)};
+  const auto project = project_of(folder, xml.file);
+  if (!project)  // the file has changed since the search
+    return Diagnostic{.code = "R2W0510", .message = "`" + xml.file + "` names no project"};
+  xml.name = project->name;
+  xml.version = {.value = project->version.empty() ? "0.0.0" : project->version,
+                 .span = project->name.span};
+  xml.build_type = "cmake";
+  return xml;
+}
+
+void drop_equal_names(std::vector<LocalPackage>& packages) {
+  std::set<std::string> names;
+  for (const LocalPackage& one : packages)
+    if (!one.is_plain_cmake) names.insert(one.xml.name.value);
+  std::erase_if(packages, [&](const LocalPackage& one) {
+    return one.is_plain_cmake && !names.insert(one.xml.name.value).second;
+  });
+}
+
+/// Plain packages need those of the workspace that their CMakeLists.txt asks for, and others need a
+/// plain one that theirs asks for.
+void order_plain_packages(std::vector<LocalPackage>& packages) {
+  std::map<std::string, bool> is_plain;
+  for (const LocalPackage& one : packages) is_plain[one.xml.name.value] = one.is_plain_cmake;
+  for (LocalPackage& package : packages) {
+    for (const Spanned<std::string>& asked : package.cmake_packages) {
+      const auto found = is_plain.find(asked.value);
+      if (found == is_plain.end() || asked.value == package.xml.name.value) continue;
+      if (package.is_plain_cmake || found->second)
+        package.xml.dependencies.push_back(
+            {.kind = DependencyKind::kBuild, .name = asked, .version_limits = {}});
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<fs::path> find_package_folders(const fs::path& root) {
@@ -236,15 +310,16 @@ Outcome<std::vector<LocalPackage>> discover_packages(
   }
   std::vector<LocalPackage> packages;
   for (const auto& [real, folder] : folders) {
-    const fs::path file = folder / "package.xml";
-    const auto text = read_file(file, kMostOfText);
-    auto xml = text ? parse_package_xml(*text, shown_path(file, base, shown_base), variables)
-                    : text.errors();
+    const bool is_plain = !has_package_xml(folder);
+    if (is_plain && is_inside_another(real, folders)) continue;
+    auto xml = is_plain ? plain_package(folder, base, shown_base)
+                        : read_package_xml(folder, base, shown_base, variables);
     if (xml) {
       const fs::path lists = folder / "CMakeLists.txt";
       const auto cmake =
           fs::exists(lists, error) ? read_file(lists, kMostOfText) : Outcome<std::string>("");
       packages.push_back({.xml = std::move(xml).value(),
+                          .is_plain_cmake = is_plain,
                           .directory = folder,
                           .cmake_packages = cmake_packages(cmake ? *cmake : "",
                                                            shown_path(lists, base, shown_base)),
@@ -258,6 +333,8 @@ Outcome<std::vector<LocalPackage>> discover_packages(
     }
   }
   if (!errors.empty()) return errors;
+  drop_equal_names(packages);
+  order_plain_packages(packages);
   return packages;
 }
 

@@ -13,6 +13,8 @@ namespace ros2wasm {
 /// A package of the workspace, as its package.xml describes it.
 struct LocalPackage {
   PackageXml xml;
+  /// It has no package.xml: `xml` is what its CMakeLists.txt tells.
+  bool is_plain_cmake = false;
   std::filesystem::path directory;  ///< absolute
   /// What its CMakeLists.txt asks for, whether package.xml names it or not.
   std::vector<Spanned<std::string>> cmake_packages;
@@ -27,9 +29,10 @@ struct LocalPackage {
   std::vector<Spanned<std::string>> launch_packages;
 };
 
-/// Folders with a package.xml at or below `root`, sorted. A package's own folder is not searched
-/// further; folders that hold COLCON_IGNORE, AMENT_IGNORE or CATKIN_IGNORE and hidden folders are
-/// left out.
+/// Folders of packages at or below `root`, sorted: those with a package.xml, and those whose
+/// CMakeLists.txt names a project when none with a package.xml is below. A package's own folder is
+/// not searched further; folders that hold COLCON_IGNORE, AMENT_IGNORE or CATKIN_IGNORE and hidden
+/// folders are skipped.
 [[nodiscard]] std::vector<std::filesystem::path> find_package_folders(
     const std::filesystem::path& root);
 
@@ -44,8 +47,9 @@ struct LocalPackage {
                                      const std::filesystem::path& base,
                                      const std::filesystem::path& shown_base);
 
-/// All packages that the entries name, each once, sorted by folder. R2W0510 an entry leads to no
-/// package; errors of package.xml files as they are.
+/// All packages that the entries name, each once, sorted by folder. A plain CMake package whose
+/// name another package has is none: such folders hold firmware and the like. R2W0510 an entry
+/// leads to no package; errors of package.xml files as they are.
 [[nodiscard]] Outcome<std::vector<LocalPackage>> discover_packages(
     const std::filesystem::path& base, const std::filesystem::path& shown_base,
     const std::vector<Spanned<std::string>>& entries, const ConditionVariables& variables);

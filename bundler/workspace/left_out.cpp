@@ -12,6 +12,12 @@ namespace {
 
 using Dependencies = std::vector<const PackageDependency*>;
 
+/// A cause with its place, for those who read of it elsewhere.
+std::string with_place(const std::string& cause, const SourceSpan& span) {
+  if (span.file.empty()) return cause;
+  return cause + " (" + span.file + (span.line == 0 ? "" : ":" + std::to_string(span.line)) + ")";
+}
+
 LeftOutReason left_out_for(const LocalPackage& package, const Dependencies& lacks,
                            const KnownNames& known, std::string_view distro) {
   std::vector<std::string> names;
@@ -25,7 +31,7 @@ LeftOutReason left_out_for(const LocalPackage& package, const Dependencies& lack
   why.emplace_back(
       "it is packed when the sources of what it lacks are in the workspace, or `channels:` names a "
       "channel that has it");
-  return {.chain = {cause},
+  return {.chain = {with_place(cause, lacks.front()->name.span)},
           .warning = {.code = "R2W0519",
                       .severity = Severity::kWarning,
                       .message = "package `" + package.xml.name.value + "` is left out: " + cause,
@@ -40,7 +46,7 @@ LeftOutReason left_out_for_type(const LocalPackage& package,
   std::string cause = type.empty()
                           ? "its package.xml names no build type"
                           : "packages of build type `" + type + "` are not built for sites";
-  return {.chain = {cause},
+  return {.chain = {with_place(cause, package.xml.name.span)},
           .warning = {.code = "R2W0514",
                       .severity = Severity::kWarning,
                       .message = "package `" + package.xml.name.value + "` is left out: " + cause,
@@ -152,7 +158,7 @@ LeftOutReason left_out_by_cmake(const LocalPackage& package, const Diagnostic& e
   const std::string cause = error.message.starts_with(subject)
                                 ? "it " + error.message.substr(subject.size())
                                 : error.message;
-  return {.chain = {cause},
+  return {.chain = {error.span ? with_place(cause, *error.span) : cause},
           .warning = {.code = "R2W0519",
                       .severity = Severity::kWarning,
                       .message = subject + "is left out: " + cause,

@@ -16,6 +16,7 @@ import importlib.util
 import json
 import os
 import posixpath
+import re
 import runpy
 import sys
 import traceback
@@ -32,6 +33,20 @@ DEFAULT_SCRIPTS = 'bin'
 PREFIX = '/installed'
 #: Sections whose keys are folders, packages and groups, not options.
 OWN_NAMES = ('options.data_files', 'options.entry_points', 'options.extras_require', 'options.package_data')
+
+
+#: What setup() takes: the metadata of distutils and setuptools, and their options.
+KEYWORDS = frozenset((
+    'author', 'author_email', 'classifiers', 'cmdclass', 'command_options', 'command_packages', 'convert_2to3_doctests',
+    'data_files', 'dependency_links', 'description', 'distclass', 'download_url', 'eager_resources', 'entry_points',
+    'exclude_package_data', 'ext_modules', 'ext_package', 'extra_path', 'extras_require', 'features', 'headers',
+    'include_dirs', 'include_package_data', 'install_requires', 'keywords', 'libraries', 'license', 'license_expression',
+    'license_file', 'license_files', 'licence', 'long_description', 'long_description_content_type', 'maintainer',
+    'maintainer_email', 'message_extractors', 'name', 'namespace_packages', 'obsoletes', 'options', 'package_data',
+    'package_dir', 'packages', 'password', 'platforms', 'project_urls', 'provides', 'provides_extras', 'py_modules',
+    'python_requires', 'requires', 'script_args', 'script_name', 'scripts', 'setup_requires', 'src_root', 'test_loader',
+    'test_suite', 'tests_require', 'url', 'use_2to3', 'use_2to3_exclude_fixers', 'use_2to3_fixers', 'use_scm_version',
+    'version', 'zip_safe'))
 
 
 class SetupError(Exception):
@@ -270,7 +285,17 @@ def planned(arguments: dict[str, Any], config: dict[str, dict[str, str]]) -> dic
         'entry_points': entry_points_of(arguments.get('entry_points')),
         'warnings': [
             {'file': manifest_in.NAME, 'line': line, 'message': message} for line, message in manifest.warnings],
+        'unknown': [{'keyword': keyword, 'line': line_of(keyword)} for keyword in sorted(set(arguments) - KEYWORDS)],
     }
+
+
+def line_of(keyword: str) -> int:
+    """The line of setup.py where a keyword is given, or 0."""
+    with open(SETUP, encoding='utf-8') as stream:
+        for number, line in enumerate(stream, 1):
+            if re.search(rf'(?<!\w)["\']?{re.escape(keyword)}["\']?\s*[=:]', line):
+                return number
+    return 0
 
 
 class Absent:

@@ -42,11 +42,11 @@ export class Workshop {
   async build(name: string): Promise<Built> {
     // `build` starts nothing, but a manifest must name something.
     const manifest = this.manifest(join(this.folder, name), [name], [{ package: name, executable: 'any' }]);
-    const { failure, output } = await this.run(['build', '--quick', manifest]);
+    const { failure, output, messages } = await this.run(['build', '--quick', manifest]);
     if (failure !== undefined) return { failure };
     const built = JSON.parse(output) as readonly { readonly package: string; readonly prefix: string }[];
     const prefix = built.find((one) => one.package === name)?.prefix;
-    if (prefix === undefined) return { failure: { code: 'R2W0514', reason: 'the package is left out' } };
+    if (prefix === undefined) return { failure: whyLeftOut(messages, name) };
     return { executables: programs(join(prefix, 'lib', name)), leftOut: leftOutPrograms(join(prefix, 'lib', name)), launches: launchFiles(join(prefix, 'share', name)) };
   }
 
@@ -91,10 +91,10 @@ export class Workshop {
     return file;
   }
 
-  private run(args: readonly string[]): Promise<{ readonly failure: Failure | undefined; readonly output: string }> {
+  private run(args: readonly string[]): Promise<{ readonly failure: Failure | undefined; readonly output: string; readonly messages: string }> {
     return new Promise((resolve) => {
       execFile(this.cli, [...args, '--json'], { maxBuffer: 1 << 28 }, (error, output, messages) => {
-        resolve({ output, failure: error === null ? undefined : firstError(messages) ?? { code: 'failed', reason: error.message } });
+        resolve({ output, messages, failure: error === null ? undefined : firstError(messages) ?? { code: 'failed', reason: error.message } });
       });
     });
   }
@@ -152,12 +152,38 @@ function isScript(file: string): boolean {
 
 /** Of the events that `--json` writes to stderr. */
 export function firstError(messages: string): Failure | undefined {
-  for (const line of messages.split('\n')) {
-    if (!line.startsWith('{')) continue;
-    const event = JSON.parse(line) as { readonly event?: string; readonly severity?: string; readonly code?: string; readonly message?: string; readonly detail?: string };
-    if (event.code === undefined || event.severity === 'warning') continue;
-    const detail = event.detail?.split('\n').find((text) => text.includes('error'));
-    return { code: event.code, reason: [event.message ?? '', ...(detail === undefined ? [] : [detail])].join(': ') };
+  for (const event of findings(messages)) {
+    if (event.severity === 'warning') continue;
+    // CMake's last line is no reason.
+    const detail = event.code === 'R2W0503' ? undefined : event.detail?.split('\n').find((text) => text.includes('error'));
+    return { code: event.code, reason: [(event.message ?? '') + placeOf(event), ...(detail === undefined ? [] : [detail])].join(': ') };
   }
   return undefined;
+}
+
+/** What the warnings say of a package that was not built. */
+export function whyLeftOut(messages: string, name: string): Failure {
+  const said = findings(messages).find((event) => event.message?.startsWith(`package \`${name}\` is left out: `) === true);
+  if (said === undefined) return { code: 'R2W0514', reason: 'the package is left out' };
+  // The last cause is the first one of all.
+  const root = said.message?.includes(' is left out: it needs `') === true ? said.why?.at(-1) : undefined;
+  return { code: said.code, reason: [(said.message ?? '') + placeOf(said), ...(root === undefined ? [] : [root])].join(': ') };
+}
+
+interface Finding {
+  readonly code: string;
+  readonly severity?: string;
+  readonly message?: string;
+  readonly detail?: string;
+  readonly why?: readonly string[];
+  readonly span?: { readonly file: string; readonly line: number } | null;
+}
+
+function findings(messages: string): readonly Finding[] {
+  return messages.split('\n').filter((line) => line.startsWith('{')).map((line) => JSON.parse(line) as Partial<Finding>)
+    .filter((event): event is Finding => event.code !== undefined);
+}
+
+function placeOf({ span }: Finding): string {
+  return span === undefined || span === null ? '' : ` (${span.file}:${String(span.line)})`;
 }

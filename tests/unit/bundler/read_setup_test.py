@@ -49,6 +49,13 @@ class ReadSetupTest(unittest.TestCase):
         self.write('setup.cfg', '[metadata]\nversion = file: GONE\n')
         self.assertEqual(self.failure()[2], "can't copy 'GONE': doesn't exist or not a regular file")
 
+    def test_a_keyword_that_setup_does_not_have_is_named_with_its_line(self) -> None:
+        self.write('setup.py', 'from setuptools import setup\nsetup(name="demo", zip_safe=True,\n      entry_pints={},\n'
+                               '      **{"install_require": []})\n')
+        self.assertEqual(self.read()['unknown'], [{'keyword': 'entry_pints', 'line': 3}, {'keyword': 'install_require', 'line': 4}])
+        self.write('setup.py', SETUP)
+        self.assertEqual(self.read()['unknown'], [])
+
     def test_a_version_of_an_attribute_is_read_off_the_module(self) -> None:
         self.write('demo/__init__.py', 'import rclpy\n__version__ = "0.1"\n__version__: str = "2.5"\n')
         self.assertEqual(self.version('attr: demo.__version__'), '2.5')  # rclpy is not there to be imported

@@ -10,7 +10,7 @@ import { judge, type Seen, type SeenNode } from '../../scoreboard/judge.ts';
 import { posted, received } from '../../scoreboard/posted.ts';
 import { closure, findPackages, readPackage } from '../../scoreboard/packages.ts';
 import { valueAt } from '../../scoreboard/play.ts';
-import { firstError } from '../../scoreboard/site.ts';
+import { firstError, whyLeftOut } from '../../scoreboard/site.ts';
 
 function expectation(text: string): Expectation {
   const [one] = parseExpectations(`- {package: p, executable: e, ${text}}`, 'x.yaml');
@@ -109,7 +109,22 @@ test('what only sources know of other packages is needed too', (t) => {
 test('values are found by path; the first error is told', () => {
   assert.equal(valueAt({ a: { b: [1, 2.5] } }, 'a.b.1'), '2.5');
   assert.equal(valueAt({ a: 1 }, 'a.b'), undefined);
-  assert.deepEqual(firstError('{"event":"progress"}\n{"code":"R2W0514","severity":"warning","message":"w"}\n{"code":"R2W0503","severity":"error","message":"m","detail":"x\\nan error: y\\n"}'),
-    { code: 'R2W0503', reason: 'm: an error: y' });
+  assert.deepEqual(firstError('{"event":"progress"}\n{"code":"R2W0514","severity":"warning","message":"w"}\n{"code":"R2W0502","severity":"error","message":"m","detail":"x\\nan error: y\\n"}'),
+    { code: 'R2W0502', reason: 'm: an error: y' });
   assert.equal(firstError('killed'), undefined);
+});
+
+test('a package that is left out has the first reason of all, with its place; CMake\'s last line is none', () => {
+  const event = (code: string, severity: string, message: string, more: object): string => JSON.stringify({ event: 'diagnostic', code, severity, message, ...more });
+  const messages = [
+    event('R2W0519', 'warning', 'package `sim` is left out: no channel has `gazebo`', { span: { file: 'src/sim/package.xml', line: 8 }, why: ['advice'] }),
+    event('R2W0514', 'warning', 'package `lab` is left out: it needs `sim`', { span: null, why: ['`sim` is left out: no channel has `gazebo` (src/sim/package.xml:8)'] }),
+  ].join('\n');
+  assert.deepEqual(whyLeftOut(messages, 'sim'), { code: 'R2W0519', reason: 'package `sim` is left out: no channel has `gazebo` (src/sim/package.xml:8)' });
+  assert.deepEqual(whyLeftOut(messages, 'lab'),
+    { code: 'R2W0514', reason: 'package `lab` is left out: it needs `sim`: `sim` is left out: no channel has `gazebo` (src/sim/package.xml:8)' });
+  assert.deepEqual(whyLeftOut('', 'lab'), { code: 'R2W0514', reason: 'the package is left out' });
+  assert.deepEqual(firstError(event('R2W0503', 'error', 'CMakeLists.txt of package `x` failed: no zmq', {
+    span: { file: 'src/x/CMakeLists.txt', line: 4 }, detail: 'CMake Error\n-- Configuring incomplete, errors occurred!\n',
+  })), { code: 'R2W0503', reason: 'CMakeLists.txt of package `x` failed: no zmq (src/x/CMakeLists.txt:4)' });
 });

@@ -143,7 +143,7 @@ TEST_F(WorkspaceBuildTest, WhatNeedsALeftOutPackageIsLeftOutToo) {
             (std::vector<std::string>{"it needs `talker`, which is left out",
                                       "`talker` is left out: it needs `py`, which is left out",
                                       "`py` is left out: packages of build type `ament_cargo` are "
-                                      "not built for sites"}));
+                                      "not built for sites (src/py/package.xml:2)"}));
   EXPECT_EQ(built->warnings[2].message,
             "package `talker` is left out: it needs `py`, which is left out");
 }

@@ -5,6 +5,7 @@
 
 #include "bundler/build/diagnostic_json.hpp"
 #include "bundler/build/missing_headers.hpp"
+#include "bundler/build/older_cmake.hpp"
 #include "tests/unit/bundler/support/temporary_tree.hpp"
 
 namespace ros2wasm {
@@ -114,6 +115,54 @@ TEST(ConfigureErrors, ThePlaceIsTheFirstErrors) {
   EXPECT_EQ(errors[0].code, "R2W0503");
   EXPECT_EQ(errors[0].span->file, "src/demo/CMakeLists.txt");
   EXPECT_EQ(errors[0].span->line, 8U);
+}
+
+TEST(ConfigureErrors, TheMessageSaysTheFirstReason) {
+  const auto said = [](std::string_view output) {
+    return configure_errors(output, kPlace).front();
+  };
+  const std::string before = "CMakeLists.txt of package `demo` failed: ";
+  EXPECT_EQ(said("CMake Error at CMakeLists.txt:4 (add_executable):\n  Cannot find source file:\n\n"
+                 "    src/talker.cpp\n\n  Tried extensions .c\n\n\nCMake Generate step failed.\n")
+                .message,
+            before + "Cannot find source file: src/talker.cpp");
+  // In a module of CMake's: the place is where the package called it.
+  const Diagnostic found = said(
+      "CMake Error at /usr/share/cmake/Modules/FindPackageHandleStandardArgs.cmake:230 (message):\n"
+      "  Could NOT find PkgConfig (missing: PKG_CONFIG_EXECUTABLE)\nCall Stack (most recent call "
+      "first):\n  /usr/share/cmake/Modules/FindPkgConfig.cmake:99 (find_package)\n"
+      "  cmake/zmq.cmake:3 (include)\n  CMakeLists.txt:7 (include)\n\n\n"
+      "-- Configuring incomplete, errors occurred!\n");
+  EXPECT_EQ(found.message, before + "Could NOT find PkgConfig (missing: PKG_CONFIG_EXECUTABLE)");
+  EXPECT_EQ(found.span->file, "src/demo/cmake/zmq.cmake");
+  EXPECT_EQ(found.span->line, 3U);
+  EXPECT_EQ(said("CMake Error: no place\n").message, "CMakeLists.txt of package `demo` failed");
+}
+
+TEST(OlderCMake, AskedVersionAndPlace) {
+  const auto asked = asks_for_newer_cmake(
+      "CMake Error at CMakeLists.txt:1 (cmake_minimum_required):\n"
+      "  CMake 3.28.3 or higher is required.  You are running version 3.25.1\n\n\n"
+      "-- Configuring incomplete, errors occurred!\n",
+      kPlace);
+  ASSERT_TRUE(asked);
+  EXPECT_EQ(asked->there, "3.25.1");
+  EXPECT_EQ(asked->warning.code, "R2W0529");
+  EXPECT_NE(asked->warning.message.find("CMake 3.28.3"), std::string::npos);
+  EXPECT_EQ(asked->warning.span->file, "CMakeLists.txt");  // it is kept with the package
+  EXPECT_EQ(asked->warning.span->line, 1U);
+  EXPECT_FALSE(asks_for_newer_cmake("CMake Error at CMakeLists.txt:1 (message):\n  no\n", kPlace));
+}
+
+TEST(OlderCMake, AsksForNoMoreThanThereIs) {
+  EXPECT_EQ(for_older_cmake(
+                "# x\nCMAKE_MINIMUM_REQUIRED( VERSION 3.28.3 FATAL_ERROR)\nproject(a)\n", "3.25.1"),
+            "# x\nCMAKE_MINIMUM_REQUIRED( VERSION 3.25.1 FATAL_ERROR)\nproject(a)\n");
+  EXPECT_EQ(for_older_cmake("cmake_minimum_required(VERSION 4.0...4.2)", "3.25.1"),
+            "cmake_minimum_required(VERSION 3.25.1...4.2)");
+  for (const char* same : {"cmake_minimum_required(VERSION 3.8...3.31)", "project(a VERSION 9.9)",
+                           "cmake_minimum_required(VERSION 3.25.1)"})
+    EXPECT_EQ(for_older_cmake(same, "3.25.1"), same);
 }
 
 TEST(ConfigureErrors, AMissingPackageGetsTheLineForPackageXml) {

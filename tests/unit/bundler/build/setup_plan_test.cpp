@@ -32,6 +32,20 @@ TEST(SetupPlan, HasFilesProgramsAndEntryPoints) {
             "[console_scripts]\ntalk = demo.a:Talker.main [extra]\n\n[demo.plugins]\nx = demo.x\n");
 }
 
+TEST(SetupPlan, NamesKeywordsThatSetupDoesNotHave) {
+  const auto plan = read_setup_plan(
+      R"({"name": "demo", "version": "1.2", "script_folder": "bin",
+          "unknown": [{"keyword": "entry_pints", "line": 9}, {"keyword": "colour", "line": 0}]})",
+      kPlace);
+  ASSERT_TRUE(plan);
+  ASSERT_EQ(plan->warnings.size(), 2U);
+  EXPECT_EQ(plan->warnings[0].code, "R2W0527");
+  EXPECT_EQ(plan->warnings[0].message, "setup() of package `demo` has no keyword `entry_pints`");
+  EXPECT_EQ(plan->warnings[0].span->line, 9U);
+  EXPECT_EQ(plan->warnings[0].fix, std::vector<std::string>{"write `entry_points=`"});
+  EXPECT_TRUE(plan->warnings[1].fix.empty());
+}
+
 TEST(SetupPlan, NamesLinesThatAreSkipped) {
   const auto plan = read_setup_plan(
       R"({"name": "demo", "version": "1.2", "script_folder": "bin",

@@ -63,5 +63,21 @@ TEST(CmakePackages, KnowsThePlace) {
   EXPECT_EQ(found[0].span.line_text, "  find_package(demo REQUIRED)  # why");
 }
 
+TEST(CMakeProject, NameVersionAndPlace) {
+  const auto project = cmake_project(
+      "cmake_minimum_required(VERSION 3.8)\n# project(other)\n  PROJECT( \"my-math\"  VERSION 1.2 "
+      "CXX)",
+      "src/a/CMakeLists.txt");
+  ASSERT_TRUE(project);
+  EXPECT_EQ(project->name.value, "my-math");
+  EXPECT_EQ(project->version, "1.2");
+  EXPECT_EQ(project->name.span.line, 3U);
+  EXPECT_EQ(project->name.span.column, 13U);
+  EXPECT_EQ(cmake_project("set(NAME robot)\nproject(${NAME})", "f")->name.value, "robot");
+  EXPECT_FALSE(cmake_project("project(${NAME})", "f"));
+  EXPECT_FALSE(cmake_project("project()", "f"));
+  EXPECT_FALSE(cmake_project("add_library(a a.c)", "f"));
+}
+
 }  // namespace
 }  // namespace ros2wasm

@@ -149,7 +149,8 @@ Outcome<LaunchedFile> launch_from_file(const PackRequest& request, BuiltWorkspac
   workspace.watched.push_back(workspace.folder / file.value);
   const auto folders = installed_launch_folders(workspace.folder, workspace.installed,
                                                 workspace.environment, workspace.manifest.distro);
-  const LaunchWorld world = launch_world(folders, workspace.manifest.distro, true);
+  LaunchWorld world = launch_world(folders, workspace.manifest.distro, true);
+  world.variables = workspace.manifest.launch_variables;
   Reading reading;
   PythonRecord record;
   const std::string path = std::string(kLaunchWorkspace) + "/" + file.value;
@@ -230,6 +231,7 @@ Outcome<LaunchedFile> launch_from_file(const PackRequest& request, BuiltWorkspac
     step.launch = PackedLaunch{.file = path,
                                .from = std::move(from),
                                .given = packed_with,
+                               .variables = world.variables,
                                .distro = workspace.manifest.distro,
                                .installed = workspace.installed,
                                .left_out = workspace.left_out,
@@ -240,7 +242,9 @@ Outcome<LaunchedFile> launch_from_file(const PackRequest& request, BuiltWorkspac
                                .modules = std::move(modules)};
   }
   interpreter.keep();
-  if (launched->nodes.empty() && step.more_nodes.empty()) {
+  // Programs that the page stands in for, rviz2 for example, start nothing and are there all the
+  // same.
+  if (launched->nodes.empty() && step.more_nodes.empty() && launched->panels.empty()) {
     return Diagnostic{.code = "R2W0406",
                       .message = "the launch file starts nothing that a site can run",
                       .span = file.span,
@@ -266,6 +270,7 @@ Outcome<PackedLaunch> packed_launch(const std::string& path, const Texts& given,
   return PackedLaunch{.file = path,
                       .from = {},
                       .given = {},
+                      .variables = world.variables,
                       .distro = distro,
                       .installed = installed,
                       .left_out = {},

@@ -74,6 +74,7 @@ Diagnostics check_launch_file(const CheckRequest& request, CheckReport& report,
   if (!report.manifest.launch_file) return {};
   const auto folders = source_launch_folders(folder, report.packages, report.manifest.distro);
   LaunchWorld world = launch_world(folders, report.manifest.distro, false);
+  world.variables = report.manifest.launch_variables;
   const auto& given = report.manifest.launch_arguments;
   const std::string path = std::string(kLaunchWorkspace) + "/" + report.manifest.launch_file->value;
   const LaunchInterpreter interpreter = launch_interpreter({.executable = request.executable,

@@ -84,6 +84,7 @@ int run(Context& context, const LaunchOptions& options) {
   if (!packages) return context.console.fail(packages.errors());
   const auto folders = source_launch_folders(folder, *packages, manifest->distro);
   LaunchWorld world = launch_world(folders, manifest->distro, false);
+  world.variables = manifest->launch_variables;
   const std::string path = std::string(kLaunchWorkspace) + "/" + inside.generic_string();
   const LaunchInterpreter interpreter = launch_interpreter({.executable = context.executable,
                                                             .variables = context.environment,

@@ -180,6 +180,8 @@ struct Manifest {
   std::vector<WheelEntry> wheels;                  ///< for Python nodes, each project once
   std::optional<Spanned<std::string>> launch_file;
   std::vector<GivenArgument> launch_arguments;  ///< for the launch file, in the written order
+  /// Variables that the launch file and its nodes find, beside those of every site.
+  std::map<std::string, std::string> launch_variables;
   std::vector<NodeEntry> nodes;
   std::vector<ProgramEntry> programs;
   std::vector<CheckEntry> checks;

@@ -179,11 +179,21 @@ std::string manifest_json(const Manifest& manifest) {
   texts(json, "packages", manifest.packages);
   if (!manifest.wheels.empty()) write_wheels(json, manifest.wheels);
   json.key("launch");
-  if (manifest.launch_file && !manifest.launch_arguments.empty()) {
-    json.begin_object().field("file", manifest.launch_file->value).key("arguments").begin_object();
-    for (const GivenArgument& one : manifest.launch_arguments)
-      json.field(one.name.value, one.value);
-    json.end_object().end_object();
+  if (manifest.launch_file &&
+      !(manifest.launch_arguments.empty() && manifest.launch_variables.empty())) {
+    json.begin_object().field("file", manifest.launch_file->value);
+    if (!manifest.launch_arguments.empty()) {
+      json.key("arguments").begin_object();
+      for (const GivenArgument& one : manifest.launch_arguments)
+        json.field(one.name.value, one.value);
+      json.end_object();
+    }
+    if (!manifest.launch_variables.empty()) {
+      json.key("environment").begin_object();
+      for (const auto& [name, value] : manifest.launch_variables) json.field(name, value);
+      json.end_object();
+    }
+    json.end_object();
   } else if (manifest.launch_file) {
     json.string(manifest.launch_file->value);
   } else {

@@ -48,10 +48,38 @@ void read_arguments(Binder& binder, const YamlNode& node, Manifest& manifest) {
   }
 }
 
+/// As shells and ROS take them.
+bool is_variable_name(const std::string& name) {
+  const auto is_letter = [](char c) {
+    return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_';
+  };
+  return !name.empty() && is_letter(name.front()) &&
+         std::all_of(name.begin(), name.end(),
+                     [&](char c) { return is_letter(c) || (c >= '0' && c <= '9'); });
+}
+
+void read_variables(Binder& binder, const YamlNode& node, Manifest& manifest) {
+  if (node.kind == YamlKind::kNull) return;
+  if (node.kind != YamlKind::kMap) {
+    binder.wrong_type(node, "environment", "a mapping from variables to values");
+    return;
+  }
+  for (const YamlEntry& entry : node.entries) {
+    if (!is_variable_name(entry.key)) {
+      binder.error("R2W0103", "`" + entry.key + "` is not the name of an environment variable",
+                   entry.key_range, "letters, digits and underscores, no digit first");
+      continue;
+    }
+    if (auto value = argument_value(binder, entry))
+      manifest.launch_variables[entry.key] = std::move(*value);
+  }
+}
+
 void read_file(Binder& binder, const YamlNode& node, Manifest& manifest) {
   static const std::vector<KeyRow> kKeys{
       {"file", {"launch_file", "path"}},
       {"arguments", {"args", "launch_arguments", "parameters"}},
+      {"environment", {"env", "environ", "variables"}},
   };
   binder.mapping(node, "`launch` with a launch file", kKeys);
   if (const YamlNode* file = value_of(node, "file")) {
@@ -60,6 +88,8 @@ void read_file(Binder& binder, const YamlNode& node, Manifest& manifest) {
     binder.missing(node, "`launch`", "file");
   }
   if (const YamlNode* given = value_of(node, "arguments")) read_arguments(binder, *given, manifest);
+  if (const YamlNode* variables = value_of(node, "environment"))
+    read_variables(binder, *variables, manifest);
 }
 
 }  // namespace

@@ -150,7 +150,7 @@ void LaunchEvaluator::append_environment(const LaunchEntity& entity) {
 }
 
 void LaunchEvaluator::reset_environment(const LaunchEntity&) {
-  scope_.environment.clear();
+  scope_.environment = world_.variables;
 }
 
 void LaunchEvaluator::reset(const LaunchEntity& entity) {

@@ -149,6 +149,7 @@ LaunchEvaluator::LaunchEvaluator(const LaunchWorld& world,
                                  const std::map<std::string, std::string>& given)
     : world_(world), given_(given) {
   scope_.configurations = given;
+  scope_.environment = world.variables;
   world_.note_later = [this](const std::string& path, const SourceSpan& at) {
     static_cast<void>(comes_later(path, at));
   };

@@ -146,16 +146,14 @@ Diagnostic failure(const JsonValue& error, const PythonMoment& moment) {
     result.why = {
         "it can import launch, launch_ros, launch_xml, launch_yaml, nav2_common.launch, "
         "ament_index_python, xacro, yaml, Python's own modules, and those of the workspace's "
-        "packages",
+        "packages; rclpy and messages for their types",
         "what else it makes can be written down in its place: a parameter file, a URDF"};
   }
   if (const std::string name = error.text_of("variable"); !name.empty()) {
     result.message = "the launch file needs the environment variable `" + name + "`";
     result.why = {"a site is packed the same on every machine, so the machine's own are not seen"};
-    result.fix = {"os.environ.get('" + name + "', ...), or a launch argument",
-                  "unchanged, by a launch file in XML: `<launch><set_env name=\"" + name +
-                      "\" value=\"...\"/><include file=\"" + file.substr(file.rfind('/') + 1) +
-                      "\"/></launch>`"};
+    result.fix = {"in workspace.yaml: " + variable_in_manifest(name),
+                  "in the launch file: os.environ.get('" + name + "', ...), or a launch argument"};
   }
   if (const JsonValue* callers = error.find("callers"))
     for (const JsonValue& one : callers->items())

@@ -93,7 +93,11 @@ std::map<std::string, std::string> environment_of(const Call& call) {
 }
 
 Result environment(const Call& call) {
-  return looked_up(call, environment_of(call), "environment variable");
+  Result found = looked_up(call, environment_of(call), "environment variable");
+  if (found) return found;
+  Diagnostic error = found.errors().front();
+  error.fix.push_back("in workspace.yaml: " + variable_in_manifest(call.arguments[0]));
+  return error;
 }
 
 Result loop_value(const Call& call) {
@@ -394,6 +398,10 @@ Result evaluate_call(const LaunchCall& called, const SourceSpan& span, const Lau
 }
 
 }  // namespace
+
+std::string variable_in_manifest(const std::string& name) {
+  return "`launch: {file: ..., environment: {" + name + ": ...}}`";
+}
 
 Outcome<std::string> evaluate_text(const LaunchText& text, const SourceSpan& span,
                                    const LaunchScope& scope, const LaunchFilePlace& file,

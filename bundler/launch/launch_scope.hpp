@@ -25,7 +25,8 @@ struct LaunchWorld {
   std::function<Outcome<std::string>(const std::string& path)> read;
   /// The prefix that a package is installed in; nothing when there is no such package.
   std::function<std::optional<std::string>(const std::string& package)> prefix_of;
-  std::map<std::string, std::string> environment;  ///< of every process of the site
+  std::map<std::string, std::string> environment;     ///< of every process of the site
+  std::map<std::string, std::string> variables = {};  ///< what the manifest sets beside these
   /// What is in a folder, sorted; nothing when it is none.
   std::function<std::vector<std::string>(const std::string& folder)> names_in = {};
   /// How messages name a file; empty: by its path.
@@ -42,6 +43,9 @@ struct LaunchWorld {
     return shown ? shown(path) : path;
   }
 };
+
+/// How a manifest sets a variable of the environment, to paste.
+[[nodiscard]] std::string variable_in_manifest(const std::string& name);
 
 /// A parameter, or a file of them, that is set for all nodes that follow.
 struct LaunchParameter {

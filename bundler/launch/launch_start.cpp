@@ -83,6 +83,7 @@ Start read_start(const JsonValue& json) {
   Start start{.launch = {.file = json.text_of("file"),
                          .from = {},
                          .given = texts_of(json.find("given")),
+                         .variables = texts_of(json.find("variables")),
                          .distro = json.text_of("distro"),
                          .installed = {},
                          .left_out = {},
@@ -274,6 +275,7 @@ std::string evaluate_packed_launch(std::string_view text, const LaunchPlace& pla
   PythonRecord record(launch.python);
   bool decided = false;
   LaunchWorld world = world_of(files, launch.distro);
+  world.variables = launch.variables;
   world.python = place.python ? place.python : record.replaying([&] { decided = true; });
   const auto needed = [&] {
     JsonWriter json;

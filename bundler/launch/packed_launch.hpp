@@ -12,9 +12,10 @@
 namespace ros2wasm {
 
 struct PackedLaunch {
-  std::string file;                          ///< as launch files see it
-  SourceSpan from;                           ///< where the manifest names it
-  std::map<std::string, std::string> given;  ///< by the manifest
+  std::string file;                                   ///< as launch files see it
+  SourceSpan from;                                    ///< where the manifest names it
+  std::map<std::string, std::string> given;           ///< by the manifest
+  std::map<std::string, std::string> variables = {};  ///< of the environment, by the manifest
   std::string distro;
   std::vector<InstalledPackage> installed;
   LeftOutChains left_out;                    ///< packages that were not built, and why

@@ -64,6 +64,7 @@ std::string packed_launch_json(const PackedLaunch& launch,
   json.field_integer("line", launch.from.line).field_integer("column", launch.from.column);
   json.end_object().field("distro", launch.distro);
   write_map(json, "given", launch.given);
+  if (!launch.variables.empty()) write_map(json, "variables", launch.variables);
   write_map(json, "texts", launch.texts);
   json.key("packages").begin_array();
   for (const InstalledPackage& package : launch.installed) {

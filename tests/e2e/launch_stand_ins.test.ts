@@ -31,6 +31,25 @@ test('rviz2 and joint_state_publisher_gui become panels of the usual layout', as
   assert.ok(ws.files('site').has('share/arm/rviz/view.rviz'));
 });
 
+// Compatibility, works: a launch file that starts rviz2 alone: a site with the 3D view
+test('a launch file with only rviz2 is a site that shows the 3D view', async () => {
+  ws.write('src/arm/launch/look.launch.xml', '<launch>\n  <node pkg="rviz2" exec="rviz2" args="-d $(find-pkg-share arm)/rviz/view.rviz"/>\n</launch>\n');
+  ws.write('look.yaml', 'schema: 1\nname: look\npackages: [src/*]\nlaunch: src/arm/launch/look.launch.xml\n');
+  const packed = await ws.run(['pack', 'look.yaml', '-o', 'look']);
+  assert.equal(packed.code, 0, packed.stderr);
+  const { ui, nodes } = JSON.parse(ws.read('look/site.json').toString()) as { ui: { opens: unknown }; nodes: unknown[] };
+  assert.deepEqual(nodes, []);
+  assert.deepEqual(ui.opens, [{ panel: 'scene', file: 'share/arm/rviz/view.rviz' }]);
+  const ran = await ws.run(['run', 'look', '--for', '1s']);
+  assert.equal(ran.code, 0, ran.stderr);
+  // One that starts only what nothing stands in for is still refused.
+  ws.write('src/arm/launch/nothing.launch.xml', '<launch>\n  <node pkg="rplidar_ros" exec="rplidar_node"/>\n</launch>\n');
+  ws.write('nothing.yaml', 'schema: 1\nname: nothing\npackages: [src/*]\nlaunch: src/arm/launch/nothing.launch.xml\n');
+  const refused = await ws.run(['pack', 'nothing.yaml', '-o', 'nothing']);
+  assert.equal(refused.code, 1);
+  assert.match(refused.stderr, /error\[R2W0406\]/);
+});
+
 // Compatibility, works: `urdf_launch` (display.launch.py, description.launch.py), which packages of robots include
 test('display.launch.py of urdf_launch shows a package\'s robot', async () => {
   const shown = new PackWorkspace();

@@ -117,6 +117,24 @@ TEST(ManifestReader, LaunchArgumentsAreTextsAsWritten) {
   EXPECT_EQ(manifest.launch_arguments[1].name.span.column, 5U);
 }
 
+TEST(ManifestReader, VariablesOfTheLaunchFileAreTextsAsWritten) {
+  const Manifest manifest = manifest_of(
+      "schema: 1\nname: a\nlaunch:\n  file: l.xml\n  environment: {MODEL: burger, LEVEL_2: 0x1F, "
+      "_ON: true}");
+  const std::map<std::string, std::string> expected{
+      {"LEVEL_2", "0x1F"}, {"MODEL", "burger"}, {"_ON", "true"}};
+  EXPECT_EQ(manifest.launch_variables, expected);
+  EXPECT_NE(manifest_json(manifest).find(
+                R"("launch":{"file":"l.xml","environment":{"LEVEL_2":"0x1F","MODEL":"burger",)"),
+            std::string::npos);
+  for (const char* wrong : {"{2ND: x}", "{A-B: x}", "[MODEL]", "MODEL=burger"}) {
+    const auto read = read_manifest(
+        "schema: 1\nname: a\nlaunch:\n  file: l.xml\n  environment: " + std::string(wrong),
+        "w.yaml");
+    EXPECT_FALSE(read.ok()) << wrong;
+  }
+}
+
 TEST(ManifestReader, AllStylesOfText) {
   const Manifest manifest = manifest_of(example("valid/texts_in_all_styles.yaml"));
   EXPECT_EQ(manifest.name.value, "2024");

@@ -21,6 +21,7 @@ from launch.substitutions import SubstitutionFailure
 from ros2wasm_launch import host
 from ros2wasm_launch.configurations import Configurations
 from ros2wasm_launch.entities import entities_of, entity
+from ros2wasm_launch.named_types import NamedTypesFinder
 
 _ENTRY = 'generate_launch_description'
 #: Native modules with other names than what is in them, and where that is here.
@@ -90,7 +91,7 @@ class Printed(io.TextIOBase):
 
 def prepare() -> None:
     """Before the first request."""
-    sys.meta_path.append(SubmoduleFinder())
+    sys.meta_path.extend([SubmoduleFinder(), NamedTypesFinder()])
     for name in ('launch_ros', 'launch_xml.launch_description_sources', 'launch_yaml.launch_description_sources',
                  'nav2_common.launch'):
         importlib.import_module(name)

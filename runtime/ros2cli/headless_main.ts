@@ -2,9 +2,12 @@
 // nodes, runs the command and ends with its exit code. The nodes' own output is not shown.
 
 import { isMainThread } from 'node:worker_threads';
+import { longEnough } from '../wasm_js/coming_up.ts';
 import { endWhenNobodyReads, exitWhenPrinted, openHeadless, serveHeadlessWorker, siteErrorText } from '../wasm_js/headless_session.ts';
 import type { NodeView } from '../wasm_js/session.ts';
 import { SiteError } from '../wasm_js/site_error.ts';
+import type { SiteSession } from '../wasm_js/site_session.ts';
+import { parseCommand } from './parse.ts';
 import { shellCommands } from './shell_commands.ts';
 import { bagFiles, textOfFile } from './shell_files.ts';
 import { runCommand } from './run.ts';
@@ -12,8 +15,6 @@ import { commands } from './table.ts';
 
 const usage = 'usage: node ros2.js [--link shared|port] SITE COMMAND...';
 const interrupted = 130;
-/** Nodes that have not come to rest by then (one may compute for ever) are taken as they are. */
-const longestStartMs = 20_000;
 /** On message ports the graph comes in bit by bit. */
 const discoveryMs = 200;
 
@@ -41,6 +42,18 @@ function pause(ms: number): Promise<void> {
   });
 }
 
+/** All nodes have come to rest, or do not, or the command's own time is over, or Ctrl-C. */
+async function allUp(session: SiteSession, words: readonly string[], signal: AbortSignal): Promise<void> {
+  const up = new AbortController();
+  const parsed = parseCommand(commands, words);
+  const seconds = parsed.kind === 'run' ? parsed.given.options.get('timeout') : undefined;
+  const timer = seconds === undefined ? undefined : setTimeout(() => up.abort(), Number(seconds) * 1000);
+  const isLoading = (): boolean => session.nodes().some(({ loading }) => loading === true);
+  await Promise.race([session.settled, longEnough(isLoading, AbortSignal.any([signal, up.signal]))]);
+  clearTimeout(timer);
+  up.abort();
+}
+
 async function main({ site, link, words }: Asked): Promise<number> {
   const abort = new AbortController();
   process.on('SIGINT', () => {
@@ -61,7 +74,7 @@ async function main({ site, link, words }: Asked): Promise<number> {
   session.onNodes(tell);
   if (!commands.some((command) => command.words[0] === words[0] && command.startsNodes === true)) {
     session.startAll();
-    await Promise.race([session.settled, pause(longestStartMs)]);
+    await allUp(session, words, abort.signal);
   }
   if (session.link === 'port') await pause(discoveryMs);
   const code = await runCommand(session, words, {

@@ -1,12 +1,18 @@
 // Files of a shell, relative to where it is: bags, and texts.
 
-import { closeSync, fstatSync, openSync, readFileSync, readSync, writeSync } from 'node:fs';
-import type { BagPlace } from './command.ts';
+import { closeSync, fstatSync, openSync, readFileSync, readSync, readdirSync, statSync, writeSync } from 'node:fs';
+import { join } from 'node:path';
+import { type BagPlace, CommandError } from './command.ts';
 
 export const bagFiles: BagPlace = {
-  open: (name) => Promise.resolve().then(() => {
+  open: (given) => Promise.resolve().then(() => {
+    const name = bagFileOf(given);
     const file = opened(name, 'r', 'ENOENT');
-    if (file === undefined || !fstatSync(file).isFile()) return undefined;
+    if (file === undefined) return undefined;
+    if (!fstatSync(file).isFile()) {
+      closeSync(file);
+      return undefined;
+    }
     return {
       name, size: fstatSync(file).size,
       read: (from: number, length: number) => Promise.resolve().then(() => {
@@ -28,6 +34,17 @@ export const bagFiles: BagPlace = {
     };
   }),
 };
+
+/** The file that is meant: of a folder as rosbag2 makes it, the one that lies beside its metadata. */
+function bagFileOf(name: string): string {
+  if (statSync(name, { throwIfNoEntry: false })?.isDirectory() !== true) return name;
+  const names = readdirSync(name).sort();
+  const bags = names.filter((one) => one.endsWith('.mcap'));
+  const hint = bags.length === 0 ? '' : `: name a file of it, '${join(name, bags[0]!)}'`;
+  if (!names.includes('metadata.yaml')) throw new CommandError(`Could not find metadata in bag directory '${name}'${hint}`);
+  if (bags.length !== 1) throw new CommandError(`Bag directory '${name}' has ${bags.length} MCAP files${hint}`);
+  return join(name, bags[0]!);
+}
 
 function opened(name: string, flags: string, expected: string): number | undefined {
   try {

@@ -135,7 +135,7 @@ export class SiteSession implements Session {
       this.sources = new SourceFiles(sources, texts, () => pythonFiles.whole(sources.archive));
     }
     this.images = stepped === undefined ? new PythonImages(site, platform, this.pythonWorkers, files.prefix) : undefined;
-    const comingUp = new ComingUp();
+    const comingUp = new ComingUp(() => this.nodes().some(({ loading }) => loading === true));
     const common: CommonHost = {
       environment,
       files,

@@ -99,6 +99,17 @@ test('they run: entry points, scripts, messages of the package itself, share fil
   assert.equal(ran.code, 130, `${ran.stderr}\n${ran.stdout.slice(-4000)}`);
 });
 
+test('commands of ros2 wait for nodes whose interpreter is loading', async () => {
+  const info = await workspace.run(['ros2', 'site', 'topic', 'info', '/counted']);
+  assert.match(info.stdout, /^Publisher count: 1\nSubscription count: 1$/m, info.stderr);
+  const node = await workspace.run(['ros2', 'site', 'node', 'info', '/ears']);
+  assert.match(node.stdout, /^ {2}Subscribers:\n(?: {4}.*\n)*? {4}\/counted: /m, node.stderr);
+  const echo = await workspace.run(['ros2', 'site', 'topic', 'echo', '/counted', '--once']);
+  assert.equal(echo.code, 0, echo.stderr);
+  const called = await workspace.run(['ros2', 'site', 'service', 'call', '/ears/get_parameters', 'rcl_interfaces/srv/GetParameters', '{names: [use_sim_time]}']);
+  assert.match(called.stdout, /bool_value=False/, called.stderr);
+});
+
 test('example 07 shows what it promises', async () => {
   const example = resolve(import.meta.dirname, '../../examples/07_python');
   cpSync(example, join(workspace.root, 'example'), { recursive: true });

@@ -164,8 +164,9 @@ Outcome<Question> ask(const PackRequest& request, const Cancellation& cancellati
     workspace.warnings.push_back(*std::move(nobody));
   }
 
-  if (const auto page = read_page_files(workspace.folder, manifest); !page)
-    return page.errors();  // told before anything is built
+  const auto page = read_page_files(workspace.folder, manifest);
+  if (!page) return page.errors();  // told before anything is built
+  append(workspace.warnings, cut_bags(page->bags, manifest.ui_bags));
 
   // 2. the packages of the workspace, and the order of building them
   auto packages = discover_packages(workspace.folder, workspace.shown_folder, manifest.packages,

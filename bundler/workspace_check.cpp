@@ -185,8 +185,11 @@ Outcome<CheckReport> check_workspace(const CheckRequest& request,
   const auto order = order_packages(report.packages, report.manifest.distro);
   if (!order) append(errors, order.errors());
   append(errors, check_parameters(report.manifest, folder));
-  if (const auto page = read_page_files(folder, report.manifest); !page)
+  if (const auto page = read_page_files(folder, report.manifest)) {
+    append(report.warnings, cut_bags(page->bags, report.manifest.ui_bags));
+  } else {
     append(errors, page.errors());
+  }
   if (report.manifest.ui_notebook) {
     auto notebook = read_page_notebook(folder, *report.manifest.ui_notebook);
     if (!notebook) append(errors, std::move(notebook).errors());

@@ -52,6 +52,23 @@ Outcome<std::vector<PageFile>> read_page_bags(const fs::path& folder,
   return files;
 }
 
+Diagnostics cut_bags(const std::vector<PageFile>& files,
+                     const std::vector<Spanned<std::string>>& bags) {
+  Diagnostics warnings;
+  for (std::size_t i = 0; i < files.size() && i < bags.size(); ++i) {
+    const std::string_view bytes = files[i].bytes;
+    if (bytes.size() > kMagic.size() && bytes.ends_with(kMagic)) continue;
+    warnings.push_back(
+        {.code = "R2W0118",
+         .severity = Severity::kWarning,
+         .message = "the bag `" + files[i].path + "` is not whole",
+         .span = bags[i].span,
+         .why = {"it does not end with the sign of MCAP files, so its end is missing",
+                 "the page plays what is there"}});
+  }
+  return warnings;
+}
+
 Outcome<PageFiles> read_page_files(const fs::path& folder, const Manifest& manifest) {
   PageFiles files;
   Diagnostics problems;

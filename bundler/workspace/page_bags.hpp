@@ -14,6 +14,11 @@ namespace ros2wasm {
 [[nodiscard]] Outcome<std::vector<PageFile>> read_page_bags(
     const std::filesystem::path& folder, const std::vector<Spanned<std::string>>& bags);
 
+/// R2W0118 as a warning for each that does not end as a whole MCAP file does: the page plays what
+/// is there. `files`: those of read_page_bags(). Pure.
+[[nodiscard]] Diagnostics cut_bags(const std::vector<PageFile>& files,
+                                   const std::vector<Spanned<std::string>>& bags);
+
 /// All files of the workspace that the manifest gives to the page.
 struct PageFiles {
   std::vector<PageFile> text;

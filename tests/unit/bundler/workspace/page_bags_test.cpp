@@ -26,6 +26,23 @@ TEST(PageBags, ReadsThemInOrder) {
   EXPECT_EQ(page_bag_path("./bags/walk.mcap"), "bags/bags/walk.mcap");
 }
 
+TEST(PageBags, NamesThoseThatAreCut) {
+  const testing::TemporaryTree tree;
+  const std::string sign = kBag.substr(0, 8);
+  tree.write("whole.mcap", kBag + sign);
+  tree.write("cut.mcap", kBag);
+  tree.write("begun.mcap", sign);
+  const std::vector<Spanned<std::string>> named{{.value = "whole.mcap", .span = {}},
+                                                {.value = "cut.mcap", .span = {}},
+                                                {.value = "begun.mcap", .span = {}}};
+  const auto files = read_page_bags(tree.root(), named);
+  ASSERT_TRUE(files.ok());
+  const Diagnostics warnings = cut_bags(*files, named);
+  ASSERT_EQ(warnings.size(), 2U);
+  EXPECT_EQ(warnings[0].message, "the bag `cut.mcap` is not whole");
+  EXPECT_EQ(warnings[0].severity, Severity::kWarning);
+}
+
 TEST(PageBags, RefusesWhatIsNoBagOfTheFolder) {
   const testing::TemporaryTree outside;
   const testing::TemporaryTree tree;

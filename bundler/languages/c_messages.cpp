@@ -88,7 +88,7 @@ Outcome<Done> make_c_messages(const std::set<std::string>& headers, const Packag
                               const BuildTools& tools, const Cancellation& cancellation) {
   std::error_code error;
   const fs::path script =
-      tools.toolchain.parent_path().parent_path() / "c_messages" / "generate.py";
+      tools.toolchain.parent_path().parent_path() / "c_messages" / "c_headers.py";
   std::vector<std::string> arguments = {
       fs::exists(kDebianPython, error) ? kDebianPython : "python3", "-B", script.string(),
       "--output", c_messages_folder(request).string()};

@@ -37,16 +37,17 @@ OWN_NAMES = ('options.data_files', 'options.entry_points', 'options.extras_requi
 
 #: What setup() takes: the metadata of distutils and setuptools, and their options.
 KEYWORDS = frozenset((
-    'author', 'author_email', 'classifiers', 'cmdclass', 'command_options', 'command_packages', 'convert_2to3_doctests',
-    'data_files', 'dependency_links', 'description', 'distclass', 'download_url', 'eager_resources', 'entry_points',
-    'exclude_package_data', 'ext_modules', 'ext_package', 'extra_path', 'extras_require', 'features', 'headers',
-    'include_dirs', 'include_package_data', 'install_requires', 'keywords', 'libraries', 'license', 'license_expression',
-    'license_file', 'license_files', 'licence', 'long_description', 'long_description_content_type', 'maintainer',
-    'maintainer_email', 'message_extractors', 'name', 'namespace_packages', 'obsoletes', 'options', 'package_data',
-    'package_dir', 'packages', 'password', 'platforms', 'project_urls', 'provides', 'provides_extras', 'py_modules',
-    'python_requires', 'requires', 'script_args', 'script_name', 'scripts', 'setup_requires', 'src_root', 'test_loader',
-    'test_suite', 'tests_require', 'url', 'use_2to3', 'use_2to3_exclude_fixers', 'use_2to3_fixers', 'use_scm_version',
-    'version', 'zip_safe'))
+    'author', 'author_email', 'classifiers', 'cmdclass', 'command_options', 'command_packages',
+    'convert_2to3_doctests', 'data_files', 'dependency_links', 'description', 'distclass', 'download_url',
+    'eager_resources', 'entry_points', 'exclude_package_data', 'ext_modules', 'ext_package', 'extra_path',
+    'extras_require', 'features', 'headers', 'include_dirs', 'include_package_data', 'install_requires', 'keywords',
+    'libraries', 'license', 'license_expression', 'license_file', 'license_files', 'licence', 'long_description',
+    'long_description_content_type', 'maintainer', 'maintainer_email', 'message_extractors', 'name',
+    'namespace_packages', 'obsoletes', 'options', 'package_data', 'package_dir', 'packages', 'password',
+    'platforms', 'project_urls', 'provides', 'provides_extras', 'py_modules', 'python_requires', 'requires',
+    'script_args', 'script_name', 'scripts', 'setup_requires', 'src_root', 'test_loader', 'test_suite',
+    'tests_require', 'url', 'use_2to3', 'use_2to3_exclude_fixers', 'use_2to3_fixers', 'use_scm_version', 'version',
+    'zip_safe'))
 
 
 class SetupError(Exception):

@@ -174,6 +174,22 @@ const wrong = `<launch>
 </launch>
 `;
 
+test('variables that the manifest sets are there for the launch file and its nodes, also for other arguments', async () => {
+  const ws = new PackWorkspace('shared');
+  try {
+    const program = '#include <cstdio>\n#include <cstdlib>\nint main(int, char** words) { std::printf("%s %s\\n", std::getenv("MODEL"), words[1]); }\n';
+    ws.addPackage('arm', { hello: program }, { cmake: 'install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})\n' });
+    ws.write('src/arm/launch/a.launch.xml', '<launch><arg name="who" default="one"/><node pkg="arm" exec="hello" args="$(var who)_$(env MODEL)"/></launch>\n');
+    ws.write('workspace.yaml', 'schema: 1\nname: arm\npackages: [src/*]\nlaunch: {file: src/arm/launch/a.launch.xml, environment: {MODEL: burger}}\n');
+    const packed = await ws.run(['pack', '--quick']);
+    assert.equal(packed.code, 0, packed.stderr);
+    assert.match((await ws.run(['run', 'site', '--for', '60s'])).stdout, /^\[hello-1\] burger one_burger$/m);
+    assert.match((await ws.run(['run', 'site', 'who:=two', '--for', '60s'])).stdout, /^\[hello-1\] burger two_burger$/m);
+  } finally {
+    ws.close();
+  }
+});
+
 test('R2W0440, R2W0731, R2W0732: values that a site cannot follow', async () => {
   workspace.write('wrong.launch.xml', wrong);
   const part = 'from launch import LaunchDescription\n\n\ndef generate_launch_description():\n    return LaunchDescription([])\n';

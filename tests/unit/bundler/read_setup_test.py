@@ -50,9 +50,10 @@ class ReadSetupTest(unittest.TestCase):
         self.assertEqual(self.failure()[2], "can't copy 'GONE': doesn't exist or not a regular file")
 
     def test_a_keyword_that_setup_does_not_have_is_named_with_its_line(self) -> None:
-        self.write('setup.py', 'from setuptools import setup\nsetup(name="demo", zip_safe=True,\n      entry_pints={},\n'
-                               '      **{"install_require": []})\n')
-        self.assertEqual(self.read()['unknown'], [{'keyword': 'entry_pints', 'line': 3}, {'keyword': 'install_require', 'line': 4}])
+        self.write('setup.py', 'from setuptools import setup\nsetup(name="demo", zip_safe=True,\n'
+                               '      entry_pints={},\n      **{"install_require": []})\n')
+        self.assertEqual(self.read()['unknown'], [
+            {'keyword': 'entry_pints', 'line': 3}, {'keyword': 'install_require', 'line': 4}])
         self.write('setup.py', SETUP)
         self.assertEqual(self.read()['unknown'], [])
 

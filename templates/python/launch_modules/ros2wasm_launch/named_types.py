@@ -24,9 +24,9 @@ _MESSAGES = re.compile(r'(?P<package>[a-z]\w*)\.(?:msg|srv|action)')
 _MESSAGE_PACKAGE = re.compile(r'[a-z]\w*_(?:msgs?|srvs?|actions|interfaces?)')
 #: Of rclpy: those that have a name which launch files ask for.
 _MODULES = {
-    'rclpy': ('action', 'callback_groups', 'client', 'clock', 'constants', 'context', 'duration', 'exceptions', 'executors',
-              'lifecycle', 'logging', 'node', 'parameter', 'publisher', 'qos', 'service', 'subscription', 'task', 'time',
-              'timer', 'utilities', 'wait_for_message'),
+    'rclpy': ('action', 'callback_groups', 'client', 'clock', 'constants', 'context', 'duration', 'exceptions',
+              'executors', 'lifecycle', 'logging', 'node', 'parameter', 'publisher', 'qos', 'service', 'subscription',
+              'task', 'time', 'timer', 'utilities', 'wait_for_message'),
     'launch_testing': ('actions', 'asserts', 'event_handlers', 'io_handler', 'markers', 'parametrization',
                        'proc_info_handler', 'tools', 'util'),
     'launch_testing_ros': ('actions', 'tools'),

@@ -1,11 +1,11 @@
 """
 Writes the C headers of messages, services and actions that a package includes, and of all that these hold.
 
-  generate.py --output DIR --share DIR [--share DIR ...] PACKAGE/KIND/NAME [...]
+  c_headers.py --output DIR --share DIR [--share DIR ...] PACKAGE/KIND/NAME [...]
 
 NAME is that of the header, in small letters. Structures and functions are those of Debian's rosidl_generator_c; the
-functions' definitions stand in the headers, weak, so that no library is to be linked. A name that no folder of `--share`
-has is passed over: the compiler says so.
+functions' definitions stand in the headers, weak, so that no library is to be linked. A name that no folder of
+`--share` has is passed over: the compiler says so.
 """
 from __future__ import annotations
 
@@ -100,7 +100,8 @@ def write_package(package: str, interfaces: list[Interface], shares: list[Path],
         source.unlink()
         text = header.read_text(encoding='utf-8-sig').rstrip()
         guard = text.rindex('#endif')
-        header.write_text(f'{text[:guard]}#include "{package}/{kind}/detail/{made.name}"\n\n{text[guard:]}\n', encoding='utf-8')
+        include = f'#include "{package}/{kind}/detail/{made.name}"'
+        header.write_text(f'{text[:guard]}{include}\n\n{text[guard:]}\n', encoding='utf-8')
 
 
 def main() -> None:

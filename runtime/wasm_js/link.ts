@@ -22,6 +22,8 @@ export interface EndpointDescription {
   readonly hash: string;
   readonly qos: EndpointQos;
   readonly flags: number;
+  /** A subscription begins with what matched writers still hold, whatever their durability, where the link has it. */
+  readonly past?: boolean;
 }
 
 export interface EndpointStatus {

@@ -16,6 +16,11 @@ export interface EndpointQosView extends QosView {
 /** What is left out is as ROS 2's default: reliable, volatile, the last 10. */
 export type QosRequest = Partial<EndpointQosView>;
 
+export interface SubscriptionRequest extends QosRequest {
+  /** Begin with what publishers still hold, whatever their durability, where the link between the nodes has it. */
+  readonly past?: boolean;
+}
+
 export interface GraphEndpointView {
   /** Fully qualified. */
   readonly name: string;
@@ -146,7 +151,7 @@ export interface PageNode {
   publisher(topic: string, type: string, qos?: QosRequest): PagePublisher;
   /** The listener is called as messages come, never within another call. */
   /** With an empty `type`: messages of all types, for somebody who is not counted among the subscriptions. */
-  subscription(topic: string, type: string, qos: QosRequest, listener: MessageListener): PageSubscription;
+  subscription(topic: string, type: string, request: SubscriptionRequest, listener: MessageListener): PageSubscription;
   client(service: string, type: string): PageClient;
   actionClient(action: string, type: string): PageActionClient;
   /** Calls `ring` each time that `periodMs` of the site's time have passed. */

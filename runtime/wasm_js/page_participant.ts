@@ -8,7 +8,7 @@ import type { Heap } from './link.ts';
 import { ActionClient } from './page_actions.ts';
 import { Client, Publisher, Subscription } from './page_endpoints.ts';
 import type {
-  MessageListener, PageActionClient, PageClient, PageNode, PagePublisher, PageSubscription, PageTimer, QosRequest,
+  MessageListener, PageActionClient, PageClient, PageNode, PagePublisher, PageSubscription, PageTimer, QosRequest, SubscriptionRequest,
 } from './page_node.ts';
 import { endpointQos } from './qos_view.ts';
 import { SiteError } from './site_error.ts';
@@ -57,8 +57,8 @@ export class PageParticipant implements PageNode {
     return this.keep(new Publisher(this, this.make(EndpointKind.publisher, topic, type, qos)));
   }
 
-  subscription(topic: string, type: string, qos: QosRequest, listener: MessageListener): PageSubscription {
-    return this.keep(new Subscription(this, this.make(EndpointKind.subscription, topic, type, qos), listener));
+  subscription(topic: string, type: string, { past = false, ...qos }: SubscriptionRequest, listener: MessageListener): PageSubscription {
+    return this.keep(new Subscription(this, this.make(EndpointKind.subscription, topic, type, qos, past), listener));
   }
 
   client(service: string, type: string): PageClient {
@@ -109,7 +109,7 @@ export class PageParticipant implements PageNode {
     this.open.delete(closed);
   }
 
-  private make(kind: EndpointKind, given: string, type: string, qos: QosRequest): Made {
+  private make(kind: EndpointKind, given: string, type: string, qos: QosRequest, past = false): Made {
     const { link } = this.broker;
     const name = expandName(given, nodeName);
     if (this.closed) return { problem: closedError(name) };
@@ -124,7 +124,7 @@ export class PageParticipant implements PageNode {
     }
     this.node ??= link.nodeCreate(nodeName, '/');
     const handle = this.node < 0 ? this.node
-      : link.endpointCreate({ kind, node: this.node, name, type, hash: '', qos: endpointQos(qos), flags: anyType ? flagHidden : 0 });
+      : link.endpointCreate({ kind, node: this.node, name, type, hash: '', qos: endpointQos(qos), flags: anyType ? flagHidden : 0, past });
     if (handle >= 0) return { handle };
     if (this.node < 0) this.node = undefined;
     const why = handle === ErrorCode.tableFull ? 'the site has no place left for one more endpoint' : `the bus refused it, error ${handle}`;

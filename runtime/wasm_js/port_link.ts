@@ -135,7 +135,8 @@ export class PortLink implements Link {
   }
 
   endpointCreate(description: EndpointDescription): number {
-    const { node, ...rest } = description;
+    // No publisher holds anything here for those who come later, but for latched ones.
+    const { node, past: _past, ...rest } = description;
     const wrong = checkDescription(description);
     if (wrong < 0) return wrong;
     if (!this.graphReplica.nodes.has(this.keyOf(node))) return ErrorCode.badHandle;

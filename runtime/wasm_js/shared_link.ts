@@ -146,12 +146,12 @@ export class SharedLink implements Link {
     if (bus.load(word + BusEndpoint.generation) === 0) bus.store(word + BusEndpoint.generation, 1);
     const key = endpointKey(index, bus.load(word + BusEndpoint.generation));
     const session = [bus.load(BusHeader.session0), bus.load(BusHeader.session1)];
-    const { node, ...rest } = description;
+    const { node, past, ...rest } = description;
     const gid = new Int32Array([...session, key, this.participant + 1]);
     const record = { ...rest, key, gid, participant: this.participant, nodeKey: node };
     fillEndpoint(bus, record);
     if (manualLease(record) !== 0) new BusCells(bus, word).exchangeAsserted(this.clock.steadyNs());
-    if (reads(record.kind) && !this.placeCursors(record)) {
+    if (reads(record.kind) && !this.placeCursors(record, past === true)) {
       bus.freeAll(key);
       bumpGeneration(bus, word);
       bus.store(word, BusPhase.free);
@@ -175,11 +175,11 @@ export class SharedLink implements Link {
   }
 
   /** Before a reader is visible: notes where the writers that are there already stand. False when there is no room. */
-  private placeCursors(record: EndpointRecord): boolean {
+  private placeCursors(record: EndpointRecord, past: boolean): boolean {
     this.sync();
     const reader = new SharedReader(this.bus, record, this.clock, this.syncNow);
     for (const writer of this.graphReplica.named(record.name)) {
-      if (relate(record, writer).kind === 'match' && !reader.startAt(writer)) return false;
+      if (relate(record, writer).kind === 'match' && !reader.startAt(writer, past)) return false;
     }
     return true;
   }

@@ -24,11 +24,11 @@ function depthOf(record: EndpointRecord): number {
   return Math.max(1, record.qos.depth);
 }
 
-/** How many samples from before its time a new reader gets. */
-function heritage(reader: EndpointRecord, writer: EndpointRecord, head: number): number {
+/** How many samples from before its time a new reader gets; with `past`, all that the writer may still hold. */
+function heritage(reader: EndpointRecord, writer: EndpointRecord, head: number, past: boolean): number {
   const both = reader.qos.durability === Durability.transientLocal
     && writer.qos.durability === Durability.transientLocal;
-  if (!both || reader.kind !== EndpointKind.subscription) return 0;
+  if (!(both || past) || reader.kind !== EndpointKind.subscription) return 0;
   const depth = ({ qos }: EndpointRecord): number =>
     qos.history === History.keepAll ? keepAllLimit : Math.max(1, qos.depth);
   return Math.min(depth(reader), depth(writer), head >>> 0);
@@ -79,9 +79,9 @@ export class SharedReader {
   }
 
   /** Before this endpoint is visible: where to begin with a writer that is there already. False: no room for it. */
-  startAt(writer: EndpointRecord): boolean {
+  startAt(writer: EndpointRecord, past: boolean): boolean {
     const head = this.bus.load(this.bus.endpointWord(keyIndex(writer.key)) + BusEndpoint.head);
-    return this.addPair(writer.key, (head - heritage(this.record, writer, head)) | 0) >= 0;
+    return this.addPair(writer.key, (head - heritage(this.record, writer, head, past)) | 0) >= 0;
   }
 
   hasData(): boolean {

@@ -84,6 +84,26 @@ test('a plot samples every message, and is saved as CSV, SVG and PNG', () =>
     });
   }));
 
+test('a plot behind another tab has all that came since the page was opened, and draws nothing before', () =>
+  stage.on(
+    `signals#layout=${encodeURIComponent(JSON.stringify({ row: ['nodes', { tabs: ['console', kPlot, { plot: { paths: [] } }, 'log'], front: 1 }], shown: 'console' }))}`,
+    {},
+    async (page) => {
+      // It hears the topic though nobody has looked at it; the one without fields is not even loaded.
+      await play(page, 300);
+      await page.locator('#tab-panel-plot').waitFor({ state: 'attached' });
+      assert.equal(await page.locator('#tab-panel-plot').isVisible(), false);
+      await page.locator('#tab-panel-log .panel-log').waitFor({ state: 'attached' });
+      assert.equal(await page.locator('#tab-panel-plot-2').count(), 0);
+      await page.getByRole('tab', { name: 'Plot', exact: true }).click();
+      await page.locator('.path-value').getByText('299', { exact: true }).waitFor();
+      const csv = (await saved(page, 'All values (CSV)')).trimEnd().split('\n');
+      const column = csv.slice(1).map((line) => Number(line.split(',')[2]));
+      assert.deepEqual(column.slice(-300), Array.from({ length: 300 }, (_, i) => i));
+      await page.waitForFunction(() => (document.querySelector<HTMLCanvasElement>('.plot-canvas canvas')?.width ?? 0) > 300);
+    },
+  ));
+
 test('a part of time is chosen with the mouse', () =>
   stage.on(withPanel(kPlot), {}, async (page) => {
     await play(page, 100);

@@ -22,7 +22,9 @@ ALLOWED: dict[str, set[str]] = {
     "runtime/wasm_cpp": {"runtime/protocol"},
 }
 # The page sees the runtime through these files only.
-UI_DOORS = {"session.ts", "launcher.ts", "carried_files.ts", "page_files.ts", "qos_view.ts", "running_sha256.ts"}
+UI_DOORS = {
+    "session.ts", "launcher.ts", "carried_files.ts", "page_files.ts", "idle.ts", "qos_view.ts", "running_sha256.ts",
+}
 # Commands and bags know no more than panels do; the programs for Node.js open the site themselves.
 COMMAND_DOORS = {"session.ts", "site_error.ts", "launch_arguments.ts", "qos_view.ts"}
 HEADLESS_MAINS = {"runtime/ros2cli/headless_main.ts", "runtime/ros2cli/headless_run_main.ts"}

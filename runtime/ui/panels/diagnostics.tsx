@@ -10,10 +10,11 @@ import { IconButton } from '../parts/button.tsx';
 import { GraphRow } from '../parts/graph_row.tsx';
 import { Icon } from '../parts/icon.tsx';
 import type { IconName } from '../parts/icon.tsx';
-import { feed, useCodec } from '../parts/message_feed.ts';
+import { feedFromPast, useCodec } from '../parts/message_feed.ts';
 import { PanelFrame } from '../parts/panel.tsx';
 import { SearchField } from '../parts/search_field.tsx';
 import { useOpened } from '../parts/use_opened.ts';
+import { useEvery } from '../parts/while_in_sight.ts';
 import { texts } from '../texts.ts';
 import { viewTexts } from '../texts_views.ts';
 import type { PanelProps } from './panel_props.ts';
@@ -40,16 +41,13 @@ export function DiagnosticsPanel({ session, state, setState, instance }: PanelPr
 
   useEffect(() => {
     if (codec === null || typeof codec === 'string') return undefined;
-    return feed(session, codec, kTopic, ({ decoded, publishedAt }) => {
+    return feedFromPast(session, codec, kTopic, ({ decoded, publishedAt }) => {
       if (decoded.kind === 'value') board.add(decoded.value, publishedAt / 1000);
       setProblem(decoded.kind === 'value' ? '' : texts.topics.undecodable(decoded.reason));
     });
   }, [session, codec, board]);
   // What is silent grows stale.
-  useEffect(() => {
-    const timer = setInterval(() => redraw(), kRedrawMs);
-    return () => clearInterval(timer);
-  }, []);
+  useEvery(kRedrawMs, redraw);
 
   const now = session.time.view().now / 1000;
   const rows = board.rows(now);

@@ -1,7 +1,8 @@
 // The panels of the page, one row each, in the order of their groups in the "+" menu.
 
 import type { SiteDescription } from '../../wasm_js/session.ts';
-import { textMember } from '../model/json.ts';
+import { member, textMember } from '../model/json.ts';
+import type { Json } from '../model/json.ts';
 import { texts } from '../texts.ts';
 import { ConsolePanel } from './console.tsx';
 import { NodesPanel } from './nodes.tsx';
@@ -10,6 +11,12 @@ import { TopicsPanel } from './topics.tsx';
 
 const kMostOpened = 4;
 const kGroups: readonly PanelGroup[] = ['run', 'see', 'act', 'files'];
+
+/** Without a field it would wait for nothing. */
+function hasPaths(state: Json): boolean {
+  const paths = member(state, 'paths');
+  return Array.isArray(paths) && paths.length > 0;
+}
 
 export const panels: readonly PanelRow[] = [
   {
@@ -41,6 +48,7 @@ export const panels: readonly PanelRow[] = [
     watched: true,
     many: true,
     keeps: true,
+    collects: hasPaths,
     source: { kind: 'lazy', load: () => import('./plot.tsx').then((file) => file.PlotPanel) },
   },
   {
@@ -63,6 +71,7 @@ export const panels: readonly PanelRow[] = [
     icon: 'health',
     group: 'run',
     keeps: true,
+    collects: () => true,
     source: { kind: 'lazy', load: () => import('./diagnostics.tsx').then((file) => file.DiagnosticsPanel) },
   },
   {
@@ -79,6 +88,7 @@ export const panels: readonly PanelRow[] = [
     group: 'see',
     many: true,
     keeps: true,
+    collects: hasPaths,
     source: { kind: 'lazy', load: () => import('./timeline.tsx').then((file) => file.TimelinePanel) },
   },
   {
@@ -159,6 +169,7 @@ export const panels: readonly PanelRow[] = [
     group: 'run',
     many: true,
     keeps: true,
+    collects: () => true,
     source: { kind: 'lazy', load: () => import('./log.tsx').then((file) => file.LogPanel) },
   },
   {

@@ -1,7 +1,7 @@
 // What all nodes log, from /rosout: by level, node and text, in the format of the consoles, with the place in the source
 // on request. State: {level, node, text, places}, the last one 'shown' or empty.
 
-import { useEffect, useMemo, useReducer, useRef } from 'preact/hooks';
+import { useContext, useEffect, useMemo, useReducer, useRef } from 'preact/hooks';
 import type { ConsoleLine } from '../../wasm_js/session.ts';
 import { isMessage } from '../../decode/yaml.ts';
 import { asNumber } from '../model/field_path.ts';
@@ -15,7 +15,7 @@ import { CopyButton, IconButton } from '../parts/button.tsx';
 import { download } from '../parts/download.ts';
 import { LineScroller } from '../parts/line_scroller.tsx';
 import { feed, useCodec } from '../parts/message_feed.ts';
-import { PanelFrame } from '../parts/panel.tsx';
+import { PanelFrame, PanelInSight } from '../parts/panel.tsx';
 import { SearchField } from '../parts/search_field.tsx';
 import { texts } from '../texts.ts';
 import { panelTexts } from '../texts_panels.ts';
@@ -56,6 +56,14 @@ export function LogPanel({ session, state, setState, announce }: PanelProps) {
   const list = useMemo(() => new GrowingList(kCapacity), []);
   const wanted = useRef({ node, places });
   wanted.current = { node, places };
+
+  const inSight = useContext(PanelInSight);
+  /** Puts what came into the list. Behind another tab it waits. */
+  const drawing = useRef({ inSight, show: (): void => undefined });
+  drawing.current.inSight = inSight;
+  useEffect(() => {
+    if (inSight) drawing.current.show();
+  }, [inSight]);
 
   useMemo(() => list.setFilter({ text, level }), [list, text, level]);
   const linesOf = (entries: readonly LogEntry[]): readonly ConsoleLine[] => {
@@ -108,11 +116,13 @@ export function LogPanel({ session, state, setState, announce }: PanelProps) {
       else if (taken === 'longer' || (taken === 'placed' && wanted.current.places)) completed = true;
       // No frame comes while the page is hidden.
       if (fresh.current.length > 2 * kCapacity) fresh.current = fresh.current.slice(-kCapacity);
-      if (frame === 0) frame = requestAnimationFrame(show);
+      if (frame === 0 && drawing.current.inSight) frame = requestAnimationFrame(show);
     });
+    drawing.current.show = show;
     return () => {
       cancelAnimationFrame(frame);
       clearTimeout(turn);
+      drawing.current.show = () => undefined;
       stop();
     };
   }, [session, codec, list]);

@@ -52,6 +52,8 @@ export interface PanelRow {
   readonly many?: boolean;
   /** Goes on while another tab is in front of it, once it was seen. */
   readonly keeps?: boolean;
+  /** With that state it gathers what comes from early on, also before it is first seen. It `keeps` too. */
+  readonly collects?: (state: Json) => boolean;
   /** A visitor looks at it while using other panels: one that opens does not cover it. */
   readonly watched?: boolean;
   /** Part of the usual layout of some sites: a text to read first, something to look at above the consoles, or a list. */

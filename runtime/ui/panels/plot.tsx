@@ -18,6 +18,7 @@ import { PlotCanvas, pairsOf } from '../parts/plot_canvas.tsx';
 import type { PlotMode, PlotSource, TimeRange } from '../parts/plot_canvas.tsx';
 import { usePlotView } from '../parts/use_plot_view.ts';
 import { useTheme } from '../parts/watch.ts';
+import { useEvery } from '../parts/while_in_sight.ts';
 import { texts } from '../texts.ts';
 import { panelTexts } from '../texts_panels.ts';
 import type { PanelProps } from './panel_props.ts';
@@ -25,6 +26,7 @@ import type { PanelProps } from './panel_props.ts';
 const kCapacity = 50_000;
 const kMostPaths = 16;
 const kSmall = 1e-3;
+const kWordsMs = 250;
 /** Values of one moment that are written out. */
 const kMostTogether = 8;
 const kSeconds = [5, 10, 30, 60, 300, 3600] as const;
@@ -86,14 +88,12 @@ export function PlotPanel({ session, state, setState, instance, announce }: Pane
         const track = tracks.current.get(path);
         if (track !== undefined) track.problem = problem;
       },
+      isNew: (path) => tracks.current.get(path)?.samples.length === 0,
     });
   }, [session, codec, paths.join('\n')]);
 
   // The words beside the names follow at a pace that can be read.
-  useEffect(() => {
-    const timer = setInterval(() => redraw(), 250);
-    return () => clearInterval(timer);
-  }, []);
+  useEvery(kWordsMs, redraw);
 
   const named = paths.flatMap((path) => {
     const track = tracks.current.get(path);

@@ -10,11 +10,13 @@ import { followPaths } from '../parts/follow_paths.ts';
 import { useCodec } from '../parts/message_feed.ts';
 import { PanelFrame } from '../parts/panel.tsx';
 import { PathList } from '../parts/path_list.tsx';
+import { useEvery } from '../parts/while_in_sight.ts';
 import { texts } from '../texts.ts';
 import { panelTexts } from '../texts_panels.ts';
 import type { PanelProps } from './panel_props.ts';
 
 const kMostPaths = 16;
+const kRedrawMs = 100;
 const kSeconds = [5, 10, 30, 60, 300, 3600] as const;
 
 interface Row {
@@ -51,12 +53,10 @@ export function TimelinePanel({ session, state, setState, instance }: PanelProps
       onProblem(path, problem) {
         rowOf(path).problem = problem;
       },
+      isNew: (path) => rowOf(path).track.last === '',
     });
   }, [session, codec, paths.join('\n')]);
-  useEffect(() => {
-    const timer = setInterval(() => redraw(), 100);
-    return () => clearInterval(timer);
-  }, []);
+  useEvery(kRedrawMs, redraw);
 
   const end = held ?? session.time.view().now / 1000;
   const least = Number.isNaN(begin.current) ? end - seconds : Math.max(begin.current, end - seconds);

@@ -1,13 +1,16 @@
 // Draws a layout: rows and columns with bars between them, and groups of tabs. On a narrow screen all tabs stand in
-// one group. Panels behind another are not drawn, but those that go on (PanelRow.keeps) once they were seen.
+// one group. Panels behind another are not there, but those that go on (PanelRow.keeps) once they were seen, and those
+// that gather what comes (PanelRow.collects) once the first view is drawn.
 
 import { Fragment } from 'preact';
 import type { ComponentChildren } from 'preact';
-import { useRef } from 'preact/hooks';
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { whenIdle } from '../../wasm_js/idle.ts';
 import { groupsOf, makeGroup, numberOf, tabsOf } from '../model/layout.ts';
 import type { Group, Layout, Pane, PanelTab, Split } from '../model/layout.ts';
 import { panelRow } from '../panels/index.ts';
 import { texts } from '../texts.ts';
+import { PanelInSight } from './panel.tsx';
 import { Splitter } from './splitter.tsx';
 import { TabStrip } from './tab_strip.tsx';
 import { useTabDrag } from './tab_drag.ts';
@@ -24,7 +27,8 @@ export interface DockProps {
 export function Dock({ control, narrow, bare = false, show }: DockProps) {
   const { layout } = control;
   const drag = useTabDrag(control.move);
-  const shared = { control, show, narrow, bare, beginDrag: narrow || bare ? null : drag.begin };
+  const collects = useFirstViewDrawn();
+  const shared = { control, show, narrow, bare, collects, beginDrag: narrow || bare ? null : drag.begin };
   return (
     <main id="content" class={`dock ${narrow ? 'dock-narrow' : control.large === null ? '' : 'dock-large'}`}>
       {narrow ? (
@@ -47,6 +51,22 @@ export function Dock({ control, narrow, bare = false, show }: DockProps) {
   );
 }
 
+/** Has the first view been drawn, and the page nothing more urgent to do? */
+function useFirstViewDrawn(): boolean {
+  const [drawn, setDrawn] = useState(false);
+  useEffect(() => {
+    let current = true;
+    const wait = (): void => whenIdle(() => current && setDrawn(true));
+    if (document.readyState === 'complete') wait();
+    else addEventListener('load', wait, { once: true });
+    return () => {
+      current = false;
+      removeEventListener('load', wait);
+    };
+  }, []);
+  return drawn;
+}
+
 export function tabTitle(tab: PanelTab): string {
   const title = panelRow(tab.panel)?.title ?? tab.panel;
   const number = numberOf(tab);
@@ -57,6 +77,8 @@ interface ViewProps {
   readonly control: LayoutControl;
   readonly narrow: boolean;
   readonly bare: boolean;
+  /** Panels that gather what comes are there by now. */
+  readonly collects: boolean;
   readonly show: (tab: PanelTab) => ComponentChildren;
   readonly beginDrag: ((key: string, event: PointerEvent) => void) | null;
 }
@@ -96,14 +118,13 @@ function SplitView({ split, ...shared }: ViewProps & { readonly split: Split }) 
   );
 }
 
-function GroupView({ group, control, narrow, bare, show, beginDrag }: ViewProps & { readonly group: Group }) {
+function GroupView({ group, control, narrow, bare, collects, show, beginDrag }: ViewProps & { readonly group: Group }) {
   const seen = useRef(new Set<string>());
   seen.current.add(group.front);
-  const drawn = group.tabs.filter(
-    (tab) =>
-      tab.key === group.front ||
-      (panelRow(tab.panel)?.keeps === true && seen.current.has(tab.key)),
-  );
+  const drawn = group.tabs.filter((tab) => {
+    const row = panelRow(tab.panel);
+    return tab.key === group.front || (row?.keeps === true && seen.current.has(tab.key)) || (collects && row?.collects?.(tab.state) === true);
+  });
   const strip = !bare || group.tabs.length > 1;
   return (
     <div class={`group ${control.large === group.key && !narrow ? 'group-large' : ''}`} data-group={group.key}>
@@ -120,7 +141,7 @@ function GroupView({ group, control, narrow, bare, show, beginDrag }: ViewProps 
           aria-labelledby={strip ? `tab-${tab.key}` : undefined}
           hidden={tab.key !== group.front}
         >
-          {show(tab)}
+          <PanelInSight.Provider value={tab.key === group.front}>{show(tab)}</PanelInSight.Provider>
         </div>
       ))}
     </div>

@@ -58,21 +58,37 @@ export function feed(
   topic: string,
   listener: (message: FeedMessage) => void,
 ): Unsubscribe {
-  return feedBytes(session, topic, (bytes, type, info) =>
+  return feedBytes(session, topic, decoding(codec, listener));
+}
+
+/** The same, beginning with the messages that their publishers still hold, as far as the link between the nodes has them. */
+export function feedFromPast(
+  session: Session,
+  codec: Codec,
+  topic: string,
+  listener: (message: FeedMessage) => void,
+): Unsubscribe {
+  return feedBytes(session, topic, decoding(codec, listener), true);
+}
+
+function decoding(codec: Codec, listener: (message: FeedMessage) => void): ByteListener {
+  return (bytes, type, info) =>
     listener({
       decoded: codec.decode(type, bytes),
       type,
       publishedAt: info.publishedAt,
       gid: info.gid,
-    }),
-  );
+    });
 }
+
+type ByteListener = (bytes: Uint8Array, type: string, info: MessageInfo) => void;
 
 /** The same, not read yet. */
 export function feedBytes(
   session: Session,
   topic: string,
-  listener: (bytes: Uint8Array, type: string, info: MessageInfo) => void,
+  listener: ByteListener,
+  fromPast = false,
 ): Unsubscribe {
   let close: Unsubscribe = () => undefined;
   let followed = '';
@@ -83,6 +99,8 @@ export function feedBytes(
     const reliable = view.qos.length > 0 && view.qos.every((qos) => qos.reliability === 'reliable');
     const wanted = `${view.type} ${latched} ${reliable}`;
     if (wanted === followed) return;
+    // A message that was heard already does not come again.
+    const past = fromPast && followed === '';
     followed = wanted;
     close();
     const { type } = view;
@@ -93,6 +111,7 @@ export function feedBytes(
         reliability: reliable ? 'reliable' : 'best_effort',
         durability: latched ? 'transient_local' : 'volatile',
         depth: kDepth,
+        past,
       },
       (bytes, info) => listener(bytes, type, info),
     );

@@ -19,6 +19,9 @@ export const OpenPanel = createContext<{ readonly key: string; readonly title: s
   null,
 );
 
+/** Is the panel around a component in front of the others of its group? */
+export const PanelInSight = createContext(true);
+
 export function PanelFrame({ id, title, note, tools, children }: PanelFrameProps) {
   const open = useContext(OpenPanel);
   const key = open?.key ?? id;

@@ -154,15 +154,17 @@ export function PlotCanvas({ mode, count, label, theme, source, view, canvas }: 
     const tick = (now: number): void => {
       frame = requestAnimationFrame(tick);
       const next = latest.current.source().version;
-      if (next === version || now - drawnAt < kLeastPauseMs || box.clientWidth === 0) return;
+      if (next === version || now - drawnAt < kLeastPauseMs) return;
       version = next;
       drawnAt = now;
       redraw();
     };
-    frame = requestAnimationFrame(tick);
+    // Behind another tab it has no size, and costs nothing.
     const resized = new ResizeObserver(() => {
-      if (box.clientWidth > 0)
-        plot.setSize({ width: box.clientWidth, height: Math.max(60, box.clientHeight) });
+      cancelAnimationFrame(frame);
+      if (box.clientWidth === 0) return;
+      plot.setSize({ width: box.clientWidth, height: Math.max(60, box.clientHeight) });
+      frame = requestAnimationFrame(tick);
     });
     resized.observe(box);
     return () => {

@@ -152,6 +152,34 @@ for (const link of ['shared', 'port'] as const) {
       await holds(() => publisher.publish(bytes(1)) === undefined);
     }));
 
+  test(`${link}: who asks for the past begins with what publishers still hold, where the link has it`, watchdog, () =>
+    withScene(link, async ({ session, peer }) => {
+      const other = peer();
+      const spoken = other.make(EndpointKind.publisher, 'talker', '/chatter', string, { depth: 8 });
+      for (let n = 1; n <= 100; n += 1) other.write(spoken, bytes(n));
+      const node = session.node();
+      const [plain, all, newest]: [number[], number[], number[]] = [[], [], []];
+      const into = (got: number[]) => (message: Uint8Array): void => void got.push(message[4]!);
+      const ends = [
+        node.subscription('/chatter', string, { depth: 200 }, into(plain)),
+        node.subscription('/chatter', string, { depth: 200, past: true }, into(all)),
+        node.subscription('/chatter', string, { depth: 3, past: true }, into(newest)),
+      ];
+      await holds(() => ends.every((end) => end.matched() === 1));
+      await other.until(() => other.link.matched(spoken) === 3);
+      // The past is read before the next one comes, which would push it out of the shortest history.
+      if (link === 'shared') await holds(() => newest.length === 3);
+      other.write(spoken, bytes(101));
+      await holds(() => [plain, all, newest].every((got) => got.at(-1) === 101));
+      assert.deepEqual(plain, [101]);
+      if (link === 'port') {
+        assert.deepEqual([all, newest], [[101], [101]]);
+      } else {
+        assert.ok(all.length > 8 && all.every((value, index) => value === 101 - all.length + 1 + index), all.join(' '));
+        assert.deepEqual(newest, [98, 99, 100, 101]);
+      }
+    }));
+
   test(`${link}: names and types that the graph does not take`, watchdog, () =>
     withScene(link, async ({ session }) => {
       const node = session.node();

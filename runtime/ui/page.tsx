@@ -8,7 +8,7 @@ import { IconButton } from './parts/button.tsx';
 import { Dock, tabTitle } from './parts/dock.tsx';
 import { watchDrops } from './parts/dropped_files.ts';
 import { PageHeader } from './parts/header.tsx';
-import { LayoutMenu } from './parts/layout_menu.tsx';
+import { useLayoutItems } from './parts/layout_menu.tsx';
 import { LazyPanel } from './parts/lazy_panel.tsx';
 import { OpenPanel } from './parts/panel.tsx';
 import { EmbedFoot, useEmbedHost, useEmbedTheme } from './parts/embed_foot.tsx';
@@ -63,6 +63,7 @@ export function Page({ session, store, offline, embed }: PageProps) {
     [focusId, open],
   );
   const sources = useMemo(() => sourceLinks(session, (panel, state) => open(null, panel, state)), [session, open]);
+  const layoutItems = useLayoutItems(control, store, announce);
   const show = (tab: PanelTab) => {
     const row = panelRow(tab.panel);
     if (row === undefined) return null;
@@ -101,9 +102,13 @@ export function Page({ session, store, offline, embed }: PageProps) {
           <a class="skip" href="#content" onClick={toConsole}>
             {texts.skipToConsole}
           </a>
-          <PageHeader session={session} store={store} onAbout={() => setAboutOpen(true)}>
-            <LayoutMenu control={control} store={store} announce={announce} />
-          </PageHeader>
+          <PageHeader
+            session={session}
+            store={store}
+            narrow={narrow}
+            layoutItems={layoutItems}
+            onAbout={() => setAboutOpen(true)}
+          />
         </>
       ) : null}
       {control.notice === '' ? null : (

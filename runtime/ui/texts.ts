@@ -6,6 +6,9 @@ export const texts = {
   skipToConsole: 'Skip to the consoles',
   starting: 'Starting\u2026',
 
+  pageMenu: 'Menu of the page',
+  pageMenuShort: 'Menu',
+
   startAll: 'Start all',
   stopAll: 'Stop all',
   restartAll: 'Restart all',
@@ -21,7 +24,10 @@ export const texts = {
     group: 'Time of the site',
     pause: 'Pause the time of all nodes',
     resume: 'Resume the time of all nodes',
+    pauseShort: 'Pause',
+    resumeShort: 'Resume',
     step: (length: string): string => `Let time run for ${length}`,
+    stepShort: (length: string): string => `Run for ${length}`,
     stepLength: 'Length of a step',
     speed: 'Speed of time',
     length: (ms: number): string => (ms < 1000 ? `${ms}\u00a0ms` : `${ms / 1000}\u00a0s`),

@@ -6,6 +6,11 @@ export const sceneTexts = {
   noVector: 'no vector',
   noCells: 'its cells have no size',
   noMapUpdate: 'an update does not fit the map',
+  /** Below the icons on a phone; each is a part of what its button is called. */
+  short: {
+    list: 'Shown', top: 'Above', home: 'Usual view', goal: 'Goal', estimate: 'Pose', point: 'Point', inspect: 'Inspect', measure: 'Measure',
+    rviz: 'RViz file', forget: 'Forget',
+  },
   tools: {
     estimate: (topic: string): string => `Estimate the pose: publishes on ${topic}`,
     estimateHint: 'Press where the robot is, and draw its heading. Enter: the middle of the picture, [ and ] turn it. Escape: no estimate.',

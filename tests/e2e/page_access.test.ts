@@ -36,7 +36,9 @@ for (const colorScheme of ['light', 'dark'] as const) {
         await page.locator(`section:has(h2:text("${name}"))`).waitFor();
         await expectAccessible(page);
       }
-      await page.getByRole('button', { name: 'About this page', exact: true }).click();
+      await page.getByRole('button', { name: 'Menu of the page' }).click();
+      await expectAccessible(page);
+      await page.getByRole('menuitem', { name: 'About this page', exact: true }).click();
       await page.getByRole('dialog').waitFor();
       await expectAccessible(page);
     }));
@@ -126,6 +128,22 @@ test('nothing is cut off at 320 and 360 px, nor at 200 % zoom', async () => {
         }
       });
     }
+  }
+});
+
+test('on a phone no button of the head is an icon alone', async () => {
+  for (const width of [320, 390]) {
+    await stage.on('crowd', { viewport: { width, height: 844 } }, async (page) => {
+      const words = await page.locator('.head button:visible, .head a:visible').allInnerTexts();
+      assert.ok(words.length >= 6 && words.every((text) => text.trim() !== ''), words.join('|'));
+      await page.getByRole('button', { name: 'Menu of the page' }).click();
+      for (const name of ['About this page', /^Theme: as the system/, /^Join other tabs/, 'Copy a link to this view', 'Usual layout'])
+        assert.ok(await page.getByRole('menuitem', { name }).isVisible(), String(name));
+      assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= width);
+      await page.getByRole('menuitem', { name: /^Theme: as the system/ }).click();
+      await page.getByRole('button', { name: 'Menu of the page' }).click();
+      await page.getByRole('menuitem', { name: /^Theme: light/ }).waitFor();
+    });
   }
 });
 

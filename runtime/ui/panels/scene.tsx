@@ -29,6 +29,7 @@ import type { ShownTopic } from '../scene/use_scene.ts';
 import { useTools } from '../scene/use_tools.ts';
 import { texts } from '../texts.ts';
 import { panelTexts } from '../texts_panels.ts';
+import { sceneTexts } from '../texts_scene.ts';
 import type { PanelProps } from './panel_props.ts';
 
 /** Of those that nobody chose. */
@@ -139,24 +140,28 @@ export function ScenePanel({ session, state, setState, announce }: PanelProps) {
           <IconButton
             icon="list"
             label={panelTexts.scene.list}
+            words={sceneTexts.short.list}
             pressed={options.list}
             onClick={() => change({ list: !options.list })}
           />
           <IconButton
             icon="above"
             label={panelTexts.scene.top}
+            words={sceneTexts.short.top}
             pressed={options.view.top}
             onClick={() => change({ view: { ...options.view, top: !options.view.top } })}
           />
           <IconButton
             icon="home"
             label={panelTexts.scene.home}
+            words={sceneTexts.short.home}
             onClick={() => change({ view: { ...kUsualView, top: options.view.top } })}
           />
           <SceneToolButtons tool={tools.tool} choose={tools.choose} options={options} />
           <MenuButton
             icon="layout"
             label={panelTexts.scene.rviz}
+            words={sceneTexts.short.rviz}
             items={[
               ...files.map((path) => ({
                 id: path,
@@ -166,7 +171,7 @@ export function ScenePanel({ session, state, setState, announce }: PanelProps) {
               { id: '', words: panelTexts.scene.rvizOpen, choose: () => void showAs(chooseText('.rviz')) },
             ]}
           />
-          <IconButton icon="restart" label={panelTexts.scene.forget} onClick={forget} />
+          <IconButton icon="restart" label={panelTexts.scene.forget} words={sceneTexts.short.forget} onClick={forget} />
         </>
       }
     >

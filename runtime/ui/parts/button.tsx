@@ -9,6 +9,8 @@ import type { IconName } from './icon.tsx';
 export interface IconButtonProps {
   readonly icon: IconName;
   readonly label: string;
+  /** Seen below the icon on a phone, which shows no tooltip; a part of the label. */
+  readonly words?: string;
   readonly onClick: () => void;
   readonly disabled?: boolean;
   readonly pressed?: boolean;
@@ -18,6 +20,7 @@ export interface IconButtonProps {
 export function IconButton({
   icon,
   label,
+  words,
   onClick,
   disabled,
   pressed,
@@ -37,8 +40,13 @@ export function IconButton({
       }}
     >
       <Icon name={icon} />
+      <IconWords words={words} />
     </button>
   );
+}
+
+export function IconWords({ words }: { readonly words: string | undefined }) {
+  return words === undefined ? null : <span class="icon-words">{words}</span>;
 }
 
 export interface CopyButtonProps {

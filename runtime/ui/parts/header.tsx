@@ -1,6 +1,5 @@
 // The head of the page: what this workspace is, run control for all nodes, theme, about.
 
-import type { ComponentChildren } from 'preact';
 import { useLayoutEffect, useState } from 'preact/hooks';
 import type { Session } from '../../wasm_js/session.ts';
 import { readTheme, writePreference } from '../model/preferences.ts';
@@ -10,23 +9,34 @@ import { IconButton } from './button.tsx';
 import { Icon, Mark } from './icon.tsx';
 import { isAlive } from './node_state.tsx';
 import { TimeControl } from './time_control.tsx';
-import { TabsControl } from './tabs_control.tsx';
+import { MenuButton } from './menu.tsx';
+import type { MenuItem } from './menu.tsx';
+import { TabsControl, useJoin } from './tabs_control.tsx';
 import { useNodes } from './watch.ts';
 
 export interface PageHeaderProps {
   readonly session: Session;
   readonly store: Store | null;
   readonly onAbout: () => void;
-  /** Buttons of the page itself, beside the theme's. */
-  readonly children?: ComponentChildren;
+  /** A phone has no room for icons with words and no tooltips: one menu has them all. */
+  readonly narrow: boolean;
+  readonly layoutItems: readonly MenuItem[];
 }
 
-export function PageHeader({ session, store, onAbout, children }: PageHeaderProps) {
+export function PageHeader({ session, store, onAbout, narrow, layoutItems }: PageHeaderProps) {
   const nodes = useNodes(session);
   const alive = nodes.filter((node) => isAlive(node.state)).length;
   const { site, link } = session;
   const authors = site.authors.map((author) => author.name).join(', ');
   const linkName = texts.link[link];
+  const theme = useThemeChoice(store, site.ui['theme']);
+  const joining = useJoin(session);
+  const menu = (): readonly MenuItem[] => [
+    { id: 'about', words: texts.about.open, icon: 'info', choose: onAbout },
+    { id: 'theme', words: theme.words, icon: theme.icon, choose: theme.change },
+    ...(session.tab() === undefined ? [{ id: 'tabs', words: texts.tabs.join, icon: 'tabs', choose: joining.join } as const] : []),
+    ...layoutItems.map((item, index) => (index === 0 ? { ...item, apart: true } : item)),
+  ];
   return (
     <header class="head">
       <Mark />
@@ -72,10 +82,16 @@ export function PageHeader({ session, store, onAbout, children }: PageHeaderProp
         </div>
       </div>
       <div class="head-more">
-        <TabsControl session={session} />
-        {children}
-        <ThemeButton store={store} chosenByAuthor={site.ui['theme']} />
-        <IconButton icon="info" label={texts.about.open} onClick={onAbout} />
+        <TabsControl session={session} bare={narrow} {...joining} />
+        {narrow ? (
+          <MenuButton icon="more" label={texts.pageMenu} words={texts.pageMenuShort} items={menu()} />
+        ) : (
+          <>
+            <MenuButton icon="layout" label={texts.layout.menu} items={layoutItems} />
+            <IconButton icon={theme.icon} label={theme.words} onClick={theme.change} />
+            <IconButton icon="info" label={texts.about.open} onClick={onAbout} />
+          </>
+        )}
       </div>
     </header>
   );
@@ -112,13 +128,7 @@ const kNextTheme: Readonly<Record<Theme, Theme>> = {
 };
 const kThemeIcon = { system: 'system', light: 'sun', dark: 'moon' } as const;
 
-function ThemeButton({
-  store,
-  chosenByAuthor,
-}: {
-  readonly store: Store | null;
-  readonly chosenByAuthor: unknown;
-}) {
+function useThemeChoice(store: Store | null, chosenByAuthor: unknown) {
   const [theme, setTheme] = useState<Theme>(() => readTheme(store, chosenByAuthor));
   useLayoutEffect(() => {
     if (theme === 'system') delete document.documentElement.dataset['theme'];
@@ -129,5 +139,5 @@ function ThemeButton({
     setTheme(next);
     writePreference(store, 'theme', next);
   };
-  return <IconButton icon={kThemeIcon[theme]} label={texts.theme[theme]} onClick={change} />;
+  return { icon: kThemeIcon[theme], words: texts.theme[theme], change };
 }

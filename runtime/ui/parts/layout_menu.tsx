@@ -1,4 +1,4 @@
-// The menu of the page's layout: a link to what is seen now, the same for a manifest, the way back to the usual one, and
+// The items of the menu of the page's layout: a link to what is seen now, the same for a manifest, the way back to the usual one, and
 // whether nodes and checks show where the manifest declares them, which authors want to know and students do not.
 
 import { useLayoutEffect, useState } from 'preact/hooks';
@@ -6,18 +6,12 @@ import { copyText } from '../model/clipboard.ts';
 import { readPreference, writePreference } from '../model/preferences.ts';
 import type { Store } from '../model/preferences.ts';
 import { texts } from '../texts.ts';
-import { MenuButton } from './menu.tsx';
+import type { MenuItem } from './menu.tsx';
 import type { LayoutControl } from './use_layout.ts';
-
-export interface LayoutMenuProps {
-  readonly control: LayoutControl;
-  readonly store: Store | null;
-  readonly announce: (text: string) => void;
-}
 
 const kShown = ['no', 'yes'] as const;
 
-export function LayoutMenu({ control, store, announce }: LayoutMenuProps) {
+export function useLayoutItems(control: LayoutControl, store: Store | null, announce: (text: string) => void): readonly MenuItem[] {
   const [places, setPlaces] = useState(() => readPreference(store, 'places', kShown, 'no') === 'yes');
   useLayoutEffect(() => void document.documentElement.toggleAttribute('data-places', places), [places]);
   const togglePlaces = (): void => {
@@ -31,16 +25,10 @@ export function LayoutMenu({ control, store, announce }: LayoutMenuProps) {
   const copyYaml = async (): Promise<void> => {
     announce((await copyText(control.yaml())) ? texts.copied : texts.copyFailed);
   };
-  return (
-    <MenuButton
-      icon="layout"
-      label={texts.layout.menu}
-      items={[
-        { id: 'link', words: texts.layout.copyLink, icon: 'link', choose: () => void copy() },
-        { id: 'yaml', words: texts.layout.copyYaml, icon: 'copy', choose: () => void copyYaml() },
-        { id: 'usual', words: texts.layout.usual, icon: 'restart', choose: control.reset },
-        { id: 'places', words: places ? texts.layout.hidePlaces : texts.layout.showPlaces, icon: 'code', apart: true, choose: togglePlaces },
-      ]}
-    />
-  );
+  return [
+    { id: 'link', words: texts.layout.copyLink, icon: 'link', choose: () => void copy() },
+    { id: 'yaml', words: texts.layout.copyYaml, icon: 'copy', choose: () => void copyYaml() },
+    { id: 'usual', words: texts.layout.usual, icon: 'restart', choose: control.reset },
+    { id: 'places', words: places ? texts.layout.hidePlaces : texts.layout.showPlaces, icon: 'code', apart: true, choose: togglePlaces },
+  ];
 }

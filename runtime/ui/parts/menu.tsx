@@ -2,6 +2,7 @@
 // has groups with headings, and a field to search its items.
 
 import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks';
+import { IconWords } from './button.tsx';
 import { Icon } from './icon.tsx';
 import type { IconName } from './icon.tsx';
 import { SearchField } from './search_field.tsx';
@@ -21,6 +22,8 @@ export interface MenuItem {
 export interface MenuButtonProps {
   readonly icon: IconName;
   readonly label: string;
+  /** As of an IconButton. */
+  readonly words?: string;
   readonly items: readonly MenuItem[];
   readonly class?: string;
   /** Label of a field that searches the items; no field without it. */
@@ -29,7 +32,7 @@ export interface MenuButtonProps {
 
 const kMargin = 8;
 
-export function MenuButton({ icon, label, items, class: extra, search }: MenuButtonProps) {
+export function MenuButton({ icon, label, words, items, class: extra, search }: MenuButtonProps) {
   const [open, setOpen] = useState(false);
   const button = useRef<HTMLButtonElement>(null);
   const close = (focus: boolean): void => {
@@ -54,6 +57,7 @@ export function MenuButton({ icon, label, items, class: extra, search }: MenuBut
         }}
       >
         <Icon name={icon} />
+        <IconWords words={words} />
       </button>
       {open ? <Menu label={label} items={items} search={search} anchor={button.current} close={close} /> : null}
     </>

@@ -28,6 +28,7 @@ export function SceneToolButtons({ tool, choose, options }: SceneToolButtonsProp
           key={name}
           icon={icon}
           label={label}
+          words={sceneTexts.short[name]}
           pressed={tool === name}
           onClick={() => choose(tool === name ? null : name)}
         />

@@ -10,18 +10,31 @@ import { useNodes } from './watch.ts';
 /** The graph's name when nobody gave one. */
 const kGraph = 'main';
 
-export function TabsControl({ session }: { readonly session: Session }) {
-  useNodes(session);
+export interface TabsControlProps {
+  readonly session: Session;
+  /** The way to join stands elsewhere, with `join`. */
+  readonly bare: boolean;
+  readonly problem: string;
+  readonly join: () => void;
+}
+
+/** Joins the other tabs, and says why that failed. */
+export function useJoin(session: Session): Pick<TabsControlProps, 'problem' | 'join'> {
   const [problem, setProblem] = useState('');
+  const join = (): void => {
+    session.joinTabs(kGraph).then(
+      // A reload joins again.
+      () => history.replaceState(null, '', `?graph=${kGraph}`),
+      (error: unknown) => setProblem(problemOf(error).what),
+    );
+  };
+  return { problem, join };
+}
+
+export function TabsControl({ session, bare, problem, join }: TabsControlProps) {
+  useNodes(session);
   const tab = session.tab();
   if (tab === undefined) {
-    const join = (): void => {
-      session.joinTabs(kGraph).then(
-        // A reload joins again.
-        () => history.replaceState(null, '', `?graph=${kGraph}`),
-        (error: unknown) => setProblem(problemOf(error).what),
-      );
-    };
     return (
       <>
         {problem === '' ? null : (
@@ -29,7 +42,7 @@ export function TabsControl({ session }: { readonly session: Session }) {
             {problem}
           </span>
         )}
-        <IconButton icon="tabs" label={texts.tabs.join} onClick={join} />
+        {bare ? null : <IconButton icon="tabs" label={texts.tabs.join} onClick={join} />}
       </>
     );
   }

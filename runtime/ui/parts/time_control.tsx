@@ -22,11 +22,13 @@ export function TimeControl({ session }: { readonly session: Session }) {
       <IconButton
         icon={held ? 'play' : 'pause'}
         label={held ? texts.time.resume : texts.time.pause}
+        words={held ? texts.time.resumeShort : texts.time.pauseShort}
         onClick={() => (held ? time.resume() : time.pause())}
       />
       <IconButton
         icon="step"
         label={texts.time.step(texts.time.length(stepMs))}
+        words={texts.time.stepShort(texts.time.length(stepMs))}
         onClick={() => time.step(stepMs * 1e6)}
       />
       <select

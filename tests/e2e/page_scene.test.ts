@@ -391,6 +391,47 @@ test('an .rviz file says what is shown', () =>
     await page.locator('.scene-image').getByText('/camera', { exact: true }).waitFor();
   }));
 
+test('a picture that was coarse while things moved is scaled smoothly, and fades into the fine one at rest', () =>
+  on(null, async (page) => {
+    await frames(page, tree);
+    await page.getByText('3 frames').waitFor();
+    await page.evaluate(() => {
+      const seen = Object.assign(globalThis, { faded: 0 });
+      document.addEventListener('animationstart', ({ animationName, target }) => {
+        if (animationName === 'fade-away' && target instanceof HTMLCanvasElement && target.width > 0) seen.faded += 1;
+      });
+    });
+    const slow = await page.context().newCDPSession(page);
+    await slow.send('Emulation.setCPUThrottlingRate', { rate: 20 });
+    const canvas = page.locator('.scene-canvas');
+    const share = (): Promise<number> => canvas.evaluate((element) => Number(element.dataset['resolution'] ?? 1));
+    for (let sec = 2; (await share()) === 1; sec += 1)
+      await publish(page, '/tf', 'tf2_msgs/msg/TFMessage', { transforms: [transform('map', 'arm', [0, 0, sec % 7], 0, sec)] });
+    await slow.send('Emulation.setCPUThrottlingRate', { rate: 1 });
+    // One more picture, which is a coarse one.
+    await publish(page, '/tf', 'tf2_msgs/msg/TFMessage', { transforms: [transform('map', 'arm', [0, 0, 9], 0, 1e6)] });
+    await page.waitForFunction(() => (globalThis as unknown as { faded: number }).faded > 0);
+    await page.waitForFunction(() => {
+      const element = document.querySelector<HTMLCanvasElement>('.scene-canvas');
+      const veil = document.querySelector<HTMLCanvasElement>('.scene-veil');
+      return element !== null && element.width === Math.floor(element.clientWidth * devicePixelRatio) && veil?.getAnimations().length === 0;
+    });
+    assert.deepEqual(
+      await page.evaluate(() => [...document.querySelectorAll('.scene-canvas, .scene-veil')].map((one) => getComputedStyle(one).imageRendering)),
+      ['auto', 'auto'],
+    );
+    assert.equal(await page.locator('.scene-veil').evaluate((veil) => getComputedStyle(veil).opacity), '0');
+  }));
+
+test('on a phone each icon of the 3D view has its word', () =>
+  stage.on(withScene(null), { viewport: { width: 390, height: 844 }, reducedMotion: 'reduce' }, async (page) => {
+    await page.locator('.scene-canvas').waitFor();
+    const words = await page.locator('.panel-scene .panel-tools .icon-button').allInnerTexts();
+    assert.ok(words.length > 8 && words.every((text) => text.trim() !== ''), words.join('|'));
+    await expectAccessible(page);
+    await page.screenshot({ path: join(kOutput, 'scene_phone.png') });
+  }, kDriver));
+
 for (const colorScheme of ['light', 'dark'] as const) {
   test(`axe finds nothing in the 3D view, on a phone too, ${colorScheme}`, () =>
     stage.on(withScene(null), { colorScheme, reducedMotion: 'reduce' }, async (page) => {

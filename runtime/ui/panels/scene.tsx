@@ -86,7 +86,7 @@ export function ScenePanel({ session, state, setState, announce }: PanelProps) {
     if (asked !== '' && files.includes(asked)) void showAs(readSiteText(asked).then((text) => ({ name: nameOf(asked), text })));
   }, [asked]);
 
-  const { canvas, view, tree, problem, forget, unreadable, newest } = useScene({
+  const { canvas, veil, view, tree, problem, forget, unreadable, newest } = useScene({
     session, codec, options, shown, aims: tools.aims,
     onView: (next) => change({ view: next }),
     onPose: tools.onPose,
@@ -215,6 +215,7 @@ export function ScenePanel({ session, state, setState, announce }: PanelProps) {
             ref={canvas}
           />
           {tools.tool === null ? null : <span class="scene-cross" aria-hidden="true" />}
+          <canvas class="scene-veil" aria-hidden="true" ref={veil} />
           {said === '' ? null : <p class="scene-said">{said}</p>}
           {ready === null || options.images.length === 0 ? null : (
             <SceneImages session={session} codec={ready} images={options.images} set={(images) => change({ images })} />

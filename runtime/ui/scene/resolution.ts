@@ -9,12 +9,16 @@ const kLeast = 0.4;
 const kCoarser = 0.8;
 const kFiner = 1.1;
 /** So many pictures one after the other, before anything is changed. */
-const kPatience = { coarser: 3, finer: 40 } as const;
+const kPatience = { coarser: 3, finer: 40, longest: 640 } as const;
 
 export class Resolution {
   private scale = 1;
   private dear = 0;
   private cheap = 0;
+  /** The last change was to a finer one. */
+  private tried = false;
+  /** Cheap pictures before the next try: more after each that was in vain, so that the picture does not pulsate. */
+  private patience: number = kPatience.finer;
 
   /** Of the screen's own resolution. */
   get share(): number {
@@ -26,13 +30,18 @@ export class Resolution {
     this.dear = ms > kDear ? this.dear + 1 : 0;
     this.cheap = ms < kCheap ? this.cheap + 1 : ms > kDear ? 0 : this.cheap;
     const before = this.scale;
-    if (this.dear >= kPatience.coarser) this.change(kCoarser);
-    else if (this.cheap >= kPatience.finer) this.change(kFiner);
+    if (this.dear >= kPatience.coarser) {
+      this.patience = this.tried ? Math.min(2 * this.patience, kPatience.longest) : kPatience.finer;
+      this.change(kCoarser);
+    } else if (this.cheap >= this.patience) {
+      this.change(kFiner);
+    }
     return this.scale !== before;
   }
 
   private change(factor: number): void {
     this.scale = Math.min(1, Math.max(kLeast, this.scale * factor));
+    this.tried = factor === kFiner;
     this.dear = 0;
     this.cheap = 0;
   }

@@ -44,15 +44,19 @@ export class Stage {
   private resting: ReturnType<typeof setTimeout> | undefined;
 
   private readonly canvas: HTMLCanvasElement;
+  /** Over the canvas: the coarse picture, which fades where the fine one takes its place. */
+  private readonly veil: HTMLCanvasElement;
   private readonly beforeDrawing: () => void;
 
   private constructor(
     canvas: HTMLCanvasElement,
+    veil: HTMLCanvasElement,
     context: WebGL2RenderingContext,
     view: CameraView,
     beforeDrawing: () => void,
   ) {
     this.canvas = canvas;
+    this.veil = veil;
     this.view = view;
     this.beforeDrawing = beforeDrawing;
     this.colors = colorsOf(canvas);
@@ -71,9 +75,9 @@ export class Stage {
   }
 
   /** null: this browser has no WebGL, or not for this page. */
-  static open(canvas: HTMLCanvasElement, view: CameraView, beforeDrawing: () => void): Stage | null {
+  static open(canvas: HTMLCanvasElement, veil: HTMLCanvasElement, view: CameraView, beforeDrawing: () => void): Stage | null {
     const context = canvas.getContext('webgl2', { antialias: !drawsInSoftware(), alpha: true });
-    return context === null ? null : new Stage(canvas, context, view, beforeDrawing);
+    return context === null ? null : new Stage(canvas, veil, context, view, beforeDrawing);
   }
 
   /** The page's colours have changed, or are read for the first time. */
@@ -155,6 +159,8 @@ export class Stage {
     const { atRest } = this;
     this.atRest = false;
     clearTimeout(this.resting);
+    if (atRest) this.coverWithLast();
+    else this.veil.classList.remove('scene-veil-fading');
     const ratio = Math.min(kMostPixelRatio, devicePixelRatio) * (atRest ? 1 : this.resolution.share);
     const size = this.renderer.getSize(new Vector2());
     if (size.x !== clientWidth || size.y !== clientHeight || this.renderer.getPixelRatio() !== ratio) {
@@ -172,6 +178,16 @@ export class Stage {
     });
     if (this.resolution.share < 1) this.resting = setTimeout(this.rest, kRestMs);
   };
+
+  /** Puts the picture as it was last drawn over the canvas, from where it fades. */
+  private coverWithLast(): void {
+    const { canvas, veil } = this;
+    // The browser may have thrown the drawing away once it was shown: it is drawn again, as coarse as it was.
+    this.renderer.render(this.scene, this.place());
+    [veil.width, veil.height] = [canvas.width, canvas.height];
+    veil.getContext('2d')?.drawImage(canvas, 0, 0);
+    veil.classList.add('scene-veil-fading');
+  }
 
   private readonly rest = (): void => {
     this.atRest = true;

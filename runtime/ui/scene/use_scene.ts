@@ -44,6 +44,8 @@ export interface SceneUse {
 
 export interface Scene {
   readonly canvas: { current: HTMLCanvasElement | null };
+  /** Lies over it. */
+  readonly veil: { current: HTMLCanvasElement | null };
   readonly view: SceneView | null;
   readonly tree: TransformTree;
   /** Why nothing can be drawn; empty: it can. */
@@ -64,6 +66,7 @@ export function useScene(use: SceneUse): Scene {
   latest.current = use;
   const theme = useTheme();
   const canvas = useRef<HTMLCanvasElement>(null);
+  const veil = useRef<HTMLCanvasElement>(null);
   const [tree] = useState(() => new TransformTree());
   const [unreadable] = useState(() => new Map<string, string>());
   const [view, setView] = useState<SceneView | null>(null);
@@ -77,10 +80,10 @@ export function useScene(use: SceneUse): Scene {
 
   useEffect(() => {
     const element = canvas.current;
-    if (element === null) return undefined;
+    if (element === null || veil.current === null) return undefined;
     let scene: SceneView | null = null;
     let alarm: PageTimer | undefined;
-    const stage = Stage.open(element, latest.current.options.view, () => scene?.arrange());
+    const stage = Stage.open(element, veil.current, latest.current.options.view, () => scene?.arrange());
     if (stage === null) {
       setProblem(panelTexts.scene.noWebGl);
       return undefined;
@@ -219,7 +222,7 @@ export function useScene(use: SceneUse): Scene {
     view?.transformsMoved();
     begin();
   };
-  return { canvas, view, tree, problem, forget, unreadable, newest: (topic) => newest.current.get(topic) };
+  return { canvas, veil, view, tree, problem, forget, unreadable, newest: (topic) => newest.current.get(topic) };
 }
 
 function shelfOf(session: Session, view: SceneView): MeshShelf {

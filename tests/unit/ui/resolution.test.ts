@@ -18,3 +18,26 @@ test('the resolution drops with dear pictures, has an end, and comes back with c
   for (let i = 0; i < 1000; i += 1) resolution.tell(16.7);
   assert.equal(resolution.share, 1);
 });
+
+test('a finer picture that is too dear is tried again later and later', () => {
+  const resolution = new Resolution();
+  const dear = (): void => {
+    for (let i = 0; i < 3; i += 1) resolution.tell(60);
+  };
+  /** Cheap pictures until it is finer. */
+  const tries = (): number => {
+    let count = 1;
+    while (!resolution.tell(16.7)) count += 1;
+    return count;
+  };
+  dear();
+  assert.equal(tries(), 40);
+  dear();
+  assert.equal(tries(), 80);
+  dear();
+  assert.equal(tries(), 160);
+  // It stays: nothing is in vain any more.
+  dear();
+  dear();
+  assert.equal(tries(), 40);
+});

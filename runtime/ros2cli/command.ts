@@ -18,8 +18,19 @@ export interface BagOutput extends BagSink {
   end(): void;
 }
 
+/** Where a command makes files. Names are as they were typed. */
+export interface NewFiles {
+  /** The absolute path. */
+  whole(name: string): string;
+  exists(name: string): boolean;
+  /** With the folders above it. False: there is no room, or nobody may write there. */
+  write(name: string, text: string): boolean;
+}
+
 export interface Terminal {
   readonly bags: BagPlace;
+  /** undefined: commands make no files but bags here. */
+  readonly newFiles?: NewFiles;
   /** The text of a file; undefined: there is none of that name. */
   readText(name: string): Promise<string | undefined>;
   /** What is typed goes there from now on, line by line with the newlines, or key by key; undefined: nowhere. */

@@ -2,14 +2,21 @@
 
 import type { Command, Given, Option } from './command.ts';
 
-/** The words of a line, with the quotes and backslashes of a shell; undefined: a quote is left open. */
-export function splitLine(line: string): string[] | undefined {
+/** `$NAME`, `${NAME}` and `$?`. */
+const variable = /^\$(?:(\w+|\?)|\{(\w+)\})/;
+
+/** The words of a line, with the quotes and backslashes of a shell; undefined: a quote is left open. `valueOf`: of a variable. */
+export function splitLine(line: string, valueOf?: (name: string) => string): string[] | undefined {
   const words: string[] = [];
   let word: string | undefined;
   let quote = '';
   for (let i = 0; i < line.length; i += 1) {
     const c = line[i]!;
-    if (quote !== '') {
+    const named = c === '$' && quote !== "'" && valueOf !== undefined ? variable.exec(line.slice(i)) : null;
+    if (named !== null) {
+      word = (word ?? '') + (valueOf?.(named[1] ?? named[2] ?? '') ?? '');
+      i += named[0].length - 1;
+    } else if (quote !== '') {
       if (c === quote) quote = '';
       else if (quote === '"' && c === '\\' && '"\\$`'.includes(line[i + 1] ?? ' ')) word += line[++i]!;
       else word += c;

@@ -47,6 +47,7 @@ export async function runCommand(session: Session, words: readonly string[], ter
     session,
     signal: terminal.signal,
     bags: terminal.bags,
+    ...(terminal.newFiles === undefined ? {} : { newFiles: terminal.newFiles }),
     readText: (name: string) => terminal.readText(name),
     takeInput: (taker: ((text: string) => void) | undefined, keys?: KeyMode) => terminal.takeInput(taker, keys),
     print: (text: string) => terminal.print(text),

@@ -4,12 +4,14 @@ import { actionCommands } from './action_commands.ts';
 import { bagCommands } from './bag_commands.ts';
 import type { Command } from './command.ts';
 import { componentCommands } from './component_commands.ts';
+import { daemonCommands } from './daemon_commands.ts';
 import { doctorCommand, wtfCommand } from './doctor_commands.ts';
 import { interfaceCommands } from './interface_commands.ts';
 import { launchCommand } from './launch_command.ts';
 import { lifecycleCommands } from './lifecycle_commands.ts';
 import { nodeCommands } from './node_commands.ts';
 import { paramCommands } from './param_commands.ts';
+import { pkgCreate } from './pkg_create.ts';
 import { pkgCommands } from './pkg_commands.ts';
 import { runCommand } from './run_command.ts';
 import { serviceCommands } from './service_commands.ts';
@@ -22,12 +24,14 @@ export const commands: readonly Command[] = [
   ...actionCommands,
   ...bagCommands,
   ...componentCommands,
+  ...daemonCommands,
   doctorCommand,
   ...interfaceCommands,
   launchCommand,
   ...lifecycleCommands,
   ...nodeCommands,
   ...paramCommands,
+  pkgCreate,
   ...pkgCommands,
   runCommand,
   ...serviceCommands,

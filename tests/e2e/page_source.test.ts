@@ -61,6 +61,7 @@ before(async () => {
   }
   const interfaces = {
     'builtin_interfaces/msg/Time': 'int32 sec\nuint32 nanosec\n',
+    'std_msgs/msg/String': 'string data\n',
     'rcl_interfaces/msg/Log': 'builtin_interfaces/Time stamp\nuint8 level\nstring name\nstring msg\nstring file\nstring function\nuint32 line\n',
   };
   site = makeSite([], { 'interfaces.json': JSON.stringify(interfaces) }, {}, {
@@ -275,3 +276,40 @@ test('keyboard, hostile names, links, a narrow page, axe-core in both themes', w
     await page.waitForFunction(() => document.documentElement.scrollWidth <= document.documentElement.clientWidth);
     await expectAccessible(page);
   }));
+
+// Compatibility, works: what the first pages of a lab sheet ask a student to type
+test('the terminal goes through a lab sheet', watchdog, () => visit(true, { file: 'words.py' }, async (page) => {
+  await editorOf(page).getByText('packed words').waitFor();
+  const panel = page.locator('.panel-terminal');
+  const input = panel.getByRole('textbox', { name: 'Command' });
+  /** Gives the lines that it prints. */
+  const type = async (line: string): Promise<readonly string[]> => {
+    await panel.locator('.terminal-input input:not([readonly])').waitFor();
+    await input.fill('clear');
+    await input.press('Enter');
+    await panel.locator('.lines-empty').waitFor();
+    await input.fill(`${line}; echo that was all`);
+    await input.press('Enter');
+    await panel.getByText('that was all', { exact: true }).waitFor();
+    return (await panel.locator('.line').allInnerTexts()).slice(1, -1);
+  };
+  assert.match((await type('source /opt/ros/jazzy/setup.bash && printenv | grep ROS_DISTRO')).at(-1) ?? '', /^ROS_DISTRO=/);
+  assert.deepEqual(await type('cd ~/ros2_ws/src/lab_py && ls && pwd'), ['lab_py  scripts', '/home/user/ros2_ws/src/lab_py']);
+  assert.deepEqual(await type('cat scripts/hear.py | head -n 2'), hear.split('\n').slice(0, 2));
+  assert.deepEqual(await type('grep -rn "rclpy.spin" . | wc -l'), ['2']);
+  // The nodes are about to come.
+  while (!(await type('ros2 topic list')).includes('/chatter'));
+  assert.deepEqual(await type('mkdir -p ~/notes && ros2 topic list | sort > ~/notes/topics.txt && grep chatter ~/notes/topics.txt'), ['/chatter']);
+  assert.ok((await type('cd ~/ros2_ws/src && ros2 pkg create --build-type ament_python my_package && ls my_package')).at(-1)?.includes('setup.py'));
+  assert.match((await type('cd ~/ros2_ws && colcon build && . install/setup.bash'))[0] ?? '', /C\+\+ is built where the site is packed/);
+  assert.deepEqual(await type('ros2 daemon stop; ros2 daemon start'), ['The daemon has been stopped', 'The daemon has been started']);
+  assert.equal((await type('ros2 topic echo /chatter | grep data | head -n 2')).length, 2);
+  // A file reads as the student has changed it.
+  await write(page, words.replace('packed', 'my own'));
+  await page.keyboard.press('Control+s');
+  await page.getByText('/talk runs it changed.').waitFor();
+  assert.deepEqual(await type('cat src/lab_py/lab_py/words.py | grep own'), ['    return "my own words"']);
+  await type('nano src/lab_py/scripts/hear.py');
+  await page.getByRole('textbox', { name: /^Source of src\/lab_py\/scripts\/hear\.py/ }).waitFor();
+  await expectAccessible(page);
+}, 'terminal'));

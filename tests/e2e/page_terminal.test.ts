@@ -59,8 +59,8 @@ test('commands run on the graph of the page, and Ctrl-C ends them', () =>
     await output(page).getByText(/invalid choice: 'ecko'/).waitFor();
     await type(page, 'ls "x');
     await output(page).getByText('a quotation mark is left open').waitFor();
-    await type(page, 'ls');
-    await output(page).getByText('ls: command not found; help says what there is').waitFor();
+    await type(page, 'less');
+    await output(page).getByText('less: command not found; help says what there is').waitFor();
     await type(page, 'clear');
     await output(page).getByText('Commands of ros2 run here').waitFor();
   }));
@@ -76,16 +76,24 @@ test('what lab sheets write: sequences, grep, programs with windows, what needs 
     await type(page, 'help | grep -v -E "gr.p|ros2|rviz2?" && echo more');
     await output(page).getByText('more', { exact: true }).waitFor();
     const left = (await whole()).slice(1);
-    assert.ok(left.length === 4 && left.every((line) => !/grep|ros2|rviz/.test(line)), left.join('\n'));
+    assert.ok(left.length === 6 && left.every((line) => !/grep|ros2|rviz/.test(line)), left.join('\n'));
     await type(page, 'clear');
-    await type(page, 'ros2 topic list | grep nothing && echo found; ls || echo no ls');
-    await output(page).getByText('no ls', { exact: true }).waitFor();
-    assert.deepEqual((await whole()).slice(1), ['ls: command not found; help says what there is', 'no ls']);
+    await type(page, 'ros2 topic list | grep nothing && echo found; less || echo no less');
+    await output(page).getByText('no less', { exact: true }).waitFor();
+    assert.deepEqual((await whole()).slice(1), ['less: command not found; help says what there is', 'no less']);
     await type(page, 'cd ~/ros2_ws; export ROS_DOMAIN_ID=3; colcon build --symlink-install; sudo apt install x');
     await output(page).getByText('nothing to install').waitFor();
-    for (const words of ['no folders here', 'variables are not kept here', 'nothing to build']) await output(page).getByText(words).waitFor();
-    await type(page, 'ros2 topic list | sort');
-    await output(page).getByText('sort: only grep can stand behind | here').waitFor();
+    for (const words of ['ROS_DOMAIN_ID is set in this terminal', 'nothing to build']) await output(page).getByText(words).waitFor();
+    await type(page, 'ros2 topic list | less');
+    await output(page).getByText('less: cannot stand behind | here').waitFor();
+    await type(page, 'clear');
+    await type(page, 'ros2 topic echo /sine | head -n 2 && pwd');
+    await page.waitForFunction(() => heard('/sine') > 0);
+    await speak(page);
+    await page.waitForFunction(() => heard('/sine') === 0);
+    await output(page).getByText('/home/user/ros2_ws', { exact: true }).waitFor();
+    assert.deepEqual((await whole()).slice(1), ['value: 0.5', 'other: 1.0', '/home/user/ros2_ws']);
+    await type(page, 'clear');
     // A stream passes line by line; Ctrl-C ends all that was to follow.
     await type(page, 'ros2 topic echo /sine | grep mode && echo never');
     await page.waitForFunction(() => heard('/sine') > 0);
@@ -122,6 +130,52 @@ test('the terminal takes the keyboard when it opens, and after a click anywhere 
     await page.waitForFunction(() => document.activeElement?.closest('#tab-panel-terminal-2 .terminal') !== null);
     await page.keyboard.type('echo second\n');
     await page.locator('#tab-panel-terminal-2').getByText('second', { exact: true }).waitFor();
+  }));
+
+test('two terminals are open at once, each with its folder and what was typed there', () =>
+  stage.on(kScene.replace('%22terminal%22', '%7B%22column%22%3A%5B%22terminal%22%2C%22terminal%22%5D%7D'), {}, async (page) => {
+    const terminal = (key: string) => {
+      const panel = page.locator(`#tab-panel-${key}`);
+      const field = panel.getByRole('textbox', { name: 'Command' });
+      const enter = async (line: string): Promise<void> => {
+        await field.fill(line);
+        await field.press('Enter');
+        await panel.locator('.terminal-input input:not([readonly])').waitFor();
+      };
+      return { enter, field, panel, lines: () => panel.locator('.line').allInnerTexts() };
+    };
+    const [first, second] = [terminal('terminal'), terminal('terminal-2')];
+    await first.enter('cd ros2_ws/src');
+    await first.panel.locator('.terminal-prompt').getByText('~/ros2_ws/src$', { exact: true }).waitFor();
+    await second.enter('mkdir own && cd own');
+    await second.panel.locator('.terminal-prompt').getByText('~/own$', { exact: true }).waitFor();
+    await first.enter('pwd');
+    await second.enter('pwd');
+    await first.panel.getByText('/home/user/ros2_ws/src', { exact: true }).waitFor();
+    await second.panel.getByText('/home/user/own', { exact: true }).waitFor();
+    await first.enter('ls ~ && history');
+    await first.panel.getByText('own  ros2_ws').waitFor();
+    await first.panel.getByText('3  ls ~ && history').waitFor();
+    assert.ok(!(await first.lines()).some((line) => line.includes('mkdir')));
+    await second.enter('history');
+    await second.panel.getByText('3  history').waitFor();
+    await second.field.press('ArrowUp');
+    await second.field.press('ArrowUp');
+    assert.equal(await second.field.inputValue(), 'pwd');
+    // A command that goes on in one holds up nothing in the other.
+    await speak(page);
+    await first.field.fill('ros2 topic echo /sine');
+    await first.field.press('Enter');
+    await page.waitForFunction(() => heard('/sine') > 0);
+    await second.enter('echo free');
+    await second.panel.getByText('free', { exact: true }).waitFor();
+    await first.field.press('Control+c');
+    await page.waitForFunction(() => heard('/sine') === 0);
+    // The next visit knows the lines of both.
+    await page.reload();
+    await first.enter('history');
+    for (const line of ['mkdir own && cd own', 'cd ros2_ws/src']) await first.panel.locator('.line').getByText(line).waitFor();
+    assert.equal(await first.panel.locator('.terminal-prompt').innerText(), '~$');
   }));
 
 test('Tab completes and lets go, the arrow keys recall', () =>
@@ -205,7 +259,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
   test(`axe finds nothing in the terminal, ${colorScheme}`, () =>
     stage.on(kScene, { colorScheme, reducedMotion: 'reduce' }, async (page) => {
       await type(page, 'help');
-      await type(page, 'ls');
+      await type(page, 'less');
       await output(page).getByText('command not found').waitFor();
       await expectAccessible(page);
     }));

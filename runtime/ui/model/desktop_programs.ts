@@ -10,6 +10,8 @@ const kPanels: ReadonlyMap<string, string> = new Map([
   ['rqt_image_view', 'image'],
   ['rqt_reconfigure', 'parameters'],
   ['rqt_tf_tree', 'frames'],
+  // Its only program is view_frames.
+  ['tf2_tools', 'frames'],
   ['rqt_robot_monitor', 'diagnostics'],
   ['rqt_robot_steering', 'teleop'],
   ['rqt_publisher', 'publish'],
@@ -37,13 +39,11 @@ export function desktopPanel(words: readonly string[], carried: readonly string[
   return panel === undefined ? undefined : { program, panel, rest };
 }
 
-export type NeedlessKind = 'source' | 'folder' | 'variable' | 'build' | 'install';
+export type NeedlessKind = 'source' | 'build' | 'install' | 'mode';
 
 const kNeedless: ReadonlyMap<string, NeedlessKind> = new Map<string, NeedlessKind>([
   ['source', 'source'], ['.', 'source'],
-  ['cd', 'folder'], ['mkdir', 'folder'],
-  ['export', 'variable'], ['unset', 'variable'],
-  ['colcon', 'build'],
+  ['colcon', 'build'], ['chmod', 'mode'],
   ['rosdep', 'install'], ['sudo', 'install'], ['apt', 'install'], ['pip', 'install'], ['pip3', 'install'],
 ]);
 

@@ -19,7 +19,7 @@ const kLongestLine = 4096;
 export function completeInput(line: string, { word, start, choices }: Offered): Completed {
   const [first] = choices;
   if (first === undefined) return { kind: 'nothing' };
-  if (choices.length === 1) return { kind: 'line', line: `${line.slice(0, start)}${first} ` };
+  if (choices.length === 1) return { kind: 'line', line: `${line.slice(0, start)}${first}${first.endsWith('/') ? '' : ' '}` };
   let shared = first.length;
   for (const choice of choices) while (!choice.startsWith(first.slice(0, shared))) shared -= 1;
   if (shared > word.length) return { kind: 'line', line: line.slice(0, start) + first.slice(0, shared) };

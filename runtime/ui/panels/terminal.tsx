@@ -1,15 +1,12 @@
-// A terminal for the commands of ros2: input with history and completion, output as text, Ctrl-C. A command that runs
-// goes on while another tab is in front, and ends with the panel. State: {line}, which stands there at first.
+// A terminal: input with history and completion, output as text, Ctrl-C; shell/ runs the lines, in each terminal in a
+// folder of its own. A command that runs goes on while another tab is in front, and ends with the panel. State: {line},
+// which stands there at first.
 
 import { useEffect, useRef, useState } from 'preact/hooks';
-import { complete, wanted } from '../../ros2cli/complete.ts';
+import { wanted } from '../../ros2cli/complete.ts';
 import { programsOf } from '../../ros2cli/programs.ts';
-import { runCommand } from '../../ros2cli/run.ts';
 import { tellWanted } from '../../ros2cli/told.ts';
 import type { ConsoleLine, KeyMode, Session } from '../../wasm_js/session.ts';
-import { desktopPanel, needless } from '../model/desktop_programs.ts';
-import { lineFilter, shellSteps } from '../model/shell_line.ts';
-import type { ShellStep } from '../model/shell_line.ts';
 import { textMember } from '../model/json.ts';
 import { readText as keptText, writePreference } from '../model/preferences.ts';
 import { completeInput, expandTabs, readHistory } from '../model/terminal_input.ts';
@@ -18,8 +15,8 @@ import { IconButton } from '../parts/button.tsx';
 import { keyFieldProps } from '../parts/key_input.ts';
 import { LineScroller } from '../parts/line_scroller.tsx';
 import { PanelFrame } from '../parts/panel.tsx';
-import { bagsOf, kMostTextBytes, readText, written } from '../parts/terminal_files.ts';
 import { takeLines } from '../parts/terminal_line.ts';
+import { Shell } from '../shell/shell.ts';
 import { texts } from '../texts.ts';
 import { panelTexts } from '../texts_panels.ts';
 import { runTexts } from '../texts_run.ts';
@@ -27,9 +24,6 @@ import type { PanelProps } from './panel_props.ts';
 
 const kMostLines = 20_000;
 const kMostHistory = 200;
-/** Exit codes of a shell. */
-const kWrongLine = 2;
-const kNotFound = 127;
 /** What a flood may leave undrawn; the oldest of it is left out. */
 const kMostWaiting = 5000;
 
@@ -119,100 +113,46 @@ export function TerminalPanel({ session, announce, open, state, store, justAdded
   const print = (text: string): void => screen.current?.write(text, 'stdout');
   const warn = (text: string): void => screen.current?.write(text, 'stderr');
 
-  /** Its exit code. */
-  const runStep = async ({ words, filters, target }: ShellStep, abort: AbortController): Promise<number> => {
-    const [program = '', ...rest] = words;
-    const through = filters.map(lineFilter);
-    const wrong = program === '' ? panelTexts.terminal.nothing : through.find((filter) => typeof filter === 'string');
-    if (wrong !== undefined) {
-      warn(String(wrong));
-      return kWrongLine;
-    }
-    let text = '';
-    const keep = (line: string): void => {
-      if (text.length + line.length < kMostTextBytes) {
-        text += `${line}\n`;
-      } else {
-        warn(panelTexts.terminal.tooLong(kMostTextBytes));
-        abort.abort();
-      }
-    };
-    const out = target === undefined ? print : keep;
-    let passed = 0;
-    const filtered = (all: string): void => {
-      const lines = all.split('\n').filter((line) => through.every((filter) => typeof filter === 'string' || filter.passes(line)));
-      passed += lines.length;
-      if (lines.length > 0) out(lines.join('\n'));
-    };
-    const code = await runProgram(program, words, rest, through.length === 0 ? out : filtered, abort);
-    if (target !== undefined) written.set(target, text);
-    return through.length === 0 ? code : passed > 0 ? 0 : 1;
-  };
-
-  const runProgram = async (
-    program: string, words: readonly string[], rest: readonly string[], out: (text: string) => void, abort: AbortController,
-  ): Promise<number> => {
-    if (program === 'clear') {
-      screen.current?.clear();
-      return 0;
-    }
-    if (program === 'help' || program === 'echo') {
-      out(program === 'help' ? panelTexts.terminal.help : rest.join(' '));
-      return 0;
-    }
-    const window = desktopPanel(words, session.site.packages);
-    if (window !== undefined) {
-      const paths = window.rest.filter((word) => word.startsWith('/'));
-      const opened = window.panel === 'plot' && paths.length > 0 ? open('plot', { paths }) : open(window.panel);
-      if (!opened) return 1;
-      out(panelTexts.terminal.opened(window.program, texts.panels[window.panel as keyof typeof texts.panels]));
-      return 0;
-    }
-    const why = needless(program);
-    if (why !== undefined) {
-      out(panelTexts.terminal.needless[why]);
-      return 0;
-    }
-    if (program !== 'ros2') {
-      warn(panelTexts.terminal.notFound(program));
-      return kNotFound;
-    }
-    const code = await runCommand(session, rest, {
-      signal: abort.signal,
-      bags: bagsOf(session),
-      readText: (name) => readText(session, name),
-      takeInput: (to, mode) => {
-        taker.current = to;
-        setTaking(to !== undefined);
-        setKeys(mode);
-      },
-      print: out,
-      warn,
-    });
-    taker.current = undefined;
-    setTaking(false);
-    setKeys(undefined);
-    return code;
-  };
+  const shell = useRef<Shell | null>(null);
+  const opened = useRef(open);
+  opened.current = open;
+  shell.current ??= new Shell({
+    session, print, warn,
+    clear: () => screen.current?.clear(),
+    takeInput: (to, mode) => {
+      taker.current = to;
+      setTaking(to !== undefined);
+      setKeys(mode);
+    },
+    open: (panel, wantedState) => opened.current(panel, wantedState),
+    history: () => history.current?.lines ?? [],
+    forgetHistory: () => {
+      history.current = { lines: [], at: 0 };
+      writePreference(store, historyName, '[]');
+    },
+  });
+  const { prompt } = shell.current;
+  useEffect(() => void shell.current?.look().catch(() => undefined), []);
 
   const run = async (typed: string): Promise<void> => {
-    print(`$ ${typed}`);
-    const steps = shellSteps(typed);
-    if (steps === undefined) {
-      warn(panelTexts.terminal.openQuote);
-      return;
-    }
-    if (steps.length === 0) return;
     const abort = new AbortController();
+    print(`${prompt} ${typed}`);
     current.current = abort;
     setRunning(abort);
-    let code = 0;
-    for (const step of steps) {
-      if (abort.signal.aborted) break;
-      if (step.when === 'always' || (step.when === 'succeeded') === (code === 0)) code = await runStep(step, abort);
-    }
+    await shell.current?.run(typed, abort);
     current.current = null;
     setRunning(null);
+  };
+
+  /** In this terminal, and for the ones that are opened later: other terminals may have typed meanwhile. */
+  const remember = (typed: string): void => {
+    const add = (lines: string[]): string[] => {
+      if (lines.at(-1) !== typed) lines.push(typed);
+      return lines.slice(-kMostHistory);
+    };
+    const lines = add(history.current?.lines ?? []);
+    history.current = { lines, at: lines.length };
+    writePreference(store, historyName, JSON.stringify(add(readHistory(keptText(store, historyName), kMostHistory))));
   };
 
   const submit = (): void => {
@@ -226,13 +166,7 @@ export function TerminalPanel({ session, announce, open, state, store, justAdded
     if (running !== null) return;
     setLine('');
     if (typed === '') return;
-    if (history.current !== null) {
-      const { lines } = history.current;
-      if (lines.at(-1) !== typed) lines.push(typed);
-      if (lines.length > kMostHistory) lines.shift();
-      history.current.at = lines.length;
-      writePreference(store, historyName, JSON.stringify(lines));
-    }
+    remember(typed);
     void run(typed);
   };
 
@@ -320,12 +254,12 @@ export function TerminalPanel({ session, announce, open, state, store, justAdded
   /** Completes the line, or shows what there is. False: nothing to complete, the key moves on, so that nobody is caught here. */
   const offer = (told: readonly string[]): boolean => {
     const known = { graph: session.graph(), interfaces: interfaces.current, programs: programsOf(session.site), launches: session.site, told };
-    const done = completeInput(line, complete(line, known));
+    const done = shell.current === null ? { kind: 'nothing' } as const : completeInput(line, shell.current.offer(line, known));
     if (done.kind === 'nothing') return false;
     if (done.kind === 'line') {
       setLine(done.line);
     } else {
-      print(`$ ${line}\n${done.choices.join('  ')}`);
+      print(`${prompt} ${line}\n${done.choices.join('  ')}`);
       announce(panelTexts.terminal.choices(done.choices.length));
     }
     return true;
@@ -342,7 +276,7 @@ export function TerminalPanel({ session, announce, open, state, store, justAdded
       <div class="terminal" onKeyDown={onKey} onClick={onClick}>
         <LineScroller list={list} version={version} label={panelTexts.terminal.output} empty={panelTexts.terminal.empty} />
         <label class="terminal-input">
-          <span aria-hidden="true">$</span>
+          <span class="terminal-prompt" aria-hidden="true">{prompt}</span>
           <input
             ref={input}
             type="text"
@@ -356,7 +290,7 @@ export function TerminalPanel({ session, announce, open, state, store, justAdded
             spellcheck={false}
             enterkeyhint="go"
             onInput={(event) => setLine(event.currentTarget.value)}
-            aria-description={keys === undefined ? undefined : runTexts.input.keys}
+            aria-description={keys === undefined ? panelTexts.terminal.folder(prompt.slice(0, -1)) : runTexts.input.keys}
             {...field}
           />
         </label>

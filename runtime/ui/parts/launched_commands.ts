@@ -2,7 +2,9 @@
 
 import { launchedCommands } from '../../ros2cli/launched_command.ts';
 import type { CommandLoader } from '../../wasm_js/session.ts';
-import { bagsOf, readText } from './terminal_files.ts';
+import { kHome } from '../shell/paths.ts';
+import { readText } from '../shell/session_files.ts';
+import { bagsOf } from './terminal_files.ts';
 
 export const pageCommands: CommandLoader = (session) =>
-  launchedCommands({ bags: bagsOf(session), readText: (name) => readText(session, name) })(session);
+  launchedCommands({ bags: bagsOf(session), readText: (name) => readText(session, kHome, name) })(session);

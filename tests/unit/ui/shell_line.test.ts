@@ -1,7 +1,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { desktopPanel, needless } from '../../../runtime/ui/model/desktop_programs.ts';
-import { lineFilter, shellSteps } from '../../../runtime/ui/model/shell_line.ts';
+import { shellSteps } from '../../../runtime/ui/model/shell_line.ts';
+import { readGrep } from '../../../runtime/ui/shell/grep.ts';
 
 test('a line is a sequence of commands with filters and a file; quotes hide what joins them', () => {
   assert.deepEqual(shellSteps('a 1 && b | grep x | grep -v "y | z" > f; c || d \\; # ; e'), [
@@ -17,11 +18,18 @@ test('a line is a sequence of commands with filters and a file; quotes hide what
   // Something is missing: it is told when it would run.
   assert.deepEqual(shellSteps('a &&')?.[1], { when: 'succeeded', words: [], filters: [] });
   assert.equal(shellSteps('a && b "c'), undefined);
+  assert.deepEqual(shellSteps('a >> f; b 2>&1 >f; c 2>/dev/null | grep x; d &'), [
+    { when: 'always', words: ['a'], filters: [], target: 'f', append: true },
+    { when: 'always', words: ['b'], filters: [], target: 'f' },
+    { when: 'always', words: ['c'], filters: [['grep', 'x']] },
+    { when: 'always', words: ['d'], filters: [], background: true },
+  ]);
+  assert.deepEqual(shellSteps('a $X "$X" \'$X\' ${X}y', () => 'v w')?.[0]?.words, ['a', 'v w', 'v w', '$X', 'v wy']);
 });
 
 test('grep keeps lines by basic and extended expressions, and says what it does not know', () => {
   const kept = (...words: string[]): string[] | string => {
-    const filter = lineFilter(['grep', ...words]);
+    const filter = readGrep(words);
     return typeof filter === 'string' ? filter : ['a+b', 'aab', 'AAB', 'a.b x'].filter(filter.passes);
   };
   assert.deepEqual(kept('a+b'), ['a+b']);
@@ -31,11 +39,11 @@ test('grep keeps lines by basic and extended expressions, and says what it does 
   assert.deepEqual(kept('-F', 'a.b'), ['a.b x']);
   assert.deepEqual(kept('-v', '-e', 'a.b'), ['AAB']);
   assert.deepEqual(kept('-w', 'x'), ['a.b x']);
-  assert.match(String(kept('-c', 'a')), /-c is not known/);
-  assert.match(String(kept('a', 'file')), /there are no files/);
-  assert.match(String(kept('-E', '(')), /no regular expression/);
+  assert.match(String(kept('-o', 'a')), /-o is not known/);
+  const files = readGrep(['a', 'file']);
+  assert.ok(typeof files !== 'string' && files.files[0] === 'file');
+  assert.match(String(kept('-E', '(')), /not a regular expression/);
   assert.match(String(kept()), /usage/);
-  assert.match(String(lineFilter(['less'])), /^less: only grep/);
 });
 
 test('programs with windows are panels, unless the site has a package of that name', () => {
@@ -43,5 +51,6 @@ test('programs with windows are panels, unless the site has a package of that na
   assert.deepEqual(desktopPanel(['ros2', 'run', 'rqt_plot', 'rqt_plot', '/a/b'], []), { program: 'rqt_plot', panel: 'plot', rest: ['/a/b'] });
   assert.equal(desktopPanel(['ros2', 'run', 'rqt_plot', 'rqt_plot'], ['rqt_plot']), undefined);
   assert.equal(desktopPanel(['ros2', 'topic', 'list'], []), undefined);
-  assert.deepEqual(['source', 'colcon', 'ls'].map(needless), ['source', 'build', undefined]);
+  assert.equal(desktopPanel(['ros2', 'run', 'tf2_tools', 'view_frames'], [])?.panel, 'frames');
+  assert.deepEqual(['source', 'colcon', 'chmod', 'ls'].map(needless), ['source', 'build', 'mode', undefined]);
 });

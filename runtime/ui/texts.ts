@@ -100,7 +100,7 @@ export const texts = {
       'This link was made for another version of this site. Its view is shown as far as it fits.',
     linkBroken: 'The view in this link cannot be read. The usual one is shown.',
     linkLeftOut: (names: readonly string[]): string =>
-      `This page has no such panels, so they are left out: ${names.join(', ')}.`,
+      `This page has no such panels, so the layout is shown without them: ${names.join(', ')}.`,
     linkChanged: (files: string): string =>
       `Who made this link had changed sources, which are not in it: ${files}. Here they are as you have them.`,
     linkParameters: (count: number): string =>

@@ -8,13 +8,13 @@ export const embedTexts = {
   refusals: {
     version: (version: number) => [`this page speaks version ${version} of these messages`, `write \`ros2wasm: ${version}\` in every one`],
     form: (most: number) => [
-      'the message is no plain value, or it is too large or too deep',
+      'the message is not a plain value, or it is too large or too deep',
       `send objects, lists, texts, finite numbers and flags: at most ${most} characters as JSON, 8 deep`,
     ],
     command: (name: string | undefined, known: string) => [
-      name === undefined ? 'the message has no `do`' : `\`${name}\` is no command`, `commands are: ${known}`,
+      name === undefined ? 'the message has no `do`' : `\`${name}\` is not a command`, `commands are: ${known}`,
     ],
-    name: (key: string, most: number) => [`\`${key}\` is no name`, `give \`${key}\` as a text of 1 to ${most} characters`],
+    name: (key: string, most: number) => [`\`${key}\` is not a valid name`, `give \`${key}\` as a text of 1 to ${most} characters`],
     missing: (key: string) => [`there is no \`${key}\``, `give \`${key}\``],
     fields: (key: string) => [`\`${key}\` has no fields`, `give \`${key}\` as an object with the message's fields`],
     tooOften: (perSecond: number) => ['this page is asked too often', `ask at most ${perSecond} times a second`],

@@ -1,7 +1,7 @@
 // English texts of the 3D view's tools, settings and pictures, and of the panel Joints, which come with these panels.
 
 export const sceneTexts = {
-  noPlace: 'a place is missing, or is no number',
+  noPlace: 'a coordinate is missing, or is not a number',
   noRange: 'no range',
   noVector: 'no vector',
   noCells: 'its cells have no size',

@@ -64,7 +64,7 @@ export const viewTexts = {
     hardware: 'Hardware',
     more: (count: number): string => `${count} more are not shown: the filter finds them.`,
     moreValues: (count: number): string => `and ${count} more`,
-    leftOut: (count: number): string => `${count} statuses were left out: there are too many names.`,
+    leftOut: (count: number): string => `${count} statuses are not shown: there are too many names.`,
   },
 
   notebook: {
@@ -74,7 +74,7 @@ export const viewTexts = {
     unread: {
       tooLarge: 'it is larger than 8 MiB',
       notJson: 'it is not JSON',
-      noNotebook: 'it is no notebook',
+      noNotebook: 'it is not a notebook',
       otherFormat: 'it is not of nbformat 4',
       noCells: 'it has no cells',
       tooMany: (most: number): string => `it has more than ${most} cells`,

@@ -115,12 +115,12 @@ export class PageParticipant implements PageNode {
     if (this.closed) return { problem: closedError(name) };
     const wrong = checkFullName(name);
     if (wrong !== undefined) {
-      return { problem: new SiteError('R2W0715', `\`${given}\` is no name: ${wrong.what}`) };
+      return { problem: new SiteError('R2W0715', `\`${given}\` is not a valid name: ${wrong.what}`) };
     }
     // A look at whatever is published there is nobody's subscription.
     const anyType = kind === EndpointKind.subscription && type === '';
     if (!anyType && !/^[A-Za-z]\w*\/(?:msg|srv|action)\/[A-Za-z]\w*$/.test(type)) {
-      return { problem: new SiteError('R2W0715', `\`${type}\` is no type`, { why: 'types are written as `std_msgs/msg/String`' }) };
+      return { problem: new SiteError('R2W0715', `\`${type}\` is not a valid type`, { why: 'types are written as `std_msgs/msg/String`' }) };
     }
     this.node ??= link.nodeCreate(nodeName, '/');
     const handle = this.node < 0 ? this.node

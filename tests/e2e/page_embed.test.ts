@@ -67,7 +67,7 @@ test('several panels side by side, or as tabs where there is little room; access
 test('a panel that is none is said, as markup in its name is', async () => {
   const name = '<img src=x onerror=alert(1)>';
   const { page, frame } = await parent.open(stage.browser, address(`&panel=topics,${encodeURIComponent(name)}`));
-  await frame.getByText(`This page has no such panels, so they are left out: ${name}.`).waitFor();
+  await frame.getByText(`This page has no such panels, so the layout is shown without them: ${name}.`).waitFor();
   assert.deepEqual(await panelsOf(frame), ['panel-topics']);
   assert.equal(await frame.locator('img').count(), 0);
   await page.context().close();

@@ -167,7 +167,7 @@ test('a hostile link changes nothing but a notice', () =>
   stage.on('quiet', {}, async (page) => {
     const markup = '<img src=x onerror="document.title=\'owned\'">';
     await page.goto(`${stage.served.url}?scene=quiet#layout=${encodeURIComponent(JSON.stringify({ row: ['nodes', markup] }))}`);
-    await page.getByText(`left out: ${markup}`.slice(0, 30)).waitFor();
+    await page.getByText(`without them: ${markup}`.slice(0, 30)).waitFor();
     await groupsBecome(page, ['Nodes*']);
     assert.equal(await page.locator('.page img').count(), 0);
     await page.goto(`${stage.served.url}?scene=quiet#layout=%7B`);

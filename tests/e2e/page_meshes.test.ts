@@ -103,9 +103,9 @@ test('hostile meshes end in words with a code', () =>
       ['package://meshes/cut.stl', 'its length does not fit its count of triangles'],
       ['package://meshes/many.stl', 'its length does not fit its count of triangles'],
       ['package://meshes/loop.dae', 'more than 2,000,000 triangles'],
-      ['package://meshes/far.obj', 'a place in it is no number'],
-      ['package://meshes/wrong.gltf', 'it is no sound glTF document'],
-      ['package://meshes/words.dae', 'it is no COLLADA document'],
+      ['package://meshes/far.obj', 'a coordinate in it is not a number'],
+      ['package://meshes/wrong.gltf', 'it is not a valid glTF document'],
+      ['package://meshes/words.dae', 'it is not a COLLADA document'],
       ['package://meshes/<img src=x onerror=alert(1)>.stl'.replaceAll('<', '&lt;'), '<img src=x onerror=alert(1)>.stl'],
     ] as const) {
       await robot(page, [file]);

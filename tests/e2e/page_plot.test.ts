@@ -301,10 +301,10 @@ test('fields are added by name or chosen, wrong ones are told, and the link has 
     await page.getByRole('alert').getByText('A field is written as').waitFor();
     await page.locator('datalist option[value="/sine.other"]').waitFor({ state: 'attached' });
     await field.fill('/sine.other');
-    await page.getByRole('button', { name: 'Leave out /sine.other' }).waitFor();
+    await page.getByRole('button', { name: 'Remove /sine.other' }).waitFor();
     await field.fill('/sine.nothing');
     await page.keyboard.press('Enter');
-    await page.getByRole('button', { name: 'Leave out /sine.nothing' }).waitFor();
+    await page.getByRole('button', { name: 'Remove /sine.nothing' }).waitFor();
     // The panel follows what it shows from its next frame on: what was sent before is not for the new field.
     await eventually('the new field is followed', async () => {
       await play(page, 1);
@@ -314,14 +314,14 @@ test('fields are added by name or chosen, wrong ones are told, and the link has 
     await page.reload();
     await page.waitForSelector('.panel-plot');
     assert.equal(await page.getByRole('combobox', { name: 'Axes' }).inputValue(), 'xy');
-    await page.getByRole('button', { name: 'Leave out /sine.nothing' }).click();
+    await page.getByRole('button', { name: 'Remove /sine.nothing' }).click();
     await page.getByText('Add another one for the y axis.').waitFor();
     // Another plot is another panel with fields of its own.
     await page.getByRole('button', { name: 'Open a panel here' }).nth(1).click();
     await page.getByRole('menuitem', { name: 'Plot' }).click();
     await page.getByRole('tab', { name: 'Plot 2' }).waitFor();
     await page.getByText('Add a field of a topic to plot it.').waitFor();
-    assert.equal(await page.getByRole('button', { name: 'Leave out /sine.other' }).isVisible(), false);
+    assert.equal(await page.getByRole('button', { name: 'Remove /sine.other' }).isVisible(), false);
   }));
 
 test('states are bars that last until the next one', () =>

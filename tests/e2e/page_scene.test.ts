@@ -131,7 +131,7 @@ test('scenes of hostile frames neither hang nor throw, and say what is wrong', (
     await page.getByText('the parents of a lead back to itself').waitFor();
     await page.getByText('0 frames').waitFor();
     const chosen = page.getByRole('combobox', { name: 'Fixed frame' });
-    await page.getByRole('option', { name: 'nowhere (nobody speaks of it)' }).waitFor({ state: 'attached' });
+    await page.getByRole('option', { name: 'nowhere (unknown frame)' }).waitFor({ state: 'attached' });
     for (const [frame, words] of [['f0', '1000 frames'], ['a', '0 frames'], ['z', '1 frame'], ['map', '2 frames']] as const) {
       await chosen.selectOption(frame);
       await page.getByText(words, { exact: true }).waitFor();
@@ -276,7 +276,7 @@ test('what cannot be drawn is said beside its topic', () =>
       twist: { twist: { linear: { x: 0, y: 0, z: 0 }, angular: { x: 0, y: 0, z: 0 } }, covariance: Array(36).fill(0) },
     });
     for (const words of [
-      'no robot description: the text is not XML', 'its cells do not fit its size', 'no transform from crater to map', 'nobody says where nowhere is',
+      'no robot description: the text is not XML', 'its cells do not fit its size', 'no transform from crater to map', 'no transform says where nowhere is',
     ])
       await page.locator('.scene-problem').getByText(words, { exact: true }).waitFor();
     await publish(page, '/robot_description', 'std_msgs/msg/String', { data: '<html/>' });
@@ -372,7 +372,7 @@ test('an .rviz file says what is shown', () =>
     };
     const note = page.locator('.scene-said');
     await open('notes.rviz', '<b>no</b>');
-    await note.getByText('notes.rviz is no file of RViz').waitFor();
+    await note.getByText('notes.rviz is not an RViz file').waitFor();
     await open('arm.rviz', `Visualization Manager:
   Displays:
     - {Class: rviz_default_plugins/Path, Enabled: true, Name: Plan, Topic: {Value: /plan}}

@@ -268,7 +268,7 @@ test('TwistStamped is taken from the graph or chosen, with the time of the site'
     assert.equal(await topic.inputValue(), '/no name');
     await topic.press('Enter');
     await pad(page).focus();
-    await page.getByRole('alert').getByText(/is no name/).waitFor();
+    await page.getByRole('alert').getByText(/is not a valid name/).waitFor();
   }));
 
 for (const colorScheme of ['light', 'dark'] as const) {

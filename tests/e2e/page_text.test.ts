@@ -102,7 +102,7 @@ test('a lab sheet stands beside its machine: math, images, tables, links that ac
     await page.getByRole('status').getByText('Not done: the site has no definition of no/msg/Such').waitFor();
     // The plot opens beside the text, once for each state.
     await text.getByRole('button', { name: 'Plot it' }).click();
-    await page.getByRole('button', { name: 'Leave out /topic.data' }).waitFor();
+    await page.getByRole('button', { name: 'Remove /topic.data' }).waitFor();
     await text.getByRole('button', { name: 'Plot it' }).click();
     assert.equal(await page.getByRole('tab', { name: /^Plot/ }).count(), 1);
     assert.equal(await text.isVisible(), true);

@@ -141,7 +141,7 @@ test('a field is chosen by keyboard; its path is copied, and Plot or States open
     await page.getByRole('status').getByText('Copied').waitFor();
     assert.equal(await copied(page), '/scan.ranges[1]');
     await range.getByRole('button', { name: 'Plot it' }).click();
-    await page.getByRole('button', { name: 'Leave out /scan.ranges[1]' }).waitFor();
+    await page.getByRole('button', { name: 'Remove /scan.ranges[1]' }).waitFor();
     assert.equal(await page.getByRole('tab', { name: /^Plot/ }).getAttribute('aria-selected'), 'true');
   }));
 

@@ -59,7 +59,7 @@ test('each link of the lab sheet acts', watchdog, () =>
 
     await click('Plot the pose');
     for (const path of ['/turtle1/pose.x', '/turtle1/pose.y']) {
-      await page.getByRole('button', { name: `Leave out ${path}` }).waitFor();
+      await page.getByRole('button', { name: `Remove ${path}` }).waitFor();
     }
     await page.waitForFunction(() => /pose\.x\s*\d/.test(document.querySelector('.panel-plot')?.textContent ?? ''));
 

@@ -39,9 +39,9 @@ test('commands and their fields', () => {
 test('what is wrong with the others is said', () => {
   assert.match(refusal({ ros2wasm: 2, id: 1, do: 'hello' }), /R2W0750: this page speaks version 1/);
   assert.match(refusal(request({})), /no `do`/);
-  for (const word of ['eval', 'constructor', '__proto__', 'toString']) assert.match(refusal(request({ do: word })), /is no command/);
-  assert.match(refusal(request({ do: 'start', node: 7 })), /`node` is no name/);
-  assert.match(refusal(request({ do: 'publish', topic: '/a', type: 'x'.repeat(300) })), /`type` is no name/);
+  for (const word of ['eval', 'constructor', '__proto__', 'toString']) assert.match(refusal(request({ do: word })), /is not a command/);
+  assert.match(refusal(request({ do: 'start', node: 7 })), /`node` is not a valid name/);
+  assert.match(refusal(request({ do: 'publish', topic: '/a', type: 'x'.repeat(300) })), /`type` is not a valid name/);
   assert.match(refusal(request({ do: 'publish', topic: '/a', type: 'a/msg/B', message: [1] })), /`message` has no fields/);
   assert.match(refusal(request({ do: 'set_parameter', node: '/a', name: 'b' })), /there is no `value`/);
 });
@@ -57,7 +57,7 @@ test('values that are too large, too deep, no plain data or none at all', () => 
     deep(9), ring, wide, new Array(4_000_000_000), 'x'.repeat(70_000), { ['k'.repeat(70_000)]: 1 }, NaN, 1n, new Map([[1, 2]]), new Date(), new Uint8Array(8), () => 1,
   ];
   for (const message of hostile)
-    assert.match(refusal(request({ do: 'publish', topic: '/a', type: 'a/msg/B', message })), /R2W0750: the message is no plain value/);
+    assert.match(refusal(request({ do: 'publish', topic: '/a', type: 'a/msg/B', message })), /R2W0750: the message is not a plain value/);
   const own = JSON.parse('{"__proto__": {"polluted": 1}}') as object;
   const order = readRequest(request({ do: 'publish', topic: '/a', type: 'a/msg/B', message: own }))?.order;
   assert.ok(order !== undefined && !(order instanceof Refusal));

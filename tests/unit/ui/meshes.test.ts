@@ -93,10 +93,10 @@ test('what is no mesh of the site is said with R2W0743, and nothing is asked for
     ['https://example.org/a.stl', /^https:\/\/example\.org\/a\.stl is not drawn: only files of the site are/],
     ['package://m/note.txt', /^package:\/\/m\/note\.txt is not drawn: meshes are STL/],
     ['package://m/cut.stl', /cannot be read: its length does not fit/], ['package://m/empty.stl', /it has no triangles/],
-    ['package://m/far.obj', /a place in it is no number, or too far/], ['package://m/words.gltf', /it is no sound glTF/],
-    ['package://m/cycle.gltf', /it is no sound glTF/], ['package://m/vast.gltf', /it is no sound glTF/],
+    ['package://m/far.obj', /a coordinate in it is not a number, or too far away/], ['package://m/words.gltf', /it is not a valid glTF/],
+    ['package://m/cycle.gltf', /it is not a valid glTF/], ['package://m/vast.gltf', /it is not a valid glTF/],
     ['package://m/away.gltf', /names https:\/\/example\.org\/wedge\.bin, which the site does not have/],
-    ['package://m/words.dae', /it is no COLLADA document/], ['package://m/many.stl', /cannot be read/],
+    ['package://m/words.dae', /it is not a COLLADA document/], ['package://m/many.stl', /cannot be read/],
     ['package://m/all.stl', /is not drawn: it (has more than 2,000,000 triangles|is larger than 64 MiB)/],
   ] as const) {
     const { placed: mesh, asked } = await placed(files, { file });

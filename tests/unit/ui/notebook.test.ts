@@ -66,7 +66,7 @@ test('what is no notebook is refused', () => {
     return found.kind === 'failed' ? found.reason : 'read';
   };
   assert.equal(refused('{'), 'it is not JSON');
-  assert.equal(refused('[]'), 'it is no notebook');
+  assert.equal(refused('[]'), 'it is not a notebook');
   assert.equal(refused('{"nbformat": 3}'), 'it is not of nbformat 4');
   assert.equal(refused('{"nbformat": 4, "cells": 1}'), 'it has no cells');
   assert.equal(refused('{"nbformat": 4, "cells": []}'), 'it has no number nbformat_minor');

@@ -66,10 +66,21 @@ struct FieldWriter {
 
 }  // namespace
 
-void write_check_fields(JsonWriter& json, const CheckEntry& check) {
+void write_check_aim(JsonWriter& json, const CheckEntry& check) {
   if (!check.title.empty()) json.field("title", check.title);
   std::visit(FieldWriter{json}, check.what);
+}
+
+void write_check_fields(JsonWriter& json, const CheckEntry& check) {
+  write_check_aim(json, check);
   json.field_integer("within_ms", check.within_ms);
+}
+
+void write_task_texts(JsonWriter& json, const TaskEntry& task) {
+  json.field("title", task.title.value);
+  for (const auto& [key, text] : {std::pair("text", &task.text), std::pair("hint", &task.hint),
+                                  std::pair("solution", &task.solution)})
+    if (!text->empty()) json.field(key, *text);
 }
 
 }  // namespace ros2wasm

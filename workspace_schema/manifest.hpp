@@ -141,6 +141,16 @@ struct CheckEntry {
   std::int64_t within_ms = 10'000;  ///< of the site's time
 };
 
+/// One entry of `tasks:`: what a student is asked to do. Texts are Markdown and may be empty.
+struct TaskEntry {
+  SourceSpan span;
+  Spanned<std::string> title;  ///< each once
+  std::string text;
+  std::vector<CheckEntry> checks;  ///< one or more; `within_ms` of them means nothing
+  std::string hint;
+  std::string solution;
+};
+
 /// A launch argument with its value, as `name:=value` says it.
 struct GivenArgument {
   Spanned<std::string> name;
@@ -185,6 +195,7 @@ struct Manifest {
   std::vector<NodeEntry> nodes;
   std::vector<ProgramEntry> programs;
   std::vector<CheckEntry> checks;
+  std::vector<TaskEntry> tasks;
   std::map<std::string, std::string> ui;  ///< scalar options of `ui:` (theme, autostart)
   std::string ui_layout;  ///< `ui: layout:` as one line of JSON; empty: the page's own
   std::optional<Spanned<std::string>> ui_text;      ///< Markdown file of the text panel

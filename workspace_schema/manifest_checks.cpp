@@ -75,7 +75,8 @@ std::optional<double> plain_number(const YamlNode& node) {
 
 class CheckReader {
  public:
-  CheckReader(Binder& binder, const YamlNode& node) : binder_(binder), node_(node) {}
+  CheckReader(Binder& binder, const YamlNode& node, CheckPlace place)
+      : binder_(binder), node_(node), place_(place) {}
 
   std::optional<CheckEntry> read() {
     CheckEntry entry;
@@ -83,7 +84,11 @@ class CheckReader {
     if (const YamlNode* value = given("title")) {
       if (const auto text = text_line(*value, "title")) entry.title = text->value;
     }
-    if (const YamlNode* value = given("within")) read_within(*value, entry.within_ms);
+    if (place_ == CheckPlace::kTask) {
+      refuse_within();
+    } else if (const YamlNode* value = given("within")) {
+      read_within(*value, entry.within_ms);
+    }
     if (given("topic") != nullptr) {
       read_topic(entry);
     } else if (given("log") != nullptr) {
@@ -133,7 +138,19 @@ class CheckReader {
       Diagnostic& wrong = binder_.error(
           "R2W0117", "`" + entry.key + "` does not belong to a check of " + std::string(kind),
           entry.key_range, "not with `" + names.front() + "`");
-      wrong.why.push_back("such a check has the keys " + all + ", `title` and `within`");
+      wrong.why.push_back(
+          "such a check has the keys " + all +
+          (place_ == CheckPlace::kTask ? " and `title`" : ", `title` and `within`"));
+      good_ = false;
+    }
+  }
+
+  void refuse_within() {
+    for (const YamlEntry& entry : node_.entries) {
+      if (entry.key != "within") continue;
+      Diagnostic& wrong = binder_.error("R2W0117", "`within` does not belong to a check of a task",
+                                        entry.key_range);
+      wrong.why.emplace_back("a student takes the time that the task needs: nothing fails there");
       good_ = false;
     }
   }
@@ -340,18 +357,19 @@ class CheckReader {
 
   Binder& binder_;
   const YamlNode& node_;
+  CheckPlace place_;
   bool good_ = true;
 };
 
 }  // namespace
 
-std::optional<CheckEntry> read_check(Binder& binder, const YamlNode& node) {
+std::optional<CheckEntry> read_check(Binder& binder, const YamlNode& node, CheckPlace place) {
   if (!binder.mapping(node, "a check", check_keys())) {
     binder.wrong_type(node, "an item of `checks`", "a check")
         .why.emplace_back("a check is a mapping, such as `{topic: /odom, above: 10 Hz}`");
     return std::nullopt;
   }
-  return CheckReader(binder, node).read();
+  return CheckReader(binder, node, place).read();
 }
 
 }  // namespace ros2wasm

@@ -219,6 +219,21 @@ std::string manifest_json(const Manifest& manifest) {
     }
     json.end_array();
   }
+  if (!manifest.tasks.empty()) {
+    json.key("tasks").begin_array();
+    for (const TaskEntry& task : manifest.tasks) {
+      json.begin_object();
+      write_task_texts(json, task);
+      json.key("checks").begin_array();
+      for (const CheckEntry& check : task.checks) {
+        json.begin_object();
+        write_check_aim(json, check);
+        json.end_object();
+      }
+      json.end_array().end_object();
+    }
+    json.end_array();
+  }
   for (const auto& [key, options] :
        {std::pair("ui", &manifest.ui), std::pair("site", &manifest.site)}) {
     json.key(key).begin_object();

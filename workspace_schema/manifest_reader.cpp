@@ -11,6 +11,7 @@
 #include "workspace_schema/manifest_citation.hpp"
 #include "workspace_schema/manifest_launch.hpp"
 #include "workspace_schema/manifest_python.hpp"
+#include "workspace_schema/manifest_tasks.hpp"
 #include "workspace_schema/match_spec.hpp"
 #include "workspace_schema/page_layout.hpp"
 #include "workspace_schema/page_origin.hpp"
@@ -70,6 +71,7 @@ const std::vector<KeyRow>& manifest_keys() {
       {"launch", {"nodes", "node", "run"}},
       {"programs", {"executables", "program"}},
       {"checks", {"check", "tests", "expect"}},
+      {"tasks", {"task", "exercises", "steps"}},
       {"ui", {"page"}},
       {"site", {"output"}},
   };
@@ -139,6 +141,7 @@ class Reader {
         if (auto check = read_check(binder_, item)) manifest_.checks.push_back(*std::move(check));
       });
     }
+    if (const YamlNode* node = given("tasks")) manifest_.tasks = read_tasks(binder_, *node);
     if (const YamlNode* node = given("ui")) {
       read_options(*node, "ui", ui_options(), {"layout", "notebook", "text", "bags"}, manifest_.ui);
       if (const YamlNode* layout = value_of(*node, "layout"))

@@ -14,6 +14,9 @@ namespace ros2wasm {
 /// Of the file that says what the others are made of. It is in no site as it is.
 inline constexpr std::string_view kComponentsRole = "components";
 
+/// The role of the script of a course's page, which is in no site.
+inline constexpr std::string_view kCourseScriptRole = "course_script";
+
 /// Reads and checks all files against their sizes and hashes. R2W0604 the list or a file is
 /// damaged.
 [[nodiscard]] Outcome<std::vector<RuntimeAsset>> read_runtime_assets(

@@ -150,6 +150,15 @@ Outcome<SitePlan> plan_site(PlanInput input) {
   } else {
     append(errors, checks.errors());
   }
+  for (TaskEntry task : input.manifest.tasks) {
+    auto named = site_checks(std::move(task.checks), input.nodes);
+    if (!named) {
+      append(errors, named.errors());
+      continue;
+    }
+    task.checks = std::move(named).value();
+    plan.tasks.push_back(std::move(task));
+  }
   std::move(input.more_nodes.begin(), input.more_nodes.end(), std::back_inserter(input.nodes));
   const bool has_python =
       input.notebook || std::any_of(input.nodes.begin(), input.nodes.end(), is_python);
@@ -159,7 +168,7 @@ Outcome<SitePlan> plan_site(PlanInput input) {
   const std::string& title = manifest.title.empty() ? manifest.name.value : manifest.title;
   plan.store = {.objects = input.store, .scripts = script_folder(input.runtime)};
   for (RuntimeAsset& asset : input.runtime) {
-    if (asset.role == kComponentsRole) continue;
+    if (asset.role == kComponentsRole || asset.role == kCourseScriptRole) continue;
     if (asset.role.starts_with(kHeadlessRoles) || (asset.role == kPythonRole && !has_python))
       continue;
     const bool evaluates = asset.role == kLaunchRole || asset.role == kLaunchScriptRole;

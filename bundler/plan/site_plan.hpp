@@ -80,6 +80,7 @@ struct SitePlan {
   std::vector<std::string> packages;    ///< that the programs' index of packages has, sorted
   std::vector<PlannedSource> sources;   ///< Python files of the workspace
   std::vector<CheckEntry> checks;       ///< in the manifest's order, with ids of nodes
+  std::vector<TaskEntry> tasks;         ///< the same
   std::vector<ChannelFile> channel;     ///< sorted by path; empty unless it was asked for
   std::string carried_page;             ///< the page of a site in one file, without the files
   SiteStore store = {};                 ///< that it shares with other sites

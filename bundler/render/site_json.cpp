@@ -26,6 +26,25 @@ void write_checks(JsonWriter& json, const std::vector<CheckEntry>& checks) {
   json.end_array();
 }
 
+/// Hints and solutions too: the page shows them when it is asked to.
+void write_tasks(JsonWriter& json, const std::vector<TaskEntry>& tasks) {
+  if (tasks.empty()) return;
+  json.key("tasks").begin_array();
+  for (const TaskEntry& task : tasks) {
+    json.begin_object();
+    write_task_texts(json, task);
+    json.key("checks").begin_array();
+    for (const CheckEntry& check : task.checks) {
+      json.begin_object();
+      write_check_aim(json, check);
+      write_site_source(json, check.span);
+      json.end_object();
+    }
+    json.end_array().end_object();
+  }
+  json.end_array();
+}
+
 void write_sources(JsonWriter& json, const std::vector<PlannedSource>& sources) {
   if (sources.empty()) return;
   json.key("sources").begin_object().field("archive", kWorkspaceArchive).key("files").begin_array();
@@ -160,6 +179,7 @@ std::string site_json(const Manifest& manifest, const SitePlan& plan) {
   json.end_array();
   write_sources(json, plan.sources);
   write_checks(json, plan.checks);
+  write_tasks(json, plan.tasks);
   if (plan.notebook) write_notebook(json, *plan.notebook);
   write_ui(json, plan, manifest);
   if (!plan.store.objects.empty()) {

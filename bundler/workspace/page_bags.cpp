@@ -77,6 +77,16 @@ Outcome<PageFiles> read_page_files(const fs::path& folder, const Manifest& manif
     if (text) files.text = std::move(*text);
     if (!text) append(problems, text.errors());
   }
+  auto images = read_task_images(folder, manifest.tasks);
+  if (!images) {
+    append(problems, images.errors());
+  } else {
+    for (PageFile& image : *images) {
+      const bool known = std::any_of(files.text.begin(), files.text.end(),
+                                     [&](const PageFile& one) { return one.path == image.path; });
+      if (!known) files.text.push_back(std::move(image));
+    }
+  }
   auto bags = read_page_bags(folder, manifest.ui_bags);
   if (bags) files.bags = std::move(*bags);
   if (!bags) append(problems, bags.errors());

@@ -188,6 +188,51 @@ void images_of_line(std::string_view text, std::vector<std::string>& found) {
   }
 }
 
+enum class Taken { kText, kImage };
+
+/// Files of the page, each once, together not too large.
+class FileTaker {
+ public:
+  /// `most` bytes of a text.
+  FileTaker(const fs::path& folder, std::size_t most) : folder_(folder), most_(most) {}
+
+  [[nodiscard]] const std::vector<PageFile>& files() const { return files_; }
+
+  /// R2W0118. `file` is what names it in the manifest.
+  std::optional<Diagnostic> take(const Spanned<std::string>& file, const fs::path& relative,
+                                 Taken what) {
+    const bool image = what == Taken::kImage;
+    const std::string path = relative.lexically_normal().generic_string();
+    if (leaves_folder(path)) return page_file_refused(file, path, kNotInFolder);
+    std::string ending = relative.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (image && std::find(kImages.begin(), kImages.end(), ending) == kImages.end())
+      return page_file_refused(file, path, "the page shows png, jpg, gif, svg and webp");
+    const auto known = std::any_of(files_.begin(), files_.end(),
+                                   [&](const PageFile& one) { return one.path == path; });
+    if (known) return std::nullopt;
+    const auto real = find_page_file(folder_, file, path);
+    if (!real) return real.errors().front();
+    std::error_code error;
+    if (size_ + fs::file_size(*real, error) > (image ? kMostBytes : most_))
+      return page_file_refused(file, path,
+                               image ? "the text and its images have more than 16 MiB together"
+                                     : "it has more than " + std::to_string(most_ >> 20) + " MiB");
+    auto bytes = read_file(*real, kMostOfData);
+    if (!bytes) return bytes.errors().front();
+    size_ += bytes->size();
+    files_.push_back({.path = path, .bytes = std::move(*bytes)});
+    return std::nullopt;
+  }
+
+ private:
+  const fs::path& folder_;
+  std::size_t most_;
+  std::size_t size_ = 0;
+  std::vector<PageFile> files_;
+};
+
 }  // namespace
 
 std::vector<std::string> markdown_images(std::string_view markdown) {
@@ -220,41 +265,18 @@ std::vector<std::string> markdown_images(std::string_view markdown) {
 Outcome<std::vector<PageFile>> read_with_images(const fs::path& folder,
                                                 const Spanned<std::string>& file, std::size_t most,
                                                 const ImagesOf& images_of) {
-  std::vector<PageFile> files;
-  std::size_t size = 0;
-  const auto take = [&](const fs::path& relative, bool image) -> std::optional<Diagnostic> {
-    const std::string path = relative.lexically_normal().generic_string();
-    if (leaves_folder(path)) return page_file_refused(file, path, kNotInFolder);
-    std::string ending = relative.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    if (image && std::find(kImages.begin(), kImages.end(), ending) == kImages.end())
-      return page_file_refused(file, path, "the page shows png, jpg, gif, svg and webp");
-    const auto known = std::any_of(files.begin(), files.end(),
-                                   [&](const PageFile& one) { return one.path == path; });
-    if (known) return std::nullopt;
-    const auto real = find_page_file(folder, file, path);
-    if (!real) return real.errors().front();
-    std::error_code error;
-    if (size + fs::file_size(*real, error) > (image ? kMostBytes : most))
-      return page_file_refused(file, path,
-                               image ? "the text and its images have more than 16 MiB together"
-                                     : "it has more than " + std::to_string(most >> 20) + " MiB");
-    auto bytes = read_file(*real, kMostOfData);
-    if (!bytes) return bytes.errors().front();
-    size += bytes->size();
-    files.push_back({.path = path, .bytes = std::move(*bytes)});
-    return std::nullopt;
-  };
-  if (auto problem = take(fs::path(file.value), false)) return *std::move(problem);
-  const fs::path beside = fs::path(files.front().path).parent_path();
+  FileTaker taker(folder, most);
+  if (auto problem = taker.take(file, fs::path(file.value), Taken::kText))
+    return *std::move(problem);
+  const fs::path beside = fs::path(taker.files().front().path).parent_path();
   Diagnostics problems;
-  const auto images = images_of(std::string(files.front().bytes));
+  const auto images = images_of(std::string(taker.files().front().bytes));
   if (!images) return images.errors();
   for (const std::string& image : *images)
-    if (auto problem = take(beside / fs::path(image), true)) problems.push_back(*problem);
+    if (auto problem = taker.take(file, beside / fs::path(image), Taken::kImage))
+      problems.push_back(*problem);
   if (!problems.empty()) return problems;
-  return files;
+  return taker.files();
 }
 
 Outcome<std::vector<PageFile>> read_page_text(const fs::path& folder,
@@ -262,6 +284,24 @@ Outcome<std::vector<PageFile>> read_page_text(const fs::path& folder,
   return read_with_images(folder, file, kMostText, [](const std::string& text) {
     return Outcome<std::vector<std::string>>(markdown_images(text));
   });
+}
+
+Outcome<std::vector<PageFile>> read_task_images(const fs::path& folder,
+                                                const std::vector<TaskEntry>& tasks) {
+  FileTaker taker(folder, kMostText);
+  Diagnostics problems;
+  for (const TaskEntry& task : tasks) {
+    for (const std::string* text : {&task.text, &task.hint, &task.solution}) {
+      for (const std::string& image : markdown_images(*text)) {
+        auto problem = taker.take(task.title, fs::path(image), Taken::kImage);
+        if (!problem) continue;
+        problem->label = "named in this task";
+        problems.push_back(*std::move(problem));
+      }
+    }
+  }
+  if (!problems.empty()) return problems;
+  return taker.files();
 }
 
 }  // namespace ros2wasm

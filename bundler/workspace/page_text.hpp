@@ -31,4 +31,9 @@ using ImagesOf = std::function<Outcome<std::vector<std::string>>(const std::stri
 [[nodiscard]] Outcome<std::vector<PageFile>> read_page_text(const std::filesystem::path& folder,
                                                             const Spanned<std::string>& file);
 
+/// The images that the texts of tasks name, relative to the manifest. R2W0118 as above. An edge:
+/// reads files.
+[[nodiscard]] Outcome<std::vector<PageFile>> read_task_images(const std::filesystem::path& folder,
+                                                              const std::vector<TaskEntry>& tasks);
+
 }  // namespace ros2wasm

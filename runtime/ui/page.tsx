@@ -42,6 +42,7 @@ export function Page({ session, store, offline, embed }: PageProps) {
   useEmbedHost(embed, session);
   useEmbedTheme(embed, store, session.site.ui['theme']);
   useNodeNews(session, announce);
+  useTaskNews(session, store, announce);
   // Also while no panel shows them: a topic opened later has its last message.
   useEffect(() => session.onTopics(() => undefined), [session]);
 
@@ -150,6 +151,21 @@ function useNodeNews(session: Session, announce: (text: string) => void): void {
         announce(texts.state.announceExit(node.label, node.state.code));
     }
   }, [nodes, announce]);
+}
+
+/** Keeps what is done of the tasks, and says it aloud, also while their panel is closed. The code comes with tasks only. */
+function useTaskNews(session: Session, store: Store | null, announce: (text: string) => void): void {
+  useEffect(() => {
+    if (session.tasks === undefined) return undefined;
+    let stop: (() => void) | null = () => undefined;
+    void import('./parts/task_desk.ts').then(({ taskDesk }) => {
+      if (stop !== null) stop = taskDesk(session, store).onNews(announce);
+    });
+    return () => {
+      stop?.();
+      stop = null;
+    };
+  }, [session, store, announce]);
 }
 
 /** Its code comes when it is first opened. */

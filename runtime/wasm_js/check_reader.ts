@@ -1,7 +1,8 @@
-// Checks the checks of site.json.
+// Checks the checks and the tasks of site.json.
 
 import type { CheckAim, Comparison, SiteCheck } from './site_checks.ts';
-import { fail, type Json, number, object, readSource, text } from './site_values.ts';
+import type { SiteTask, TaskCheck } from './site_tasks.ts';
+import { fail, type Json, list, number, object, readSource, text } from './site_values.ts';
 
 /** The manifest's reader took it; so does JavaScript. */
 function pattern(json: Json, key: string, what: string): string {
@@ -56,6 +57,23 @@ function readAim(json: Json, what: string): CheckAim {
 
 /** `ids`: of the site's nodes. */
 export function readCheck(value: unknown, what: string, ids: ReadonlySet<string>): SiteCheck {
+  return { ...readTaskCheck(value, what, ids), withinMs: number(object(value, what), 'within_ms', what) };
+}
+
+export function readTask(value: unknown, what: string, ids: ReadonlySet<string>): SiteTask {
+  const json = object(value, what);
+  const checks = list(json, 'checks', what, (item, where) => readTaskCheck(item, where, ids));
+  if (checks.length === 0) fail(`${what} has no checks`);
+  return {
+    title: text(json, 'title', what),
+    text: text(json, 'text', what, ''),
+    hint: text(json, 'hint', what, ''),
+    solution: text(json, 'solution', what, ''),
+    checks,
+  };
+}
+
+function readTaskCheck(value: unknown, what: string, ids: ReadonlySet<string>): TaskCheck {
   const json = object(value, what);
   const aim = readAim(json, what);
   if (aim.kind !== 'parameter' && 'node' in aim && aim.node !== undefined && !ids.has(aim.node)) {
@@ -65,7 +83,6 @@ export function readCheck(value: unknown, what: string, ids: ReadonlySet<string>
   return {
     title: text(json, 'title', what, ''),
     aim,
-    withinMs: number(json, 'within_ms', what),
     ...(source === undefined ? {} : { source }),
   };
 }

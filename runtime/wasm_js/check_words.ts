@@ -1,7 +1,8 @@
 // What a check looks for and what it saw, in words; and whether a value is what it must be. Pure.
 
 import { unreachable } from './session.ts';
-import type { CheckAim, Comparison, SiteCheck } from './site_checks.ts';
+import type { CheckAim, Comparison } from './site_checks.ts';
+import type { TaskCheck } from './site_tasks.ts';
 
 /** No text that comes from a node is shown or searched longer than this. */
 const longestShown = 200;
@@ -57,7 +58,7 @@ function aimWords(aim: CheckAim): string {
   }
 }
 
-export function checkTitle({ title, aim }: SiteCheck): string {
+export function checkTitle({ title, aim }: TaskCheck): string {
   return title === '' ? aimWords(aim) : title;
 }
 

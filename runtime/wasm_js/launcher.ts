@@ -133,6 +133,7 @@ export async function startSession(options: LaunchOptions = {}): Promise<Session
   if (graph !== null && graph !== '') await session.joinTabs(graph);
   // Before the first node starts, so that all that it says is seen. Fetched only for a site that has some.
   if (site.checks.length > 0) session.useChecks(await (await import('./check_run.ts')).runChecks(session));
+  const acting = site.tasks.length === 0 ? session : await withTasks(session);
   performance.mark('ros2wasm: nodes are told to start');
   let booted = Promise.resolve();
   if (named !== undefined) {
@@ -152,5 +153,12 @@ export async function startSession(options: LaunchOptions = {}): Promise<Session
   window.addEventListener('pagehide', (event) => {
     if (!event.persisted) session.close();
   });
-  return session;
+  return acting;
+}
+
+/** What the visitor does with the given session counts for the tasks; what the launch does, does not. */
+async function withTasks(session: SiteSession): Promise<Session> {
+  const [{ runTasks }, { actingSession }] = await Promise.all([import('./task_run.ts'), import('./acting_session.ts')]);
+  session.useTasks(await runTasks(session));
+  return actingSession(session);
 }

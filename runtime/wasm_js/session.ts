@@ -5,9 +5,11 @@ import type { NotebookKernel, SiteNotebook } from './notebook_kernel.ts';
 import type { GraphView, PageNode } from './page_node.ts';
 import type { SiteCheck, SiteChecks } from './site_checks.ts';
 import type { SiteSources, Sources } from './site_sources.ts';
+import type { SiteTask, SiteTasks } from './site_tasks.ts';
 
 export type { KernelEvent, KernelOrder, MimeBundle, NotebookKernel } from './notebook_kernel.ts';
 export type { CheckView, SiteChecks } from './site_checks.ts';
+export type { SiteTask, SiteTasks, TaskCheckView, TaskView } from './site_tasks.ts';
 export type { SourceKept, Sources, SourceView } from './site_sources.ts';
 export type * from './page_node.ts';
 
@@ -236,6 +238,8 @@ export interface SiteDescription {
   readonly sources?: SiteSources;
   /** What must be seen while it runs. */
   readonly checks: readonly SiteCheck[];
+  /** What a student is asked to do in it. */
+  readonly tasks: readonly SiteTask[];
   /** What the page's notebook needs; undefined: there is none. */
   readonly notebook?: SiteNotebook;
   readonly ui: Readonly<Record<string, unknown>>;
@@ -478,8 +482,12 @@ export interface Session {
   node(): PageNode;
   /** undefined: the site has none. They look from before the first node starts. */
   readonly checks: SiteChecks | undefined;
+  /** undefined: the site has none, or nobody could do them, as in a headless run. */
+  readonly tasks: SiteTasks | undefined;
   /** undefined: the site has none. */
   readonly sources: Sources | undefined;
+  /** The same session for what goes on by itself, such as a bag that plays; undefined: this one. */
+  readonly unattended?: Session;
   /** undefined: the site has no notebook. */
   readonly notebook: NotebookKernel | undefined;
   /** As it is now. */

@@ -1,7 +1,7 @@
 // Checks site.json: what comes from outside goes through here.
 
 import { protocolVersion } from '../protocol/generated/constants.ts';
-import { readCheck } from './check_reader.ts';
+import { readCheck, readTask } from './check_reader.ts';
 import type { SiteNotebook } from './notebook_kernel.ts';
 import { SiteError } from './site_error.ts';
 import { type FilePart, placesOf, readStore, type SiteStore } from './site_places.ts';
@@ -285,6 +285,7 @@ export function readSite(value: unknown): SiteDescription {
     packages: list(json, 'packages', 'site', (item) => (typeof item === 'string' ? item : fail('site.packages'))),
     ...(json['sources'] === undefined ? {} : { sources: readSources(json['sources']) }),
     checks: list(json, 'checks', 'site', (item, what) => readCheck(item, what, ids)),
+    tasks: list(json, 'tasks', 'site', (item, what) => readTask(item, what, ids)),
     ...(json['notebook'] === undefined ? {} : { notebook: readNotebook(json['notebook']) }),
     ui: object(json['ui'] ?? {}, 'site.ui'),
     embed: list(json, 'embed', 'site', (item) => (typeof item === 'string' ? item : fail('site.embed'))),

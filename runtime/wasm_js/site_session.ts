@@ -26,6 +26,7 @@ import {
 import { SourceFiles } from './source_files.ts';
 import { prefixOf, siteEnvironment, siteFiles } from './site_files.ts';
 import type { SiteChecks } from './site_checks.ts';
+import type { SiteTasks } from './site_tasks.ts';
 import { SiteTimeControl } from './site_time.ts';
 import { InputWriter } from './standard_input.ts';
 import type { SteppedTime } from './stepped_time.ts';
@@ -82,6 +83,7 @@ export class SiteSession implements Session {
   readonly sources: SourceFiles | undefined;
   private unwatchGraph: (() => void) | undefined;
   checks: (SiteChecks & { close(): void }) | undefined;
+  tasks: (SiteTasks & { close(): void }) | undefined;
   readonly notebook: SiteKernel | undefined;
   readonly written = new WrittenFiles();
   private nodesTold = true;
@@ -266,6 +268,11 @@ export class SiteSession implements Session {
   /** They are closed with the session. */
   useChecks(checks: SiteChecks & { close(): void }): void {
     this.checks = checks;
+  }
+
+  /** As checks are. */
+  useTasks(tasks: SiteTasks & { close(): void }): void {
+    this.tasks = tasks;
   }
 
   /** `but`: further ones that are taken. */
@@ -471,7 +478,7 @@ export class SiteSession implements Session {
 
   /** When a node goes: what it published last stays with the topic. */
   private lookAtTopics(): void {
-    if (this.sampling !== undefined || this.checks !== undefined) this.sampler.sample(this.now());
+    if (this.sampling !== undefined || this.checks !== undefined || this.tasks !== undefined) this.sampler.sample(this.now());
   }
 
   private stopSampling(): void {
@@ -568,6 +575,7 @@ export class SiteSession implements Session {
     if (this.closed) return;
     this.closed = true;
     this.checks?.close();
+    this.tasks?.close();
     this.stopSampling();
     this.steps.close();
     this.time.close();

@@ -38,6 +38,9 @@ launch: all.launch.xml
 checks:
   - {title: Odometry comes often enough, topic: /odom, above: 5 Hz}
   - {title: The turtle tells where it is, topic: /turtle1/pose}
+tasks:
+  - {title: Listen, hint: It comes by itself., checks: [{topic: /odom}]}
+  - {title: Wait for ever, checks: [{topic: /nowhere}]}
 ui:
   text: lab.md
   notebook: lab.ipynb

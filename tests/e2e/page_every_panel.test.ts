@@ -131,6 +131,13 @@ const kShown: Readonly<Record<keyof typeof texts.panels, Shown>> = {
     seen: (panel) => panel.getByRole('img', { name: 'States of /odom.header.frame_id, now odom' }).waitFor(),
   },
   checks: { seen: (panel) => text(panel, '2 of 2 checks passed') },
+  tasks: {
+    async act(panel) {
+      await panel.getByRole('button', { name: 'Show hint: Listen' }).click();
+      await text(panel, 'It comes by itself.');
+    },
+    seen: (panel) => text(panel, /[01] of 2 tasks done/),
+  },
   publish: {
     state: { topic: '/turtle1/cmd_vel', type: 'geometry_msgs/msg/Twist', message: '{linear: {x: 0.0}, angular: {z: 0.5}}' },
     async act(panel) {

@@ -6,7 +6,7 @@ import type { GraphEndpointView, GraphNodeView, GraphView } from '../../runtime/
 import type { Sample } from '../unit/wasm_js/graph_peer.ts';
 import type { PagePublisher } from '../../runtime/wasm_js/session.ts';
 import { mountPage } from '../../runtime/ui/mount.tsx';
-import { FakeChecks, type FakeOptions, FakeSession, stringBytes } from '../unit/ui/fake_session.ts';
+import { FakeChecks, type FakeOptions, FakeSession, FakeTasks, stringBytes } from '../unit/ui/fake_session.ts';
 
 const kInterfaces = new Map([
   ['std_msgs/msg/String', 'string data\n'],
@@ -462,6 +462,28 @@ const kScenes: Readonly<Record<string, () => FakeSession | Promise<FakeSession>>
       { title: '/topic above 1 Hz', state: 'passed', seen: '2 Hz', afterMs: 1250, withinMs: 10_000, source: { file: 'workspace.yaml', line: 12, column: 5 } },
       { title: kHostile, state: 'failed', seen: kHostile, afterMs: 5000, withinMs: 5000 },
       { title: 'listener prints /I heard/', state: 'waiting', seen: 'no line', withinMs: 20_000 },
+    ]);
+    return fake;
+  },
+  /** A lab with tasks, beside a console. `tasks` of the page are set by a test. */
+  tasks: () => {
+    const aim = { kind: 'rate', topic: '/topic' } as const;
+    const fake = new FakeSession({
+      nodes: [{ executable: 'talker' }, { executable: 'listener' }],
+      interfaces: kInterfaces,
+      tasks: [
+        { title: 'Drive the turtle', text: 'Pass **x = 9**. [Start](ros2wasm:start?node=talker)', hint: 'Use *Teleop*.', solution: '`ros2 topic pub`', checks: [{ title: '', aim }, { title: '', aim }] },
+        { title: kHostile, text: kHostile, hint: '', solution: kHostile, checks: [{ title: '', aim }] },
+        { title: 'Stop it', text: '', hint: '', solution: '', checks: [{ title: '', aim }] },
+      ],
+    });
+    fake.tasks = new FakeTasks([
+      { title: 'Drive the turtle', done: false, checks: [
+        { title: '/turtle1/pose: x is above 9', state: 'open', seen: 'no message', source: { file: 'workspace.yaml', line: 12, column: 5 } },
+        { title: '/topic above 1 Hz', state: 'already', seen: '2 Hz' },
+      ] },
+      { title: kHostile, done: false, checks: [{ title: kHostile, state: 'open', seen: kHostile }] },
+      { title: 'Stop it', done: false, checks: [{ title: 'talker ends', state: 'open', seen: 'it runs' }] },
     ]);
     return fake;
   },

@@ -30,8 +30,8 @@ COMMAND_DOORS = {"session.ts", "site_error.ts", "launch_arguments.ts", "qos_view
 HEADLESS_MAINS = {"runtime/ros2cli/headless_main.ts", "runtime/ros2cli/headless_run_main.ts"}
 # The bus looks into no message: of the layer that does it uses the rules of names only.
 DECODE_DOORS = {"ros_names.ts"}
-# Except for what decides a site's checks, which is beside the bus and loaded for sites that have some.
-MESSAGE_READERS = {"check_looks.ts", "check_run.ts"}
+# Except for what decides a site's checks and tasks, which is beside the bus and loaded for sites that have some.
+MESSAGE_READERS = {"check_looks.ts", "check_run.ts", "task_run.ts"}
 NATIVE_INCLUDE = re.compile(r'^\s*#\s*include\s*"((?:cli|bundler|workspace_schema)/[^"]+)"', re.MULTILINE)
 SCRIPT_IMPORT = re.compile(r"""(?:from|import)\s*\(?\s*['"](\.{1,2}/[^'"]+)['"]""")
 

@@ -153,6 +153,16 @@ export const panels: readonly PanelRow[] = [
     source: { kind: 'lazy', load: () => import('./text.tsx').then((file) => file.TextPanel) },
   },
   {
+    id: 'tasks',
+    title: texts.panels.tasks,
+    icon: 'check',
+    group: 'files',
+    watched: true,
+    fits: (site) => site.tasks.length > 0,
+    usual: { place: 'guide', when: (site) => site.tasks.length > 0 },
+    source: { kind: 'lazy', load: () => import('./tasks.tsx').then((file) => file.TasksPanel) },
+  },
+  {
     id: 'notebook',
     title: texts.panels.notebook,
     icon: 'notebook',

@@ -135,6 +135,7 @@ export function TerminalPanel({ session, announce, open, state, store, justAdded
   useEffect(() => void shell.current?.look().catch(() => undefined), []);
 
   const run = async (typed: string): Promise<void> => {
+    session.tasks?.acted();
     const abort = new AbortController();
     print(`${prompt} ${typed}`);
     current.current = abort;

@@ -185,7 +185,7 @@ export class BagDesk {
     try {
       const opened = await this.open(bag);
       if (this.loaded !== bag) return undefined;
-      this.player = new BagPlayer(this.session, opened, this.changed);
+      this.player = new BagPlayer(this.session.unattended ?? this.session, opened, this.changed);
       this.changed();
     } catch (error) {
       if (this.loaded !== bag) return undefined;

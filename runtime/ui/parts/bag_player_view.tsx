@@ -59,6 +59,7 @@ export function BagPlayerView({ session, player, options, change, announce }: Ba
           onClick={() => {
             if (playing) player.pause();
             else player.play();
+            session.tasks?.acted();
             change({ play: !playing });
           }}
         />

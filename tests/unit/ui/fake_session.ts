@@ -31,6 +31,7 @@ import type {
   Unsubscribe,
 } from '../../../runtime/wasm_js/session.ts';
 import type { CheckView, SiteChecks } from '../../../runtime/wasm_js/site_checks.ts';
+import type { SiteTasks, TaskView } from '../../../runtime/wasm_js/site_tasks.ts';
 import { WrittenFiles } from '../../../runtime/wasm_js/written_files.ts';
 
 /** Checks that a test decides. */
@@ -65,6 +66,39 @@ export class FakeChecks implements SiteChecks {
   }
 }
 
+/** Tasks as a test sets them. */
+export class FakeTasks implements SiteTasks {
+  private shown: readonly TaskView[];
+  private acts = false;
+  private readonly listeners = new Set<(views: readonly TaskView[]) => void>();
+
+  constructor(views: readonly TaskView[]) {
+    this.shown = views;
+  }
+
+  views(): readonly TaskView[] {
+    return this.shown;
+  }
+
+  begun(): boolean {
+    return this.acts;
+  }
+
+  acted(): void {
+    this.acts = true;
+  }
+
+  onChange(listener: (views: readonly TaskView[]) => void): Unsubscribe {
+    this.listeners.add(listener);
+    return () => this.listeners.delete(listener);
+  }
+
+  set(views: readonly TaskView[]): void {
+    this.shown = views;
+    for (const listener of this.listeners) listener(views);
+  }
+}
+
 export interface FakeNode {
   readonly executable: string;
   readonly label?: string;
@@ -82,6 +116,7 @@ export interface FakeOptions {
   readonly embed?: readonly string[];
   readonly ui?: Readonly<Record<string, unknown>>;
   readonly checks?: SiteDescription['checks'];
+  readonly tasks?: SiteDescription['tasks'];
   /** Path of the notebook in the site. */
   readonly notebook?: string;
   /** That no node runs. */
@@ -231,6 +266,7 @@ export class FakeSession implements Session {
   readonly time = new FakeTime();
   readonly notebook: FakeKernel | undefined;
   checks: SiteChecks | undefined;
+  tasks: SiteTasks | undefined;
   readonly stepped = undefined;
   readonly written = new WrittenFiles();
   sources: Sources | undefined;
@@ -291,6 +327,7 @@ export class FakeSession implements Session {
       nodes,
       programs: options.programs ?? [],
       checks: options.checks ?? [],
+      tasks: options.tasks ?? [],
       launchSteps: options.launchSteps ?? [],
       packages: [], interfaces: 'interfaces.json',
       ...(options.notebook === undefined ? {} : { notebook: { file: options.notebook, program: 'pyodide/pyodide.asm.wasm', archives: [] } }),

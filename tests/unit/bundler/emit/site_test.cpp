@@ -174,6 +174,38 @@ TEST(SitePlan, SiteJsonHasTheChecks) {
   EXPECT_EQ(refused.errors().front().code, "R2W0430");
 }
 
+TEST(SitePlan, SiteJsonHasTheTasks) {
+  Manifest lab = manifest();
+  lab.tasks = {{.span = {},
+                .title = {.value = "Listen", .span = {}},
+                .text = "To **it**.",
+                .checks = {{.span = {.file = "/lab/workspace.yaml", .line = 9, .column = 3},
+                            .title = {},
+                            .what = ExitCheck{.node = {.value = "talker", .span = {}}}}},
+                .hint = {},
+                .solution = "`ros2`"}};
+  const PlanInput input{.manifest = lab,
+                        .nodes = {launched("talker-1", "talker")},
+                        .programs = {{"/built/talker.wasm", program(false)}},
+                        .names = {},
+                        .runtime = {},
+                        .interfaces = {}};
+  const auto plan = plan_site(input);
+  ASSERT_TRUE(plan);
+  EXPECT_NE(
+      file_of(*plan, "site.json")
+          ->bytes.find(R"("tasks":[{"title":"Listen","text":"To **it**.","solution":"`ros2`",)"
+                       R"("checks":[{"kind":"exit_code","node":"talker-1","exit_code":0,)"
+                       R"("source":{"file":"workspace.yaml","line":9,"column":3}}]}],"ui":)"),
+      std::string::npos);
+  EXPECT_EQ(file_of(plan_of(), "site.json")->bytes.find("\"tasks\""), std::string::npos);
+  // The plan's input refers to the manifest.
+  std::get<ExitCheck>(lab.tasks.front().checks.front().what).node.value = "nobody";
+  const auto refused = plan_site(input);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.errors().front().code, "R2W0430");
+}
+
 TEST(PageHtml, HasTheTitleAndHintsAndNothingUnescaped) {
   const std::string page = "<head><title>ros2wasm</title></head><body></body>";
   EXPECT_EQ(page_html(page, "A & <b>", "auto", {"programs/demo/talker.wasm"}),

@@ -1,0 +1,31 @@
+// Words of the tasks of a lab. They come with the panel.
+
+export const taskTexts = {
+  none: 'This workspace asks for nothing. Its manifest can, under \u201ctasks\u201d.',
+  doneOf: (done: number, all: number): string => `${done} of ${all} tasks done`,
+  number: (number: number): string => `Task ${number}: `,
+  done: 'Done',
+  doneAt: (when: string): string => `Done, ${when}`,
+  open: 'Open',
+  nowDone: (title: string): string => `Task done: ${title}`,
+  passed: 'Seen',
+  already: 'Already so before you began',
+  waiting: 'Not seen yet',
+  seen: (words: string): string => `Seen: ${words}`,
+  earlier: 'Seen at an earlier visit',
+  checks: (title: string): string => `What is looked for: ${title}`,
+  showHint: 'Show hint',
+  hideHint: 'Hide hint',
+  showSolution: 'Show solution',
+  hideSolution: 'Hide solution',
+  /** For those who hear which task a button belongs to. */
+  of: (button: string, title: string): string => `${button}: ${title}`,
+  hint: 'Hint',
+  solution: 'Solution',
+  begin: 'What you do counts from your first step: a command, a key that drives, a parameter, a changed source, a start or a stop.',
+  forget: 'Forget what was done here',
+  reallyForget: 'All tasks of this lab will be open again, in this browser.',
+  forgetNow: 'Forget it',
+  keepIt: 'Keep it',
+  forgotten: 'All tasks are open again.',
+} as const;

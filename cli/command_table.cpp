@@ -12,6 +12,7 @@ CommandBody channel_command(Arguments& arguments);
 CommandBody check_command(Arguments& arguments);
 CommandBody diff_command(Arguments& arguments);
 CommandBody explain_command(Arguments& arguments);
+CommandBody grade_command(Arguments& arguments);
 CommandBody inspect_command(Arguments& arguments);
 CommandBody init_command(Arguments& arguments);
 CommandBody compile_source_command(Arguments& arguments);
@@ -59,6 +60,9 @@ constexpr auto kCommands = std::to_array<CommandRow>({
      .help = "Check every byte of a site against its list of hashes",
      .declare = verify_command},
     {.name = "diff", .help = "Say what differs between two sites", .declare = diff_command},
+    {.name = "grade",
+     .help = "Show what students have handed in, and check that it was not changed",
+     .declare = grade_command},
     {.name = "rebuild",
      .help = "Make a site once more from what it carries, and compare",
      .declare = rebuild_command},

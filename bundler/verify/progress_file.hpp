@@ -1,0 +1,61 @@
+// What a student hands in: which tasks of which labs are done, signed by a key of the student's
+// browser (runtime/ui/model/progress_file.ts writes it). Pure; the text is anybody's.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "workspace_schema/outcome.hpp"
+
+namespace ros2wasm {
+
+/// Bytes; a course of a hundred labs has less.
+inline constexpr std::uint64_t kMostOfProgressFile = std::uint64_t{4} << 20U;
+
+/// Times are ISO 8601 in UTC by the student's clock; empty: it did not happen.
+struct HandedTask {
+  std::string title;
+  std::string done_at;
+  std::string hint_at;
+  std::string solution_at;
+};
+
+struct HandedLab {
+  std::string title;
+  std::string sha256;  ///< of the site, at the export
+  std::vector<HandedTask> tasks;
+};
+
+struct ProgressFile {
+  std::string student;  ///< as typed; one line without control characters, as all texts here
+  std::string exported_at;
+  std::string course;  ///< its title; empty: handed in from the page of one lab
+  std::vector<HandedLab> labs;
+  std::string key;  ///< the first 16 hex digits of the sha256 of the browser's public key
+};
+
+/// R2W0670 not such a file, R2W0671 it was changed after it was signed.
+[[nodiscard]] Outcome<ProgressFile> read_progress_file(std::string_view text,
+                                                       const std::string& shown);
+
+/// What a site asks for: titles of its tasks.
+struct AskedTasks {
+  std::string sha256;
+  std::vector<std::string> titles;
+};
+
+/// `site_json` must be one that read_site_list() takes. R2W0605.
+[[nodiscard]] Outcome<AskedTasks> asked_tasks(std::string_view site_json, const std::string& shown);
+
+/// R2W0672 a lab of the file is none of these sites, or has other tasks.
+[[nodiscard]] Diagnostics check_progress(const ProgressFile& file,
+                                         const std::vector<AskedTasks>& sites,
+                                         const std::string& shown);
+
+/// One row for each task, below a head: for a spreadsheet, which takes no text of it for a formula.
+[[nodiscard]] std::string progress_csv_head();
+[[nodiscard]] std::string progress_csv(const ProgressFile& file, const std::string& shown);
+
+}  // namespace ros2wasm

@@ -1,0 +1,110 @@
+// Files that students hand in, whole and hostile. What the page writes:
+// tests/unit/ui/progress_file.test.ts.
+#include "bundler/verify/progress_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include "bundler/io/base64.hpp"
+#include "bundler/io/ed25519.hpp"
+#include "bundler/io/sha256.hpp"
+#include "workspace_schema/json_writer.hpp"
+
+namespace ros2wasm {
+namespace {
+
+const std::string kHash(64, 'a');
+const std::string kRecord =
+    R"({"student":"Ada","exported_at":"2026-11-28T09:00:00.000Z","course":"Robots","labs":[)"
+    R"({"title":"Drive","sha256":")" +
+    kHash +
+    R"(","tasks":[{"title":"=A1","done_at":"2026-11-28T08:00:00Z","hint_at":"2026-11-28T07:59:00.5Z"}]}]})";
+
+std::string signed_file(const std::string& record, const std::string& change = {}) {
+  const std::string seed(32, 's');
+  const std::string public_key = ed25519_public(seed + std::string(32, '\0'));
+  const std::string signature = ed25519_sign("ros2wasm progress 1\n" + record, seed + public_key);
+  JsonWriter json;
+  json.begin_object().field("format", "ros2wasm progress").field_integer("schema", 1);
+  json.field("record", record + change).field("key", base64(public_key));
+  json.field("signature", base64(signature)).end_object();
+  return json.text();
+}
+
+std::string good_record() {
+  std::string record = kRecord;
+  return record.replace(record.find("07:59:00.5Z"), 11, "07:59:00.500Z");
+}
+
+std::string refused(const std::string& text) {
+  const auto file = read_progress_file(text, "ada.json");
+  return file ? "" : file.errors().front().code;
+}
+
+TEST(ProgressFile, IsReadWithItsKey) {
+  const auto file = read_progress_file(signed_file(good_record()), "ada.json");
+  ASSERT_TRUE(file);
+  EXPECT_EQ(file->student, "Ada");
+  EXPECT_EQ(file->course, "Robots");
+  EXPECT_EQ(file->key.size(), 16U);
+  ASSERT_EQ(file->labs.size(), 1U);
+  EXPECT_EQ(file->labs.front().tasks.front().done_at, "2026-11-28T08:00:00Z");
+  EXPECT_EQ(file->labs.front().tasks.front().solution_at, "");
+}
+
+TEST(ProgressFile, OneOtherByteAndItIsRefused) {
+  EXPECT_EQ(refused(signed_file(good_record(), " ")), "R2W0671");
+  std::string other = signed_file(good_record());
+  other.replace(other.find("Ada"), 3, "Bob");
+  EXPECT_EQ(refused(other), "R2W0671");
+}
+
+TEST(ProgressFile, WhatIsNoneIsRefused) {
+  EXPECT_EQ(refused(""), "R2W0670");
+  EXPECT_EQ(refused("[]"), "R2W0670");
+  EXPECT_EQ(refused(std::string(100'000, '[')), "R2W0670");
+  EXPECT_EQ(refused(R"({"format":"ros2wasm progress","schema":2})"), "R2W0670");
+  EXPECT_EQ(
+      refused(
+          R"({"format":"ros2wasm progress","schema":1,"record":"{}","key":"AA==","signature":""})"),
+      "R2W0670");
+  // Signed, but not of the page's form.
+  EXPECT_EQ(refused(signed_file(kRecord)), "R2W0670") << "a fraction of one digit";
+  for (const auto& [from, to] :
+       {std::pair("\"Ada\"", "\"A\\u001b[2Jda\""), std::pair("\"Ada\"", "\"\""),
+        std::pair("\"Ada\"", "7"), std::pair("\"Ada\"", "\"A\\u009bda\""),
+        std::pair("\"labs\"", "\"lab\""), std::pair("aaaaaaaa", "xyz"),
+        std::pair("2026-11-28T08", "yesterday!!!!")}) {
+    std::string record = good_record();
+    record.replace(record.find(from), std::string_view(from).size(), to);
+    EXPECT_EQ(refused(signed_file(record)), "R2W0670") << to;
+  }
+}
+
+TEST(ProgressFile, IsComparedWithSites) {
+  const auto file = read_progress_file(signed_file(good_record()), "ada.json");
+  ASSERT_TRUE(file);
+  EXPECT_TRUE(check_progress(*file, {{.sha256 = kHash, .titles = {"=A1"}}}, "ada.json").empty());
+  for (const AskedTasks& site : {AskedTasks{.sha256 = std::string(64, 'b'), .titles = {"=A1"}},
+                                 AskedTasks{.sha256 = kHash, .titles = {"=A1", "more"}}}) {
+    const Diagnostics faults = check_progress(*file, {site}, "ada.json");
+    ASSERT_EQ(faults.size(), 1U);
+    EXPECT_EQ(faults.front().code, "R2W0672");
+  }
+  const std::string site = R"({"generator":"ros2wasm","tasks":[{"title":"=A1"}]})";
+  const auto asked = asked_tasks(site, "site.json");
+  ASSERT_TRUE(asked);
+  EXPECT_EQ(asked->sha256, sha256_hex(site));
+  EXPECT_EQ(asked->titles, std::vector<std::string>{"=A1"});
+}
+
+TEST(ProgressFile, NoCellIsAFormula) {
+  const auto file = read_progress_file(signed_file(good_record()), "-ada.json");
+  ASSERT_TRUE(file);
+  EXPECT_EQ(progress_csv(*file, "-\"ada\".json"),
+            "\"Ada\",\"Robots\",\"Drive\",\"'=A1\",\"2026-11-28T08:00:00Z\","
+            "\"2026-11-28T07:59:00.500Z\",\"\",\"2026-11-28T09:00:00.000Z\",\"" +
+                file->key + "\",\"" + kHash + "\",\"'-\"\"ada\"\".json\"\n");
+}
+
+}  // namespace
+}  // namespace ros2wasm

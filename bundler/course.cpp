@@ -10,6 +10,8 @@
 #include "bundler/emit/zip_output.hpp"
 #include "bundler/io/file_lock.hpp"
 #include "bundler/io/files.hpp"
+#include "bundler/io/installation.hpp"
+#include "bundler/plan/runtime_assets.hpp"
 #include "bundler/render/own_site.hpp"
 #include "bundler/verify/site_list.hpp"
 #include "workspace_schema/course.hpp"
@@ -34,6 +36,23 @@ std::optional<Diagnostic> refuse_course(const fs::path& folder) {
       .message = "`" + folder.string() + "` exists and is not a course made by ros2wasm",
       .why = {"it has no course.json of ours"},
       .fix = {"choose another place with -o"}};
+}
+
+std::vector<std::string> titles_of(const std::vector<TaskEntry>& tasks) {
+  std::vector<std::string> titles;
+  for (const TaskEntry& task : tasks) titles.push_back(task.title.value);
+  return titles;
+}
+
+Outcome<std::string> course_script(const fs::path& executable) {
+  const auto list =
+      find_own_data(executable, "runtime/runtime_assets.json", "the runtime of sites");
+  if (!list) return list.errors();
+  const auto assets = read_runtime_assets(*list);
+  if (!assets) return assets.errors();
+  for (const RuntimeAsset& asset : *assets)
+    if (asset.role == kCourseScriptRole) return asset.bytes;
+  return std::string();
 }
 
 /// Of the site's own list; the workspace's title, which is never empty.
@@ -181,10 +200,13 @@ Outcome<CourseReport> pack_into(const CourseRequest& request, const Course& cour
     report.labs.push_back({.name = lab.name,
                            .title = lab.title.empty() ? title_of(packed->plan) : lab.title,
                            .description = lab.description,
-                           .sha256 = packed->plan.sha256});
+                           .sha256 = packed->plan.sha256,
+                           .tasks = titles_of(packed->plan.tasks)});
   }
   if (!errors.empty()) return errors;
-  const std::vector<PlannedFile> own = course_files(course, report.labs);
+  const auto script = course_script(request.pack.executable);
+  if (!script) return script.errors();
+  const std::vector<PlannedFile> own = course_files(course, report.labs, *script);
   report.sha256 = own.back().sha256;
   if (request.pack.plan_only) return report;
   for (const PlannedFile& file : own) {

@@ -48,6 +48,7 @@ const rows = [
   { file: 'icon.svg', from: 'runtime/ui/icon.svg', kind: 'copy', role: 'icon' },
   { file: 'start.js', from: 'runtime/ui/start.ts', kind: 'modules', role: 'script' },
   { file: 'boot.js', from: 'runtime/ui/boot.ts', kind: 'classic', role: 'script' },
+  { file: 'course.js', from: 'runtime/ui/course.ts', kind: 'classic', role: 'course_script' },
   { file: 'node_worker.js', from: 'runtime/wasm_js/node_worker_main.ts', kind: 'classic', role: 'worker' },
   { file: 'python_worker.js', from: 'runtime/wasm_js/python_worker_main.ts', kind: 'classic', role: 'python_worker' },
   { file: 'service_worker.js', from: 'runtime/wasm_js/service_worker.ts', kind: 'classic', role: 'service_worker' },

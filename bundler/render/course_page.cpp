@@ -1,6 +1,7 @@
 // See course_page.hpp.
 #include "bundler/render/course_page.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "bundler/io/sha256.hpp"
@@ -16,6 +17,7 @@ namespace {
 constexpr int kCourseSchema = 1;
 constexpr const char* kPage = "index.html";
 constexpr const char* kStyle = "course.css";
+constexpr const char* kScript = "course.js";
 
 constexpr std::string_view kHead =
     R"(<!doctype html>
@@ -24,7 +26,9 @@ constexpr std::string_view kHead =
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <meta name="color-scheme" content="light dark">
-<meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'self'; base-uri 'none'; form-action 'none'">
+<meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'self'; )";
+constexpr std::string_view kScriptPolicy = "script-src 'self'; ";
+constexpr std::string_view kPolicyEnd = R"(base-uri 'none'; form-action 'none'">
 )";
 
 constexpr std::string_view kSheet = R"(:root { color-scheme: light dark; }
@@ -37,9 +41,16 @@ ol { padding-left: 1.5rem; }
 li { margin: 1rem 0; }
 li p { margin: 0.25rem 0 0; }
 a { color: #0b57b5; font-weight: 600; }
+.progress { color: #535e6e; font-size: 0.875rem; }
+.done .progress { color: #12703b; }
+.hand-in { margin-top: 2rem; padding-top: 1rem; border-top: 1px solid #7f8a99; }
+.hand-in input, .hand-in button { display: block; margin-top: 0.25rem; padding: 0.25rem 0.5rem; font: inherit; }
+.hand-in input { width: 100%; box-sizing: border-box; }
 @media (prefers-color-scheme: dark) {
   body { color: #dfe5ee; background: #0e1116; }
   a { color: #7db4ff; }
+  .progress { color: #a3aebd; }
+  .done .progress { color: #63d696; }
 }
 )";
 
@@ -57,18 +68,38 @@ std::string paragraphs(std::string_view text) {
   return html;
 }
 
+bool has_tasks(const std::vector<PackedLab>& labs) {
+  return std::any_of(labs.begin(), labs.end(),
+                     [](const PackedLab& lab) { return !lab.tasks.empty(); });
+}
+
+/// What course.js reads: the lab's folder and site, and its tasks as a list in JSON.
+std::string task_data(const PackedLab& lab) {
+  JsonWriter titles;
+  titles.begin_array();
+  for (const std::string& title : lab.tasks) titles.string(title);
+  titles.end_array();
+  return " data-lab=\"" + html_text(lab.name) + "\" data-sha256=\"" + html_text(lab.sha256) +
+         "\" data-tasks=\"" + html_text(titles.text()) + "\"";
+}
+
 std::string page_of(const Course& course, const std::vector<PackedLab>& labs) {
   std::string html(kHead);
+  if (has_tasks(labs)) html += kScriptPolicy;
+  html += kPolicyEnd;
   html += "<title>" + html_text(course.title) + "</title>\n";
   html +=
       "<link rel=\"stylesheet\" href=\"" + std::string(kStyle) + "\">\n</head>\n<body>\n<main>\n";
   html += "<h1>" + html_text(course.title) + "</h1>\n" + paragraphs(course.text) + "<ol>\n";
   for (const PackedLab& lab : labs) {
     // To a page and not to a folder: some hosts list folders.
-    html += "<li><a href=\"" + html_text(lab.name) + "/index.html\">" + html_text(lab.title) +
+    html += lab.tasks.empty() ? "<li>" : "<li" + task_data(lab) + ">";
+    html += "<a href=\"" + html_text(lab.name) + "/index.html\">" + html_text(lab.title) +
             "</a>\n" + paragraphs(lab.description) + "</li>\n";
   }
-  return html + "</ol>\n</main>\n</body>\n</html>\n";
+  html += "</ol>\n</main>\n";
+  if (has_tasks(labs)) html += "<script src=\"" + std::string(kScript) + "\"></script>\n";
+  return html + "</body>\n</html>\n";
 }
 
 PlannedFile file(const char* path, const char* reason, std::string bytes) {
@@ -85,10 +116,12 @@ Diagnostic no_course(const std::string& shown, std::string why) {
 
 }  // namespace
 
-std::vector<PlannedFile> course_files(const Course& course, const std::vector<PackedLab>& labs) {
+std::vector<PlannedFile> course_files(const Course& course, const std::vector<PackedLab>& labs,
+                                      const std::string& script) {
   std::vector<PlannedFile> files;
   files.push_back(file(kStyle, "looks of the list", std::string(kSheet)));
   files.push_back(file(kPage, "list of the labs", page_of(course, labs)));
+  if (has_tasks(labs)) files.push_back(file(kScript, "what is done of the labs' tasks", script));
   JsonWriter json;
   json.begin_object().field_integer("schema", kCourseSchema);
   json.field("generator", std::string(kSiteGenerator) + " " ROS2WASM_VERSION);
@@ -96,7 +129,9 @@ std::vector<PlannedFile> course_files(const Course& course, const std::vector<Pa
   json.key("labs").begin_array();
   for (const PackedLab& lab : labs) {
     json.begin_object().field("name", lab.name).field("title", lab.title);
-    json.field("description", lab.description).field("sha256", lab.sha256).end_object();
+    json.field("description", lab.description).field("sha256", lab.sha256);
+    if (!lab.tasks.empty()) json.key("tasks").unsigned_integer(lab.tasks.size());
+    json.end_object();
   }
   json.end_array().key("files").begin_array();
   for (const PlannedFile& one : files) {

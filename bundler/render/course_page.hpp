@@ -18,12 +18,15 @@ struct PackedLab {
   std::string name;
   std::string title;
   std::string description;
-  std::string sha256;  ///< of its site
+  std::string sha256;                   ///< of its site
+  std::vector<std::string> tasks = {};  ///< titles of what it asks for
 };
 
-/// index.html and course.css, and course.json, which lists those and the labs, at the end.
+/// index.html and course.css, when a lab has tasks also course.js (these bytes), and course.json,
+/// which lists those and the labs, at the end.
 [[nodiscard]] std::vector<PlannedFile> course_files(const Course& course,
-                                                    const std::vector<PackedLab>& labs);
+                                                    const std::vector<PackedLab>& labs,
+                                                    const std::string& script);
 
 struct CourseList {
   std::string hash;  ///< sha256 of course.json: of all labs by their hashes

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { type Browser, chromium } from 'playwright-core';
+import { type Browser, chromium, type Locator } from 'playwright-core';
 import { chromiumOptions } from './chromium.ts';
 import { PackWorkspace } from './pack_workspace.ts';
 import { withTabs } from './site_tabs.ts';
@@ -69,6 +69,32 @@ test('each link of the lab sheet acts', watchdog, () =>
     await click('the odometer');
     await page.locator('.panel-source').getByText('class Odometer').waitFor();
 
+    await click('the tasks');
+    await page.locator('.panel-tasks .task').nth(2).waitFor();
+
     // None is left out.
     assert.deepEqual(clicked.toSorted(), (await sheet.getByRole('button').allTextContents()).toSorted());
+  }));
+
+test('each task is open at first, and its solution does it', watchdog, () =>
+  withTabs(browser, join(workspace.root, 'site'), 'shared', async (open) => {
+    const layout = { row: ['tasks', { column: ['terminal', 'source'] }] };
+    const page = await open(`#layout=${encodeURIComponent(JSON.stringify(layout))}`);
+    page.setDefaultTimeout(120_000);
+    const task = (title: string): Locator => page.locator('.task', { hasText: title });
+    await page.getByText('0 of 3 tasks done').waitFor();
+    // The circle is driven by itself; what it does is none of the tasks.
+    await page.locator('.panel-tasks').getByText(/Seen: 0\.66/).first().waitFor();
+    assert.equal(await page.getByText('Already so before you began').count(), 0);
+    await page.getByRole('button', { name: 'Show hint: Draw a wider circle' }).click();
+    await page.getByRole('button', { name: 'Show solution: Draw a wider circle' }).click();
+    await page.locator('.task-solution .text-action').click();
+    await task('Draw a wider circle').locator('.task-title + .node-state').getByText(/^Done/).waitFor();
+    const input = page.locator('.panel-terminal input');
+    await page.getByRole('button', { name: 'Show hint: Call a second turtle' }).click();
+    await page.getByRole('button', { name: 'Show solution: Call a second turtle' }).click();
+    const command = (await task('Call a second turtle').locator('.task-solution pre').textContent()) ?? '';
+    await input.fill(command.trim());
+    await input.press('Enter');
+    await page.getByText('2 of 3 tasks done').waitFor();
   }));

@@ -1,5 +1,8 @@
 // Files that students hand in, whole and hostile. What the page writes:
 // tests/unit/ui/progress_file.test.ts.
+//
+// Guarantee, hostile input: a file that a student hands in and that was changed, cut, put together
+// by hand or made for another site is refused with a code; no cell of the CSV is a formula
 #include "bundler/verify/progress_file.hpp"
 
 #include <gtest/gtest.h>

@@ -98,7 +98,8 @@ export const panels: readonly PanelRow[] = [
     group: 'run',
     watched: true,
     fits: (site) => site.checks.length > 0,
-    usual: { place: 'list', when: (site) => site.checks.length > 0 },
+    // Where there are tasks, what a student sees pass is the student's own doing.
+    usual: { place: 'list', when: (site) => site.checks.length > 0 && site.tasks.length === 0 },
     source: { kind: 'lazy', plain: true, load: () => import('./checks.tsx').then((file) => file.ChecksPanel) },
   },
   {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <optional>
 #include <regex>
 #include <sstream>
@@ -30,8 +31,8 @@ std::optional<CompilerMessage> next_error(const std::vector<std::string>& lines,
     std::smatch match;
     if (lines[i].size() > 4000 || !std::regex_match(lines[i], match, kError)) continue;
     CompilerMessage result{.span = {.file = display_file(match[1], place),
-                                    .line = static_cast<std::uint32_t>(std::stoul(match[2])),
-                                    .column = static_cast<std::uint32_t>(std::stoul(match[3])),
+                                    .line = printed_number(match[2].str()),
+                                    .column = printed_number(match[3].str()),
                                     .length = 1},
                            .text = match[4]};
     if (i + 2 < lines.size() && lines[i + 2].find('^') != std::string::npos) {
@@ -148,8 +149,7 @@ Diagnostic compile_error(const FailedCommand& failed, const BuildPlace& place) {
 /// Where a line of CMake's says that something is.
 SourceSpan cmake_place(const std::string& named, const std::string& line, const BuildPlace& place) {
   const fs::path file = fs::path(named).is_absolute() ? fs::path(named) : place.source / named;
-  return {.file = display_file(file.string(), place),
-          .line = static_cast<std::uint32_t>(std::stoul(line))};
+  return {.file = display_file(file.string(), place), .line = printed_number(line)};
 }
 
 bool is_of_package(const std::string& named, const BuildPlace& place) {
@@ -190,6 +190,12 @@ std::optional<CompilerMessage> first_cmake_error(const std::vector<std::string>&
 }
 
 }  // namespace
+
+std::uint32_t printed_number(std::string_view digits) {
+  std::uint32_t number = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  return error == std::errc() && end == digits.data() + digits.size() ? number : 0;
+}
 
 std::vector<std::string> output_lines(std::string_view text) {
   std::vector<std::string> result;

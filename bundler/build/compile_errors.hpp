@@ -1,6 +1,7 @@
 // From what ninja, cmake and the link driver print to diagnostics. Pure.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -23,6 +24,10 @@ namespace ros2wasm {
 [[nodiscard]] Diagnostic out_of_memory(std::string what, std::string reason);
 
 [[nodiscard]] std::vector<std::string> output_lines(std::string_view text);
+
+/// A line or column as a tool prints it. 0, which is no place, when it is too large: a package can
+/// print anything.
+[[nodiscard]] std::uint32_t printed_number(std::string_view digits);
 
 /// "[3/7] Building ..." or "ninja: ...": ninja speaking, not the command.
 [[nodiscard]] bool is_ninja_line(const std::string& line);

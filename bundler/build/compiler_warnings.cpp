@@ -65,14 +65,13 @@ Diagnostics compiler_warnings(std::string_view text, const BuildPlace& place) {
     if (lines[i].size() > kLongestLine || !std::regex_match(lines[i], match, kWarning) ||
         !is_worth_saying(match[4]))
       continue;
-    Diagnostic warning{
-        .code = kCompilerWarning,
-        .severity = Severity::kWarning,
-        .message = match[4],
-        .span = SourceSpan{.file = display_file(match[1], below),
-                           .line = static_cast<std::uint32_t>(std::stoul(match[2])),
-                           .column = static_cast<std::uint32_t>(std::stoul(match[3])),
-                           .length = 1}};
+    Diagnostic warning{.code = kCompilerWarning,
+                       .severity = Severity::kWarning,
+                       .message = match[4],
+                       .span = SourceSpan{.file = display_file(match[1], below),
+                                          .line = printed_number(match[2].str()),
+                                          .column = printed_number(match[3].str()),
+                                          .length = 1}};
     if (i + 2 < lines.size() && lines[i + 2].find('^') != std::string::npos) {
       warning.span->line_text = lines[i + 1];
       i += 2;

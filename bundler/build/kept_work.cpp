@@ -38,6 +38,11 @@ std::set<std::string> lines_of(const std::string& text) {
   return result;
 }
 
+/// Is it a path to something below a folder?
+bool is_within(const fs::path& path) {
+  return path.is_relative() && std::find(path.begin(), path.end(), "..") == path.end();
+}
+
 }  // namespace
 
 Outcome<Done> forget_what_times_hide(const fs::path& work, const fs::path& sources,
@@ -75,7 +80,8 @@ Outcome<std::vector<SeenSource>> seen_sources(const fs::path& work) {
   std::istringstream lines(*list);
   for (std::string line; std::getline(lines, line);) {
     const std::size_t space = line.find(' ');
-    if (space != std::string::npos)
+    // A folder may have a line break in its name: a row must not lead out of the package.
+    if (space != std::string::npos && is_within(line.substr(space + 1)))
       result.push_back({.sha256 = line.substr(0, space), .path = line.substr(space + 1)});
   }
   return result;

@@ -123,8 +123,8 @@ Diagnostics left_out_programs(const fs::path& prefix, const BuildPlace& place) {
     std::getline(words, row, '\t');
     std::getline(words, column, '\t');
     std::getline(words, span.line_text);
-    span.line = static_cast<std::uint32_t>(std::stoul(row));
-    span.column = static_cast<std::uint32_t>(std::stoul(column));
+    span.line = printed_number(row);
+    span.column = printed_number(column);
     if (!place.display.empty() && fs::path(span.file).is_relative())
       span.file = place.display + "/" + span.file;
     if (is_of_known_package(header, place)) {

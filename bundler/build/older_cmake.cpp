@@ -1,23 +1,23 @@
 // See older_cmake.hpp.
 #include "bundler/build/older_cmake.hpp"
 
+#include <algorithm>
 #include <regex>
-#include <set>
 #include <sstream>
 #include <vector>
 
 #include "bundler/build/kept_work.hpp"
 #include "bundler/io/files.hpp"
+#include "workspace_schema/text_pattern.hpp"
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
 namespace {
 
-std::vector<unsigned long> numbers_of(std::string_view version) {
-  std::vector<unsigned long> result;
+std::vector<std::uint32_t> numbers_of(std::string_view version) {
+  std::vector<std::uint32_t> result;
   std::istringstream parts{std::string(version)};
-  for (std::string part; std::getline(parts, part, '.');)
-    result.push_back(part.empty() || part.size() > 9 ? 0 : std::stoul(part));
+  for (std::string part; std::getline(parts, part, '.');) result.push_back(printed_number(part));
   return result;
 }
 
@@ -27,6 +27,28 @@ std::string line_of(const fs::path& file, std::uint32_t line) {
   if (!text) return {};
   const auto lines = output_lines(*text);
   return line == 0 || line > lines.size() ? std::string() : lines[line - 1];
+}
+
+/// With the times of the source, so that ninja builds what has changed. Files of CMake ask for
+/// less.
+Outcome<Done> copy_one(const fs::path& from, const fs::path& to, std::string_view there) {
+  std::error_code error;
+  if (from.filename() == "CMakeLists.txt" || from.extension() == ".cmake") {
+    const auto text = read_file(from, kMostOfText);
+    if (!text) return text.errors();
+    if (auto done = write_file(to, for_older_cmake(*text, there)); !done) return done;
+  } else {
+    fs::create_directories(to.parent_path(), error);
+    fs::copy_file(from, to, error);
+    if (error)
+      return Diagnostic{.code = "R2W0211",
+                        .kind = FailureKind::kEnvironment,
+                        .message = "cannot write `" + to.string() + "`: " + error.message()};
+  }
+  fs::permissions(to, fs::status(from, error).permissions(), error);
+  const auto time = fs::last_write_time(from, error);
+  if (!error) fs::last_write_time(to, time, error);
+  return Done{};
 }
 
 }  // namespace
@@ -47,7 +69,7 @@ std::optional<NewerCMake> asks_for_newer_cmake(std::string_view cmake_output,
       continue;
     const fs::path named(at[1].str());
     const fs::path file = named.is_absolute() ? named : place.source / named;
-    const auto line = static_cast<std::uint32_t>(std::stoul(at[2]));
+    const auto line = printed_number(at[2].str());
     Diagnostic warning{
         .code = "R2W0529",
         .severity = Severity::kWarning,
@@ -65,18 +87,35 @@ std::optional<NewerCMake> asks_for_newer_cmake(std::string_view cmake_output,
   return std::nullopt;
 }
 
-std::string for_older_cmake(std::string text, std::string_view there) {
-  static const std::regex kAsked(R"((cmake_minimum_required\s*\(\s*VERSION\s+)(\d+(?:\.\d+)*))",
-                                 std::regex::icase);
+std::string for_older_cmake(const std::string& text, std::string_view there) {
+  constexpr std::string_view kCommand = "cmake_minimum_required";
+  constexpr std::string_view kVersion = "version";
+  const std::string lower = ascii_lower(text);
+  const auto newest = numbers_of(there);
+  const auto after_blanks = [&](std::size_t from) {
+    return std::min(lower.find_first_not_of(" \t\r\n", from), lower.size());
+  };
   std::string result;
-  std::smatch match;
-  while (std::regex_search(text, match, kAsked)) {
-    const std::string asked = match[2];
-    const bool is_newer = numbers_of(asked) > numbers_of(there);
-    result += match.prefix().str() + match[1].str() + (is_newer ? std::string(there) : asked);
-    text = match.suffix().str();
+  std::size_t copied = 0;
+  for (std::size_t at = lower.find(kCommand); at != std::string::npos;
+       at = lower.find(kCommand, at)) {
+    at = after_blanks(at + kCommand.size());
+    if (at == lower.size() || lower[at] != '(') continue;
+    at = after_blanks(at + 1);
+    if (lower.compare(at, kVersion.size(), kVersion) != 0) continue;
+    const std::size_t begin = after_blanks(at + kVersion.size());
+    const std::size_t behind =
+        std::min(lower.find_first_not_of("0123456789.", begin), lower.size());
+    // The lower end of a range, `3.8...3.28`.
+    const std::size_t length = std::string_view(lower).substr(begin, behind - begin).find("...");
+    const std::size_t end =
+        std::min(behind, length == std::string_view::npos ? behind : begin + length);
+    at = end;
+    if (begin == end || numbers_of(lower.substr(begin, end - begin)) <= newest) continue;
+    result.append(text, copied, begin - copied).append(there);
+    copied = end;
   }
-  return result + text;
+  return result.append(text, copied);
 }
 
 Outcome<fs::path> copy_for_older_cmake(const fs::path& work, const fs::path& source,
@@ -84,25 +123,12 @@ Outcome<fs::path> copy_for_older_cmake(const fs::path& work, const fs::path& sou
   const auto files = seen_sources(work);
   if (!files) return files.errors();
   const fs::path folder = work.parent_path() / ("older-cmake-" + work.filename().string());
-  std::set<fs::path> copied;
   std::error_code error;
+  fs::remove_all(folder, error);
   for (const SeenSource& file : *files) {
-    auto bytes = read_file(source / file.path, kMostOfData);
-    if (!bytes) return std::move(bytes).errors();
-    const fs::path path(file.path);
-    if (path.filename() == "CMakeLists.txt" || path.extension() == ".cmake")
-      *bytes = for_older_cmake(std::move(*bytes), there);
-    if (auto done = write_file(folder / path, *bytes); !done) return std::move(done).errors();
-    fs::permissions(folder / path, fs::status(source / path, error).permissions(), error);
-    copied.insert(folder / path);
+    if (auto done = copy_one(source / file.path, folder / file.path, there); !done)
+      return std::move(done).errors();
   }
-  std::vector<fs::path> gone;
-  for (fs::recursive_directory_iterator it(folder, error), end; !error && it != end;
-       it.increment(error)) {
-    std::error_code ignored;
-    if (!it->is_directory(ignored) && !copied.contains(it->path())) gone.push_back(it->path());
-  }
-  for (const fs::path& file : gone) fs::remove(file, error);
   return folder;
 }
 

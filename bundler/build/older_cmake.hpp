@@ -23,10 +23,10 @@ struct NewerCMake {
                                                              const BuildPlace& place);
 
 /// The text of a CMake file that asks for `there` where it asked for more. Its lines stay. Pure.
-[[nodiscard]] std::string for_older_cmake(std::string text, std::string_view there);
+[[nodiscard]] std::string for_older_cmake(const std::string& text, std::string_view there);
 
-/// Copies what seen_sources() knows of the package to a folder beside `work`, which it gives. Files
-/// that are as before keep their times.
+/// Copies what seen_sources() knows of the package to a folder beside `work`, which it gives. What
+/// was there is gone; files have the times of the package's. R2W0211.
 [[nodiscard]] Outcome<std::filesystem::path> copy_for_older_cmake(
     const std::filesystem::path& work, const std::filesystem::path& source, std::string_view there);
 

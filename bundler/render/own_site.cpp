@@ -64,17 +64,9 @@ bool is_course_of_ours(const fs::path& folder) {
 bool is_store_of_ours(const fs::path& folder) {
   std::error_code error;
   const fs::path marker = folder / kStoreMarker;
-  if (fs::is_regular_file(fs::symlink_status(marker, error))) {
-    const auto text = read_file(marker, kMostOfText);
-    return text && *text == kStoreMarkerText;
-  }
-  bool any = false;
-  fs::directory_iterator it(folder, error);
-  for (const fs::directory_iterator end; !error && it != end; it.increment(error)) {
-    if (!is_store_name(it->path().filename().native())) return false;
-    any = true;
-  }
-  return any && !error;
+  if (!fs::is_regular_file(fs::symlink_status(marker, error))) return false;
+  const auto text = read_file(marker, kMostOfText);
+  return text && *text == kStoreMarkerText;
 }
 
 bool is_site_archive_of_ours(const fs::path& file) {

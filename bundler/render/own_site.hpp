@@ -16,8 +16,8 @@ namespace ros2wasm {
 /// By its course.json.
 [[nodiscard]] bool is_course_of_ours(const std::filesystem::path& folder);
 
-/// By its marker (kStoreMarker). Stores of early versions have none: there, every name is one that
-/// only a store has.
+/// By its marker (kStoreMarker), and by nothing else: others have folders with hashes as names,
+/// too.
 [[nodiscard]] bool is_store_of_ours(const std::filesystem::path& folder);
 
 /// By its first member, which emit_zip() makes the site.json.

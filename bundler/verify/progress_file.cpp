@@ -10,6 +10,7 @@
 #include "bundler/io/ed25519.hpp"
 #include "bundler/io/sha256.hpp"
 #include "workspace_schema/json_reader.hpp"
+#include "workspace_schema/text_encoding.hpp"
 
 namespace ros2wasm {
 namespace {
@@ -19,8 +20,9 @@ constexpr std::int64_t kSchema = 1;
 /// Before the record where it is signed: a signature over something else never fits.
 constexpr std::string_view kSignedAs = "ros2wasm progress 1\n";
 constexpr std::size_t kMostLabs = 1000;
-constexpr std::size_t kMostTasks = 1000;
-constexpr std::size_t kLongestText = 2000;
+/// Of all labs together: each becomes a row of the CSV, with the texts of its lab.
+constexpr std::size_t kMostTasks = 5000;
+constexpr std::size_t kLongestText = 1000;  ///< bytes
 constexpr std::size_t kKeyDigits = 16;
 
 Diagnostic no_progress(const std::string& shown, std::string why) {
@@ -30,15 +32,19 @@ Diagnostic no_progress(const std::string& shown, std::string why) {
                     .fix = {}};
 }
 
-/// No control characters, also none of those between 0x80 and 0x9F.
+/// One line that a terminal and a table show as it is: no control characters, line separators, byte
+/// order marks or changes of the writing direction.
 bool is_plain(std::string_view text) {
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    if (byte < 0x20 || byte == 0x7F) return false;
-    if (byte == 0xC2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xA0)
+  if (text.size() > kLongestText) return false;
+  for (std::size_t i = 0; i < text.size();) {
+    const Utf8Character character = decode_utf8(text, i);
+    const char32_t c = character.code_point;
+    if (c < 0x20 || (c >= 0x7F && c < 0xA0) || (c >= 0x2028 && c <= 0x202E) ||
+        (c >= 0x2066 && c <= 0x2069) || c == 0xFEFF)
       return false;
+    i += character.length;
   }
-  return text.size() <= kLongestText;
+  return true;
 }
 
 /// `2026-11-28T09:00:00.000Z`, with or without the fraction.
@@ -83,8 +89,7 @@ std::optional<HandedLab> read_lab(const JsonValue& json) {
   HandedLab lab;
   const JsonValue* tasks = json.find("tasks");
   if (!take(json, "title", is_plain, lab.title) || !take(json, "sha256", is_sha256, lab.sha256) ||
-      lab.sha256.empty() || tasks == nullptr || !tasks->is_array() ||
-      tasks->items().size() > kMostTasks)
+      lab.sha256.empty() || tasks == nullptr || !tasks->is_array())
     return std::nullopt;
   for (const JsonValue& one : tasks->items()) {
     auto task = read_task(one);
@@ -103,19 +108,32 @@ std::optional<ProgressFile> read_record(const JsonValue& json) {
       !take(json, "course", is_plain, file.course) || labs == nullptr || !labs->is_array() ||
       labs->items().empty() || labs->items().size() > kMostLabs)
     return std::nullopt;
+  std::size_t tasks = 0;
   for (const JsonValue& one : labs->items()) {
     auto lab = read_lab(one);
-    if (!lab) return std::nullopt;
+    if (!lab || lab->tasks.size() > kMostTasks - tasks) return std::nullopt;
+    tasks += lab->tasks.size();
     file.labs.push_back(*std::move(lab));
   }
   return file;
 }
 
+/// Spreadsheets run a text that begins like a formula, some of them behind spaces and in full
+/// width.
+bool begins_like_formula(std::string_view text) {
+  constexpr auto kSpaces = std::to_array<std::string_view>({" ", "\u00A0", "\u3000"});
+  constexpr auto kSigns =
+      std::to_array<std::string_view>({"=", "+", "-", "@", "\uFF1D", "\uFF0B", "\uFF0D", "\uFF20"});
+  const auto begins = [&](std::string_view with) { return text.starts_with(with); };
+  for (auto space = kSpaces.begin(); space != kSpaces.end();) {
+    space = std::find_if(kSpaces.begin(), kSpaces.end(), begins);
+    if (space != kSpaces.end()) text.remove_prefix(space->size());
+  }
+  return std::any_of(kSigns.begin(), kSigns.end(), begins);
+}
+
 std::string cell(std::string_view text) {
-  std::string quoted = "\"";
-  // Spreadsheets run what begins like a formula.
-  if (!text.empty() && std::string_view("=+-@").find(text.front()) != std::string_view::npos)
-    quoted += '\'';
+  std::string quoted = begins_like_formula(text) ? "\"'" : "\"";
   for (const char letter : text) {
     if (letter == '"') quoted += '"';
     quoted += letter;

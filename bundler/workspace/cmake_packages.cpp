@@ -196,6 +196,8 @@ std::optional<CMakeProject> cmake_project(std::string_view text, const std::stri
       ++place;
     }
     if (!std::all_of(name.begin(), name.end(), is_name_character)) return std::nullopt;
+    // It becomes the name of a folder: neither `..`, nor a hidden one, nor an option.
+    if (name.empty() || name.front() == '.' || name.front() == '-') return std::nullopt;
     CMakeProject project{.name = {.value = name, .span = span_at(text, place, name.size(), file)},
                          .version = {}};
     for (std::size_t i = 1; i + 1 < words.size(); ++i)

@@ -1,7 +1,7 @@
 // Node.js as the place where a site runs: files instead of fetch, worker threads instead of workers.
 
-import { readFileSync } from 'node:fs';
-import { readFile } from 'node:fs/promises';
+import { closeSync, constants, fstatSync, openSync, readFileSync } from 'node:fs';
+import { open } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
@@ -18,9 +18,27 @@ import { strangeReport, takeReport } from './worker_reports.ts';
 /** What a worker thread finds in workerData when it is to serve a node. */
 export const workerMark = 'ros2wasm node worker';
 
-async function bytesOf(folder: string, path: string): Promise<Buffer<ArrayBuffer>> {
+/** Bytes; a list of a site is far smaller. */
+const mostOfJson = 128 << 20;
+/** Opening a pipe does not wait for who writes into it. */
+const reading = constants.O_RDONLY | (constants.O_NONBLOCK ?? 0);
+
+/** Pipes and devices have no end. */
+async function readRegular(path: string, most = Infinity): Promise<Buffer<ArrayBuffer>> {
+  const file = await open(path, reading);
   try {
-    return await readFile(join(folder, path));
+    const found = await file.stat();
+    if (!found.isFile()) throw new Error('it is not a regular file');
+    if (found.size > most) throw new Error(`it is larger than ${most} bytes`);
+    return await file.readFile();
+  } finally {
+    await file.close();
+  }
+}
+
+async function bytesOf(folder: string, path: string, most?: number): Promise<Buffer<ArrayBuffer>> {
+  try {
+    return await readRegular(join(folder, path), most);
   } catch (error) {
     throw new SiteError('R2W0706', `the site's file ${path} cannot be read: ${error instanceof Error ? error.message : ''}`, {
       why: 'the folder is not a complete site',
@@ -30,10 +48,14 @@ async function bytesOf(folder: string, path: string): Promise<Buffer<ArrayBuffer
 }
 
 export const readFileNow: ReadNow = (place, path) => {
+  let file: number | undefined;
   try {
-    return readFileSync(join(place, path));
+    file = openSync(join(place, path), reading);
+    return fstatSync(file).isFile() ? readFileSync(file) : undefined;
   } catch {
     return undefined;
+  } finally {
+    if (file !== undefined) closeSync(file);
   }
 };
 
@@ -51,7 +73,7 @@ export const nodeFiles: WorkerFiles = {
     return (globalThis as unknown as Door).loadPyodide;
   },
   bytes: async (place) => {
-    const { buffer, byteOffset, byteLength } = await readFile(place);
+    const { buffer, byteOffset, byteLength } = await readRegular(place);
     return new Uint8Array(buffer, byteOffset, byteLength);
   },
 };
@@ -78,7 +100,7 @@ export function nodePlatform(folder: string, entry: URL): Platform & { close(): 
       return place();
     },
     json: async (path) => {
-      const text = (await bytesOf(place(), path)).toString('utf8');
+      const text = (await bytesOf(place(), path, mostOfJson)).toString('utf8');
       try {
         return JSON.parse(text) as unknown;
       } catch (error) {

@@ -3,16 +3,12 @@
 
 import type { CarriedFiles } from './carried_files.ts';
 import { ExpectedFiles } from './expected_files.ts';
+import { mimeTypeOf } from './mime_types.ts';
 import { linkedModule, neededModules } from './module_links.ts';
 import { readSite } from './site_reader.ts';
 
 /** Function of the page that its modules call to import others later: with the name of the file. */
 export const importer = 'ros2wasmImport';
-
-const kinds: Readonly<Record<string, string>> = {
-  css: 'text/css', js: 'text/javascript', gif: 'image/gif', jpeg: 'image/jpeg', jpg: 'image/jpeg', png: 'image/png',
-  svg: 'image/svg+xml', webp: 'image/webp',
-};
 
 async function unpacked(text: string): Promise<ArrayBuffer> {
   const packed = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
@@ -73,5 +69,5 @@ function once(made: Map<string, Promise<string>>, path: string, make: () => Prom
 
 /** Never a page: it would have the rights of this one. */
 function kindOf(path: string): string {
-  return kinds[path.slice(path.lastIndexOf('.') + 1)] ?? 'application/octet-stream';
+  return mimeTypeOf(path);
 }

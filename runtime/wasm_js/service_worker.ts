@@ -5,6 +5,7 @@
 // Every page of the origin can write to the cache. So nothing that lies there is believed: a file is hashed each time it is
 // taken out, and a list that this worker did not fetch itself counts only when the host or the open page has the same one.
 
+import { mimeTypeOf } from './mime_types.ts';
 import { askForList } from './own_list.ts';
 import { type ListedPlace, placesOf, readStore } from './site_places.ts';
 
@@ -192,9 +193,8 @@ async function cachedFile(url: string, sha256: string): Promise<Response | undef
   const cached = await cache.match(keyOf(url, sha256));
   if (cached === undefined) return undefined;
   const bytes = await cached.arrayBuffer();
-  // What else stands in the head is not in the hash.
-  const type = cached.headers.get('content-type');
-  if (await digest(bytes) === sha256) return new Response(bytes, { headers: type === null ? {} : { 'content-type': type } });
+  // The head is not in the hash: the type follows from the name, as on hosts.
+  if (await digest(bytes) === sha256) return new Response(bytes, { headers: { 'content-type': mimeTypeOf(url) } });
   await cache.delete(keyOf(url, sha256));
   return undefined;
 }

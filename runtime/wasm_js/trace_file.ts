@@ -3,6 +3,7 @@
 import { createHash } from 'node:crypto';
 import { closeSync, openSync, writeSync } from 'node:fs';
 import { MessageTrace, type RunningHash, type SentMessage } from './message_trace.ts';
+import { SiteError } from './site_error.ts';
 
 function nodeHash(): RunningHash {
   const hash = createHash('sha256');
@@ -13,9 +14,13 @@ export class TraceFile {
   private readonly file: number;
   private readonly trace = new MessageTrace(nodeHash());
 
-  /** What the file had before is gone. */
+  /** What the file had before is gone. Throws SiteError R2W0721: it cannot be written. */
   constructor(path: string) {
-    this.file = openSync(path, 'w');
+    try {
+      this.file = openSync(path, 'w');
+    } catch (error) {
+      throw new SiteError('R2W0721', `the trace cannot be written to ${path}: ${error instanceof Error ? error.message : String(error)}`);
+    }
   }
 
   add(node: string, message: SentMessage): void {

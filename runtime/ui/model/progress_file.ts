@@ -8,6 +8,8 @@ const kSchema = 1;
 /** Before the record where it is signed: a signature over something else never fits. */
 const kSignedAs = 'ros2wasm progress 1\n';
 export const kMostName = 200;
+/** What a terminal and a table do not show as it is: bundler/verify/progress_file.cpp refuses it. */
+const kSteering = /[\p{Cc}\u2028-\u202e\u2066-\u2069\ufeff]/gu;
 
 export interface LabRecord {
   readonly title: string;
@@ -26,7 +28,7 @@ export interface ProgressRecord {
 
 /** One line without control characters; null when nothing is left of it. */
 export function studentName(typed: string): string | null {
-  const name = typed.replace(/\p{Cc}/gu, ' ').trim().slice(0, kMostName).toWellFormed();
+  const name = typed.replace(kSteering, ' ').trim().slice(0, kMostName).toWellFormed();
   return name === '' ? null : name;
 }
 
@@ -50,7 +52,7 @@ export function recordText({ student, exportedAt, course, labs }: ProgressRecord
 }
 
 function plain(text: string): string {
-  return text.replace(/\p{Cc}/gu, ' ');
+  return text.replace(kSteering, ' ');
 }
 
 export function signedBytes(record: string): Uint8Array<ArrayBuffer> {

@@ -158,7 +158,7 @@ test('only the bytes of a cached file count, not the headers that lie with them'
   const stage = new Stage();
   stage.publish({ 'a.js': 'a' });
   await stage.ask('', 'p', true);
-  const headers = { 'content-type': 'text/javascript', refresh: '0;url=/other/', link: '</other.css>; rel=stylesheet' };
+  const headers = { 'content-type': 'text/plain', refresh: '0;url=/other/', link: '</other.css>; rel=stylesheet' };
   stage.cache.set(`${scope}a.js?sha256=${sha256('a')}`, new Response('a', { headers }));
   const { headers: given } = await stage.ask('a.js', 'p');
   assert.equal(given.get('content-type'), 'text/javascript');

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+
 #include "bundler/build/diagnostic_json.hpp"
 #include "bundler/build/missing_headers.hpp"
 #include "bundler/build/older_cmake.hpp"
@@ -163,6 +165,35 @@ TEST(OlderCMake, AsksForNoMoreThanThereIs) {
   for (const char* same : {"cmake_minimum_required(VERSION 3.8...3.31)", "project(a VERSION 9.9)",
                            "cmake_minimum_required(VERSION 3.25.1)"})
     EXPECT_EQ(for_older_cmake(same, "3.25.1"), same);
+}
+
+// A package can hold and print anything: no long run of blanks, no number and no repetition may end
+// or delay the tool.
+TEST(OlderCMake, HostileFilesTakeNoTimeAndNoStack) {
+  const std::string blanks(2'000'000, ' ');
+  EXPECT_EQ(for_older_cmake("cmake_minimum_required" + blanks + "(VERSION 99.0)", "3.25.1"),
+            "cmake_minimum_required" + blanks + "(VERSION 3.25.1)");
+  std::string many = "cmake_minimum_required(VERSION 99.0)\n";
+  for (int i = 0; i < 200'000; ++i) many += "#cmake_minimum_required(VERSION 9)\n";
+  const auto began = std::chrono::steady_clock::now();
+  EXPECT_EQ(for_older_cmake(many, "3.25.1").size(), many.size() + 2 + 200'000 * 5);
+  EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(10));
+}
+
+TEST(CompileErrors, NumbersThatNoFileHasAreNoPlace) {
+  const std::string large(30, '9');
+  const auto errors =
+      compile_errors("FAILED: a.o\ncc\nx.cpp:" + large + ":" + large + ": error: boo\n", kPlace);
+  ASSERT_FALSE(errors.empty());
+  EXPECT_EQ(printed_number(large), 0U);
+  EXPECT_EQ(printed_number("12"), 12U);
+  EXPECT_EQ(
+      configure_errors("CMake Error at CMakeLists.txt:" + large + " (message):\n  boo\n", kPlace)
+          .front()
+          .code,
+      "R2W0503");
+  EXPECT_FALSE(asks_for_newer_cmake(
+      "CMake Error at CMakeLists.txt:" + large + " (cmake_minimum_required):\n  boo\n", kPlace));
 }
 
 TEST(ConfigureErrors, AMissingPackageGetsTheLineForPackageXml) {

@@ -76,7 +76,8 @@ TEST(ProgressFile, WhatIsNoneIsRefused) {
        {std::pair("\"Ada\"", "\"A\\u001b[2Jda\""), std::pair("\"Ada\"", "\"\""),
         std::pair("\"Ada\"", "7"), std::pair("\"Ada\"", "\"A\\u009bda\""),
         std::pair("\"labs\"", "\"lab\""), std::pair("aaaaaaaa", "xyz"),
-        std::pair("2026-11-28T08", "yesterday!!!!")}) {
+        std::pair("2026-11-28T08", "yesterday!!!!"), std::pair("\"Ada\"", "\"A\u202eda\""),
+        std::pair("\"Ada\"", "\"A\u2028da\""), std::pair("\"Ada\"", "\"\ufeff=1\"")}) {
     std::string record = good_record();
     record.replace(record.find(from), std::string_view(from).size(), to);
     EXPECT_EQ(refused(signed_file(record)), "R2W0670") << to;
@@ -107,6 +108,30 @@ TEST(ProgressFile, NoCellIsAFormula) {
             "\"Ada\",\"Robots\",\"Drive\",\"'=A1\",\"2026-11-28T08:00:00Z\","
             "\"2026-11-28T07:59:00.500Z\",\"\",\"2026-11-28T09:00:00.000Z\",\"" +
                 file->key + "\",\"" + kHash + "\",\"'-\"\"ada\"\".json\"\n");
+}
+
+TEST(ProgressFile, FormulasBehindSpacesAndInFullWidthAreNone) {
+  for (const char* text : {" =1", "\u00A0=1", "\u3000+1", "\uFF1D1", "\uFF201"}) {
+    std::string record = good_record();
+    record.replace(record.find("Ada"), 3, text);
+    const auto file = read_progress_file(signed_file(record), "ada.json");
+    ASSERT_TRUE(file) << text;
+    EXPECT_TRUE(progress_csv(*file, "ada.json").starts_with("\"'" + std::string(text))) << text;
+  }
+}
+
+TEST(ProgressFile, TasksHaveALimitForTheWholeCourse) {
+  const auto course = [](int labs) {
+    std::string tasks;
+    for (int i = 0; i < 100; ++i) tasks += std::string(i == 0 ? "" : ",") + R"({"title":"a"})";
+    std::string record = R"({"student":"Ada","exported_at":"2026-11-28T09:00:00.000Z","labs":[)";
+    for (int i = 0; i < labs; ++i)
+      record += std::string(i == 0 ? "" : ",") + R"({"title":"l","sha256":")" + kHash +
+                R"(","tasks":[)" + tasks + "]}";
+    return signed_file(record + "]}");
+  };
+  EXPECT_TRUE(read_progress_file(course(50), "ada.json"));
+  EXPECT_EQ(refused(course(51)), "R2W0670");
 }
 
 }  // namespace

@@ -76,6 +76,8 @@ TEST(CMakeProject, NameVersionAndPlace) {
   EXPECT_EQ(cmake_project("set(NAME robot)\nproject(${NAME})", "f")->name.value, "robot");
   EXPECT_FALSE(cmake_project("project(${NAME})", "f"));
   EXPECT_FALSE(cmake_project("project()", "f"));
+  for (const char* name : {"..", ".", ".hid", "-x"})
+    EXPECT_FALSE(cmake_project("project(" + std::string(name) + ")", "f")) << name;
   EXPECT_FALSE(cmake_project("add_library(a a.c)", "f"));
 }
 

@@ -201,6 +201,9 @@ Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& ca
   if (!toolchain) return toolchain.errors();
   const auto real_toolchain = real_path(*toolchain);
   if (!real_toolchain) return real_toolchain.errors();
+  const auto c_headers = find_own_data(request.executable, "templates/c_messages/c_headers.py",
+                                       "the generator of C headers of messages");
+  if (!c_headers) return c_headers.errors();
   workspace->cache = build_place(request.built.empty() ? roots.cache : request.built);
   workspace->environment = environment->prefix;
   // One of the user's own, such as ccache, keeps its place.
@@ -211,6 +214,7 @@ Outcome<BuiltWorkspace> build(const PackRequest& request, const Cancellation& ca
       .compiler_environment = compiler_environment(request.variables),
       .tool_environment = tool_environment(request.variables, compiler.cxx),
       .toolchain = *real_toolchain,
+      .c_messages = c_headers->parent_path(),
       .cli = request.executable,
       .jobs = request.jobs != 0 ? request.jobs : std::max(1U, std::thread::hardware_concurrency()),
       .tool_calls = tool_calls_folder(workspace->cache, compiler),

@@ -1,6 +1,5 @@
-// `ros2wasm grade FILE...`: what students have handed in, as a table; each file's signature, and
-// with
-// --site whether it is of these sites.
+// `ros2wasm grade FILE...`: shows the files that students have handed in as a table. Checks each
+// signature and, with --site, that the labs are those of the given sites.
 #include <algorithm>
 #include <filesystem>
 #include <map>

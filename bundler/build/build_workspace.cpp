@@ -261,7 +261,7 @@ class WorkspaceBuilder {
       reason.warning.why.insert(reason.warning.why.begin(), errors.front().message);
       return reason;
     }
-    // Folders with a project() that is no package of ROS are often for another machine.
+    // A folder with a project() and without a package.xml is often meant for another machine.
     const bool is_plain = packages_[index].is_plain_cmake;
     const auto is_a_reason = [is_plain](const Diagnostic& one) {
       return one.code == "R2W0507" ? one.fix.empty() || is_plain
@@ -377,13 +377,9 @@ Outcome<WorkspaceBuild> build_workspace(const std::vector<LocalPackage>& package
   if (packages.empty()) return WorkspaceBuild{};
   auto toolchain = hash_of_tree(tools.toolchain.parent_path());
   if (!toolchain) return std::move(toolchain).errors();
-  const fs::path c_messages = tools.toolchain.parent_path().parent_path() / "c_messages";
-  std::error_code error;
-  if (fs::exists(c_messages, error)) {
-    const auto hash = hash_of_tree(c_messages);
-    if (!hash) return hash.errors();
-    *toolchain += *hash;
-  }
+  const auto c_messages = hash_of_tree(tools.c_messages);
+  if (!c_messages) return c_messages.errors();
+  *toolchain += *c_messages;
   auto setup_reader = tools.python_templates.empty() ? Outcome<std::string>(std::string())
                                                      : hash_of_tree(tools.python_templates);
   if (!setup_reader) return std::move(setup_reader).errors();

@@ -146,7 +146,7 @@ Diagnostic compile_error(const FailedCommand& failed, const BuildPlace& place) {
   return result;
 }
 
-/// Where a line of CMake's says that something is.
+/// The place that a line of CMake's output names.
 SourceSpan cmake_place(const std::string& named, const std::string& line, const BuildPlace& place) {
   const fs::path file = fs::path(named).is_absolute() ? fs::path(named) : place.source / named;
   return {.file = display_file(file.string(), place), .line = printed_number(line)};
@@ -157,8 +157,8 @@ bool is_of_package(const std::string& named, const BuildPlace& place) {
   return file.is_relative() || !file.lexically_relative(place.source).native().starts_with("..");
 }
 
-/// The first error of CMake's output: its first paragraph, and where it is; when that is a module
-/// of others, where the package called it.
+/// The first error of CMake's output: its first paragraph and its place. An error within somebody
+/// else's module has the place where the package called the module.
 std::optional<CompilerMessage> first_cmake_error(const std::vector<std::string>& lines,
                                                  const BuildPlace& place) {
   static const std::regex kError(R"(^CMake Error at (.+?):(\d+).*$)");
@@ -175,7 +175,7 @@ std::optional<CompilerMessage> first_cmake_error(const std::vector<std::string>&
   for (++line; line != lines.end() && line->empty();) ++line;
   for (; line != lines.end() && line->starts_with("  "); ++line)
     result.text += (result.text.empty() ? "" : " ") + line->substr(line->find_first_not_of(' '));
-  if (result.text.ends_with(':'))  // what it speaks of is the next paragraph
+  if (result.text.ends_with(':'))  // the next paragraph has the subject
     for (; line != lines.end() && (line->empty() || line->starts_with("  ")); ++line) {
       if (line->empty()) continue;
       result.text += " " + line->substr(line->find_first_not_of(' '));

@@ -25,8 +25,8 @@ namespace ros2wasm {
 
 [[nodiscard]] std::vector<std::string> output_lines(std::string_view text);
 
-/// A line or column as a tool prints it. 0, which is no place, when it is too large: a package can
-/// print anything.
+/// A number that a tool printed: a line, a column, a part of a version. 0 when it is too large,
+/// since a package can print anything.
 [[nodiscard]] std::uint32_t printed_number(std::string_view digits);
 
 /// "[3/7] Building ..." or "ninja: ...": ninja speaking, not the command.

@@ -28,7 +28,7 @@ void look_into(const fs::path& file, std::set<std::string>& headers) {
   if (const auto text = read_file(file, kMostOfText)) headers.merge(c_message_headers(*text));
 }
 
-/// What some package installs itself is taken from there.
+/// A header that a package installs itself is used from there.
 bool is_installed(const std::string& header, const std::vector<fs::path>& prefixes) {
   const std::string package = header.substr(0, header.find('/'));
   std::error_code error;
@@ -87,11 +87,10 @@ fs::path c_messages_folder(const PackageBuild& request) {
 Outcome<Done> make_c_messages(const std::set<std::string>& headers, const PackageBuild& request,
                               const BuildTools& tools, const Cancellation& cancellation) {
   std::error_code error;
-  const fs::path script =
-      tools.toolchain.parent_path().parent_path() / "c_messages" / "c_headers.py";
   std::vector<std::string> arguments = {
-      fs::exists(kDebianPython, error) ? kDebianPython : "python3", "-B", script.string(),
-      "--output", c_messages_folder(request).string()};
+      fs::exists(kDebianPython, error) ? kDebianPython : "python3", "-B",
+      (tools.c_messages / "c_headers.py").string(), "--output",
+      c_messages_folder(request).string()};
   for (const fs::path& prefix : request.prefixes) {
     arguments.emplace_back("--share");
     arguments.push_back((prefix / "share").string());

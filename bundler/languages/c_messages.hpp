@@ -21,7 +21,7 @@ namespace ros2wasm {
 /// The include folder of the headers that are made.
 [[nodiscard]] std::filesystem::path c_messages_folder(const PackageBuild& request);
 
-/// Makes them, and those of what they hold. R2W0506.
+/// Makes them, and the headers of the messages in their fields. R2W0506.
 Outcome<Done> make_c_messages(const std::set<std::string>& headers, const PackageBuild& request,
                               const BuildTools& tools, const Cancellation& cancellation);
 

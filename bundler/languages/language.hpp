@@ -23,6 +23,7 @@ struct BuildTools {
   EnvironmentVariables compiler_environment;
   EnvironmentVariables tool_environment;
   std::filesystem::path toolchain;     ///< ros2wasm-toolchain.cmake
+  std::filesystem::path c_messages;    ///< templates/c_messages
   std::filesystem::path cli;           ///< this program, for compile-source and link-program
   unsigned jobs = 1;                   ///< compilers at once, of all packages
   std::filesystem::path tool_calls;    ///< programs are linked as direct_link.hpp says

@@ -68,10 +68,9 @@ Diagnostic no_such_executable(const NodeEntry& entry, const InstalledPackage& pa
   if (std::find(elsewhere.begin(), elsewhere.end(), entry.executable.value) != elsewhere.end()) {
     result.why.push_back("it installs `" + entry.executable.value +
                          "` into bin/, where `ros2 run` and launch files do not look");
-    result.fix.push_back(
-        "of a Python package: setup.cfg with `[install]` and the line "
-        "`install_scripts=$base/lib/" +
-        package.name + "`; of CMake: `DESTINATION lib/${PROJECT_NAME}`");
+    result.fix.push_back("in a Python package, write `[install]` and `install_scripts=$base/lib/" +
+                         package.name +
+                         "` into setup.cfg; in CMake, write `DESTINATION lib/${PROJECT_NAME}`");
   } else if (const auto similar = nearest(entry.executable.value, names)) {
     result.fix.push_back("write `executable: " + *similar + "`");
   }

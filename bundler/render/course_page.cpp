@@ -73,7 +73,8 @@ bool has_tasks(const std::vector<PackedLab>& labs) {
                      [](const PackedLab& lab) { return !lab.tasks.empty(); });
 }
 
-/// What course.js reads: the lab's folder and site, and its tasks as a list in JSON.
+/// Attributes for course.js: the lab's folder, the sha256 of its site, the titles of its tasks as
+/// JSON.
 std::string task_data(const PackedLab& lab) {
   JsonWriter titles;
   titles.begin_array();
@@ -121,7 +122,7 @@ std::vector<PlannedFile> course_files(const Course& course, const std::vector<Pa
   std::vector<PlannedFile> files;
   files.push_back(file(kStyle, "looks of the list", std::string(kSheet)));
   files.push_back(file(kPage, "list of the labs", page_of(course, labs)));
-  if (has_tasks(labs)) files.push_back(file(kScript, "what is done of the labs' tasks", script));
+  if (has_tasks(labs)) files.push_back(file(kScript, "progress in the labs' tasks", script));
   JsonWriter json;
   json.begin_object().field_integer("schema", kCourseSchema);
   json.field("generator", std::string(kSiteGenerator) + " " ROS2WASM_VERSION);

@@ -17,10 +17,10 @@ namespace {
 
 constexpr std::string_view kFormat = "ros2wasm progress";
 constexpr std::int64_t kSchema = 1;
-/// Before the record where it is signed: a signature over something else never fits.
+/// Stands before the record in what is signed, so that no other signature of the key fits.
 constexpr std::string_view kSignedAs = "ros2wasm progress 1\n";
 constexpr std::size_t kMostLabs = 1000;
-/// Of all labs together: each becomes a row of the CSV, with the texts of its lab.
+/// In all labs together: each task becomes a row of the CSV, with the texts of its lab.
 constexpr std::size_t kMostTasks = 5000;
 constexpr std::size_t kLongestText = 1000;  ///< bytes
 constexpr std::size_t kKeyDigits = 16;
@@ -65,7 +65,7 @@ bool is_sha256(std::string_view text) {
   return text.size() == 64 && text.find_first_not_of("0123456789abcdef") == std::string_view::npos;
 }
 
-/// A member that may be left out; false for one of another kind or form.
+/// Takes an optional member. False when its type or its form is wrong.
 bool take(const JsonValue& from, std::string_view key, bool (*good)(std::string_view),
           std::string& target) {
   const JsonValue* found = from.find(key);
@@ -125,10 +125,9 @@ bool begins_like_formula(std::string_view text) {
   constexpr auto kSigns =
       std::to_array<std::string_view>({"=", "+", "-", "@", "\uFF1D", "\uFF0B", "\uFF0D", "\uFF20"});
   const auto begins = [&](std::string_view with) { return text.starts_with(with); };
-  for (auto space = kSpaces.begin(); space != kSpaces.end();) {
-    space = std::find_if(kSpaces.begin(), kSpaces.end(), begins);
-    if (space != kSpaces.end()) text.remove_prefix(space->size());
-  }
+  const auto space = [&] { return std::find_if(kSpaces.begin(), kSpaces.end(), begins); };
+  for (auto found = space(); found != kSpaces.end(); found = space())
+    text.remove_prefix(found->size());
   return std::any_of(kSigns.begin(), kSigns.end(), begins);
 }
 

@@ -1,5 +1,5 @@
-// What a student hands in: which tasks of which labs are done, signed by a key of the student's
-// browser (runtime/ui/model/progress_file.ts writes it). Pure; the text is anybody's.
+// The file that a student hands in: which tasks of which labs are done, signed by a key of the
+// student's browser (runtime/ui/model/progress_file.ts writes it). Pure; do not trust the text.
 #pragma once
 
 #include <cstdint>
@@ -40,7 +40,7 @@ struct ProgressFile {
 [[nodiscard]] Outcome<ProgressFile> read_progress_file(std::string_view text,
                                                        const std::string& shown);
 
-/// What a site asks for: titles of its tasks.
+/// The titles of a site's tasks.
 struct AskedTasks {
   std::string sha256;
   std::vector<std::string> titles;
@@ -54,7 +54,7 @@ struct AskedTasks {
                                          const std::vector<AskedTasks>& sites,
                                          const std::string& shown);
 
-/// One row for each task, below a head: for a spreadsheet, which takes no text of it for a formula.
+/// CSV for a spreadsheet: a head, and one row for each task. No cell is a formula.
 [[nodiscard]] std::string progress_csv_head();
 [[nodiscard]] std::string progress_csv(const ProgressFile& file, const std::string& shown);
 

@@ -133,6 +133,18 @@ class Variables {
   std::map<std::string, Words> values_;
 };
 
+/// The next command from `at` on, which becomes the place behind it.
+std::optional<Command> next_command(const std::string& code, std::size_t& at) {
+  while (at < code.size()) {
+    if (!is_name_character(code[at])) {
+      ++at;
+    } else if (auto command = read_command(code, at)) {
+      return command;
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::vector<Spanned<std::string>> cmake_packages(std::string_view text, const std::string& file) {
@@ -146,13 +158,8 @@ std::vector<Spanned<std::string>> cmake_packages(std::string_view text, const st
   std::set<std::string> needed;  // by commands that fail without
   Variables variables;
   int inside = 0;
-  for (std::size_t at = 0; at < code.size();) {
-    if (!is_name_character(code[at])) {
-      ++at;
-      continue;
-    }
-    const auto command = read_command(code, at);
-    if (!command) continue;
+  std::size_t at = 0;
+  while (const auto command = next_command(code, at)) {
     inside += command->name == "if" ? 1 : command->name == "endif" ? -1 : 0;
     if (inside > 0) continue;
     variables.follow(*command);
@@ -179,13 +186,8 @@ std::vector<Spanned<std::string>> cmake_packages(std::string_view text, const st
 std::optional<CMakeProject> cmake_project(std::string_view text, const std::string& file) {
   const std::string code = without_comments(std::string(text));
   Variables variables;
-  for (std::size_t at = 0; at < code.size();) {
-    if (!is_name_character(code[at])) {
-      ++at;
-      continue;
-    }
-    const auto command = read_command(code, at);
-    if (!command) continue;
+  std::size_t at = 0;
+  while (const auto command = next_command(code, at)) {
     variables.follow(*command);
     if (command->name != "project") continue;
     const Words words = variables.expanded(command->words, 0);

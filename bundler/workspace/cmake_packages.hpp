@@ -1,5 +1,5 @@
-// What a CMakeLists.txt asks find_package() for, and what it calls itself, as far as its text
-// tells. Pure.
+// The packages that a CMakeLists.txt asks find_package() for, and its own name, as far as its text
+// shows them. Pure.
 #pragma once
 
 #include <optional>
@@ -18,7 +18,7 @@ namespace ros2wasm {
 [[nodiscard]] std::vector<Spanned<std::string>> cmake_packages(std::string_view text,
                                                                const std::string& file);
 
-/// What project() says.
+/// The arguments of project().
 struct CMakeProject {
   Spanned<std::string> name;
   std::string version;  ///< may be empty

@@ -43,7 +43,7 @@ bool has_package_xml(const fs::path& folder) {
   return fs::is_regular_file(folder / "package.xml", error);
 }
 
-/// What the CMakeLists.txt of a folder says of itself, if there is one that names a project.
+/// The project that the CMakeLists.txt of a folder names, if it names one.
 std::optional<CMakeProject> project_of(const fs::path& folder, const std::string& shown) {
   const fs::path lists = folder / "CMakeLists.txt";
   std::error_code error;
@@ -221,7 +221,7 @@ Outcome<PackageXml> read_package_xml(const fs::path& folder, const fs::path& bas
   return parse_package_xml(*text, shown_path(file, base, shown_base), variables);
 }
 
-/// What stands for the package.xml of a plain CMake package.
+/// Takes the place of the package.xml that a plain CMake package does not have.
 Outcome<PackageXml> plain_package(const fs::path& folder, const fs::path& base,
                                   const fs::path& shown_base) {
   PackageXml xml{.file = shown_path(folder / "CMakeLists.txt", base, shown_base)};

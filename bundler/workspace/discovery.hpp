@@ -13,7 +13,7 @@ namespace ros2wasm {
 /// A package of the workspace, as its package.xml describes it.
 struct LocalPackage {
   PackageXml xml;
-  /// It has no package.xml: `xml` is what its CMakeLists.txt tells.
+  /// It has no package.xml: `xml` comes from its CMakeLists.txt.
   bool is_plain_cmake = false;
   std::filesystem::path directory;  ///< absolute
   /// What its CMakeLists.txt asks for, whether package.xml names it or not.
@@ -47,8 +47,8 @@ struct LocalPackage {
                                      const std::filesystem::path& base,
                                      const std::filesystem::path& shown_base);
 
-/// All packages that the entries name, each once, sorted by folder. A plain CMake package whose
-/// name another package has is none: such folders hold firmware and the like. R2W0510 an entry
+/// All packages that the entries name, each once, sorted by folder. A plain CMake folder with the
+/// name of another package is skipped: it holds firmware or the like. R2W0510 an entry
 /// leads to no package; errors of package.xml files as they are.
 [[nodiscard]] Outcome<std::vector<LocalPackage>> discover_packages(
     const std::filesystem::path& base, const std::filesystem::path& shown_base,

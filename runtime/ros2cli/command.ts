@@ -23,7 +23,7 @@ export interface NewFiles {
   /** The absolute path. */
   whole(name: string): string;
   exists(name: string): boolean;
-  /** With the folders above it. False: there is no room, or nobody may write there. */
+  /** Makes the folders above it too. False: there is not enough room, or the place cannot be written to. */
   write(name: string, text: string): boolean;
 }
 

@@ -1,4 +1,4 @@
-// ros2 daemon: there is none here, and nothing needs it. The commands answer as the tool does, so that lab sheets go on.
+// ros2 daemon: a site has no daemon and needs none. The commands answer as the tool does, so that lab sheets work unchanged.
 
 import type { Session } from '../wasm_js/session.ts';
 import type { Command } from './command.ts';

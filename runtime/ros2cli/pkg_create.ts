@@ -1,4 +1,5 @@
-// ros2 pkg create: the files of a new package, where the caller keeps them. Nothing builds or runs them: the last lines say so.
+// ros2 pkg create: writes the files of a new package where the caller stores them. Nothing builds or runs them; the last line
+// of the output says so.
 
 import { allOf, type Command, CommandError, type Context, type Given, type NewFiles } from './command.ts';
 
@@ -26,6 +27,7 @@ function readPackage(given: Given): NewPackage {
     name,
     kind: kinds.find((kind) => kind === text('build-type', 'ament_cmake')) ?? 'ament_cmake',
     node: given.options.get('node-name'),
+    // The tool's own placeholders: linters and people know them.
     description: text('description', 'TODO: Package description'),
     license: text('license', 'TODO: License declaration'),
     maintainer: text('maintainer-name', 'user'),
@@ -127,7 +129,7 @@ function make(context: Context, given: Given, files: NewFiles): number {
   for (const [name, value] of facts) context.print(`${name}: ${value}`);
   context.print(`creating folder ${folder}`);
   for (const [path, text] of filesOf(made)) {
-    if (!files.write(`${folder}/${path}`, text)) throw new CommandError(`${folder}/${path}: there is no room for it`);
+    if (!files.write(`${folder}/${path}`, text)) throw new CommandError(`${folder}/${path}: there is not enough room`);
     context.print(`creating ${folder}/${path}`);
   }
   context.warn(`${made.name} is in this page only, until it is closed. The site runs the packages that it was packed with: to run this one, put it into the workspace and pack that.`);

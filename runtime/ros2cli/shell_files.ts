@@ -1,13 +1,14 @@
 // Files of a shell, relative to where it is: bags, and texts.
 
-import { closeSync, fstatSync, openSync, readFileSync, readSync, readdirSync, statSync, writeSync } from 'node:fs';
+import { closeSync, constants, fstatSync, openSync, readFileSync, readSync, readdirSync, statSync, writeSync } from 'node:fs';
 import { join } from 'node:path';
 import { type BagPlace, CommandError } from './command.ts';
 
 export const bagFiles: BagPlace = {
   open: (given) => Promise.resolve().then(() => {
     const name = bagFileOf(given);
-    const file = opened(name, 'r', 'ENOENT');
+    // Opening a pipe would wait for who writes into it.
+    const file = opened(name, constants.O_RDONLY | (constants.O_NONBLOCK ?? 0), 'ENOENT');
     if (file === undefined) return undefined;
     if (!fstatSync(file).isFile()) {
       closeSync(file);
@@ -46,7 +47,7 @@ function bagFileOf(name: string): string {
   return join(name, bags[0]!);
 }
 
-function opened(name: string, flags: string, expected: string): number | undefined {
+function opened(name: string, flags: string | number, expected: string): number | undefined {
   try {
     return openSync(name, flags);
   } catch (error) {

@@ -18,7 +18,7 @@ interface Lab {
   readonly tasks: Progress;
 }
 
-/** What `pack` wrote there. */
+/** The titles that `pack` wrote there. */
 function titlesOf(item: HTMLElement): readonly string[] {
   const titles: unknown = JSON.parse(item.dataset['tasks'] ?? '[]');
   return Array.isArray(titles) ? titles.filter((title): title is string => typeof title === 'string') : [];

@@ -1,14 +1,14 @@
-// The session of a page whose site has tasks: it tells the tasks when the visitor acts on the site. Looking is no act:
-// subscriptions, questions that change nothing, the time's controls. What does not come of the visitor, such as a bag
-// that plays by itself, goes through `unattended`.
+// The session of a page whose site has tasks: it tells the tasks when the visitor acts on the site. Looking does not
+// count as an act: subscriptions, requests that change nothing, the time's controls. What the visitor did not ask for, such
+// as a bag that plays by itself, goes through `unattended`.
 
 import type { PageActionClient, PageClient, PageNode, PagePublisher } from './page_node.ts';
 import type { NotebookKernel, Session, Sources } from './session.ts';
 
-/** What of a session acts by itself. */
+/** Members of a session that act whenever they are called. */
 const acts = new Set<string | symbol>(['start', 'stop', 'restart', 'run', 'launch', 'startAll', 'stopAll', 'restartAll', 'interrupt', 'sendInput']);
 
-/** Services that only tell; panels ask them unasked. */
+/** Services that only read; panels call them without the visitor. */
 const telling = new Set([
   'rcl_interfaces/srv/GetParameters', 'rcl_interfaces/srv/ListParameters', 'rcl_interfaces/srv/DescribeParameters',
   'rcl_interfaces/srv/GetParameterTypes', 'rcl_interfaces/srv/GetLoggerLevels',

@@ -6,7 +6,7 @@ const types: Readonly<Record<string, string>> = {
   webmanifest: 'application/manifest+json', webp: 'image/webp',
 };
 
-/** Of a path or address without a query. */
+/** The type of a path, or of an address without a query. */
 export function mimeTypeOf(path: string): string {
   const ending = path.slice(path.lastIndexOf('/') + 1).split('.').at(-1) ?? '';
   return (Object.hasOwn(types, ending) ? types[ending] : undefined) ?? 'application/octet-stream';

@@ -238,7 +238,7 @@ export interface SiteDescription {
   readonly sources?: SiteSources;
   /** What must be seen while it runs. */
   readonly checks: readonly SiteCheck[];
-  /** What a student is asked to do in it. */
+  /** The tasks that a student does in it. */
   readonly tasks: readonly SiteTask[];
   /** What the page's notebook needs; undefined: there is none. */
   readonly notebook?: SiteNotebook;

@@ -34,7 +34,7 @@ export interface CheckView {
   /** The author's, or made of what is looked for. */
   readonly title: string;
   readonly state: 'waiting' | 'passed' | 'failed';
-  /** What was seen so far, or what decided it. */
+  /** The value seen last, or the one that decided it. */
   readonly seen: string;
   /** ms of the site's time from the begin until it was decided. */
   readonly afterMs?: number;

@@ -1,6 +1,5 @@
 // Decides the tasks of a site while it runs. Loaded for sites that have tasks; sees the Session only, as the page does.
-// What is seen before the student's first act is only noted; from that act on everything is looked for anew, for as long
-// as it takes.
+// Values from before the student's first act are only noted. From that act on all checks begin again, without a deadline.
 
 import { createCodec } from '../decode/codec.ts';
 import { type Look, startLook } from './check_looks.ts';
@@ -15,7 +14,7 @@ const beatMs = 250;
 interface Watched {
   readonly check: TaskCheck;
   look: Look | undefined;
-  /** What was seen, once it was. */
+  /** The value that met the check; undefined: it is open. */
   met: string | undefined;
 }
 

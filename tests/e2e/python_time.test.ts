@@ -17,7 +17,7 @@ import { makeSite } from './runtime_site.ts';
 const watchdog = { timeout: 240_000 };
 const waitMs = 100;
 const longS = 100;
-/** What a callback of the script `answers` takes. */
+/** Duration of a callback of the script `answers`. */
 const answerMs = 20;
 /** How much faster time goes for the long ones. */
 const speed = 1000;

@@ -161,7 +161,7 @@ export function firstError(messages: string): Failure | undefined {
   return undefined;
 }
 
-/** What the warnings say of a package that was not built. */
+/** The warnings about a package that was not built. */
 export function whyLeftOut(messages: string, name: string): Failure {
   const said = findings(messages).find((event) => event.message?.startsWith(`package \`${name}\` is left out: `) === true);
   if (said === undefined) return { code: 'R2W0514', reason: 'the package is left out' };

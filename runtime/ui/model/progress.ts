@@ -1,5 +1,5 @@
-// What a student has done of a lab, as the browser keeps it: by the titles of tasks. Other sites of the origin can write
-// there too, so what comes back is read as hostile. Pure.
+// The student's progress in a lab as the browser stores it, by the titles of tasks. Other sites of the origin can write
+// there too, so it is read as hostile. Pure.
 
 import { isRecord, textMember } from './json.ts';
 
@@ -9,7 +9,7 @@ export interface TaskProgress {
   readonly doneAt?: string;
   readonly hintAt?: string;
   readonly solutionAt?: string;
-  /** What decided each check, once the task is done. */
+  /** The value that decided each check, once the task is done. */
   readonly seen: readonly { readonly title: string; readonly seen: string }[];
 }
 

@@ -8,12 +8,12 @@ const kSchema = 1;
 /** Before the record where it is signed: a signature over something else never fits. */
 const kSignedAs = 'ros2wasm progress 1\n';
 export const kMostName = 200;
-/** What a terminal and a table do not show as it is: bundler/verify/progress_file.cpp refuses it. */
+/** Characters that a terminal or a table does not show as they are. bundler/verify/progress_file.cpp refuses them. */
 const kSteering = /[\p{Cc}\u2028-\u202e\u2066-\u2069\ufeff]/gu;
 
 export interface LabRecord {
   readonly title: string;
-  /** Of the site, now. */
+  /** The hash of the site at the export. */
   readonly sha256: string;
   readonly tasks: Progress;
 }

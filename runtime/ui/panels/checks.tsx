@@ -3,12 +3,10 @@
 import { useEffect, useState } from 'preact/hooks';
 import type { CheckView } from '../../wasm_js/session.ts';
 import { unreachable } from '../../wasm_js/session.ts';
-import { placeText } from '../model/problem.ts';
 import { formatDuration } from '../model/quantities.ts';
 import { IconButton } from '../parts/button.tsx';
-import { Icon } from '../parts/icon.tsx';
-import type { IconName } from '../parts/icon.tsx';
-import { Name } from '../parts/name.tsx';
+import { CheckLine } from '../parts/check_line.tsx';
+import type { CheckLook } from '../parts/check_line.tsx';
 import { PanelFrame } from '../parts/panel.tsx';
 import { useNow } from '../parts/watch.ts';
 import { texts } from '../texts.ts';
@@ -28,7 +26,7 @@ export function ChecksPanel({ session, announce }: PanelProps) {
     });
   }, [checks]);
   const views = checks?.views() ?? [];
-  // What is seen of the others changes without being told.
+  // The values of open checks change without an event.
   useNow(waiting(views) > 0);
   return (
     <PanelFrame
@@ -57,34 +55,22 @@ export function ChecksPanel({ session, announce }: PanelProps) {
 }
 
 function CheckRow({ view }: { readonly view: CheckView }) {
-  const look = checkLook(view);
   return (
-    <li class={`node check-row check-${view.state}`}>
-      <p class="check-title">
-        <Name text={view.title} />
-      </p>
-      <p class="node-state">
-        <span class={`state state-${look.tone}`}>
-          <Icon name={look.icon} />
-          {look.words}
-        </span>
-        {view.afterMs === undefined ? null : (
-          <span class="node-time">{texts.checks.after(formatDuration(view.afterMs))}</span>
-        )}
-      </p>
-      <p class="node-facts">
-        <span class="check-seen">{texts.checks.seen(view.seen)}</span>
-        {view.source === undefined ? null : (
-          <span class="node-place" title={texts.nodes.declared}>
-            {placeText(view.source)}
-          </span>
-        )}
-      </p>
-    </li>
+    <CheckLine
+      kind={`node check-row check-${view.state}`}
+      title={view.title}
+      look={checkLook(view)}
+      seen={texts.checks.seen(view.seen)}
+      source={view.source}
+    >
+      {view.afterMs === undefined ? null : (
+        <span class="node-time">{texts.checks.after(formatDuration(view.afterMs))}</span>
+      )}
+    </CheckLine>
   );
 }
 
-function checkLook(view: CheckView): { words: string; icon: IconName; tone: string } {
+function checkLook(view: CheckView): CheckLook {
   switch (view.state) {
     case 'waiting':
       return {

@@ -1,5 +1,5 @@
-// What a student is asked to do: each task with its checks, a hint and a solution that are shown when they are asked
-// for, and what was done at earlier visits. Nothing is looked at here.
+// The tasks of a lab: each with its checks, a hint and a solution that are shown on request, and the progress of earlier
+// visits. task_run.ts decides the checks.
 
 import type { ComponentChildren } from 'preact';
 import { useCallback, useEffect, useMemo, useRef, useState } from 'preact/hooks';
@@ -7,12 +7,13 @@ import type { Session, TaskCheckView } from '../../wasm_js/session.ts';
 import { unreachable } from '../../wasm_js/session.ts';
 import type { PageAction } from '../model/page_action.ts';
 import { siteDigest } from '../model/link.ts';
-import { placeText, problemOf } from '../model/problem.ts';
+import { problemOf } from '../model/problem.ts';
 import { kMostName } from '../model/progress_file.ts';
 import { IconButton } from '../parts/button.tsx';
+import { CheckLine } from '../parts/check_line.tsx';
+import type { CheckLook } from '../parts/check_line.tsx';
 import { handIn } from '../parts/hand_in.ts';
 import { Icon } from '../parts/icon.tsx';
-import type { IconName } from '../parts/icon.tsx';
 import { MarkdownView } from '../parts/markdown_view.tsx';
 import { Name } from '../parts/name.tsx';
 import { PanelFrame } from '../parts/panel.tsx';
@@ -41,7 +42,7 @@ export function TasksPanel({ session, store, announce, instance, open }: PanelPr
   const files = useMemo(() => new Set(session.site.files.map((one) => one.path)), [session]);
   const tasks = desk.tasks();
   const done = tasks.filter(({ kept }) => kept.doneAt !== undefined).length;
-  // What is seen of the others changes without being told.
+  // The values of open checks change without an event.
   useNow(done < tasks.length);
   const forget = (): void => {
     desk.forget();
@@ -193,7 +194,7 @@ interface AidProps {
   readonly children: (text: string) => ComponentChildren;
 }
 
-/** What is shown when it is asked for. At a later visit it is hidden again. */
+/** A text that is shown on request, and hidden again at a later visit. */
 function Aid({ task, kind, text, reveal, children }: AidProps) {
   const [shown, setShown] = useState(false);
   if (text === '') return null;
@@ -226,31 +227,18 @@ function Aid({ task, kind, text, reveal, children }: AidProps) {
 }
 
 function CheckRow({ view, done }: { readonly view: TaskCheckView; readonly done: boolean }) {
-  const look = checkLook(view, done);
   return (
-    <li class={`task-check check-${view.state}`}>
-      <p class="check-title">
-        <Name text={view.title} />
-      </p>
-      <p class="node-state">
-        <span class={`state state-${look.tone}`}>
-          <Icon name={look.icon} />
-          {look.words}
-        </span>
-      </p>
-      <p class="node-facts">
-        <span class="check-seen">{taskTexts.seen(view.seen)}</span>
-        {view.source === undefined ? null : (
-          <span class="node-place" title={texts.nodes.declared}>
-            {placeText(view.source)}
-          </span>
-        )}
-      </p>
-    </li>
+    <CheckLine
+      kind={`task-check check-${view.state}`}
+      title={view.title}
+      look={checkLook(view, done)}
+      seen={taskTexts.seen(view.seen)}
+      source={view.source}
+    />
   );
 }
 
-function checkLook({ state }: TaskCheckView, done: boolean): { words: string; icon: IconName; tone: string } {
+function checkLook({ state }: TaskCheckView, done: boolean): CheckLook {
   if (done && state !== 'passed') return { words: taskTexts.earlier, icon: 'check', tone: 'done' };
   switch (state) {
     case 'open':

@@ -1,5 +1,7 @@
-// The key with which this browser signs what a student hands in: made once for an origin, Ed25519, and never out of the
-// browser. Where the browser keeps nothing, it is made anew at each visit.
+// The Ed25519 key with which this browser signs the files that students hand in. It is made once for an origin and cannot
+// leave the browser. Where the browser stores nothing, each visit makes a new one.
+
+import { openDatabase } from './browser_database.ts';
 
 const kDatabase = 'ros2wasm-keys';
 const kStore = 'keys';
@@ -53,22 +55,12 @@ function isPair(value: unknown): value is CryptoKeyPair {
   return fits(privateKey, 'sign') && fits(publicKey, 'verify') && !(privateKey as CryptoKey).extractable;
 }
 
-function opened(): Promise<IDBDatabase> {
-  return new Promise((resolve, reject) => {
-    const request = indexedDB.open(kDatabase, 1);
-    request.onupgradeneeded = () => void request.result.createObjectStore(kStore);
-    request.onsuccess = () => resolve(request.result);
-    request.onerror = () => reject(request.error ?? new Error('IndexedDB'));
-    request.onblocked = () => reject(new Error('IndexedDB'));
-  });
-}
-
 /** null: none is kept, or the browser does not say. */
 async function keptPair(): Promise<CryptoKeyPair | null> {
   return inStore('readonly', () => undefined);
 }
 
-/** What is kept then: this pair, or one that is there already. null: the browser keeps nothing. */
+/** The pair that is stored afterwards: this one, or one that was there already. null: the browser stores nothing. */
 async function keepPair(pair: CryptoKeyPair): Promise<CryptoKeyPair | null> {
   return inStore('readwrite', (store) => void store.put(pair, kName)).then((before) => before ?? keptPair());
 }
@@ -77,7 +69,7 @@ async function keepPair(pair: CryptoKeyPair): Promise<CryptoKeyPair | null> {
 async function inStore(mode: IDBTransactionMode, otherwise: (store: IDBObjectStore) => void): Promise<CryptoKeyPair | null> {
   let database: IDBDatabase;
   try {
-    database = await opened();
+    database = await openDatabase(kDatabase, kStore);
   } catch {
     return null;
   }

@@ -6,7 +6,7 @@ import { handInTexts } from '../texts_hand_in.ts';
 import { browserKey } from './browser_key.ts';
 import { download } from './download.ts';
 
-/** What came of it, in words. */
+/** The outcome, in words. */
 export async function handIn(typed: string, course: string | undefined, labs: readonly LabRecord[]): Promise<string> {
   const student = studentName(typed);
   if (student === null) return handInTexts.noName;

@@ -1,20 +1,12 @@
 // Keeps changed notebooks in the browser: one text for each place and packed notebook. A browser that refuses only forgets.
 
+import { openDatabase } from './browser_database.ts';
+
 const kDatabase = 'ros2wasm';
 const kStore = 'notebooks';
 
-function opened(): Promise<IDBDatabase> {
-  return new Promise((resolve, reject) => {
-    const request = indexedDB.open(kDatabase, 1);
-    request.onupgradeneeded = () => void request.result.createObjectStore(kStore);
-    request.onsuccess = () => resolve(request.result);
-    request.onerror = () => reject(request.error ?? new Error('IndexedDB'));
-    request.onblocked = () => reject(new Error('IndexedDB'));
-  });
-}
-
 async function inStore<T>(mode: IDBTransactionMode, work: (store: IDBObjectStore) => IDBRequest<T>): Promise<T> {
-  const database = await opened();
+  const database = await openDatabase(kDatabase, kStore);
   try {
     return await new Promise<T>((resolve, reject) => {
       const transaction = database.transaction(kStore, mode);

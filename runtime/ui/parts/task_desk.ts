@@ -73,7 +73,7 @@ export class TaskDesk {
   forget(): void {
     this.kept = [];
     writePreference(this.store, this.name, progressText([]));
-    // What is seen now is done now.
+    // A check that passes now counts as done now.
     this.look();
     this.tell();
   }

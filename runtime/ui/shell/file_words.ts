@@ -21,7 +21,7 @@ export interface FileCall {
 /** Gives the exit code. */
 type Word = (rest: readonly string[], call: FileCall) => Promise<number> | number;
 
-/** Flags, each letter alone, and what is no flag. */
+/** Flags, each letter alone, and the other words. */
 function split(rest: readonly string[]): { readonly flags: ReadonlySet<string>; readonly names: readonly string[] } {
   const isFlag = (word: string): boolean => /^-[A-Za-z]+$/.test(word);
   return { flags: new Set(rest.filter(isFlag).flatMap((word) => [...word.slice(1)])), names: rest.filter((word) => !isFlag(word)) };

@@ -7,10 +7,13 @@ import { kHome } from './paths.ts';
 export const kMostTextBytes = 1 << 20;
 /** Files of all terminals together; as many folders. */
 const kMostFiles = 2000;
+/** All files together, in characters. */
+const kMostHeld = 32 << 20;
 
 export class OwnFiles {
   private readonly texts = new Map<string, string>();
   private readonly made = new Set<string>();
+  private held = 0;
 
   get folders(): readonly string[] {
     return [...this.made];
@@ -26,10 +29,12 @@ export class OwnFiles {
     return this.texts.get(path);
   }
 
-  /** False: there is no more room. */
+  /** False: there is not enough room. */
   write(path: string, text: string): boolean {
-    if (text.length > kMostTextBytes || (!this.texts.has(path) && this.texts.size >= kMostFiles)) return false;
+    const held = this.held + text.length - (this.texts.get(path)?.length ?? 0);
+    if (text.length > kMostTextBytes || held > kMostHeld || (!this.texts.has(path) && this.texts.size >= kMostFiles)) return false;
     this.texts.set(path, text);
+    this.held = held;
     return true;
   }
 
@@ -41,8 +46,13 @@ export class OwnFiles {
 
   /** Removes what is there, and all below it. */
   remove(path: string): void {
-    for (const all of [this.texts, this.made])
-      for (const one of [...all.keys()]) if (one === path || one.startsWith(`${path}/`)) all.delete(one);
+    const isThere = (one: string): boolean => one === path || one.startsWith(`${path}/`);
+    for (const [one, text] of [...this.texts]) {
+      if (!isThere(one)) continue;
+      this.texts.delete(one);
+      this.held -= text.length;
+    }
+    for (const one of [...this.made]) if (isThere(one)) this.made.delete(one);
   }
 }
 

@@ -227,7 +227,7 @@ const kTools: ReadonlyMap<string, Maker> = new Map([
 
 export const textToolNames: readonly string[] = [...kTools.keys()];
 
-/** undefined: there is no such tool. A text says what is wrong with its words. */
+/** undefined: the tool does not exist. A text: what is wrong with its arguments. */
 export function textTool([program = '', ...rest]: readonly string[], ports: ToolPorts): TextTool | string | undefined {
   return kTools.get(program)?.(rest, ports);
 }

@@ -1,6 +1,6 @@
-// What the authors of a lab and pages around a site may send, at random: notebooks, their HTML, lab sheets, robot models,
-// meshes and commands. Whatever comes, a reader ends soon, throws nothing but what it says, and gives nothing that could
-// run. Each attack is repeated by its seed.
+// Random input as the author of a lab or a page around a site could send it: notebooks, their HTML, lab sheets, robot models,
+// meshes and commands. A reader ends soon, throws only the errors that it documents, and returns nothing that could run.
+// A seed repeats each attack.
 
 // Guarantee, hostile input: notebooks, their HTML, lab sheets, robot models, meshes and commands of an embedding page, changed and
 // put together at random: an answer or a fault in bounded time, nothing that runs, nothing of the page changed
@@ -18,7 +18,7 @@ import { seededRandom } from '../../../runtime/wasm_js/seeded_random.ts';
 import { asciiStl, binaryStl, gltf, gltfNumbers, obj } from '../../support/wedge_meshes.ts';
 
 const rounds = 400;
-/** Of one call, ms. A loop over what a junk number says would take minutes. */
+/** The longest time for one call, ms. A loop that trusts a random number would take minutes. */
 const longestMs = 2000;
 
 class Chance {

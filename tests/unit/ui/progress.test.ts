@@ -1,4 +1,4 @@
-// What a browser keeps of a student's tasks: read as hostile, merged from two tabs, and kept by the desk of a session.
+// The progress that a browser stores: read as hostile, merged from two tabs, and written by the desk of a session.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { merged, progressText, readProgress } from '../../../runtime/ui/model/progress.ts';

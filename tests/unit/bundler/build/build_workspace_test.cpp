@@ -60,9 +60,11 @@ class WorkspaceBuildTest : public ::testing::Test {
     const auto order = order_packages(*packages, "jazzy");
     if (!order) return order.errors();
     tree_.write("toolchain/toolchain.cmake", "");
+    tree_.write("c_messages/c_headers.py", "");
     const BuildTools tools{.compiler = {},
                            .compiler_environment = {},
                            .toolchain = tree_ / "toolchain/toolchain.cmake",
+                           .c_messages = tree_ / "c_messages",
                            .cli = "ros2wasm",
                            .jobs = jobs};
     const auto left_out = left_out_packages(*packages, *order, {.names = {}, .of_lock = true},

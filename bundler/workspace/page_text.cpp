@@ -5,6 +5,7 @@
 #include <array>
 #include <cctype>
 #include <optional>
+#include <set>
 
 #include "bundler/io/files.hpp"
 #include "bundler/workspace/page_file.hpp"
@@ -107,9 +108,7 @@ class Comments {
         if (at == std::string::npos) return;
         const bool is_block = line.find_first_not_of(' ') == at && at < 4;
         // In the middle of a line an end must come; a block goes on to the end of the text.
-        if (!is_block && line.find("-->", at + 4) == std::string::npos &&
-            after.find("-->") == std::string_view::npos)
-          return;
+        if (!is_block && line.find("-->", at + 4) == std::string::npos && !comes_end(after)) return;
         open_ = true;
       }
       const std::size_t end = line.find("-->", at);
@@ -125,7 +124,14 @@ class Comments {
   [[nodiscard]] bool is_open() const { return open_; }
 
  private:
+  /// The text is searched once: without an end in it, there is none in its later part either.
+  bool comes_end(std::string_view after) {
+    if (!no_end_) no_end_ = after.find("-->") == std::string_view::npos;
+    return !no_end_;
+  }
+
   bool open_ = false;
+  bool no_end_ = false;
 };
 
 /// `- `, `* `, `+ `, `1. `, `1) `.
@@ -165,15 +171,22 @@ class Indented {
   bool in_list_ = false;
 };
 
-void images_of_line(std::string_view text, std::vector<std::string>& found) {
+constexpr std::size_t kLongestPath = 4096;  ///< bytes; no file has a longer one
+
+/// Each character is looked at a few times only, whatever the line repeats.
+void images_of_line(std::string_view text, std::set<std::string>& known,
+                    std::vector<std::string>& found) {
+  std::size_t words = 0;  // where the words of the image end
+  std::size_t end = 0;    // where its path does
   for (std::size_t at = text.find("!["); at != std::string_view::npos;
        at = text.find("![", at + 2)) {
     if (at > 0 && text[at - 1] == '\\') continue;
-    const std::size_t words = text.find(']', at + 2);
+    if (words < at + 2) words = text.find(']', at + 2);
     if (words == std::string_view::npos) return;
     if (words + 1 >= text.size() || text[words + 1] != '(') continue;
-    const std::size_t end = text.find_first_of(" \t)", words + 2);
-    if (end == std::string_view::npos) continue;
+    if (end < words + 2) end = text.find_first_of(" \t)", words + 2);
+    if (end == std::string_view::npos) return;
+    if (end - words > kLongestPath) continue;
     std::string_view path = text.substr(words + 2, end - words - 2);
     if (text[end] != ')') {  // only a title may follow
       const std::size_t quote = text.find_first_not_of(" \t", end);
@@ -183,8 +196,7 @@ void images_of_line(std::string_view text, std::vector<std::string>& found) {
     path = path.substr(0, path.find_first_of("?#"));
     auto decoded = percent_decoded(path);
     if (!decoded || decoded->empty()) continue;
-    if (std::find(found.begin(), found.end(), *decoded) == found.end())
-      found.push_back(std::move(*decoded));
+    if (known.insert(*decoded).second) found.push_back(std::move(*decoded));
   }
 }
 
@@ -237,6 +249,7 @@ class FileTaker {
 
 std::vector<std::string> markdown_images(std::string_view markdown) {
   std::vector<std::string> found;
+  std::set<std::string> known;
   std::string fence;
   Comments comments;
   Indented indented;
@@ -257,7 +270,7 @@ std::vector<std::string> markdown_images(std::string_view markdown) {
     }
     std::string text = comments.is_open() ? std::string(line) : without_code_spans(line);
     comments.blank(text, markdown);
-    images_of_line(text, found);
+    images_of_line(text, known, found);
   }
   return found;
 }

@@ -81,16 +81,24 @@ class Parser {
     if (this.take(sign) === undefined) throw this.wrong();
   }
 
-  private choice(): Evaluation {
+  /** Parses what is nested: parentheses, and what stands to the right of `else` and `**`. */
+  private deeper(parse: () => Evaluation): Evaluation {
     this.depth += 1;
     if (this.depth > kDeepest) throw new CommandError('SyntaxError: too many nested parentheses');
-    const value = this.either();
+    const parsed = parse();
     this.depth -= 1;
-    if (this.take('if') === undefined) return value;
-    const condition = this.either();
-    this.expect('else');
-    const other = this.choice();
-    return (m) => (truth(condition(m)) ? value(m) : other(m));
+    return parsed;
+  }
+
+  private choice(): Evaluation {
+    return this.deeper(() => {
+      const value = this.either();
+      if (this.take('if') === undefined) return value;
+      const condition = this.either();
+      this.expect('else');
+      const other = this.choice();
+      return (m) => (truth(condition(m)) ? value(m) : other(m));
+    });
   }
 
   private either(): Evaluation {
@@ -164,7 +172,7 @@ class Parser {
     let minus = false;
     for (let sign = this.take('-', '+'); sign !== undefined; sign = this.take('-', '+')) minus = minus !== (sign === '-');
     const value = this.reached();
-    const power = this.take('**') === undefined ? value : between('**', value, this.signed());
+    const power = this.take('**') === undefined ? value : between('**', value, this.deeper(() => this.signed()));
     return minus ? (m) => -numeric(power(m)) : power;
   }
 

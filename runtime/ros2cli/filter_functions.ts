@@ -64,6 +64,8 @@ function toInt([value = 0, base]: readonly unknown[]): Numeric {
   return Math.trunc(given) + 0;
 }
 
+/** As CPython's limit, which holds for bases that are not powers of two. */
+const mostIntDigits = 4300;
 const prefixes: Readonly<Record<number, RegExp>> = { 2: /^0b/i, 8: /^0o/i, 16: /^0x/i };
 
 function integerOf(text: string, base: number): Numeric {
@@ -72,8 +74,13 @@ function integerOf(text: string, base: number): Numeric {
   const [, sign = '', written = ''] = /^([+-]?)(.*)$/s.exec(text.trim()) ?? [];
   const digits = prefixes[base] === undefined ? written : written.replace(prefixes[base], '');
   if (!/^[0-9a-z]+(?:_[0-9a-z]+)*$/i.test(digits)) throw wrong();
+  const plain = digits.replaceAll('_', '');
+  if (plain.length > mostIntDigits && ![2, 4, 8, 16, 32].includes(base)) {
+    throw new CommandError(`ValueError: Exceeds the limit (${mostIntDigits} digits) for integer string conversion: value has ${plain.length} digits`);
+  }
+  if (plain.length > 50 * mostIntDigits) throw new CommandError('MemoryError');
   let value = 0n;
-  for (const letter of digits.replaceAll('_', '')) {
+  for (const letter of plain) {
     const digit = Number.parseInt(letter, 36);
     if (digit >= base) throw wrong();
     value = value * BigInt(base) + BigInt(digit);
@@ -89,7 +96,7 @@ function toFloat([value = 0]: readonly unknown[]): number {
   const named = /^([+-]?)(?:(inf|infinity)|nan)$/i.exec(text);
   if (named !== null) return named[2] === undefined ? NaN : named[1] === '-' ? -Infinity : Infinity;
   const digits = String.raw`\d+(?:_\d+)*`;
-  if (!new RegExp(`^[+-]?(?:${digits}\\.?(?:${digits})?|\\.${digits})(?:e[+-]?${digits})?$`, 'i').test(text)) {
+  if (!new RegExp(`^[+-]?(?:${digits}(?:\\.(?:${digits})?)?|\\.${digits})(?:e[+-]?${digits})?$`, 'i').test(text)) {
     throw new CommandError(`ValueError: could not convert string to float: ${quoted(value)}`);
   }
   return Number(text.replaceAll('_', ''));

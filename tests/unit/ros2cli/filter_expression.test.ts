@@ -182,3 +182,18 @@ test('lists of a million are reckoned with, and nothing but a CommandError comes
   const broken = { get data(): never { throw new RangeError('out of memory'); } };
   assert.throws(() => filterOf('m.data')(broken), (error) => error instanceof CommandError && error.message === 'RangeError: out of memory');
 });
+
+test('expressions and texts that are made to take long end soon', () => {
+  const began = performance.now();
+  for (const text of [`1${'**1'.repeat(20_000)}`, `1${' if 1 else 1'.repeat(20_000)}`, `${'('.repeat(20_000)}1`, `1${' + 1'.repeat(200_000)}`])
+    assert.throws(() => filterOf(text)({}), CommandError, text.slice(0, 20));
+  const digits = '7'.repeat(100_000);
+  for (const [text, data, pattern] of [
+    ['float(m.data)', `${digits}x`, /^ValueError: could not convert/], ['int(m.data)', digits, /^ValueError: Exceeds the limit \(4300 digits\)/],
+    ['int(m.data, 16)', digits.repeat(10), /^MemoryError/],
+  ] as const)
+    assert.throws(() => filterOf(text)({ data }), (error) => error instanceof CommandError && pattern.test(error.message), text);
+  assert.equal(filterOf('float(m.data) > 0 and int(m.data) > 0')({ data: '7'.repeat(300) }), true);
+  assert.equal(filterOf("float('1_0.5e1') == 105 and float('.5') == 0.5 and float('5.') == 5")({}), true);
+  assert.ok(performance.now() - began < 10_000);
+});

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <filesystem>
 
 #include "unit/bundler/support/temporary_tree.hpp"
@@ -25,6 +26,24 @@ TEST(PageText, LeavesOutCodeAddressesAndOtherForms) {
                             "![x](%zz.png) ![x](n%00.png) ![x](o.png p.png) ![x] (q.png) ![x](r"),
             Paths());
   EXPECT_EQ(markdown_images("a ` b ![x](a.png)"), Paths{"a.png"});
+}
+
+// Repetitions that made the search quadratic: a mebibyte took minutes.
+TEST(PageText, HostileTextsTakeNoTime) {
+  const auto repeated = [](const std::string& part, const std::string& end = {}) {
+    std::string text;
+    while (text.size() < 1'000'000) text += part;
+    return text + end;
+  };
+  std::string many;
+  for (int i = 0; many.size() < 1'000'000; ++i) many += "![](" + std::to_string(i) + ".png)";
+  const auto began = std::chrono::steady_clock::now();
+  EXPECT_TRUE(markdown_images(repeated("![a](")).empty());
+  EXPECT_LT(markdown_images(repeated("![a](", ")")).size(), 1000U);  // the last ones have a path
+  EXPECT_TRUE(markdown_images(repeated("![", "] x")).empty());
+  EXPECT_TRUE(markdown_images(repeated("a <!-- b\n")).empty());
+  EXPECT_GT(markdown_images(many).size(), 50'000U);
+  EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(20));
 }
 
 TEST(PageText, LeavesOutIndentedCodeAndComments) {

@@ -5,7 +5,8 @@
 
 A package is built when its sources, what it needs, the compiler or the tools have changed; a run with
 nothing to do takes a fraction of a second. Packages that do not depend on each other build at once, those
-first for which most of the rest waits, so that no core is idle at the end.
+first for which most of the rest waits, so that no core is idle at the end. With --for only the packages that the
+workspace needs are built; the others stay as they are and follow with the next run without it.
 """
 from __future__ import annotations
 
@@ -24,7 +25,7 @@ sys.dont_write_bytecode = True
 
 from fingerprint import Compiler, find_compiler, linker_digest, package_keys, packer_digest, with_parts  # noqa: E402
 from metadata import ABI_PACKAGE, abi_record, record  # noqa: E402
-from package_source import PackageSource, find_packages, longest_first  # noqa: E402
+from package_source import PackageSource, find_packages, longest_first, needed_by  # noqa: E402
 from stage import BuildFailure, Workshop, build_package  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -110,9 +111,10 @@ def build_changed(workshop: Workshop, packages: dict[str, PackageSource], change
 
 def run(options: argparse.Namespace) -> int:
     compiler: Compiler = with_parts(find_compiler(options.emscripten), options.cli)
-    packages = find_packages(ROOT / "runtime")
+    every = find_packages(ROOT / "runtime")
+    packages = every if options.workspace is None else needed_by(options.workspace, every)
     toolchain = ROOT / "templates" / "toolchain"
-    keys = package_keys(packages, compiler, Path(__file__).parent, toolchain)
+    keys = package_keys(every, compiler, Path(__file__).parent, toolchain)
     work: Path = options.work or options.out.parent / "channel-work"
     workshop = Workshop(work / f"{compiler.tag}-{compiler.digest[:8]}", compiler,
                         toolchain / "ros2wasm-toolchain.cmake", options.cli)
@@ -136,7 +138,7 @@ def run(options: argparse.Namespace) -> int:
 
     changed = [name for name in longest_first(packages) if not is_built(name)]
     unpacked = [name for name in packages if name not in changed and not is_packed(name)]
-    gone = [name for name in state if name not in packages and name != ABI_PACKAGE]
+    gone = [name for name in state if name not in every and name != ABI_PACKAGE]
     abi = abi_record(compiler)
     musl = compiler.cxx.resolve().parent / "system" / "lib" / "libc" / "musl" / "COPYRIGHT"
     abi["license_files"] = [str(musl)] if musl.exists() else []
@@ -150,7 +152,7 @@ def run(options: argparse.Namespace) -> int:
     def packed(name: str, tree: Path) -> None:
         nonlocal count
         count += 1
-        meta = record(packages[name], packages, tree, compiler)
+        meta = record(packages[name], every, tree, compiler)
         meta["license_files"] = [str(path) for path in (ROOT / "LICENSE", tree / "share" / name / "copyright")
                                  if path.exists()]
         channel.add(meta, tree, workshop.folder / "meta" / f"{name}.json")
@@ -185,6 +187,8 @@ def main() -> int:
     parser.add_argument("--out", type=Path, required=True, help="the channel's folder")
     parser.add_argument("--work", type=Path, help="folder for builds (default: channel-work beside --out)")
     parser.add_argument("--emscripten", type=Path, help="folder of em++ (default: EMSDK's, else on PATH)")
+    parser.add_argument("--for", dest="workspace", type=Path, metavar="FOLDER",
+                        help="builds only what the packages below this folder need")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     options = parser.parse_args()
     options.cli, options.out = options.cli.resolve(), options.out.resolve()

@@ -45,6 +45,19 @@ def find_packages(runtime: Path) -> dict[str, PackageSource]:
     return _in_order({package.name: package for package in found})
 
 
+def needed_by(workspace: Path, packages: dict[str, PackageSource]) -> dict[str, PackageSource]:
+    """The packages that those below a folder name in package.xml, with all that these need, in the same order."""
+    asked: set[str] = set()
+    for path in sorted(workspace.rglob("package.xml")):
+        root = ElementTree.parse(path).getroot()
+        asked |= {(element.text or "").strip() for tag in {*BUILD_TAGS, *USE_TAGS} for element in root.findall(tag)}
+    wanted = asked & set(packages)
+    for name in reversed(packages):  # those that need it come before it
+        if name in wanted:
+            wanted |= set(packages[name].build_needs)
+    return {name: package for name, package in packages.items() if name in wanted}
+
+
 def longest_first(packages: dict[str, PackageSource]) -> list[str]:
     """The names by how much is to be compiled from each to the end of what waits for it, the most first."""
     lengths: dict[str, int] = {}

@@ -1,17 +1,38 @@
 // Builds the page with the fake session into a folder.
 
-import { copyFileSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { copyFileSync, cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { build } from 'esbuild';
+import * as esbuild from 'esbuild';
 
 const kRoot = fileURLToPath(new URL('../..', import.meta.url));
+/** Of a run of all tests, begun empty: the page is built once for all of them. */
+const kSharedCache = process.env['ROS2WASM_TEST_CACHE'];
+
 /** The built page: everything as in a site, but the session. Returns the folder. */
 export async function buildFakePage(folder: string): Promise<string> {
+  if (kSharedCache === undefined) return build(folder);
+  const shared = join(kSharedCache, 'fake-page');
+  if (!existsSync(shared)) {
+    mkdirSync(kSharedCache, { recursive: true });
+    const made = await build(mkdtempSync(join(kSharedCache, 'fake-page.')));
+    // Another file of tests may have been first: its page is the same.
+    try {
+      renameSync(made, shared);
+    } catch (error) {
+      if (!existsSync(shared)) throw error;
+      rmSync(made, { recursive: true });
+    }
+  }
+  cpSync(shared, folder, { recursive: true });
+  return folder;
+}
+
+async function build(folder: string): Promise<string> {
   const ui = join(kRoot, 'runtime/ui');
   mkdirSync(folder, { recursive: true });
   const shared = { bundle: true, minify: true, target: 'es2022', logLevel: 'warning' } as const;
-  await build({
+  await esbuild.build({
     ...shared,
     entryPoints: { start: join(kRoot, 'tests/e2e/page_fake.tsx') },
     outdir: folder,
@@ -20,13 +41,13 @@ export async function buildFakePage(folder: string): Promise<string> {
     jsx: 'automatic',
     jsxImportSource: 'preact',
   });
-  await build({
+  await esbuild.build({
     ...shared,
     entryPoints: { boot: join(ui, 'boot.ts') },
     outdir: folder,
     format: 'iife',
   });
-  await build({ ...shared, entryPoints: { styles: join(ui, 'styles/index.css'), panels: join(ui, 'styles/panels.css') }, outdir: folder });
+  await esbuild.build({ ...shared, entryPoints: { styles: join(ui, 'styles/index.css'), panels: join(ui, 'styles/panels.css') }, outdir: folder });
   for (const file of ['icon.svg', 'app.webmanifest']) copyFileSync(join(ui, file), join(folder, file));
   // What a real session fetches first is not there.
   const page = readFileSync(join(ui, 'index.html'), 'utf8').replace(

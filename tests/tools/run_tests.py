@@ -10,6 +10,7 @@ that fails twice has failed.
 from __future__ import annotations
 
 import argparse
+import contextlib
 import os
 import re
 import shutil
@@ -20,13 +21,19 @@ import time
 import xml.etree.ElementTree as ElementTree
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 
-# More failures in one suite than this are no accident: nothing is run again.
+# With more failures than this in one suite, nothing is run again: these are not accidents.
 SECOND_TRIES = 8
+# Tests that are listed at the end of a run.
+SLOWEST = 20
+# A suite that takes longer than this hangs: it is asked what it waits for, and ended.
+MOST_SECONDS = 2400
+# Between the question and the end.
+LAST_WORDS_SECONDS = 20
 
 
 @dataclass(frozen=True)
@@ -35,6 +42,7 @@ class Suite:
     command: list[str]
     counting: str  # "ctest", "node", "gtest" (these write JUnit XML) or "lines" ("N passed, N failed")
     alone: bool = False  # uses both cores by itself, or is about time
+    most_seconds: float = MOST_SECONDS
     not_run: str = ""  # why it cannot run on this machine: said in a line; a failure when it was asked for
 
 
@@ -44,6 +52,7 @@ class Counts:
     failed: int
     skipped: int = 0
     again: tuple[str, ...] = ()  # failed, and passed when they were run once more
+    seconds: float = 0
 
 
 @dataclass(frozen=True)
@@ -53,9 +62,11 @@ class Case:
 
 
 def junit_cases(report: Path) -> Iterator[ElementTree.Element]:
-    """The leaf test cases of a JUnit file. Messages may have bytes that XML has no place for: colours of a terminal."""
+    """The leaf test cases of a JUnit file, which may have been cut off. Colours of a terminal are not XML."""
     text = re.sub(r"[\x00-\x08\x0b\x0c\x0e-\x1f]", "?", report.read_text(encoding="utf-8", errors="replace"))
-    return ElementTree.fromstring(text).iter("testcase")
+    parser = ElementTree.XMLPullParser(["end"])
+    parser.feed(text)
+    return (element for _, element in parser.read_events() if element.tag == "testcase")
 
 
 def failed_cases(report: Path) -> list[Case]:
@@ -84,6 +95,16 @@ def junit_counts(report: Path) -> Counts:
         else:
             passed += 1
     return Counts(passed, failed, skipped)
+
+
+def slowest(reports: list[Path]) -> list[tuple[float, str]]:
+    """Seconds and name of the tests that took longest. Suites that write no report of single tests are absent."""
+    timed = []
+    for report in filter(Path.exists, reports):
+        for case in junit_cases(report):
+            file = Path(case.get("file", "")).name or case.get("classname", "")
+            timed.append((float(case.get("time") or 0), f"{report.stem}: {file}: {case.get('name', '')}"))
+    return sorted(timed, reverse=True)[:SLOWEST]
 
 
 def line_counts(output: str) -> Counts:
@@ -145,7 +166,7 @@ def suites(build: Path, bless: bool) -> list[Suite]:
             [sys.executable, "tests/golden/run.py", "--cli", cli] + (["--bless"] if bless else []),
             "lines",
         ),
-        Suite("fuzz", [sys.executable, "tests/fuzz/run.py", "--seconds", "20"], "lines"),
+        Suite("fuzz", [sys.executable, "tests/fuzz/run.py"], "lines"),
         Suite("unit-js", node(tests_of("unit")), "node"),
         Suite(
             "unit-python",
@@ -189,11 +210,28 @@ def second_try(suite: Suite, failed: list[Case]) -> list[str] | None:
     return None
 
 
-def started(command: list[str], environment: dict[str, str]) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        command, cwd=ROOT, env=environment, text=True, errors="replace", check=False,
-        stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-    )
+def started(command: list[str], environment: dict[str, str], log: Path,
+            most_seconds: float) -> tuple[int, str]:
+    """The exit code and the output of a command, which is in the log while it runs. One that hangs is ended."""
+    with log.open("w") as stream:
+        process = subprocess.Popen(command, cwd=ROOT, env=environment, stdin=subprocess.DEVNULL, stdout=stream,
+                                   stderr=subprocess.STDOUT, start_new_session=True)
+        try:
+            process.wait(most_seconds)
+        except subprocess.TimeoutExpired:
+            # Node.js and unittest answer it with what was running.
+            process.send_signal(signal.SIGINT)
+            try:
+                process.wait(LAST_WORDS_SECONDS)
+            except subprocess.TimeoutExpired:
+                pass
+            stream.write(f"\nthe suite was ended: it ran for more than {most_seconds:.0f} s\n")
+        finally:
+            # Browsers and servers of tests that were ended stay in the session.
+            with contextlib.suppress(ProcessLookupError):
+                os.killpg(process.pid, signal.SIGKILL)
+            process.wait()
+    return process.returncode, log.read_text(errors="replace")
 
 
 def counts_of(suite: Suite, report: Path, output: str) -> Counts:
@@ -211,11 +249,11 @@ def tried_again(suite: Suite, report: Path, output: str, environment: dict[str, 
     print(f"{suite.name}: once more, by themselves: {', '.join(case.name for case in failed)}", flush=True)
     second = report.with_name(f"{suite.name}-again.xml")
     second.unlink(missing_ok=True)
-    process = started(with_report(suite, command, second), environment)
-    second.with_suffix(".log").write_text(process.stdout)
-    again = counts_of(suite, second, process.stdout)
-    if again.passed == 0 or again.failed or again.skipped or process.returncode != 0:
-        print(process.stdout[-12000:], flush=True)
+    code, said = started(with_report(suite, command, second), environment, second.with_suffix(".log"),
+                         suite.most_seconds)
+    again = counts_of(suite, second, said)
+    if again.passed == 0 or again.failed or again.skipped or code != 0:
+        print(said[-12000:], flush=True)
         return first
     return Counts(first.passed + len(failed), 0, first.skipped, tuple(case.name for case in failed))
 
@@ -225,23 +263,23 @@ def run(suite: Suite, build: Path, environment: dict[str, str]) -> Counts:
     report.parent.mkdir(parents=True, exist_ok=True)
     report.unlink(missing_ok=True)
     began = time.monotonic()
-    process = started(with_report(suite, suite.command, report), environment)
-    (report.with_suffix(".log")).write_text(process.stdout)
-    counts = counts_of(suite, report, process.stdout)
-    if process.returncode != 0 and counts.failed == 0:
+    code, said = started(with_report(suite, suite.command, report), environment, report.with_suffix(".log"),
+                         suite.most_seconds)
+    counts = counts_of(suite, report, said)
+    if code != 0 and counts.failed == 0:
         counts = Counts(counts.passed, 1, counts.skipped)
     if counts.passed + counts.failed == 0:
         print(f"{suite.name}: no test ran", flush=True)
         counts = Counts(0, 1)
     if counts.failed:
-        print(process.stdout[-12000:], flush=True)
-        counts = tried_again(suite, report, process.stdout, environment, counts)
+        print(said[-12000:], flush=True)
+        counts = tried_again(suite, report, said, environment, counts)
     seconds = time.monotonic() - began
     skipped = f", {counts.skipped} skipped" if counts.skipped else ""
     again = f", {len(counts.again)} at the second try" if counts.again else ""
     print(f"{suite.name:12} {counts.passed:5} passed, {counts.failed} failed{skipped}{again} ({seconds:.1f} s)",
           flush=True)
-    return counts
+    return replace(counts, seconds=seconds)
 
 
 def main() -> int:
@@ -274,8 +312,17 @@ def main() -> int:
     results += [result(suite) for suite in chosen if suite.alone]
     passed = sum(r.passed for r in results)
     failed = sum(r.failed + r.skipped for r in results)
-    for name in [name for result in results for name in result.again]:
-        print(f"passed at the second try only: {name}")
+    ran = list(zip([s for s in chosen if not s.alone] + [s for s in chosen if s.alone], results, strict=True))
+    print("\nslowest tests (s):")
+    for seconds, name in slowest([build / "test-reports" / f"{suite.name}.xml" for suite, _ in ran]):
+        print(f"{seconds:7.1f}  {name}")
+    print("\nminutes by suite:")
+    for suite, counts in sorted(ran, key=lambda row: -row[1].seconds):
+        print(f"{counts.seconds / 60:7.1f}  {suite.name}")
+    again = [f"{suite.name}: {name}" for suite, counts in ran for name in counts.again]
+    (build / "test-reports" / "second-tries.txt").write_text("".join(f"{line}\n" for line in again))
+    for line in again:
+        print(f"passed at the second try only: {line}")
     print(f"{passed} passed, {failed} failed")
     return 1 if failed else 0
 

@@ -237,9 +237,13 @@ void Executor::refresh_entries() {
   }
   entries_.swap(ordered);
   entry_of_endpoint_.clear();
+  polling_.clear();
   for (size_t i = 0; i < entries_.size(); ++i) {
     if (entries_[i].endpoint_id >= 0) {
       entry_of_endpoint_[entries_[i].endpoint_id] = i;
+    }
+    if (entries_[i].polls) {
+      polling_.push_back(i);
     }
   }
 }
@@ -262,7 +266,6 @@ void Executor::ask_bus(std::optional<int32_t> token) {
 nanoseconds Executor::collect_ready(std::optional<int32_t> token) {
   ready_.clear();
   next_ready_ = 0;
-  ready_marks_.assign(entries_.size(), 0);
   bool status_changed = false;
   spared_ = token && asked_at_ == token && !ready_entries_.empty();
   if (!spared_) {
@@ -276,12 +279,12 @@ nanoseconds Executor::collect_ready(std::optional<int32_t> token) {
     seen_status_ = status;
   }
   for (const size_t i : ready_entries_) {
-    ready_marks_[i] = 1;
+    add_ready(i);
   }
   nanoseconds next_timer = nanoseconds::max();
-  for (size_t i = 0; i < entries_.size(); ++i) {
+  for (const size_t i : polling_) {
     Entry& entry = entries_[i];
-    if (!entry.polls || (entry.follows_status && !status_changed && !entry.was_ready)) {
+    if (entry.follows_status && !status_changed && !entry.was_ready) {
       continue;
     }
     const auto entity = entry.entity.lock();
@@ -290,23 +293,31 @@ nanoseconds Executor::collect_ready(std::optional<int32_t> token) {
     }
     if (!entry.is_timer) {
       entry.was_ready = entity->is_ready_now();
-      ready_marks_[i] = ready_marks_[i] != 0 || entry.was_ready;
+      if (entry.was_ready) {
+        add_ready(i);
+      }
       continue;
     }
     auto& timer = static_cast<TimerBase&>(*entity);
     const nanoseconds left = timer.time_until_trigger();
     if (left.count() <= 0) {
-      ready_marks_[i] = 1;
+      add_ready(i);
     } else if (!timer.get_clock()->ros_time_is_active()) {
       next_timer = std::min(next_timer, left);
     }
   }
-  for (size_t i = 0; i < entries_.size(); ++i) {
-    if (ready_marks_[i] != 0) {
-      ready_.push_back(i);
-    }
-  }
   return next_timer;
+}
+
+void Executor::add_ready(size_t entry) {
+  // Entries come almost in order. A sort of the library is 3 kB of every program.
+  size_t at = ready_.size();
+  while (at > 0 && ready_[at - 1] > entry) {
+    --at;
+  }
+  if (at == 0 || ready_[at - 1] != entry) {
+    ready_.insert(ready_.begin() + static_cast<std::ptrdiff_t>(at), entry);
+  }
 }
 
 bool Executor::take_ready(AnyExecutable& any_executable) {

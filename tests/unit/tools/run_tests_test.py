@@ -59,6 +59,18 @@ class SecondTryTest(unittest.TestCase):
         self.assertEqual((counts.passed, counts.failed), (many, many))
         self.assertNotIn("once more", printed)
 
+    def test_a_suite_that_hangs_is_ended_and_says_where(self) -> None:
+        file = self.folder / "endless.test.mjs"
+        file.write_text("import test from 'node:test';\n"
+                        "test('waits for ever', () => new Promise((done) => setTimeout(done, 1e8)));\n")
+        printed = io.StringIO()
+        with contextlib.redirect_stdout(printed):
+            counts = run(Suite("sample", ["node", "--test", str(file)], "node", most_seconds=3), self.folder,
+                         environment())
+        self.assertGreaterEqual(counts.failed, 1)
+        self.assertIn("the suite was ended: it ran for more than 3 s", printed.getvalue())
+        self.assertIn("endless.test.mjs", printed.getvalue())
+
 
 class SuitesTest(unittest.TestCase):
     def test_a_test_that_opens_a_browser_is_known_by_what_it_imports(self) -> None:

@@ -134,6 +134,8 @@ class Executor {
   /// not asked again. Without a token it is.
   std::chrono::nanoseconds collect_ready(std::optional<int32_t> token);
   void ask_bus(std::optional<int32_t> token);
+  /// Each once, in the order of entries_.
+  void add_ready(size_t entry);
   bool take_ready(AnyExecutable& any_executable);
   void release_group(const rclcpp::CallbackGroup::WeakPtr& weak);
 
@@ -145,7 +147,8 @@ class Executor {
   int32_t seen_status_ = 0;
   std::vector<Entry> entries_;
   std::map<int32_t, size_t> entry_of_endpoint_;
-  std::vector<char> ready_marks_;
+  // Those that are asked in each round, timers first.
+  std::vector<size_t> polling_;
   std::vector<size_t> ready_;
   size_t next_ready_ = 0;
   std::vector<uint32_t> ready_endpoints_;

@@ -12,7 +12,7 @@ from pathlib import Path
 from . import ROOT
 from fingerprint import Compiler, package_keys, tree_digest
 from metadata import conda_name, record
-from package_source import PackageSource, find_packages, longest_first
+from package_source import PackageSource, find_packages, longest_first, needed_by
 from write_versions import page
 
 COMPILER = Compiler(Path("/opt/em++"), "3.1.6", "0" * 64, "clang14.0.6_h0123456789ab_0")
@@ -73,6 +73,15 @@ class FindPackages(Scratch):
         (self.add("m", package_xml("m", "z")) / "large.cpp").write_text("//" * 5000)
         (self.add("n", package_xml("n")) / "middle.cpp").write_text("//" * 2000)
         self.assertEqual(longest_first(find_packages(self.root / "runtime")), ["z", "m", "n", "a"])
+
+    def test_a_workspace_needs_what_its_packages_name_and_what_these_need(self) -> None:
+        for name, *needs in (("base",), ("client", "base"), ("tools", "client"), ("messages", "base"), ("other",)):
+            self.add(name, package_xml(name, *needs))
+        source = self.root / "workspace/src/mine"
+        source.mkdir(parents=True)
+        (source / "package.xml").write_text(package_xml("mine", "client", "not_ours"), encoding="utf-8")
+        needed = needed_by(self.root / "workspace", find_packages(self.root / "runtime"))
+        self.assertEqual(list(needed), ["base", "client"])
 
     def test_a_circle_is_named(self) -> None:
         self.add("a", package_xml("a", "b"))

@@ -120,11 +120,14 @@ Outcome<RebuildReport> rebuild(const RebuildRequest& request, const Cancellation
   if (!made) return made.errors();
   auto differences = site_differences(compared(*given), compared(*made));
   if (!differences) return std::move(differences).errors();
+  Diagnostics warnings = packed->warnings;
+  if (!check->unlisted.empty())
+    warnings.insert(warnings.begin(), unlisted_files(check->unlisted, request.site.string()));
   return RebuildReport{.sha256 = given->list.hash,
                        .made = made->list.hash,
                        .generator = given->list.generator,
                        .differences = std::move(*differences),
-                       .warnings = packed->warnings,
+                       .warnings = std::move(warnings),
                        .remarks = packed->remarks};
 }
 

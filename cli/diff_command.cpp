@@ -1,6 +1,8 @@
 // `ros2wasm diff SITE SITE`: which files of two sites differ, and where.
+#include <array>
 #include <filesystem>
 #include <memory>
+#include <vector>
 
 #include "bundler/verify/open_site.hpp"
 #include "bundler/verify/site_check.hpp"
@@ -13,40 +15,76 @@ namespace ros2wasm {
 namespace {
 namespace fs = std::filesystem;
 
-/// Lists are compared, so they must tell the truth: what files are not as site.json lists them.
-Outcome<Done> check_files(Context& context, const fs::path& site) {
+/// Lists are compared, so they must be true: which files are not as site.json lists them. The
+/// result is the files that it does not list.
+Outcome<std::vector<std::string>> check_files(Context& context, const fs::path& site) {
   auto check = check_site_folder(site, context.cancellation, {});
   if (!check) return std::move(check).errors();
   for (Diagnostic& fault : check->faults)
     fault.why.push_back("so `" + site.string() + "` is not the site that its site.json describes");
   if (!check->faults.empty()) return check->faults;
-  return Done{};
+  return std::move(check->unlisted);
 }
 
-int diff(Context& context, const fs::path& first, const fs::path& second) {
-  const auto a = open_site(first);
-  if (!a) return context.console.fail(a.errors());
-  const auto b = open_site(second);
-  if (!b) return context.console.fail(b.errors());
+struct Comparison {
+  std::array<std::string, 2> hashes;
+  std::array<std::vector<std::string>, 2> unlisted;  ///< no difference: no part of a site
+  std::vector<SiteDifference> differences;
+};
+
+Outcome<Comparison> compare(Context& context, const std::array<fs::path, 2>& folders) {
+  const auto a = open_site(folders[0]);
+  if (!a) return a.errors();
+  const auto b = open_site(folders[1]);
+  if (!b) return b.errors();
+  Comparison result{.hashes = {a->list.hash, b->list.hash}, .unlisted = {}, .differences = {}};
   Diagnostics faults;
-  for (const fs::path& site : {first, second})
-    if (auto fine = check_files(context, site); !fine) append(faults, fine.errors());
-  if (!faults.empty()) return context.console.fail(faults);
-  const auto differences = site_differences(compared(*a), compared(*b));
-  if (!differences) return context.console.fail(differences.errors());
-  if (context.json) {
-    JsonWriter json;
-    json.begin_object().key("sha256").begin_array().string(a->list.hash).string(b->list.hash);
-    json.end_array().key("differences").begin_array();
-    write_differences(json, *differences);
-    json.end_array().end_object();
-    context.console.result(json.text());
-  } else if (differences->empty()) {
-    context.console.result("the same site, sha256 " + a->list.hash);
-  } else {
-    for (const SiteDifference& one : *differences) context.console.result(difference_line(one));
+  for (std::size_t i = 0; i < folders.size(); ++i) {
+    auto unlisted = check_files(context, folders.at(i));
+    if (unlisted)
+      result.unlisted.at(i) = std::move(*unlisted);
+    else
+      append(faults, unlisted.errors());
   }
-  return differences->empty() ? 0 : 1;
+  if (!faults.empty()) return faults;
+  auto differences = site_differences(compared(*a), compared(*b));
+  if (!differences) return std::move(differences).errors();
+  result.differences = std::move(*differences);
+  return result;
+}
+
+std::string as_json(const Comparison& found) {
+  JsonWriter json;
+  json.begin_object().key("sha256").begin_array();
+  for (const std::string& hash : found.hashes) json.string(hash);
+  json.end_array().key("differences").begin_array();
+  write_differences(json, found.differences);
+  json.end_array().key("unlisted").begin_array();
+  for (const auto& paths : found.unlisted) {
+    json.begin_array();
+    for (const std::string& path : paths) json.string(path);
+    json.end_array();
+  }
+  json.end_array().end_object();
+  return json.text();
+}
+
+int diff(Context& context, const std::array<fs::path, 2>& folders) {
+  const auto found = compare(context, folders);
+  if (!found) return context.console.fail(found.errors());
+  for (std::size_t i = 0; i < folders.size(); ++i) {
+    if (!found->unlisted.at(i).empty())
+      context.console.report(unlisted_files(found->unlisted.at(i), folders.at(i).string()));
+  }
+  if (context.json) {
+    context.console.result(as_json(*found));
+  } else if (found->differences.empty()) {
+    context.console.result("the same site, sha256 " + found->hashes[0]);
+  } else {
+    for (const SiteDifference& one : found->differences)
+      context.console.result(difference_line(one));
+  }
+  return found->differences.empty() ? 0 : 1;
 }
 
 }  // namespace
@@ -57,7 +95,7 @@ CommandBody diff_command(Arguments& arguments) {
   arguments.required("FIRST", *first, "folder of a site");
   arguments.required("SECOND", *second, "folder of another");
   arguments.examples({"ros2wasm diff site ../yesterday/site"});
-  return [first, second](Context& context) { return diff(context, *first, *second); };
+  return [first, second](Context& context) { return diff(context, {*first, *second}); };
 }
 
 }  // namespace ros2wasm

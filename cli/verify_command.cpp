@@ -81,21 +81,6 @@ Diagnostic another_site(const std::string& wanted, const std::string& found) {
                     .fix = {}};
 }
 
-Diagnostic more_files(const std::vector<std::string>& paths) {
-  constexpr std::size_t kShown = 5;
-  Diagnostic warning{.code = "R2W0653",
-                     .severity = Severity::kWarning,
-                     .message = std::to_string(paths.size()) +
-                                (paths.size() == 1 ? " file lies" : " files lie") +
-                                " in the folder that the site does not list",
-                     .why = {},
-                     .fix = {}};
-  for (std::size_t i = 0; i < paths.size() && i < kShown; ++i) warning.why.push_back(paths[i]);
-  if (paths.size() > kShown)
-    warning.why.push_back("and " + std::to_string(paths.size() - kShown) + " more");
-  return warning;
-}
-
 int verify(Context& context, const Options& options) {
   std::string wanted = options.hash;
   if (wanted.starts_with("sha256:")) wanted.erase(0, 7);
@@ -137,7 +122,8 @@ int verify(Context& context, const Options& options) {
       faults.insert(faults.begin(), found.errors().begin(), found.errors().end());
     }
   }
-  if (!check->unlisted.empty()) context.console.report(more_files(check->unlisted));
+  if (!check->unlisted.empty())
+    context.console.report(unlisted_files(check->unlisted, options.site));
   if (context.json) print_json(context, options.site, *check, signer, faults.empty());
   if (!faults.empty()) return context.console.fail(faults);
   if (!context.json) {

@@ -1,6 +1,10 @@
 // See course_check.hpp.
 #include "bundler/verify/course_check.hpp"
 
+#include <algorithm>
+#include <set>
+
+#include "bundler/emit/precompressed.hpp"
 #include "bundler/io/files.hpp"
 #include "bundler/io/sha256.hpp"
 #include "bundler/render/course_page.hpp"
@@ -8,6 +12,41 @@
 
 namespace ros2wasm {
 namespace fs = std::filesystem;
+namespace {
+
+/// What lies in the folder beside the labs, their store and the course's own files.
+Outcome<std::vector<std::string>> unlisted_beside_labs(const fs::path& folder,
+                                                       const CourseList& course,
+                                                       const std::set<std::string>& stores) {
+  std::set<std::string> listed{kCourseJsonName, kHashList};
+  listed.insert(course.files.begin(), course.files.end());
+  std::set<std::string> folders = stores;
+  for (const PackedLab& lab : course.labs) folders.insert(lab.name);
+  for (const std::string& path : std::vector(listed.begin(), listed.end())) {
+    for (const Compression& form : kCompressions) listed.insert(path + std::string(form.ending));
+  }
+  auto tree = list_tree(folder);
+  if (!tree) return std::move(tree).errors();
+  std::vector<std::string> result;
+  for (const TreeEntry& entry : *tree) {
+    if (entry.kind == FileKind::kDirectory || listed.contains(entry.path)) continue;
+    // A link in the place of a folder has no slash, and is not what was packed.
+    const std::size_t slash = entry.path.find('/');
+    if (slash != std::string::npos && folders.contains(entry.path.substr(0, slash))) continue;
+    result.push_back(entry.path);
+  }
+  return result;
+}
+
+/// `objects` of `../objects/`; empty for a store elsewhere.
+std::string store_beside_labs(const SiteStore& store) {
+  constexpr std::string_view kUp = "../";
+  if (!store.objects.starts_with(kUp)) return {};
+  const std::string rest = store.objects.substr(kUp.size());
+  return rest.substr(0, rest.find('/'));
+}
+
+}  // namespace
 
 Outcome<SiteCheck> check_course_folder(const fs::path& folder, const Cancellation& cancellation,
                                        const ProgressSink& progress) {
@@ -37,6 +76,7 @@ Outcome<SiteCheck> check_course_folder(const fs::path& folder, const Cancellatio
                            course->sizes[i].sha256},
                    .fix = {}});
   }
+  std::set<std::string> stores;
   for (const PackedLab& lab : course->labs) {
     auto check = check_site_folder(folder / lab.name, cancellation, progress);
     if (!check) return check;
@@ -51,12 +91,17 @@ Outcome<SiteCheck> check_course_folder(const fs::path& folder, const Cancellatio
       fault.why.push_back("of the lab `" + lab.name + "`");
       all.faults.push_back(std::move(fault));
     }
+    stores.insert(store_beside_labs(check->list.store));
     for (const std::string& path : check->unlisted) all.unlisted.push_back(lab.name + "/" + path);
     for (ListedFile& file : check->list.files) {
       file.path = lab.name + "/" + file.path;
       all.list.files.push_back(std::move(file));
     }
   }
+  auto beside = unlisted_beside_labs(folder, *course, stores);
+  if (!beside) return std::move(beside).errors();
+  all.unlisted.insert(all.unlisted.end(), beside->begin(), beside->end());
+  std::sort(all.unlisted.begin(), all.unlisted.end());
   return all;
 }
 

@@ -147,6 +147,21 @@ void report(const ProgressSink& progress, std::uint64_t done, std::uint64_t tota
 
 }  // namespace
 
+Diagnostic unlisted_files(const std::vector<std::string>& paths, const std::string& shown) {
+  constexpr std::size_t kShown = 5;
+  Diagnostic warning{.code = "R2W0653",
+                     .severity = Severity::kWarning,
+                     .message = "`" + shown + "` has " + std::to_string(paths.size()) +
+                                (paths.size() == 1 ? " file" : " files") +
+                                " that its site.json does not list",
+                     .why = {},
+                     .fix = {}};
+  for (std::size_t i = 0; i < paths.size() && i < kShown; ++i) warning.why.push_back(paths[i]);
+  if (paths.size() > kShown)
+    warning.why.push_back("and " + std::to_string(paths.size() - kShown) + " more");
+  return warning;
+}
+
 Outcome<SiteCheck> check_site_folder(const fs::path& folder, const Cancellation& cancellation,
                                      const ProgressSink& progress) {
   const auto text = read_file(folder / kSiteJsonName, kMostOfSiteJson);

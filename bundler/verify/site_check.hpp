@@ -23,6 +23,11 @@ struct SiteCheck {
   std::optional<std::string> signature;  ///< the text beside it, where there is one
 };
 
+/// R2W0653, a warning: the folder `shown` has these files, which its site.json does not list. The
+/// first ones are named.
+[[nodiscard]] Diagnostic unlisted_files(const std::vector<std::string>& paths,
+                                        const std::string& shown);
+
 /// Reads every file. Links are not followed: a site has none. R2W0210, R2W0605, R2W0608.
 [[nodiscard]] Outcome<SiteCheck> check_site_folder(const std::filesystem::path& folder,
                                                    const Cancellation& cancellation,

@@ -1,0 +1,63 @@
+// Folders of sites and courses against their lists: what is not in a list, and lists that are far
+// too long.
+#include "bundler/verify/site_check.hpp"
+
+#include <gtest/gtest.h>
+
+#include "bundler/io/files.hpp"
+#include "bundler/io/sha256.hpp"
+#include "bundler/verify/course_check.hpp"
+#include "unit/bundler/support/temporary_tree.hpp"
+
+namespace ros2wasm {
+namespace {
+
+const std::string kEmptySite = R"({"generator":"ros2wasm 0.1.0","files":[]})";
+
+/// A site without files of its own.
+void write_empty_site(const testing::TemporaryTree& tree, const std::string& folder) {
+  tree.write(folder + "/site.json", kEmptySite);
+  tree.write(folder + "/SHA256SUMS", sha256_hex(kEmptySite) + "  site.json\n");
+}
+
+TEST(SiteCheck, FilesThatNoListHas) {
+  const testing::TemporaryTree tree;
+  write_empty_site(tree, "site");
+  tree.write("site/evil.js", "x");
+  tree.write("site/a.gz", "x");
+  tree.write("site/channel/noarch/repodata.json", "x");
+  tree.write("site/site.json.minisig", "x");
+  std::filesystem::create_symlink("site.json", tree / "site/link");
+  const auto check = check_site_folder(tree / "site", {}, {});
+  ASSERT_TRUE(check);
+  EXPECT_TRUE(check->faults.empty());
+  EXPECT_EQ(check->unlisted, (std::vector<std::string>{"a.gz", "evil.js", "link"}));
+  const Diagnostic warning = unlisted_files(check->unlisted, "site");
+  EXPECT_EQ(warning.code, "R2W0653");
+  EXPECT_EQ(warning.severity, Severity::kWarning);
+  EXPECT_EQ(unlisted_files(std::vector<std::string>(9, "a"), "s").why.back(), "and 4 more");
+}
+
+// Guarantee, verified: files beside the labs of a course that no list has are named as those in a
+// lab are
+TEST(SiteCheck, FilesBesideTheLabsOfACourse) {
+  const testing::TemporaryTree tree;
+  write_empty_site(tree, "course/one");
+  tree.write("course/one/more", "x");
+  tree.write("course/evil.js", "x");
+  tree.write("course/two/index.html", "x");
+  tree.write("course/index.html", "x");
+  tree.write("course/index.html.br", "x");
+  tree.write("course/SHA256SUMS", "x");
+  tree.write(
+      "course/course.json",
+      R"({"generator":"ros2wasm 0.1.0","labs":[{"name":"one","sha256":")" + sha256_hex(kEmptySite) +
+          R"("}],"files":[{"path":"index.html","size":1,"sha256":")" + sha256_hex("x") + R"("}]})");
+  const auto check = check_course_folder(tree / "course", {}, {});
+  ASSERT_TRUE(check);
+  EXPECT_TRUE(check->faults.empty());
+  EXPECT_EQ(check->unlisted, (std::vector<std::string>{"evil.js", "one/more", "two/index.html"}));
+}
+
+}  // namespace
+}  // namespace ros2wasm

@@ -174,8 +174,7 @@ Outcome<CourseReport> pack_into(const CourseRequest& request, const Course& cour
     one.input = (base / lab.workspace.value).lexically_normal().string();
     one.output = folder / lab.name;
     one.store = folder / kObjects;
-    std::error_code error;
-    if (!fs::exists(one.input, error)) {
+    if (is_absent(one.input)) {
       errors.push_back(Diagnostic{.code = "R2W0616",
                                   .message = "there is no workspace `" + lab.workspace.value + "`",
                                   .span = lab.workspace.span,
@@ -240,8 +239,7 @@ bool is_course(const std::string& input) {
   std::error_code error;
   const fs::path path = input.empty() ? fs::path(".") : fs::path(input);
   if (fs::is_directory(path, error))
-    return fs::is_regular_file(path / kCourseName, error) &&
-           !fs::exists(path / kLabManifest, error);
+    return !is_absent(path / kCourseName) && is_absent(path / kLabManifest);
   return path.filename() == kCourseName;
 }
 

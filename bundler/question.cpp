@@ -38,7 +38,7 @@ Outcome<BuiltWorkspace> read_workspace(const PackRequest& request) {
   fs::path file = input;
   if (fs::is_directory(input, error)) {
     file = input / kManifestName;
-    if (!fs::exists(file, error)) {
+    if (is_absent(file)) {
       BuiltWorkspace made;
       made.folder = fs::canonical(input, error);
       made.shown_folder = input;

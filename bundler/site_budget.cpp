@@ -10,9 +10,8 @@ Outcome<Done> keep_budget(const Manifest& manifest, const SitePlan& plan,
                           const std::filesystem::path& folder, bool write) {
   if (!manifest.site_budget.total && !manifest.site_budget.compressed) return Done{};
   const std::filesystem::path file = folder / kSizesFileName;
-  std::error_code error;
   std::optional<std::string> old_text;
-  if (std::filesystem::exists(file, error)) {
+  if (!is_absent(file)) {
     auto text = read_file(file, kMostOfText);
     if (!text) return std::move(text).errors();
     old_text = std::move(*text);

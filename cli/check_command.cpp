@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "bundler/io/files.hpp"
 #include "bundler/launch/left_out.hpp"
 #include "bundler/workspace_check.hpp"
 #include "cli/arguments.hpp"
@@ -25,7 +26,7 @@ int check(Context& context, const Options& options) {
   std::filesystem::path path = options.manifest;
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) path /= "workspace.yaml";
-  if (!std::filesystem::exists(path, ignored)) {
+  if (is_absent(path)) {
     return context.console.fail(
         Diagnostic{.code = "R2W0115",
                    .message = "there is no manifest `" + path.generic_string() + "`",

@@ -44,8 +44,7 @@ Diagnostic refused(std::string message, std::vector<std::string> why) {
 
 /// The manifest of the folder, for its distro; without one, what manifests have by default.
 Outcome<Manifest> manifest_of(const fs::path& folder, const fs::path& shown) {
-  std::error_code error;
-  if (!fs::is_regular_file(folder / "workspace.yaml", error)) return Manifest{};
+  if (is_absent(folder / "workspace.yaml")) return Manifest{};
   const auto text = read_file(folder / "workspace.yaml", kMostOfText);
   if (!text) return text.errors();
   return read_manifest(*text, (shown / "workspace.yaml").lexically_normal().generic_string());

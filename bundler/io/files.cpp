@@ -96,6 +96,11 @@ Diagnostic cannot_write(const fs::path& path, int errno_value) {
                     .why = {system_reason(errno_value)}};
 }
 
+bool is_absent(const fs::path& path) {
+  std::error_code error;
+  return fs::symlink_status(path, error).type() == fs::file_type::not_found;
+}
+
 Outcome<int> open_file_to_read(const fs::path& path) {
   // A pipe without a writer must not be waited for.
   const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);

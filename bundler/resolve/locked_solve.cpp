@@ -116,8 +116,7 @@ Diagnostics other_wheels(const std::vector<LockedWheel>& locked,
 }
 
 Outcome<Lock> read_lock_file(const std::filesystem::path& file) {
-  std::error_code error;
-  if (!std::filesystem::exists(file, error)) {
+  if (is_absent(file)) {
     return Diagnostic{.code = "R2W0330",
                       .message = "there is no `" + file.string() + "`",
                       .why = {"`ros2wasm lock` and `ros2wasm pack` write it"},
@@ -134,12 +133,11 @@ Outcome<LockedSolution> solve_with_lock(const std::vector<RequestedSpec>& specs,
                                         ChannelPriority priority, bool must_fit,
                                         const LockUpdate& update,
                                         const Cancellation& cancellation) {
-  std::error_code error;
   std::string old_text;
   std::vector<PackageRecord> locked;
   std::vector<LockedWheel> old_wheels;
   std::vector<std::string> strangers;  // to choose anew, but not in the lock
-  if (std::filesystem::exists(lock_file, error)) {
+  if (!is_absent(lock_file)) {
     auto text = read_file(lock_file, kMostOfList);
     if (!text) return std::move(text).errors();
     old_text = std::move(text).value();

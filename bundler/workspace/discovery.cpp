@@ -38,9 +38,11 @@ std::vector<fs::path> sorted_subfolders(const fs::path& folder) {
   return result;
 }
 
+/// Also one that cannot be read, so that the package is not passed over. Nothing is known of what
+/// lies in a folder that may not be entered: it counts as empty.
 bool has_package_xml(const fs::path& folder) {
   std::error_code error;
-  return fs::is_regular_file(folder / "package.xml", error);
+  return fs::exists(fs::symlink_status(folder / "package.xml", error));
 }
 
 /// The project that the CMakeLists.txt of a folder names, if it names one.

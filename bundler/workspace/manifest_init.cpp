@@ -227,9 +227,8 @@ Outcome<InitReport> init_workflow(const fs::path& template_file, const fs::path&
   const auto text = read_file(template_file, kMostOfText);
   if (!text) return text.errors();
   InitReport report;
-  std::error_code error;
   const fs::path file = (folder / "workspace.yaml").lexically_normal();
-  if (!fs::exists(file, error)) {
+  if (is_absent(file)) {
     report.remarks.push_back("there is no " + file.string() +
                              ": change WORKSPACE in the workflow to where the manifest is");
   } else {
@@ -239,7 +238,7 @@ Outcome<InitReport> init_workflow(const fs::path& template_file, const fs::path&
     if (!manifest) return manifest.errors();
     if (manifest->checks.empty())
       report.remarks.push_back(file.string() + " has no `checks:`, which the workflow plays");
-    if (!fs::exists(folder / kLockFileName, error))
+    if (is_absent(folder / kLockFileName))
       report.remarks.push_back("write " + std::string(kLockFileName) +
                                " with `ros2wasm lock` and commit it");
   }

@@ -28,6 +28,22 @@ TEST(Files, AreReadWhole) {
   EXPECT_EQ(read_file(tree.root(), kMostOfData).errors().front().code, "R2W0210");
 }
 
+// Guarantee, hostile input: a manifest, a lock or a course that is there and cannot be read is
+// never taken as absent
+TEST(Files, OnlyWhatHasNoNameIsAbsent) {
+  const testing::TemporaryTree tree;
+  EXPECT_TRUE(is_absent(tree / "x"));
+  EXPECT_TRUE(is_absent(tree / "no/folder/x"));
+  EXPECT_TRUE(is_absent(tree.write("file", "") / "x"));
+  EXPECT_FALSE(is_absent(tree / "file"));
+  EXPECT_FALSE(is_absent(tree.root()));
+  fs::create_symlink("loop", tree / "loop");
+  fs::create_symlink("nowhere", tree / "dangling");
+  EXPECT_EQ(::mkfifo((tree / "pipe").c_str(), 0600), 0);
+  for (const char* name : {"loop", "dangling", "pipe", "loop/x"})
+    EXPECT_FALSE(is_absent(tree / name)) << name;
+}
+
 std::string why_not_read(const fs::path& path, std::uint64_t at_most = kMostOfText) {
   const auto text = read_file(path, at_most);
   return text ? "it was read"
